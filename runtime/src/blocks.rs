@@ -175,6 +175,11 @@ pub trait Blocks {
         None
     }
 
+    /// The label of the load at a place of those that a failure names; `None` beyond the last one.
+    fn load_name(&self, _index: usize) -> Option<&str> {
+        None
+    }
+
     /// A failure in the mechanism's own terms.
     fn explained(&self, failure: &Failure<Self::Scalar>) -> Explained<'_, Self::Scalar> {
         let place = usize::from(failure.block);
@@ -185,6 +190,9 @@ pub trait Blocks {
                     .input_name(usize::from(input))
                     .map(|name| BlockName::new(name, "")),
                 (None, FailureKind::NotPositive { .. }) => self.requirement_name(place),
+                (None, FailureKind::LoadNotFinite { load }) => self
+                    .load_name(usize::from(load))
+                    .map(|name| BlockName::new(name, "")),
                 (None, _) => self.block_name(place),
             },
         }

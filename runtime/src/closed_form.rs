@@ -3,7 +3,7 @@
 //! A closed form finds a square root of a quantity that is positive while the links span the distance between their far
 //! pins. The module does not know the links; the generated code hands over the distances.
 
-use crate::failure::{Failure, FailureKind};
+use crate::failure::{Failure, FailureKind, index};
 use crate::math::Real;
 
 /// One of the two signs that the determinant of a block can have.
@@ -150,6 +150,26 @@ pub fn not_finite<T: Real>(time: T, block: u16) -> Failure<T> {
     failed(FailureKind::NotFinite, time, block)
 }
 
+/// The failure of a frame with a number that is not finite, ascribed to the first load that is not: `read` holds what loads follow
+/// from, `loads` one value of each, and `block` uses them. Other failures stay as they are, and so does that of a pose which is not finite.
+#[cold]
+pub fn load_not_finite<T: Real>(
+    failure: Failure<T>,
+    read: &[T],
+    loads: &[T],
+    block: u16,
+) -> Failure<T> {
+    let is_sound = read.iter().all(|value| value.is_finite());
+    let load = loads.iter().position(|value| !value.is_finite());
+    match load {
+        Some(load) if is_sound && failure.kind == FailureKind::NotFinite => {
+            let load = index(load);
+            failed(FailureKind::LoadNotFinite { load }, failure.time, block)
+        }
+        _ => failure,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -165,6 +185,27 @@ mod tests {
                 assert!(!all_finite(&values), "{bad} at {place}");
             }
         }
+    }
+
+    #[test]
+    fn an_infinite_load_is_named_where_the_pose_is_sound() {
+        let infinite = not_finite(0.5_f64, 0);
+        let kind =
+            |failure, read: &[f64], loads: &[f64]| load_not_finite(failure, read, loads, 3).kind;
+        let named = FailureKind::LoadNotFinite { load: 1 };
+        assert_eq!(
+            kind(infinite, &[1.0], &[2.0, f64::NAN, f64::INFINITY]),
+            named
+        );
+        assert_eq!(kind(infinite, &[1.0], &[2.0, 3.0]), FailureKind::NotFinite);
+        assert_eq!(
+            kind(infinite, &[f64::NAN], &[f64::NAN]),
+            FailureKind::NotFinite
+        );
+        let singular = singular_divisor(0.0, 1.0, 0.5, 2);
+        assert_eq!(load_not_finite(singular, &[1.0], &[f64::NAN], 3), singular);
+        let named = load_not_finite(infinite, &[], &[f64::NEG_INFINITY], 3);
+        assert_eq!((named.block, named.time), (3, 0.5));
     }
 
     #[test]

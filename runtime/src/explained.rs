@@ -32,7 +32,7 @@ impl<'a> BlockName<'a> {
 pub struct Explained<'a, T = f64> {
     /// What happened.
     pub failure: Failure<T>,
-    /// The name of the block where it happened, or of the input that is not finite, if it is known.
+    /// The name of the block where it happened, or of the input or load that is not finite, if it is known.
     pub block: Option<BlockName<'a>>,
 }
 
@@ -97,6 +97,10 @@ impl<T: Real> fmt::Display for Cause<'_, T> {
             let name = block.map_or("", |input| input.name);
             let space = if name.is_empty() { "" } else { " " };
             return write!(formatter, "input{space}{name} is not finite");
+        }
+        if let FailureKind::LoadNotFinite { .. } = kind {
+            let name = block.map_or("a load", |load| load.name);
+            return write!(formatter, "{name} is not finite");
         }
         if let Some(block) = block {
             write!(formatter, "{}: ", block.name)?;
@@ -213,6 +217,9 @@ mod tests {
             text(FailureKind::NotFinite, 0, 0),
             "explicit: a number is not finite, at t = 0.5 s"
         );
+        let load = FailureKind::LoadNotFinite { load: 3 };
+        assert_eq!(text(load, 1, 0), "loop F-N-M is not finite, at t = 0.5 s");
+        assert_eq!(text(load, 9, 0), "a load is not finite, at t = 0.5 s");
         let negative = FailureKind::NotPositive { value: -0.09 };
         assert_eq!(
             text(negative, 1, 0),

@@ -88,6 +88,11 @@ pub enum FailureKind<T = f64> {
     /// An input (see [`Failure::input`]), a time, a pose, a residual, an entry of the Jacobian, a velocity or an acceleration is
     /// infinite or NaN, or a scale of the equations is not a positive finite number.
     NotFinite,
+    /// A load, such as an applied force or a spring, is infinite or NaN; the pose that it follows from is finite.
+    LoadNotFinite {
+        /// The place of the load in the table `LOADS` of the generated module.
+        load: u16,
+    },
 }
 
 impl<T> FailureKind<T> {
@@ -107,6 +112,7 @@ impl<T> FailureKind<T> {
             Self::StepTooLarge => "the step is too large for the motion to be followed",
             Self::NotPositive { .. } => "a parameter is not positive",
             Self::NotFinite => "a number is not finite",
+            Self::LoadNotFinite { .. } => "a load is not finite",
         }
     }
 }
@@ -153,6 +159,10 @@ impl<T: Real> fmt::Display for Failure<T> {
                     formatter,
                     "requirement {block}: {value:.1e} is not positive"
                 );
+            }
+            FailureKind::LoadNotFinite { load } => {
+                write!(formatter, "not finite: load {load}")?;
+                None
             }
             FailureKind::Diverged => Some("diverged"),
             FailureKind::Cycling => Some("cycling"),

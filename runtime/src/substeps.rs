@@ -103,6 +103,7 @@ pub fn in_steps<T: Real>(
                         FailureKind::Singular { .. }
                             | FailureKind::NotPositive { .. }
                             | FailureKind::NotFinite
+                            | FailureKind::LoadNotFinite { .. }
                     )
                 {
                     beyond = Some(failure);
@@ -127,9 +128,9 @@ pub fn in_steps<T: Real>(
             if failure.kind == FailureKind::StepTooLarge
                 && step.abs() <= refined
                 && match beyond.kind {
-                    FailureKind::NotPositive { .. } | FailureKind::NotFinite => {
-                        (beyond.time - reached).abs() <= refined
-                    }
+                    FailureKind::NotPositive { .. }
+                    | FailureKind::NotFinite
+                    | FailureKind::LoadNotFinite { .. } => (beyond.time - reached).abs() <= refined,
                     _ => beyond.block == failure.block,
                 } =>
         {
@@ -198,6 +199,7 @@ fn lasting<T: Real>(kind: FailureKind<T>, coarse: bool) -> FailureKind<T> {
         | FailureKind::WrongBranch
         | FailureKind::NotPositive { .. }
         | FailureKind::NotFinite
+        | FailureKind::LoadNotFinite { .. }
             if !coarse =>
         {
             kind

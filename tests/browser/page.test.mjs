@@ -249,7 +249,7 @@ test("the curves of A and G of the excavator are those of the solver", async () 
 test("an assembly whose motion ends says so", async () => {
   const page = await visit("excavator");
   const ending = await page.$("#thumbnails button:has(small)");
-  assert.match(await ending.textContent(), /ends at/);
+  assert.match(await ending.textContent(), /motion ends at t = /);
   await ending.click();
   assert.match(await page.textContent("#assembly-error"), /.{20}/);
   await page.close();

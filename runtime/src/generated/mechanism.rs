@@ -18,6 +18,7 @@ macro_rules! mechanism {
         $(requirements: $requirements:ident;)?
         $(driven: $driven:ident;)?
         $(assemblies: $assemblies:ident;)?
+        $(loads: $loads:ident;)?
     ) => {
         /// What one instant is solved with.
         type Conditions<'a> = $crate::Conditions<
@@ -167,6 +168,12 @@ macro_rules! mechanism {
             $(
                 fn begin(&self, branches: &mut Branches, last: &mut Frame) {
                     $assemblies::begin(branches, last);
+                }
+            )?
+
+            $(
+                fn load_name(&self, index: usize) -> Option<&str> {
+                    $loads.get(index).copied()
                 }
             )?
 

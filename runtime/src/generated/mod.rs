@@ -17,7 +17,7 @@ macro_rules! precision {
         pub mod $name {
             pub use crate::chain_isolation::isolate_chain;
             pub use crate::closed_form::{
-                all_finite, no_span, not_finite, not_positive, singular_divisor, spans,
+                all_finite, load_not_finite, no_span, not_finite, not_positive, singular_divisor, spans,
             };
             pub use crate::contact::pressure_angle;
             pub use crate::linear::Factorization;

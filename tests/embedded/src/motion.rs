@@ -179,6 +179,7 @@ fn failed<T: Real, B: Machine>(machine: &mut B, failure: &Failure<T>) {
         FailureKind::NotPositive { .. } => 9,
         FailureKind::NotFinite => 10,
         FailureKind::Undecided => 11,
+        FailureKind::LoadNotFinite { .. } => 12,
         _ => 12,
     };
     let Failure {

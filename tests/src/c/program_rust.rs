@@ -39,6 +39,7 @@ pub fn failed<T: Real>(failure: &Failure<T>) -> String {
         FailureKind::NotPositive { value } => (9, value, 0),
         FailureKind::NotFinite => (10, T::ZERO, failure.input.map_or(0, |input| input + 1)),
         FailureKind::Undecided => (11, T::ZERO, 0),
+        FailureKind::LoadNotFinite { load } => (12, T::ZERO, load),
         _ => panic!("a kind of failure that C does not know"),
     };
     let mut text = format!("no {status}");

@@ -8,6 +8,7 @@ mod determinants;
 mod determinism;
 mod drawings;
 mod dyad_chain;
+mod explained_factors;
 mod meeting;
 mod named_parts;
 mod plans;

@@ -1,13 +1,17 @@
 //! Generated code has the forces of the interpreter, in both precisions, in closed form and by a linear system; its cost is bounded.
 
-use linkwright::{Blocks, FailureKind, Settings, Signal, Values};
+use linkwright::{Blocks, FailureKind, Settings, Shell, Signal, Values};
 use linkwright_codegen::report;
 use linkwright_mechanisms::andrews;
 use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::supplied::InputSignals;
 use linkwright_tests::description;
 use linkwright_tests::forces::{Followed, systems};
 use linkwright_tests::values::assembled_with;
 
+mod endless_loads {
+    linkwright::include_mechanism!(endless_loads);
+}
 mod forced_linkage {
     linkwright::include_mechanism!(forced_linkage);
 }
@@ -92,6 +96,62 @@ fn a_linkage_with_every_load_has_the_forces_of_the_interpreter() {
             found.extend(names.into_iter().zip(pin));
         }
         compare(&followed, &found, LIMIT, t);
+    }
+}
+
+/// 1/(φ − 0.5), 1/(t − 1) and a force that an input divides are infinite at φ = 0.5, at t = 1 s and at a gap of zero: the load is named
+/// by the module and by the interpreter, which agree on the failure, and the motion goes on afterwards.
+#[test]
+fn a_load_that_is_not_finite_is_named() {
+    let gap = |value| Signal {
+        value,
+        rate: 0.0,
+        acceleration: 0.0,
+    };
+    let inputs = |value| endless_loads::Inputs { gap: gap(value) };
+    let mut mechanism =
+        endless_loads::EndlessLoads::assemble(0.0, &inputs(0.25)).expect("as drawn");
+    let system = &systems("endless_loads", &description::source("endless_loads").text)[0];
+    let view = Interpreted::new(system).expect("two cranks");
+    let parameters = view.nominal_parameters();
+    let mut interpreted = Shell::assemble(
+        view.clone(),
+        &parameters,
+        &view.drawn_pose(&parameters),
+        view.drawn_branches(),
+        0.0,
+        &InputSignals(vec![gap(0.25)]),
+        Settings::default(),
+    )
+    .expect("as drawn");
+    for (t, value, load) in [
+        (0.25, 0.25, None),
+        (0.5, 0.25, Some("torque on crank")),
+        (0.75, 0.25, None),
+        (0.875, 0.0, Some("force on crank.P")),
+        (0.875, 0.25, None),
+        (1.0, 0.25, Some("torque on wheel")),
+        (1.25, 0.25, None),
+    ] {
+        let generated = mechanism.advance(t, &inputs(value)).map(|frame| frame.t);
+        let signals = InputSignals(vec![gap(value)]);
+        let read = interpreted.advance(t, &signals).map(|frame| frame.t());
+        assert_eq!(generated, read, "t = {t}");
+        let Some(load) = load else {
+            assert_eq!(generated, Ok(t));
+            continue;
+        };
+        let failure = generated.expect_err("an infinite load");
+        // The time is that to which the motion could be followed; on the way to it the gap is positive.
+        assert!((0.0..1e-6).contains(&(t - failure.time)), "{failure}");
+        let FailureKind::LoadNotFinite { load: place } = failure.kind else {
+            panic!("{failure}");
+        };
+        assert_eq!(endless_loads::LOADS[usize::from(place)], load);
+        let said = format!("{load} is not finite, at t = {} s", failure.time);
+        assert_eq!(endless_loads::describe(&failure).to_string(), said);
+        let blocks = interpreted.blocks();
+        assert_eq!(blocks.explained(&failure).to_string(), said);
     }
 }
 

@@ -232,11 +232,44 @@ fn what_has_no_mass_has_no_acceleration() {
         stop,
         Stop::Massless {
             t: 0.0,
-            coordinate: Some(vec![1])
+            coordinates: vec![1]
         }
     );
     let said = stop.not_begun(&view);
     assert!(said.contains("`free b: phi(other)`"), "{said}");
+}
+
+/// x = (1 − t)·φ moves a mass m, so that the reduced mass m·(1 − t)² of φ vanishes at t = 1 s. The other free coordinate keeps its own.
+#[test]
+fn a_coordinate_that_loses_its_mass_is_named_alone() {
+    let text = "mechanism fading {
+        point O = (0, 0), W = (0.5, 0), Q = (0, 1);
+        body arm at O { O }
+        body slide at Q { S: (0, 0) }
+        body wheel at W { W }
+        revolute O(ground, arm);
+        revolute W(ground, wheel);
+        absolute_y(slide) = 1;
+        absolute_angle(slide) = 0;
+        equation x(slide.S) = 1m*(1 - t)*phi(arm);
+        free a: phi(arm) = 0;
+        free b: phi(wheel) = 0 rate 1;
+        mass slide = 2kg;
+        mass wheel = 1kg inertia 0.5;
+    }";
+    // The free coordinates in the other order have the other places.
+    let turned = text.replace("free a: phi(arm) = 0;", "");
+    let turned = turned.replace("mass slide", "free a: phi(arm) = 0; mass slide");
+    for (text, place) in [(text, 0), (turned.as_str(), 1)] {
+        let mut fading = simulation(text, 2.0, options(1e-9));
+        let mut times = (1..=20).map(|step| 0.1 * f64::from(step));
+        let stop = times.find_map(|t| fading.advance(t).err());
+        let expected = Stop::Massless {
+            t: 1.0,
+            coordinates: vec![place],
+        };
+        assert_eq!(stop, Some(expected), "{text}");
+    }
 }
 
 /// Generated functions give the reduced mass and force of the interpreter.

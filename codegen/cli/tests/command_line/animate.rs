@@ -21,8 +21,8 @@ fn values(svg: &str, tag: &str, kind: &str) -> Vec<Vec<f64>> {
 fn an_svg_goes_through_the_motion() {
     let folder = Folder::new("animate_svg", EXAM);
     let ran = folder.run("draw a.mech --animate --to 2").exits_with(0);
-    assert_eq!(ran.stdout, "wrote two_body.svg\n");
-    let svg = folder.read("two_body.svg");
+    assert_eq!(ran.stdout, "wrote two_body_animated.svg\n");
+    let svg = folder.read("two_body_animated.svg");
     let turned = values(&svg, "<g id=\"body-1\"", "rotate");
     assert_eq!(turned.len(), 51);
     for (frame, value) in turned.iter().enumerate() {
@@ -55,7 +55,80 @@ fn an_svg_goes_through_the_motion() {
     assert!(!svg.contains("<script"));
     // It is a picture of ours, and the same again.
     folder.run("draw a.mech --animate --to 2").exits_with(0);
-    assert_eq!(folder.read("two_body.svg"), svg);
+    assert_eq!(folder.read("two_body_animated.svg"), svg);
+}
+
+/// The still picture and the moving one have names of their own, so that neither replaces the other.
+#[test]
+fn a_moving_picture_leaves_the_still_one() {
+    let folder = Folder::new("animate_beside", EXAM);
+    folder.run("draw a.mech").exits_with(0);
+    let still = folder.read("two_body.svg");
+    folder.run("draw a.mech --animate --to 0.2").exits_with(0);
+    assert_eq!(folder.read("two_body.svg"), still);
+    assert!(folder.read("two_body_animated.svg").contains("<animate"));
+}
+
+/// Of a spring about a pin the inner end turns with the first body, and the outer end with the second one, whichever of them moves.
+#[test]
+fn a_torsion_spring_is_wound_between_its_bodies() {
+    let text = "mechanism wound {
+    point O = (0, 0);
+    body arm at O { O, P: (60cm, 0) }
+    revolute O(ground, arm);
+    drive phi(arm) = 50deg*sin(2*pi*t);
+    mass arm = 5kg at P;
+    spring about (BODIES) = 3Nm;
+    effort;
+}
+";
+    for (bodies, turns) in [("ground, arm", [0.0, 1.0]), ("arm, ground", [1.0, 0.0])] {
+        let folder = Folder::new("animate_wound", text.replace("BODIES", bodies));
+        folder
+            .run("draw a.mech --animate --to 1 --out a.svg")
+            .exits_with(0);
+        // A still picture shows the spiral as it is wound then: at a quarter of the period the arm has turned by 50 degrees.
+        folder
+            .run("draw a.mech --at 0.25 --out still.svg")
+            .exits_with(0);
+        let still = folder.read("still.svg");
+        let still = &still[still.find(" data-wound=\"").expect("a spiral")..];
+        let line = still
+            .split(" d=\"")
+            .nth(1)
+            .and_then(|it| it.split('"').next());
+        let line = numbers(line.expect("a path"));
+        let [x, y] = [line[line.len() - 2], line[line.len() - 1]];
+        let wound = std::f64::consts::PI + (turns[1] - turns[0]) * 50.0_f64.to_radians();
+        assert!(
+            (-y.atan2(x) - wound).sin().abs() < 5e-3,
+            "{bodies}: {x} {y}"
+        );
+        let svg = folder.read("a.svg");
+        let group = &svg[svg.find(" data-wound=\"").expect("a spiral")..];
+        let shapes = group.split("attributeName=\"d\" values=\"").nth(1);
+        let shapes = shapes.and_then(|it| it.split('"').next()).expect("shapes");
+        let shapes: Vec<Vec<f64>> = shapes.split(';').map(numbers).collect();
+        assert_eq!(shapes.len(), 26);
+        let frame = match turns[0] == 0.0 {
+            true => vec![vec![0.0]; shapes.len()],
+            false => values(group, " data-wound=\"", "rotate"),
+        };
+        for (number, (shape, frame)) in shapes.iter().zip(&frame).enumerate() {
+            let t = 0.04 * number as f64;
+            let angle = 50.0_f64.to_radians() * (2.0 * std::f64::consts::PI * t).sin();
+            let ends = [&shape[..2], &shape[shape.len() - 2..]];
+            // Three half turns lie between the ends at rest.
+            for ((end, turns), at_rest) in
+                ends.into_iter().zip(turns).zip([0.0, std::f64::consts::PI])
+            {
+                let found = -end[1].atan2(end[0]) - frame[0].to_radians();
+                let off = (found - at_rest - turns * angle).sin().abs();
+                assert!(off < 5e-3, "{bodies} at {t}: {off}");
+                assert!((found - at_rest - turns * angle).cos() > 0.0);
+            }
+        }
+    }
 }
 
 /// A long motion has 250 pictures at most, and still its own pace.
@@ -107,7 +180,7 @@ fn what_cannot_be_animated_is_refused() {
         assert!(ran.stderr.contains(words), "{options}: {}", ran.stderr);
     }
     assert_eq!(folder.list("."), ["a.mech"]);
-    fs::write(folder.file("two_body.svg"), "something else\n").expect("a file");
+    fs::write(folder.file("two_body_animated.svg"), "something else\n").expect("a file");
     folder.run("draw a.mech --animate").exits_with(2);
 }
 

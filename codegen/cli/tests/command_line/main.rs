@@ -5,11 +5,16 @@ mod branch;
 #[cfg(feature = "calibrate")]
 mod calibrate;
 mod check;
+mod check_assemblies;
+mod check_crank_rocker;
 mod compare;
 mod derivatives;
 mod draw;
 mod draw_loads;
+mod file_owners;
 mod files;
+#[cfg(unix)]
+mod files_on_unix;
 mod fmt;
 mod folder;
 mod forces;
@@ -46,5 +51,7 @@ mod shell;
 mod simulate;
 mod singular;
 mod solve;
+mod solve_files;
+mod solve_shown;
 mod units;
 mod view;

@@ -57,7 +57,7 @@ fn hover_says_what_a_name_is() {
     let mut said = |part: &str, number| hover(&mut client, CRANK, part, number);
     assert_eq!(
         said("r = ", 0),
-        "```mech\nparam r = 50mm;\n```\n\nparameter = 0.05 m by default\n\nHow far the pin is out."
+        "```mech\nparam r = 50mm;\n```\n\nparameter = 0.05 m unless it is set\n\nHow far the pin is out."
     );
     assert_eq!(
         said("d = ", 0),
@@ -69,7 +69,7 @@ fn hover_says_what_a_name_is() {
     );
     assert_eq!(
         said("O, ", 0),
-        "```mech\npoint O = (0, 0)\n```\n\npoint of the drawing, carried by body `1`\n\nWhere the crank turns."
+        "```mech\npoint O = (0, 0)\n```\n\npoint in global coordinates, carried by body `1`\n\nWhere the crank turns."
     );
     assert_eq!(
         said("1) = angle", 0),
@@ -84,7 +84,10 @@ fn hover_says_what_a_name_is() {
         said("turn: ", 0),
         "```mech\ndrive turn: phi(1) = angle + 2*t;\n```\n\ndriver\n\n```text\nφ₁ − angle − 2·t = 0\n```"
     );
-    assert!(said("angle + ", 0).contains("input = 0.5235987755982988 rad at rest"));
+    assert!(
+        said("angle + ", 0)
+            .contains("input = 0.5235987755982988 rad, constant unless it is supplied")
+    );
     assert!(said("lift", 0).contains("table"));
     // Words of the language.
     let kind = said("absolute_y", 0);
@@ -108,7 +111,7 @@ fn hover_says_what_a_pressure_angle_is() {
     assert!(said("pressure_angle", 0).starts_with("the angle between the line of action"));
     assert!(said("external_gear", 0).contains("pressure_angle 20deg"));
     // A mention of the parameter.
-    assert!(said("slope + ", 0).contains("= 0.3490658503988659 rad by default"));
+    assert!(said("slope + ", 0).contains("= 0.3490658503988659 rad unless it is set"));
     assert_eq!(said("1deg", 0), "an angle, 0.017453292519943295 rad");
     client.finish();
 }

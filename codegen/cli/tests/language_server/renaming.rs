@@ -92,8 +92,8 @@ fn a_name_that_cannot_be_had_is_refused_in_the_words_of_the_diagnostic() {
     assert!(!refused("e = ", "a b").is_empty());
     assert!(!refused("e = ", "f = 1; const g").is_empty());
     assert_eq!(refused("e = ", "f /* */"), "`f /* */` is not a name");
-    assert!(refused("Where the", "x").starts_with("no name"));
-    assert!(refused("sqrt", "x").starts_with("no name"));
+    assert!(refused("Where the", "x").starts_with("expected a name that"));
+    assert!(refused("sqrt", "x").starts_with("expected a name that"));
     client.finish();
 }
 
@@ -114,7 +114,7 @@ fn nothing_is_renamed_where_a_statement_cannot_be_read() {
     let mut client = opened(&text);
     let refused = renamed(&mut client, &text, "P: ", "pin").expect_err("it has an error");
     assert!(
-        refused.starts_with("the description cannot be read: "),
+        refused.starts_with("the description has an error, correct it first: "),
         "{refused}"
     );
     client.finish();

@@ -109,7 +109,8 @@ pub struct Draw {
     /// Units of what is reported.
     #[command(flatten)]
     pub reported_in: ReportedIn,
-    /// File of the picture, `.svg` or `.png`, with `--animate` `.svg` or `.gif`; `-` is stdout [default: NAME.svg]
+    /// File of the picture, `.svg` or `.png`, with `--animate` `.svg` or `.gif`; `-` is stdout [default: NAME.svg, with
+    /// `--animate` NAME_animated.svg]
     #[arg(short, long, value_name = "FILE")]
     pub out: Option<PathBuf>,
     /// Write a PNG, whatever the file is called [default file: NAME.png]
@@ -157,6 +158,7 @@ Examples:
   linkwright draw mechanisms/two_body.mech --at 0.3 --frame 2       with the axes of a body's frame
   linkwright draw mechanisms/four_bar.mech --branch phi_coupler_phi_rocker=other --out other.svg
   linkwright draw mechanisms/disc_cam.mech --out cam.png --size 1200x900
+  linkwright draw mechanisms/four_bar.mech --animate --to 2         four_bar_animated.svg, which moves in a browser
   linkwright draw mechanisms/four_bar.mech --animate --to 2 --out four_bar.gif
 
 Exit codes: 0 drawn, 1 the mechanism cannot be assembled or its motion ends before T, 2 bad input.";

@@ -262,8 +262,10 @@ pub(super) fn path(arguments: &Draw, system: &System) -> PathBuf {
     let mechanism = &system.mechanism;
     let motion = mechanism.motion.as_ref();
     let motion = motion.map_or(String::new(), |motion| format!("_{}", motion.name));
+    // A still picture is not replaced by a moving one.
+    let moving = if arguments.animate { "_animated" } else { "" };
     let ending = if arguments.png { "png" } else { "svg" };
-    PathBuf::from(format!("{}{motion}.{ending}", mechanism.name))
+    PathBuf::from(format!("{}{motion}{moving}.{ending}", mechanism.name))
 }
 
 pub(super) fn is_stdout(path: &Path) -> bool {

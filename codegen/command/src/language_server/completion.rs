@@ -143,11 +143,7 @@ impl<'a> Offer<'a> {
 
     fn bodies(&self) -> Vec<CompletionItem> {
         let mut items = self.named(|sort| sort == Sort::Body);
-        items.extend(self.words(
-            &["ground"],
-            CompletionItemKind::STRUCT,
-            "what does not move",
-        ));
+        items.extend(self.words(&["ground"], CompletionItemKind::STRUCT, "fixed body"));
         items
     }
 
@@ -157,13 +153,9 @@ impl<'a> Offer<'a> {
         items.extend(self.words(FUNCTIONS, CompletionItemKind::FUNCTION, "function"));
         items.extend(self.words(LAWS, CompletionItemKind::FUNCTION, "law of motion"));
         items.extend(self.words(&AXES, CompletionItemKind::FUNCTION, "coordinate"));
-        items.extend(self.words(BUILT_IN, CompletionItemKind::CONSTANT, "always there"));
-        items.extend(self.words(&CLAUSES, CompletionItemKind::KEYWORD, "word of a statement"));
-        items.extend(self.words(
-            &["ground"],
-            CompletionItemKind::STRUCT,
-            "what does not move",
-        ));
+        items.extend(self.words(BUILT_IN, CompletionItemKind::CONSTANT, "built-in name"));
+        items.extend(self.words(&CLAUSES, CompletionItemKind::KEYWORD, "keyword"));
+        items.extend(self.words(&["ground"], CompletionItemKind::STRUCT, "fixed body"));
         let mut seen = BTreeSet::new();
         items.retain(|item| seen.insert(item.label.clone()));
         items

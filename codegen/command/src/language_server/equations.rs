@@ -54,12 +54,15 @@ fn value(system: &System, name: &str, place: Span) -> Option<String> {
     let mut parameters = mechanism.parameters.iter();
     if let Some(own) = parameters.find(|it| is_own((&it.name, it.span))) {
         let unit = own.dimension.unit();
-        return Some(format!("= {} {unit} by default", plain(own.nominal)?));
+        return Some(format!("= {} {unit} unless it is set", plain(own.nominal)?));
     }
     let mut inputs = mechanism.inputs.iter();
     let own = inputs.find(|it| is_own((&it.name, it.span)))?;
     let unit = own.dimension.unit();
-    Some(format!("= {} {unit} at rest", plain(own.initial)?))
+    Some(format!(
+        "= {} {unit}, constant unless it is supplied",
+        plain(own.initial)?
+    ))
 }
 
 /// The coordinates of a body, as the equations call them.

@@ -163,7 +163,7 @@ impl About<'_> {
         let mut kinds = CONSTRAINTS.iter().chain(DRIVERS);
         let kind = kinds.find(|it| it.keyword() == word);
         let starts = statement.is_some_and(|it| it.start == place.start);
-        let example = kind.map(|it| format!("written {}", it.example()));
+        let example = kind.map(|it| format!("syntax: {}", it.example()));
         let parts: Vec<String> = match (example, starts) {
             (Some(example), _) => [Some(example), equations].into_iter().flatten().collect(),
             (None, true) => equations.into_iter().collect(),
@@ -207,8 +207,8 @@ fn built_in(word: &str) -> Option<String> {
     Some(match word {
         "t" => "the time, in s".to_string(),
         "pi" => format!("π = {}", std::f64::consts::PI),
-        "pressure_angle" => "the angle between the line of action of teeth and the common tangent of the pitch circles; with it bearings carry the force of the teeth".to_string(),
-        "ground" => "what does not move; it carries every drawn point".to_string(),
+        "pressure_angle" => "the angle between the line of action of the teeth and the common tangent of the pitch circles; if it is given, bearings carry the tooth force".to_string(),
+        "ground" => "the fixed body; it carries every `point` of the description".to_string(),
         _ => return None,
     })
 }

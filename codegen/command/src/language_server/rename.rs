@@ -39,13 +39,13 @@ fn mention(description: &Description, offset: usize) -> Result<Mention, Refusal>
         let first = errors(found).into_iter().next();
         let why = first.map_or(String::new(), |it| format!(": {}", words(&it)));
         return Err(Refusal::failed(format!(
-            "the description cannot be read{why}"
+            "the description has an error, correct it first{why}"
         )));
     }
     description
         .names
         .mention_at(offset)
-        .ok_or_else(|| Refusal::failed("no name of this description is here".to_string()))
+        .ok_or_else(|| Refusal::failed("expected a name that the description declares".to_string()))
 }
 
 /// The edits that change a name everywhere.
@@ -90,10 +90,10 @@ pub fn rename(
     if let Some(other) = other_meaning(names, &meant.names) {
         return Err(Refusal::failed(match other {
             Some(symbol) => format!(
-                "`{new}` is the name of a {} already",
+                "`{new}` is already the name of a {}",
                 names.symbols[symbol].sort.noun()
             ),
-            None => format!("`{new}` has another meaning already"),
+            None => format!("`{new}` already has a meaning there; choose another name"),
         }));
     }
     let edits = places.iter().map(|&place| TextEdit {

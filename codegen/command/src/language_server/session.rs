@@ -156,7 +156,7 @@ impl Session {
             )),
             (State::ShutDown, _) | (State::Open, "initialize") => Err(Refusal::new(
                 ErrorCode::InvalidRequest,
-                "this is not the time for it",
+                "expected no `initialize` after the first one, and no request after `shutdown`",
             )),
             (State::Open, "shutdown") => {
                 self.state = State::ShutDown;

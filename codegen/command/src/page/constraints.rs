@@ -49,14 +49,14 @@ pub fn section(system: &System, check: &Check) -> String {
     let drivers = check.kinematic_freedom - check.net_freedom;
     let _ = writeln!(
         text,
-        "<p class=\"freedom\"><b>KDOF</b> = {coordinates} coordinates − {constraints} equations of joints = <b>{}</b>, \
-         so that many drivers determine the motion. <b>NDOF</b> = {} − {drivers} {} of drivers = <b>{}</b>.</p>",
+        "<p class=\"freedom\">Kinematic degrees of freedom: <b>KDOF</b> = {coordinates} coordinates − {constraints} equations of joints = <b>{}</b>. \
+         As many independent driver equations determine the motion. Net degrees of freedom: <b>NDOF</b> = {} − {drivers} {} = <b>{}</b>.</p>",
         check.kinematic_freedom,
         check.kinematic_freedom,
         if drivers == 1 {
-            "equation"
+            "driver equation"
         } else {
-            "equations"
+            "driver equations"
         },
         check.net_freedom
     );

@@ -26,24 +26,24 @@ pub fn section(system: &System) -> String {
     if !(units.of("m").is_si() && units.of("rad").is_si()) {
         text += "<p>Equations are in SI units: m, rad, kg and s.</p>\n";
     }
-    text += "<h3 id=\"phi\">Φ(q, t) = 0</h3>\n";
+    text += "<h3 id=\"phi\">Constraint equations Φ(q, t) = 0</h3>\n";
     text += &rows(
         system,
         &found,
         &|row| Some(row.residual.as_str()),
         "<mo>=</mo><mn>0</mn>",
     );
-    text += "<h3 id=\"phi-q\">Φ<sub>q</sub></h3>\n";
+    text += "<h3 id=\"phi-q\">Jacobian Φ<sub>q</sub> = ∂Φ/∂q</h3>\n";
     text += &match names.len() <= LARGEST_MATRIX {
         true => matrix(system, &found, &names),
         false => entries(system, &found, &names),
     };
-    text += "<h3 id=\"phi-t\">Φ<sub>t</sub></h3>\n";
+    text += "<h3 id=\"phi-t\">Φ<sub>t</sub> = ∂Φ/∂t, for the velocities: Φ<sub>q</sub> q̇ = −Φ<sub>t</sub></h3>\n";
     text += &rows(system, &found, &|row| row.time_derivative.as_deref(), "");
-    text += "<h3 id=\"gamma\">γ</h3>\n";
+    text += "<h3 id=\"gamma\">γ, for the accelerations: Φ<sub>q</sub> q̈ = γ</h3>\n";
     text += &rows(system, &found, &|row| row.gamma.as_deref(), "");
     if !found.monitored.is_empty() {
-        text += "<h3>Watched, since they repeat what others say</h3>\n";
+        text += "<h3>Redundant equations, monitored but not solved</h3>\n";
         for (joint, residual) in &found.monitored {
             text += &equation(
                 &about(system, *joint, None),
@@ -54,7 +54,11 @@ pub fn section(system: &System) -> String {
         }
     }
     for (cause, entries) in &found.directions {
-        let _ = writeln!(text, "<h3>∂Φ/∂ <code>{}</code></h3>", escaped(cause));
+        let _ = writeln!(
+            text,
+            "<h3>Partial derivative of Φ with respect to <code>{}</code></h3>",
+            escaped(cause)
+        );
         for (row, entry) in entries {
             let joint = found.rows[*row].joint;
             text += &equation(
@@ -184,7 +188,7 @@ fn matrix(system: &System, found: &Equations, names: &[&str]) -> String {
 
 /// Φ_q by its entries that are not zero.
 fn entries(system: &System, found: &Equations, names: &[&str]) -> String {
-    let mut text = String::from("<p>Row by row, all entries that are not zero:</p>\n");
+    let mut text = String::from("<p>Nonzero entries, row by row:</p>\n");
     for (index, row) in found.rows.iter().enumerate() {
         let entries = row.jacobian.iter().map(|entry| {
             format!(

@@ -47,7 +47,7 @@ pub fn singular(check: &Check, determinant: Option<f64>, is_checked: bool) -> St
     let (system, plan) = (check.interpreted.system(), check.interpreted.plan());
     let poses = singular_poses(system, plan, &program.forms, Script::Html);
     let mut text = String::from(
-        "<p>det Φ<sub>q</sub> is, up to its sign, the product of the determinants of the blocks: it vanishes exactly where one of these does.</p>\n",
+        "<p>A pose is singular where det Φ<sub>q</sub> = 0. Up to its sign, det Φ<sub>q</sub> is the product of the determinants of the blocks, so that it is zero exactly where one of them is.</p>\n",
     );
     let mut measured = 0;
     for (pose, part) in poses.iter().zip(&check.parts) {
@@ -59,11 +59,11 @@ pub fn singular(check: &Check, determinant: Option<f64>, is_checked: bool) -> St
                 let own = format!(" data-is=\"m{measured}\"");
                 measured += 1;
                 if approach.crosses || approach.measure < VANISHED {
-                    format!(" <b{own}>The motion comes to such a pose at t = {at} s.</b>")
+                    format!(" <b{own}>The motion reaches such a pose at t = {at} s.</b>")
                 } else {
                     let range = check.range.unwrap_or([check.start; 2]).map(time);
                     format!(
-                        " <span{own}>From t = {} s to {} s it does not vanish: divided by the lengths of its columns it is smallest at t = {at} s, {} (0 is singular, 1 as far from it as can be).</span>",
+                        " <span{own}>From t = {} s to {} s it is not zero: divided by the lengths of its columns it is smallest at t = {at} s, where it is {} (0: singular, 1: as far from singular as possible).</span>",
                         range[0],
                         range[1],
                         number(approach.measure)

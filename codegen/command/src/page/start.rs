@@ -103,7 +103,7 @@ pub fn first_step(system: &System, instant: &Instant, t: f64) -> String {
     let scale = right.amax().max(1.0);
     let right = right.map(|it| if it.abs() < ROUNDING * scale { 0.0 } else { it });
     let mut text = format!(
-        "<p>From the pose at t = {} s, for t = {} s: <math><msub><mi mathvariant=\"normal\">Φ</mi><mi class=\"bold\" mathvariant=\"normal\">q</mi></msub><mo>(</mo><msub><mi class=\"bold\" mathvariant=\"normal\">q</mi><mn>0</mn></msub><mo>,</mo><mi>t</mi><mo>)</mo><mspace width=\"0.15em\"/><mi mathvariant=\"normal\">Δ</mi><mi class=\"bold\" mathvariant=\"normal\">q</mi></math> = <math><mo>−</mo><mi mathvariant=\"normal\">Φ</mi><mo>(</mo><msub><mi class=\"bold\" mathvariant=\"normal\">q</mi><mn>0</mn></msub><mo>,</mo><mi>t</mi><mo>)</mo></math>, in numbers of SI units</p>\n",
+        "<p>Newton-Raphson starts at the pose q<sub>0</sub> of t = {} s and seeks that of t = {} s. Its first step Δq solves <math><msub><mi mathvariant=\"normal\">Φ</mi><mi class=\"bold\" mathvariant=\"normal\">q</mi></msub><mo>(</mo><msub><mi class=\"bold\" mathvariant=\"normal\">q</mi><mn>0</mn></msub><mo>,</mo><mi>t</mi><mo>)</mo><mspace width=\"0.15em\"/><mi mathvariant=\"normal\">Δ</mi><mi class=\"bold\" mathvariant=\"normal\">q</mi></math> = <math><mo>−</mo><mi mathvariant=\"normal\">Φ</mi><mo>(</mo><msub><mi class=\"bold\" mathvariant=\"normal\">q</mi><mn>0</mn></msub><mo>,</mo><mi>t</mi><mo>)</mo></math>, here in numbers of SI units:</p>\n",
         number(instant.t()),
         number(t)
     );
@@ -113,8 +113,8 @@ pub fn first_step(system: &System, instant: &Instant, t: f64) -> String {
     };
     let condition = Condition::of(&matrix);
     let verdict = match condition.sign {
-        0 => "It vanishes: the step does not exist.",
-        _ => "It does not vanish, so there is one step.",
+        0 => "It is zero: the matrix is singular and gives no step.",
+        _ => "It is not zero, so that exactly one step solves the equations.",
     };
     let _ = writeln!(
         text,
@@ -215,7 +215,7 @@ fn sparse(
             .collect();
         let _ = writeln!(
             text,
-            "<p>Its solution, where it is not zero: {}</p>",
+            "<p>Nonzero entries of the solution: {}</p>",
             moved.join(" ")
         );
     }

@@ -190,7 +190,10 @@ fn drawn(page: &Page<'_>, players: &mut Players) -> String {
         gap = Some(Gap {
             ends: open.ends,
             text: format!("{} {}", number(unit.of_si(open.distance())), unit.name),
-            title: format!("{} cannot close", system.mechanism.joints[open.joint].label),
+            title: format!(
+                "the loop does not close at {}",
+                system.mechanism.joints[open.joint].label
+            ),
         });
         open.pose(system)
     });
@@ -264,18 +267,22 @@ fn assemblies(check: &Check) -> String {
     let modes = match names.is_empty() {
         true => String::new(),
         false => format!(
-            " Signs and letters are those of {}, in this order.",
+            " A label has one character for each of {}, in this order: the sign of its determinant, or a letter that numbers its poses.",
             names.join(", ")
         ),
     };
     let rest = match check.assemblies.are_all() {
-        true => " There are no others.",
-        false => " There may be more.",
+        true => "; there are no others.",
+        false => "; there may be others.",
+    };
+    let choice = match found.len() {
+        0 | 1 => "",
+        _ => " Select one to see its motion.",
     };
     format!(
-        "<p>At t = {} s the mechanism can be put together in {} {}.{rest}{modes} Choose one to see it move.</p>\n<div id=\"thumbnails\" role=\"group\" aria-labelledby=\"assemblies\"></div>\n<p id=\"assembly-error\" class=\"error\" hidden></p>\n",
+        "<p>At t = {} s the mechanism can be assembled in {} {}{rest}{modes}{choice}</p>\n<div id=\"thumbnails\" role=\"group\" aria-labelledby=\"assemblies\"></div>\n<p id=\"assembly-error\" class=\"error\" hidden></p>\n",
         number(check.start),
         found.len(),
-        if found.len() == 1 { "way" } else { "ways" }
+        if found.len() == 1 { "way" } else { "ways" },
     )
 }

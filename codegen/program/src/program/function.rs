@@ -48,7 +48,7 @@ pub enum Statement {
     Section(Level),
     /// What follows finds, and from what.
     Heading(Phrase),
-    /// What a person says before what follows.
+    /// What a person says before what follows. In generated code it stands where values need an explanation.
     Note(Phrase),
     /// An equation that a person writes, and nobody computes.
     Shown {

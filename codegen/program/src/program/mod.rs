@@ -14,6 +14,7 @@ mod forces;
 pub mod forms;
 mod function;
 mod lengths;
+mod loads;
 mod lower;
 mod outputs;
 pub mod passes;
@@ -34,6 +35,7 @@ pub use forces::{Effort, Energy, Forces, FreeCoordinate, Reaction, Reduced};
 pub use forms::{DrawnMode, sign_of};
 pub use function::{Function, Level, Statement};
 pub use lengths::Lengths;
+pub use loads::Loads;
 pub use lower::{forms_of, lower, lower_with_unknowns, unpruned};
 pub use outputs::Output;
 pub use passes::constants::{ConstantPart, Constants};
@@ -84,6 +86,8 @@ pub struct Program {
     /// What each pressure angle follows from: the velocity along and across the normal, and the square of the sliding speed.
     /// Empty where single outputs are asked for.
     pub pressures: Vec<Function>,
+    /// Loads among which the cause of a refused frame is found; `None` if none may become infinite.
+    pub loads: Option<Loads>,
     /// What parameters must leave positive; `None` where none can do else.
     pub requirements: Option<Requirements>,
     /// What shows that frames lie on their path; `None` where nobody asks.

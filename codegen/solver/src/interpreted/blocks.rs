@@ -164,15 +164,20 @@ impl Blocks for Interpreted {
         } = *conditions;
         self.compiled.fill(registers, last, t, parameters, inputs);
         self.compiled.set_signs(registers, modes);
-        for index in 0..self.compiled.blocks.len() {
-            self.run_block(index, registers, t, start, modes, settings)?;
-        }
+        let mut blocks = 0..self.compiled.blocks.len();
+        let solved =
+            blocks.try_for_each(|it| self.run_block(it, registers, t, start, modes, settings));
         self.compiled.keep(registers, t, at);
-        if at.values().iter().all(|value| value.is_finite()) {
-            Ok(())
-        } else {
-            Err(failed(FailureKind::NotFinite, t, 0))
-        }
+        let failure = match solved {
+            Err(failure) => failure,
+            Ok(()) if at.values().iter().all(|value| value.is_finite()) => return Ok(()),
+            Ok(()) => failed(FailureKind::NotFinite, t, 0),
+        };
+        let loads = self
+            .loads
+            .as_ref()
+            .filter(|_| failure.kind == FailureKind::NotFinite);
+        Err(loads.map_or(failure, |loads| loads.blame(failure, at)))
     }
 
     fn name(&self) -> &str {
@@ -226,6 +231,11 @@ impl Blocks for Interpreted {
         let requirements = self.compiled.program.requirements.as_ref()?;
         let (name, singular) = requirements.names.get(index)?;
         Some(BlockName { name, singular })
+    }
+
+    fn load_name(&self, index: usize) -> Option<&str> {
+        let loads = self.compiled.program.loads.as_ref()?;
+        loads.labels.get(index).map(String::as_str)
     }
 
     fn block_name(&self, index: usize) -> Option<BlockName<'_>> {

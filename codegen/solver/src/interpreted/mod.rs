@@ -6,6 +6,7 @@
 
 mod blocks;
 mod compiled;
+mod loads;
 mod run;
 mod view;
 
@@ -30,6 +31,7 @@ use crate::reader::Reader;
 use crate::supplied::{InputSignals, Modes, Pose};
 use crate::view::View;
 use compiled::Compiled;
+use loads::LoadReader;
 
 /// A mechanism that is solved block by block, in SI units: m, rad, s.
 #[derive(Clone, Debug)]
@@ -38,6 +40,8 @@ pub struct Interpreted {
     registers: RefCell<Vec<f64>>,
     path_registers: RefCell<[Vec<f64>; 2]>,
     points: Reader,
+    /// What a failure is ascribed to a load by; `None` if no load may become infinite.
+    loads: Option<LoadReader>,
     derivatives: Vec<Derivative>,
     /// Where instants keep the forces that are asked for.
     forces: Vec<Option<usize>>,
@@ -128,6 +132,7 @@ impl Interpreted {
         let path = compiled.path.as_ref();
         Interpreted {
             points: Reader::new(graph, &compiled.layout, &points),
+            loads: LoadReader::new(&compiled),
             derivatives: of_program(&compiled.program, &compiled.layout),
             forces: forces::of_program(&compiled.program, &compiled.layout),
             registers: RefCell::new(compiled.code.registers().to_vec()),

@@ -106,11 +106,12 @@ impl View for Interpreted {
 impl Interpreted {
     /// The failure in words, without the time. A number that is not finite is ascribed to the load or the block that it comes from.
     fn cause(&self, failure: &Failure, last: Option<&Instant>) -> String {
+        if let FailureKind::LoadNotFinite { load } = failure.kind {
+            let load = self.load_name(usize::from(load)).unwrap_or_default();
+            return format!("`{load}` is not finite there");
+        }
         let refused = self.refused(failure, last);
         let named = refused.and_then(|refused| {
-            if let Some(load) = not_finite::load(self.system(), self.layout(), &refused) {
-                return Some(format!("`{load}` is not finite there"));
-            }
             let block = not_finite::block(self, &refused)?;
             Some(format!("{block}: {}", failure.kind.words()))
         });

@@ -155,6 +155,11 @@ impl MotionEquations {
         [self.row_scales.len(), self.coordinate_scales.len()]
     }
 
+    /// Number of free coordinates, the last unknowns.
+    pub fn free_count(&self) -> usize {
+        self.free.len()
+    }
+
     /// An instant at a time with the laws of the inputs.
     pub fn instant(&self, t: f64) -> Instant {
         let mut instant = self.layout.empty();

@@ -11,6 +11,7 @@ mod chart;
 mod crossing;
 mod elongations;
 mod equations;
+mod massless;
 mod method;
 mod next_step;
 mod reduced;
@@ -133,7 +134,7 @@ impl Simulation {
         let shell = shell.map_err(Stop::NotAssembled)?;
         let massless = |places: Vec<usize>| Stop::Massless {
             t: 0.0,
-            coordinate: Some(places),
+            coordinates: places,
         };
         motion.acceleration(shell.frame()).map_err(massless)?;
         let system = view.system();

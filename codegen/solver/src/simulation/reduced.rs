@@ -1,15 +1,12 @@
 //! *An instant* → *the acceleration of the free coordinates that forces give it*: mass · s̈ = force.
 
 use linkwright_codegen::stages::program::{Program, Reduced};
-use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
+use nalgebra::{Cholesky, DMatrix, DVector};
 
-use crate::concerned::SHARE;
+use super::massless::{SMALLEST_PIVOT, unresisted};
 use crate::instant::{Instant, Layout};
 use crate::interpreted::Interpreted;
 use crate::view::View;
-
-/// The square of a pivot beside its diagonal entry, below which a reduced mass carries no digit.
-const SMALLEST_PIVOT: f64 = 64.0 * f64::EPSILON;
 
 /// Where instants keep the reduced mass and force.
 #[derive(Clone, Debug)]
@@ -65,29 +62,24 @@ impl ReducedMotion {
             return Err(vec![place]);
         }
         let Some(factor) = Cholesky::new(mass.clone()) else {
-            return Err(unresisted(&mass));
+            return Err(alone(&mass));
         };
         let pivots = factor.l_dirty().diagonal();
         let mut pivots = pivots.iter().zip(&diagonal);
         let small = |(pivot, whole): (&f64, &f64)| pivot * pivot <= SMALLEST_PIVOT * whole;
         match pivots.any(small) {
-            true => Err(unresisted(&mass)),
+            true => Err(alone(&mass)),
             false => Ok(factor.solve(&force)),
         }
     }
 }
 
-/// Returns the places of the coordinates that take part in the motion with the least kinetic energy; the diagonal of the mass is positive.
-fn unresisted(mass: &DMatrix<f64>) -> Vec<usize> {
+/// Returns the places of the free coordinates that no mass resists; the diagonal of the mass is positive.
+fn alone(mass: &DMatrix<f64>) -> Vec<usize> {
     // Coordinates are compared by the energy that each would have alone.
-    let scales = mass.diagonal().map(|own| 1.0 / own.sqrt());
-    let scaled = DMatrix::from_fn(mass.nrows(), mass.ncols(), |row, column| {
-        scales[row] * mass[(row, column)] * scales[column]
-    });
-    let found = SymmetricEigen::new(scaled);
-    let least = found.eigenvectors.column(found.eigenvalues.imin());
-    let limit = SHARE * least.amax();
-    (0..least.len())
-        .filter(|&place| least[place].abs() >= limit)
-        .collect()
+    let scales = DMatrix::from_diagonal(&mass.diagonal().map(|own| 1.0 / own.sqrt()));
+    unresisted(
+        &scales * mass * &scales,
+        &DMatrix::identity(mass.nrows(), mass.ncols()),
+    )
 }

@@ -6,6 +6,7 @@ use nalgebra::{Cholesky, DMatrix, DVector};
 
 use super::chart::{Chart, measure, stretch};
 use super::equations::MotionEquations;
+use super::massless::{SMALLEST_PIVOT, unresisted};
 use super::stop::Stop;
 use crate::instant::Instant;
 
@@ -17,9 +18,6 @@ const SMALL: f64 = 1e-7;
 
 /// How far a correction may lead from what is expected, in rad or characteristic lengths.
 const FAR: f64 = 1.0;
-
-/// The square of a pivot beside its diagonal entry, below which a reduced mass carries no digit.
-const SMALLEST_PIVOT: f64 = 64.0 * f64::EPSILON;
 
 /// All that follows in one pose with rates.
 #[derive(Clone, Debug)]
@@ -114,9 +112,20 @@ impl Chart {
         }
         let mass = moved.tr_mul(&(&dynamics.mass * &moved));
         let force = moved.tr_mul(&(&dynamics.loads - &dynamics.mass * &bends));
-        let acceleration = accelerated(mass, &force).ok_or(Stop::Massless {
-            t,
-            coordinate: None,
+        if mass.iter().any(|entry| !entry.is_finite()) {
+            return Err(Stop::NotFinite { t });
+        }
+        let acceleration = accelerated(&mass, &force).ok_or_else(|| {
+            // What is free comes last among the unknowns.
+            let free = equations.free_count();
+            let mut rates = moved.rows(columns - free, free).into_owned();
+            for (mut row, scale) in rates.row_iter_mut().zip(&scales[columns - free..]) {
+                row /= *scale;
+            }
+            Stop::Massless {
+                t,
+                coordinates: unresisted(mass, &rates),
+            }
         })?;
         let bent = bends + &moved * &acceleration;
         equations.set_level(&mut instant, 2, bent.as_slice());
@@ -141,9 +150,9 @@ impl Chart {
 }
 
 /// The acceleration that a force gives a mass; `None` where the mass is not positive definite to its digits.
-fn accelerated(mass: DMatrix<f64>, force: &DVector<f64>) -> Option<DVector<f64>> {
+fn accelerated(mass: &DMatrix<f64>, force: &DVector<f64>) -> Option<DVector<f64>> {
     let diagonal = mass.diagonal();
-    let factor = Cholesky::new(mass)?;
+    let factor = Cholesky::new(mass.clone())?;
     let pivots = factor.l_dirty().diagonal();
     let mut pairs = pivots.iter().zip(&diagonal);
     let is_small = pairs.any(|(pivot, whole)| pivot * pivot <= SMALLEST_PIVOT * whole);

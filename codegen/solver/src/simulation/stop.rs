@@ -41,8 +41,8 @@ pub enum Stop {
     Massless {
         /// When (s).
         t: f64,
-        /// Places among the free coordinates of those that move so; `None` if they are not known.
-        coordinate: Option<Vec<usize>>,
+        /// Places among the free coordinates of those that move so, ascending.
+        coordinates: Vec<usize>,
     },
     /// An acceleration or a power is infinite or no number.
     NotFinite {
@@ -132,9 +132,9 @@ impl Stop {
                     "the equations of joints and drivers have no solution on the way to t = {at} s"
                 )
             }
-            Stop::Massless { coordinate, .. } => format!(
+            Stop::Massless { coordinates, .. } => format!(
                 "there is no acceleration at t = {at} s, since no mass resists {}",
-                unresisted(coordinate.as_deref(), mechanism)
+                unresisted(coordinates, mechanism)
             ),
             Stop::NotFinite { .. } => {
                 format!("an acceleration or a power is infinite at t = {at} s")
@@ -168,9 +168,9 @@ fn growing_load(view: &Dense, last: &Instant) -> Option<String> {
 }
 
 /// Returns the names of free coordinates that no mass resists, and the statement that is missing.
-fn unresisted(places: Option<&[usize]>, mechanism: &Mechanism) -> String {
+fn unresisted(places: &[usize], mechanism: &Mechanism) -> String {
     let free = mechanism.forces.free.iter().enumerate();
-    let own = free.filter(|(place, _)| places.is_none_or(|places| places.contains(place)));
+    let own = free.filter(|(place, _)| places.contains(place));
     let names = own.map(|(_, free)| format!("`{}`", mechanism.joints[free.joint].label));
     let names: Vec<String> = names.collect();
     let named = match names.as_slice() {

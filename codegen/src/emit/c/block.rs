@@ -1,5 +1,6 @@
 //! One function per block, and the modes of all of them.
 
+use super::loads;
 use super::newton;
 use super::printer::Printer;
 use super::text::Text;
@@ -47,6 +48,7 @@ pub(super) fn call(block: &Block, printer: &Printer<'_>, text: &mut Text) {
     match needs.fails {
         true => {
             text.line(format!("status = {call};"));
+            loads::blame(block, printer, text);
             text.open("if (status != LINKWRIGHT_OK) {");
             text.line("return status;");
             text.close("}");

@@ -1,6 +1,7 @@
 //! What the blocks are called and where they are singular, for those who read of a failure.
 
 use super::comment::quoted;
+use super::loads;
 use super::parameters::requirement_names;
 use super::printer::Printer;
 use super::text::Text;
@@ -28,6 +29,7 @@ pub(super) fn declarations(printer: &Printer<'_>, text: &mut Text) {
             names.len()
         ));
     }
+    loads::declaration(printer, text);
     let drivers = drivers(printer);
     if !drivers.is_empty() {
         text.comment(["The drivers in written order, one for each column of a transmission."]);
@@ -49,6 +51,7 @@ pub(super) fn definitions(printer: &Printer<'_>, text: &mut Text) {
     if let Some(names) = requirement_names(printer) {
         table(printer, "REQUIREMENTS", &names, text);
     }
+    loads::definition(printer, text);
     let drivers = drivers(printer);
     if !drivers.is_empty() {
         text.gap();

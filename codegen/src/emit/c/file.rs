@@ -4,7 +4,7 @@ use super::printer::Printer;
 use super::text::Text;
 use super::words::WORDS;
 use super::{
-    api, assemblies, assembly, block, block_names, coordinates, equations, forces, frame,
+    api, assemblies, assembly, block, block_names, coordinates, equations, forces, frame, loads,
     normalized_determinant, parameters, path, points, runtime, sensitivity, shell, tables,
     textbook, transmission,
 };
@@ -179,6 +179,7 @@ fn definitions(printer: &Printer<'_>, text: &mut Text) {
     equations::equations(printer, &mut code);
     block::functions(printer, &mut code);
     path::path(printer, &mut code);
+    loads::function(printer, &mut code);
     shell::solve(printer, &mut code);
     frame::estimate(printer, &mut code);
     assemblies::begin(printer, &mut code);

@@ -18,6 +18,7 @@ mod file;
 mod forces;
 mod frame;
 mod isolation;
+mod loads;
 mod newton;
 mod normalized_determinant;
 mod parameters;

@@ -1,6 +1,7 @@
 //! The structure that a user holds, and what the runtime is told of a mechanism.
 
 use super::block;
+use super::loads;
 use super::points::point_functions;
 use super::printer::Printer;
 use super::text::Text;
@@ -123,11 +124,19 @@ pub(super) fn solve(printer: &Printer<'_>, text: &mut Text) {
             "const {real} checked[{count}] = {{{}}};",
             fields.join(", ")
         ));
-        text.line(format!(
-            "return {}(checked, {count}U) ? LINKWRIGHT_OK : {}(conditions, 0U);",
-            printer.runtime("all_finite"),
-            printer.runtime("not_finite")
-        ));
+        let finite = printer.runtime("all_finite");
+        let failed = format!("{}(conditions, 0U)", printer.runtime("not_finite"));
+        if module.program.loads.is_some() {
+            text.open(format!("if (!{finite}(checked, {count}U)) {{"));
+            text.line(format!("(void){failed};"));
+            text.line(format!("return {};", loads::call(printer)));
+            text.close("}");
+            text.line("return LINKWRIGHT_OK;");
+        } else {
+            text.line(format!(
+                "return {finite}(checked, {count}U) ? LINKWRIGHT_OK : {failed};"
+            ));
+        }
     }
     text.close("}");
 }

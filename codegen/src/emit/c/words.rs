@@ -205,6 +205,7 @@ const LOCAL_VALUES: &[&str] = &[
     "last_tears",
     "lengths",
     "linux",
+    "loads",
     "log",
     "measure",
     "memory",

@@ -14,6 +14,8 @@ pub(super) enum Frame {
     Body(usize),
     /// At a point, turned as this body is.
     Riding(At, usize),
+    /// At a point, turned as one body at the inner radius and as another at the outer one.
+    Wound(At, Winding),
     /// From one point towards another, in pixels of their bodies: the first is the origin, and the second lies on the x axis.
     Toward(At, At),
     /// Place between two points, stretched along x so that the second point is always this far from the first.
@@ -24,6 +26,17 @@ pub(super) enum Frame {
     Torque(At, f64, usize),
     /// The picture as it is in this pose.
     Still,
+}
+
+/// Spiral between two bodies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Winding {
+    /// Bodies that its inner and its outer end turn with.
+    pub bodies: [usize; 2],
+    /// Angle of the second body to the first one as the description draws them, in rad.
+    pub drawn: f64,
+    /// Distance of its inner and its outer end from the point.
+    pub radii: [f64; 2],
 }
 
 /// What an outline is, and so how it looks.
@@ -175,7 +188,6 @@ impl Figure {
             .parts()
             .flat_map(|part| {
                 let place = self.stance.place(part.frame);
-                let stretch = self.stance.stretch(part.frame);
                 part.elements.iter().map(move |element| Trace {
                     look: element.look,
                     is_closed: !matches!(element.outline, Outline::Open(_)),
@@ -183,7 +195,7 @@ impl Figure {
                         .outline
                         .points()
                         .into_iter()
-                        .map(|[x, y]| place.globally([stretch[0] * x, stretch[1] * y]))
+                        .map(|point| place.globally(self.stance.deformed(part.frame, point)))
                         .collect(),
                 })
             })

@@ -56,6 +56,19 @@ impl Keyframes {
         }
     }
 
+    /// Element that gives a path these shapes, given by pose; nothing for one that keeps its shape.
+    pub fn shape(&self, line: impl Fn(&Stance) -> String) -> String {
+        let values: Vec<String> = self.stances.iter().map(line).collect();
+        match rests(&values) {
+            true => String::new(),
+            false => format!(
+                "<animate attributeName=\"d\" values=\"{}\" dur=\"{}s\" repeatCount=\"indefinite\"/>",
+                values.join(";"),
+                number(self.duration)
+            ),
+        }
+    }
+
     fn transform(&self, kind: &str, values: &[String], is_added: bool) -> String {
         let added = if is_added { " additive=\"sum\"" } else { "" };
         let values = match rests(values) {

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::draft::Draft;
-use super::figure::{Frame, Group, Layer, Look, Outline};
+use super::figure::{Frame, Group, Layer, Look, Outline, Winding};
 use super::link::SHORTEST;
 use super::loads::Load;
 use super::plane::{Point, difference, distance, heading, left_of, onward, scaled};
@@ -79,10 +79,11 @@ impl Draft<'_> {
                 (Shape::TorsionSpring | Shape::TorsionDamper, &[a, b]) => {
                     let [a, b] = [a.body, b.body];
                     let center = self.pin_between(a, b).unwrap_or_else(|| self.pivot(b));
-                    let frame = Frame::Riding(center, a);
                     match load.shape {
-                        Shape::TorsionSpring => self.spiral(frame, &mut group),
-                        _ => self.ring(frame, &mut group),
+                        Shape::TorsionSpring => {
+                            self.spiral(center, [a, b], load.drawn, &mut group);
+                        }
+                        _ => self.ring(Frame::Riding(center, a), &mut group),
                     }
                 }
                 (Shape::Force, &[at]) => self.force(place, self.pixels(at), &mut group),
@@ -238,10 +239,20 @@ impl Draft<'_> {
         }
     }
 
-    /// A spring about a joint.
-    fn spiral(&self, frame: Frame, group: &mut Group) {
+    /// A spring about a joint. Its inner end turns with the first body, and its outer end with the second one. As the description draws
+    /// them, one and a half turns lie between.
+    fn spiral(&self, center: At, bodies: [usize; 2], drawn: f64, group: &mut Group) {
         let (turns, steps) = (1.5, 24);
-        let [inner, outer] = [5.0, 15.0].map(|it| it * self.unit);
+        let radii = [5.0, 15.0].map(|it| it * self.unit);
+        let frame = Frame::Wound(
+            center,
+            Winding {
+                bodies,
+                drawn,
+                radii,
+            },
+        );
+        let [inner, outer] = radii;
         let points = (0..=steps).map(|step| {
             let part = f64::from(step) / f64::from(steps);
             let radius = inner + (outer - inner) * part;

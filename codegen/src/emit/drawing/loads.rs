@@ -22,6 +22,8 @@ pub(super) struct Load {
     pub shape: Shape,
     /// Points that it acts on.
     pub marks: Vec<At>,
+    /// Angle of its second body to the first one as the description draws them, in rad.
+    pub drawn: f64,
 }
 
 /// Points of a load as bodies and places among the numbers, and the places of what it exerts.
@@ -30,6 +32,8 @@ struct Numbered {
     label: String,
     shape: Shape,
     marks: Vec<(usize, [usize; 2])>,
+    /// Angles of its first and its last body as the description draws them.
+    drawn: [usize; 2],
     vector: [usize; 2],
 }
 
@@ -44,6 +48,7 @@ impl NumberedLoads {
     /// Adds what acts in a system to the numbers of a drawing.
     pub fn new(system: &System, graph: &mut Graph, numbers: &mut Numbers) -> NumberedLoads {
         let forces = &system.mechanism.forces;
+        let zero = graph.zero();
         let loads = forces.loads.iter().map(|load| {
             let element = &*load.element;
             let vector = vector(system, element, graph);
@@ -52,9 +57,16 @@ impl NumberedLoads {
                 Shape::Force | Shape::Torque => &marks[..1],
                 _ => &marks[..2],
             };
+            let bodies = [ends.first(), ends.last()];
+            let drawn = bodies.map(|it| {
+                it.map_or(zero, |it| {
+                    system.mechanism.bodies[it.frame.body.0].drawn.angle
+                })
+            });
             Numbered {
                 label: load.label.clone(),
                 shape: element.shape(),
+                drawn: numbers.pair(drawn),
                 marks: ends
                     .iter()
                     .map(|mark| (mark.frame.body.0, numbers.pair(mark.local)))
@@ -73,6 +85,10 @@ impl NumberedLoads {
         let loads = self.loads.iter().map(|load| Load {
             label: load.label.clone(),
             shape: load.shape,
+            drawn: {
+                let [first, second] = load.drawn;
+                value[second] - value[first]
+            },
             marks: load
                 .marks
                 .iter()

@@ -1,6 +1,6 @@
 //! A pose in pixels → where each frame of a figure is.
 
-use super::figure::Frame;
+use super::figure::{Frame, Winding};
 use super::plane::{Place, Point, angle_of, difference, distance, scaled};
 use super::pose::Scene;
 
@@ -18,7 +18,13 @@ impl Stance {
     pub fn place(&self, frame: Frame) -> Place {
         match frame {
             Frame::Body(body) => self.places[body],
-            Frame::Riding(at, body) => Place {
+            Frame::Riding(at, body)
+            | Frame::Wound(
+                at,
+                Winding {
+                    bodies: [body, _], ..
+                },
+            ) => Place {
                 origin: self.places[at.body].globally(at.local),
                 angle: self.places[body].angle,
             },
@@ -58,6 +64,27 @@ impl Stance {
             }
             _ => [1.0; 2],
         }
+    }
+
+    /// Where a point of a frame is along its axes in this pose.
+    pub fn deformed(&self, frame: Frame, point: Point) -> Point {
+        if let Frame::Wound(_, winding) = frame {
+            return self.wound(winding, point);
+        }
+        let stretch = self.stretch(frame);
+        [stretch[0] * point[0], stretch[1] * point[1]]
+    }
+
+    /// Point of a spiral, turned with the outer body by as much as it is away from the inner end.
+    fn wound(&self, winding: Winding, point: Point) -> Point {
+        let ([from, to], [inner, outer]) = (winding.bodies, winding.radii);
+        let turned = self.places[to].angle - self.places[from].angle - winding.drawn;
+        let part = (point[0].hypot(point[1]) - inner) / (outer - inner);
+        let place = Place {
+            angle: part * turned,
+            ..Place::default()
+        };
+        place.globally(point)
     }
 }
 

@@ -2,9 +2,10 @@
 
 use std::fmt::Write as _;
 
-use super::figure::{Figure, Frame, Group, Layer, Look, Outline, Part, offset_edges};
+use super::figure::{Figure, Frame, Group, Layer, Look, Outline, Part, Winding, offset_edges};
 use super::keyframes::Keyframes;
 use super::plane::{Place, Point};
+use super::stance::Stance;
 use super::style::{TINTS, class};
 use crate::emit::markup::escaped;
 
@@ -112,13 +113,13 @@ fn layer(
         [part] => {
             let attributes = framed(figure, part.frame, written);
             let _ = writeln!(text, "<g id=\"{id}\"{attributes}><title>{title}</title>");
-            within(&mut text, part, written);
+            within(&mut text, figure, part, written);
         }
         _ => {
             let _ = writeln!(text, "<g id=\"{id}\"><title>{title}</title>");
             for part in parts {
                 let _ = writeln!(text, "<g{}>", framed(figure, part.frame, written));
-                within(&mut text, part, written);
+                within(&mut text, figure, part, written);
                 text.push_str("</g>\n");
             }
         }
@@ -130,7 +131,14 @@ fn layer(
 /// The attributes of what moves with a frame: its class, how it moves, and where it is now.
 fn framed(figure: &Figure, frame: Frame, written: Written<'_>) -> String {
     let mut text = match frame {
-        Frame::Body(body) | Frame::Riding(_, body) if body > 0 => {
+        Frame::Body(body)
+        | Frame::Riding(_, body)
+        | Frame::Wound(
+            _,
+            Winding {
+                bodies: [body, _], ..
+            },
+        ) if body > 0 => {
             format!(" class=\"tint-{}\"", (body - 1) % TINTS)
         }
         Frame::Toward(from, to) | Frame::Between(from, to, _) => {
@@ -149,6 +157,16 @@ fn framed(figure: &Figure, frame: Frame, written: Written<'_>) -> String {
             at.body,
             pair(at.local)
         ),
+        Frame::Wound(at, winding) => {
+            let ([from, to], [inner, outer]) = (winding.bodies, winding.radii.map(number));
+            write!(
+                text,
+                " data-at=\"{} {}\" data-turned=\"{from}\" data-wound=\"{to} {} {inner} {outer}\"",
+                at.body,
+                pair(at.local),
+                number(-winding.drawn.to_degrees())
+            )
+        }
         Frame::Toward(from, to) => write!(
             text,
             " data-from=\"{} {}\" data-to=\"{} {}\"",
@@ -195,11 +213,36 @@ fn framed(figure: &Figure, frame: Frame, written: Written<'_>) -> String {
 }
 
 /// The elements of a part, in an animation with how it moves.
-fn within(text: &mut String, part: &Part, written: Written<'_>) {
+fn within(text: &mut String, figure: &Figure, part: &Part, written: Written<'_>) {
     if let Written::Animated(keyframes) = written {
         *text += &keyframes.motion(part.frame);
     }
-    elements(text, part);
+    match part.frame {
+        Frame::Wound(..) => wound(text, figure, part, written),
+        _ => elements(text, part),
+    }
+}
+
+/// Lines of a spiral, which its frame deforms.
+fn wound(text: &mut String, figure: &Figure, part: &Part, written: Written<'_>) {
+    for element in &part.elements {
+        let Outline::Open(points) = &element.outline else {
+            continue;
+        };
+        let in_pose = |stance: &Stance| {
+            let points = points.iter().map(|it| stance.deformed(part.frame, *it));
+            path(&points.collect::<Vec<_>>(), false)
+        };
+        let motion = match written {
+            Written::Animated(keyframes) => keyframes.shape(in_pose),
+            _ => String::new(),
+        };
+        let (class, line) = (class(element.look), in_pose(&figure.stance));
+        let _ = match motion.is_empty() {
+            true => writeln!(text, "<path class=\"{class}\" d=\"{line}\"/>"),
+            false => writeln!(text, "<path class=\"{class}\" d=\"{line}\">{motion}</path>"),
+        };
+    }
 }
 
 /// One element for each outline, but one for all of those neighbours that look alike and are open.

@@ -1,9 +1,11 @@
 //! What a module offers → the sentences of its documentation, as lines of prose that no language has marked up yet.
 
 mod assemblies;
+mod loads;
 mod responses;
 
 pub(in crate::emit) use assemblies::{ASSEMBLIES, of_assembly, of_wanted_assembly};
+pub(in crate::emit) use loads::{BLAMED_LOAD, LOADS};
 pub(in crate::emit) use responses::{of_quantity, of_sensitivity, of_transmission};
 
 use super::Module;
@@ -283,7 +285,7 @@ pub(in crate::emit) fn of_statement(statement: &Statement, module: &Module<'_>) 
     let system = module.system;
     let level = match statement {
         Statement::Section(level) => *level,
-        Statement::Heading(words) => return Some(module.said(words)),
+        Statement::Heading(words) | Statement::Note(words) => return Some(module.said(words)),
         _ => return None,
     };
     Some(match level {

@@ -10,6 +10,7 @@ use super::docs::doc_lines;
 use super::equation::words;
 use super::layout::Verbatim;
 use super::lints;
+use super::loads;
 use super::names::{identifier, identifier_text};
 use super::newton;
 use crate::emit::module::needs::{Needs, checked_at_once};
@@ -46,7 +47,10 @@ impl Needs {
 pub(super) fn call(block: &Block, module: &Module<'_>) -> String {
     let needs = Needs::of(block, module);
     let (name, (_, arguments)) = (identifier_text(&block.name), needs.arguments());
-    let failure = if needs.fails { "?" } else { "" };
+    let failure = match needs.fails {
+        true => loads::handed_on(block, module),
+        false => String::new(),
+    };
     format!("{name}({arguments}){failure};")
 }
 

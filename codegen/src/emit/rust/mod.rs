@@ -18,6 +18,7 @@ mod layout;
 mod lines;
 mod lints;
 mod literal;
+mod loads;
 mod markdown;
 mod module;
 mod names;

@@ -11,8 +11,8 @@ use super::layout::{Verbatim, laid_out};
 use super::names::{identifier, identifier_text};
 use super::pieces::{Around, formatted};
 use super::{
-    assemblies, block, coordinates, explained, frame, newton, parameters, path, shell, tables,
-    textbook,
+    assemblies, block, coordinates, explained, frame, loads, newton, parameters, path, shell,
+    tables, textbook,
 };
 use crate::emit::module::Module;
 use crate::emit::text;
@@ -56,7 +56,7 @@ impl Module<'_> {
     pub(super) fn items(&self, math: Option<&str>, around: &[Around]) -> String {
         let precision = self.scalar.precision();
         // One at a time becomes text: as tokens all of them together would take far more room.
-        let parts: [&dyn Fn(&Self) -> TokenStream; 13] = [
+        let parts: [&dyn Fn(&Self) -> TokenStream; 15] = [
             &coordinates::coordinates,
             &parameters::structures,
             &textbook::functions,
@@ -64,10 +64,12 @@ impl Module<'_> {
             &block::branches,
             &assemblies::assemblies,
             &explained::block_names,
+            &loads::labels,
             &textbook::characteristic_length,
             &newton::equations,
             &block::functions,
             &path::path,
+            &loads::function,
             &shell::mechanism,
             &textbook::dense,
         ];

@@ -95,6 +95,8 @@ const ITEMS: &[&str] = &[
     "angle_near",
     "all_finite",
     "not_finite",
+    "load_not_finite",
+    "blame_load",
     "not_positive",
     "isolate",
     "isolate_chain",

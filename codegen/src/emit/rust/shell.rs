@@ -7,6 +7,7 @@ use super::block::call;
 use super::code::Code;
 use super::docs::doc_lines;
 use super::layout::Verbatim;
+use super::loads;
 use super::module::{derives, only};
 use super::names::identifier;
 use super::names::type_name;
@@ -50,6 +51,9 @@ pub(super) fn mechanism(module: &Module<'_>) -> TokenStream {
     if module.assemblies.is_some() {
         text.line("assemblies: Branches;");
     }
+    if module.program.loads.is_some() {
+        text.line("loads: LOADS;");
+    }
     text.close("}");
     let (item, requirements) = (text.item(), parameters::requirements(module));
     quote!(#solve #requirements #item)
@@ -75,13 +79,16 @@ fn solve(module: &Module<'_>) -> TokenStream {
     let checked: Vec<TokenStream> = checked.map(|symbol| module.field(symbol, "at")).collect();
     let verdict = match module.is_large() || checked.is_empty() {
         true => quote!(Ok(())),
-        false => quote! {
-            if all_finite(&[#(#checked),*]) {
-                Ok(())
-            } else {
-                Err(not_finite(conditions.t, 0))
+        false => {
+            let failure = loads::blamed(quote!(not_finite(conditions.t, 0)), module);
+            quote! {
+                if all_finite(&[#(#checked),*]) {
+                    Ok(())
+                } else {
+                    Err(#failure)
+                }
             }
-        },
+        }
     };
     quote! {
         /// Solves all blocks at one time, one after another.

@@ -72,7 +72,7 @@ impl Sort {
             Sort::Input => "input",
             Sort::Free => "free coordinate",
             Sort::Table => "table",
-            Sort::Point => "point of the drawing",
+            Sort::Point => "point in global coordinates",
             Sort::BodyPoint => "point of a body",
             Sort::Body => "body",
             Sort::Angle => "angle",

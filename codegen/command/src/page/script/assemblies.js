@@ -84,7 +84,7 @@ const thumbnails = () => {
     button.append(caption);
     if (own.error) {
       const why = document.createElement("small");
-      why.textContent = own.times ? `ends at ${text(own.times.at(-1))} s` : own.error;
+      why.textContent = own.times ? `motion ends at t = ${text(own.times.at(-1))} s` : own.error;
       why.title = own.error;
       button.append(why);
     }

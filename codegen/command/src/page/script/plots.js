@@ -55,7 +55,7 @@ data.measures.forEach((name, index) => {
   });
 });
 const UNITS = { ...data.units, determinants: [["0 is singular", 1]] };
-const TITLES = { angles: "Angles", lengths: "Coordinates x and y", points: "Points", contacts: "Contacts", forces: "Forces", torques: "Torques", powers: "Powers", energies: "Energies", determinants: "Determinants, normalized" };
+const TITLES = { angles: "Angles", lengths: "Coordinates x and y", points: "Points", contacts: "Contacts", forces: "Forces", torques: "Torques", powers: "Powers", energies: "Energies", determinants: "Normalized determinants" };
 const shown = new Set();
 const choose = (kind, most) => {
   const moving = curves.filter((it) => it.kind === kind && moves(samples.map((sampled) => it.value(sampled, 0))));

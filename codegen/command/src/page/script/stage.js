@@ -3,6 +3,9 @@
 const svg = document.querySelector("#drawing svg");
 const numbers = (text) => text.split(" ").map(Number);
 
+/// Paths of an element, each as it was written.
+const pathsOf = (element) => [...element.querySelectorAll("path")].map((path) => [path, (path.dataset.drawn ??= path.getAttribute("d"))]);
+
 class Stage {
   constructor(root) {
     this.root = root;
@@ -21,12 +24,16 @@ class Stage {
     this.riders = this.all("data-turned").map((element) => [element, numbers(element.dataset.at), Number(element.dataset.turned)]);
     this.forces = this.all("data-force").map((element) => [element, numbers(element.dataset.at), Number(element.dataset.force)]);
     this.torques = this.all("data-torque").map((element) => [element, numbers(element.dataset.at), ...numbers(element.dataset.torque)]);
+    this.spirals = this.all("data-wound").map((element) => ({
+      winding: [Number(element.dataset.turned), ...numbers(element.dataset.wound)],
+      paths: pathsOf(element),
+    }));
     this.links = this.all("data-from").map((element) => ({
       element,
       from: numbers(element.dataset.from),
       to: numbers(element.dataset.to),
       length: Number(element.dataset.length ?? 0),
-      paths: [...element.querySelectorAll("path")].map((path) => [path, path.getAttribute("d")]),
+      paths: pathsOf(element),
     }));
     this.stills = this.all("data-still");
   }
@@ -50,6 +57,17 @@ class Stage {
     for (const [element, body] of this.bodies) put(element, ...this.place(q, body));
     for (const [element, where, body] of this.riders) {
       put(element, ...this.global(q, where), this.place(q, body)[2]);
+    }
+    for (const spiral of this.spirals) {
+      const [first, second, drawn, inner, outer] = spiral.winding;
+      const turned = this.place(q, second)[2] - this.place(q, first)[2] - (drawn * Math.PI) / 180;
+      // The inner end turns with the first body, the outer end with the second one.
+      const wound = (_, x, y) => {
+        const angle = (turned * (Math.hypot(x, y) - inner)) / (outer - inner);
+        const [c, s] = [Math.cos(angle), Math.sin(angle)];
+        return `${(c * x - s * y).toFixed(2)} ${(s * x + c * y).toFixed(2)}`;
+      };
+      for (const [path, d] of spiral.paths) path.setAttribute("d", d.replace(/([-\d.]+) ([-\d.]+)/g, wound));
     }
     for (const link of this.links) {
       const [from, to] = [this.global(q, link.from), this.global(q, link.to)];

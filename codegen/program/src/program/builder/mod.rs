@@ -106,6 +106,14 @@ impl<'a> Builder<'a> {
         }
     }
 
+    /// Explains the values that follow in generated code. A derivation has formulas in their place.
+    pub fn comment(&mut self, words: impl FnOnce(&mut Builder<'a>) -> Phrase) {
+        if !self.writes_prose {
+            let words = words(self);
+            self.statements.push(Statement::Note(words));
+        }
+    }
+
     /// Shows equations that nobody computes, each as left, right and remark, where a person's words are wanted.
     pub fn show(&mut self, equations: impl FnOnce(&mut Builder<'a>) -> Vec<[Phrase; 3]>) {
         if self.writes_prose {

@@ -10,6 +10,7 @@ use super::block::{Block, Branch, Lowering};
 use super::forces::forces;
 use super::forms::{Form, recognize};
 use super::function::Function;
+use super::loads::loads;
 use super::passes::fields::fields;
 use super::passes::liveness::prune;
 use super::passes::sharing::{share, share_all};
@@ -72,6 +73,7 @@ fn lower_keeping(system: &mut System, plan: &SolvedPlan, kept: &IdSet<SymbolId>)
             true => pressures(system),
             false => Vec::new(),
         },
+        loads: None,
         constants: Constants::default(),
         forms: stated.forms,
         blocks,
@@ -83,6 +85,7 @@ fn lower_keeping(system: &mut System, plan: &SolvedPlan, kept: &IdSet<SymbolId>)
         forces: stated.forces,
         report,
     };
+    program.loads = loads(system, &program);
     let mut constants = Constants::default();
     for function in program.functions() {
         constants.note(function, system);
@@ -157,6 +160,7 @@ impl Program {
         let others = self.points.iter().chain(&self.pressures);
         let given = self.drawn.iter();
         let given = given.chain(self.requirements.iter().map(|it| &it.function));
+        let given = given.chain(self.loads.iter().map(|it| &it.function));
         blocks
             .chain(paths)
             .chain(textbook)

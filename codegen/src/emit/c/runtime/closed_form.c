@@ -95,6 +95,19 @@ linkwright_status linkwright$f_not_finite(const linkwright$f_conditions *conditi
     return noted$f(conditions->failure, LINKWRIGHT_NOT_FINITE, 0.0$f, 0U, conditions->t, block);
 }
 
+linkwright_status linkwright$f_load_not_finite(const $real read[], size_t read_count, const $real loads[],
+    uint16_t load_count, const linkwright$f_conditions *conditions, uint16_t block)
+{
+    uint16_t load = 0U;
+    while ((load < load_count) && linkwright$f_is_finite(loads[load])) {
+        load++;
+    }
+    if ((load == load_count) || !linkwright$f_all_finite(read, read_count)) {
+        return LINKWRIGHT_NOT_FINITE;
+    }
+    return noted$f(conditions->failure, LINKWRIGHT_LOAD_NOT_FINITE, 0.0$f, load, conditions->t, block);
+}
+
 bool linkwright$f_pressure_angle($real along, $real across, $real sliding, $real *angle)
 {
     const $real speed = (along * along) + (across * across);

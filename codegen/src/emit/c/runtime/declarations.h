@@ -330,6 +330,9 @@ linkwright_status linkwright$f_singular_divisor($real value, $real scale, const 
 linkwright_status linkwright$f_not_positive($real value, const linkwright$f_conditions *conditions, uint16_t place);
 /* Notes that a number is not finite. */
 linkwright_status linkwright$f_not_finite(const linkwright$f_conditions *conditions, uint16_t block);
+/* Notes the first load that is not finite, if there is one and everything that loads follow from is finite. */
+linkwright_status linkwright$f_load_not_finite(const $real read[], size_t read_count, const $real loads[],
+    uint16_t load_count, const linkwright$f_conditions *conditions, uint16_t block);
 /* Whether a number is finite, and whether all are. */
 bool linkwright$f_is_finite($real value);
 bool linkwright$f_all_finite(const $real values[], size_t count);

@@ -60,6 +60,9 @@ const char *linkwright_status_text(linkwright_status status)
     case LINKWRIGHT_NOT_FINITE:
         text = "a number is not finite";
         break;
+    case LINKWRIGHT_LOAD_NOT_FINITE:
+        text = "a load is not finite";
+        break;
     default:
         break;
     }

@@ -64,7 +64,10 @@ typedef enum linkwright_status {
     LINKWRIGHT_NOT_FINITE = 10,
     /* The motion comes to a pose at which two assembly modes meet, and nothing tells in which of them it goes on: it
        rests there, or it is as smooth in both. A shorter step does not help. */
-    LINKWRIGHT_UNDECIDED = 11
+    LINKWRIGHT_UNDECIDED = 11,
+    /* A load, such as an applied force or a spring, is infinite or NaN; the pose that it follows from is finite. The
+       failure's column is the place of the load in the table LOADS of the mechanism. */
+    LINKWRIGHT_LOAD_NOT_FINITE = 12
 } linkwright_status;
 
 /* What happened, in a few words. */

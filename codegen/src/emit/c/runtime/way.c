@@ -212,7 +212,8 @@ static bool end_of_reach$f($real reached, const linkwright$f_failure *nearer, co
 /* True of numbers that are refused, and do not say of which block there is no pose. */
 static bool refuses_number$f(linkwright_status status)
 {
-    return (status == LINKWRIGHT_NOT_POSITIVE) || (status == LINKWRIGHT_NOT_FINITE);
+    return (status == LINKWRIGHT_NOT_POSITIVE) || (status == LINKWRIGHT_NOT_FINITE)
+        || (status == LINKWRIGHT_LOAD_NOT_FINITE);
 }
 
 /* The status of a failure that no shorter step would have avoided. */

@@ -80,6 +80,7 @@ pub(super) fn inverse(rests: &[Rest], builder: &mut Builder<'_>) -> (ExprId, Vec
             let determinant = builder.cross([a, b], [c, d]);
             let determinant = builder.value("determinant", determinant);
             let ratio = builder.graph().divide(one, determinant);
+            builder.comment(|_| "Inverse of the 2 x 2 matrix of slopes by Cramer's rule".into());
             let ratio = builder.value("inverse", ratio);
             let minus = builder.negated([b, c]);
             let entries = [d, minus[0], minus[1], a];

@@ -137,6 +137,9 @@ impl ThreeCircles {
         builder.reach(square, scale, [zero; 3]);
         let one = builder.graph().one();
         let inverse = builder.graph().divide(one, determinant);
+        if !builder.graph().is_constant(inverse) {
+            builder.comment(|_| "Cramer's rule for two unknowns: inverse = 1/determinant".into());
+        }
         let inverse = builder.factor("inverse", inverse);
         let mut circles = Circles {
             form: self.clone(),

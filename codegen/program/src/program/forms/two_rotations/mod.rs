@@ -20,7 +20,7 @@ use crate::program::function::Level;
 use crate::program::two_links::TwoLinks;
 use crate::system::VectorForm;
 use crate::words::{Piece, Singular, phrase};
-use words::{TriangleNames, first_link};
+use words::{TriangleNames, components, first_link};
 
 /// R(φ_a) p + R(φ_b) q + c = 0.
 #[derive(Clone, Debug)]
@@ -249,6 +249,7 @@ impl TwoRotations {
         let [first, second] = &names.links;
         let one = builder.graph().one();
         let inverse = builder.graph().divide(one, sides.base_square);
+        builder.comment(|builder| components(names, !builder.graph().is_constant(inverse)));
         let inverse = builder.factor("inverse", inverse);
         // d · w_a = p² + k and d × w_a = −h.
         let forward = builder.graph().add(sides.squares[0], k);

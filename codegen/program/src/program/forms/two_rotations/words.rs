@@ -201,6 +201,24 @@ impl TwoRotations {
     }
 }
 
+/// Words for the factors of the first link in generated code; `divides` where the square of the base is not constant.
+pub(super) fn components(names: &TriangleNames, divides: bool) -> Phrase {
+    let (first, base) = (&names.links[0], &names.base);
+    let mut said = phrase![
+        "Components of ",
+        Piece::Vector(first.clone()),
+        " over ",
+        Piece::Length(base.clone()),
+        ": forward along ",
+        Piece::Vector(base.clone()),
+        ", sideways to its right"
+    ];
+    if divides {
+        said.push(phrase!["; inverse = 1/", Piece::Square(base.clone())]);
+    }
+    said
+}
+
 /// The first link as a sum along the base and across it, as a page shows it.
 pub(super) fn first_link(names: &TriangleNames) -> [Phrase; 3] {
     let (first, base) = (&names.links[0], &names.base);

@@ -1,0 +1,121 @@
+//! Evaluates the loads that may become infinite, so that a failure names the first that has.
+//!
+//! No frame computes these values: they are evaluated once a frame has been refused.
+
+use super::Program;
+use super::function::Function;
+use super::lower::shared;
+use crate::expr::{ExprId, Graph, IdSet, Node, SymbolId};
+use crate::system::{Forces, SymbolRole, System};
+
+/// Loads among which the cause of a refused frame is found.
+#[derive(Clone, Debug)]
+pub struct Loads {
+    /// One number for each load: the sum of the magnitudes of its components, finite while they are.
+    pub function: Function,
+    /// Symbols of the frame that the function reads, each once.
+    pub read: Vec<SymbolId>,
+    /// Labels of the loads, as the description writes them.
+    pub labels: Vec<String>,
+    /// Number of the block that uses them.
+    pub block: u16,
+}
+
+/// Returns the loads that may become infinite and that follow from frames; `None` if there are none.
+pub(super) fn loads(system: &mut System, program: &Program) -> Option<Loads> {
+    let fields = program.forces.fields();
+    let mut blocks = program.blocks.iter();
+    let block = blocks.position(|block| block.function.targets().any(|it| fields.contains(&it)))?;
+    let forces = system.forces.take()?;
+    let (mut labels, mut sums) = (Vec::new(), Vec::new());
+    for (load, components) in forces.exerted.iter().enumerate() {
+        let graph = &system.mechanism.graph;
+        let sum =
+            may_be_infinite(components, &forces, graph).then(|| sum(components, &forces, system));
+        let sum = sum.filter(|&sum| is_held(sum, program, system));
+        labels.extend(sum.map(|_| system.mechanism.forces.loads[load].label.clone()));
+        sums.extend(sum);
+    }
+    system.forces = Some(forces);
+    if sums.is_empty() {
+        return None;
+    }
+    let graph = &system.mechanism.graph;
+    let mut read: Vec<SymbolId> = Vec::new();
+    for &symbol in sums.iter().flat_map(|&sum| graph.symbols(sum)) {
+        if !is_given(symbol, system) && !read.contains(&symbol) {
+            read.push(symbol);
+        }
+    }
+    Some(Loads {
+        function: shared(sums, system),
+        read,
+        labels,
+        block: u16::try_from(block).unwrap_or(u16::MAX),
+    })
+}
+
+/// Returns the sum of the magnitudes of the components of a load, in symbols of frames. A component that is the opposite of another
+/// counts once.
+fn sum(components: &[ExprId], forces: &Forces, system: &mut System) -> ExprId {
+    let (form, graph) = (&system.vector_form, &mut system.mechanism.graph);
+    let mut distinct: Vec<ExprId> = Vec::new();
+    for &part in components {
+        let part = graph.substitute(part, &forces.lengths);
+        let part = form.written_out(part, graph);
+        let opposite = graph.negate(part);
+        if !distinct.contains(&part) && !distinct.contains(&opposite) {
+            distinct.push(part);
+        }
+    }
+    let zero = graph.zero();
+    distinct.into_iter().fold(zero, |sum, part| {
+        let magnitude = graph.magnitude(part);
+        graph.add(sum, magnitude)
+    })
+}
+
+/// True if expressions divide, take a root or a logarithm, or raise e to a power. Lengths of springs are not zero where forces are
+/// computed.
+fn may_be_infinite(components: &[ExprId], forces: &Forces, graph: &Graph) -> bool {
+    let is_length = |base: ExprId| {
+        let mut lengths = forces.lengths.iter();
+        matches!(graph.node(base), Node::Symbol(base) if lengths.any(|(length, _)| length == base))
+    };
+    let is_risky = |expr: ExprId| match graph.node(expr) {
+        Node::Product(factors) => factors.iter().any(|factor| {
+            let is_power = factor.exponent.is_integer() && !factor.exponent.is_negative();
+            !is_power && !is_length(factor.base)
+        }),
+        Node::Exp(_) | Node::Ln(_) => true,
+        _ => false,
+    };
+    let (mut open, mut seen) = (components.to_vec(), IdSet::default());
+    while let Some(expr) = open.pop() {
+        if is_risky(expr) {
+            return true;
+        }
+        if seen.insert(expr) {
+            open.extend(graph.operands(expr));
+        }
+    }
+    false
+}
+
+/// True if every symbol of an expression is given to a frame or kept by it.
+fn is_held(expr: ExprId, program: &Program, system: &System) -> bool {
+    let mut symbols = system.mechanism.graph.symbols(expr).iter();
+    symbols.all(|&symbol| {
+        let is_coordinate = program.outputs.is_none() && system.is_coordinate(symbol);
+        is_given(symbol, system) || is_coordinate || program.is_field(symbol)
+    })
+}
+
+/// True of time, parameters and inputs.
+fn is_given(symbol: SymbolId, system: &System) -> bool {
+    use SymbolRole::{Input, Parameter, Time};
+    matches!(
+        system.roles[symbol.index()],
+        Time | Parameter(_) | Input { .. }
+    )
+}

@@ -1,0 +1,40 @@
+//! Ascribes the failure of an interpreted frame to the load that is not finite, as generated modules do.
+
+use linkwright::Failure;
+use linkwright::closed_form::load_not_finite;
+use linkwright_codegen::stages::expr::ExprId;
+
+use super::compiled::Compiled;
+use crate::instant::Instant;
+use crate::reader::Reader;
+
+/// Evaluates loads that may become infinite.
+#[derive(Clone, Debug)]
+pub(super) struct LoadReader {
+    loads: Reader,
+    /// Places in instants of what the loads follow from.
+    read: Vec<usize>,
+    block: u16,
+}
+
+impl LoadReader {
+    /// `None` if no load of the program may become infinite.
+    pub(super) fn new(compiled: &Compiled) -> Option<LoadReader> {
+        let loads = compiled.program.loads.as_ref()?;
+        let values = loads.function.results.iter().map(|it| it.expr);
+        let values: Vec<ExprId> = values.collect();
+        let graph = &compiled.system.mechanism.graph;
+        let read = loads.read.iter();
+        Some(LoadReader {
+            loads: Reader::new(graph, &compiled.layout, &values),
+            read: read.filter_map(|&it| compiled.layout.slot(it)).collect(),
+            block: loads.block,
+        })
+    }
+
+    /// Returns the failure of an instant, ascribed to the first load that is not finite there if the pose is.
+    pub(super) fn blame(&self, failure: Failure, at: &Instant) -> Failure {
+        let read: Vec<f64> = self.read.iter().map(|&slot| at.values()[slot]).collect();
+        load_not_finite(failure, &read, &self.loads.values(at), self.block)
+    }
+}
