@@ -22,9 +22,11 @@ const HALVINGS: usize = 40;
 /// Noise in steps from which on rounding is independent: 2.7e-9 of its first harmonic is left.
 const INDEPENDENT: f64 = 1.0;
 
-/// What was fitted in the end.
+/// Errors of the measured values, as a fit has left them.
 pub(crate) struct Errors<'a> {
+    /// Rounded values.
     pub measured: &'a Measurements,
+    /// Their residuals.
     pub sampled: &'a Sampled,
     /// Standard deviations by which columns are weighed.
     pub deviations: &'a [f64],

@@ -29,15 +29,15 @@ const STEPS: [f64; 4] = [0.0, 0.3, 1.0, 3.0];
 /// The same of slow motion.
 const SLOW_STEPS: [f64; 3] = [1.0, 3.0, 10.0];
 
-/// One trial of slow motion is as long as so many others.
-const SLOWER: u32 = 10;
+/// Trials of slow motion take longer, and there are so many times fewer.
+const SLOWER: u32 = 5;
 
 const EXPLANATION: &str = "\
 Points of each mechanism are solved with its own lengths, moved by normal noise and rounded to steps; lengths that are off by up to 2 % are
 then fitted to them. **In 95 % interval**: how often the interval that the fit gives holds the truth. **Within 1 σ** and **within 3 σ**: how
 often an estimate is that near to the truth, by the standard deviation that the fit gives, which knows nothing of the noise but what is
 left. Of normal errors 68.27 % and 99.73 % are; of Student's distribution with as many values left over about a tenth less. **Trusted**:
-how many fits noise explains, where neighboring rows alone tell the noise. The errors are in m. Of slow motion there is a tenth of the
+how many fits noise explains, where neighboring rows alone tell the noise. The errors are in m. Of slow motion there is a fifth of the
 trials, and lengths differ from trial to trial: with lengths that stay, errors of rounding would, too.
 ";
 

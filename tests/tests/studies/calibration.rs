@@ -39,7 +39,8 @@ fn intervals_hold_the_truth_in_spite_of_rounding() {
     }
 }
 
-/// Also where rows of slow motion are rounded alike, to a step of ten deviations of the noise: of 400 fits the share varies by 0.011.
+/// Rows of slow motion are rounded alike, to a step of ten deviations of the noise. Of 400 fits the share varies by 0.011; with errors
+/// that are taken for independent it is 0.79 of L2 and 0.86 of L3.
 #[test]
 fn intervals_hold_the_truth_where_neighboring_rows_are_equal() {
     let found = Study::slow().coverage(400, 10.0);

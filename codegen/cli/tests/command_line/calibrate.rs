@@ -519,16 +519,32 @@ fn a_length_ends_at_the_bound_that_its_sign_is() {
     }
 }
 
-/// Values in whole millimeters are off by 1 mm/√12 each, however well few of them seem to fit.
+/// Deviation of a length L from values L·cos φ that are rounded to whole millimeters: root of the mean square over all places that
+/// the zero can have within a millimeter.
+fn deviation_by_rounding(length: f64, cosines: &[f64]) -> f64 {
+    let squares: f64 = cosines.iter().map(|it| it * it).sum();
+    let zeros = 2000;
+    let errors = (0..zeros).map(|place| {
+        let zero = (f64::from(place) + 0.5) / f64::from(zeros);
+        let sum: f64 = cosines
+            .iter()
+            .map(|it| it * ((length * it + zero).round() - zero - length * it))
+            .sum();
+        (sum / squares).powi(2)
+    });
+    (errors.sum::<f64>() / f64::from(zeros)).sqrt()
+}
+
+/// However well few values in whole millimeters seem to fit, their rounding makes them uncertain.
 #[test]
 fn rounding_of_the_table_counts() {
     let folder = folder("calibrate_rounding");
     let mut text = "t,B_x (mm)\n".to_string();
-    let mut square = 0.0;
+    let mut cosines = Vec::new();
     for step in 0..20 {
         let t = 0.05 * f64::from(step);
         let cosine = (0.1 + 3.0 * t).cos();
-        square += cosine * cosine;
+        cosines.push(cosine);
         text += &format!("{t},{:.0}\n", 42.3 * cosine);
     }
     std::fs::write(folder.file("data.csv"), text).expect("it can be written");
@@ -539,8 +555,12 @@ fn rounding_of_the_table_counts() {
             .stdout,
     );
     let own = &found["parameters"][0];
-    let least = 1e-3 / 12.0_f64.sqrt() / square.sqrt();
-    assert!(number(&own["deviation"]) > 0.999 * least, "{found}");
+    let expected = 1e-3 * deviation_by_rounding(1e3 * number(&own["value"]), &cosines);
+    let deviation = number(&own["deviation"]);
+    assert!(
+        (deviation / expected - 1.0).abs() < 0.02,
+        "{deviation} {expected}"
+    );
     let [low, high] = [0, 1].map(|it| number(&own["interval"][it]));
     assert!(low < 0.0423 && 0.0423 < high, "{found}");
     assert!((number(&found["columns"][0]["noise"]) / 12.0_f64.sqrt().recip() - 1.0) > -1e-9);
