@@ -33,6 +33,8 @@ pub struct Study {
     observables: Vec<Observable>,
     solved: Vec<Vec<f64>>,
     truth: Vec<f64>,
+    /// True if lengths differ from trial to trial.
+    varies: bool,
     noise: f64,
 }
 
@@ -157,6 +159,7 @@ impl Study {
             observables,
             solved,
             truth,
+            varies: false,
             noise,
         }
     }
@@ -175,6 +178,25 @@ impl Study {
             times,
             NOISE[0],
         )
+    }
+
+    /// The four-bar, whose coupler point is seen so often that neighboring rows are rounded alike.
+    pub fn slow() -> Study {
+        let times = (0..400).map(|row| f64::from(row) / 1200.0).collect();
+        let measured = "P of the coupler at 400 times while the crank turns by 1 rad, x and y, each with 0.1 mm of noise; lengths differ by up to 2 % from trial to trial";
+        let slow = Study::new(
+            "four_bar, slowly",
+            measured,
+            &four_bar_text(),
+            &["L2", "L3"],
+            &["P_x", "P_y"],
+            times,
+            NOISE[0],
+        );
+        Study {
+            varies: true,
+            ..slow
+        }
     }
 
     /// The platform, of which two corners are seen 50 times.
@@ -196,8 +218,19 @@ impl Study {
     ///
     /// # Errors
     /// Those of the fit.
-    pub fn trial(&self, seed: u64, steps: f64) -> Result<(&[f64], Fit), Unfit> {
+    pub fn trial(&self, seed: u64, steps: f64) -> Result<(Vec<f64>, Fit), Unfit> {
         let mut random = Random::new(seed);
+        let mut off = |it: &f64| it * (1.0 + random.between(-OFF, OFF));
+        let (truth, solved) = match self.varies {
+            true => {
+                let truth: Vec<f64> = self.truth.iter().map(&mut off).collect();
+                let solved = self
+                    .calibrator
+                    .solved(&self.observables, &self.times, &truth);
+                (truth, solved.map_err(Unfit::Unsolved)?)
+            }
+            false => (self.truth.clone(), self.solved.clone()),
+        };
         let step = steps * self.noise;
         let rounded = |it: f64| match step > 0.0 {
             true => (it / step).round() * step,
@@ -206,7 +239,7 @@ impl Study {
         let columns = self
             .observables
             .iter()
-            .zip(&self.solved)
+            .zip(&solved)
             .map(|(observable, solved)| Column {
                 observable: *observable,
                 values: solved
@@ -223,7 +256,7 @@ impl Study {
         };
         let off = |it: &f64| it * (1.0 + random.between(-OFF, OFF));
         let start: Vec<f64> = self.truth.iter().map(off).collect();
-        Ok((&self.truth, self.calibrator.fit(&measured, &start)?))
+        Ok((truth, self.calibrator.fit(&measured, &start)?))
     }
 
     /// How often the truth is within what the fits say.

@@ -178,8 +178,8 @@ fn unwrapped(values: &[Option<f64>], is_angle: bool) -> Vec<Option<f64>> {
     values.iter().map(|it| it.map(&mut next)).collect()
 }
 
-/// The variance that cubics through neighboring rows leave of rows, and how many rows that are.
-fn between_rows(times: &[f64], values: &[Option<f64>]) -> Option<(f64, usize)> {
+/// The variance that cubics through neighboring rows leave of rows, and how many rows that are; `None` of fewer than five.
+pub(crate) fn between_rows(times: &[f64], values: &[Option<f64>]) -> Option<(f64, usize)> {
     let mut rows: Vec<(f64, f64)> = Vec::with_capacity(times.len());
     for (t, value) in times.iter().zip(values) {
         if let Some(value) = value

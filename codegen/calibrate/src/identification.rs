@@ -145,12 +145,27 @@ impl Identification {
         self.is_determined.iter().all(|it| *it)
     }
 
-    /// The covariance of the parameters, of what is determined of them.
-    pub(crate) fn covariance(&self, variance: f64) -> DMatrix<f64> {
+    /// Part of each row in each determined combination: columns that are orthogonal and of unit length.
+    pub(crate) fn projections(&self, jacobian: &DMatrix<f64>) -> DMatrix<f64> {
+        let lengths = self.lengths.iter().enumerate();
+        let moving: Vec<(usize, f64)> = lengths.map(|(place, it)| (place, *it)).collect();
+        DMatrix::from_fn(jacobian.nrows(), self.rank(), |row, combination| {
+            let (singular, vector) = &self.determined[combination];
+            let parts = moving.iter().filter(|it| vector[it.0] != 0.0);
+            let parts =
+                parts.map(|(place, length)| jacobian[(row, *place)] / length * vector[*place]);
+            parts.sum::<f64>() / singular
+        })
+    }
+
+    /// The covariance of the parameters, of what is determined of them; `errors` is that of errors in the determined combinations.
+    pub(crate) fn covariance(&self, errors: &DMatrix<f64>) -> DMatrix<f64> {
         let count = self.lengths.len();
         let mut covariance = DMatrix::zeros(count, count);
-        for (singular, vector) in &self.determined {
-            covariance += vector * vector.transpose() * (variance / (singular * singular));
+        for (row, (one, first)) in self.determined.iter().enumerate() {
+            for (column, (other, second)) in self.determined.iter().enumerate() {
+                covariance += first * second.transpose() * (errors[(row, column)] / (one * other));
+            }
         }
         let lengths = &self.lengths;
         let unscaled = |row: usize, column: usize| {
@@ -260,7 +275,12 @@ mod tests {
                 "`p1` changes nothing that is measured",
             ]
         );
-        assert!(found.covariance(1.0).iter().all(|it| *it == 0.0));
+        assert!(
+            found
+                .covariance(&DMatrix::zeros(0, 0))
+                .iter()
+                .all(|it| *it == 0.0)
+        );
     }
 
     #[test]
@@ -270,10 +290,14 @@ mod tests {
         let normal = (jacobian.transpose() * &jacobian)
             .try_inverse()
             .expect("regular");
-        let covariance = found.covariance(2.0);
+        let errors = DMatrix::from_diagonal_element(2, 2, 2.0);
+        let covariance = found.covariance(&errors);
         for (one, other) in covariance.iter().zip(&(normal * 2.0)) {
             assert!((one - other).abs() < 1e-12 * other.abs(), "{one} {other}");
         }
         assert!(found.determines_all() && found.indistinct.is_empty());
+        let projections = found.projections(&jacobian);
+        let squares = projections.transpose() * &projections;
+        assert!((squares - DMatrix::identity(2, 2)).amax() < 1e-12);
     }
 }

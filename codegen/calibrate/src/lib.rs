@@ -40,6 +40,7 @@ mod distribution;
 mod goodness;
 mod identification;
 mod model;
+mod rounding;
 mod weights;
 
 pub use bounds::Bounds;
@@ -224,9 +225,18 @@ impl Calibrator {
         }
         let last = self.sample(measured, &values).map_err(Unfit::Unsolved)?;
         let in_the_end = self.identified(&last, &deviations, &values);
+        let jacobian = weighted(&last, &deviations, parameters);
+        let weighed_by = deviations.clone();
         let freedom = count - in_the_end.rank().min(free.len());
         let scale = weights::scale(measured, &last, &mut deviations, freedom);
-        let covariance = in_the_end.covariance(scale.variance);
+        let errors = rounding::Errors {
+            measured,
+            sampled: &last,
+            deviations: &weighed_by,
+            variance: scale.variance,
+        };
+        let errors = errors.covariance(&in_the_end.projections(&jacobian));
+        let covariance = in_the_end.covariance(&errors);
         let is_known = |place: usize| {
             at_start.determines(place) && in_the_end.determines(place) && freedom > 0
         };

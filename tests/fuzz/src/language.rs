@@ -4,20 +4,21 @@
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
 
 use super::format;
+use super::outcome::with_codes;
 
 /// The largest number of coordinates for which the code is generated too: what is larger only takes longer.
 const LARGEST: usize = 12;
 
-/// Formats, reads, checks and generates.
+/// Formats, reads, checks and generates; answers how far it came, with codes.
 ///
 /// # Panics
 /// Where the library does, or where a finding cannot be printed.
-pub fn run(bytes: &[u8]) {
+pub fn run(bytes: &[u8]) -> String {
     let source = match Source::from_bytes("fuzzed.mech", bytes) {
         Ok(source) => source,
         Err(unreadable) => {
             printed(&unreadable.1, &unreadable.0);
-            return;
+            return with_codes("unreadable", &unreadable.1);
         }
     };
     format::run(&source);
@@ -26,7 +27,7 @@ pub fn run(bytes: &[u8]) {
         Err(findings) => {
             assert!(findings.has_errors(), "refused without an error");
             printed(&findings, &source);
-            return;
+            return with_codes("refused", &findings);
         }
     };
     assert!(!read.motions.is_empty());
@@ -35,7 +36,7 @@ pub fn run(bytes: &[u8]) {
         if let Err(findings) = linkwright_codegen::check(motion) {
             assert!(findings.has_errors(), "refused without an error");
             printed(&findings, &source);
-            return;
+            return with_codes("not solvable", &findings);
         }
     }
     if read
@@ -47,6 +48,7 @@ pub fn run(bytes: &[u8]) {
         let generated = generated.expect("what is checked can be generated");
         assert!(!generated.code.contains("NAN"), "a value that is no number");
     }
+    with_codes("generated", &read.warnings)
 }
 
 fn printed(findings: &Diagnostics, source: &Source) {

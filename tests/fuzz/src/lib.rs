@@ -4,3 +4,4 @@ pub mod expressions;
 pub mod format;
 pub mod language;
 pub mod numbers;
+pub mod outcome;

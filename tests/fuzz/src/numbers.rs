@@ -6,6 +6,8 @@ use linkwright::{Settings, assemble_from_afar};
 use linkwright_codegen::diagnostic::Source;
 use linkwright_solver::textbook::TextbookEquations;
 
+use super::outcome::with_codes;
+
 const UNITS: [(&str, f64); 8] = [
     ("", 1.0),
     ("m", 1.0),
@@ -51,15 +53,16 @@ fn length(input: &mut Unstructured<'_>) -> Result<Length> {
     })
 }
 
-/// Assembles a four-bar linkage or a slider-crank.
+/// Assembles a four-bar linkage or a slider-crank; answers how far it came, with codes.
 ///
 /// # Panics
 /// Where the library does, or where a frame is wrong.
-pub fn run(bytes: &[u8]) {
-    let _ = attempt(&mut Unstructured::new(bytes));
+pub fn run(bytes: &[u8]) -> String {
+    let found = attempt(&mut Unstructured::new(bytes));
+    found.unwrap_or_else(|it| it.to_string())
 }
 
-fn attempt(input: &mut Unstructured<'_>) -> Result<()> {
+fn attempt(input: &mut Unstructured<'_>) -> Result<String> {
     let slides = input.ratio(1, 2)?;
     let [x, y, g, a, b, c] = [
         length(input)?,
@@ -103,15 +106,15 @@ fn attempt(input: &mut Unstructured<'_>) -> Result<()> {
         Ok(read) => read,
         Err(findings) => {
             assert!(!findings.render(&source).is_empty());
-            return Ok(());
+            return Ok(with_codes("refused", &findings));
         }
     };
     let Some(system) = read.only() else {
-        return Ok(());
+        return Ok("without a motion".to_string());
     };
     if let Err(findings) = linkwright_codegen::check(&system) {
         assert!(!findings.render(&source).is_empty());
-        return Ok(());
+        return Ok(with_codes("not solvable", &findings));
     }
     let equations = TextbookEquations::new(&system);
     let settings = Settings::default();
@@ -120,7 +123,9 @@ fn attempt(input: &mut Unstructured<'_>) -> Result<()> {
         Ok(frame) => frame,
         Err(failure) => {
             assert!(!failure.to_string().is_empty());
-            return Ok(());
+            let kind = format!("{:?}", failure.kind);
+            let name = kind.split(|it: char| !it.is_alphanumeric()).next();
+            return Ok(format!("failed {} {slides}", name.unwrap_or_default()));
         }
     };
     let all = frame.q.iter().chain(&frame.qd).chain(&frame.qdd);
@@ -167,5 +172,5 @@ fn attempt(input: &mut Unstructured<'_>) -> Result<()> {
     }
     let driven = (q[2] - angle).abs();
     assert!(driven <= 1e-11, "{driven:e}\n{}", source.text);
-    Ok(())
+    Ok(format!("assembled {slides}"))
 }

@@ -1,3 +1,5 @@
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| linkwright_fuzz::language::run(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {
+    let _ = linkwright_fuzz::language::run(bytes);
+});

@@ -1,14 +1,14 @@
-//! What the targets of `tests/fuzz/` do with their input, on all descriptions of the repository, on inputs that once failed, and on some
-//! thousand mutations of them, or on as many as fit into `LINKWRIGHT_FUZZ_SECONDS`. `cargo fuzz` looks farther; see
+//! Targets of `tests/fuzz/` on a stable compiler: all inputs of the corpus and all descriptions of the repository, and then some thousand
+//! mutations of them and random bytes, or as many as fit into `LINKWRIGHT_FUZZ_SECONDS`. `cargo fuzz` looks farther; see
 //! `tests/fuzz/README.md`.
 
 use std::fs;
-use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use linkwright_tests::files;
 use linkwright_tests::random::Random;
 
+use crate::corpora::{Corpus, Input};
 use crate::targets::{expressions, language, numbers};
 
 /// The seed of all mutations, unless `LINKWRIGHT_FUZZ_SEED` is another one.
@@ -32,7 +32,7 @@ fn repeat(count: usize, check: &mut dyn FnMut(&mut Random)) {
         None => number < count,
     };
     while goes_on(number) {
-        let _input = Input(number);
+        let _input = Input(format!("input {number}"));
         let next = Instant::now();
         check(&mut random);
         // A short input that takes long is a finding, too.
@@ -43,34 +43,8 @@ fn repeat(count: usize, check: &mut dyn FnMut(&mut Random)) {
     println!("{number} inputs");
 }
 
-/// Number of the input that is being looked at.
-struct Input(usize);
-
-impl Drop for Input {
-    fn drop(&mut self) {
-        if std::thread::panicking() {
-            println!("input {} fails", self.0);
-        }
-    }
-}
-
 /// How long one input may take, on a machine that does other things at the same time.
 const LONGEST: Duration = Duration::from_secs(20);
-
-/// The files of a folder beside this package's, by name; none where there is no such folder.
-fn inputs(folder: &str) -> Vec<Vec<u8>> {
-    let Ok(entries) = fs::read_dir(files::package(folder)) else {
-        return Vec::new();
-    };
-    let mut paths: Vec<PathBuf> = entries
-        .map(|entry| entry.expect("a listed file").path())
-        .collect();
-    paths.sort();
-    paths
-        .iter()
-        .map(|path| fs::read(path).expect("a readable file"))
-        .collect()
-}
 
 fn below(random: &mut Random, end: usize) -> usize {
     (random.bits() % end.max(1) as u64) as usize
@@ -163,33 +137,43 @@ fn descriptions_are_read_or_refused() {
         .flatten()
         .map(|path| fs::read(path).expect("a readable file"))
         .collect();
-    for seed in seeds.iter().chain(&inputs("fuzz/regressions/language")) {
-        language::run(seed);
+    let mut corpus = Corpus::replayed("language", language::run);
+    for seed in &seeds {
+        corpus.run(seed);
     }
-    let short: Vec<&Vec<u8>> = seeds.iter().filter(|seed| seed.len() < 1500).collect();
+    let short: Vec<Vec<u8>> = seeds
+        .iter()
+        .chain(&corpus.inputs)
+        .filter(|it| it.len() < 1500)
+        .cloned()
+        .collect();
     repeat(1000, &mut |random| {
-        let seed = short[below(random, short.len())];
-        let input = mutated(seed, &seeds, random);
-        language::run(&input);
+        let seed = &short[below(random, short.len())];
+        corpus.run(&mutated(seed, &seeds, random));
     });
+    corpus.renew();
 }
 
-fn noise(random: &mut Random, length: usize) -> Vec<u8> {
-    (0..length).map(|_| random.bits() as u8).collect()
+/// Runs a target on random bytes and on mutations of its corpus in turn.
+fn on_bytes(target: &'static str, count: usize, length: usize, run: fn(&[u8]) -> String) {
+    let mut corpus = Corpus::replayed(target, run);
+    let known = corpus.inputs.clone();
+    repeat(count, &mut |random| {
+        let input = match random.bits() % 2 {
+            0 => (0..length).map(|_| random.bits() as u8).collect(),
+            _ => mutated(&known[below(random, known.len())], &known, random),
+        };
+        corpus.run(&input);
+    });
+    corpus.renew();
 }
 
 #[test]
 fn numbers_are_solved_or_refused() {
-    for input in inputs("fuzz/regressions/numbers") {
-        numbers::run(&input);
-    }
-    repeat(1500, &mut |random| numbers::run(&noise(random, 96)));
+    on_bytes("numbers", 1500, 96, numbers::run);
 }
 
 #[test]
 fn formulas_have_their_values_and_rates_or_are_refused() {
-    for input in inputs("fuzz/regressions/expressions") {
-        expressions::run(&input);
-    }
-    repeat(4000, &mut |random| expressions::run(&noise(random, 160)));
+    on_bytes("expressions", 4000, 160, expressions::run);
 }

@@ -2,6 +2,7 @@
 
 mod bounds;
 mod columns;
+mod corpora;
 mod diagnostics;
 mod format;
 mod fuzz;

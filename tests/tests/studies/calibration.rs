@@ -39,6 +39,20 @@ fn intervals_hold_the_truth_in_spite_of_rounding() {
     }
 }
 
+/// Rows of slow motion are rounded alike, to a step of ten deviations of the noise. Of 400 fits the share varies by 0.011; with errors
+/// that are taken for independent it is 0.79 of L2 and 0.86 of L3.
+#[test]
+fn intervals_hold_the_truth_where_neighboring_rows_are_equal() {
+    let found = Study::slow().coverage(400, 10.0);
+    println!("{}", found.table());
+    assert_eq!(found.failed, 0);
+    for (place, name) in found.names.iter().enumerate() {
+        let held = found.held(place);
+        assert!((0.915..0.985).contains(&held), "{name}: {held}");
+    }
+    assert!(found.trusted >= 396, "{}", found.trusted);
+}
+
 /// What the mechanism measures of itself with some parameters, fitted from the nominal ones.
 fn fitted(
     calibrator: &Calibrator,

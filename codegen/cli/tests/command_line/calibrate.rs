@@ -20,16 +20,21 @@ mechanism crank {
 }
 ";
 
-/// B of a crank of 42 mm, which begins at 0.15 rad and turns at 3.2 rad/s, with a little noise.
-fn table() -> String {
-    let mut text = "t,B_x (mm),B_y (mm)\n".to_string();
+/// Noise of ±0.01 mm, evenly distributed and always the same.
+fn noise() -> impl FnMut() -> f64 {
     let mut seed = 1_u64;
-    let mut noise = || {
+    move || {
         seed = seed
             .wrapping_mul(6_364_136_223_846_793_005)
             .wrapping_add(1_442_695_040_888_963_407);
         ((seed >> 33) as f64 / f64::from(1_u32 << 31) - 0.5) * 0.02
-    };
+    }
+}
+
+/// B of a crank of 42 mm, which begins at 0.15 rad and turns at 3.2 rad/s, with a little noise.
+fn table() -> String {
+    let mut text = "t,B_x (mm),B_y (mm)\n".to_string();
+    let mut noise = noise();
     for step in 0..60 {
         let t = f64::from(step) * 0.03;
         let angle = 0.15 + 3.2 * t;
@@ -184,6 +189,33 @@ fn known_deviations_count() {
     assert!((ten / one - 10.0).abs() < 1e-6, "{one} {ten}");
     // 120 values, of which each tells 1/√2 of the length on average.
     assert!((one / (1e-5 / 60.0_f64.sqrt()) - 1.0).abs() < 1e-3, "{one}");
+}
+
+/// 3.2 rad/s are 30.557749 turns per minute.
+#[test]
+fn columns_that_count_turns_are_marked() {
+    let folder = folder("calibrate_turns");
+    for (unit, factor, counts) in [
+        ("1/min", 60.0 / std::f64::consts::TAU, true),
+        ("Hz", 1.0 / std::f64::consts::TAU, true),
+        ("rad/s", 1.0, false),
+    ] {
+        let mut text = format!("t,phi_arm_d ({unit}),B_x (mm)\n");
+        for step in 0..40 {
+            let t = f64::from(step) * 0.04;
+            let rate = 3.2 * factor;
+            let reach = 40.0 * (0.1 + 3.2 * t).cos();
+            text += &format!("{t},{rate:.9},{reach:.9}\n");
+        }
+        std::fs::write(folder.file("data.csv"), text).expect("it can be written");
+        let ran = folder.run("calibrate a.mech data.csv --param speed --json");
+        let found = json(&ran.exits_with(0).stdout);
+        let speed = number(&found["parameters"][0]["value"]);
+        assert!((speed - 3.2).abs() < 1e-6, "{unit}: {found}");
+        let [rate, reach] = [0, 1].map(|it| &found["columns"][it]);
+        assert_eq!(rate["counts_turns"] == true, counts, "{unit}: {found}");
+        assert_eq!(reach.get("counts_turns"), None, "{unit}: {found}");
+    }
 }
 
 #[test]
@@ -429,16 +461,90 @@ fn bounds_hold_and_are_read_with_units() {
     }
 }
 
-/// Values in whole millimeters are off by 1 mm/√12 each, however well few of them seem to fit.
+/// P, which lies at (60, `height`) mm of the coupler of a four-bar of 100, 40, 120 and 80 mm, by the law of cosines, with a little noise.
+fn coupler_points(height: f64) -> String {
+    let mut text = "t (s),P_x (mm),P_y (mm)\n".to_string();
+    let mut noise = noise();
+    for step in 0..48 {
+        let t = f64::from(step) * 0.04;
+        let crank = 40_f64.to_radians() + 3.0 * t;
+        let joint = [40.0 * crank.cos(), 40.0 * crank.sin()];
+        let diagonal = (100.0 - joint[0]).hypot(joint[1]);
+        let cosine = (120_f64.powi(2) + diagonal.powi(2) - 80_f64.powi(2)) / (240.0 * diagonal);
+        let coupler = (-joint[1]).atan2(100.0 - joint[0]) + cosine.acos();
+        let x = joint[0] + 60.0 * coupler.cos() - height * coupler.sin() + noise();
+        let y = joint[1] + 60.0 * coupler.sin() + height * coupler.cos() + noise();
+        text += &format!("{t},{x:.6},{y:.6}\n");
+    }
+    text
+}
+
+/// A length keeps the sign that the description gives it; `--bound` says otherwise.
+#[test]
+fn a_length_ends_at_the_bound_that_its_sign_is() {
+    for (drawn, height) in [("5mm", -12.0), ("-5mm", 12.0)] {
+        let description = four_bar(["40mm", "120mm", "80mm"])
+            .replace("P: (60mm, 40mm)", "P: (60mm, height)")
+            .replace(
+                "param L2",
+                &format!("param height = {drawn};\n    param L2"),
+            );
+        let folder = Folder::new("calibrate_sign", description);
+        std::fs::write(folder.file("data.csv"), coupler_points(height)).expect("written");
+        let options = "calibrate a.mech data.csv --param height";
+        let ran = folder.run(options).exits_with(1);
+        let reason = "`height` ends at its bound 0 m";
+        assert!(ran.stdout.contains(reason), "{}", ran.stdout);
+        let found = json(
+            &folder
+                .run(&format!("{options} --json"))
+                .exits_with(1)
+                .stdout,
+        );
+        let own = &found["parameters"][0];
+        assert_eq!(number(&own["bound"]), 0.0, "{found}");
+        assert!(number(&own["value"]).abs() < 1e-8, "{found}");
+        assert_eq!(found["trusted"], false, "{found}");
+        assert!(found["reasons"].to_string().contains(reason), "{found}");
+        for bound in ["height=..", "height=-20mm..20mm"] {
+            let options = format!("{options} --json --bound {bound}");
+            let found = json(&folder.run(&options).exits_with(0).stdout);
+            let own = &found["parameters"][0];
+            assert!(
+                (1e3 * number(&own["value"]) - height).abs() < 0.01,
+                "{found}"
+            );
+            assert_eq!(own.get("bound"), None, "{found}");
+        }
+    }
+}
+
+/// Deviation of a length L from values L·cos φ that are rounded to whole millimeters: root of the mean square over all places that
+/// the zero can have within a millimeter.
+fn deviation_by_rounding(length: f64, cosines: &[f64]) -> f64 {
+    let squares: f64 = cosines.iter().map(|it| it * it).sum();
+    let zeros = 2000;
+    let errors = (0..zeros).map(|place| {
+        let zero = (f64::from(place) + 0.5) / f64::from(zeros);
+        let sum: f64 = cosines
+            .iter()
+            .map(|it| it * ((length * it + zero).round() - zero - length * it))
+            .sum();
+        (sum / squares).powi(2)
+    });
+    (errors.sum::<f64>() / f64::from(zeros)).sqrt()
+}
+
+/// However well few values in whole millimeters seem to fit, their rounding makes them uncertain.
 #[test]
 fn rounding_of_the_table_counts() {
     let folder = folder("calibrate_rounding");
     let mut text = "t,B_x (mm)\n".to_string();
-    let mut square = 0.0;
+    let mut cosines = Vec::new();
     for step in 0..20 {
         let t = 0.05 * f64::from(step);
         let cosine = (0.1 + 3.0 * t).cos();
-        square += cosine * cosine;
+        cosines.push(cosine);
         text += &format!("{t},{:.0}\n", 42.3 * cosine);
     }
     std::fs::write(folder.file("data.csv"), text).expect("it can be written");
@@ -449,8 +555,12 @@ fn rounding_of_the_table_counts() {
             .stdout,
     );
     let own = &found["parameters"][0];
-    let least = 1e-3 / 12.0_f64.sqrt() / square.sqrt();
-    assert!(number(&own["deviation"]) > 0.999 * least, "{found}");
+    let expected = 1e-3 * deviation_by_rounding(1e3 * number(&own["value"]), &cosines);
+    let deviation = number(&own["deviation"]);
+    assert!(
+        (deviation / expected - 1.0).abs() < 0.02,
+        "{deviation} {expected}"
+    );
     let [low, high] = [0, 1].map(|it| number(&own["interval"][it]));
     assert!(low < 0.0423 && 0.0423 < high, "{found}");
     assert!((number(&found["columns"][0]["noise"]) / 12.0_f64.sqrt().recip() - 1.0) > -1e-9);

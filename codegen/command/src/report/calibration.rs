@@ -5,7 +5,7 @@
 //! | `mechanism`, `data`, `read` | as `compare` prints them |
 //! | `parameters` | `{name, unit, start, value, deviation, interval, bound}` each, in SI units or those that are requested; `deviation` and `interval` (of 95 %) are null where the motion does not determine it, `bound` is where the value ended at one |
 //! | `correlations` | a row for each parameter; null where one of both is not determined |
-//! | `columns` | `{column, quantity, unit, count, deviation, rms_before, rms_after, noise, reduced, chance, runs, expected_runs, explained}` each, in the unit of the column; what cannot be judged is null |
+//! | `columns` | `{column, quantity, unit, count, deviation, rms_before, rms_after, noise, reduced, chance, runs, expected_runs, explained}` each, in the unit of the column; what cannot be judged is null; `counts_turns` is true of the rate of an angle in `1/min` or `Hz` |
 //! | `trusted`, `reasons` | whether the fit is to be trusted, and why not, in sentences |
 //! | `freedom` | measured values less determined parameters |
 //! | `rank`, `condition` | how many combinations are determined, and the condition of the scaled sensitivities |
@@ -315,6 +315,8 @@ struct Column<'a> {
     column: &'a str,
     quantity: &'a str,
     unit: &'a str,
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    counts_turns: bool,
     count: usize,
     deviation: f64,
     rms_before: f64,
@@ -359,6 +361,7 @@ pub fn write_json(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()>
             column: &own.name,
             quantity: &own.quantity.name,
             unit: &own.scale.text,
+            counts_turns: own.scale.counts_turns,
             count: count(own),
             deviation: own.scale.unit.of_si(fit.column_deviations[place]),
             rms_before,

@@ -4,6 +4,9 @@
 //! nested deeply is differentiated from the inside out. Rules: d(f^n) = n·f^(n-1)·df, and d atan2(y, x) = (x·dy - y·dx)/(x² + y²). A
 //! choice is differentiated arm by arm.
 //!
+//! The derivative of b·S^r, b'·S^r + r·b·S^(r-1)·S', is a difference that cancels where a term of S grows as b^(-1/r) does and the rest of
+//! S is constant: x/√(x² + c) → 1/√(x² + c) - x²/(x² + c)^(3/2). With S = k·b^(-1/r) + c it is b'·c·S^(r-1), which is taken instead.
+//!
 //! The product rule on n factors makes n products of n factors, and the next derivative n² of them. So a long product is taken for
 //! one of two halves, whose derivatives are sums of their own: n log n factors, and for the next derivative n log² n.
 
@@ -27,6 +30,12 @@ pub(super) type TermIndex = HashMap<SymbolId, Vec<u32>, BuildExprHasher>;
 
 /// A product of more factors that depend on the symbol is halved.
 const LONGEST_FLAT: usize = 8;
+
+/// Places of the root S^r among the factors of a product, and of k·b^(-1/r) among the terms of S.
+struct Level {
+    root: usize,
+    varying: usize,
+}
 
 impl Graph {
     /// The partial derivative of the expression with respect to the symbol. That of a non-finite number is NaN.
@@ -189,6 +198,9 @@ impl Graph {
         if dependent.len() > LONGEST_FLAT {
             return self.halved_derivative(&dependent, &constant, symbol);
         }
+        if let Some(level) = self.level(&dependent, symbol) {
+            return self.level_derivative(&dependent, &constant, level, symbol);
+        }
         let mut parts = Vec::new();
         for (place, factor) in factors.iter().enumerate() {
             if !self.depends_on(factor.base, symbol) {
@@ -212,6 +224,83 @@ impl Graph {
             parts.push(self.finish(monomial));
         }
         self.sum(&parts)
+    }
+
+    /// The root S^r among factors b·S^r of which S = k·b^(-1/r) + c with constants k and c; `None` if there is none.
+    fn level(&self, dependent: &[Factor], symbol: SymbolId) -> Option<Level> {
+        if dependent.len() < 2 {
+            return None;
+        }
+        (0..dependent.len()).find_map(|root| {
+            let Factor { base, exponent } = dependent[root];
+            let Node::Sum(terms) = self.node(base) else {
+                return None;
+            };
+            if exponent.is_integer() || terms.len() < 2 {
+                return None;
+            }
+            let mut varying =
+                (0..terms.len()).filter(|it| self.depends_on(terms[*it].expr, symbol));
+            let (varying, None) = (varying.next()?, varying.next()) else {
+                return None;
+            };
+            let power = -Rational::ONE.checked_div(exponent)?;
+            let others = (0..dependent.len()).filter(|it| *it != root);
+            let expected: Option<Vec<Factor>> = others
+                .map(|it| {
+                    let exponent = dependent[it].exponent.checked_mul(power)?;
+                    let base = dependent[it].base;
+                    Some(Factor { base, exponent })
+                })
+                .collect();
+            let found: Vec<Factor> = match self.node(terms[varying].expr) {
+                Node::Product(factors) => {
+                    let factors = factors.iter().copied();
+                    factors
+                        .filter(|it| self.depends_on(it.base, symbol))
+                        .collect()
+                }
+                _ => vec![Factor {
+                    base: terms[varying].expr,
+                    exponent: Rational::ONE,
+                }],
+            };
+            (found == expected?).then_some(Level { root, varying })
+        })
+    }
+
+    /// b'·c·S^(r-1), times the constant factors.
+    fn level_derivative(
+        &mut self,
+        dependent: &[Factor],
+        constant: &[Factor],
+        level: Level,
+        symbol: SymbolId,
+    ) -> ExprId {
+        let Factor { base, exponent } = dependent[level.root];
+        let (Node::Sum(terms), Some(lowered)) =
+            (self.node(base), exponent.checked_sub(Rational::ONE))
+        else {
+            return self.not_a_number();
+        };
+        let mut rest = terms.to_vec();
+        rest.remove(level.varying);
+        let rest = self.canonical_sum(rest);
+        let mut others = dependent.to_vec();
+        others.remove(level.root);
+        let others = self.monomial(others);
+        let inner = self.derivative(others, symbol);
+        if !self.is_finite(inner) {
+            return self.not_a_number();
+        }
+        let mut monomial = Monomial::new(Number::ONE);
+        for kept in constant {
+            monomial.push(kept.base, kept.exponent);
+        }
+        self.push_power(&mut monomial, base, lowered);
+        self.push_power(&mut monomial, rest, Rational::ONE);
+        self.push_power(&mut monomial, inner, Rational::ONE);
+        self.finish(monomial)
     }
 
     /// c·(a·b)' = c·b·a' + c·a·b' with the halves a and b of the dependent factors.

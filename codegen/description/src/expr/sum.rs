@@ -104,7 +104,7 @@ impl Graph {
     }
 
     /// The expression for terms that are sorted, merged and not zero.
-    fn canonical_sum(&mut self, terms: Vec<Term>) -> ExprId {
+    pub(super) fn canonical_sum(&mut self, terms: Vec<Term>) -> ExprId {
         self.ledger.touch(terms.len());
         match terms[..] {
             [] => self.zero(),

@@ -1,6 +1,7 @@
 //! Tests of the symbolic core. All random input comes from a fixed seed, named in every message.
 
 mod bounds;
+mod cancellation;
 mod canonical;
 mod choices;
 mod estimate;
