@@ -130,7 +130,8 @@ fn slots(
 ) -> Vec<(Register, usize)> {
     let slots = symbols.iter().map(|&(symbol, register)| {
         let slot = layout.slot(symbol);
-        let slot = slot.unwrap_or_else(|| panic!("instants keep no `{}`", graph.symbol_name(symbol)));
+        let slot =
+            slot.unwrap_or_else(|| panic!("instants keep no `{}`", graph.symbol_name(symbol)));
         (register, slot)
     });
     slots.collect()

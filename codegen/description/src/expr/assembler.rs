@@ -1,7 +1,6 @@
 //! Writes code one instruction after another, and notes which register holds which symbol.
 //!
-//! Every register is written by at most one instruction; a register that is not written by any holds a constant, or what the caller puts
-//! there.
+//! Every register is written by at most one instruction. A register that none writes holds a constant, or what the caller puts there.
 
 use std::collections::HashMap;
 
@@ -25,7 +24,7 @@ pub struct Assembler<'a> {
 }
 
 impl<'a> Assembler<'a> {
-    /// No instruction is written, and no symbol bound.
+    /// Code without instructions, and no bound symbol.
     pub fn new(graph: &'a Graph) -> Assembler<'a> {
         Assembler {
             graph,
@@ -37,7 +36,7 @@ impl<'a> Assembler<'a> {
         }
     }
 
-    /// The graph of the expressions that are computed.
+    /// Graph of the expressions that are computed.
     pub fn graph(&self) -> &'a Graph {
         self.graph
     }
@@ -63,12 +62,12 @@ impl<'a> Assembler<'a> {
         register
     }
 
-    /// States which register holds a symbol from now on.
+    /// Binds a symbol to the register that holds it from now on.
     pub fn bind(&mut self, symbol: SymbolId, register: Register) {
         self.bound.insert(symbol, register);
     }
 
-    /// The register of a symbol; one that is not bound gets a register that the caller has to write.
+    /// Register of a symbol; one that is not bound gets a register that the caller has to write.
     pub fn symbol(&mut self, symbol: SymbolId) -> Register {
         if let Some(&register) = self.bound.get(&symbol) {
             return register;
@@ -79,7 +78,7 @@ impl<'a> Assembler<'a> {
         register
     }
 
-    /// The symbols that were read without being bound, in the order of their first use.
+    /// Symbols that were read without being bound, in the order of their first use.
     pub fn unbound(&self) -> &[(SymbolId, Register)] {
         &self.unbound
     }

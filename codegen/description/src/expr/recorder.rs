@@ -1,6 +1,6 @@
 //! Writes the code that computes expressions of a graph, each node once and operands first.
 //!
-//! What computes is in the order of the graph, not in that of a person: it serves what the generator itself evaluates.
+//! The order of operations is the graph's, not that of generated code: a recorder serves what the generator itself evaluates.
 
 use std::collections::{HashMap, HashSet};
 
@@ -19,7 +19,7 @@ pub struct Recorder<'a> {
 }
 
 impl<'a> Recorder<'a> {
-    /// Nothing is recorded.
+    /// Code without instructions.
     pub fn new(graph: &'a Graph) -> Recorder<'a> {
         Recorder {
             assembler: Assembler::new(graph),
@@ -31,7 +31,7 @@ impl<'a> Recorder<'a> {
         self.assembler.graph()
     }
 
-    /// The symbols that were met, in the order in which they were met, with the registers that somebody else has to write.
+    /// Symbols of the recorded expressions, in the order of their first use, with the registers that the caller has to write.
     pub fn symbols(&self) -> &[(SymbolId, Register)] {
         self.assembler.unbound()
     }
@@ -166,7 +166,8 @@ impl<'a> Recorder<'a> {
             } => {
                 let argument = of(argument);
                 let spline = self.assembler.spline(*spline);
-                self.assembler.write(Computation::Spline(argument, spline, *order))
+                self.assembler
+                    .write(Computation::Spline(argument, spline, *order))
             }
         }
     }
@@ -176,7 +177,8 @@ impl<'a> Recorder<'a> {
             return register;
         }
         let factor = self.assembler.constant(coefficient);
-        self.assembler.write(Computation::Multiply([factor, register]))
+        self.assembler
+            .write(Computation::Multiply([factor, register]))
     }
 
     /// From the first term to the last.
@@ -209,7 +211,9 @@ impl<'a> Recorder<'a> {
             for factor in factors {
                 let value = self.power(self.recorded[&factor.base], factor.exponent.absolute());
                 product = Some(match product {
-                    Some(product) => self.assembler.write(Computation::Multiply([product, value])),
+                    Some(product) => self
+                        .assembler
+                        .write(Computation::Multiply([product, value])),
                     None => value,
                 });
             }
@@ -237,7 +241,8 @@ impl<'a> Recorder<'a> {
             },
             _ => {
                 let number = self.assembler.exponent(exponent);
-                self.assembler.write(Computation::RationalPower(base, number))
+                self.assembler
+                    .write(Computation::RationalPower(base, number))
             }
         }
     }

@@ -90,17 +90,17 @@ pub struct Evaluation<'a> {
 }
 
 impl Evaluation<'_> {
-    /// A value.
+    /// Arithmetic of a value.
     pub fn value(&self, expr: ExprId) -> Arithmetic {
         self.mentioning(expr, &[])
     }
 
-    /// A result, whose terms mention bodies in the order of its row.
+    /// Arithmetic of a result, whose terms mention bodies in the order of its row.
     pub fn result(&self, result: &Written) -> Arithmetic {
         self.mentioning(result.expr, &result.bodies)
     }
 
-    /// The value that a statement assigns to a target, whose name the value may have.
+    /// Arithmetic of the value that a statement assigns to a target, even if the value is named after that target.
     pub fn assigned(&self, target: SymbolId, expr: ExprId) -> Arithmetic {
         match self.function.name_of(expr) == Some(target) {
             true => self.call(expr).unwrap_or_else(|| self.sum(expr, &[])),

@@ -119,7 +119,9 @@ impl Compiled {
         writer.last(system.mechanism.time);
         let blocks = InterpretedBlock::all(&program, &system, &mut writer);
         let kept = layout.symbols()[layout.solved()].iter();
-        let kept = kept.map(|&symbol| writer.assembler.symbol(symbol)).collect();
+        let kept = kept
+            .map(|&symbol| writer.assembler.symbol(symbol))
+            .collect();
         let (code, last) = writer.finish();
         let last = last
             .into_iter()

@@ -29,7 +29,7 @@ pub(crate) struct Writer<'a> {
 }
 
 impl<'a> Writer<'a> {
-    /// Nothing is written.
+    /// A writer without operations.
     pub fn new(system: &'a System, program: &'a Program) -> Writer<'a> {
         let assembler = Assembler::new(&system.mechanism.graph);
         Writer {
@@ -75,7 +75,7 @@ impl<'a> Writer<'a> {
             .collect()
     }
 
-    /// The arithmetic of a function.
+    /// Order of arithmetic in a function.
     pub fn evaluation<'f>(&self, function: &'f Function) -> Evaluation<'f>
     where
         'a: 'f,

@@ -192,5 +192,8 @@ fn a_tape_shares_symbols_and_scales_residuals_by_their_terms() {
         registers[register.index()] = [3.0, -4.0, 1.0][symbol.index()];
     }
     code.run(0..code.length(), &mut registers);
-    assert_eq!(magnitudes.map(|it| registers[it.index()]), [8.0, 7.0, 12.0, 8.0]);
+    assert_eq!(
+        magnitudes.map(|it| registers[it.index()]),
+        [8.0, 7.0, 12.0, 8.0]
+    );
 }
