@@ -1,8 +1,10 @@
 //! Generates the mechanisms that only tests need, the repository's, two of the former and those of the study of stability in
 //! single precision, a list of the repository's, and all of them once more with what their drivers transmit, and those with
-//! parameters with their sensitivities, and some monitored; and writes some of the repository's into the middle of Rust code.
+//! parameters with their sensitivities, and some monitored; lists what compares every module with the interpreter; and writes some of
+//! the repository's into the middle of Rust code.
 
 mod chains;
+mod comparing;
 mod described;
 mod monitoring;
 #[path = "src/pantograph.rs"]
@@ -42,6 +44,7 @@ fn main() {
     chains::write();
     sensing::write("descriptions");
     transmitting::write(&["descriptions", "../mechanisms"]);
+    comparing::write("descriptions", "../mechanisms");
 }
 
 /// A mechanism whose module calls elementary functions of the test that includes it.

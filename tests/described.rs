@@ -29,12 +29,7 @@ pub fn empty_folder(name: &str) -> PathBuf {
 /// The descriptions in a folder, by the names of their files. Those with errors are left out: generating their modules reports
 /// them.
 pub fn in_folder(folder: &str) -> Vec<Described> {
-    let entries = fs::read_dir(Path::new(folder)).expect("the folder of descriptions");
-    let mut paths: Vec<_> = entries
-        .map(|entry| entry.expect("a listed file").path())
-        .filter(|path| path.extension().is_some_and(|it| it == "mech"))
-        .collect();
-    paths.sort();
+    let paths = paths_in(folder);
     let described = paths.iter().filter_map(|path| {
         let text = fs::read_to_string(path).ok()?;
         let source = Source::new(path.display().to_string(), text.clone());
@@ -49,6 +44,30 @@ pub fn in_folder(folder: &str) -> Vec<Described> {
         })
     });
     described.collect()
+}
+
+/// The motions of each description in a folder, by the names of their files. Those with errors are left out.
+pub fn motions_in_folder(folder: &str) -> Vec<Vec<System>> {
+    let paths = paths_in(folder);
+    let described = paths.iter().filter_map(|path| {
+        let text = fs::read_to_string(path).ok()?;
+        let source = Source::new(path.display().to_string(), text);
+        let source = linkwright_codegen::attach_files(source, path.parent()?);
+        let motions = linkwright_codegen::read(&source).ok()?.motions;
+        (!motions.is_empty()).then_some(motions)
+    });
+    described.collect()
+}
+
+/// The files of the descriptions in a folder, sorted.
+fn paths_in(folder: &str) -> Vec<PathBuf> {
+    let entries = fs::read_dir(Path::new(folder)).expect("the folder of descriptions");
+    let mut paths: Vec<_> = entries
+        .map(|entry| entry.expect("a listed file").path())
+        .filter(|path| path.extension().is_some_and(|it| it == "mech"))
+        .collect();
+    paths.sort();
+    paths
 }
 
 impl Described {

@@ -6,7 +6,8 @@
 pub mod expr {
     #[doc(inline)]
     pub use crate::expr::{
-        Code, ExprId, Factor, Graph, Node, Number, Recorder, Register, SymbolId, Tape,
+        Assembler, Code, Computation, ExprId, Factor, Graph, Node, Number, Recorder, Register,
+        SplineId, SymbolId, Tape,
     };
 }
 
@@ -59,9 +60,10 @@ pub mod structure {
 pub mod program {
     #[doc(inline)]
     pub use crate::program::{
-        Block, Branch, EVALUATIONS, Effort, Energy, Forces, Found, Function, Lengths, Level,
-        NewtonBlock, Operations, Program, Reaction, Reduced, Requirements, STEPS, Statement,
-        Tearing, Work, forms_of, lower, lower_with_unknowns, unpruned, work,
+        Arithmetic, Block, Branch, Choice, EVALUATIONS, Effort, Elementary, Energy, Evaluation,
+        Forces, Found, Function, Lengths, Level, NewtonBlock, Operations, Program, Reaction,
+        Reduced, Requirements, STEPS, Statement, Tearing, Work, forms_of, lower,
+        lower_with_unknowns, unpruned, work,
     };
 }
 

@@ -1,6 +1,6 @@
 //! *A description's equations* → *its motion, solved at once*, without a compile step.
 //!
-//! [`interpreted`] runs the blocks of the generated code, in the same shell and so with the same modes, path and failures;
+//! [`interpreted`] runs the blocks of the generated code, in the same shell and so with the same bits, modes, path and failures;
 //! [`dense`] solves the textbook view as one system. Around them are assemblies, the closest approach to a singular pose, residuals
 //! and trajectories. Deliberately unknown here: files, arguments and how anything is printed; the package also builds for
 //! `wasm32-unknown-unknown`.

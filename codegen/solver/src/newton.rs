@@ -67,7 +67,7 @@ impl Newton {
             .collect();
         let graph = &system.mechanism.graph;
         let read = assemblies::read(newton, graph).into_iter();
-        let known = read.map(|symbol| (symbol, writer.recorder.symbol(symbol)));
+        let known = read.map(|symbol| (symbol, writer.assembler.symbol(symbol)));
         let known = known.collect();
         let level = |level: usize| symbols.iter().map(move |it| it[level]);
         let last = [0, 1, 2].map(|it| level(it).map(|symbol| writer.last(symbol)).collect());

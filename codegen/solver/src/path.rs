@@ -6,7 +6,7 @@ use linkwright::chain_isolation::isolate_whole_chain;
 use linkwright::isolation::isolate_all;
 use linkwright::span::required;
 use linkwright::{Chord, Pair, Span, Tube};
-use linkwright_codegen::stages::expr::{Code, Recorder, Register, SymbolId};
+use linkwright_codegen::stages::expr::{Code, Register, SymbolId};
 use linkwright_codegen::stages::program::{Function, Program};
 use linkwright_codegen::stages::system::{SymbolRole, System};
 use nalgebra::{DMatrix, DVector};
@@ -78,6 +78,7 @@ impl InterpretedPath {
         let own = &path.span;
         let given = Given {
             system,
+            program,
             span: [own.time, own.stretch, own.bend, own.beyond, own.rounding],
             layout,
         };
@@ -159,6 +160,7 @@ impl InterpretedPath {
 /// What functions that show something of a span are written with.
 struct Given<'a> {
     system: &'a System,
+    program: &'a Program,
     /// The time, the stretch, the bend, what lies beyond, and the rounding.
     span: [SymbolId; 5],
     layout: &'a Layout,
@@ -175,21 +177,14 @@ impl Given<'_> {
 
     /// A function as operations, and where they leave what is asked for.
     fn shown(&self, function: &Function, asked: Vec<SymbolId>) -> (Shown, Vec<Register>) {
-        let mut recorder = Recorder::new(&self.system.mechanism.graph);
-        let span = self.span.map(|symbol| {
-            let register = recorder.register();
-            recorder.bind(symbol, register);
-            register
-        });
-        let mut writer = Writer::new(recorder);
-        for statement in &function.statements {
-            writer.statement(statement);
-        }
+        let mut writer = Writer::new(self.system, self.program);
+        let span = self.span.map(|symbol| writer.found(symbol));
+        writer.body(function);
         let operations = writer.take();
-        let asked = asked.into_iter().map(|it| writer.recorder.symbol(it));
+        let asked = asked.into_iter().map(|it| writer.assembler.symbol(it));
         let asked = asked.collect();
         let mut read = [Vec::new(), Vec::new()];
-        for &(symbol, register) in writer.recorder.unbound() {
+        for &(symbol, register) in writer.assembler.unbound() {
             match self.system.roles[symbol.index()] {
                 SymbolRole::Last(symbol) => read[1].push((register, self.slot(symbol))),
                 _ => read[0].push((register, self.slot(symbol))),

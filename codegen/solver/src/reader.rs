@@ -1,19 +1,28 @@
-//! *Expressions of a system* → *their values at an instant*.
+//! Evaluates expressions of a system, and functions of its program, at an instant.
 
 use std::cell::RefCell;
 
-use linkwright_codegen::stages::expr::{Code, ExprId, Graph, Recorder, Register};
+use linkwright_codegen::stages::expr::{Code, ExprId, Graph, Recorder, Register, SymbolId};
+use linkwright_codegen::stages::program::{Function, Program};
+use linkwright_codegen::stages::system::System;
 
 use crate::instant::{Instant, Layout};
+use crate::operation::Writer;
 
 /// Evaluates expressions of what instants keep.
 #[derive(Clone, Debug)]
 pub struct Reader {
+    formulas: Formulas,
+    registers: RefCell<Vec<f64>>,
+}
+
+/// Code of what instants keep.
+#[derive(Clone, Debug)]
+pub(crate) struct Formulas {
     code: Code,
     /// Registers and the places that they are read from.
     read: Vec<(Register, usize)>,
     results: Vec<Register>,
-    registers: RefCell<Vec<f64>>,
 }
 
 impl Reader {
@@ -38,37 +47,92 @@ impl Reader {
     ) -> Reader {
         let mut recorder = Recorder::new(graph);
         let results = record(&mut recorder);
-        let read = recorder.unbound().iter().map(|&(symbol, register)| {
-            let slot = layout.slot(symbol);
-            let slot =
-                slot.unwrap_or_else(|| panic!("instants keep no `{}`", graph.symbol_name(symbol)));
-            (register, slot)
-        });
-        let read = read.collect();
-        let code = recorder.finish();
+        let read = slots(recorder.symbols(), graph, layout);
+        Reader::of(Formulas {
+            code: recorder.finish(),
+            read,
+            results,
+        })
+    }
+
+    pub(crate) fn of(formulas: Formulas) -> Reader {
         Reader {
-            registers: RefCell::new(code.registers().to_vec()),
+            registers: RefCell::new(formulas.code.registers().to_vec()),
+            formulas,
+        }
+    }
+
+    /// Writes the values in their order over `values`.
+    pub fn read(&self, instant: &Instant, values: &mut Vec<f64>) {
+        values.clear();
+        let registers = &mut *self.registers.borrow_mut();
+        values.extend(self.formulas.evaluated(instant, registers));
+    }
+
+    /// The values in their order.
+    pub fn values(&self, instant: &Instant) -> Vec<f64> {
+        let mut values = Vec::with_capacity(self.formulas.results.len());
+        self.read(instant, &mut values);
+        values
+    }
+}
+
+impl Formulas {
+    /// The results of functions of a program, which cannot fail, one after another.
+    ///
+    /// # Panics
+    /// Where a function mentions what instants do not keep.
+    pub fn new<'a>(
+        functions: impl IntoIterator<Item = &'a Function>,
+        system: &System,
+        program: &Program,
+        layout: &Layout,
+    ) -> Formulas {
+        let mut writer = Writer::new(system, program);
+        let functions = functions.into_iter();
+        let results = functions.flat_map(|it| writer.body(it)).collect();
+        let read = slots(writer.assembler.unbound(), &system.mechanism.graph, layout);
+        let (code, _) = writer.finish();
+        Formulas {
             code,
             read,
             results,
         }
     }
 
-    /// Writes the values in their order over `values`.
-    pub fn read(&self, instant: &Instant, values: &mut Vec<f64>) {
-        let registers = &mut *self.registers.borrow_mut();
+    /// The values in their order.
+    pub fn values(&self, instant: &Instant) -> Vec<f64> {
+        let mut registers = self.code.registers().to_vec();
+        self.evaluated(instant, &mut registers).collect()
+    }
+
+    fn evaluated<'a>(
+        &'a self,
+        instant: &Instant,
+        registers: &'a mut [f64],
+    ) -> impl Iterator<Item = f64> + use<'a> {
         for &(register, slot) in &self.read {
             registers[register.index()] = instant.values()[slot];
         }
         self.code.run(0..self.code.length(), registers);
-        values.clear();
-        values.extend(self.results.iter().map(|it| registers[it.index()]));
+        self.results.iter().map(|it| registers[it.index()])
     }
+}
 
-    /// The values in their order.
-    pub fn values(&self, instant: &Instant) -> Vec<f64> {
-        let mut values = Vec::with_capacity(self.results.len());
-        self.read(instant, &mut values);
-        values
-    }
+/// The places of symbols in instants.
+///
+/// # Panics
+/// Where instants do not keep a symbol.
+fn slots(
+    symbols: &[(SymbolId, Register)],
+    graph: &Graph,
+    layout: &Layout,
+) -> Vec<(Register, usize)> {
+    let slots = symbols.iter().map(|&(symbol, register)| {
+        let slot = layout.slot(symbol);
+        let slot =
+            slot.unwrap_or_else(|| panic!("instants keep no `{}`", graph.symbol_name(symbol)));
+        (register, slot)
+    });
+    slots.collect()
 }

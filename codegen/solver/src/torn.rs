@@ -2,7 +2,7 @@
 
 use linkwright::torn::{self, Completion, Evaluation, Found, Memory};
 use linkwright::{Branch, Equations, Failure, Frame, Settings, Start, Torn};
-use linkwright_codegen::stages::expr::{ExprId, Register, SymbolId};
+use linkwright_codegen::stages::expr::{Register, SymbolId};
 use linkwright_codegen::stages::program::{Block, Statement};
 use linkwright_codegen::stages::system::System;
 use nalgebra::{DMatrix, DVector, Dyn};
@@ -51,23 +51,12 @@ impl Tearing {
         let signs = signs.collect();
         let scales = Part::new(&tearing.scales, writer);
         let sign_values = Part::new(&tearing.sign_values, writer);
-        let write = |writer: &mut Writer<'_>,
-                     function: &linkwright_codegen::stages::program::Function| {
-            for statement in &function.statements {
-                writer.statement(statement);
-            }
-            let results = function.results.iter().map(|it| it.expr);
-            let results: Vec<ExprId> = results.collect();
-            let results = results.into_iter().map(|it| writer.recorder.value(it));
-            let results: Vec<Register> = results.collect();
-            (writer.take(), results)
-        };
         // What is carried from the one to the other stays in its registers.
         let (_, [evaluate, complete]) = writer.apart(|writer| {
             [&tearing.evaluate, &tearing.complete].map(|function| {
-                let (operations, results) = write(writer, function);
+                let results = writer.body(function);
                 Part {
-                    operations,
+                    operations: writer.take(),
                     results,
                 }
             })
@@ -79,7 +68,7 @@ impl Tearing {
                 .into_iter()
                 .zip(unknowns)
             {
-                writer.recorder.bind(symbol, registers[place]);
+                writer.assembler.bind(symbol, registers[place]);
             }
         }
         let memory = |registers: &mut dyn FnMut(SymbolId) -> Register| -> Vec<Register> {

@@ -34,20 +34,14 @@ mod weighed_given {
     linkwright::include_mechanism!(weighed_given);
 }
 
-/// What rounding may make of a force, beside the largest of the instant.
-const LIMIT: f64 = 1e-12;
-
-/// Compares named values with those of the interpreter.
-fn compare(followed: &Followed, found: &[(&str, f64)], limit: f64, t: f64) {
-    let all = followed.all();
-    assert_eq!(found.len(), all.len());
-    let size = all
-        .iter()
-        .fold(1.0_f64, |most, (_, value)| most.max(value.abs()));
+/// Compares the bits of named values with those of the interpreter.
+fn compare(followed: &Followed, found: &[(&str, f64)], t: f64) {
+    assert_eq!(found.len(), followed.all().len());
     for (name, value) in found {
         let expected = followed.value(name);
-        assert!(
-            (value - expected).abs() <= limit * size,
+        assert_eq!(
+            value.to_bits(),
+            expected.to_bits(),
             "{name} at t = {t}: generated {value}, interpreted {expected}"
         );
     }
@@ -95,7 +89,7 @@ fn a_linkage_with_every_load_has_the_forces_of_the_interpreter() {
         for (names, pin) in names.into_iter().zip(pins) {
             found.extend(names.into_iter().zip(pin));
         }
-        compare(&followed, &found, LIMIT, t);
+        compare(&followed, &found, t);
     }
 }
 
@@ -220,7 +214,7 @@ fn gears_have_the_forces_of_the_interpreter() {
             ("reaction_outer_y", oy),
             ("reaction_outer_moment", frame.reaction_outer_moment()),
         ];
-        compare(&followed, &found, LIMIT, t);
+        compare(&followed, &found, t);
     }
 }
 
@@ -249,8 +243,7 @@ fn a_platform_that_is_iterated_has_the_forces_of_the_interpreter() {
             ("potential_energy", frame.potential_energy()),
             ("added_power", frame.added_power()),
         ];
-        // Poses of Newton-Raphson are those of rounding, magnified by the platform's condition.
-        compare(&followed, &found, 1e-10, t);
+        compare(&followed, &found, t);
     }
 }
 
@@ -280,7 +273,7 @@ fn a_slider_crank_has_the_forces_of_the_interpreter() {
             ("potential_energy", frame.potential_energy()),
             ("added_power", frame.added_power()),
         ];
-        compare(&followed, &found, LIMIT, t);
+        compare(&followed, &found, t);
     }
 }
 
@@ -451,7 +444,7 @@ fn joints_that_share_have_the_forces_of_the_interpreter() {
             ("reaction_n_x", nx),
             ("reaction_n_y", ny),
         ];
-        compare(&cranks, &found, LIMIT, t);
+        compare(&cranks, &found, t);
         let frame = two.advance(t).expect("a path");
         let found = [
             ("effort_lift", frame.effort_lift()),
@@ -461,6 +454,6 @@ fn joints_that_share_have_the_forces_of_the_interpreter() {
             ("reaction_back_normal", frame.reaction_back_normal()),
             ("reaction_back_moment", frame.reaction_back_moment()),
         ];
-        compare(&rails, &found, LIMIT, t);
+        compare(&rails, &found, t);
     }
 }

@@ -18,6 +18,7 @@ mod math;
 mod motions;
 mod references;
 mod rods;
+mod same_bits;
 mod sensitivities;
 mod solved;
 mod tables;

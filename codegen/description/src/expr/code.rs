@@ -1,6 +1,6 @@
 //! *Instructions on registers* → *what the registers hold afterwards*.
 //!
-//! [`Code`] is what a [`Recorder`](super::Recorder) has written down; it is independent of the graph of the expressions.
+//! [`Code`] is what an [`Assembler`](super::Assembler) has written down; it is independent of the graph of the expressions.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -32,28 +32,57 @@ pub struct Code {
     pub(super) splines: Vec<Arc<Spline>>,
 }
 
-/// target = what the name says of its operands.
+/// What an instruction computes, and where its result goes.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Instruction {
-    Add(Register, [Register; 2]),
-    Subtract(Register, [Register; 2]),
-    Multiply(Register, [Register; 2]),
-    Divide(Register, [Register; 2]),
-    SquareRoot(Register, Register),
-    Magnitude(Register, Register),
-    /// By the number of the exponent.
-    Power(Register, Register, u32),
-    Sine(Register, Register),
-    Cosine(Register, Register),
-    SineCosine([Register; 2], Register),
-    Arctangent(Register, [Register; 2]),
-    Exponential(Register, Register),
-    Logarithm(Register, Register),
-    Floor(Register, Register),
+pub(super) struct Instruction {
+    pub target: Register,
+    pub computation: Computation,
+}
+
+/// What one instruction computes from registers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Computation {
+    /// The sum.
+    Add([Register; 2]),
+    /// The first less the second.
+    Subtract([Register; 2]),
+    /// The product.
+    Multiply([Register; 2]),
+    /// The first over the second.
+    Divide([Register; 2]),
+    /// The power of the first with the second as a real exponent.
+    Power([Register; 2]),
+    /// The power with the exponent of this number in the code.
+    RationalPower(Register, u32),
+    /// The square root.
+    SquareRoot(Register),
+    /// The absolute value.
+    Magnitude(Register),
+    /// The sine.
+    Sine(Register),
+    /// The cosine.
+    Cosine(Register),
+    /// The sine of an angle; the cosine goes to a register of its own.
+    SineCosine {
+        /// Where the cosine goes.
+        cosine: Register,
+        /// The angle.
+        angle: Register,
+    },
+    /// The angle of a vector: ordinate and abscissa.
+    Arctangent([Register; 2]),
+    /// The exponential function.
+    Exponential(Register),
+    /// The natural logarithm.
+    Logarithm(Register),
+    /// The largest whole number that is not greater.
+    Floor(Register),
+    /// −1 where the first is less than the second, or else 0.
+    Less([Register; 2]),
     /// The second operand where the first one is negative, or else the third.
-    Choose(Register, [Register; 3]),
-    /// A derivative of a spline by its order.
-    Spline(Register, Register, u32, u8),
+    Choose([Register; 3]),
+    /// A derivative, by its order, of the spline of this number in the code.
+    Spline(Register, u32, u8),
 }
 
 impl Code {
@@ -81,41 +110,46 @@ impl Code {
     #[inline]
     fn execute(&self, instruction: Instruction, registers: &mut [f64]) {
         let of = |register: Register| registers[register.index()];
-        let (target, value) = match instruction {
-            Instruction::Add(target, [a, b]) => (target, of(a) + of(b)),
-            Instruction::Subtract(target, [a, b]) => (target, of(a) - of(b)),
-            Instruction::Multiply(target, [a, b]) => (target, of(a) * of(b)),
-            Instruction::Divide(target, [a, b]) => (target, of(a) / of(b)),
-            Instruction::SquareRoot(target, a) => (target, of(a).sqrt()),
-            Instruction::Magnitude(target, a) => (target, of(a).abs()),
-            Instruction::Power(target, base, exponent) => (
-                target,
-                float_power(of(base), self.exponents[exponent as usize]),
-            ),
-            Instruction::Sine(target, angle) => (target, double::sin(of(angle))),
-            Instruction::Cosine(target, angle) => (target, double::cos(of(angle))),
-            Instruction::SineCosine([sine, cosine], angle) => {
+        let value = match instruction.computation {
+            Computation::Add([a, b]) => of(a) + of(b),
+            Computation::Subtract([a, b]) => of(a) - of(b),
+            Computation::Multiply([a, b]) => of(a) * of(b),
+            Computation::Divide([a, b]) => of(a) / of(b),
+            Computation::Power([base, exponent]) => double::powf(of(base), of(exponent)),
+            Computation::RationalPower(base, exponent) => {
+                float_power(of(base), self.exponents[exponent as usize])
+            }
+            Computation::SquareRoot(a) => of(a).sqrt(),
+            Computation::Magnitude(a) => of(a).abs(),
+            Computation::Sine(angle) => double::sin(of(angle)),
+            Computation::Cosine(angle) => double::cos(of(angle)),
+            Computation::SineCosine { cosine, angle } => {
                 let (s, c) = double::sin_cos(of(angle));
-                registers[sine.index()] = s;
-                (cosine, c)
+                registers[cosine.index()] = c;
+                s
             }
-            Instruction::Arctangent(target, [y, x]) => (target, double::atan2(of(y), of(x))),
-            Instruction::Exponential(target, a) => (target, double::exp(of(a))),
-            Instruction::Logarithm(target, a) => (target, double::ln(of(a))),
-            Instruction::Floor(target, a) => (target, of(a).floor()),
-            Instruction::Choose(target, [condition, below, otherwise]) => {
-                let chosen = if of(condition) < 0.0 {
-                    below
+            Computation::Arctangent([y, x]) => double::atan2(of(y), of(x)),
+            Computation::Exponential(a) => double::exp(of(a)),
+            Computation::Logarithm(a) => double::ln(of(a)),
+            Computation::Floor(a) => of(a).floor(),
+            Computation::Less([a, b]) => {
+                if of(a) < of(b) {
+                    -1.0
                 } else {
-                    otherwise
-                };
-                (target, of(chosen))
+                    0.0
+                }
             }
-            Instruction::Spline(target, argument, spline, order) => {
-                let values = self.splines[spline as usize].at(of(argument));
-                (target, values[usize::from(order)])
+            Computation::Choose([condition, below, otherwise]) => {
+                if of(condition) < 0.0 {
+                    of(below)
+                } else {
+                    of(otherwise)
+                }
+            }
+            Computation::Spline(argument, spline, order) => {
+                self.splines[spline as usize].at(of(argument))[usize::from(order)]
             }
         };
-        registers[target.index()] = value;
+        registers[instruction.target.index()] = value;
     }
 }

@@ -13,6 +13,7 @@
 //! Real arithmetic is meant throughout. A simplification may widen the domain (`x·x⁻¹ = 1`, `√x·√x = x`), but never
 //! changes a value where the original has one.
 
+mod assembler;
 mod bounds;
 mod choice;
 mod circles;
@@ -43,10 +44,11 @@ mod written;
 #[cfg(test)]
 mod tests;
 
+pub use assembler::Assembler;
 pub use bounds::{DEEPEST, Excess, LARGEST_STORE};
 pub use choice::Comparison;
 pub use circles::Circle;
-pub use code::{Code, Register};
+pub use code::{Code, Computation, Register};
 pub use graph::Graph;
 pub use hashing::{IdMap, IdSet};
 pub use node::{ExprId, Factor, Node, SymbolId, Term};

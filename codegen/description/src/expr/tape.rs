@@ -18,25 +18,10 @@ pub struct Tape {
 impl Tape {
     /// The instructions for these roots, in their order.
     pub fn new(graph: &Graph, roots: &[ExprId]) -> Tape {
-        Tape::of(Recorder::new(graph), roots, Recorder::value)
-    }
-
-    /// The instructions for the magnitudes of these roots; see [`Recorder::magnitude`].
-    pub fn of_magnitudes(graph: &Graph, roots: &[ExprId]) -> Tape {
-        Tape::of(Recorder::new(graph), roots, Recorder::magnitude)
-    }
-
-    fn of<'a>(
-        mut recorder: Recorder<'a>,
-        roots: &[ExprId],
-        record: fn(&mut Recorder<'a>, ExprId) -> Register,
-    ) -> Tape {
-        let roots = roots
-            .iter()
-            .map(|&root| record(&mut recorder, root))
-            .collect();
+        let mut recorder = Recorder::new(graph);
+        let roots = roots.iter().map(|&root| recorder.value(root)).collect();
         Tape {
-            symbols: recorder.unbound().to_vec(),
+            symbols: recorder.symbols().to_vec(),
             code: recorder.finish(),
             roots,
         }

@@ -7,6 +7,7 @@
 //! language, and what the results mean.
 
 mod addends;
+mod arithmetic;
 mod block;
 mod builder;
 mod directional_derivatives;
@@ -30,6 +31,7 @@ mod transmissions;
 mod two_links;
 
 pub use addends::{Addend, Compared, Power, addends, compared};
+pub use arithmetic::{Arithmetic, Choice, Elementary, Evaluation};
 pub use block::{Block, Branch, Measured, NewtonBlock, PageName};
 pub use forces::{Effort, Energy, Forces, FreeCoordinate, Reaction, Reduced};
 pub use forms::{DrawnMode, sign_of};

@@ -10,7 +10,7 @@ use linkwright_codegen::stages::emit::Notation;
 use linkwright_codegen::stages::emit::derivation::{
     BlockWords, Script, SingularPose, block_words, singular_poses,
 };
-use linkwright_codegen::stages::expr::{Code, ExprId, Recorder, Register, SymbolId, Tape};
+use linkwright_codegen::stages::expr::{Code, ExprId, Register, SymbolId};
 use linkwright_codegen::stages::program::{Program, Statement};
 use linkwright_codegen::stages::structure::SolvedPlan;
 use linkwright_codegen::stages::system::System;
@@ -20,6 +20,7 @@ use crate::measures::MeasuredPart;
 use crate::newton::Newton;
 use crate::operation::{Operation, Writer};
 use crate::path::InterpretedPath;
+use crate::reader::Formulas;
 use crate::supplied::{InputSignals, Modes, ParameterValues};
 
 /// What is the same for all instants.
@@ -43,10 +44,10 @@ pub(crate) struct Compiled {
     pub(super) last: Vec<(Register, usize)>,
     /// What instants keep, from the first place after what was given.
     pub(super) kept: Vec<Register>,
-    /// The estimates of all unknowns of the vector form, by symbol of parameters.
-    pub(super) drawn: Tape,
+    /// The estimates of all unknowns of the vector form, where parameters change them.
+    drawn: Option<Formulas>,
     /// What parameters must leave positive.
-    pub(super) required: Option<Tape>,
+    pub(super) required: Option<Formulas>,
     /// What shows that blocks keep to their path, where somebody wants to know.
     pub(super) path: Option<InterpretedPath>,
 }
@@ -78,11 +79,12 @@ impl InterpretedBlock {
             let (closed, others) = signs_left.into_iter().partition(is_own);
             signs_left = others;
             let mut newton = None;
+            let evaluation = writer.evaluation(&block.function);
             for statement in &block.function.statements {
                 if let Statement::Newton { .. } = statement {
                     newton = Newton::new(block, system, writer);
                 }
-                writer.statement(statement);
+                writer.statement(statement, &evaluation);
             }
             blocks.push(InterpretedBlock {
                 operations: writer.take(),
@@ -108,36 +110,27 @@ impl Compiled {
         let words = block_words(&program.blocks, &system, &plan, &poses(Notation::Unicode));
         let poses = poses(Notation::Ascii);
         let layout = Layout::new(&system, &program.fields);
-        let graph = &system.mechanism.graph;
-        let mut recorder = Recorder::new(graph);
-        let mut bound = |symbol| {
-            let register = recorder.register();
-            recorder.bind(symbol, register);
-            register
-        };
-        let time = bound(system.mechanism.time);
-        let given = layout.symbols()[layout.given()]
-            .iter()
-            .map(|&it| bound(it))
-            .collect();
-        let signs = program.branches.iter().map(|it| bound(it.symbol)).collect();
-        let mut writer = Writer::new(recorder);
-        writer.requirements = program.requirements.as_ref();
+        let mut writer = Writer::new(&system, &program);
+        let time = writer.found(system.mechanism.time);
+        let given = layout.symbols()[layout.given()].iter();
+        let given = given.map(|&symbol| writer.found(symbol)).collect();
+        let signs = program.branches.iter();
+        let signs = signs.map(|it| writer.found(it.symbol)).collect();
         writer.last(system.mechanism.time);
         let blocks = InterpretedBlock::all(&program, &system, &mut writer);
         let kept = layout.symbols()[layout.solved()].iter();
-        let kept = kept.map(|&symbol| writer.recorder.symbol(symbol)).collect();
+        let kept = kept
+            .map(|&symbol| writer.assembler.symbol(symbol))
+            .collect();
         let (code, last) = writer.finish();
         let last = last
             .into_iter()
             .filter_map(|(symbol, register)| Some((register, layout.slot(symbol)?)));
         let last = last.collect();
-        let unknowns = system.vector_form.unknowns.iter();
-        let drawn = Tape::new(graph, &unknowns.map(|it| it.estimate).collect::<Vec<_>>());
-        let required = program.requirements.as_ref().map(|requirements| {
-            let values = requirements.function.results.iter().map(|it| it.expr);
-            Tape::new(graph, &values.collect::<Vec<_>>())
-        });
+        let formulas = |function| Formulas::new([function], &system, &program, &layout);
+        let drawn = program.drawn.as_ref().map(formulas);
+        let required = program.requirements.as_ref();
+        let required = required.map(|it| formulas(&it.function));
         Compiled {
             required,
             path: InterpretedPath::new(&system, &program, &layout),
@@ -203,7 +196,13 @@ impl Compiled {
 
     /// The estimates of all unknowns of the vector form.
     pub(super) fn drawn(&self, parameters: &ParameterValues) -> Vec<f64> {
-        self.of_parameters(&self.drawn, parameters)
+        match &self.drawn {
+            Some(drawn) => self.of_parameters(drawn, parameters),
+            None => {
+                let unknowns = 0..self.system.vector_form.unknowns.len();
+                unknowns.map(|it| self.system.drawn_unknown(it)).collect()
+            }
+        }
     }
 
     /// The time of the last instant, which Newton-Raphson goes on from.
@@ -213,15 +212,14 @@ impl Compiled {
         time.map_or(0.0, |(register, _)| registers[register.index()])
     }
 
-    /// The values of expressions of the parameters.
-    pub(super) fn of_parameters(&self, tape: &Tape, parameters: &ParameterValues) -> Vec<f64> {
-        let mechanism = &self.system.mechanism;
-        let mut symbols = vec![0.0; mechanism.graph.symbol_count()];
-        for (own, value) in mechanism.parameters.iter().zip(&parameters.0) {
-            symbols[own.symbol.index()] = *value;
-        }
-        let mut values = vec![0.0; tape.result_count()];
-        tape.evaluate(&symbols, &mut Vec::new(), &mut values);
-        values
+    /// The values of formulas that mention parameters alone.
+    pub(super) fn of_parameters(
+        &self,
+        formulas: &Formulas,
+        parameters: &ParameterValues,
+    ) -> Vec<f64> {
+        let mut instant = self.layout.empty();
+        instant.set_given(parameters, &InputSignals::default());
+        formulas.values(&instant)
     }
 }

@@ -17,7 +17,6 @@ use linkwright::{Blocks, Failure, FailureKind, Shell, Start};
 use linkwright_codegen::diagnostic::internal::work_at;
 use linkwright_codegen::diagnostic::{Code, Diagnostics};
 use linkwright_codegen::findings;
-use linkwright_codegen::stages::expr::ExprId;
 use linkwright_codegen::stages::program::{Program, lower_with_unknowns};
 use linkwright_codegen::stages::structure::{self, SolvedPlan};
 use linkwright_codegen::stages::system::System;
@@ -27,7 +26,7 @@ use crate::forces;
 use crate::instant::Instant;
 use crate::measures::measured;
 use crate::path::InterpretedPath;
-use crate::reader::Reader;
+use crate::reader::{Formulas, Reader};
 use crate::supplied::{InputSignals, Modes, Pose};
 use crate::view::View;
 use compiled::Compiled;
@@ -121,17 +120,16 @@ impl Interpreted {
     fn of(mut system: System, plan: SolvedPlan, program: Program) -> Interpreted {
         let measured = measured(&mut system, &plan, &program);
         let compiled = Compiled::new(system, plan, program, measured);
-        let points: Vec<ExprId> = compiled
-            .system
-            .outputs
-            .iter()
-            .flat_map(|it| [it.position, it.velocity, it.acceleration])
-            .flatten()
-            .collect();
-        let graph = &compiled.system.mechanism.graph;
+        let Compiled {
+            system,
+            program,
+            layout,
+            ..
+        } = &compiled;
+        let points = Formulas::new(&program.points, system, program, layout);
         let path = compiled.path.as_ref();
         Interpreted {
-            points: Reader::new(graph, &compiled.layout, &points),
+            points: Reader::of(points),
             loads: LoadReader::new(&compiled),
             derivatives: of_program(&compiled.program, &compiled.layout),
             forces: forces::of_program(&compiled.program, &compiled.layout),

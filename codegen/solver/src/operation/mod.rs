@@ -1,5 +1,6 @@
 //! *An operation of a function, and registers* → *what it finds, or why it fails*.
 
+mod arithmetic;
 mod writer;
 
 use std::ops::Range;

@@ -1,19 +1,26 @@
-//! *The statements of a function* → *operations on registers*.
+//! Writes the statements of functions as operations on registers.
+//!
+//! The order of arithmetic is that of [`Evaluation`]; what is decided here is which register holds what.
 
 use std::collections::HashMap;
 use std::ops::Range;
 
-use linkwright_codegen::stages::expr::{Code, ExprId, Recorder, Register, SymbolId};
-use linkwright_codegen::stages::program::{Function, Requirements, Statement};
+use linkwright_codegen::stages::expr::{Assembler, Code, Computation, ExprId, Register, SymbolId};
+use linkwright_codegen::stages::program::{Evaluation, Function, Program, Statement};
+use linkwright_codegen::stages::system::System;
 
 use super::Operation;
 use crate::path::Isolation;
 
 /// Writes the operations of one function after another.
 pub(crate) struct Writer<'a> {
-    pub recorder: Recorder<'a>,
-    /// Values that must be positive; failures give their places.
-    pub requirements: Option<&'a Requirements>,
+    pub assembler: Assembler<'a>,
+    pub(super) program: &'a Program,
+    system: &'a System,
+    /// The registers that hold what was computed.
+    computed: HashMap<Computation, Register>,
+    /// What was computed, in order, so that it can be forgotten.
+    journal: Vec<Computation>,
     /// The registers with the values that symbols had at the last instant.
     last: HashMap<SymbolId, Register>,
     last_order: Vec<(SymbolId, Register)>,
@@ -22,11 +29,16 @@ pub(crate) struct Writer<'a> {
 }
 
 impl<'a> Writer<'a> {
-    pub fn new(recorder: Recorder<'a>) -> Writer<'a> {
+    /// A writer without operations.
+    pub fn new(system: &'a System, program: &'a Program) -> Writer<'a> {
+        let assembler = Assembler::new(&system.mechanism.graph);
         Writer {
-            from: recorder.position(),
-            recorder,
-            requirements: None,
+            from: assembler.position(),
+            assembler,
+            program,
+            system,
+            computed: HashMap::new(),
+            journal: Vec::new(),
             last: HashMap::new(),
             last_order: Vec::new(),
             written: Vec::new(),
@@ -38,57 +50,119 @@ impl<'a> Writer<'a> {
         if let Some(&register) = self.last.get(&symbol) {
             return register;
         }
-        let register = self.recorder.register();
+        let register = self.assembler.register();
         self.last.insert(symbol, register);
         self.last_order.push((symbol, register));
         register
     }
 
-    /// A register for what an operation finds.
+    /// A register for what an operation finds, or for what the caller puts there.
     pub fn found(&mut self, symbol: SymbolId) -> Register {
-        let register = self.recorder.register();
-        self.recorder.bind(symbol, register);
+        let register = self.assembler.register();
+        self.assembler.bind(symbol, register);
         register
     }
 
-    /// Writes a statement.
-    pub fn statement(&mut self, statement: &Statement) {
+    /// Writes the statements of a function and what computes its results.
+    pub fn body(&mut self, function: &Function) -> Vec<Register> {
+        let evaluation = self.evaluation(function);
+        for statement in &function.statements {
+            self.statement(statement, &evaluation);
+        }
+        let results = function.results.iter();
+        results
+            .map(|it| self.arithmetic(&evaluation.result(it)))
+            .collect()
+    }
+
+    /// Order of arithmetic in a function.
+    pub fn evaluation<'f>(&self, function: &'f Function) -> Evaluation<'f>
+    where
+        'a: 'f,
+    {
+        Evaluation {
+            function,
+            system: self.system,
+            constants: &self.program.constants,
+        }
+    }
+
+    /// Writes a computation that was not written before.
+    pub(super) fn compute(&mut self, computation: Computation) -> Register {
+        if let Some(&register) = self.computed.get(&computation) {
+            return register;
+        }
+        let register = self.assembler.write(computation);
+        self.note(computation, register);
+        register
+    }
+
+    fn note(&mut self, computation: Computation, register: Register) {
+        self.computed.insert(computation, register);
+        self.journal.push(computation);
+    }
+
+    /// The sine and the cosine of an angle, computed together.
+    fn sine_cosine(&mut self, angle: Register) -> [Register; 2] {
+        let both = [Computation::Sine(angle), Computation::Cosine(angle)];
+        if let [Some(&sine), Some(&cosine)] = both.map(|it| self.computed.get(&it)) {
+            return [sine, cosine];
+        }
+        let registers = self.assembler.sine_cosine(angle);
+        for (computation, register) in both.into_iter().zip(registers) {
+            self.note(computation, register);
+        }
+        registers
+    }
+
+    fn value(&mut self, expr: ExprId, evaluation: &Evaluation<'_>) -> Register {
+        self.arithmetic(&evaluation.value(expr))
+    }
+
+    /// Writes a statement of a function.
+    pub fn statement(&mut self, statement: &Statement, evaluation: &Evaluation<'_>) {
         match statement {
             Statement::Let { target, value, .. } => {
-                let register = self.recorder.value(*value);
-                self.recorder.bind(*target, register);
+                let register = self.arithmetic(&evaluation.assigned(*target, *value));
+                self.assembler.bind(*target, register);
             }
             Statement::SineCosine {
                 sine,
                 cosine,
                 angle,
             } => {
-                let [s, c] = self.recorder.sine_cosine(*angle);
-                self.recorder.bind(*sine, s);
-                self.recorder.bind(*cosine, c);
+                let angle = self.value(*angle, evaluation);
+                let [s, c] = self.sine_cosine(angle);
+                self.assembler.bind(*sine, s);
+                self.assembler.bind(*cosine, c);
             }
             Statement::Lookup {
                 targets,
                 spline,
                 argument,
             } => {
+                let place = self.value(*argument, evaluation);
                 for (order, target) in (0..).zip(targets) {
                     if let Some(target) = *target {
-                        let register = self.recorder.lookup(*spline, order, *argument);
-                        self.recorder.bind(target, register);
+                        let register = self.lookup(*spline, order, place);
+                        self.assembler.bind(target, register);
                     }
                 }
             }
             _ => {
-                if let Some(operation) = self.operation_of(statement) {
+                if let Some(operation) = self.operation_of(statement, evaluation) {
                     self.operation(operation);
                 }
             }
         }
     }
 
-    /// What a statement does beside instructions; `None` where that is nothing. The values that it needs are recorded.
-    fn operation_of(&mut self, statement: &Statement) -> Option<Operation> {
+    /// What a statement does beside instructions; `None` where that is nothing. The values that it needs are written.
+    fn operation_of(
+        &mut self,
+        statement: &Statement,
+        evaluation: &Evaluation<'_>,
+    ) -> Option<Operation> {
         Some(match statement {
             Statement::Section(_)
             | Statement::Heading(_)
@@ -102,8 +176,8 @@ impl<'a> Writer<'a> {
                 sine,
                 cosine,
             } => Operation::Angle {
-                sine: self.recorder.value(*sine),
-                cosine: self.recorder.value(*cosine),
+                sine: self.value(*sine, evaluation),
+                cosine: self.value(*cosine, evaluation),
                 last: self.last(*target),
                 target: self.found(*target),
             },
@@ -114,9 +188,9 @@ impl<'a> Writer<'a> {
                 longest,
                 shortest,
             } => {
-                let [excess, scale] = [excess, scale].map(|it| self.recorder.value(*it));
+                let [excess, scale] = [excess, scale].map(|it| self.value(*it, evaluation));
                 let (bounds, bridged) = self.aside(|writer| {
-                    [distance, longest, shortest].map(|it| writer.recorder.value(*it))
+                    [distance, longest, shortest].map(|it| writer.value(*it, evaluation))
                 });
                 Operation::Reach {
                     excess,
@@ -126,12 +200,12 @@ impl<'a> Writer<'a> {
                 }
             }
             Statement::Nonzero { value, scale } => Operation::Nonzero {
-                value: self.recorder.value(*value),
-                scale: self.recorder.value(*scale),
+                value: self.value(*value, evaluation),
+                scale: self.value(*scale, evaluation),
             },
             Statement::Positive { length, joint } => Operation::Positive {
-                length: self.recorder.value(*length),
-                place: self.requirements.map_or(0, |it| {
+                length: self.value(*length, evaluation),
+                place: self.program.requirements.as_ref().map_or(0, |it| {
                     u16::try_from(it.place_of(*joint)).unwrap_or(u16::MAX)
                 }),
             },
@@ -141,7 +215,7 @@ impl<'a> Writer<'a> {
                 targets,
                 right_hand_side,
             } => Operation::Solve {
-                right_hand_side: self.values(right_hand_side),
+                right_hand_side: self.values(right_hand_side, evaluation),
                 targets: self.targets(targets),
             },
             Statement::Multipliers {
@@ -149,8 +223,8 @@ impl<'a> Writer<'a> {
                 jacobian,
                 forces,
             } => Operation::Multipliers {
-                jacobian: self.values(jacobian),
-                forces: self.values(forces),
+                jacobian: self.values(jacobian, evaluation),
+                forces: self.values(forces, evaluation),
                 targets: self.targets(targets),
             },
             Statement::Signal { input, found } => Operation::Signal {
@@ -158,7 +232,7 @@ impl<'a> Writer<'a> {
                 found: found.map(|symbol| self.found(symbol)),
             },
             Statement::Require { value, block } => {
-                Operation::Require(self.recorder.value(*value), *block)
+                Operation::Require(self.value(*value, evaluation), *block)
             }
             Statement::Isolate {
                 is_chain,
@@ -175,11 +249,11 @@ impl<'a> Writer<'a> {
                 variation,
             } => {
                 let [bounds, curvatures, ways, sizes] =
-                    [bounds, curvatures, ways, sizes].map(|it| self.values(it));
+                    [bounds, curvatures, ways, sizes].map(|it| self.values(it, evaluation));
                 let [jacobian, turning] = [jacobian, turning].map(|entries| {
                     let entries = entries.iter();
                     entries
-                        .map(|(place, entry)| (*place, self.recorder.value(*entry)))
+                        .map(|(place, entry)| (*place, self.value(*entry, evaluation)))
                         .collect()
                 });
                 let found = found.iter().map(|&symbol| self.found(symbol)).collect();
@@ -202,8 +276,8 @@ impl<'a> Writer<'a> {
         })
     }
 
-    fn values(&mut self, exprs: &[ExprId]) -> Vec<Register> {
-        exprs.iter().map(|it| self.recorder.value(*it)).collect()
+    fn values(&mut self, exprs: &[ExprId], evaluation: &Evaluation<'_>) -> Vec<Register> {
+        exprs.iter().map(|it| self.value(*it, evaluation)).collect()
     }
 
     fn targets(&mut self, symbols: &[Option<SymbolId>]) -> Vec<Option<Register>> {
@@ -215,23 +289,17 @@ impl<'a> Writer<'a> {
 
     /// Writes a function, whose results nothing else may rely on: what it does, and where its results are.
     pub fn function(&mut self, function: &Function) -> (Vec<Operation>, Vec<Register>) {
-        self.apart(|writer| {
-            for statement in &function.statements {
-                writer.statement(statement);
-            }
-            let results = function.results.iter();
-            results.map(|it| writer.recorder.value(it.expr)).collect()
-        })
+        self.apart(|writer| writer.body(function))
     }
 
-    /// Writes an operation after the instructions that were recorded.
+    /// Writes an operation after the instructions before it.
     fn operation(&mut self, operation: Operation) {
         self.flush();
         self.written.push(operation);
     }
 
     fn flush(&mut self) {
-        let range = self.from..self.recorder.position();
+        let range = self.from..self.assembler.position();
         if !range.is_empty() {
             self.from = range.end;
             self.written.push(Operation::Run(range));
@@ -244,19 +312,21 @@ impl<'a> Writer<'a> {
         std::mem::take(&mut self.written)
     }
 
-    /// Records instructions that run when somebody asks for them, and says where they are. Nothing else may rely on what they compute.
-    pub fn aside<T>(&mut self, record: impl FnOnce(&mut Self) -> T) -> (Range<usize>, T) {
-        let from = self.recorder.position();
-        let (_, result) = self.apart(record);
-        (from..self.recorder.position(), result)
+    /// Writes instructions that run only on request, and returns their range. Nothing else may rely on what they compute.
+    pub fn aside<T>(&mut self, write: impl FnOnce(&mut Self) -> T) -> (Range<usize>, T) {
+        let from = self.assembler.position();
+        let (_, result) = self.apart(write);
+        (from..self.assembler.position(), result)
     }
 
     /// Writes operations that run when somebody asks for them. Nothing else may rely on what they compute.
     pub fn apart<T>(&mut self, write: impl FnOnce(&mut Self) -> T) -> (Vec<Operation>, T) {
         let before = self.take();
-        let mark = self.recorder.mark();
+        let mark = self.journal.len();
         let result = write(self);
-        self.recorder.forget(mark);
+        for computation in self.journal.drain(mark..) {
+            self.computed.remove(&computation);
+        }
         let operations = self.take();
         self.written = before;
         (operations, result)
@@ -264,6 +334,6 @@ impl<'a> Writer<'a> {
 
     /// The code, and the symbols whose last values it reads.
     pub fn finish(self) -> (Code, Vec<(SymbolId, Register)>) {
-        (self.recorder.finish(), self.last_order)
+        (self.assembler.finish(), self.last_order)
     }
 }

@@ -25,7 +25,6 @@ use directions::Directions;
 pub struct TextbookEquations {
     dimension: usize,
     residual: Tape,
-    magnitudes: Tape,
     jacobian: Tape,
     /// Where each result of `jacobian` belongs in the column-major n × n matrix.
     places: Vec<usize>,
@@ -112,10 +111,6 @@ impl TextbookEquations {
         TextbookEquations {
             dimension,
             residual: rows(|row| row.residual),
-            magnitudes: {
-                let residuals = system.rows.iter().map(|row| row.residual);
-                Tape::of_magnitudes(graph, &residuals.collect::<Vec<_>>())
-            },
             jacobian: Tape::new(graph, &entries),
             time_derivative: rows(|row| row.time_derivative),
             gamma: rows(|row| row.gamma),

@@ -52,19 +52,6 @@ impl TextbookEquations {
             .collect()
     }
 
-    /// Fills `magnitudes` (n) with the sum of the absolute values of the terms of each Φ_i: what its residual is the
-    /// difference of, so that `ε · magnitude` is the rounding that must be expected in it.
-    pub fn residual_magnitudes(&self, q: &DVector<f64>, t: f64, magnitudes: &mut DVector<f64>) {
-        let scratch = &mut *self.scratch.borrow_mut();
-        self.fill(&mut scratch.symbols, &self.positions, q.as_slice());
-        self.set_time(scratch, t);
-        self.magnitudes.evaluate(
-            &scratch.symbols,
-            &mut scratch.workspace,
-            magnitudes.as_mut_slice(),
-        );
-    }
-
     /// The residuals of the redundant equations, in the order of [`System::monitored`](linkwright_codegen::System::monitored).
     pub fn monitored(&self, q: &DVector<f64>, t: f64) -> DVector<f64> {
         let mut residuals = DVector::zeros(self.monitored_count);

@@ -2,22 +2,21 @@
 
 use super::printer::Printer;
 use super::tables::table_name;
-use crate::emit::module::arithmetic::{Arithmetic, Choice, Elementary};
 use crate::emit::module::scope::Scope;
 use crate::expr::ExprId;
+use crate::program::{Arithmetic, Choice, Elementary};
 
 impl Printer<'_> {
     /// An expression.
     pub(super) fn expression(&self, expr: ExprId, scope: &Scope<'_>) -> String {
-        self.written(&scope.arithmetic(expr, &[]), scope)
+        self.written(&scope.evaluation().value(expr), scope)
     }
 
     /// The results of a function, each with its terms in the order of its row.
     pub(super) fn results(&self, scope: &Scope<'_>) -> Vec<String> {
         let results = scope.function.results.iter();
-        let written = |arithmetic| self.written(&arithmetic, scope);
         results
-            .map(|result| written(scope.arithmetic(result.expr, &result.bodies)))
+            .map(|result| self.written(&scope.evaluation().result(result), scope))
             .collect()
     }
 
@@ -25,7 +24,9 @@ impl Printer<'_> {
     pub(super) fn written(&self, arithmetic: &Arithmetic, scope: &Scope<'_>) -> String {
         match arithmetic {
             Arithmetic::Number(value) => self.number(*value),
-            Arithmetic::Constant(name) => self.own_constant(name),
+            Arithmetic::Constant(place) => {
+                self.own_constant(&self.module.program.constants.list()[*place].name)
+            }
             Arithmetic::Variable(symbol) => self.symbol(*symbol, scope),
             Arithmetic::Sum(terms) => {
                 let mut text = String::new();
@@ -50,13 +51,14 @@ impl Printer<'_> {
                 }
                 text
             }
-            Arithmetic::Product { factors, divisors } => {
-                let numerator = self.product(factors, scope);
-                match divisors.as_slice() {
-                    [] => numerator,
-                    [only] => format!("{numerator} / {}", self.operand(only, scope)),
-                    _ => format!("{numerator} / ({})", self.product(divisors, scope)),
-                }
+            Arithmetic::Product(factors) => self.product(factors, scope),
+            Arithmetic::Quotient(both) => {
+                let [numerator, denominator] = &**both;
+                let numerator = match numerator {
+                    Arithmetic::Product(factors) => self.product(factors, scope),
+                    _ => self.operand(numerator, scope),
+                };
+                format!("{numerator} / {}", self.operand(denominator, scope))
             }
             Arithmetic::Call(function, arguments) => {
                 let arguments = arguments.iter().map(|it| self.written(it, scope));
@@ -98,9 +100,10 @@ impl Printer<'_> {
     pub(super) fn operand(&self, arithmetic: &Arithmetic, scope: &Scope<'_>) -> String {
         let written = self.written(arithmetic, scope);
         match arithmetic {
-            Arithmetic::Sum(_) | Arithmetic::Product { .. } | Arithmetic::Choice(_) => {
-                format!("({written})")
-            }
+            Arithmetic::Sum(_)
+            | Arithmetic::Product(_)
+            | Arithmetic::Quotient(_)
+            | Arithmetic::Choice(_) => format!("({written})"),
             _ => written,
         }
     }

@@ -52,7 +52,7 @@ impl Printer<'_> {
                 }
             }
             Statement::Let { target, value, .. } => {
-                let value = self.written(&scope.arithmetic_of(*target, *value), scope);
+                let value = self.written(&scope.evaluation().assigned(*target, *value), scope);
                 self.assign(*target, &value, scope, text);
             }
             Statement::SineCosine {
@@ -127,7 +127,7 @@ impl Printer<'_> {
             }
             Statement::Nonzero { value, scale } => {
                 let [factor, unit] = [value, scale].map(|it| {
-                    let arithmetic = scope.arithmetic(*it, &[]);
+                    let arithmetic = scope.evaluation().value(*it);
                     self.operand(&arithmetic, scope)
                 });
                 let (value, scale) = (write(value), write(scale));

@@ -4,10 +4,10 @@ use std::cell::OnceCell;
 use std::rc::Rc;
 
 use super::{Component, Module};
-use crate::expr::{ExprId, IdSet, SymbolId};
+use crate::expr::{IdSet, SymbolId};
 use crate::model::field_name;
 use crate::program::passes::names::LocalNames;
-use crate::program::{Function, Statement};
+use crate::program::{Evaluation, Function, Statement};
 use crate::system::SymbolRole;
 
 /// Where a function finds what it does not compute.
@@ -157,9 +157,13 @@ impl<'a> Scope<'a> {
             && self.module.is_field(symbol)
     }
 
-    /// What an expression is called that was computed before.
-    pub(in crate::emit) fn name_of(&self, expr: ExprId) -> Option<SymbolId> {
-        self.function.name_of(expr)
+    /// The order of the function's arithmetic.
+    pub(in crate::emit) fn evaluation(&self) -> Evaluation<'a> {
+        Evaluation {
+            function: self.function,
+            system: self.module.system,
+            constants: &self.module.program.constants,
+        }
     }
 
     /// Where a variable stands.

@@ -5,9 +5,9 @@ use proc_macro2::TokenStream;
 use super::code::tokens;
 use super::names::identifier_text;
 use super::tables::table_name;
-use crate::emit::module::arithmetic::{Arithmetic, Choice, Elementary};
 use crate::emit::module::scope::Scope;
 use crate::expr::{ExprId, SplineId};
+use crate::program::{Arithmetic, Choice, Elementary};
 
 impl Scope<'_> {
     /// The results in order, each with its terms in the order of its row.
@@ -19,20 +19,27 @@ impl Scope<'_> {
     pub(super) fn written_results(&self) -> Vec<String> {
         let results = self.function.results.iter();
         results
-            .map(|result| self.written(&self.arithmetic(result.expr, &result.bodies)))
+            .map(|result| self.written(&self.evaluation().result(result)))
             .collect()
     }
 
-    /// An expression whose terms mention the bodies in this order.
-    pub(super) fn expression(&self, expr: ExprId, bodies: &[usize]) -> TokenStream {
-        tokens(&self.written(&self.arithmetic(expr, bodies)))
+    /// An expression.
+    pub(super) fn expression(&self, expr: ExprId) -> TokenStream {
+        tokens(&self.value(expr))
+    }
+
+    /// The same as text.
+    pub(super) fn value(&self, expr: ExprId) -> String {
+        self.written(&self.evaluation().value(expr))
     }
 
     /// What computes a number.
     pub(super) fn written(&self, arithmetic: &Arithmetic) -> String {
         match arithmetic {
             Arithmetic::Number(value) => self.module.number(*value),
-            Arithmetic::Constant(name) => identifier_text(name),
+            Arithmetic::Constant(place) => {
+                identifier_text(&self.module.program.constants.list()[*place].name)
+            }
             Arithmetic::Variable(symbol) => self.read(*symbol),
             Arithmetic::Sum(terms) => {
                 let terms = terms.iter().enumerate().map(|(place, (negative, term))| {
@@ -49,13 +56,14 @@ impl Scope<'_> {
                 });
                 chained(terms.collect())
             }
-            Arithmetic::Product { factors, divisors } => {
-                let numerator = self.product(factors);
-                match divisors.as_slice() {
-                    [] => numerator,
-                    [only] => format!("{numerator} / {}", self.operand(only)),
-                    _ => format!("{numerator} / ({})", self.product(divisors)),
-                }
+            Arithmetic::Product(factors) => self.product(factors),
+            Arithmetic::Quotient(both) => {
+                let [numerator, denominator] = &**both;
+                let numerator = match numerator {
+                    Arithmetic::Product(factors) => self.product(factors),
+                    _ => self.operand(numerator),
+                };
+                format!("{numerator} / {}", self.operand(denominator))
             }
             Arithmetic::Call(function, arguments) => {
                 let arguments = arguments.iter().map(|argument| self.written(argument));
@@ -107,9 +115,10 @@ impl Scope<'_> {
     pub(super) fn operand(&self, arithmetic: &Arithmetic) -> String {
         let written = self.written(arithmetic);
         match arithmetic {
-            Arithmetic::Sum(_) | Arithmetic::Product { .. } | Arithmetic::Choice(_) => {
-                format!("({written})")
-            }
+            Arithmetic::Sum(_)
+            | Arithmetic::Product(_)
+            | Arithmetic::Quotient(_)
+            | Arithmetic::Choice(_) => format!("({written})"),
             _ => written,
         }
     }

@@ -8,12 +8,11 @@ use quote::quote;
 use super::code::{Code, tokens};
 use super::literal::count;
 use super::names::identifier_text;
-use crate::emit::module::arithmetic::Arithmetic;
 use crate::emit::module::documentation;
 use crate::emit::module::scope::Scope;
 use crate::expr::{ExprId, SymbolId};
 use crate::model::field_name;
-use crate::program::{Function, Statement};
+use crate::program::{Arithmetic, Function, Statement};
 
 impl Scope<'_> {
     /// The statements of the function; those of Newton-Raphson by `iterated`.
@@ -39,10 +38,10 @@ impl Scope<'_> {
 
     /// A statement in lines, where it is one of those that there are many of.
     fn lines(&self, statement: &Statement, block: usize) -> Option<String> {
-        let write = |expr: &ExprId| self.written(&self.arithmetic(*expr, &[]));
+        let write = |expr: &ExprId| self.value(*expr);
         match statement {
             Statement::Let { target, value, .. } => {
-                let value = self.written(&self.arithmetic_of(*target, *value));
+                let value = self.written(&self.evaluation().assigned(*target, *value));
                 Some(self.assignment(*target, &value))
             }
             Statement::SineCosine {
@@ -91,7 +90,7 @@ impl Scope<'_> {
                 ))
             }
             Statement::Nonzero { value, scale } => {
-                let [value, scale] = [value, scale].map(|expr| self.arithmetic(*expr, &[]));
+                let [value, scale] = [value, scale].map(|expr| self.evaluation().value(*expr));
                 let square = |of: &Arithmetic| {
                     let factor = self.operand(of);
                     format!("{factor} * {factor}")
@@ -127,7 +126,7 @@ impl Scope<'_> {
         code: &mut Code,
     ) {
         let number = count(block);
-        let write = |expr: &ExprId| self.expression(*expr, &[]);
+        let write = |expr: &ExprId| self.expression(*expr);
         match statement {
             Statement::Section(_)
             | Statement::Heading(_)
@@ -159,7 +158,7 @@ impl Scope<'_> {
                 if last < 3 {
                     names.push("..".to_string());
                 }
-                let lookup = self.lookup(*spline, &self.arithmetic(*argument, &[]));
+                let lookup = self.lookup(*spline, &self.evaluation().value(*argument));
                 code.push(&format!("let [{}] = {lookup};", names.join(", ")));
             }
             Statement::Newton { .. } | Statement::Factorize => {
@@ -263,7 +262,7 @@ impl Scope<'_> {
             code.push(&format!("let mut {name} = Matrix::zeros();"));
         }
         for (place, entry) in entries {
-            let value = self.written(&self.arithmetic(*entry, &[]));
+            let value = self.value(*entry);
             code.push(&filled(name, *place, &value));
         }
     }

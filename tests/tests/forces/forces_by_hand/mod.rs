@@ -216,7 +216,7 @@ fn efforts_hold_what_transmissions_pass_on() {
         assert!(excavator.advance(0.1 * f64::from(step)));
         let columns = excavator.derivatives();
         let column = |name: &str| {
-            let place = names.iter().position(|it| it == name);
+            let place = names.iter().position(|it| it.0 == *name);
             columns[place.unwrap_or_else(|| panic!("{name} in {names:?}"))]
         };
         for (driver, effort) in [

@@ -3,7 +3,7 @@
 
 use super::generator::Generator;
 use super::tree::{SYMBOLS, Tree, evaluate_node};
-use crate::expr::{ExprId, Graph, SymbolId, Tape};
+use crate::expr::{ExprId, Graph, Recorder, SymbolId, Tape};
 
 const SEED: u64 = 0x11d9_e0f4;
 const TREES: usize = 6000;
@@ -183,7 +183,17 @@ fn a_tape_shares_symbols_and_scales_residuals_by_their_terms() {
     let mut results = [0.0; 4];
     tape.evaluate(&[3.0, -4.0, 1.0], &mut workspace, &mut results);
     assert_eq!(results, [0.0, 7.0, -12.0, 0.0]);
-    let tape = Tape::of_magnitudes(&graph, &[sum, difference, product, sum]);
-    tape.evaluate(&[3.0, -4.0, 1.0], &mut workspace, &mut results);
-    assert_eq!(results, [8.0, 7.0, 12.0, 8.0]);
+    let mut recorder = Recorder::new(&graph);
+    let magnitudes = [sum, difference, product, sum].map(|it| recorder.magnitude(it));
+    let read = recorder.symbols().to_vec();
+    let code = recorder.finish();
+    let mut registers = code.registers().to_vec();
+    for (symbol, register) in read {
+        registers[register.index()] = [3.0, -4.0, 1.0][symbol.index()];
+    }
+    code.run(0..code.length(), &mut registers);
+    assert_eq!(
+        magnitudes.map(|it| registers[it.index()]),
+        [8.0, 7.0, 12.0, 8.0]
+    );
 }

@@ -133,11 +133,9 @@ impl Constants {
         &self.list
     }
 
-    /// The name of a part that is no literal.
-    pub fn name_of(&self, part: &ConstantPart) -> Option<&str> {
-        self.places
-            .get(part)
-            .map(|&place| self.list[place].name.as_str())
+    /// Place of a part in [`Constants::list`]; `None` if the part is a literal.
+    pub fn place_of(&self, part: &ConstantPart) -> Option<usize> {
+        self.places.get(part).copied()
     }
 
     /// Names the constants that a function is written with.

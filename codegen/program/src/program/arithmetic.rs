@@ -1,84 +1,123 @@
-//! An expression of a function → the operations that compute it, in their order.
+//! The order of arithmetic: which operations compute an expression of a function, with their order and signs.
 //!
-//! Every language that computes writes this tree: what it adds first and what it multiplies first decides the bits of the result. What
-//! was computed before is a variable. Long sums and products are lists, so that the tree is only as deep as parentheses are.
+//! Every printed language writes the tree, and the interpreter executes it, so all of them find the same bits. An expression that a
+//! statement has named is a variable. Long sums and products are lists: the tree is only as deep as parentheses are.
 
-use super::scope::Scope;
+use super::addends::{Addend, Compared, Power, addends, compared};
+use super::function::{Function, Written};
+use super::passes::constants::{ConstantPart, Constants};
+use super::passes::costs::LARGEST_PRODUCT;
 use crate::expr::{ExprId, Node, SplineId, SymbolId};
-use crate::program::{Addend, Compared, ConstantPart, LARGEST_PRODUCT, Power, addends, compared};
-use crate::system::WrittenOrder;
+use crate::system::{System, WrittenOrder};
 
 /// An elementary function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::emit) enum Elementary {
+pub enum Elementary {
+    /// The sine.
     Sin,
+    /// The cosine.
     Cos,
+    /// The exponential function.
     Exp,
+    /// The natural logarithm.
     Ln,
+    /// The angle of a vector: ordinate and abscissa.
     Atan2,
+    /// The largest whole number that is not greater.
     Floor,
+    /// The absolute value.
     Abs,
+    /// The square root.
     Sqrt,
+    /// The power of a base with a real exponent.
     Power,
 }
 
-/// What computes a number.
+/// The operations that compute one number.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::emit) enum Arithmetic {
-    /// A number as it is.
+pub enum Arithmetic {
+    /// A literal.
     Number(f64),
-    /// A constant of this name.
-    Constant(String),
-    /// A value that is known.
+    /// The constant of this place in [`Constants::list`].
+    Constant(usize),
+    /// A value that is computed or given before.
     Variable(SymbolId),
-    /// Terms one after another; true of those that are subtracted. More than one, or one that is subtracted.
+    /// Terms added one after another; true of those that are subtracted. More than one, or one that is subtracted.
     Sum(Vec<(bool, Arithmetic)>),
-    /// Factors one after another, and then the product of the divisors, if there are any. More than one of both together.
-    Product {
-        factors: Vec<Arithmetic>,
-        divisors: Vec<Arithmetic>,
-    },
+    /// Factors multiplied one after another. More than one.
+    Product(Vec<Arithmetic>),
+    /// The first over the second.
+    Quotient(Box<[Arithmetic; 2]>),
+    /// An elementary function of its arguments.
     Call(Elementary, Vec<Arithmetic>),
-    /// The derivative of this order of a table at a place.
+    /// A value or a derivative of a table.
     Lookup {
+        /// The table.
         spline: SplineId,
+        /// The order of the derivative.
         order: usize,
+        /// The argument.
         place: Box<Arithmetic>,
     },
     /// One of two arms.
     Choice(Box<Choice>),
 }
 
-/// One of two arms: the first where left is less than right, or greater.
+/// One of two arms: the first where the left side is less than the right one, or greater.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::emit) struct Choice {
+pub struct Choice {
+    /// The left side.
     pub left: Arithmetic,
+    /// True if the first arm is that of a smaller left side.
     pub is_less: bool,
+    /// The right side.
     pub right: Arithmetic,
+    /// The first arm.
     pub below: Arithmetic,
+    /// The second arm.
     pub otherwise: Arithmetic,
 }
 
-impl Scope<'_> {
-    /// An expression whose terms mention the bodies in this order.
-    pub(in crate::emit) fn arithmetic(&self, expr: ExprId, bodies: &[usize]) -> Arithmetic {
-        self.atom(expr).unwrap_or_else(|| self.sum(expr, bodies))
+/// The expressions of one function as arithmetic.
+#[derive(Clone, Copy, Debug)]
+pub struct Evaluation<'a> {
+    /// The function, whose statements name expressions.
+    pub function: &'a Function,
+    /// The system, whose unknowns and bodies order terms and factors.
+    pub system: &'a System,
+    /// The constants of the program.
+    pub constants: &'a Constants,
+}
+
+impl Evaluation<'_> {
+    /// Arithmetic of a value.
+    pub fn value(&self, expr: ExprId) -> Arithmetic {
+        self.mentioning(expr, &[])
     }
 
-    /// The value of an expression, which may have got its name from this very statement.
-    pub(in crate::emit) fn arithmetic_of(&self, target: SymbolId, expr: ExprId) -> Arithmetic {
-        match self.name_of(expr) == Some(target) {
+    /// Arithmetic of a result, whose terms mention bodies in the order of its row.
+    pub fn result(&self, result: &Written) -> Arithmetic {
+        self.mentioning(result.expr, &result.bodies)
+    }
+
+    /// Arithmetic of the value that a statement assigns to a target, even if the value is named after that target.
+    pub fn assigned(&self, target: SymbolId, expr: ExprId) -> Arithmetic {
+        match self.function.name_of(expr) == Some(target) {
             true => self.call(expr).unwrap_or_else(|| self.sum(expr, &[])),
-            false => self.arithmetic(expr, &[]),
+            false => self.value(expr),
         }
+    }
+
+    fn mentioning(&self, expr: ExprId, bodies: &[usize]) -> Arithmetic {
+        self.atom(expr).unwrap_or_else(|| self.sum(expr, bodies))
     }
 
     /// A name, an input or a call.
     fn atom(&self, expr: ExprId) -> Option<Arithmetic> {
-        if let Some(name) = self.name_of(expr) {
+        if let Some(name) = self.function.name_of(expr) {
             return Some(Arithmetic::Variable(name));
         }
-        let graph = &self.module.system.mechanism.graph;
+        let graph = &self.system.mechanism.graph;
         match graph.node(expr) {
             Node::Symbol(symbol) => Some(Arithmetic::Variable(*symbol)),
             _ if graph.is_constant(expr) => None,
@@ -88,9 +127,9 @@ impl Scope<'_> {
 
     /// A function's call.
     fn call(&self, expr: ExprId) -> Option<Arithmetic> {
-        let graph = &self.module.system.mechanism.graph;
+        let graph = &self.system.mechanism.graph;
         let call = |function, arguments: &[ExprId]| {
-            let arguments = arguments.iter().map(|&it| self.arithmetic(it, &[]));
+            let arguments = arguments.iter().map(|&it| self.value(it));
             Some(Arithmetic::Call(function, arguments.collect()))
         };
         match *graph.node(expr) {
@@ -115,23 +154,23 @@ impl Scope<'_> {
             } => Some(Arithmetic::Lookup {
                 spline,
                 order: order.into(),
-                place: Box::new(self.arithmetic(argument, &[])),
+                place: Box::new(self.value(argument)),
             }),
             Node::Number(_) | Node::Pi | Node::Symbol(_) | Node::Sum(_) | Node::Product(_) => None,
         }
     }
 
     fn one_of(&self, condition: ExprId, below: ExprId, otherwise: ExprId) -> Arithmetic {
-        let graph = &self.module.system.mechanism.graph;
-        let named = |other: ExprId| self.name_of(other).is_some();
-        let order = WrittenOrder::new(self.module.system, &[]);
+        let graph = &self.system.mechanism.graph;
+        let named = |other: ExprId| self.function.name_of(other).is_some();
+        let order = WrittenOrder::new(self.system, &[]);
         let Compared {
             left,
             is_less,
             right,
         } = compared(condition, graph, &order, &named);
         let [left, right] = [left, right].map(|side| self.addends(&side));
-        let [below, otherwise] = [below, otherwise].map(|arm| self.arithmetic(arm, &[]));
+        let [below, otherwise] = [below, otherwise].map(|arm| self.value(arm));
         Arithmetic::Choice(Box::new(Choice {
             left,
             is_less,
@@ -142,9 +181,9 @@ impl Scope<'_> {
     }
 
     fn sum(&self, expr: ExprId, bodies: &[usize]) -> Arithmetic {
-        let named = |other: ExprId| self.name_of(other).is_some();
-        let order = WrittenOrder::new(self.module.system, bodies);
-        let addends = addends(expr, &self.module.system.mechanism.graph, &order, &named);
+        let named = |other: ExprId| self.function.name_of(other).is_some();
+        let order = WrittenOrder::new(self.system, bodies);
+        let addends = addends(expr, &self.system.mechanism.graph, &order, &named);
         self.addends(&addends)
     }
 
@@ -164,30 +203,27 @@ impl Scope<'_> {
     fn addend(&self, addend: &Addend) -> Arithmetic {
         let constant = addend.constant.iter().map(|part| self.constant(part));
         let powers = addend.factors.iter().flat_map(|power| self.power(power));
-        let mut factors: Vec<Arithmetic> = constant.chain(powers).collect();
+        let numerator = product(constant.chain(powers).collect());
         let divisors = addend.divisors.iter();
         let divisors: Vec<Arithmetic> = divisors.flat_map(|power| self.power(power)).collect();
-        if factors.is_empty() {
-            factors.push(Arithmetic::Number(1.0));
-        }
-        match (factors.len(), divisors.is_empty()) {
-            (1, true) => factors.remove(0),
-            _ => Arithmetic::Product { factors, divisors },
+        match divisors.is_empty() {
+            true => numerator,
+            false => Arithmetic::Quotient(Box::new([numerator, product(divisors)])),
         }
     }
 
     /// A number or the name of a constant.
     fn constant(&self, part: &ConstantPart) -> Arithmetic {
-        match self.module.program.constants.name_of(part) {
-            Some(name) => Arithmetic::Constant(name.to_string()),
-            None => Arithmetic::Number(part.value(&self.module.system.mechanism.graph)),
+        match self.constants.place_of(part) {
+            Some(place) => Arithmetic::Constant(place),
+            None => Arithmetic::Number(part.value(&self.system.mechanism.graph)),
         }
     }
 
     /// The factors that a power is written as.
     fn power(&self, power: &Power) -> Vec<Arithmetic> {
         // Made once: nested powers would otherwise be walked as a tree that doubles with each level.
-        let base = self.arithmetic(power.base, &[]);
+        let base = self.value(power.base);
         match (power.exponent.numerator(), power.exponent.denominator()) {
             (whole, 1) if whole <= LARGEST_PRODUCT => {
                 vec![base; whole.unsigned_abs() as usize]
@@ -202,5 +238,14 @@ impl Scope<'_> {
                 vec![Arithmetic::Call(Elementary::Power, vec![base, exponent])]
             }
         }
+    }
+}
+
+/// The product of factors; 1 of none.
+fn product(mut factors: Vec<Arithmetic>) -> Arithmetic {
+    match factors.len() {
+        0 => Arithmetic::Number(1.0),
+        1 => factors.remove(0),
+        _ => Arithmetic::Product(factors),
     }
 }

@@ -1,0 +1,100 @@
+//! *Descriptions* → *what compares their modules with the interpreter*, for build scripts.
+//!
+//! Every motion of every description without errors is compared, with all that its frames say of forces and derivatives, without being
+//! named anywhere.
+
+use linkwright_codegen::stages::emit::rust::type_name;
+use linkwright_codegen::stages::program::{Program, Reaction, lower};
+use linkwright_codegen::stages::structure::plan;
+use linkwright_codegen::stages::system::Component;
+
+use crate::described::motions_in_folder;
+use crate::registry;
+
+/// Writes `comparing.rs`: the modules of the package's own descriptions, and a list of all motions.
+pub fn write(own: &str, others: &str) {
+    let (mut modules, mut list) = (String::new(), String::new());
+    for (is_own, folder) in [(true, own), (false, others)] {
+        for motions in motions_in_folder(folder) {
+            let name = motions[0].mechanism.name.clone();
+            let module = match is_own {
+                true => name.clone(),
+                false => format!("linkwright_mechanisms::{name}"),
+            };
+            if is_own {
+                modules.push_str(&format!(
+                    "pub mod {name} {{\n    linkwright::include_mechanism!({name});\n}}\n"
+                ));
+            }
+            for (place, mut system) in motions.into_iter().enumerate() {
+                let motion = system.mechanism.motion.as_ref();
+                let path = motion.map_or(module.clone(), |it| format!("{module}::{}", it.name));
+                let own = type_name(&name);
+                let Some(plan) = plan(&mut system) else {
+                    continue;
+                };
+                let program = lower(&mut system, &plan);
+                let (forces, derivatives) = (forces(&program), derivatives(&program));
+                list.push_str(&format!(
+                    "    Compared {{\n        name: {name:?},\n        motion: {place},\n        compare: |system| compare::<{path}::{own}>(\n            system,\n            |it| {{ {} }},\n            |it| {{ {} }},\n        ),\n    }},\n",
+                    collected(&forces),
+                    collected(&derivatives),
+                ));
+            }
+        }
+    }
+    let text = format!("{modules}\npub const ALL: &[Compared] = &[\n{list}];\n");
+    registry::write("comparing.rs", &text);
+}
+
+/// An expression of all values in one list.
+fn collected(values: &[String]) -> String {
+    match values {
+        [] => "let _ = it; Vec::new()".to_string(),
+        _ => format!("[{}].concat()", values.join(", ")),
+    }
+}
+
+/// What a frame says of forces, in the order of the interpreter's columns.
+fn forces(program: &Program) -> Vec<String> {
+    let forces = &program.forces;
+    let mut values = Vec::new();
+    for effort in &forces.efforts {
+        values.extend(["effort", "power"].map(|it| format!("vec![it.{it}_{}()]", effort.name)));
+    }
+    for Reaction {
+        name, components, ..
+    } in &forces.reactions
+    {
+        let mut components = &components[..];
+        if let [(Component::X, _), (Component::Y, _), rest @ ..] = components {
+            values.push(format!("it.reaction_{name}().to_vec()"));
+            components = rest;
+        }
+        let rest = components.iter();
+        values.extend(rest.map(|(it, _)| format!("vec![it.reaction_{name}_{}()]", it.suffix())));
+    }
+    if forces.energy.is_some() {
+        let names = ["kinetic_energy", "potential_energy", "added_power"];
+        values.extend(names.map(|it| format!("vec![it.{it}()]")));
+    }
+    values
+}
+
+/// What a frame says of transmissions, row by row, and of the sensitivity of all coordinates.
+fn derivatives(program: &Program) -> Vec<String> {
+    let transmissions = program.transmissions.iter();
+    let transmissions = transmissions.map(|it| {
+        format!(
+            "it.transmission_{}().transpose().as_slice().to_vec()",
+            it.name
+        )
+    });
+    let sensitivities = program.sensitivities.iter();
+    let sensitivities = sensitivities.filter(|it| it.coordinates.is_some());
+    let sensitivities = sensitivities.flat_map(|it| {
+        ["position", "velocity"]
+            .map(|level| format!("it.sensitivity_{}().{level}.to_array().to_vec()", it.name))
+    });
+    transmissions.chain(sensitivities).collect()
+}

@@ -1,0 +1,280 @@
+//! The interpreter computes what generated code computes, bit by bit: every motion of every description that is compiled, along its path,
+//! with other parameters and inputs, back and forth and as far as it goes.
+
+use linkwright::{Blocks, Failure, Mechanism, Settings, Shell, Signals};
+use linkwright_codegen::stages::system::System;
+use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::supplied::InputSignals;
+use linkwright_solver::view::View;
+use linkwright_tests::description;
+use linkwright_tests::values::{filled, numbers};
+
+/// What is compared.
+const KINDS: [&str; 7] = [
+    "pose",
+    "velocity",
+    "acceleration",
+    "point",
+    "force",
+    "derivative",
+    "failure",
+];
+
+/// How many numbers of points that `output` asks for may differ. Generated code finds them in a block of their own, and the interpreter
+/// from coordinates.
+const DIFFERENT: usize = 1_419;
+
+/// How many numbers of each kind were compared, and how many of them differ.
+type Tally = [[usize; 2]; KINDS.len()];
+
+/// A motion of a description that is compiled.
+pub struct Compared {
+    name: &'static str,
+    motion: usize,
+    compare: fn(&System) -> Tally,
+}
+
+type Frame<M> = <<M as Mechanism>::Blocks as Blocks>::Frame;
+
+/// A compiled mechanism and an interpreted one, which are moved together.
+struct Both<'a, M: Mechanism> {
+    generated: Option<Shell<M::Blocks>>,
+    interpreted: Option<Shell<Interpreted>>,
+    view: &'a Interpreted,
+    forces: fn(&Frame<M>) -> Vec<f64>,
+    derivatives: fn(&Frame<M>) -> Vec<f64>,
+    tally: Tally,
+}
+
+impl<M> Both<'_, M>
+where
+    M: Mechanism<Blocks: Blocks<Scalar = f64> + Default>,
+{
+    /// Assembles both for these parameters.
+    fn assemble(&mut self, parameters: &[f64], inputs: &InputSignals, t: f64) {
+        let blocks = M::Blocks::default();
+        let values = filled(blocks.nominal_parameters(), parameters);
+        let generated = Shell::assemble(
+            M::Blocks::default(),
+            &values,
+            &blocks.drawn_pose(&values),
+            blocks.drawn_branches(),
+            t,
+            &supplied(&blocks, inputs),
+            Settings::default(),
+        );
+        let values = filled(self.view.nominal_parameters(), parameters);
+        let interpreted = Shell::assemble(
+            self.view.clone(),
+            &values,
+            &self.view.drawn_pose(&values),
+            self.view.drawn_branches(),
+            t,
+            inputs,
+            Settings::default(),
+        );
+        let failures = [generated.as_ref().err(), interpreted.as_ref().err()];
+        let has_both = self.failed(failures);
+        (self.generated, self.interpreted) = (generated.ok(), interpreted.ok());
+        if has_both {
+            self.frames();
+        }
+    }
+
+    /// Moves both.
+    fn advance(&mut self, inputs: &InputSignals, t: f64) {
+        let (Some(generated), Some(interpreted)) = (&mut self.generated, &mut self.interpreted)
+        else {
+            return;
+        };
+        let own = supplied(generated.blocks(), inputs);
+        let failures = [
+            generated.advance(t, &own).err(),
+            interpreted.advance(t, inputs).err(),
+        ];
+        if self.failed(failures.each_ref().map(Option::as_ref)) {
+            self.frames();
+        }
+    }
+
+    /// Gives both other parameters on the way.
+    fn change(&mut self, parameters: &[f64]) {
+        let (Some(generated), Some(interpreted)) = (&mut self.generated, &mut self.interpreted)
+        else {
+            return;
+        };
+        let own = filled(generated.parameters().clone(), parameters);
+        let same = filled(interpreted.parameters().clone(), parameters);
+        let failures = [
+            generated.set_parameters(&own).err(),
+            interpreted.set_parameters(&same).err(),
+        ];
+        self.failed(failures.each_ref().map(Option::as_ref));
+    }
+
+    /// Compares failures; true if there is none.
+    fn failed(&mut self, failures: [Option<&Failure>; 2]) -> bool {
+        let [own, other] = failures.map(|it| it.map(|failure| format!("{failure:?}")));
+        if own.is_some() || other.is_some() {
+            self.tally[6][0] += 1;
+            self.tally[6][1] += usize::from(own != other);
+        }
+        own.is_none() && other.is_none()
+    }
+
+    /// Compares the last frames.
+    fn frames(&mut self) {
+        let (Some(generated), Some(interpreted)) = (&self.generated, &self.interpreted) else {
+            return;
+        };
+        let (frame, instant) = (generated.frame(), interpreted.frame());
+        let (blocks, view) = (generated.blocks(), interpreted.blocks());
+        let mut pairs: [Vec<[f64; 2]>; 6] = Default::default();
+        pairs[0].push([M::Blocks::time(frame), Interpreted::time(instant)]);
+        let coordinates = (0..).map_while(|place| blocks.coordinate(frame, place));
+        for (place, own) in coordinates.enumerate() {
+            let same = view.coordinate(instant, place).expect("a coordinate");
+            for level in 0..3 {
+                pairs[level].push([own[level], same[level]]);
+            }
+        }
+        let points = (0..).map_while(|place| blocks.point(frame, place));
+        for (place, own) in points.enumerate() {
+            let name = blocks.point_name(place).expect("a name");
+            let mut names = (0..).map_while(|it| view.point_name(it));
+            // Outputs are named as fields are.
+            let same = names.position(|it| it.eq_ignore_ascii_case(name));
+            let same = same.and_then(|place| view.point(instant, place));
+            let same = same.expect("a point of the same name");
+            for (own, same) in [
+                (own.position, same.position),
+                (own.velocity, same.velocity),
+                (own.acceleration, same.acceleration),
+            ] {
+                pairs[3].extend([0, 1].map(|axis| [own[axis], same[axis]]));
+            }
+        }
+        let asked = [
+            ((self.forces)(frame), view.forces(instant)),
+            ((self.derivatives)(frame), view.derivatives(instant)),
+        ];
+        for (pairs, (own, same)) in pairs[4..].iter_mut().zip(asked) {
+            if !own.is_empty() {
+                let same = same.expect("columns");
+                assert_eq!(own.len(), same.len());
+                pairs.extend(own.into_iter().zip(same).map(|(own, same)| [own, same]));
+            }
+        }
+        for (tally, pairs) in self.tally.iter_mut().zip(pairs) {
+            let differs = |[own, same]: &&[f64; 2]| own.to_bits() != same.to_bits();
+            tally[0] += pairs.len();
+            tally[1] += pairs.iter().filter(differs).count();
+        }
+    }
+}
+
+/// The inputs of a compiled mechanism.
+fn supplied<B: Blocks<Scalar = f64>>(blocks: &B, inputs: &InputSignals) -> B::Inputs {
+    let mut own = blocks.initial_inputs();
+    assert_eq!(own.count(), inputs.count());
+    for place in 0..inputs.count() {
+        own.set(place, inputs.signal(place).expect("an input"));
+    }
+    own
+}
+
+/// Moves a compiled mechanism and an interpreted one, and compares both.
+fn compare<M>(
+    system: &System,
+    forces: fn(&Frame<M>) -> Vec<f64>,
+    derivatives: fn(&Frame<M>) -> Vec<f64>,
+) -> Tally
+where
+    M: Mechanism<Blocks: Blocks<Scalar = f64> + Default>,
+{
+    let view = Interpreted::new(system).expect("a plan");
+    let laws = view.input_laws();
+    let nominal = numbers(&view.nominal_parameters());
+    let mut both = Both::<M> {
+        generated: None,
+        interpreted: None,
+        view: &view,
+        forces,
+        derivatives,
+        tally: Tally::default(),
+    };
+    // What follows from laws, and what a caller supplies who keeps to none.
+    let other = |t: f64| {
+        let mut inputs = laws.at(t);
+        for (place, signal) in (0..).zip(&mut inputs.0) {
+            let phase = 3.0 * t + f64::from(place);
+            signal.value += 0.02 * phase.sin();
+            signal.rate += 0.06 * phase.cos();
+            signal.acceleration -= 0.18 * phase.sin();
+        }
+        inputs
+    };
+    both.assemble(&nominal, &laws.at(0.0), 0.0);
+    for frame in 1..=200 {
+        let t = 0.01 * f64::from(frame);
+        both.advance(&laws.at(t), t);
+    }
+    // Large steps, back, and beyond what can be reached.
+    for t in [2.5, 1.0, 1.3, 4.0, 0.0, -0.7, 30.0] {
+        both.advance(&laws.at(t), t);
+    }
+    both.assemble(&nominal, &other(0.0), 0.0);
+    for frame in 1..=50 {
+        let t = 0.01 * f64::from(frame);
+        both.advance(&other(t), t);
+    }
+    for factor in [1.01, 0.97, 1.3, -1.0] {
+        let changed: Vec<f64> = (0..)
+            .zip(&nominal)
+            .map(|(place, value)| match place % 2 {
+                0 => factor * value,
+                _ => *value,
+            })
+            .collect();
+        both.assemble(&changed, &other(0.1), 0.1);
+        both.assemble(&nominal, &laws.at(0.0), 0.0);
+        both.change(&changed);
+        for frame in 1..=20 {
+            let t = 0.02 * f64::from(frame);
+            both.advance(&laws.at(t), t);
+        }
+    }
+    both.tally
+}
+
+#[test]
+fn interpreted_and_generated_numbers_are_the_same() {
+    let mut all = [0; KINDS.len()];
+    let mut of_outputs = 0;
+    for Compared {
+        name,
+        motion,
+        compare,
+    } in ALL
+    {
+        let system = &description::motions(name)[*motion];
+        let mut tally = compare(system);
+        let [pose, _, _, point, ..] = &mut tally;
+        assert!(pose[0] > 100, "{name}: hardly any frame");
+        if !system.mechanism.requests.is_empty() {
+            of_outputs += std::mem::take(&mut point[1]);
+        }
+        for (kind, (sum, [count, different])) in KINDS.iter().zip(all.iter_mut().zip(tally)) {
+            *sum += count;
+            assert_eq!(different, 0, "{name} {motion}, {kind}: of {count}");
+        }
+    }
+    for (kind, count) in KINDS.iter().zip(all) {
+        println!("{kind}: {count} compared");
+        assert!(count > 200, "{kind}: hardly any number");
+    }
+    println!("{of_outputs} of points that are asked for differ");
+    assert!(of_outputs <= DIFFERENT, "{of_outputs}");
+}
+
+include!(concat!(env!("OUT_DIR"), "/comparing.rs"));
