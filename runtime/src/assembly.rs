@@ -1,7 +1,7 @@
 //! Equations, a poor estimate of the pose, and perhaps a branch → a frame, or why there is none.
 //!
 //! Newton-Raphson finds the pose next to a good estimate. From a poor one it may end at any pose, also at one of the same
-//! branch that is not the nearest. [`assemble_from_afar`] therefore lowers the residuals by least squares first, which moves
+//! branch that is not the nearest. [`assemble_from_rough_estimate`] therefore lowers the residuals by least squares first, which moves
 //! the estimate no farther than needed; Newton-Raphson does the rest. Where this ends at another branch, or at a pose from
 //! which the residuals cannot be lowered although they are not zero, plain and damped Newton-Raphson are tried on the
 //! estimate as it was given.
@@ -37,7 +37,7 @@ use crate::watch::EndsOn;
 ///
 /// # Panics
 /// If the estimate does not have the dimension of the equations, which only a dynamic dimension permits.
-pub fn assemble_from_afar<T: Real, D: Dim, E: Equations<T, D>>(
+pub fn assemble_from_rough_estimate<T: Real, D: Dim, E: Equations<T, D>>(
     equations: &E,
     estimate: &OVector<T, D>,
     branch: Option<Branch>,

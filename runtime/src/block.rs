@@ -10,7 +10,7 @@
 use nalgebra::allocator::Allocator;
 use nalgebra::{DefaultAllocator, Dim, OVector};
 
-use crate::assembly::assemble_from_afar;
+use crate::assembly::assemble_from_rough_estimate;
 use crate::closed_form::Branch;
 use crate::equations::Equations;
 use crate::failure::Failure;
@@ -38,7 +38,7 @@ pub enum Start {
 /// estimate where the equations leave it open how often they have gone round; afterwards `branch` is its mode. From the last frame it moves on in this mode.
 ///
 /// # Errors
-/// Those of [`assemble_from_afar`], or those of [`advance`](crate::advance) and [`WrongBranch`](crate::FailureKind::WrongBranch).
+/// Those of [`assemble_from_rough_estimate`], or those of [`advance`](crate::advance) and [`WrongBranch`](crate::FailureKind::WrongBranch).
 ///
 /// # Work
 /// That of the same; where the mode was `None` also one Jacobian; and of an assembly at most n + 1 evaluations of the residual.
@@ -130,7 +130,7 @@ fn assemble<T: Real, D: Dim, E: Equations<T, D>>(
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
-    let mut frame = assemble_from_afar(equations, &estimate.q, *branch, t, settings)?;
+    let mut frame = assemble_from_rough_estimate(equations, &estimate.q, *branch, t, settings)?;
     unwind(equations, &mut frame.q, &estimate.q, t, settings);
     if branch.is_none() {
         *branch = Some(branch_of(equations, &frame.q, t, settings)?);

@@ -5,14 +5,14 @@
 //! of.
 
 use crate::block::Start;
-use crate::explained::{BlockName, Explained};
 use crate::failure::{Failure, FailureKind};
+use crate::failure_message::{BlockName, FailureMessage};
 use crate::guard::Pair;
 use crate::math::Real;
 use crate::motion::PointMotion;
 use crate::settings::Settings;
 use crate::signal::Signal;
-use crate::span::Span;
+use crate::time_window::TimeWindow;
 
 /// The equations of a mechanism, solved block by block.
 pub trait Blocks {
@@ -28,8 +28,8 @@ pub trait Blocks {
     type Parameters: Values<Self::Scalar>;
     /// The signals that move it beside time; `()` where there are none.
     type Inputs: Signals<Self::Scalar>;
-    /// A [`Tube`](crate::span::Tube) for each unknown that Newton-Raphson finds.
-    type Tubes: Clone;
+    /// A [`PathEnclosure`](crate::time_window::PathEnclosure) for each unknown that Newton-Raphson finds.
+    type PathEnclosures: Clone;
 
     /// The parameters of the description.
     fn nominal_parameters(&self) -> Self::Parameters;
@@ -50,7 +50,7 @@ pub trait Blocks {
 
     /// True if Newton-Raphson solves a block.
     fn is_iterated(&self) -> bool {
-        size_of::<Self::Tubes>() != 0
+        size_of::<Self::PathEnclosures>() != 0
     }
 
     /// The pose in the drawing of these parameters.
@@ -90,42 +90,51 @@ pub trait Blocks {
     /// Whether the blocks can show that a frame lies on the path of the last one.
     fn is_guarded(&self) -> bool;
 
-    /// Tubes of what does not move.
-    fn tubes(&self) -> Self::Tubes;
+    /// PathEnclosures of what does not move.
+    fn enclosures(&self) -> Self::PathEnclosures;
 
-    /// Asks of every block whether its equations have one solution near the straight line through both frames all over a span: then
-    /// whatever is found in it lies on one path. Afterwards `tubes` say where that is.
+    /// Asks of every block whether its equations have one solution near the straight line through both frames all over a window: then
+    /// whatever is found in it lies on one path. Afterwards `enclosures` say where that is.
     ///
     /// # Errors
     /// The first block of which that cannot be shown.
-    fn keeps_to_path(
+    fn verify_path(
         &self,
         pair: &Pair<'_, Self>,
-        span: &Span<Self::Scalar>,
-        tubes: &mut Self::Tubes,
+        window: &TimeWindow<Self::Scalar>,
+        enclosures: &mut Self::PathEnclosures,
     ) -> Result<(), u16>
     where
         Self: Sized;
 
-    /// Whether [`Blocks::stays_regular`] may show anything.
+    /// Whether [`Blocks::verify_nonsingular`] may show anything.
     fn is_closed(&self) -> bool {
         false
     }
 
-    /// Asks of every block that it has a closed form which is not singular anywhere in a span, and turns nothing by half a turn there:
-    /// then whatever is found in it lies on one path. That takes less than [`Blocks::keeps_to_path`], which may show more.
+    /// Asks of every block that it has a closed form which is not singular anywhere in a window, and turns nothing by half a turn there:
+    /// then whatever is found in it lies on one path. That takes less than [`Blocks::verify_path`], which may show more.
     ///
     /// # Errors
     /// The first block of which that cannot be shown.
-    fn stays_regular(&self, _pair: &Pair<'_, Self>, _span: &Span<Self::Scalar>) -> Result<(), u16>
+    fn verify_nonsingular(
+        &self,
+        _pair: &Pair<'_, Self>,
+        _span: &TimeWindow<Self::Scalar>,
+    ) -> Result<(), u16>
     where
         Self: Sized,
     {
         Err(0)
     }
 
-    /// Whether what Newton-Raphson has found lies in its tubes, so many steps after the second of the frames that they go through.
-    fn is_within(&self, at: &Self::Frame, tubes: &Self::Tubes, steps: Self::Scalar) -> bool;
+    /// Whether what Newton-Raphson has found lies in its enclosures, so many steps after the second of the frames that they go through.
+    fn is_within(
+        &self,
+        at: &Self::Frame,
+        enclosures: &Self::PathEnclosures,
+        steps: Self::Scalar,
+    ) -> bool;
 
     /// What the mechanism is called.
     fn name(&self) -> &str;
@@ -181,9 +190,9 @@ pub trait Blocks {
     }
 
     /// A failure in the mechanism's own terms.
-    fn explained(&self, failure: &Failure<Self::Scalar>) -> Explained<'_, Self::Scalar> {
+    fn explained(&self, failure: &Failure<Self::Scalar>) -> FailureMessage<'_, Self::Scalar> {
         let place = usize::from(failure.block);
-        Explained {
+        FailureMessage {
             failure: *failure,
             block: match (failure.input, failure.kind) {
                 (Some(input), _) => self

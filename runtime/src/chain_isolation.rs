@@ -8,10 +8,10 @@ use nalgebra::allocator::Allocator;
 use nalgebra::{Const, DefaultAllocator, Dim, OVector};
 
 use crate::chain::{ChainInverse, ChainProduct, entry};
-use crate::isolation::{Chord, bend_line, fourth, in_blocks, isolate_all, turned_by};
+use crate::deviations::settled;
+use crate::isolation::{Chord, add_remainder, fourth, in_blocks, isolate_all, turned_by};
 use crate::math::Real;
-use crate::sags::settled;
-use crate::span::{LEFT_BY_ROUNDING, Span};
+use crate::time_window::{LEFT_BY_ROUNDING, TimeWindow};
 use crate::vector::{add, zero_vector};
 
 /// [`isolate_whole_chain`] for a number of unknowns that generated code knows. `blocks` (N) says to which block an equation belongs.
@@ -20,10 +20,10 @@ use crate::vector::{add, zero_vector};
 /// The block that is farthest from it, where it cannot be shown.
 pub fn isolate_chain<T: Real, const N: usize>(
     blocks: [u16; N],
-    span: &Span<T>,
+    window: &TimeWindow<T>,
     chord: Chord<'_, T, Const<N>>,
 ) -> Result<[T; N], u16> {
-    in_blocks(blocks, isolate_whole_chain(span, chord))
+    in_blocks(blocks, isolate_whole_chain(window, chord))
 }
 
 /// What [`isolate_all`] says of equations of which all columns turn, and which link cells of two unknowns.
@@ -33,7 +33,7 @@ pub fn isolate_chain<T: Real, const N: usize>(
 /// # Errors
 /// The row that is farthest from it, where it cannot be shown.
 pub fn isolate_whole_chain<T: Real, D: Dim>(
-    span: &Span<T>,
+    window: &TimeWindow<T>,
     chord: Chord<'_, T, D>,
 ) -> Result<OVector<T, D>, usize>
 where
@@ -43,9 +43,9 @@ where
         Some(inverse) => isolated(&inverse, &chord),
         None => Err(0),
     };
-    // Beyond the frames there are nearer spans to try.
+    // Beyond the frames there are nearer windows to try.
     match found {
-        Err(_) if span.stretch <= T::ONE => isolate_all(chord, |_, _| {}),
+        Err(_) if window.steps <= T::ONE => isolate_all(chord, |_, _| {}),
         _ => found,
     }
 }
@@ -59,11 +59,11 @@ where
 {
     let product = inverse.product(chord.turning);
     let least = left_of_line(inverse, &product, chord);
-    settled(&least, |sags| {
-        let (mut turned, mut beside) = (sags.clone(), sags.clone());
+    settled(&least, |deviations| {
+        let (mut turned, mut beside) = (deviations.clone(), deviations.clone());
         let vectors = turned.as_mut_slice().iter_mut().zip(beside.as_mut_slice());
-        for ((turned, beside), way) in vectors.zip(chord.ways.as_slice()) {
-            [*turned, *beside] = turned_by(*way, *turned);
+        for ((turned, beside), change) in vectors.zip(chord.changes.as_slice()) {
+            [*turned, *beside] = turned_by(*change, *turned);
         }
         let mut spread = inverse.spread(&product, &turned);
         add(&mut spread, &beside);
@@ -80,8 +80,8 @@ fn left_of_line<T: Real, D: Dim>(
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
-    let dimension = chord.ways.shape_generic().0;
-    let squares = chord.ways.map(|way| way * way);
+    let dimension = chord.changes.shape_generic().0;
+    let squares = chord.changes.map(|change| change * change);
     // What turning leaves of each equation, and how far rounding may leave it from zero.
     let (mut second, mut off) = (chord.curvatures.clone(), zero_vector(dimension));
     let rows = second.as_mut_slice().iter_mut().zip(off.as_mut_slice());
@@ -103,7 +103,13 @@ where
     add(&mut off, &chord.bounds);
     let rest = inverse.spread(product, &fourth(&squares));
     let mut least = inverse.times(&second);
-    bend_line(&mut least, chord.bend, &rest, &chord.ways, &chord.turns);
+    add_remainder(
+        &mut least,
+        chord.remainder,
+        &rest,
+        &chord.changes,
+        &chord.turns,
+    );
     add(&mut least, &inverse.magnitude_times(&off));
     least
 }
@@ -115,7 +121,7 @@ mod tests {
     use super::isolate_whole_chain;
     use crate::chain::ChainInverse;
     use crate::isolation::{Chord, isolate_all};
-    use crate::span::Span;
+    use crate::time_window::TimeWindow;
 
     /// The Jacobian of a chain of so many cells, and the derivatives of its columns. `irregular` says how much lengths and angles differ
     /// from cell to cell.
@@ -200,7 +206,7 @@ mod tests {
         }
     }
 
-    /// Where a chain is shown to have one solution, the whole inverse shows it, with sags that are alike; and between two frames whatever
+    /// Where a chain is shown to have one solution, the whole inverse shows it, with deviations that are alike; and between two frames whatever
     /// the inverse shows is shown.
     #[test]
     fn what_is_shown_is_what_the_whole_inverse_shows() {
@@ -211,31 +217,31 @@ mod tests {
             let (count, order) = (10, 20);
             let [jacobian, turning] = cells(count, 0.04, seed);
             let step = 10.0_f64.powf(-2.0 + 1.5 * f64::sin(0.7 * seed));
-            let span = match case % 2 {
-                0 => Span::between(1.0),
-                _ => Span::around(1.0, 2.0),
+            let window = match case % 2 {
+                0 => TimeWindow::between(1.0),
+                _ => TimeWindow::around(1.0, 2.0),
             };
             let (mut jacobians, mut turnings) =
                 ([jacobian.clone(), jacobian], [turning.clone(), turning]);
             let [first, second] = &mut jacobians;
             let [first_turning, second_turning] = &mut turnings;
             let chord = |jacobian, turning| Chord {
-                bend: span.bend,
+                remainder: window.remainder,
                 bounds: vector(order, seed) * step.powi(3),
                 curvatures: DVector::zeros(order),
-                ways: vector(order, seed + 1.0) * step,
+                changes: vector(order, seed + 1.0) * step,
                 sizes: DVector::from_element(order, 1.0),
                 jacobian,
                 turns: DVector::from_element(order, true),
                 turning,
             };
-            let chain = isolate_whole_chain(&span, chord(first, first_turning));
+            let chain = isolate_whole_chain(&window, chord(first, first_turning));
             let whole = isolate_all(chord(second, second_turning), |_, _| {});
             if let Ok(chain) = &chain {
                 shown[case as usize % 2] += 1;
                 let whole = whole.as_ref().unwrap();
                 for (chain, whole) in chain.iter().zip(whole) {
-                    // Either may have needed one more round, with wider sags.
+                    // Either may have needed one more round, with wider deviations.
                     let ratio = (chain / whole).max(whole / chain);
                     widest = widest.max(ratio);
                 }
@@ -243,6 +249,6 @@ mod tests {
             assert!(case % 2 == 1 || chain.is_ok() == whole.is_ok(), "{case}");
         }
         assert!(shown.iter().all(|shown| *shown > 20), "{shown:?} shown");
-        assert!(widest < 2.0, "sags {widest} times as wide");
+        assert!(widest < 2.0, "deviations {widest} times as wide");
     }
 }

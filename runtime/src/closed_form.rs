@@ -66,14 +66,20 @@ pub const UNDERFLOW: f64 = 8.0;
 
 /// Whether the square of a half chord is safely positive beside `scale`, and a normal number. False for NaN.
 #[inline]
-pub fn spans<T: Real>(excess: T, scale: T) -> bool {
+pub fn exceeds_rounding<T: Real>(excess: T, scale: T) -> bool {
     excess > T::from_f64(FOLD) * T::EPSILON * scale + T::from_f64(UNDERFLOW) * T::SMALLEST
 }
 
 /// Why the links of a closed-form block do not span the distance (m) between their far pins; `longest` and `shortest` are what
 /// they can span. Where they do, they are in line and the block is singular.
 #[cold]
-pub fn no_span<T: Real>(distance: T, longest: T, shortest: T, time: T, block: u16) -> Failure<T> {
+pub fn out_of_reach<T: Real>(
+    distance: T,
+    longest: T,
+    shortest: T,
+    time: T,
+    block: u16,
+) -> Failure<T> {
     let shortest = shortest.abs();
     let kind = if !(distance.is_finite() && longest.is_finite() && shortest.is_finite()) {
         FailureKind::NotFinite
@@ -210,15 +216,20 @@ mod tests {
 
     #[test]
     fn a_gap_is_told_from_links_in_line() {
-        let by =
-            |distance, longest, shortest| no_span(distance, longest, shortest, 0.5_f64, 3).kind;
+        let by = |distance, longest, shortest| {
+            out_of_reach(distance, longest, shortest, 0.5_f64, 3).kind
+        };
         assert_eq!(by(3.0, 2.5, 0.5), FailureKind::OutOfReach { by: 0.5 });
         assert_eq!(by(0.25, 2.5, -0.5), FailureKind::OutOfReach { by: 0.25 });
         assert!(matches!(by(2.5, 2.5, 0.5), FailureKind::Singular { .. }));
         assert_eq!(by(f64::NAN, 2.5, 0.5), FailureKind::NotFinite);
-        assert!(!spans(f64::NAN, 1.0) && !spans(1e-16, 1.0) && spans(1e-14, 1.0));
+        assert!(
+            !exceeds_rounding(f64::NAN, 1.0)
+                && !exceeds_rounding(1e-16, 1.0)
+                && exceeds_rounding(1e-14, 1.0)
+        );
         // The product of subnormal squares has lost its digits.
-        assert!(spans(1e-306, 1e-306) && !spans(1e-310, 1e-310));
-        assert!(spans(1e-36_f32, 1e-36) && !spans(1e-38_f32, 1e-38));
+        assert!(exceeds_rounding(1e-306, 1e-306) && !exceeds_rounding(1e-310, 1e-310));
+        assert!(exceeds_rounding(1e-36_f32, 1e-36) && !exceeds_rounding(1e-38_f32, 1e-38));
     }
 }

@@ -1,8 +1,8 @@
 //! The frames of a mechanism, one after another → whether each lies on the smooth path of the last one.
 //!
-//! The blocks can show that for a whole [`Span`] of time about two frames, closed forms at the cost of a part of a frame, all
+//! The blocks can show that for a whole [`TimeWindow`] of time about two frames, closed forms at the cost of a part of a frame, all
 //! equations together at that of some frames. So a [`Guard`] looks beyond the frames as far as it can, and every frame that lies in
-//! such a span, as nearly all do where steps are short, needs no more than to be found there. The module does not know equations.
+//! such a window, as nearly all do where steps are short, needs no more than to be found there. The module does not know equations.
 
 use crate::block::Start;
 use crate::blocks::{Blocks, Conditions, Signals};
@@ -10,7 +10,7 @@ use crate::closed_form::failed;
 use crate::failure::{Failure, FailureKind};
 use crate::math::Real;
 use crate::signal::Signal;
-use crate::span::Span;
+use crate::time_window::TimeWindow;
 
 /// How many steps a guard looks ahead at first, at least and at most. It does not look ahead where it would be less.
 const AHEAD: [f64; 3] = [16.0, 2.0, 1024.0];
@@ -30,20 +30,20 @@ const FAR: f64 = 64.0;
 pub struct Guard<T, I, U> {
     window: Option<Window<T, I, U>>,
     /// How many steps it looks ahead next.
-    stretch: T,
+    steps: T,
     /// The same of closed forms by themselves.
-    stretch_of_closed_forms: T,
+    steps_of_closed_forms: T,
 }
 
-/// A span of time in which everything that is found lies on one path.
+/// A window of time in which everything that is found lies on one path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Window<T, I, U> {
-    span: Span<T>,
+    window: TimeWindow<T>,
     /// The time of the second frame (s).
     t: T,
     /// The inputs of both frames.
     inputs: [I; 2],
-    tubes: U,
+    enclosures: U,
 }
 
 /// Two frames and what they were solved with.
@@ -63,8 +63,8 @@ impl<T: Real, I: Signals<T>, U: Clone> Guard<T, I, U> {
     pub fn new() -> Self {
         Self {
             window: None,
-            stretch: T::from_f64(AHEAD[0]),
-            stretch_of_closed_forms: T::from_f64(AHEAD[0]),
+            steps: T::from_f64(AHEAD[0]),
+            steps_of_closed_forms: T::from_f64(AHEAD[0]),
         }
     }
 
@@ -86,7 +86,7 @@ impl<T: Real, I: Signals<T>, U: Clone> Guard<T, I, U> {
         may_be_weak: bool,
     ) -> Result<(), Failure<T>>
     where
-        B: Blocks<Scalar = T, Inputs = I, Tubes = U>,
+        B: Blocks<Scalar = T, Inputs = I, PathEnclosures = U>,
     {
         if !blocks.is_guarded() || pair.conditions.start == Start::Estimate {
             return Ok(());
@@ -107,20 +107,22 @@ impl<T: Real, I: Signals<T>, U: Clone> Guard<T, I, U> {
         may_be_weak: bool,
     ) -> Result<(), Failure<T>>
     where
-        B: Blocks<Scalar = T, Inputs = I, Tubes = U>,
+        B: Blocks<Scalar = T, Inputs = I, PathEnclosures = U>,
     {
         let pair = &pair;
         let t = pair.conditions.t;
         let step = t - B::time(pair.last);
         self.window = None;
-        let mut tubes = blocks.tubes();
+        let mut enclosures = blocks.enclosures();
         if blocks.is_closed() {
-            let stays = |span: &Span<T>| stays_regular(blocks, pair, &span.at_least(WEAK)).is_ok();
-            if let Some(span) = farthest(&mut self.stretch_of_closed_forms, step, stays) {
-                self.window = Some(Window::new(pair, span, tubes));
+            let stays = |window: &TimeWindow<T>| {
+                verify_nonsingular(blocks, pair, &window.at_least(WEAK)).is_ok()
+            };
+            if let Some(window) = farthest(&mut self.steps_of_closed_forms, step, stays) {
+                self.window = Some(Window::new(pair, window, enclosures));
                 return Ok(());
             }
-            if stays(&Span::between(step)) {
+            if stays(&TimeWindow::between(step)) {
                 return Ok(());
             }
         }
@@ -132,12 +134,14 @@ impl<T: Real, I: Signals<T>, U: Clone> Guard<T, I, U> {
         {
             return Err(failed(FailureKind::StepTooLarge, t, block));
         }
-        let keeps = |span: &Span<T>| is_far && blocks.keeps_to_path(pair, span, &mut tubes).is_ok();
-        if let Some(span) = farthest(&mut self.stretch, step, keeps) {
-            self.window = Some(Window::new(pair, span, tubes));
+        let keeps = |window: &TimeWindow<T>| {
+            is_far && blocks.verify_path(pair, window, &mut enclosures).is_ok()
+        };
+        if let Some(window) = farthest(&mut self.steps, step, keeps) {
+            self.window = Some(Window::new(pair, window, enclosures));
             return Ok(());
         }
-        let kept = blocks.keeps_to_path(pair, &Span::between(step), &mut tubes);
+        let kept = blocks.verify_path(pair, &TimeWindow::between(step), &mut enclosures);
         kept.map_err(|block| failed(FailureKind::StepTooLarge, t, block))
     }
 }
@@ -164,41 +168,41 @@ fn weak<B: Blocks>(blocks: &B, pair: &Pair<'_, B>, rounding: f64) -> Option<u16>
         before: pair.conditions.inputs,
         ..*pair
     };
-    let span = Span::between(B::Scalar::ZERO).at_least(rounding);
-    stays_regular(blocks, &pair, &span).err()
+    let window = TimeWindow::between(B::Scalar::ZERO).at_least(rounding);
+    verify_nonsingular(blocks, &pair, &window).err()
 }
 
-/// See [`Blocks::stays_regular`]: asked at many places, and seldom.
+/// See [`Blocks::verify_nonsingular`]: asked at many places, and seldom.
 #[inline(never)]
-fn stays_regular<B: Blocks>(
+fn verify_nonsingular<B: Blocks>(
     blocks: &B,
     pair: &Pair<'_, B>,
-    span: &Span<B::Scalar>,
+    window: &TimeWindow<B::Scalar>,
 ) -> Result<(), u16> {
-    blocks.stays_regular(pair, span)
+    blocks.verify_nonsingular(pair, window)
 }
 
-/// The widest span about two frames, at most so many steps, of which something can be shown; `None` where no span beyond the frames
-/// is one. Afterwards `stretch` is how many steps to begin with next.
+/// The widest window about two frames, at most so many steps, of which something can be shown; `None` where no window beyond the frames
+/// is one. Afterwards `steps` is how many steps to begin with next.
 fn farthest<T: Real>(
-    stretch: &mut T,
+    steps: &mut T,
     step: T,
-    mut shows: impl FnMut(&Span<T>) -> bool,
-) -> Option<Span<T>> {
+    mut shows: impl FnMut(&TimeWindow<T>) -> bool,
+) -> Option<TimeWindow<T>> {
     let [_, least, most] = AHEAD.map(T::from_f64);
-    let mut tried = *stretch;
+    let mut tried = *steps;
     while tried >= least && step.abs() > T::ZERO {
-        let span = Span::around(step, tried);
-        if shows(&span) {
+        let window = TimeWindow::around(step, tried);
+        if shows(&window) {
             let further = tried * T::from_f64(GROWTH);
-            *stretch = if further < most { further } else { most };
-            return Some(span);
+            *steps = if further < most { further } else { most };
+            return Some(window);
         }
         tried *= T::from_f64(SHRINKING);
     }
     // Where it could not look beyond the frames at all, some frames go by before it tries again.
-    let is_pausing = *stretch < least;
-    *stretch = match is_pausing {
+    let is_pausing = *steps < least;
+    *steps = match is_pausing {
         true => tried * T::from_f64(GROWTH),
         false => tried,
     };
@@ -213,15 +217,15 @@ impl<T: Real, I: Signals<T>, U: Clone> Default for Guard<T, I, U> {
 
 impl<T: Real, I: Signals<T>, U> Window<T, I, U> {
     /// The window about these frames.
-    fn new<B>(pair: &Pair<'_, B>, span: Span<T>, tubes: U) -> Self
+    fn new<B>(pair: &Pair<'_, B>, window: TimeWindow<T>, enclosures: U) -> Self
     where
-        B: Blocks<Scalar = T, Inputs = I, Tubes = U>,
+        B: Blocks<Scalar = T, Inputs = I, PathEnclosures = U>,
     {
         Self {
-            span,
+            window,
             t: pair.conditions.t,
             inputs: [pair.before.clone(), pair.conditions.inputs.clone()],
-            tubes,
+            enclosures,
         }
     }
 
@@ -229,12 +233,12 @@ impl<T: Real, I: Signals<T>, U> Window<T, I, U> {
     #[inline]
     fn holds<B>(&self, blocks: &B, pair: &Pair<'_, B>) -> bool
     where
-        B: Blocks<Scalar = T, Inputs = I, Tubes = U>,
+        B: Blocks<Scalar = T, Inputs = I, PathEnclosures = U>,
     {
         let since = pair.conditions.t - self.t;
-        since.abs() <= self.span.time
+        since.abs() <= self.window.time
             && self.holds_signals(pair, since)
-            && blocks.is_within(pair.at, &self.tubes, since / self.span.step)
+            && blocks.is_within(pair.at, &self.enclosures, since / self.window.step)
     }
 
     #[inline]
@@ -255,7 +259,7 @@ impl<T: Real, I: Signals<T>, U> Window<T, I, U> {
                 &signal(pair.before, index),
                 &signal(pair.conditions.inputs, index),
             ];
-            self.span.holds_signal(line, way, h, since)
+            self.window.holds_signal(line, way, h, since)
         })
     }
 }

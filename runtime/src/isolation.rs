@@ -1,18 +1,18 @@
 //! Equations along a straight line through two frames → whether they have one solution near it all the while.
 //!
-//! Then what is found at any time of the [`Span`](crate::Span) is what the first frame leads to. The generator knows how far the
+//! Then what is found at any time of the [`TimeWindow`](crate::TimeWindow) is what the first frame leads to. The generator knows how far the
 //! equations are from zero along the line, and how their Jacobian changes near it. With C the inverse of the Jacobian, the operator of
-//! Newton with C maps the sags R into themselves where what it leaves of the line and |I − C J| R are together no more than R (Krawczyk
+//! Newton with C maps the deviations R into themselves where what it leaves of the line and |I − C J| R are together no more than R (Krawczyk
 //! 1969). The module does not know equations.
 
 use nalgebra::allocator::Allocator;
 use nalgebra::{Const, DefaultAllocator, Dim, OMatrix, OVector, SMatrix};
 
+use crate::deviations::settled;
 use crate::factored_inverse::invert_by_factors;
 use crate::inverse::invert;
 use crate::math::Real;
-use crate::sags::settled;
-use crate::span::LEFT_BY_ROUNDING;
+use crate::time_window::LEFT_BY_ROUNDING;
 use crate::vector::{add, zero_matrix, zero_vector};
 
 /// The number of unknowns from which on an inverse is found by factors: chains of so many links have few entries.
@@ -27,14 +27,14 @@ pub struct Chord<'a, T: Real, D: Dim>
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
-    /// The remainder of linear interpolation over the span, for a second derivative of 1 and a way of 1.
-    pub bend: T,
+    /// The remainder of linear interpolation over the window, for a second derivative of 1 and a change of 1.
+    pub remainder: T,
     /// How far each equation may be from zero on the line, but for what follows.
     pub bounds: OVector<T, D>,
-    /// What each equation's second derivative over the span is, where it is known with its sign, without the arms that turn.
+    /// What each equation's second derivative over the window is, where it is known with its sign, without the arms that turn.
     pub curvatures: OVector<T, D>,
     /// How far each unknown goes along the line.
-    pub ways: OVector<T, D>,
+    pub changes: OVector<T, D>,
     /// How large the unknowns are, which rounding is a part of.
     pub sizes: OVector<T, D>,
     /// The Jacobian of the second frame. Its inverse takes its place.
@@ -54,9 +54,9 @@ pub fn isolate<T: Real, const N: usize>(
     chord: Chord<'_, T, Const<N>>,
     variation: impl Fn(&[T; N], &mut SMatrix<T, N, N>),
 ) -> Result<[T; N], u16> {
-    let found = isolate_all(chord, |sags, entries| {
-        let [sags] = &sags.data.0;
-        variation(sags, entries);
+    let found = isolate_all(chord, |deviations, entries| {
+        let [deviations] = &deviations.data.0;
+        variation(deviations, entries);
     });
     in_blocks(blocks, found)
 }
@@ -67,13 +67,13 @@ pub(crate) fn in_blocks<T: Real, const N: usize>(
     found: Result<OVector<T, Const<N>>, usize>,
 ) -> Result<[T; N], u16> {
     match found {
-        Ok(sags) => Ok(sags.data.0[0]),
+        Ok(deviations) => Ok(deviations.data.0[0]),
         Err(row) => Err(blocks.get(row).copied().unwrap_or(0)),
     }
 }
 
 /// How far n unknowns may be from a straight line through two frames, where their equations have one solution about the line at
-/// every time of the span.
+/// every time of the window.
 ///
 /// `variation` says how far the entries of the Jacobian may change, but for the columns that turn, where the unknowns are no farther
 /// from the line than its first argument (n): it writes those that do over a matrix (n × n) of zeros.
@@ -92,9 +92,9 @@ where
     let sizes = chord.sizes.map(|size| size.abs());
     variation(&sizes, &mut entries);
     let (operator, least) = Operator::new(chord, &entries, &sizes)?;
-    settled(&least, |sags| {
-        variation(sags, &mut entries);
-        operator.spread(&entries, sags)
+    settled(&least, |deviations| {
+        variation(deviations, &mut entries);
+        operator.spread(&entries, deviations)
     })
 }
 
@@ -108,7 +108,7 @@ where
     /// |C J′| of the columns that turn.
     turned: &'a OMatrix<T, D, D>,
     turns: OVector<bool, D>,
-    ways: OVector<T, D>,
+    changes: OVector<T, D>,
 }
 
 impl<'a, T: Real, D: Dim> Operator<'a, T, D>
@@ -124,10 +124,10 @@ where
     ) -> Result<(Self, OVector<T, D>), usize> {
         let mut off = roundings(&chord, variation, sizes);
         let Chord {
-            bend,
+            remainder,
             bounds,
             curvatures,
-            ways,
+            changes,
             jacobian: inverse,
             turns,
             turning: turned,
@@ -142,7 +142,7 @@ where
         for (column, _) in columns.zip(turns.as_slice()).filter(|(_, turns)| **turns) {
             multiply(inverse, column);
         }
-        let squares = ways.map(|way| way * way);
+        let squares = changes.map(|change| change * change);
         let mut least = times(turned, &squares);
         add(&mut least, &times(inverse, &curvatures));
         for matrix in [&mut *inverse, &mut *turned] {
@@ -151,34 +151,34 @@ where
             }
         }
         let rest = times(turned, &fourth(&squares));
-        bend_line(&mut least, bend, &rest, &ways, &turns);
+        add_remainder(&mut least, remainder, &rest, &changes, &turns);
         add(&mut off, &bounds);
         add(&mut least, &times(inverse, &off));
         let operator = Self {
             inverse,
             turned,
             turns,
-            ways,
+            changes,
         };
         Ok((operator, least))
     }
 
     /// |I − C J| R near the line.
-    fn spread(&self, variation: &OMatrix<T, D, D>, sags: &OVector<T, D>) -> OVector<T, D> {
+    fn spread(&self, variation: &OMatrix<T, D, D>, deviations: &OVector<T, D>) -> OVector<T, D> {
         // Every column either turns or varies.
-        let (mut turned, mut varied) = (sags.clone(), sags.clone());
-        let mut beside = sags.clone();
-        let angles = self.ways.as_slice().iter().zip(self.turns.as_slice());
+        let (mut turned, mut varied) = (deviations.clone(), deviations.clone());
+        let mut beside = deviations.clone();
+        let angles = self.changes.as_slice().iter().zip(self.turns.as_slice());
         let vectors = turned.as_mut_slice().iter_mut();
         let vectors = vectors
             .zip(varied.as_mut_slice())
             .zip(beside.as_mut_slice());
-        for ((way, turns), ((turned, varied), beside)) in angles.zip(vectors) {
-            let sag = *turned;
-            let [by_sine, by_cosine] = turned_by(*way, sag);
+        for ((change, turns), ((turned, varied), beside)) in angles.zip(vectors) {
+            let deviation = *turned;
+            let [by_sine, by_cosine] = turned_by(*change, deviation);
             (*turned, *varied, *beside) = match turns {
                 true => (by_sine, T::ZERO, by_cosine),
-                false => (T::ZERO, sag, T::ZERO),
+                false => (T::ZERO, deviation, T::ZERO),
             };
         }
         let mut spread = times(self.inverse, &times(variation, &varied));
@@ -188,10 +188,10 @@ where
     }
 }
 
-/// What a sag of a column that turns does where its angle goes so far: |sin δ| is at most δ, and 1 − cos δ at most ½ δ².
-pub(crate) fn turned_by<T: Real>(way: T, sag: T) -> [T; 2] {
-    let delta = way + sag;
-    [delta * sag, T::HALF * delta * delta * sag]
+/// What a deviation of a column that turns does where its angle goes so far: |sin δ| is at most δ, and 1 − cos δ at most ½ δ².
+pub(crate) fn turned_by<T: Real>(change: T, deviation: T) -> [T; 2] {
+    let delta = change + deviation;
+    [delta * deviation, T::HALF * delta * delta * deviation]
 }
 
 /// ½ δ⁴ for each δ².
@@ -204,23 +204,23 @@ where
 
 /// What second derivatives do to each unknown → how far it is off the line by them and by what is left beside them, ½ δ⁴ of the
 /// cosine's (`rest`) and δ³ of the sine's.
-pub(crate) fn bend_line<T: Real, D: Dim>(
+pub(crate) fn add_remainder<T: Real, D: Dim>(
     second: &mut OVector<T, D>,
-    bend: T,
+    remainder: T,
     rest: &OVector<T, D>,
-    ways: &OVector<T, D>,
+    changes: &OVector<T, D>,
     turns: &OVector<bool, D>,
 ) where
     DefaultAllocator: Allocator<D>,
 {
     let entries = second.as_mut_slice().iter_mut().zip(rest.as_slice());
-    let entries = entries.zip(ways.as_slice()).zip(turns.as_slice());
-    for (((entry, rest), way), turns) in entries {
+    let entries = entries.zip(changes.as_slice()).zip(turns.as_slice());
+    for (((entry, rest), change), turns) in entries {
         let third = match turns {
-            true => *way * (*way * *way),
+            true => *change * (*change * *change),
             false => T::ZERO,
         };
-        *entry = bend * (entry.abs() + *rest + third);
+        *entry = remainder * (entry.abs() + *rest + third);
     }
 }
 
@@ -289,7 +289,7 @@ mod tests {
     use nalgebra::{Matrix2, Vector2};
 
     use super::{Chord, isolate};
-    use crate::span::Span;
+    use crate::time_window::TimeWindow;
 
     /// Two links of lengths a and b whose ends lie on the ground, one pin fixed, the other one where a crank of radius r turns by θ.
     struct FourBar {
@@ -322,21 +322,21 @@ mod tests {
         }
 
         /// How far both angles may be from the line through two frames, while the crank turns by so much in a step.
-        fn sags(
+        fn deviations(
             &self,
             [before, now]: [Vector2<f64>; 2],
             theta: f64,
             turned: f64,
-            span: &Span,
+            window: &TimeWindow,
         ) -> Result<[f64; 2], u16> {
             let [mut jacobian, mut turning] = self.columns(now);
             let (s, c) = theta.sin_cos();
-            let way = turned * span.stretch;
+            let change = turned * window.steps;
             let chord = Chord {
-                bend: span.bend,
-                bounds: [self.r * way.powi(3) * span.bend; 2].into(),
-                curvatures: [-self.r * c * way * way, -self.r * s * way * way].into(),
-                ways: (now - before).abs() * span.stretch,
+                remainder: window.remainder,
+                bounds: [self.r * change.powi(3) * window.remainder; 2].into(),
+                curvatures: [-self.r * c * change * change, -self.r * s * change * change].into(),
+                changes: (now - before).abs() * window.steps,
                 sizes: [1.0; 2].into(),
                 jacobian: &mut jacobian,
                 turns: [true; 2].into(),
@@ -346,9 +346,9 @@ mod tests {
         }
     }
 
-    /// The angles that closed forms give never leave the sags, and those are not much more than they need.
+    /// The angles that closed forms give never leave the deviations, and those are not much more than they need.
     #[test]
-    fn angles_stay_within_their_sags() {
+    fn angles_stay_within_their_deviations() {
         let (mut shown, mut tightest) = (0, f64::INFINITY);
         for linkage in 0..40 {
             let part = |k: f64| (f64::from(linkage) * k).sin();
@@ -362,11 +362,11 @@ mod tests {
                 let (theta, turned) = (f64::from(place) * 0.26, 0.01);
                 let frames = [theta - turned, theta].map(|theta| four_bar.angles(theta));
                 for stretch in [1.0, 2.0, 5.0, 10.0, 20.0, 40.0] {
-                    let span = match stretch {
-                        1.0 => Span::between(1.0),
-                        _ => Span::around(1.0, stretch),
+                    let window = match stretch {
+                        1.0 => TimeWindow::between(1.0),
+                        _ => TimeWindow::around(1.0, stretch),
                     };
-                    let Ok(sags) = four_bar.sags(frames, theta, turned, &span) else {
+                    let Ok(deviations) = four_bar.deviations(frames, theta, turned, &window) else {
                         continue;
                     };
                     shown += 1;
@@ -381,14 +381,17 @@ mod tests {
                         off =
                             off.sup(&(exact - line).map(|it| it - TAU * (it / TAU).round()).abs());
                     }
-                    for (sag, off) in sags.iter().zip(&off) {
-                        assert!(off <= sag, "{linkage}, {place}, {stretch}: {off} of {sag}");
-                        tightest = tightest.min(sag / off);
+                    for (deviation, off) in deviations.iter().zip(&off) {
+                        assert!(
+                            off <= deviation,
+                            "{linkage}, {place}, {stretch}: {off} of {deviation}"
+                        );
+                        tightest = tightest.min(deviation / off);
                     }
                 }
             }
         }
-        assert!(shown > 2000, "only {shown} spans were shown");
+        assert!(shown > 2000, "only {shown} windows were shown");
         assert!(
             tightest < 1.2,
             "at least {tightest} times as much as needed"

@@ -46,7 +46,7 @@ where
 
 /// Assembles the mechanism at time `t`, starting from the `estimate` (n) of its pose.
 ///
-/// [`crate::assemble_from_afar`] is for poor estimates, and for a given branch.
+/// [`crate::assemble_from_rough_estimate`] is for poor estimates, and for a given branch.
 ///
 /// # Work
 /// That of [`advance`].

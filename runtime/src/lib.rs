@@ -16,7 +16,7 @@
 //!
 //! [`advance`] takes the pose to which Newton-Raphson converges; [`follow`] takes only one that is on the same path and
 //! branch, goes there in as many steps as it needs, and names the time at which a path ends. [`assemble`] is for good
-//! estimates, [`assemble_from_afar`] for poor ones.
+//! estimates, [`assemble_from_rough_estimate`] for poor ones.
 //!
 //! Around the blocks of a mechanism stands a [`Shell`]: it assembles, keeps the last frame and the next one, takes parameters and
 //! inputs, and moves from frame to frame on one smooth path, which a [`Guard`] shows, in as many steps as that takes. Every generated
@@ -87,10 +87,11 @@ pub mod contact;
 mod continuation;
 mod crossing;
 pub mod damped;
+mod deviations;
 pub mod equations;
-pub mod explained;
 mod factored_inverse;
 pub mod failure;
+pub mod failure_message;
 mod generated;
 pub mod guard;
 mod inverse;
@@ -107,15 +108,14 @@ mod passage;
 pub mod path;
 mod progress;
 mod regularity;
-mod sags;
 pub mod scale;
 pub mod settings;
 pub mod shell;
 pub mod signal;
-pub mod span;
 pub mod substeps;
 pub mod table;
 pub mod thresholds;
+pub mod time_window;
 pub mod torn;
 mod vector;
 mod watch;
@@ -123,15 +123,15 @@ mod way;
 
 pub use nalgebra;
 
-pub use assembly::assemble_from_afar;
+pub use assembly::assemble_from_rough_estimate;
 pub use block::Start;
 pub use block_equations::BlockEquations;
 pub use blocks::{Blocks, Conditions, Signals, Values};
 pub use chain_isolation::isolate_chain;
 pub use closed_form::{Branch, Mode};
 pub use equations::Equations;
-pub use explained::{BlockName, Explained};
 pub use failure::{Failure, FailureKind};
+pub use failure_message::{BlockName, FailureMessage};
 pub use guard::{Guard, Pair};
 pub use isolation::{Chord, isolate};
 pub use kinematics::{Frame, advance, assemble};
@@ -145,9 +145,9 @@ pub use scale::Scales;
 pub use settings::Settings;
 pub use shell::{Mechanism, Shell};
 pub use signal::Signal;
-pub use span::{Span, Tube};
 pub use substeps::{Broken, in_steps};
 pub use table::Table;
+pub use time_window::{PathEnclosure, TimeWindow};
 pub use torn::Torn;
 
 // Here, so that documentation elsewhere finds their items where this one shows them.

@@ -9,7 +9,7 @@
 
 use core::fmt;
 
-use crate::explained::BlockName;
+use crate::failure_message::BlockName;
 use crate::linear::Measure;
 use crate::math::Real;
 

@@ -27,7 +27,7 @@ pub struct Shell<B: Blocks> {
     parameters: B::Parameters,
     inputs: B::Inputs,
     settings: Settings<B::Scalar>,
-    guard: Guard<B::Scalar, B::Inputs, B::Tubes>,
+    guard: Guard<B::Scalar, B::Inputs, B::PathEnclosures>,
     clock: Clock<B::Scalar>,
 }
 

@@ -37,7 +37,7 @@ pub(crate) struct Way<'a, B: Blocks> {
     /// Where the next frame is written.
     pub next: &'a mut B::Frame,
     pub branches: B::Branches,
-    pub guard: &'a mut Guard<B::Scalar, B::Inputs, B::Tubes>,
+    pub guard: &'a mut Guard<B::Scalar, B::Inputs, B::PathEnclosures>,
 }
 
 impl<B: Blocks> Way<'_, B> {

@@ -38,7 +38,7 @@ macro_rules! generated {
                 ..Settings::default()
             };
             let equations = $module::Textbook;
-            let drawn = SVector::from($module::Coordinates::DRAWN.to_array());
+            let drawn = SVector::from($module::Coordinates::DESIGN.to_array());
             let start = linkwright::assemble(&equations, &drawn, 0.0, &settings);
             let start = start.unwrap_or_else(|failure| panic!("{failure}"));
             sweep(

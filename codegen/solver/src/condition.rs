@@ -5,7 +5,7 @@
 //! Computations*, 4th ed., section 2.6.2). Of Φ_q in SI units it depends on the unit of length, so verdicts are made on
 //! the [`dimensionless`] matrix.
 //!
-//! The module does not know joints or bodies: indices of rows and columns become names in [`crate::concerned`].
+//! The module does not know joints or bodies: indices of rows and columns become names in [`crate::singular_participants`].
 
 use linkwright::{Equations, Factorization, Scales};
 use nalgebra::{DMatrix, DVector, Dyn};

@@ -4,7 +4,8 @@ use std::cell::Cell;
 use std::sync::Arc;
 
 use linkwright::{
-    BlockName, Blocks, Conditions, Equations, Failure, Pair, PointMotion, Span, Start, block, path,
+    BlockName, Blocks, Conditions, Equations, Failure, Pair, PointMotion, Start, TimeWindow, block,
+    path,
 };
 use linkwright_codegen::stages::emit::derivation::SingularPose;
 use linkwright_codegen::stages::system::System;
@@ -90,16 +91,16 @@ impl Blocks for Dense {
     type Branches = Modes;
     type Parameters = ParameterValues;
     type Inputs = InputSignals;
-    type Tubes = ();
+    type PathEnclosures = ();
 
     /// Each step looks by itself whether it may have left the path; see [`linkwright::path::step`].
     fn is_guarded(&self) -> bool {
         false
     }
 
-    fn tubes(&self) {}
+    fn enclosures(&self) {}
 
-    fn keeps_to_path(&self, _: &Pair<'_, Dense>, _: &Span, (): &mut ()) -> Result<(), u16> {
+    fn verify_path(&self, _: &Pair<'_, Dense>, _: &TimeWindow, (): &mut ()) -> Result<(), u16> {
         Ok(())
     }
 

@@ -7,11 +7,11 @@ use linkwright_codegen::stages::joint::Quantity;
 use linkwright_codegen::stages::system::System;
 use nalgebra::{DMatrix, DVector};
 
-use crate::concerned::Concerned;
 use crate::condition::{Condition, Weakness, dimensionless, jacobian};
 use crate::dense::Dense;
 use crate::instant::Instant;
 use crate::number::{scientific, time};
+use crate::singular_participants::SingularParticipants;
 use crate::textbook::TextbookEquations;
 use crate::view::View;
 
@@ -150,7 +150,7 @@ pub fn unit(system: &System, row: usize) -> String {
 
 fn concerned(system: &System, matrix: &DMatrix<f64>) -> String {
     match Weakness::of(matrix) {
-        Some(weakness) => Concerned::of(system, &weakness).to_string(),
+        Some(weakness) => SingularParticipants::of(system, &weakness).to_string(),
         None => "Φ_q has entries that are not finite".to_string(),
     }
 }

@@ -1,11 +1,11 @@
-//! *What shows that blocks keep to their path* → whether an instant lies on the path of the last one.
+//! *What shows that blocks stay on their path* → whether an instant lies on the path of the last one.
 //!
 //! The statements are those of generated code; see [`linkwright::guard`].
 
 use linkwright::chain_isolation::isolate_whole_chain;
 use linkwright::isolation::isolate_all;
-use linkwright::span::required;
-use linkwright::{Chord, Pair, Span, Tube};
+use linkwright::time_window::required;
+use linkwright::{Chord, Pair, PathEnclosure, TimeWindow};
 use linkwright_codegen::stages::expr::{Code, Register, SymbolId};
 use linkwright_codegen::stages::program::{Function, Program};
 use linkwright_codegen::stages::system::{SymbolRole, System};
@@ -25,15 +25,15 @@ pub(crate) struct InterpretedPath {
     /// The number of each block of the plan.
     numbers: Vec<u16>,
     /// The places of what Newton-Raphson finds, and how far it may be from a straight line where it moves.
-    tubes: Vec<(usize, Option<Register>)>,
+    enclosures: Vec<(usize, Option<Register>)>,
 }
 
-/// What shows something of a span.
+/// What shows something of a window.
 #[derive(Clone, Debug)]
 struct Shown {
     code: Code,
-    /// The time, the stretch, the bend, what lies beyond, and the rounding.
-    span: [Register; 5],
+    /// The time, the stretch, the remainder, what lies beyond, and the rounding.
+    window: [Register; 5],
     /// What is read of the instant, and of the last one, and where it is there.
     read: [Vec<(Register, usize)>; 2],
     operations: Vec<Operation>,
@@ -48,12 +48,12 @@ pub(crate) struct Isolation {
     pub blocks: Vec<usize>,
     pub bounds: Vec<Register>,
     pub curvatures: Vec<Register>,
-    pub ways: Vec<Register>,
+    pub changes: Vec<Register>,
     pub sizes: Vec<Register>,
     pub jacobian: Vec<([usize; 2], Register)>,
     pub turns: Vec<bool>,
     pub turning: Vec<([usize; 2], Register)>,
-    /// One sag an unknown.
+    /// One deviation an unknown.
     pub found: Vec<Register>,
     pub variation: Vec<Operation>,
     pub varied: Vec<([usize; 2], Register)>,
@@ -71,33 +71,33 @@ impl InterpretedPath {
         let unknowns: Vec<(SymbolId, Option<SymbolId>)> = unknowns
             .map(|unknown| {
                 let position = system.vector_form.unknowns[*unknown].position;
-                (position, path.sags.get(unknown).copied())
+                (position, path.deviations.get(unknown).copied())
             })
             .collect();
-        let sags = unknowns.iter().filter_map(|(_, sag)| *sag);
-        let own = &path.span;
+        let deviations = unknowns.iter().filter_map(|(_, deviation)| *deviation);
+        let own = &path.window;
         let given = Given {
             system,
             program,
-            span: [own.time, own.stretch, own.bend, own.beyond, own.rounding],
+            window: [own.time, own.steps, own.remainder, own.beyond, own.rounding],
             layout,
         };
-        let (whole, sags) = given.shown(&path.function, sags.collect());
+        let (whole, deviations) = given.shown(&path.function, deviations.collect());
         let closed = path.closed.as_ref();
         let closed = closed.map(|function| given.shown(function, Vec::new()).0);
-        let mut sags = sags.into_iter();
-        let tubes = unknowns.into_iter().map(|(position, sag)| {
-            let sag = sag.and_then(|_| sags.next());
-            (given.slot(position), sag)
+        let mut deviations = deviations.into_iter();
+        let enclosures = unknowns.into_iter().map(|(position, deviation)| {
+            let deviation = deviation.and_then(|_| deviations.next());
+            (given.slot(position), deviation)
         });
-        let tubes = tubes.collect();
+        let enclosures = enclosures.collect();
         let places = program.blocks.iter().filter_map(|block| block.place);
         let numbers = 0..places.max().map_or(0, |last| last + 1);
         Some(InterpretedPath {
             whole,
             closed,
             numbers: numbers.map(|place| program.number_of(place)).collect(),
-            tubes,
+            enclosures,
         })
     }
 
@@ -113,56 +113,60 @@ impl InterpretedPath {
         self.closed.is_some()
     }
 
-    /// How many tubes there are.
-    pub fn tube_count(&self) -> usize {
-        self.tubes.len()
+    /// How many enclosures there are.
+    pub fn enclosure_count(&self) -> usize {
+        self.enclosures.len()
     }
 
-    /// See [`Blocks::keeps_to_path`](linkwright::Blocks::keeps_to_path).
+    /// See [`Blocks::verify_path`](linkwright::Blocks::verify_path).
     pub fn keep(
         &self,
         pair: &Pair<'_, Interpreted>,
-        span: &Span,
-        tubes: &mut Vec<Tube>,
+        window: &TimeWindow,
+        enclosures: &mut Vec<PathEnclosure>,
         registers: &mut [f64],
     ) -> Result<(), u16> {
-        self.whole.show(pair, span, &self.numbers, registers)?;
+        self.whole.show(pair, window, &self.numbers, registers)?;
         let instants = [pair.at, pair.last].map(Instant::values);
-        let tube = |&(slot, sag): &(usize, Option<Register>)| {
+        let enclosure = |&(slot, deviation): &(usize, Option<Register>)| {
             let [now, before] = instants.map(|values| values[slot]);
-            Tube::new(now, before, sag.map_or(0.0, |sag| registers[sag.index()]))
+            PathEnclosure::new(
+                now,
+                before,
+                deviation.map_or(0.0, |deviation| registers[deviation.index()]),
+            )
         };
-        tubes.clear();
-        tubes.extend(self.tubes.iter().map(tube));
+        enclosures.clear();
+        enclosures.extend(self.enclosures.iter().map(enclosure));
         Ok(())
     }
 
     /// See [`Blocks::is_within`](linkwright::Blocks::is_within).
-    pub fn are_within(&self, at: &Instant, tubes: &[Tube], steps: f64) -> bool {
-        let mut tubes = self.tubes.iter().zip(tubes);
-        tubes.all(|(&(slot, _), tube)| tube.holds(at.values()[slot], steps))
+    pub fn are_within(&self, at: &Instant, enclosures: &[PathEnclosure], steps: f64) -> bool {
+        let mut enclosures = self.enclosures.iter().zip(enclosures);
+        enclosures.all(|(&(slot, _), enclosure)| enclosure.holds(at.values()[slot], steps))
     }
 
-    /// See [`Blocks::stays_regular`](linkwright::Blocks::stays_regular).
+    /// See [`Blocks::verify_nonsingular`](linkwright::Blocks::verify_nonsingular).
     pub fn stay(
         &self,
         pair: &Pair<'_, Interpreted>,
-        span: &Span,
+        window: &TimeWindow,
         registers: &mut [f64],
     ) -> Result<(), u16> {
         match &self.closed {
-            Some(closed) => closed.show(pair, span, &self.numbers, registers),
+            Some(closed) => closed.show(pair, window, &self.numbers, registers),
             None => Err(0),
         }
     }
 }
 
-/// What functions that show something of a span are written with.
+/// What functions that show something of a window are written with.
 struct Given<'a> {
     system: &'a System,
     program: &'a Program,
-    /// The time, the stretch, the bend, what lies beyond, and the rounding.
-    span: [SymbolId; 5],
+    /// The time, the stretch, the remainder, what lies beyond, and the rounding.
+    window: [SymbolId; 5],
     layout: &'a Layout,
 }
 
@@ -178,7 +182,7 @@ impl Given<'_> {
     /// A function as operations, and where they leave what is asked for.
     fn shown(&self, function: &Function, asked: Vec<SymbolId>) -> (Shown, Vec<Register>) {
         let mut writer = Writer::new(self.system, self.program);
-        let span = self.span.map(|symbol| writer.found(symbol));
+        let window = self.window.map(|symbol| writer.found(symbol));
         writer.body(function);
         let operations = writer.take();
         let asked = asked.into_iter().map(|it| writer.assembler.symbol(it));
@@ -193,7 +197,7 @@ impl Given<'_> {
         let (code, _) = writer.finish();
         let shown = Shown {
             code,
-            span,
+            window,
             read,
             operations,
         };
@@ -207,7 +211,7 @@ impl Shown {
     fn show(
         &self,
         pair: &Pair<'_, Interpreted>,
-        span: &Span,
+        window: &TimeWindow,
         numbers: &[u16],
         registers: &mut [f64],
     ) -> Result<(), u16> {
@@ -217,21 +221,21 @@ impl Shown {
                 registers[register.index()] = values[slot];
             }
         }
-        let spans = [
-            span.time,
-            span.stretch,
-            span.bend,
-            span.beyond,
-            span.rounding,
+        let numbers_of_window = [
+            window.time,
+            window.steps,
+            window.remainder,
+            window.beyond,
+            window.rounding,
         ];
-        for (register, value) in self.span.iter().zip(spans) {
+        for (register, value) in self.window.iter().zip(numbers_of_window) {
             registers[register.index()] = value;
         }
         let [before, now] = [pair.before, pair.conditions.inputs];
         for operation in &self.operations {
             match operation {
                 Operation::Signal { input, found } => {
-                    let bounds = span.signal(&before.0[*input], &now.0[*input]);
+                    let bounds = window.signal(&before.0[*input], &now.0[*input]);
                     for (register, value) in found.iter().zip(bounds) {
                         registers[register.index()] = value;
                     }
@@ -240,7 +244,7 @@ impl Shown {
                     required(registers[value.index()], numbers[*block])?;
                 }
                 Operation::Isolate(isolation) => {
-                    let found = isolation.find(span, &self.code, registers);
+                    let found = isolation.find(window, &self.code, registers);
                     found.map_err(|block| numbers[block])?;
                 }
                 _ => run(operation, &self.code, registers, 0.0, 0)
@@ -254,7 +258,7 @@ impl Shown {
 impl Isolation {
     /// # Errors
     /// The block of the plan of which it cannot be shown.
-    fn find(&self, span: &Span, code: &Code, registers: &mut [f64]) -> Result<(), usize> {
+    fn find(&self, window: &TimeWindow, code: &Code, registers: &mut [f64]) -> Result<(), usize> {
         let order = self.found.len();
         let fill =
             |matrix: &mut DMatrix<f64>, entries: &[([usize; 2], Register)], registers: &[f64]| {
@@ -271,20 +275,20 @@ impl Isolation {
             matrix
         };
         let chord = Chord {
-            bend: span.bend,
+            remainder: window.remainder,
             bounds: vector(&self.bounds),
             curvatures: vector(&self.curvatures),
-            ways: vector(&self.ways),
+            changes: vector(&self.changes),
             sizes: vector(&self.sizes),
             jacobian: &mut matrix(&self.jacobian, registers),
             turns: DVector::from_column_slice(&self.turns),
             turning: &mut matrix(&self.turning, registers),
         };
-        let sags = match self.is_chain {
-            true => isolate_whole_chain(span, chord),
-            false => isolate_all(chord, |sags, variation| {
-                for (register, sag) in self.found.iter().zip(sags.iter()) {
-                    registers[register.index()] = *sag;
+        let deviations = match self.is_chain {
+            true => isolate_whole_chain(window, chord),
+            false => isolate_all(chord, |deviations, variation| {
+                for (register, deviation) in self.found.iter().zip(deviations.iter()) {
+                    registers[register.index()] = *deviation;
                 }
                 for operation in &self.variation {
                     // What bounds are made of cannot fail.
@@ -293,9 +297,9 @@ impl Isolation {
                 fill(variation, &self.varied, registers);
             }),
         };
-        let sags = sags.map_err(|row| self.blocks[row])?;
-        for (register, sag) in self.found.iter().zip(sags.iter()) {
-            registers[register.index()] = *sag;
+        let deviations = deviations.map_err(|row| self.blocks[row])?;
+        for (register, deviation) in self.found.iter().zip(deviations.iter()) {
+            registers[register.index()] = *deviation;
         }
         Ok(())
     }

@@ -10,9 +10,9 @@ pub(super) mod drawing;
 pub(super) mod facts;
 pub(super) mod forces;
 pub(super) mod needs;
+pub(super) mod path_enclosures;
 pub(super) mod scope;
 pub(super) mod tables;
-pub(super) mod tubes;
 
 use super::Notation;
 use super::derivation::{self, BlockWords, PlainWords, Script, SingularPose};
@@ -52,8 +52,8 @@ pub(super) struct Module<'a> {
     /// What the frame calls what it keeps beside the coordinates.
     fields: LocalNames,
     comments: PlainWords,
-    /// The sags that tubes are filled with.
-    tubes: IdSet<SymbolId>,
+    /// The deviations that enclosures are filled with.
+    enclosures: IdSet<SymbolId>,
     /// The blocks that exchange a mode where it meets the other one, by the mode's symbol.
     pub exchanged: IdMap<SymbolId, usize>,
 }
@@ -84,7 +84,7 @@ impl<'a> Module<'a> {
             names,
             assemblies: stored(system, program),
             comments: PlainWords::new(system, Notation::Unicode),
-            tubes: tubes::sags_of_tubes(program, system),
+            enclosures: path_enclosures::deviations_of_enclosures(program, system),
             exchanged: needs::exchanged_by(system, program),
             system,
             program,
@@ -125,15 +125,15 @@ impl<'a> Module<'a> {
         self.fields.name_of(symbol).unwrap_or_default()
     }
 
-    /// What a symbol is called that says what the span is like.
+    /// What a symbol is called that says what the window is like.
     pub(super) fn span_part(&self, symbol: SymbolId) -> Option<&'static str> {
-        let span = &self.program.path.as_ref()?.span;
+        let window = &self.program.path.as_ref()?.window;
         let parts = [
-            (span.time, "time"),
-            (span.stretch, "stretch"),
-            (span.bend, "bend"),
-            (span.beyond, "beyond"),
-            (span.rounding, "rounding"),
+            (window.time, "time"),
+            (window.steps, "steps"),
+            (window.remainder, "remainder"),
+            (window.beyond, "beyond"),
+            (window.rounding, "rounding"),
         ];
         parts
             .into_iter()
@@ -141,9 +141,9 @@ impl<'a> Module<'a> {
             .map(|(_, name)| name)
     }
 
-    /// Whether a sag is that of a tube.
-    pub(super) fn has_tube(&self, sag: SymbolId) -> bool {
-        self.tubes.contains(&sag)
+    /// Whether a deviation is that of a enclosure.
+    pub(super) fn has_enclosure(&self, deviation: SymbolId) -> bool {
+        self.enclosures.contains(&deviation)
     }
 
     /// Words as a comment says them.

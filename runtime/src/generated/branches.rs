@@ -19,7 +19,7 @@ macro_rules! branches {
 
         impl $name {
             /// The modes of the drawing.
-            pub const DRAWN: Self = Self { $($field: $drawn,)* };
+            pub const DESIGN: Self = Self { $($field: $drawn,)* };
 
             /// True if a block can exchange its mode.
             const MAY_CROSS: bool = !<[u16]>::is_empty(&[$($($number,)?)*]);

@@ -13,7 +13,7 @@ macro_rules! mechanism {
         $name:ident, $label:literal;
         parameters: $($parameters:ident)?;
         inputs: $($inputs:ident)?;
-        path: $path:ident $(, tubes: $tubes:literal)?;
+        path: $path:ident $(, enclosures: $enclosures:literal)?;
         $(drawn: $drawn:ident;)?
         $(requirements: $requirements:ident;)?
         $(driven: $driven:ident;)?
@@ -30,7 +30,7 @@ macro_rules! mechanism {
 
         /// Where Newton-Raphson may go.
         #[allow(dead_code)]
-        type Tubes = [Tube; 0 $(+ $tubes)?];
+        type PathEnclosures = [PathEnclosure; 0 $(+ $enclosures)?];
 
         /// A frame with the one before it.
         #[allow(dead_code)]
@@ -47,7 +47,7 @@ macro_rules! mechanism {
             type Branches = Branches;
             type Parameters = $crate::or_unit!(@type $($parameters)?);
             type Inputs = $crate::or_unit!(@type $($inputs)?);
-            type Tubes = Tubes;
+            type PathEnclosures = PathEnclosures;
 
             fn nominal_parameters(&self) -> Self::Parameters {
                 Default::default()
@@ -58,7 +58,7 @@ macro_rules! mechanism {
             }
 
             fn drawn_branches(&self) -> Branches {
-                Branches::DRAWN
+                Branches::DESIGN
             }
 
             fn exchanged(&self, branches: &Branches, block: u16) -> Option<Branches> {
@@ -103,12 +103,12 @@ macro_rules! mechanism {
                 $crate::path!(@is $path)
             }
 
-            fn tubes(&self) -> Tubes {
-                [Tube::STILL; 0 $(+ $tubes)?]
+            fn enclosures(&self) -> PathEnclosures {
+                [PathEnclosure::STILL; 0 $(+ $enclosures)?]
             }
 
-            fn keeps_to_path(&self, _pair: &Pair<'_>, _span: &Span, _tubes: &mut Tubes) -> Result<(), u16> {
-                $crate::path!(@keeps $path, _pair, _span, _tubes)
+            fn verify_path(&self, _pair: &Pair<'_>, _span: &TimeWindow, _enclosures: &mut PathEnclosures) -> Result<(), u16> {
+                $crate::path!(@keeps $path, _pair, _span, _enclosures)
             }
 
             #[inline]
@@ -116,13 +116,13 @@ macro_rules! mechanism {
                 $crate::path!(@closed $path)
             }
 
-            fn stays_regular(&self, _pair: &Pair<'_>, _span: &Span) -> Result<(), u16> {
+            fn verify_nonsingular(&self, _pair: &Pair<'_>, _span: &TimeWindow) -> Result<(), u16> {
                 $crate::path!(@stays $path, _pair, _span)
             }
 
             #[inline]
-            fn is_within(&self, _at: &Frame, _tubes: &Tubes, _steps: Scalar) -> bool {
-                $crate::path!(@within $path, _at, _tubes, _steps $(, $tubes)?)
+            fn is_within(&self, _at: &Frame, _enclosures: &PathEnclosures, _steps: Scalar) -> bool {
+                $crate::path!(@within $path, _at, _enclosures, _steps $(, $enclosures)?)
             }
 
             fn name(&self) -> &str {
@@ -215,7 +215,7 @@ macro_rules! mechanism {
 
         /// A failure in the mechanism's own terms, as one sentence.
         #[allow(dead_code)]
-        pub fn describe(failure: &Failure) -> Explained {
+        pub fn describe(failure: &Failure) -> FailureMessage {
             const { &Loops }.explained(failure)
         }
 
@@ -226,7 +226,7 @@ macro_rules! mechanism {
             /// # Errors
             /// A [`Failure`] where it cannot be assembled so.
             pub fn assemble(t: Scalar $(, inputs: &$inputs)?) -> Result<Self, Failure> {
-                Self::assemble_on(Branches::DRAWN, t $(, inputs as &$inputs)?)
+                Self::assemble_on(Branches::DESIGN, t $(, inputs as &$inputs)?)
             }
 
             /// Assembles the mechanism at time `t` (s) in other modes than the drawing's.
@@ -252,7 +252,7 @@ macro_rules! mechanism {
                 settings: Settings,
             ) -> Result<Self, Failure> {
                 let inputs = $crate::or_unit!(@value inputs $(, $inputs)?);
-                Shell::assemble(Loops, &Default::default(), estimate, Branches::DRAWN, t, inputs, settings).map(Self)
+                Shell::assemble(Loops, &Default::default(), estimate, Branches::DESIGN, t, inputs, settings).map(Self)
             }
 
             /// Assembles the mechanism at time `t` (s) in these modes, with angles near those of `estimate`. Where a block needs
@@ -358,7 +358,7 @@ macro_rules! drawing {
                 // Displacements, which are no coordinates, come after them.
                 match $drawn(parameters).first_chunk() {
                     Some(pose) => Self::from_array(*pose),
-                    None => Self::DRAWN,
+                    None => Self::DESIGN,
                 }
             }
         }
@@ -380,7 +380,7 @@ macro_rules! parametric {
             pub fn assemble_for(parameters: &$parameters, t: Scalar $(, inputs: &$inputs)?) -> Result<Self, Failure> {
                 let (pose, settings) = (Loops.drawn_pose(parameters), Settings::default());
                 let inputs = $crate::or_unit!(@value inputs $(, $inputs)?);
-                Shell::assemble(Loops, parameters, &pose, Branches::DRAWN, t, inputs, settings).map(Self)
+                Shell::assemble(Loops, parameters, &pose, Branches::DESIGN, t, inputs, settings).map(Self)
             }
         }
     };
@@ -391,7 +391,7 @@ macro_rules! parametric {
 #[macro_export]
 macro_rules! or_drawn {
     ($coordinates:ident, $parameters:ident) => {
-        $coordinates::DRAWN
+        $coordinates::DESIGN
     };
     ($coordinates:ident, $parameters:ident, $drawn:ident) => {
         $coordinates::drawn($parameters)
@@ -414,22 +414,22 @@ macro_rules! path {
     (@closed $path:ident) => {
         false
     };
-    (@stays closed, $pair:ident, $span:ident) => {
-        stays_regular($pair, $span)
+    (@stays closed, $pair:ident, $window:ident) => {
+        verify_nonsingular($pair, $window)
     };
-    (@stays $path:ident, $pair:ident, $span:ident) => {
+    (@stays $path:ident, $pair:ident, $window:ident) => {
         Err(0)
     };
-    (@keeps unguarded, $pair:ident, $span:ident, $tubes:ident) => {
+    (@keeps unguarded, $pair:ident, $window:ident, $enclosures:ident) => {
         Ok(())
     };
-    (@keeps $path:ident, $pair:ident, $span:ident, $tubes:ident) => {
-        keeps_to_path($pair, $span, $tubes)
+    (@keeps $path:ident, $pair:ident, $window:ident, $enclosures:ident) => {
+        verify_path($pair, $window, $enclosures)
     };
-    (@within guarded, $at:ident, $tubes:ident, $steps:ident, $count:literal) => {
-        is_within($at, $tubes, $steps)
+    (@within guarded, $at:ident, $enclosures:ident, $steps:ident, $count:literal) => {
+        is_within($at, $enclosures, $steps)
     };
-    (@within $path:ident, $at:ident, $tubes:ident, $steps:ident $(, $count:literal)?) => {
+    (@within $path:ident, $at:ident, $enclosures:ident, $steps:ident $(, $count:literal)?) => {
         true
     };
 }

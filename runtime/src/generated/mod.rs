@@ -17,7 +17,7 @@ macro_rules! precision {
         pub mod $name {
             pub use crate::chain_isolation::isolate_chain;
             pub use crate::closed_form::{
-                all_finite, load_not_finite, no_span, not_finite, not_positive, singular_divisor, spans,
+                all_finite, load_not_finite, out_of_reach, not_finite, not_positive, singular_divisor, exceeds_rounding,
             };
             pub use crate::contact::pressure_angle;
             pub use crate::linear::Factorization;
@@ -25,7 +25,7 @@ macro_rules! precision {
             pub use crate::multipliers::multipliers;
             pub use crate::scale::largest_length;
             pub use crate::isolation::{Chord, isolate};
-            pub use crate::span::required;
+            pub use crate::time_window::required;
             pub use crate::{
                 BlockEquations, BlockName, Blocks, Branch, Mechanism, Shell, Start, block, kinematics, math, newton,
                 nalgebra::Const, torn, torn::Torn,
@@ -36,7 +36,7 @@ macro_rules! precision {
             /// How close a block is to a singular pose.
             pub type NormalizedDeterminant = crate::NormalizedDeterminant<Scalar>;
             /// A failure with the name of its block.
-            pub type Explained = crate::Explained<'static, Scalar>;
+            pub type FailureMessage = crate::FailureMessage<'static, Scalar>;
             /// A solve that did not succeed.
             pub type Failure = crate::Failure<Scalar>;
             /// A matrix of R rows and C columns.
@@ -51,10 +51,10 @@ macro_rules! precision {
             pub type Settings = crate::Settings<Scalar>;
             /// A quantity that is supplied with its rate and acceleration.
             pub type Signal = crate::Signal<Scalar>;
-            /// A span of time about two frames.
-            pub type Span = crate::Span<Scalar>;
+            /// A window of time about two frames.
+            pub type TimeWindow = crate::TimeWindow<Scalar>;
             /// A straight line through the values of two frames, and how far a value may be from it.
-            pub type Tube = crate::Tube<Scalar>;
+            pub type PathEnclosure = crate::PathEnclosure<Scalar>;
             /// One Newton-Raphson step.
             pub type Step<const N: usize> = crate::Step<Scalar, Const<N>>;
             /// A smooth curve through N points.

@@ -38,7 +38,7 @@ macro_rules! coordinates {
             pub const NAMES: [&'static str; <[&str]>::len(&[$(stringify!($field)),*])] = [$(stringify!($field)),*];
 
             /// The pose in the drawing, from which the mechanism is assembled.
-            pub const DRAWN: Self = Self { $($field: $drawn,)* };
+            pub const DESIGN: Self = Self { $($field: $drawn,)* };
 
             /// Zero for each, as rates and accelerations are at rest.
             const REST: Self = Self::from_array([0.0; Self::COUNT]);

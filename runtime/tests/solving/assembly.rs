@@ -9,7 +9,8 @@ use linkwright::damped::{SHORTENINGS, solve_damped};
 use linkwright::least_squares::{STEPS, approach};
 use linkwright::nalgebra::SVector;
 use linkwright::{
-    Branch, Equations, FailureKind, Settings, assemble, assemble_from_afar, branch_of, newton,
+    Branch, Equations, FailureKind, Settings, assemble, assemble_from_rough_estimate, branch_of,
+    newton,
 };
 
 /// A reproducible sequence of numbers in [-1, 1) (xorshift64*, Vigna 2016).
@@ -50,8 +51,8 @@ fn least_squares_and_all_together_reach_it_too() {
         assert!(approach(&arctangent(), &mut q, 0.0), "{start}: {}", q[0]);
         assert!(q[0].abs() <= 1e-4);
         let settings = Settings::default();
-        let frame =
-            assemble_from_afar(&arctangent(), &estimate, None, 0.0, &settings).expect("near");
+        let frame = assemble_from_rough_estimate(&arctangent(), &estimate, None, 0.0, &settings)
+            .expect("near");
         assert!(frame.q[0].abs() <= f64::EPSILON, "{start}: {}", frame.q[0]);
     }
 }
@@ -82,20 +83,20 @@ fn an_equation_without_solution_fails_and_leaves_the_pose() {
         assert!(stationary && failure.residual >= 1.0, "{start}: {failure}");
         let estimate = SVector::<f64, 1>::new(start);
         let branch = Some(Branch::Positive);
-        assert!(assemble_from_afar(&none, &estimate, branch, 0.25, &settings).is_err());
+        assert!(assemble_from_rough_estimate(&none, &estimate, branch, 0.25, &settings).is_err());
     }
     // A stationary point is none to start from, with any method.
     let parabola = single(|x| x * x - 1.0, |x| 2.0 * x);
     let estimate = SVector::<f64, 1>::new(0.0);
-    let failure =
-        assemble_from_afar(&parabola, &estimate, None, 0.0, &settings).expect_err("stationary");
+    let failure = assemble_from_rough_estimate(&parabola, &estimate, None, 0.0, &settings)
+        .expect_err("stationary");
     assert!(matches!(failure.kind, FailureKind::Singular { .. }));
     for start in [f64::NAN, f64::INFINITY] {
         let mut q = SVector::<f64, 1>::new(start);
         let failure = solve_damped(&parabola, &mut q, 0.0, &settings).expect_err("no number");
         assert_eq!(failure.kind, FailureKind::NotFinite);
-        let failure =
-            assemble_from_afar(&parabola, &q, None, 0.0, &settings).expect_err("no number");
+        let failure = assemble_from_rough_estimate(&parabola, &q, None, 0.0, &settings)
+            .expect_err("no number");
         assert_eq!(failure.kind, FailureKind::NotFinite);
     }
 }
@@ -109,10 +110,10 @@ fn another_root_is_the_wrong_branch() {
         (-0.5, Branch::Negative, Branch::Positive),
     ] {
         let estimate = SVector::<f64, 1>::new(start);
-        let frame = assemble_from_afar(&parabola, &estimate, Some(near), 0.0, &settings)
+        let frame = assemble_from_rough_estimate(&parabola, &estimate, Some(near), 0.0, &settings)
             .expect("the near root");
         assert_eq!(frame.q[0], near.sign::<f64>());
-        let failure = assemble_from_afar(&parabola, &estimate, Some(far), 0.0, &settings)
+        let failure = assemble_from_rough_estimate(&parabola, &estimate, Some(far), 0.0, &settings)
             .expect_err("the far root");
         assert_eq!(failure.kind, FailureKind::WrongBranch);
         assert!(failure.residual <= 1e-12, "it is a root: {failure}");
@@ -125,16 +126,16 @@ fn perturbed_starts(reach: f64) -> (u32, u32, u32) {
     let truth = closed_form(0.3, 1.0);
     let branch = branch_of(&Turning, &truth, 0.3, &settings).expect("regular");
     let mut sequence = Sequence(99);
-    let (mut from_afar, mut plain, mut other) = (0, 0, 0);
+    let (mut from_rough_estimate, mut plain, mut other) = (0, 0, 0);
     for _ in 0..10_000 {
         let start = truth.map(|x| x + reach * sequence.next());
-        match assemble_from_afar(&Turning, &start, Some(branch), 0.3, &settings) {
+        match assemble_from_rough_estimate(&Turning, &start, Some(branch), 0.3, &settings) {
             Ok(frame) => {
                 // On this branch there is one pose, but for whole turns of the rod.
                 let mut difference = frame.q - truth;
                 difference[5] -= TAU * (difference[5] / TAU).round();
                 assert!(difference.amax() <= 1e-13, "{difference}");
-                from_afar += 1;
+                from_rough_estimate += 1;
             }
             Err(failure) => {
                 assert_eq!(failure.kind, FailureKind::WrongBranch, "{failure}");
@@ -145,22 +146,22 @@ fn perturbed_starts(reach: f64) -> (u32, u32, u32) {
         let right = newton.is_ok_and(|frame| frame.q[5].rem_euclid(TAU) < PI);
         plain += u32::from(right);
     }
-    assert_eq!(from_afar + other, 10_000);
-    (from_afar, plain, other)
+    assert_eq!(from_rough_estimate + other, 10_000);
+    (from_rough_estimate, plain, other)
 }
 
 #[test]
 fn half_a_radian_and_half_a_link_are_near_enough() {
-    let (from_afar, _, _) = perturbed_starts(0.5);
-    assert_eq!(from_afar, 10_000);
+    let (from_rough_estimate, _, _) = perturbed_starts(0.5);
+    assert_eq!(from_rough_estimate, 10_000);
 }
 
 #[test]
 fn from_farther_away_more_assemble_than_by_newton_raphson_and_the_others_are_named() {
-    let (from_afar, plain, _) = perturbed_starts(1.5);
+    let (from_rough_estimate, plain, _) = perturbed_starts(1.5);
     assert!(
-        from_afar >= plain && from_afar >= 8_000,
-        "{from_afar} {plain}"
+        from_rough_estimate >= plain && from_rough_estimate >= 8_000,
+        "{from_rough_estimate} {plain}"
     );
 }
 
@@ -171,7 +172,8 @@ fn single_precision_assembles_too() {
     let mut sequence = Sequence(7);
     for _ in 0..1000 {
         let start = truth.map(|x| (x + 0.5 * sequence.next()) as f32);
-        let frame = assemble_from_afar(&Turning, &start, None, 0.3, &settings).expect("near");
+        let frame =
+            assemble_from_rough_estimate(&Turning, &start, None, 0.3, &settings).expect("near");
         let error = (frame.q.map(f64::from) - truth).amax();
         assert!(error <= 4e-6, "{error:e}");
     }
@@ -225,7 +227,7 @@ fn work_is_bounded<E: Equations<f64, D>, D: linkwright::nalgebra::DimName>(
                 "{count:?}"
             );
             for branch in [None, Some(Branch::Positive), Some(Branch::Negative)] {
-                let _ = assemble_from_afar(&equations, start, branch, 0.3, &settings);
+                let _ = assemble_from_rough_estimate(&equations, start, branch, 0.3, &settings);
                 let count = equations.take();
                 assert!(count.residuals <= 13 * n + 74, "{count:?}");
                 assert!(count.jacobians <= 5 * n + 79, "{count:?}");

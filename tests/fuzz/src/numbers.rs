@@ -2,7 +2,7 @@
 //! links meet, as computed here from the numbers themselves.
 
 use arbitrary::{Result, Unstructured};
-use linkwright::{Settings, assemble_from_afar};
+use linkwright::{Settings, assemble_from_rough_estimate};
 use linkwright_codegen::diagnostic::Source;
 use linkwright_solver::textbook::TextbookEquations;
 
@@ -118,7 +118,8 @@ fn attempt(input: &mut Unstructured<'_>) -> Result<String> {
     }
     let equations = TextbookEquations::new(&system);
     let settings = Settings::default();
-    let found = assemble_from_afar(&equations, equations.estimate(), None, 0.0, &settings);
+    let found =
+        assemble_from_rough_estimate(&equations, equations.estimate(), None, 0.0, &settings);
     let frame = match found {
         Ok(frame) => frame,
         Err(failure) => {

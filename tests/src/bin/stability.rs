@@ -21,7 +21,7 @@ struct Arguments {
 
 const EXPLANATION: &str = "\
 Each row is a motion (or one instant), each cell one way to solve it. `followed` is the textbook view assembled with
-`assemble_from_afar` and moved with `follow`, which promise the path and its branch; `plain` is `assemble` and `advance`, which
+`assemble_from_rough_estimate` and moved with `follow`, which promise the path and its branch; `plain` is `assemble` and `advance`, which
 promise a pose but not which; the third column is the generated mechanism, `assemble_with` and `advance`.
 
 A cell `3e-16 (2e-16) ≤ 4e-15, 0.12` says that the worst coordinate of all instants is off by 3e-16 (lengths in the size of the

@@ -69,9 +69,9 @@ fn run(arguments: &Arguments) -> Result<u32, Box<dyn Error>> {
          seed {SEED:#x}\n\n{EXPLANATION}\n**{wrong} wrong.**\n\n\
          ## The generated mechanism, `assemble_from`\n\nBlock by block in the modes of the drawing. Not listed: mechanisms with motions \
          or outputs.\n\n{}\n\
-         ## The textbook view, `assemble_from_afar`\n\nAll equations at once, on the branch of the drawing: one sign.\n\n{}\n\
+         ## The textbook view, `assemble_from_rough_estimate`\n\nAll equations at once, on the branch of the drawing: one sign.\n\n{}\n\
          ## The textbook view, `assemble`\n\nNewton-Raphson alone, which is for good estimates.\n\n{}\n\
-         ## Work of `assemble_from_afar`\n\nEvaluations of Φ_q and Φ of one start. At most 204 and 395 with the default \
+         ## Work of `assemble_from_rough_estimate`\n\nEvaluations of Φ_q and Φ of one start. At most 204 and 395 with the default \
          settings.\n\n{}",
         environment.lines(),
         arguments.starts,

@@ -314,14 +314,14 @@ fn calls(declared: &Declared, suffix: &str) -> String {
                     failed(&mechanism.failure);
                 }}
             }} else if (letter == 'b') {{
-                {type_name}Branches branches = {capitals}_DRAWN_BRANCHES;
+                {type_name}Branches branches = {capitals}_DESIGN_BRANCHES;
                 const int k = (int)value;
                 (void)k;
 {modes}                assembled({prefix}_assemble_on(&fresh, &branches, t{inputs}));
             }} else if (letter == 'e') {{
                 {type_name}Coordinates estimate;
                 REAL values[{n}];
-                memcpy(values, &{capitals}_DRAWN, sizeof(values));
+                memcpy(values, &{capitals}_DESIGN, sizeof(values));
                 for (size_t k = 0; k < {n}; k += 1) {{
                     values[k] += ((k % 3) == 0) ? value : -value;
                 }}

@@ -268,12 +268,12 @@ fn run_{answers}(calls: &[Call]) -> String {{
                     continue;
                 }}
                 'b' => {{
-                    let mut branches = Branches::DRAWN;
+                    let mut branches = Branches::DESIGN;
                     {modes}
                     {type_name}::assemble_on(branches, t{inputs}).map(|it| {{ held = Some(it); }})
                 }}
                 'e' => {{
-                    let mut values = Coordinates::DRAWN.to_array();
+                    let mut values = Coordinates::DESIGN.to_array();
                     for (k, value) in values.iter_mut().enumerate() {{
                         *value += if k % 3 == 0 {{ call.value as {real} }} else {{ -(call.value as {real}) }};
                     }}

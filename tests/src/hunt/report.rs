@@ -145,7 +145,7 @@ poses exist beyond it.
 **An outcome** is *correct* if q, q̇ and q̈ are within condition × rounding of the exact motion on the path (the bound of `stability.md`; a rate may also be off by what elimination mixes into it, 3 n ε |A⁻¹| |L| |U| |x|). A pose
 elsewhere must be within the bound of an exact pose of the same equations; it is *another pose* where the call does not promise which one, and wrong
 otherwise. What is promised: by `follow`, by the motion of a generated mechanism: the path, in the latter case but for whole turns of an
-angle that has moved by half a turn in one step; by `assemble_from_afar` on a branch: the sign of the determinant; by an assembly of a generated mechanism
+angle that has moved by half a turn in one step; by `assemble_from_rough_estimate` on a branch: the sign of the determinant; by an assembly of a generated mechanism
 all of whose blocks are in closed form: the modes of the drawing; by `assemble` and `advance` of the textbook view: a pose.
 ";
 

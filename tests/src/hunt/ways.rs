@@ -6,7 +6,8 @@
 use linkwright::nalgebra::allocator::Allocator;
 use linkwright::nalgebra::{Const, DefaultAllocator, Dim, OVector};
 use linkwright::{
-    Blocks, Branch, Equations, Frame, Real, Settings, advance, assemble, assemble_from_afar, follow,
+    Blocks, Branch, Equations, Frame, Real, Settings, advance, assemble,
+    assemble_from_rough_estimate, follow,
 };
 
 use crate::values::{Levels, assembled_from, levels};
@@ -37,7 +38,7 @@ pub struct Task {
 pub enum Call {
     /// `assemble` from a good estimate.
     Assemble,
-    /// `assemble_from_afar` on a branch, from a poor estimate.
+    /// `assemble_from_rough_estimate` on a branch, from a poor estimate.
     Afar,
     /// `advance` from instant to instant in [`FINE`] steps.
     AdvanceFine,
@@ -87,7 +88,7 @@ impl Call {
     pub fn words(self) -> &'static str {
         match self {
             Call::Assemble => "assemble, good estimate",
-            Call::Afar => "assemble_from_afar, poor estimate",
+            Call::Afar => "assemble_from_rough_estimate, poor estimate",
             Call::AdvanceFine => "advance, fine steps",
             Call::Advance => "advance, coarse steps",
             Call::Follow => "follow, coarse steps",
@@ -169,7 +170,7 @@ where
         let found = assemble(equations, &vector(&task.near[instant]), t, &settings);
         answer(Call::Assemble, instant, &found);
         let estimate = vector(&task.scattered[instant]);
-        let found = assemble_from_afar(equations, &estimate, Some(branch), t, &settings);
+        let found = assemble_from_rough_estimate(equations, &estimate, Some(branch), t, &settings);
         answer(Call::Afar, instant, &found);
     }
     let first = T::from_f64(task.times[0]);

@@ -1,6 +1,8 @@
 //! *The equations of a mechanism* → *its motion in both views*, each value with what rounding may make of it.
 
-use linkwright::{Blocks, Failure, Frame, Settings, advance, assemble, assemble_from_afar};
+use linkwright::{
+    Blocks, Failure, Frame, Settings, advance, assemble, assemble_from_rough_estimate,
+};
 use linkwright_codegen::stages::program::forms_of;
 use linkwright_codegen::stages::structure::plan_of_motion;
 use linkwright_codegen::stages::system::System;
@@ -143,7 +145,7 @@ fn textbook(system: &System, judge: &Judge) -> Vec<(&'static str, Moved)> {
             }
         }
     }
-    let afar = assemble_from_afar(&interpreter, estimate, None, TIMES[0], &settings);
+    let afar = assemble_from_rough_estimate(&interpreter, estimate, None, TIMES[0], &settings);
     vec![
         ("textbook", moved),
         (FROM_AFAR, vec![instant(afar).map(|it| it.0)]),

@@ -77,7 +77,7 @@ fn declared(statements: &[Statement], names: &mut Vec<String>) {
             | Statement::Force(_)
             | Statement::Torque(_)
             | Statement::Reaction(_)
-            | Statement::Wish(_)
+            | Statement::Directive(_)
             | Statement::Units(_) => {}
             Statement::Element(it) => found.extend(&it.name),
         }
@@ -159,7 +159,7 @@ impl Renaming {
                 }
                 Statement::Torque(it) => self.name(&it.body),
                 Statement::Reaction(it) => it.names.iter().for_each(|name| self.name(name)),
-                Statement::Gravity(_) | Statement::Wish(_) | Statement::Units(_) => {}
+                Statement::Gravity(_) | Statement::Directive(_) | Statement::Units(_) => {}
                 Statement::Motion(it) => {
                     self.name(&it.name);
                     self.statements(&it.statements);

@@ -97,7 +97,7 @@ fn ordered(text: &str, statements: &[Statement], random: &mut Random) -> String 
                 | Statement::Force(_)
                 | Statement::Torque(_)
                 | Statement::Reaction(_)
-                | Statement::Wish(_)
+                | Statement::Directive(_)
                 | Statement::Units(_)
         )
     };

@@ -78,7 +78,7 @@ fn statements<'a>(all: &'a [Statement], visit: &mut dyn FnMut(Given<'a>)) {
             | Statement::Force(_)
             | Statement::Torque(_)
             | Statement::Reaction(_)
-            | Statement::Wish(_)
+            | Statement::Directive(_)
             | Statement::Units(_) => {}
         }
     }
@@ -334,7 +334,7 @@ pub fn each_formula<'a>(all: &'a [Statement], visit: &mut dyn FnMut(&'a Expressi
             | Statement::Transmission(_)
             | Statement::Sensitivity(_)
             | Statement::Reaction(_)
-            | Statement::Wish(_)
+            | Statement::Directive(_)
             | Statement::Units(_) => {}
         }
     }

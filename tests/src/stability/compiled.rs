@@ -123,7 +123,13 @@ where
             Way::Followed => self.textbook(
                 sample,
                 |equations, start, t, settings| {
-                    linkwright::assemble_from_afar(equations, start, Some(branch), t, settings)
+                    linkwright::assemble_from_rough_estimate(
+                        equations,
+                        start,
+                        Some(branch),
+                        t,
+                        settings,
+                    )
                 },
                 |equations, frame, t, settings| {
                     linkwright::follow(equations, frame, branch, t, settings)

@@ -66,7 +66,7 @@ const NOISE: f64 = 1e-60;
 /// A way to solve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Way {
-    /// The textbook view on a path and a branch: `assemble_from_afar` and `follow`.
+    /// The textbook view on a path and a branch: `assemble_from_rough_estimate` and `follow`.
     Followed,
     /// The textbook view as it is taught: `assemble` and `advance`, which promise a pose, but not which one.
     Plain,

@@ -8,7 +8,9 @@ use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-use linkwright::{Equations, Failure, Frame, Settings, assemble, assemble_from_afar, branch_of};
+use linkwright::{
+    Equations, Failure, Frame, Settings, assemble, assemble_from_rough_estimate, branch_of,
+};
 use linkwright_codegen::stages::joint::Quantity;
 use linkwright_codegen::stages::system::System;
 use linkwright_solver::textbook::TextbookEquations;
@@ -65,7 +67,7 @@ pub struct Measured {
     pub coordinates: usize,
     /// `assemble` of the textbook view.
     pub plain: Outcomes,
-    /// `assemble_from_afar` of the textbook view on the branch of the drawing.
+    /// `assemble_from_rough_estimate` of the textbook view on the branch of the drawing.
     pub afar: Outcomes,
     /// `assemble_from` of the generated mechanism, where its frames hold all coordinates and it is given nothing.
     pub generated: Option<Outcomes>,
@@ -145,14 +147,16 @@ pub fn measure(system: &System, starts: u32) -> Measured {
     };
     for number in 0..starts {
         let start = estimate(drawn, &reach, number);
-        for (outcomes, from_afar) in [(&mut measured.plain, false), (&mut measured.afar, true)] {
+        for (outcomes, from_rough_estimate) in
+            [(&mut measured.plain, false), (&mut measured.afar, true)]
+        {
             let counted = Counted {
                 inner: &interpreter,
                 residuals: Cell::new(0),
                 jacobians: Cell::new(0),
             };
-            let found: Result<Frame<f64, Dyn>, _> = if from_afar {
-                assemble_from_afar(&counted, &start, Some(branch), 0.0, &settings)
+            let found: Result<Frame<f64, Dyn>, _> = if from_rough_estimate {
+                assemble_from_rough_estimate(&counted, &start, Some(branch), 0.0, &settings)
             } else {
                 assemble(&counted, &start, 0.0, &settings)
             };
@@ -162,7 +166,7 @@ pub fn measure(system: &System, starts: u32) -> Measured {
             match found {
                 Ok(frame) => {
                     let is_branch = branch_of(&interpreter, &frame.q, 0.0, &settings) == Ok(branch);
-                    judge.judge(&frame.q, is_branch, from_afar, outcomes);
+                    judge.judge(&frame.q, is_branch, from_rough_estimate, outcomes);
                 }
                 Err(failure) => outcomes.fail(&failure),
             }

@@ -34,7 +34,7 @@ fn bounds_are_those_of_the_runtime() {
         ("crossing.rs", "WAYS", work::WAYS),
         ("continuation.rs", "NEARER", work::NEARER),
         ("continuation.rs", "BLOCKS", work::BLOCKS),
-        ("sags.rs", "WIDENED", work::WIDENED),
+        ("deviations.rs", "WIDENED", work::WIDENED),
         ("least_squares.rs", "STEPS", work::LEAST_SQUARES),
     ];
     for (file, name, value) in same {

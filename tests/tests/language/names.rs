@@ -162,7 +162,7 @@ fn no_mechanism_is_named_like_what_its_module_uses() {
         "Parameters",
         "Some",
         "Textbook",
-        "Tubes",
+        "PathEnclosures",
     ];
     names.extend(own.map(str::to_string));
     let description = |name: &str| {

@@ -164,7 +164,7 @@ fn single_quantities_are_those_of_the_whole_up_to_their_level() {
 
 #[test]
 fn the_other_branch_is_the_mirror_assembly_and_stays() {
-    let mut branches = two_body::Branches::DRAWN;
+    let mut branches = two_body::Branches::DESIGN;
     let drawn = two_body::TwoBody::assemble(0.0).expect("the drawing assembles");
     branches.phi2 = branches.phi2.opposite();
     let mut mirrored =
@@ -181,7 +181,7 @@ fn the_other_branch_is_the_mirror_assembly_and_stays() {
         assert!(frame.q.phi2 < 0.0, "the rod changed sides at {}", frame.t);
     }
     assert_eq!(mirrored.branches(), branches);
-    assert_eq!(two_body::Branches::DRAWN.phi2, Branch::Positive);
+    assert_eq!(two_body::Branches::DESIGN.phi2, Branch::Positive);
 }
 
 #[test]

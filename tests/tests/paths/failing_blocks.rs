@@ -70,8 +70,8 @@ fn the_textbook_view_diverges() {
 #[test]
 fn a_block_diverges_where_one_attempt_is_all_it_has() {
     let (estimate, modes) = (
-        square_slider::Coordinates::DRAWN,
-        square_slider::Branches::DRAWN,
+        square_slider::Coordinates::DESIGN,
+        square_slider::Branches::DESIGN,
     );
     let with =
         |settings| SquareSlider::assemble_with(&estimate, modes, 0.0, settings).expect("as drawn");
@@ -99,10 +99,10 @@ fn a_block_diverges_where_one_attempt_is_all_it_has() {
 /// level tangent; what is reported is what the first attempt ended with.
 #[test]
 fn a_block_does_not_cycle() {
-    let modes = cubic_slider::Branches::DRAWN;
+    let modes = cubic_slider::Branches::DESIGN;
     let estimate = cubic_slider::Coordinates {
         x1: 0.0,
-        ..cubic_slider::Coordinates::DRAWN
+        ..cubic_slider::Coordinates::DESIGN
     };
     let found = CubicSlider::assemble_with(&estimate, modes, 0.0, Settings::default()).map(|_| ());
     let failure = found.expect_err("the estimate is on the far side of a level tangent");
@@ -116,7 +116,7 @@ fn a_block_does_not_cycle() {
     let mut kinds: Vec<FailureKind> = Vec::new();
     for hundredth in 1..=1000_u16 {
         let mut mechanism = CubicSlider::assemble_with(
-            &cubic_slider::Coordinates::DRAWN,
+            &cubic_slider::Coordinates::DESIGN,
             modes,
             0.0,
             one_attempt(),
@@ -147,8 +147,8 @@ fn a_block_does_not_cycle() {
 #[test]
 fn a_block_reports_its_iterations_and_its_residual() {
     let (estimate, modes) = (
-        square_slider::Coordinates::DRAWN,
-        square_slider::Branches::DRAWN,
+        square_slider::Coordinates::DESIGN,
+        square_slider::Branches::DESIGN,
     );
     let few = Settings {
         iterations: 1,

@@ -10,9 +10,9 @@ mod folding {
 
 fn with(settings: Settings) -> Result<Stephenson, linkwright::Failure> {
     // A drawing that is off by a tenth of a radian.
-    let mut estimate = Coordinates::DRAWN;
+    let mut estimate = Coordinates::DESIGN;
     estimate.phi_coupler += 0.1;
-    Stephenson::assemble_with(&estimate, Branches::DRAWN, 0.0, settings)
+    Stephenson::assemble_with(&estimate, Branches::DESIGN, 0.0, settings)
 }
 
 #[test]
@@ -98,8 +98,8 @@ fn with_one_attempt_a_failure_is_that_of_the_whole_step() {
         substeps: 1,
         ..Settings::default()
     };
-    let estimate = folding::Coordinates::DRAWN;
-    let modes = folding::Branches::DRAWN;
+    let estimate = folding::Coordinates::DESIGN;
+    let modes = folding::Branches::DESIGN;
     let mut mechanism =
         folding::Folding::assemble_with(&estimate, modes, 0.5, one).expect("the drawing assembles");
     let failure = mechanism.advance(2.0).expect_err("the rod is too short");

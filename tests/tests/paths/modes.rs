@@ -97,10 +97,10 @@ macro_rules! keeps_mode {
         use $module::{Branches, $mechanism};
         let drawn = $mechanism::assemble(0.0).expect("as drawn");
         let branch = drawn.branches().$block.expect("found at assembly");
-        assert_eq!(Branches::DRAWN.$block, Some(branch));
+        assert_eq!(Branches::DESIGN.$block, Some(branch));
         let other = Branches {
             $block: Some(branch.opposite()),
-            ..Branches::DRAWN
+            ..Branches::DESIGN
         };
         match $mechanism::assemble_on(other, 0.0) {
             Ok(mirrored) => {
@@ -138,7 +138,7 @@ macro_rules! starts {
         let mut random = Random::new(99);
         let mut counts = [0; 3];
         for _ in 0..10_000 {
-            let mut estimate = Coordinates::DRAWN.to_array();
+            let mut estimate = Coordinates::DESIGN.to_array();
             for (place, value) in estimate.iter_mut().enumerate() {
                 let reach = if place % 3 == 2 { 0.5 } else { 0.5 * $link };
                 *value += reach * random.between(-1.0, 1.0);

@@ -24,7 +24,7 @@ macro_rules! refused {
             substeps: $budget,
             ..Settings::default()
         };
-        let drawn = SVector::from(Coordinates::DRAWN.to_array());
+        let drawn = SVector::from(Coordinates::DESIGN.to_array());
         let first = assemble(&Textbook, &drawn, 0.0, &settings).expect("as drawn");
         let branch = branch_of(&Textbook, &first.q, 0.0, &settings).expect("regular");
         let mut frames = vec![first];

@@ -41,7 +41,7 @@ fn jib(t: f64) -> f64 {
 }
 
 fn at_work() -> Crane {
-    let drawn = &crane::Coordinates::DRAWN;
+    let drawn = &crane::Coordinates::DESIGN;
     let mut crane = Crane::assemble_from(drawn, 0.0, &measured(0.0), two_attempts());
     for tick in 1..=300 {
         let t = 1e-3 * f64::from(tick);

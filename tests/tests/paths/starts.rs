@@ -6,7 +6,9 @@
 use std::f64::consts::TAU;
 
 use linkwright::nalgebra::SVector;
-use linkwright::{Failure, FailureKind, Frame, Settings, assemble, assemble_from_afar, branch_of};
+use linkwright::{
+    Failure, FailureKind, Frame, Settings, assemble, assemble_from_rough_estimate, branch_of,
+};
 use linkwright_tests::description;
 use linkwright_tests::random::Random;
 use linkwright_tests::starts::measure::measure;
@@ -38,7 +40,7 @@ macro_rules! outcomes {
     ($module:ident, link $link:literal, $factor:literal times, $starts:literal starts) => {{
         use linkwright_mechanisms::$module::{Coordinates, Textbook};
         let settings = Settings::default();
-        let drawn = SVector::from(Coordinates::DRAWN.to_array());
+        let drawn = SVector::from(Coordinates::DESIGN.to_array());
         let truth = assemble(&Textbook, &drawn, 0.0, &settings)
             .expect("as drawn")
             .q;
@@ -51,7 +53,7 @@ macro_rules! outcomes {
                 drawn[place] + $factor * reach * random.between(-1.0, 1.0)
             });
             let found: Result<Frame<_, _>, Failure> =
-                assemble_from_afar(&Textbook, &start, Some(branch), 0.0, &settings);
+                assemble_from_rough_estimate(&Textbook, &start, Some(branch), 0.0, &settings);
             match found {
                 Ok(frame) => {
                     let ends = branch_of(&Textbook, &frame.q, 0.0, &settings);

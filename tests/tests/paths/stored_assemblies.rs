@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 
 use linkwright_solver::assemblies::{Assemblies, assemblies};
 use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::mode_selection::ModeSelection;
 use linkwright_solver::view::View;
-use linkwright_solver::wishes::Wishes;
 use linkwright_tests::description::{motions, written};
 
 /// Descriptions in the middle of the code, each with its text.
@@ -183,7 +183,7 @@ fn every_assembly_is_found_by_its_letter() {
         };
         for own in &all.found {
             let wish = format!("{}={}", only.name, own.label());
-            let wishes = Wishes::read(&interpreted, &[wish]).expect("a wish");
+            let wishes = ModeSelection::read(&interpreted, &[wish]).expect("a wish");
             let (instant, _) = wishes.assembled(&interpreted, 0.0).expect("a pose");
             assert!(is_same(instant.q(), own.instant.q()), "{}", own.label());
         }

@@ -8,7 +8,7 @@ mod rows;
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 
-use linkwright::{Blocks, Conditions, Pair, Settings, Signal, Signals, Span, Start};
+use linkwright::{Blocks, Conditions, Pair, Settings, Signal, Signals, Start, TimeWindow};
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::read;
 use linkwright_solver::instant::Instant;
@@ -99,10 +99,10 @@ fn looked(blocks: &Interpreted, [t, h, stretch]: [f64; 3], inputs: [&InputSignal
         conditions: &conditions,
     };
     let span = match stretch > 1.0 {
-        true => Span::around(h, stretch),
-        false => Span::between(h),
+        true => TimeWindow::around(h, stretch),
+        false => TimeWindow::between(h),
     };
-    let is_vouched = blocks.stays_regular(&pair, &span).is_ok();
+    let is_vouched = blocks.verify_nonsingular(&pair, &span).is_ok();
     // Without a look ahead the path ends with the frames.
     let ends: &[f64] = if stretch > 1.0 { &[-1.0, 1.0] } else { &[-1.0] };
     let is_smooth = ends
@@ -337,11 +337,14 @@ fn no_span_with_a_change_point_is_vouched_for() {
                 conditions: &conditions,
             };
             for (span, ends) in [
-                (Span::between(h), [t - h, t]),
-                (Span::around(h, stretch), [t - h * stretch, t + h * stretch]),
+                (TimeWindow::between(h), [t - h, t]),
+                (
+                    TimeWindow::around(h, stretch),
+                    [t - h * stretch, t + h * stretch],
+                ),
             ] {
                 let turns = ends.map(|end| ((PI / 2.0 + end) / PI).floor());
-                let is_vouched = blocks.stays_regular(&pair, &span).is_ok();
+                let is_vouched = blocks.verify_nonsingular(&pair, &span).is_ok();
                 assert!(
                     !is_vouched || turns[0] == turns[1],
                     "{name}: t = {t}, h = {h}, {stretch} steps"

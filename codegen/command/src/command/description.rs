@@ -11,8 +11,8 @@ use linkwright_codegen::stages::structure;
 use linkwright_codegen::stages::system::System;
 use linkwright_solver::instant::Instant;
 use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::mode_selection::ModeSelection;
 use linkwright_solver::supplied::Modes;
-use linkwright_solver::wishes::Wishes;
 
 use super::{Problem, say};
 use crate::output::Outputs;
@@ -221,7 +221,7 @@ pub fn chosen(
     if wished.is_empty() {
         return Ok(None);
     }
-    let wishes = Wishes::read(interpreted, wished);
+    let wishes = ModeSelection::read(interpreted, wished);
     let wishes = wishes.map_err(|text| Problem(format!("error: {text}")))?;
     let assembled = wishes.assembled(interpreted, t).map_err(|reason| {
         let explained = reason.explained(interpreted);

@@ -15,6 +15,7 @@ mod curve;
 mod declarations;
 mod declared;
 mod dimension;
+mod directive;
 mod elements;
 mod equation;
 mod expression;
@@ -52,7 +53,6 @@ mod transmission;
 mod units;
 mod wanted_forces;
 mod weights;
-mod wish;
 
 pub use bounds::beyond_bounds;
 pub use call::FUNCTIONS;
@@ -347,7 +347,7 @@ impl Mechanism {
     }
 
     /// How a person counts what moves: `4 bodies`, `1 body and 2 angles`.
-    pub fn what_moves(&self) -> String {
+    pub fn body_count_label(&self) -> String {
         let angles = self
             .moving_bodies()
             .iter()

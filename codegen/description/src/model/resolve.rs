@@ -18,7 +18,7 @@ use crate::diagnostic::internal::work_at;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 use crate::expr::{Graph, SymbolId};
 use crate::joint::geometry::{Mark, Vector};
-use crate::syntax::{self, BUILT_IN, WishKind};
+use crate::syntax::{self, BUILT_IN, DirectiveKind};
 use crate::units::ReportUnits;
 
 /// A description that is being read.
@@ -109,8 +109,8 @@ pub(super) fn resolve_statements<'a>(
         .collect();
     let transmissions = resolver.transmissions(statements, &named);
     let sensitivities = resolver.sensitivities(statements, &points);
-    let monitor = resolver.wishes(WishKind::Monitor, statements);
-    let is_unguarded = resolver.wishes(WishKind::Unguarded, statements);
+    let monitor = resolver.has(DirectiveKind::Monitor, statements);
+    let is_unguarded = resolver.has(DirectiveKind::Unguarded, statements);
     let forces = resolver.wanted_forces(statements);
     let units = ReportUnits {
         requested: resolver.formulas.requested_units.take(),
@@ -210,7 +210,7 @@ impl Resolver<'_> {
             | syntax::Statement::Transmission(_)
             | syntax::Statement::Sensitivity(_)
             | syntax::Statement::Reaction(_)
-            | syntax::Statement::Wish(_)
+            | syntax::Statement::Directive(_)
             | syntax::Statement::Units(_) => {}
             // Its statements come by themselves.
             syntax::Statement::Motion(_) => {}

@@ -8,7 +8,7 @@ use super::Role;
 use super::forces::Forces;
 use super::resolve::Resolver;
 use crate::diagnostic::{Code, Diagnostic, Span};
-use crate::syntax::{Name, Statement, WishKind};
+use crate::syntax::{DirectiveKind, Name, Statement};
 
 impl Resolver<'_> {
     /// What bodies weigh, what acts on them, and what is wanted of it.
@@ -25,11 +25,11 @@ impl Resolver<'_> {
             }
             forces.gravity = Some(gravity);
         }
-        forces.efforts = self.wishes(WishKind::Effort, statements);
-        forces.energy = self.wishes(WishKind::Energy, statements);
-        let every = self.wishes(WishKind::Reactions, statements);
+        forces.efforts = self.has(DirectiveKind::Effort, statements);
+        forces.energy = self.has(DirectiveKind::Energy, statements);
+        let every = self.has(DirectiveKind::Reactions, statements);
         forces.reactions = self.reactions(statements, every);
-        forces.least_norm = self.wishes(WishKind::LeastNorm, statements);
+        forces.least_norm = self.has(DirectiveKind::LeastNorm, statements);
         let asked = asking(statements);
         if let Some((word, span)) = asked.first() {
             let word = *word;
@@ -220,11 +220,11 @@ impl Resolver<'_> {
 fn asking(statements: &[&Statement]) -> Vec<(&'static str, Span)> {
     let asked = statements.iter().filter_map(|statement| match statement {
         Statement::Reaction(it) => Some(("reaction", it.span)),
-        Statement::Wish(it) => match it.kind {
-            WishKind::Effort => Some(("effort", it.span)),
-            WishKind::Reactions => Some(("reactions", it.span)),
-            WishKind::Energy => Some(("energy", it.span)),
-            WishKind::Monitor | WishKind::Unguarded | WishKind::LeastNorm => None,
+        Statement::Directive(it) => match it.kind {
+            DirectiveKind::Effort => Some(("effort", it.span)),
+            DirectiveKind::Reactions => Some(("reactions", it.span)),
+            DirectiveKind::Energy => Some(("energy", it.span)),
+            DirectiveKind::Monitor | DirectiveKind::Unguarded | DirectiveKind::LeastNorm => None,
         },
         _ => None,
     });
@@ -234,7 +234,7 @@ fn asking(statements: &[&Statement]) -> Vec<(&'static str, Span)> {
 /// Where the smallest reactions are asked for.
 fn least_norm(statements: &[&Statement]) -> Option<Span> {
     statements.iter().find_map(|statement| match statement {
-        Statement::Wish(it) if it.kind == WishKind::LeastNorm => Some(it.span),
+        Statement::Directive(it) if it.kind == DirectiveKind::LeastNorm => Some(it.span),
         _ => None,
     })
 }

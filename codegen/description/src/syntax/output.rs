@@ -2,7 +2,9 @@
 
 use proc_macro2::Delimiter;
 
-use super::document::{Output, OutputItem, Sensitivity, Statement, Transmission, Wish, WishKind};
+use super::document::{
+    Directive, DirectiveKind, Output, OutputItem, Sensitivity, Statement, Transmission,
+};
 use super::reader::Outcome;
 use super::reference::{identifier, operands, reference};
 use super::statement::{semicolon, semicolon_after_operands};
@@ -70,14 +72,14 @@ pub(super) fn sensitivity(
 }
 
 /// A statement of one word, after that word.
-pub(super) fn wish(
+pub(super) fn directive(
     tokens: &mut Tokens<'_>,
     docs: Vec<String>,
-    kind: WishKind,
+    kind: DirectiveKind,
     start: Span,
 ) -> Outcome<Statement> {
     let span = start.to(semicolon(tokens, start)?);
-    Ok(Statement::Wish(Wish { kind, docs, span }))
+    Ok(Statement::Directive(Directive { kind, docs, span }))
 }
 
 /// One or more quantities; a comma may follow the last one.

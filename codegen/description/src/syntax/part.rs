@@ -95,7 +95,9 @@ fn of_the_whole(statement: &Statement) -> Option<&'static str> {
     match statement {
         Statement::Motion(_) => Some("a motion"),
         Statement::Gravity(_) => Some("gravity"),
-        Statement::Wish(_) | Statement::Units(_) => Some("a statement about the whole mechanism"),
+        Statement::Directive(_) | Statement::Units(_) => {
+            Some("a statement about the whole mechanism")
+        }
         _ => None,
     }
 }

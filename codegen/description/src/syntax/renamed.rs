@@ -116,7 +116,7 @@ impl<'a> Renaming<'a> {
             }
             Statement::Reaction(reaction) => self.names(&mut reaction.names),
             // Refused in a part.
-            Statement::Wish(_) | Statement::Units(_) | Statement::Motion(_) => Ok(()),
+            Statement::Directive(_) | Statement::Units(_) | Statement::Motion(_) => Ok(()),
         }
     }
 

@@ -131,11 +131,11 @@ pub enum Statement {
         /// What else is found where the block is torn.
         torn: Option<TornFields>,
     },
-    /// The bounds of an input, its radius and its sag: how far it goes between the frames and beyond.
+    /// The bounds of an input, its radius and its deviation: how far it goes between the frames and beyond.
     Signal {
         /// An index into the mechanism's inputs.
         input: usize,
-        /// Its radius and its sag.
+        /// Its radius and its deviation.
         found: [SymbolId; 2],
     },
     /// Fails where a value is negative on which bounds rely.
@@ -145,20 +145,20 @@ pub enum Statement {
         /// The place in the plan of the block that is blamed.
         block: usize,
     },
-    /// Fails where unknowns cannot be shown to have kept to their path; finds how far they may be from a straight line.
+    /// Fails where unknowns cannot be shown to have stayed on their path; finds how far they may be from a straight line.
     Isolate {
         /// Whether each equation but the last two links two unknowns to the next two, and all columns turn.
         is_chain: bool,
         /// The place in the plan of each equation's block.
         blocks: Vec<usize>,
-        /// One sag an unknown.
+        /// One deviation an unknown.
         found: Vec<SymbolId>,
         /// How far each equation is from zero on the line, beside what follows from its curvature and from columns that turn.
         bounds: Vec<ExprId>,
         /// The second derivative of each equation over the span, where that is known with its sign.
         curvatures: Vec<ExprId>,
         /// How far each unknown goes along the line.
-        ways: Vec<ExprId>,
+        changes: Vec<ExprId>,
         /// How large each unknown is: 1 for angles, and lengths as they are.
         sizes: Vec<ExprId>,
         /// The entries of the Jacobian in this frame that are not zero, with their rows and columns.
@@ -169,7 +169,7 @@ pub enum Statement {
         turning: Vec<([usize; 2], ExprId)>,
         /// The rows and columns of the other entries that change.
         varied: Vec<[usize; 2]>,
-        /// How far these may change, as a function of the sags.
+        /// How far these may change, as a function of the deviations.
         variation: Box<Function>,
     },
     /// Solves Jᵀ λ = f for the multipliers of a part that has no closed form.
@@ -228,14 +228,14 @@ impl Statement {
             Statement::Isolate {
                 bounds,
                 curvatures,
-                ways,
+                changes,
                 sizes,
                 jacobian,
                 turning,
                 ..
             } => {
                 let entries = jacobian.iter().chain(turning).map(|(_, entry)| *entry);
-                let vectors = [bounds, curvatures, ways, sizes].into_iter().flatten();
+                let vectors = [bounds, curvatures, changes, sizes].into_iter().flatten();
                 vectors.copied().chain(entries).collect()
             }
             Statement::Signal { .. }
@@ -274,7 +274,7 @@ impl Statement {
             Statement::Isolate {
                 bounds,
                 curvatures,
-                ways,
+                changes,
                 sizes,
                 jacobian,
                 turning,
@@ -282,7 +282,7 @@ impl Statement {
             } => {
                 let entries = jacobian.iter_mut().chain(turning);
                 let entries = entries.map(|(_, entry)| entry);
-                let vectors = [bounds, curvatures, ways, sizes].into_iter().flatten();
+                let vectors = [bounds, curvatures, changes, sizes].into_iter().flatten();
                 vectors.chain(entries).collect()
             }
             Statement::Signal { .. }

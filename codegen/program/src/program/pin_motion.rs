@@ -1,4 +1,4 @@
-//! Vectors between pins, and what frames hold → how far they go over a span, and how large what they are computed from is.
+//! Vectors between pins, and what frames hold → how far they go over a window, and how large what they are computed from is.
 //!
 //! What turns with one angle goes together, and a definition stands for what it defines. Deliberately unknown here: what is shown by it.
 
@@ -22,12 +22,12 @@ pub(super) struct Known {
     /// How large what unknowns are computed from is, of those that follow from arms and constants.
     pub sizes: HashMap<SymbolId, ExprId>,
     /// How far the end of an arm of length 1 is from a straight line, by the angle that turns it.
-    pub bows: HashMap<usize, ExprId>,
+    pub arm_deviations: HashMap<usize, ExprId>,
     /// The unknowns that links move.
     pub linked: HashSet<usize>,
     /// True if so many pairs stand in a row that courses are followed.
     pub is_row: bool,
-    /// How angles run over the span, where courses are followed.
+    /// How angles run over the window, where courses are followed.
     pub courses: HashMap<usize, Course>,
 }
 
@@ -40,31 +40,31 @@ impl Builder<'_> {
     }
 
     /// How far a value that frames hold goes along the line.
-    pub(super) fn way_of(&mut self, value: ExprId) -> ExprId {
+    pub(super) fn change_of(&mut self, value: ExprId) -> ExprId {
         let last = self.system.in_last_frame(value);
         let moved = self.graph().subtract(value, last);
         let moved = self.graph().magnitude(moved);
-        let stretch = self.paths.span.stretch;
+        let stretch = self.paths.window.steps;
         let stretch = self.graph().variable(stretch);
         self.graph().multiply(stretch, moved)
     }
 
     /// The same of an angle that is found by its cosine and its sine, and rounding.
-    pub(super) fn way_of_angle(&mut self, angle: usize) -> ExprId {
-        let rounding = self.paths.span.rounding;
+    pub(super) fn change_of_angle(&mut self, angle: usize) -> ExprId {
+        let rounding = self.paths.window.rounding;
         let rounding = self.graph().variable(rounding);
         let Some(&direction) = self.paths.directions.get(&angle) else {
             let angle = self.position(angle);
             let size = self.graph().magnitude(angle);
             let rounding = self.graph().multiply(rounding, size);
-            let way = self.way_of(angle);
-            return self.graph().add(way, rounding);
+            let change = self.change_of(angle);
+            return self.graph().add(change, rounding);
         };
-        let ways = direction.map(|part| {
+        let changes = direction.map(|part| {
             let part = self.graph().variable(part);
-            self.way_of(part)
+            self.change_of(part)
         });
-        let chord = self.graph().add(ways[0], ways[1]);
+        let chord = self.graph().add(changes[0], changes[1]);
         let arc = self.graph().rational(ARC.0, ARC.1);
         let arc = self.graph().multiply(arc, chord);
         self.graph().add(arc, rounding)
@@ -85,9 +85,9 @@ impl Builder<'_> {
     /// How far a vector goes: what turns with one angle together, and the rest.
     pub(super) fn motion_of(&mut self, vector: Vector, known: &mut Known) -> Enclosure {
         let angles = self.angles_in(vector);
-        let bend = self.paths.span.bend;
-        let bend = self.graph().variable(bend);
-        let (mut rest, mut radii, mut sags) = (vector, Vec::new(), Vec::new());
+        let remainder = self.paths.window.remainder;
+        let remainder = self.graph().variable(remainder);
+        let (mut rest, mut radii, mut deviations) = (vector, Vec::new(), Vec::new());
         for angle in angles {
             let graph = &mut self.system.mechanism.graph;
             let turned = self.system.vector_form.turned_vector(rest, angle, graph);
@@ -97,33 +97,37 @@ impl Builder<'_> {
             rest = others;
             let (symbol, name) = (
                 self.position(angle),
-                format!("{}_bow", self.system.unknown_name(angle)),
+                format!("{}_arm_deviation", self.system.unknown_name(angle)),
             );
-            let Enclosure { radius, sag } = self.enclosure(symbol);
-            let sag = match known.bows.get(&angle) {
-                Some(&bow) => bow,
+            let Enclosure { radius, deviation } = self.enclosure(symbol);
+            let deviation = match known.arm_deviations.get(&angle) {
+                Some(&arm_deviation) => arm_deviation,
                 None => {
-                    let curved = self.graph().product(&[bend, radius, radius]);
-                    let bow = self.graph().add(sag, curved);
-                    let bow = self.bounded(&name, bow);
-                    known.bows.insert(angle, bow);
-                    bow
+                    let curved = self.graph().product(&[remainder, radius, radius]);
+                    let arm_deviation = self.graph().add(deviation, curved);
+                    let arm_deviation = self.bounded(&name, arm_deviation);
+                    known.arm_deviations.insert(angle, arm_deviation);
+                    arm_deviation
                 }
             };
             let (length, own) = (self.length_of(arm), self.components(arm));
             let longest = self.graph().add(length, own.radius);
-            let crossed = self.graph().product(&[bend, radius, own.radius]);
-            let parts = [[longest, sag], [own.sag, sag], [longest, radius]];
+            let crossed = self.graph().product(&[remainder, radius, own.radius]);
+            let parts = [
+                [longest, deviation],
+                [own.deviation, deviation],
+                [longest, radius],
+            ];
             let [turned, both, moved] = parts.map(|both| self.graph().product(&both));
             radii.extend([moved, own.radius]);
-            sags.extend([turned, own.sag, both, crossed, crossed]);
+            deviations.extend([turned, own.deviation, both, crossed, crossed]);
         }
         let rest = self.components(rest);
         radii.push(rest.radius);
-        sags.push(rest.sag);
+        deviations.push(rest.deviation);
         Enclosure {
             radius: self.graph().sum(&radii),
-            sag: self.graph().sum(&sags),
+            deviation: self.graph().sum(&deviations),
         }
     }
 
@@ -147,7 +151,7 @@ impl Builder<'_> {
         let [x, y] = vector.map(|part| self.enclosure(part));
         Enclosure {
             radius: self.graph().add(x.radius, y.radius),
-            sag: self.graph().add(x.sag, y.sag),
+            deviation: self.graph().add(x.deviation, y.deviation),
         }
     }
 

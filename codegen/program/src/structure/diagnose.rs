@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use super::Parts;
+use super::CoarseDecomposition;
 use super::rank::{Dependence, Survey};
 use super::repetition::{advice, with_freedom};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
@@ -12,7 +12,7 @@ use crate::system::{Described, System};
 /// How many places a message points at before it says how many more there are.
 pub(super) const SHOWN: usize = 6;
 
-pub(super) fn report(system: &System, parts: &Parts, diagnostics: &mut Diagnostics) {
+pub(super) fn report(system: &System, parts: &CoarseDecomposition, diagnostics: &mut Diagnostics) {
     // What the numbers say besides: nothing where the equations do not hold together near the drawing.
     let survey = Survey::of(system);
     if !parts.free_columns.is_empty() {
@@ -60,7 +60,7 @@ pub(super) fn balance(system: &System) -> String {
     )
 }
 
-fn too_few(system: &System, parts: &Parts) -> Diagnostic {
+fn too_few(system: &System, parts: &CoarseDecomposition) -> Diagnostic {
     let mut bodies: Vec<usize> = parts
         .under_columns
         .iter()
@@ -100,7 +100,7 @@ fn too_few(system: &System, parts: &Parts) -> Diagnostic {
 }
 
 /// All bodies are held, but nothing says where a joint touches its curve.
-fn undetermined_contact(system: &System, parts: &Parts) -> Diagnostic {
+fn undetermined_contact(system: &System, parts: &CoarseDecomposition) -> Diagnostic {
     let joints = parts.under_columns.iter().filter_map(|&column| {
         match system.coordinates[column].describes {
             Described::Contact { joint } => Some(&system.mechanism.joints[joint]),
@@ -121,7 +121,7 @@ fn undetermined_contact(system: &System, parts: &Parts) -> Diagnostic {
 }
 
 /// What to add so that everything is determined.
-fn remedy(system: &System, parts: &Parts) -> String {
+fn remedy(system: &System, parts: &CoarseDecomposition) -> String {
     let held: HashSet<usize> = system
         .rows
         .iter()
@@ -163,7 +163,7 @@ fn remedy(system: &System, parts: &Parts) -> String {
 }
 
 /// The coordinates of the under-determined part in backticks.
-fn free_coordinates(system: &System, parts: &Parts) -> String {
+fn free_coordinates(system: &System, parts: &CoarseDecomposition) -> String {
     let names = parts
         .under_columns
         .iter()
@@ -171,7 +171,7 @@ fn free_coordinates(system: &System, parts: &Parts) -> String {
     listed(names)
 }
 
-fn too_many(system: &System, parts: &Parts, survey: Option<&Survey>) -> Diagnostic {
+fn too_many(system: &System, parts: &CoarseDecomposition, survey: Option<&Survey>) -> Diagnostic {
     let mut joints: Vec<usize> = parts
         .over_rows
         .iter()

@@ -1,7 +1,7 @@
 //! A system → its degrees of freedom as the exam counts them, and what moves in words.
 
 use super::rank::{FreeMotion, Moves, Survey, singular};
-use super::{Incidence, coarse_parts, maximum_matching};
+use super::{Incidence, coarse_decomposition, maximum_matching};
 use crate::model::Role;
 use crate::system::System;
 
@@ -25,7 +25,7 @@ impl Freedom {
     pub fn of(system: &System) -> Freedom {
         let incidence = Incidence::of(system);
         let matching = maximum_matching(&incidence);
-        let is_square = coarse_parts(&incidence, &matching).is_square();
+        let is_square = coarse_decomposition(&incidence, &matching).is_square();
         let independent = is_square && singular(system, &incidence, &matching).is_none();
         let surveyed = if independent {
             None

@@ -22,8 +22,8 @@ pub use elimination::Definition;
 pub use freedom::Freedom;
 pub use incidence::Incidence;
 pub use matching::{Matching, maximum_matching};
-pub use parts::{Parts, coarse_parts};
-pub use plan::{LARGEST_TOGETHER, Part, SolvedBlock, SolvedPlan, plan, plan_of_motion};
+pub use parts::{CoarseDecomposition, coarse_decomposition};
+pub use plan::{LARGEST_TOGETHER, SolvedBlock, SolvedPlan, Subsystem, plan, plan_of_motion};
 pub use rank::released;
 pub use shortening::Addition;
 
@@ -34,7 +34,7 @@ use crate::system::System;
 pub fn analyze(system: &System, diagnostics: &mut Diagnostics) -> bool {
     let incidence = Incidence::of(system);
     let matching = maximum_matching(&incidence);
-    let parts = coarse_parts(&incidence, &matching);
+    let parts = coarse_decomposition(&incidence, &matching);
     let mut found = Diagnostics::new();
     repetition::report_marks(system, &mut found);
     if !parts.is_square() {

@@ -8,7 +8,7 @@ use super::{Incidence, Matching};
 
 /// The coarse decomposition.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Parts {
+pub struct CoarseDecomposition {
     /// Rows that belong to no pair, ascending: as many equations are too many.
     pub free_rows: Vec<usize>,
     /// Columns that belong to no pair, ascending: as many degrees of freedom are left.
@@ -19,7 +19,7 @@ pub struct Parts {
     pub under_columns: Vec<usize>,
 }
 
-impl Parts {
+impl CoarseDecomposition {
     /// Whether every row and every column has its pair.
     pub fn is_square(&self) -> bool {
         self.free_rows.is_empty() && self.free_columns.is_empty()
@@ -27,14 +27,14 @@ impl Parts {
 }
 
 /// The parts that a maximum matching shows.
-pub fn coarse_parts(incidence: &Incidence, matching: &Matching) -> Parts {
+pub fn coarse_decomposition(incidence: &Incidence, matching: &Matching) -> CoarseDecomposition {
     let free = |pairs: &[Option<usize>]| -> Vec<usize> {
         (0..pairs.len()).filter(|&at| pairs[at].is_none()).collect()
     };
     let (free_rows, free_columns) = (free(&matching.column_of), free(&matching.row_of));
     let over_rows = reached(&free_rows, &incidence.rows, &matching.row_of);
     let under_columns = reached(&free_columns, &incidence.transposed(), &matching.column_of);
-    Parts {
+    CoarseDecomposition {
         free_rows,
         free_columns,
         over_rows,
@@ -67,12 +67,12 @@ mod tests {
     use super::super::maximum_matching;
     use super::*;
 
-    fn parts(rows: &[&[usize]], columns: usize) -> Parts {
+    fn parts(rows: &[&[usize]], columns: usize) -> CoarseDecomposition {
         let incidence = Incidence {
             rows: rows.iter().map(|row| row.to_vec()).collect(),
             columns,
         };
-        coarse_parts(&incidence, &maximum_matching(&incidence))
+        coarse_decomposition(&incidence, &maximum_matching(&incidence))
     }
 
     #[test]

@@ -29,14 +29,14 @@ pub struct SolvedBlock {
     /// The joints whose equations it uses, in written order.
     pub joints: Vec<usize>,
     /// What the tears are found from: one part, or none where everything is explicit.
-    pub parts: Vec<Part>,
+    pub parts: Vec<Subsystem>,
     /// What follows from the tears, in the order in which it can be computed.
     pub definitions: Vec<Definition>,
 }
 
 /// Equations of a block that cannot be taken apart any further, and as many unknowns. Everything else in them is known before.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Part {
+pub struct Subsystem {
     /// The equations.
     pub equations: Vec<BlockEquation>,
     /// The tears: indices into the unknowns of the vector form, ascending.
@@ -143,7 +143,7 @@ fn taken_apart(mut block: SolvedBlock, form: &VectorForm) -> Vec<SolvedBlock> {
     let Some(last) = block.parts.pop() else {
         return vec![block];
     };
-    let joints_of = |part: &Part| -> BTreeSet<usize> {
+    let joints_of = |part: &Subsystem| -> BTreeSet<usize> {
         let equations = part.equations.iter();
         equations.map(|it| form.rows[it.row].joint).collect()
     };
@@ -228,7 +228,7 @@ fn block(
     let matching = maximum_matching(&incidence);
     let mut parts = Vec::new();
     if matching.column_of.iter().any(Option::is_none) {
-        parts.push(Part {
+        parts.push(Subsystem {
             equations: residuals,
             unknowns: tears,
             is_singular: true,
@@ -241,7 +241,7 @@ fn block(
                 .map(|column| tears[column])
                 .collect();
             found.sort_unstable();
-            parts.push(Part {
+            parts.push(Subsystem {
                 equations: rows.iter().map(|&row| residuals[row]).collect(),
                 unknowns: found,
                 is_singular: false,

@@ -6,8 +6,8 @@
 use linkwright::blocks::first_not_positive;
 use linkwright::closed_form::failed;
 use linkwright::{
-    BlockName, Blocks, Branch, Conditions, Failure, FailureKind, Pair, PointMotion, Span, Tube,
-    Values,
+    BlockName, Blocks, Branch, Conditions, Failure, FailureKind, Pair, PathEnclosure, PointMotion,
+    TimeWindow, Values,
 };
 use linkwright_codegen::stages::emit::derivation::BlockWords;
 
@@ -25,30 +25,32 @@ impl Blocks for Interpreted {
     type Branches = Modes;
     type Parameters = ParameterValues;
     type Inputs = InputSignals;
-    type Tubes = Vec<Tube>;
+    type PathEnclosures = Vec<PathEnclosure>;
 
     fn is_guarded(&self) -> bool {
         self.compiled.path.is_some()
     }
 
-    fn tubes(&self) -> Vec<Tube> {
+    fn enclosures(&self) -> Vec<PathEnclosure> {
         let count = self
             .compiled
             .path
             .as_ref()
-            .map_or(0, InterpretedPath::tube_count);
+            .map_or(0, InterpretedPath::enclosure_count);
         Vec::with_capacity(count)
     }
 
-    fn keeps_to_path(
+    fn verify_path(
         &self,
         pair: &Pair<'_, Interpreted>,
-        span: &Span,
-        tubes: &mut Vec<Tube>,
+        window: &TimeWindow,
+        enclosures: &mut Vec<PathEnclosure>,
     ) -> Result<(), u16> {
         let path = self.compiled.path.as_ref();
         let [registers, _] = &mut *self.path_registers.borrow_mut();
-        path.map_or(Ok(()), |path| path.keep(pair, span, tubes, registers))
+        path.map_or(Ok(()), |path| {
+            path.keep(pair, window, enclosures, registers)
+        })
     }
 
     fn is_closed(&self) -> bool {
@@ -56,15 +58,19 @@ impl Blocks for Interpreted {
         path.is_some_and(InterpretedPath::is_closed)
     }
 
-    fn stays_regular(&self, pair: &Pair<'_, Interpreted>, span: &Span) -> Result<(), u16> {
+    fn verify_nonsingular(
+        &self,
+        pair: &Pair<'_, Interpreted>,
+        window: &TimeWindow,
+    ) -> Result<(), u16> {
         let path = self.compiled.path.as_ref();
         let [_, registers] = &mut *self.path_registers.borrow_mut();
-        path.map_or(Ok(()), |path| path.stay(pair, span, registers))
+        path.map_or(Ok(()), |path| path.stay(pair, window, registers))
     }
 
-    fn is_within(&self, at: &Instant, tubes: &Vec<Tube>, steps: f64) -> bool {
+    fn is_within(&self, at: &Instant, enclosures: &Vec<PathEnclosure>, steps: f64) -> bool {
         let path = self.compiled.path.as_ref();
-        path.is_none_or(|path| path.are_within(at, tubes, steps))
+        path.is_none_or(|path| path.are_within(at, enclosures, steps))
     }
 
     fn nominal_parameters(&self) -> ParameterValues {

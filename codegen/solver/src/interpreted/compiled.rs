@@ -48,7 +48,7 @@ pub(crate) struct Compiled {
     drawn: Option<Formulas>,
     /// What parameters must leave positive.
     pub(super) required: Option<Formulas>,
-    /// What shows that blocks keep to their path, where somebody wants to know.
+    /// What shows that blocks stay on their path, where somebody wants to know.
     pub(super) path: Option<InterpretedPath>,
 }
 

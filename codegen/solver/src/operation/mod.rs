@@ -5,7 +5,7 @@ mod writer;
 
 use std::ops::Range;
 
-use linkwright::closed_form::{no_span, not_positive, singular_divisor, spans};
+use linkwright::closed_form::{exceeds_rounding, not_positive, out_of_reach, singular_divisor};
 use linkwright::math::angle_near;
 use linkwright::{Failure, FailureKind, multipliers};
 use linkwright_codegen::stages::expr::{Code, Register};
@@ -58,7 +58,7 @@ pub(crate) enum Operation {
     /// Finds the bounds of an input.
     Signal {
         input: usize,
-        /// Its radius and its sag.
+        /// Its radius and its deviation.
         found: [Register; 2],
     },
     /// Fails where a value is negative, and blames a block of the plan.
@@ -93,15 +93,15 @@ pub(crate) fn run(
             ref bounds,
             bridged,
         } => {
-            if !spans(registers[excess.index()], registers[scale.index()]) {
+            if !exceeds_rounding(registers[excess.index()], registers[scale.index()]) {
                 code.run(bounds.clone(), registers);
                 let [distance, longest, shortest] = bridged.map(|it| registers[it.index()]);
-                return Err(no_span(distance, longest, shortest, t, block));
+                return Err(out_of_reach(distance, longest, shortest, t, block));
             }
         }
         Operation::Nonzero { value, scale } => {
             let [value, scale] = [value, scale].map(|it| registers[it.index()]);
-            if !spans(value * value, scale * scale) {
+            if !exceeds_rounding(value * value, scale * scale) {
                 return Err(singular_divisor(value, scale, t, block));
             }
         }

@@ -240,7 +240,7 @@ impl<'a> Writer<'a> {
                 found,
                 bounds,
                 curvatures,
-                ways,
+                changes,
                 sizes,
                 jacobian,
                 turns,
@@ -248,8 +248,8 @@ impl<'a> Writer<'a> {
                 varied,
                 variation,
             } => {
-                let [bounds, curvatures, ways, sizes] =
-                    [bounds, curvatures, ways, sizes].map(|it| self.values(it, evaluation));
+                let [bounds, curvatures, changes, sizes] =
+                    [bounds, curvatures, changes, sizes].map(|it| self.values(it, evaluation));
                 let [jacobian, turning] = [jacobian, turning].map(|entries| {
                     let entries = entries.iter();
                     entries
@@ -263,7 +263,7 @@ impl<'a> Writer<'a> {
                     blocks: blocks.clone(),
                     bounds,
                     curvatures,
-                    ways,
+                    changes,
                     sizes,
                     jacobian,
                     turns: turns.clone(),

@@ -176,9 +176,9 @@ impl Chord {
     pub fn arguments(&self, s: Interval) -> Vec<Interval> {
         let time = self.time.map(Interval::point);
         let starts = self.line.iter().map(|it| Interval::point(it[0]));
-        let ways = self.line.iter().map(|it| Interval::point(it[1]));
+        let changes = self.line.iter().map(|it| Interval::point(it[1]));
         let given = std::iter::once(s).chain(time);
-        given.chain(starts).chain(ways).collect()
+        given.chain(starts).chain(changes).collect()
     }
 
     /// The times of the window.

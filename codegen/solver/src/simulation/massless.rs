@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, SymmetricEigen};
 
-use crate::concerned::SHARE;
+use crate::singular_participants::SHARE;
 
 /// The square of a pivot beside its diagonal entry, or an eigenvalue beside the largest, below which a mass carries no digit.
 pub(super) const SMALLEST_PIVOT: f64 = 64.0 * f64::EPSILON;

@@ -4,13 +4,13 @@ use linkwright::{Blocks, Failure};
 use linkwright_codegen::stages::model::Mechanism;
 use nalgebra::DVector;
 
-use crate::concerned::Concerned;
 use crate::condition::{Weakness, dimensionless, jacobian};
 use crate::dense::Dense;
 use crate::instant::Instant;
 use crate::interpreted::Interpreted;
 use crate::not_finite;
 use crate::number::time;
+use crate::singular_participants::SingularParticipants;
 use crate::view::View;
 
 /// Time (s) before the end of a motion at which loads are compared with those at its end.
@@ -196,6 +196,6 @@ fn concerned(view: &Dense, last: &Instant) -> String {
     let matrix = jacobian(equations, &q, last.t());
     let weakness = Weakness::of(&dimensionless(equations, matrix));
     weakness.map_or(String::new(), |weakness| {
-        format!("; {}", Concerned::of(view.system(), &weakness))
+        format!("; {}", SingularParticipants::of(view.system(), &weakness))
     })
 }

@@ -5,7 +5,7 @@ use super::points::Offered;
 use super::printer::Printer;
 use super::text::Text;
 use super::words::identifier;
-use crate::emit::module::tubes::tube_count;
+use crate::emit::module::path_enclosures::enclosure_count;
 
 /// Where everything of a mechanism is, as the runtime sees it.
 pub(super) fn parts(printer: &Printer<'_>, text: &mut Text) {
@@ -44,8 +44,8 @@ pub(super) fn parts(printer: &Printer<'_>, text: &mut Text) {
             null(declared.inputs, "&mechanism->window_inputs[1]"),
         ),
         (
-            "tubes",
-            null(tube_count(printer.module) > 0, "mechanism->tubes"),
+            "enclosures",
+            null(enclosure_count(printer.module) > 0, "mechanism->enclosures"),
         ),
     ];
     for (field, value) in fields {
@@ -72,7 +72,7 @@ fn in_steps(printer: &Printer<'_>, text: &mut Text) {
     ));
     text.open("{");
     text.line(format!(
-        "{} frames[LINKWRIGHT_WAY_FRAMES];",
+        "{} frames[LINKWRIGHT_SUBSTEP_FRAMES];",
         printer.type_of("Frame")
     ));
     text.line(format!(

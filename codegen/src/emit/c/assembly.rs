@@ -15,7 +15,7 @@ pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
     let settings = format!("const {} *settings", printer.runtime("settings"));
     let time = format!("{real} t");
     let default = format!("&LINKWRIGHT{}_SETTINGS", printer.suffix().to_uppercase());
-    let drawn_branches = format!("&{}", printer.constant("DRAWN_BRANCHES"));
+    let drawn_branches = format!("&{}", printer.constant("DESIGN_BRANCHES"));
     let nominal = match given.parameters.is_empty() {
         true => String::new(),
         false => format!("&{}", printer.constant("NOMINAL")),
@@ -129,7 +129,7 @@ fn drawn(printer: &Printer<'_>, parameters: &str, body: &mut Text) -> String {
             body.line(format!("const {coordinates} pose = {drawn}({parameters});"));
             "&pose".to_string()
         }
-        false => format!("&{}", printer.constant("DRAWN")),
+        false => format!("&{}", printer.constant("DESIGN")),
     }
 }
 

@@ -210,7 +210,7 @@ pub(super) fn drawn_branches(printer: &Printer<'_>, text: &mut Text) {
     }
     let (name, constant) = (
         printer.type_of("Branches"),
-        printer.constant("DRAWN_BRANCHES"),
+        printer.constant("DESIGN_BRANCHES"),
     );
     text.gap();
     text.line(format!(

@@ -37,7 +37,7 @@ pub(super) fn drawn(printer: &Printer<'_>, text: &mut Text) {
         printer.number(drawn.unwrap_or(0.0))
     });
     let values: Vec<String> = values.collect();
-    let (name, constant) = (printer.type_of("Coordinates"), printer.constant("DRAWN"));
+    let (name, constant) = (printer.type_of("Coordinates"), printer.constant("DESIGN"));
     text.gap();
     text.line(format!(
         "const {name} {constant} = {{{}}};",

@@ -126,12 +126,12 @@ fn declarations(printer: &Printer<'_>, text: &mut Text) {
     text.line(format!(
         "extern const {} {};",
         printer.type_of("Coordinates"),
-        printer.constant("DRAWN")
+        printer.constant("DESIGN")
     ));
     text.line(format!(
         "extern const {} {};",
         printer.type_of("Branches"),
-        printer.constant("DRAWN_BRANCHES")
+        printer.constant("DESIGN_BRANCHES")
     ));
     assemblies::declarations(printer, text);
     if printer.declared().inputs {

@@ -1,4 +1,4 @@
-//! The question whether unknowns keep to their path → lines of C that ask the runtime.
+//! The question whether unknowns stay on their path → lines of C that ask the runtime.
 
 use super::printer::Printer;
 use super::text::Text;
@@ -9,7 +9,7 @@ use crate::program::Function;
 /// An entry of a matrix, with its row and its column.
 pub(super) type Entry = ([usize; 2], String);
 
-/// Unknowns that are to be shown to keep to their path, with the expressions written.
+/// Unknowns that are to be shown to stay on their path, with the expressions written.
 pub(super) struct Isolated<'a> {
     pub is_chain: bool,
     pub blocks: &'a [usize],
@@ -22,7 +22,7 @@ pub(super) struct Isolated<'a> {
 }
 
 impl Printer<'_> {
-    /// Finds the sags of unknowns about the line that they should run along.
+    /// Finds the deviations of unknowns about the line that they should run along.
     pub(super) fn isolation(&self, isolated: &Isolated<'_>, scope: &Scope<'_>, text: &mut Text) {
         let Isolated {
             is_chain,
@@ -41,15 +41,15 @@ impl Printer<'_> {
             values.any(|expr| graph.symbols(expr).contains(symbol))
         };
         let named = found.iter().enumerate();
-        let named = named.map(|(place, symbol)| Sag {
+        let named = named.map(|(place, symbol)| Deviation {
             place,
             name: self.symbol(*symbol, scope),
             is_varied: is_varied(symbol),
             is_wanted: scope.is_wanted(*symbol),
         });
-        let named: Vec<Sag> = named.collect();
-        for sag in named.iter().filter(|sag| sag.is_wanted) {
-            text.line(format!("{real} {};", sag.name));
+        let named: Vec<Deviation> = named.collect();
+        for deviation in named.iter().filter(|deviation| deviation.is_wanted) {
+            text.line(format!("{real} {};", deviation.name));
         }
         text.open("{");
         let numbers = blocks
@@ -80,8 +80,7 @@ impl Printer<'_> {
         text.line(format!(
             "{real} reals[LINKWRIGHT_ISOLATION_REALS({order})];"
         ));
-        let chord =
-            "{span->bend, bounds, curvatures, ways, sizes, &jacobian[0][0], turns, &turning[0][0]}";
+        let chord = "{window->remainder, bounds, curvatures, changes, sizes, &jacobian[0][0], turns, &turning[0][0]}";
         text.line(format!("const {} chord = {chord};", self.runtime("chord")));
         text.line(format!("{} isolation;", self.runtime("isolation")));
         for (matrix, entries) in matrices {
@@ -89,12 +88,12 @@ impl Printer<'_> {
                 text.line(format!("{matrix}[{row}][{column}] = {entry};"));
             }
         }
-        let (call, span) = match is_chain {
-            true => ("isolate_chain", "span, "),
+        let (call, window) = match is_chain {
+            true => ("isolate_chain", "window, "),
             false => ("isolate", ""),
         };
         text.line(format!(
-            "{}(&isolation, {order}U, blocks, {span}&chord, &variation[0][0], reals);",
+            "{}(&isolation, {order}U, blocks, {window}&chord, &variation[0][0], reals);",
             self.runtime(call)
         ));
         if !is_chain {
@@ -104,8 +103,11 @@ impl Printer<'_> {
         text.line("*block = isolation.block;");
         text.line("return false;");
         text.close("}");
-        for sag in named.iter().filter(|sag| sag.is_wanted) {
-            text.line(format!("{} = isolation.found[{}];", sag.name, sag.place));
+        for deviation in named.iter().filter(|deviation| deviation.is_wanted) {
+            text.line(format!(
+                "{} = isolation.found[{}];",
+                deviation.name, deviation.place
+            ));
         }
         text.close("}");
     }
@@ -113,7 +115,7 @@ impl Printer<'_> {
     /// Says how far the entries of the Jacobian may change, as often as it is asked.
     fn variation(
         &self,
-        named: &[Sag],
+        named: &[Deviation],
         (varied, variation): (&[[usize; 2]], &Function),
         scope: &Scope<'_>,
         text: &mut Text,
@@ -121,16 +123,16 @@ impl Printer<'_> {
         let real = self.real();
         text.open(format!(
             "while ({}(&isolation)) {{",
-            self.runtime("isolation_asks")
+            self.runtime("isolation_needs_variation")
         ));
-        for sag in named.iter().filter(|sag| sag.is_varied) {
-            let declared = match sag.is_wanted {
+        for deviation in named.iter().filter(|deviation| deviation.is_varied) {
+            let declared = match deviation.is_wanted {
                 true => String::new(),
                 false => format!("const {real} "),
             };
             text.line(format!(
-                "{declared}{} = isolation.sags[{}];",
-                sag.name, sag.place
+                "{declared}{} = isolation.deviations[{}];",
+                deviation.name, deviation.place
             ));
         }
         let inner = scope.inner(variation);
@@ -143,7 +145,7 @@ impl Printer<'_> {
 }
 
 /// How far an unknown may be from its line.
-struct Sag {
+struct Deviation {
     place: usize,
     name: String,
     /// Whether the variation reads it, and whether somebody reads what is found.

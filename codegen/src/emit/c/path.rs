@@ -3,11 +3,11 @@
 use super::printer::Printer;
 use super::text::Text;
 use crate::emit::module::documentation;
+use crate::emit::module::path_enclosures::iterated;
 use crate::emit::module::scope::{Place, Scope};
-use crate::emit::module::tubes::iterated;
 use crate::program::Path;
 
-/// `keeps_to_path`, `is_within` where Newton-Raphson finds something, and `stays_regular` where all is in closed form.
+/// `verify_path`, `is_within` where Newton-Raphson finds something, and `verify_nonsingular` where all is in closed form.
 pub(super) fn path(printer: &Printer<'_>, text: &mut Text) {
     let Some(path) = &printer.module.program.path else {
         return;
@@ -15,10 +15,10 @@ pub(super) fn path(printer: &Printer<'_>, text: &mut Text) {
     let scope = Scope::new(printer.module, &path.function, Place::Path);
     let mut body = Text::default();
     printer.plain_statements(&scope, &mut body);
-    fill_tubes(printer, path, &scope, &mut body);
+    fill_enclosures(printer, path, &scope, &mut body);
     text.gap();
     text.comment([documentation::KEEPS_TO_PATH.join(" ")]);
-    shown(printer, "keeps_to_path", true, body, text);
+    shown(printer, "verify_path", true, body, text);
     within(printer, path, text);
     if let Some(function) = &path.closed {
         let scope = Scope::new(printer.module, function, Place::Path);
@@ -26,22 +26,22 @@ pub(super) fn path(printer: &Printer<'_>, text: &mut Text) {
         printer.plain_statements(&scope, &mut body);
         text.gap();
         text.comment([documentation::STAYS_REGULAR.join(" ")]);
-        shown(printer, "stays_regular", false, body, text);
+        shown(printer, "verify_nonsingular", false, body, text);
     }
 }
 
-/// A function that shows something of a span, and is given the tubes or not.
-fn shown(printer: &Printer<'_>, name: &str, has_tubes: bool, body: Text, text: &mut Text) {
+/// A function that shows something of a window, and is given the enclosures or not.
+fn shown(printer: &Printer<'_>, name: &str, has_enclosures: bool, body: Text, text: &mut Text) {
     let runtime = |name| printer.runtime(name);
-    let tubes = match has_tubes {
-        true => format!("{} *tubes, ", runtime("tube")),
+    let enclosures = match has_enclosures {
+        true => format!("{} *enclosures, ", runtime("enclosure")),
         false => String::new(),
     };
     text.line(format!(
-        "static bool {}(const {} *pair, const {} *span, {tubes}uint16_t *block)",
+        "static bool {}(const {} *pair, const {} *window, {enclosures}uint16_t *block)",
         printer.own(name),
         runtime("pair"),
-        runtime("span"),
+        runtime("time_window"),
     ));
     text.open("{");
     let [frame, parameters, inputs] =
@@ -81,8 +81,8 @@ fn shown(printer: &Printer<'_>, name: &str, has_tubes: bool, body: Text, text: &
     }
     let given = [
         ("pair", reads_pair),
-        ("span", body.mentions("span")),
-        ("tubes", !has_tubes || body.mentions("tubes")),
+        ("window", body.mentions("window")),
+        ("enclosures", !has_enclosures || body.mentions("enclosures")),
         ("block", body.mentions("block")),
     ];
     for (name, _) in given.into_iter().filter(|(_, is_read)| !is_read) {
@@ -93,18 +93,20 @@ fn shown(printer: &Printer<'_>, name: &str, has_tubes: bool, body: Text, text: &
     text.close("}");
 }
 
-/// What fills the tubes of unknowns that Newton-Raphson finds.
-fn fill_tubes(printer: &Printer<'_>, path: &Path, scope: &Scope<'_>, text: &mut Text) {
+/// What fills the enclosures of unknowns that Newton-Raphson finds.
+fn fill_enclosures(printer: &Printer<'_>, path: &Path, scope: &Scope<'_>, text: &mut Text) {
     let module = printer.module;
     let iterated = iterated(module.program, module.system, path);
-    for (place, (symbol, sag)) in iterated.iter().enumerate() {
+    for (place, (symbol, deviation)) in iterated.iter().enumerate() {
         let [now, before] = ["at", "last"].map(|frame| printer.field(*symbol, frame));
-        let sag = match sag {
-            Some(sag) => printer.symbol(*sag, scope),
+        let deviation = match deviation {
+            Some(deviation) => printer.symbol(*deviation, scope),
             None => printer.number(0.0),
         };
-        let tube = printer.runtime("tube_of");
-        text.line(format!("tubes[{place}] = {tube}({now}, {before}, {sag});"));
+        let enclosure = printer.runtime("enclosure_of");
+        text.line(format!(
+            "enclosures[{place}] = {enclosure}({now}, {before}, {deviation});"
+        ));
     }
 }
 
@@ -115,13 +117,13 @@ fn within(printer: &Printer<'_>, path: &Path, text: &mut Text) {
     if iterated.is_empty() {
         return;
     }
-    let (frame, holds) = (printer.type_of("Frame"), printer.runtime("tube_holds"));
+    let (frame, holds) = (printer.type_of("Frame"), printer.runtime("enclosure_holds"));
     text.gap();
     text.comment(["Whether what Newton-Raphson has found is where the path is."]);
     text.line(format!(
-        "static bool {}(const void *found, const {} *tubes, {} steps)",
+        "static bool {}(const void *found, const {} *enclosures, {} steps)",
         printer.own("is_within"),
-        printer.runtime("tube"),
+        printer.runtime("enclosure"),
         printer.real()
     ));
     text.open("{");
@@ -130,7 +132,7 @@ fn within(printer: &Printer<'_>, path: &Path, text: &mut Text) {
     for (place, (symbol, _)) in iterated.iter().enumerate() {
         let value = printer.field(*symbol, "at");
         text.line(format!(
-            "is_within = is_within && {holds}(&tubes[{place}], {value}, steps);"
+            "is_within = is_within && {holds}(&enclosures[{place}], {value}, steps);"
         ));
     }
     text.line("return is_within;");

@@ -69,7 +69,7 @@ impl<'a> Printer<'a> {
         format!("{}_{name}", self.prefix)
     }
 
-    /// A constant that other files see: `FOUR_BAR_DRAWN`.
+    /// A constant that other files see: `FOUR_BAR_DESIGN`.
     pub(super) fn constant(&self, name: &str) -> String {
         format!("{}_{name}", self.prefix.to_uppercase())
     }
@@ -115,7 +115,7 @@ impl<'a> Printer<'a> {
             Location::Sign(branch) => {
                 format!("({})branches->{}", self.real(), identifier(branch))
             }
-            Location::Span(part) => format!("span->{part}"),
+            Location::TimeWindow(part) => format!("window->{part}"),
             Location::Field(symbol) => self.field(symbol, "at"),
             Location::Last(symbol) => self.field(symbol, "last"),
             Location::LastTime => "last->t".to_string(),

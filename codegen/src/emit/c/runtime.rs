@@ -14,7 +14,7 @@ const PARTS: [&str; 16] = [
     include_str!("runtime/newton.c"),
     include_str!("runtime/assembly.c"),
     include_str!("runtime/torn.c"),
-    include_str!("runtime/span.c"),
+    include_str!("runtime/time_window.c"),
     include_str!("runtime/isolation.c"),
     include_str!("runtime/chain.c"),
     include_str!("runtime/guard.c"),

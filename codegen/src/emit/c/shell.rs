@@ -9,7 +9,7 @@ use crate::emit::module::checks::checked;
 use crate::emit::module::documentation;
 use crate::emit::module::drawing::frame_keeps_parameters;
 use crate::emit::module::needs::Needs;
-use crate::emit::module::tubes::tube_count;
+use crate::emit::module::path_enclosures::enclosure_count;
 use crate::program::Requirements;
 
 /// The structure that a user holds.
@@ -48,11 +48,11 @@ pub(super) fn structure(printer: &Printer<'_>, text: &mut Text) {
         text.line(format!("{} window_inputs[2];", type_of("Inputs")));
     }
     text.line(format!("{} frames[2];", type_of("Frame")));
-    if tube_count(module) > 0 {
+    if enclosure_count(module) > 0 {
         text.line(format!(
-            "{} tubes[{}];",
-            printer.runtime("tube"),
-            tube_count(module)
+            "{} enclosures[{}];",
+            printer.runtime("enclosure"),
+            enclosure_count(module)
         ));
     }
     text.line(format!("{} state;", printer.runtime("state")));
@@ -223,9 +223,9 @@ pub(super) fn blocks(printer: &Printer<'_>, values: usize, text: &mut Text) {
             true => format!("&LINKWRIGHT{}_PASSAGE", printer.suffix().to_uppercase()),
             false => "NULL".to_string(),
         },
-        some(is_guarded, "keeps_to_path"),
-        some(module.program.closed_path().is_some(), "stays_regular"),
-        some(is_guarded && tube_count(module) > 0, "is_within"),
+        some(is_guarded, "verify_path"),
+        some(module.program.closed_path().is_some(), "verify_nonsingular"),
+        some(is_guarded && enclosure_count(module) > 0, "is_within"),
         printer.own("time_of"),
         format!("{values}U"),
         module.holds_coordinates().to_string(),

@@ -115,12 +115,15 @@ impl Printer<'_> {
             } => {
                 let [excess, scale, distance, longest, shortest] =
                     [excess, scale, distance, longest, shortest].map(write);
-                let (spans, no_span) = (self.runtime("spans"), self.runtime("no_span"));
-                text.open(format!("if (!{spans}({excess}, {scale})) {{"));
+                let (exceeds, out_of_reach) = (
+                    self.runtime("exceeds_rounding"),
+                    self.runtime("fail_out_of_reach"),
+                );
+                text.open(format!("if (!{exceeds}({excess}, {scale})) {{"));
                 text.line(match scope.is_inside() {
                     true => "return false;".to_string(),
                     false => format!(
-                        "return {no_span}({distance}, {longest}, {shortest}, conditions, {block}U);"
+                        "return {out_of_reach}({distance}, {longest}, {shortest}, conditions, {block}U);"
                     ),
                 });
                 text.close("}");
@@ -131,9 +134,12 @@ impl Printer<'_> {
                     self.operand(&arithmetic, scope)
                 });
                 let (value, scale) = (write(value), write(scale));
-                let (spans, failed) = (self.runtime("spans"), self.runtime("singular_divisor"));
+                let (exceeds, failed) = (
+                    self.runtime("exceeds_rounding"),
+                    self.runtime("singular_divisor"),
+                );
                 text.open(format!(
-                    "if (!{spans}({factor} * {factor}, {unit} * {unit})) {{"
+                    "if (!{exceeds}({factor} * {factor}, {unit} * {unit})) {{"
                 ));
                 text.line(match scope.is_inside() {
                     true => "return false;".to_string(),
@@ -172,7 +178,7 @@ impl Printer<'_> {
                 found,
                 bounds,
                 curvatures,
-                ways,
+                changes,
                 sizes,
                 jacobian,
                 turns,
@@ -194,7 +200,7 @@ impl Printer<'_> {
                     vectors: [
                         ("bounds", vector(bounds)),
                         ("curvatures", vector(curvatures)),
-                        ("ways", vector(ways)),
+                        ("changes", vector(changes)),
                         ("sizes", vector(sizes)),
                     ],
                     turns,
@@ -262,10 +268,10 @@ impl Printer<'_> {
     fn signal(&self, input: usize, found: &[SymbolId; 2], scope: &Scope<'_>, text: &mut Text) {
         let name = &self.module.system.mechanism.inputs[input].name;
         let field = identifier(&field_name(name));
-        let [values, call] = [format!("{field}_found"), self.runtime("span_signal")];
+        let [values, call] = [format!("{field}_found"), self.runtime("window_signal")];
         text.line(format!("{} {values}[2];", self.real()));
         text.line(format!(
-            "{call}(span, &before->{field}, &inputs->{field}, {values});"
+            "{call}(window, &before->{field}, &inputs->{field}, {values});"
         ));
         for (place, symbol) in found.iter().enumerate() {
             if scope.is_wanted(*symbol) {

@@ -226,7 +226,7 @@ const LOCAL_VALUES: &[&str] = &[
     "signal",
     "signs",
     "sizes",
-    "span",
+    "window",
     "sqrt",
     "status",
     "steps",
@@ -234,12 +234,12 @@ const LOCAL_VALUES: &[&str] = &[
     "tearing",
     "tears",
     "terms",
-    "tubes",
+    "enclosures",
     "turning",
     "turns",
     "unix",
     "variation",
-    "ways",
+    "changes",
     // Functions and macros, which a value of the same name would hide.
 ];
 

@@ -43,7 +43,7 @@ pub(in crate::emit) const MONITORED: &str = "The residuals of the redundant equa
 /// Of what shows that frames lie on their path.
 pub(in crate::emit) const KEEPS_TO_PATH: [&str; 2] = [
     "Whether a frame lies on the path of the last one: how far values are from where they are now (`radius`), and from a",
-    "straight line (`sag`), while the mechanism moves; or else the block of which that cannot be shown.",
+    "straight line (`deviation`), while the mechanism moves; or else the block of which that cannot be shown.",
 ];
 
 /// Of what shows the same of closed forms by themselves.

@@ -25,7 +25,7 @@ pub(in crate::emit) fn facts(module: &Module<'_>) -> Vec<String> {
         .count();
     let mut lines = vec![format!(
         "{}, {} coordinates, {} equations ({} of joints, {drivers} of drivers).",
-        mechanism.what_moves(),
+        mechanism.body_count_label(),
         system.coordinates.len(),
         system.rows.len(),
         system.rows.len() - drivers,

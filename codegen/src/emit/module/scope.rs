@@ -30,8 +30,8 @@ pub(in crate::emit) enum Location<'a> {
     Local(String),
     /// Where the assembly mode of this name is, whose sign it is.
     Sign(&'a str),
-    /// In a part of the span.
-    Span(&'static str),
+    /// In a part of the window.
+    TimeWindow(&'static str),
     /// In a field of the frame `at`.
     Field(SymbolId),
     /// In a field of the frame `last`.
@@ -72,8 +72,8 @@ pub(in crate::emit) struct Reads {
     pub last: bool,
     /// Anything of the inputs in the last frame.
     pub before: bool,
-    /// Anything of the span.
-    pub span: bool,
+    /// Anything of the window.
+    pub window: bool,
     pub position: bool,
     pub rate: bool,
     pub acceleration: bool,
@@ -176,7 +176,7 @@ impl<'a> Scope<'a> {
             return Location::Sign(&branch.name);
         }
         if let Some(part) = self.module.span_part(symbol) {
-            return Location::Span(part);
+            return Location::TimeWindow(part);
         }
         match system.roles[symbol.index()] {
             SymbolRole::Last(symbol) => return self.locate_last(symbol),
@@ -249,7 +249,7 @@ impl<'a> Scope<'a> {
 
     /// Whether somebody reads what a statement of a path finds.
     pub(in crate::emit) fn is_wanted(&self, symbol: SymbolId) -> bool {
-        self.module.has_tube(symbol) || self.is_read(symbol)
+        self.module.has_enclosure(symbol) || self.is_read(symbol)
     }
 
     /// What the function reads.
@@ -266,7 +266,7 @@ impl<'a> Scope<'a> {
                 continue;
             }
             if self.module.span_part(symbol).is_some() {
-                reads.span = true;
+                reads.window = true;
                 continue;
             }
             if self.module.program.branch_of(symbol).is_some() {

@@ -198,7 +198,7 @@ mod tests {
             /// A function.
             fn f(at: &mut Frame, last: &Frame) -> Result<(), Failure> {
                 #statements
-                if !spans(a, b) { return Err(singular(a, t, 3)); }
+                if !exceeds_rounding(a, b) { return Err(singular(a, t, 3)); }
                 Ok(())
             }
             const ONE: f64 = 1.0;
@@ -221,7 +221,7 @@ mod tests {
         "required(a - b, 3)?;",
         "let lift = TABLE_LIFT.at(x)[1] * branches.loop_a.sign::<Scalar>();",
         "jacobian[(2, 3)] = -a;",
-        "if !spans(a - b, 2.0) {\n    return Err(no_span(a, b, 0.0, t, 1));\n}",
+        "if !exceeds_rounding(a - b, 2.0) {\n    return Err(out_of_reach(a, b, 0.0, t, 1));\n}",
         "let long = alpha * (beta - gamma) * delta + alpha * (gamma - beta) * delta + alpha * beta * gamma * delta - epsilon;",
     ];
 

@@ -6,42 +6,42 @@ use quote::{ToTokens, quote};
 use super::code::{Code, taken_apart};
 use super::lints;
 use super::literal::count;
+use crate::emit::module::path_enclosures::iterated;
 use crate::emit::module::scope::{Place, Scope};
-use crate::emit::module::tubes::iterated;
 use crate::emit::module::{Module, documentation};
 use crate::program::{Function, Path, Statement};
 
-/// `keeps_to_path`, `is_within` where Newton-Raphson finds something, and `stays_regular` where all is in closed form.
+/// `verify_path`, `is_within` where Newton-Raphson finds something, and `verify_nonsingular` where all is in closed form.
 pub(super) fn path(module: &Module<'_>) -> TokenStream {
     let Some(path) = &module.program.path else {
         return TokenStream::new();
     };
-    let (within, filled) = tubes(module, path);
+    let (within, filled) = enclosures(module, path);
     let mut code = Code::default();
     let keeps = Shown {
-        name: "keeps_to_path",
+        name: "verify_path",
         docs: &documentation::KEEPS_TO_PATH,
-        tubes: Some(filled),
+        enclosures: Some(filled),
     };
     shown(module, &path.function, keeps, &mut code);
     code.syntax(within);
     if let Some(function) = &path.closed {
         let stays = Shown {
-            name: "stays_regular",
+            name: "verify_nonsingular",
             docs: &documentation::STAYS_REGULAR,
-            tubes: None,
+            enclosures: None,
         };
         shown(module, function, stays, &mut code);
     }
     code.to_token_stream()
 }
 
-/// A function that shows something of a span.
+/// A function that shows something of a window.
 struct Shown<'a> {
     name: &'a str,
     docs: &'a [&'a str],
-    /// What fills the tubes, where it is given them.
-    tubes: Option<Code>,
+    /// What fills the enclosures, where it is given them.
+    enclosures: Option<Code>,
 }
 
 fn shown(module: &Module<'_>, function: &Function, shown: Shown<'_>, code: &mut Code) {
@@ -53,7 +53,7 @@ fn shown(module: &Module<'_>, function: &Function, shown: Shown<'_>, code: &mut 
     let mut own = function.statements.iter();
     let isolates = own.any(|it| matches!(it, Statement::Isolate { .. }));
     let (inputs, before) = (reads.inputs || signals, reads.before || signals);
-    let fills = shown.tubes.as_ref().is_some_and(|it| !it.is_empty());
+    let fills = shown.enclosures.as_ref().is_some_and(|it| !it.is_empty());
     let conditions = [
         (reads.time, "t"),
         (reads.parameters, "parameters"),
@@ -68,36 +68,36 @@ fn shown(module: &Module<'_>, function: &Function, shown: Shown<'_>, code: &mut 
     ];
     let both = taken_apart("&Pair", "pair", &both);
     let has_pair = both.is_some();
-    let has_tubes = shown.tubes.is_some();
+    let has_enclosures = shown.enclosures.is_some();
     let mut statements = Code::default();
     both.iter()
         .chain(&conditions)
         .for_each(|taken| statements.lines(taken));
     statements.append(found);
-    statements.append(shown.tubes.unwrap_or_default());
+    statements.append(shown.enclosures.unwrap_or_default());
     statements.lines("Ok(())");
     let argument = |name: &str, is_read: bool| match is_read {
         true => name.to_string(),
         false => format!("_{name}"),
     };
-    let (pair, span) = (
+    let (pair, window) = (
         argument("pair", has_pair),
-        argument("span", reads.span || signals || isolates),
+        argument("window", reads.window || signals || isolates),
     );
-    let tubes = match has_tubes {
-        true => format!(", {}: &mut Tubes", argument("tubes", fills)),
+    let enclosures = match has_enclosures {
+        true => format!(", {}: &mut PathEnclosures", argument("enclosures", fills)),
         false => String::new(),
     };
     let head = format!(
-        "fn {}({pair}: &Pair<'_>, {span}: &Span{tubes}) -> Result<(), u16>",
+        "fn {}({pair}: &Pair<'_>, {window}: &TimeWindow{enclosures}) -> Result<(), u16>",
         shown.name
     );
     let allow = lints::of_code(&statements);
     code.function(shown.docs, allow, &head, statements);
 }
 
-/// Whether what Newton-Raphson finds is in its tubes, and what fills them.
-fn tubes(module: &Module<'_>, path: &Path) -> (TokenStream, Code) {
+/// Whether what Newton-Raphson finds is in its enclosures, and what fills them.
+fn enclosures(module: &Module<'_>, path: &Path) -> (TokenStream, Code) {
     let iterated = iterated(module.program, module.system, path);
     let mut filled = Code::default();
     if iterated.is_empty() {
@@ -105,20 +105,20 @@ fn tubes(module: &Module<'_>, path: &Path) -> (TokenStream, Code) {
     }
     let scope = Scope::new(module, &path.function, Place::Path);
     let mut found = Vec::with_capacity(iterated.len());
-    for (place, (symbol, sag)) in iterated.iter().enumerate() {
+    for (place, (symbol, deviation)) in iterated.iter().enumerate() {
         let [now, before] = ["at", "last"].map(|frame| module.field_text(*symbol, frame));
-        let sag = sag.map_or("0.0".to_string(), |sag| scope.read(sag));
+        let deviation = deviation.map_or("0.0".to_string(), |deviation| scope.read(deviation));
         filled.push(&format!(
-            "tubes[{place}] = Tube::new({now}, {before}, {sag});"
+            "enclosures[{place}] = PathEnclosure::new({now}, {before}, {deviation});"
         ));
         found.push(module.field(*symbol, "at"));
     }
     let count = count(iterated.len());
     let within = quote! {
         /// Whether what Newton-Raphson has found is where the path is.
-        fn is_within(at: &Frame, tubes: &Tubes, steps: Scalar) -> bool {
+        fn is_within(at: &Frame, enclosures: &PathEnclosures, steps: Scalar) -> bool {
             let found: [Scalar; #count] = [#(#found),*];
-            tubes.iter().zip(found).all(|(tube, value)| tube.holds(value, steps))
+            enclosures.iter().zip(found).all(|(enclosure, value)| enclosure.holds(value, steps))
         }
     };
     (within, filled)

@@ -20,7 +20,7 @@ impl Scope<'_> {
             Location::Sign(branch) => {
                 format!("branches.{}.sign::<Scalar>()", identifier_text(branch))
             }
-            Location::Span(part) => format!("span.{}", identifier_text(part)),
+            Location::TimeWindow(part) => format!("window.{}", identifier_text(part)),
             Location::Field(symbol) => self.module.field_text(symbol, "at"),
             Location::Last(symbol) => self.module.field_text(symbol, "last"),
             Location::LastTime => "last.t".to_string(),

@@ -14,7 +14,7 @@ use super::names::type_name;
 use super::parameters;
 use crate::emit::module::checks::checked;
 use crate::emit::module::drawing::frame_keeps_parameters;
-use crate::emit::module::tubes::tube_count;
+use crate::emit::module::path_enclosures::enclosure_count;
 use crate::emit::module::{Module, documentation};
 
 /// The function that solves one instant, and the mechanism's own type.
@@ -35,9 +35,9 @@ pub(super) fn mechanism(module: &Module<'_>) -> TokenStream {
         Some(_) => "guarded",
         None => "unguarded",
     };
-    text.line(match tube_count(module) {
+    text.line(match enclosure_count(module) {
         0 => format!("path: {path};"),
-        count => format!("path: {path}, tubes: {count};"),
+        count => format!("path: {path}, enclosures: {count};"),
     });
     if module.program.drawn.is_some() {
         text.line("drawn: drawn;");

@@ -85,8 +85,8 @@ impl Scope<'_> {
                 let [excess, scale, distance, longest, shortest] =
                     [excess, scale, distance, longest, shortest].map(write);
                 Some(self.unless(
-                    &format!("spans({excess}, {scale})"),
-                    &format!("no_span({distance}, {longest}, {shortest}, t, {block})"),
+                    &format!("exceeds_rounding({excess}, {scale})"),
+                    &format!("out_of_reach({distance}, {longest}, {shortest}, t, {block})"),
                 ))
             }
             Statement::Nonzero { value, scale } => {
@@ -96,7 +96,7 @@ impl Scope<'_> {
                     format!("{factor} * {factor}")
                 };
                 Some(self.unless(
-                    &format!("spans({}, {})", square(&value), square(&scale)),
+                    &format!("exceeds_rounding({}, {})", square(&value), square(&scale)),
                     &format!(
                         "singular_divisor({}, {}, t, {block})",
                         self.written(&value),
@@ -167,9 +167,9 @@ impl Scope<'_> {
             Statement::Signal { input, found } => {
                 let input = &self.module.system.mechanism.inputs[*input].name;
                 let field = identifier_text(&field_name(input));
-                let [radius, sag] = found.map(|symbol| self.found(symbol));
+                let [radius, deviation] = found.map(|symbol| self.found(symbol));
                 code.push(&format!(
-                    "let [{radius}, {sag}] = span.signal(&before.{field}, &inputs.{field});"
+                    "let [{radius}, {deviation}] = window.signal(&before.{field}, &inputs.{field});"
                 ));
             }
             Statement::Isolate {
@@ -178,7 +178,7 @@ impl Scope<'_> {
                 found,
                 bounds,
                 curvatures,
-                ways,
+                changes,
                 sizes,
                 jacobian,
                 turns,
@@ -192,8 +192,8 @@ impl Scope<'_> {
                     let values = uniform(values.iter().map(write).collect());
                     quote!(Vector::from(#values))
                 };
-                let [bounds, curvatures, ways, sizes] =
-                    [bounds, curvatures, ways, sizes].map(|it| written(it));
+                let [bounds, curvatures, changes, sizes] =
+                    [bounds, curvatures, changes, sizes].map(|it| written(it));
                 let turns = uniform(turns.iter().map(|it| quote!(#it)).collect());
                 for (matrix, entries) in [("jacobian", jacobian), ("turning", turning)] {
                     self.matrix(matrix, entries, code);
@@ -203,17 +203,17 @@ impl Scope<'_> {
                     _ => quote!(&mut turning),
                 };
                 let chord = quote!(Chord {
-                    bend: span.bend,
+                    remainder: window.remainder,
                     bounds: #bounds,
                     curvatures: #curvatures,
-                    ways: #ways,
+                    changes: #changes,
                     sizes: #sizes,
                     jacobian: &mut jacobian,
                     turns: #turns.into(),
                     turning: #turning,
                 });
                 let given = match is_chain {
-                    true => quote!(#numbers, span, #chord),
+                    true => quote!(#numbers, window, #chord),
                     false => quote!(#numbers, #chord),
                 };
                 self.isolation(*is_chain, found, given, (varied, variation), code);
@@ -267,7 +267,7 @@ impl Scope<'_> {
         }
     }
 
-    /// Finds the sags of unknowns about the line that they should run along.
+    /// Finds the deviations of unknowns about the line that they should run along.
     fn isolation(
         &self,
         is_chain: bool,
@@ -298,8 +298,8 @@ impl Scope<'_> {
                     results.push(&filled("variation", *place, &value));
                 }
                 quote! {
-                    isolate(#given, |sags, variation| {
-                        let &[#(#arguments),*] = sags;
+                    isolate(#given, |deviations, variation| {
+                        let &[#(#arguments),*] = deviations;
                         #statements
                         #results
                     })?

@@ -125,7 +125,7 @@ impl Page<'_> {
         format!(
             "mechanism {}: {}, {}, {} of joints, {} of drivers, {}\n\n{}\n",
             mechanism.title(),
-            mechanism.what_moves(),
+            mechanism.body_count_label(),
             plural(coordinates as i64, "coordinate", "coordinates"),
             plural(constraints as i64, "equation", "equations"),
             plural(drivers as i64, "equation", "equations"),

@@ -98,7 +98,7 @@ fn contacts_are_printed_and_written_as_a_person_would() {
     let solved = code
         .split("struct LoopTranslationalGroundFollowerTip")
         .nth(1);
-    let solved = solved.and_then(|solved| solved.split("fn keeps_to_path").next());
+    let solved = solved.and_then(|solved| solved.split("fn verify_path").next());
     let solved = solved.expect("the block of the contact");
     // Once in each of the four functions of Newton-Raphson, and once in the block itself.
     let pairs = solved.matches("let (sin_s_tip, cos_s_tip) = math::sin_cos(");

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use linkwright::{Blocks, Pair, Settings, Span};
+use linkwright::{Blocks, Pair, Settings, TimeWindow};
 use linkwright_codegen::diagnostic::Source;
 use linkwright_solver::supplied::InputSignals;
 use linkwright_tests::dyad_chain;
@@ -111,7 +111,7 @@ fn windows_of_a_hundred_dyads_hold_eight_steps() {
             before: &none,
             conditions: &conditions,
         };
-        let shown = blocks.stays_regular(&pair, &Span::around(h, 8.0));
+        let shown = blocks.verify_nonsingular(&pair, &TimeWindow::around(h, 8.0));
         assert_eq!(shown, Ok(()), "{t}");
     }
 }

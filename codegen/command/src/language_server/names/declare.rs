@@ -121,7 +121,7 @@ impl Scopes {
             | Statement::Torque(_)
             | Statement::Reaction(_)
             | Statement::Units(_)
-            | Statement::Wish(_) => {}
+            | Statement::Directive(_) => {}
         }
     }
 

@@ -12,7 +12,7 @@ impl Scopes {
     pub(super) fn mention_all(&mut self, document: &Document) {
         let statements = &document.mechanism.statements;
         self.mention_in(statements, Scopes::mention_statement);
-        self.mention_in(statements, Scopes::mention_wishes);
+        self.mention_in(statements, Scopes::mention_requests);
     }
 
     fn mention_in(&mut self, statements: &[Statement], each: fn(&mut Scopes, &Statement)) {
@@ -69,12 +69,12 @@ impl Scopes {
             | Statement::Sensitivity(_)
             | Statement::Reaction(_)
             | Statement::Units(_)
-            | Statement::Wish(_)
+            | Statement::Directive(_)
             | Statement::Motion(_) => {}
         }
     }
 
-    fn mention_wishes(&mut self, statement: &Statement) {
+    fn mention_requests(&mut self, statement: &Statement) {
         match statement {
             Statement::Output(own) => self.wanted(&own.items),
             Statement::Transmission(own) => self.wanted(&own.items),

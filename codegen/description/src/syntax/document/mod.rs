@@ -12,7 +12,7 @@ pub use constraint::{Drive, DrivenForm, Equation, Free, Joint};
 pub use drawn::{Body, Curve, DrawnPoint, Member, Orientation, Origin, Points, Shape};
 pub use table::{Ends, Table, TablePoints};
 pub use units::Units;
-pub use wanted::{Output, OutputItem, Sensitivity, Transmission, Wish, WishKind};
+pub use wanted::{Directive, DirectiveKind, Output, OutputItem, Sensitivity, Transmission};
 
 use std::sync::Arc;
 
@@ -96,7 +96,7 @@ pub enum Statement {
     /// `reaction P;`
     Reaction(Reaction),
     /// `monitor;`, `unguarded;`, `effort;`, `reactions;`, `least_norm;`, `energy;`
-    Wish(Wish),
+    Directive(Directive),
     /// `units mm, deg;`
     Units(Units),
     /// `motion NAME { statements }`
@@ -140,7 +140,7 @@ impl Statement {
             Statement::Force(statement) => statement.span,
             Statement::Torque(statement) => statement.span,
             Statement::Reaction(statement) => statement.span,
-            Statement::Wish(statement) => statement.span,
+            Statement::Directive(statement) => statement.span,
             Statement::Units(statement) => statement.span,
             Statement::Motion(statement) => statement.span,
         }

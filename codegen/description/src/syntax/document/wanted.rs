@@ -40,18 +40,18 @@ pub struct Sensitivity {
 
 /// A statement of one word.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Wish {
-    /// What is wished.
-    pub kind: WishKind,
+pub struct Directive {
+    /// Kind of the statement.
+    pub kind: DirectiveKind,
     /// The `///` lines above it.
     pub docs: Vec<String>,
     /// The whole statement with its semicolon.
     pub span: Span,
 }
 
-/// What a statement of one word wishes.
+/// Kinds of statements of one word.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum WishKind {
+pub enum DirectiveKind {
     /// `monitor`: every frame says how close the mechanism is to a singular pose.
     Monitor,
     /// `unguarded`: no frame is shown to lie on the path of the last one.

@@ -115,7 +115,7 @@ impl<'a> Lowering<'a> {
         }
     }
 
-    /// What shows that these blocks of the plan have kept to their path.
+    /// What shows that these blocks of the plan have stayed on their path.
     pub(in crate::program) fn path<'b>(
         &mut self,
         blocks: impl Iterator<Item = (usize, &'b SolvedBlock)>,

@@ -12,7 +12,7 @@ use crate::force::moment;
 use crate::program::builder::Builder;
 use crate::program::forms::Transposed;
 use crate::program::function::Statement;
-use crate::structure::{Addition, Part, SolvedPlan};
+use crate::structure::{Addition, SolvedPlan, Subsystem};
 use crate::words::{Phrase, Piece, enumerated, phrase};
 
 /// What is carried.
@@ -144,7 +144,7 @@ impl Sweep<'_, '_> {
     }
 
     /// Finds the multipliers of a part and passes on what its equations carry.
-    fn part(&mut self, part: &Part, transposed: Option<&Transposed>) {
+    fn part(&mut self, part: &Subsystem, transposed: Option<&Transposed>) {
         let forces: Vec<ExprId> = part.unknowns.iter().map(|&it| self.take(it)).collect();
         let zero = self.builder.graph().zero();
         self.say_part(part, transposed, &forces);
@@ -186,7 +186,7 @@ impl Sweep<'_, '_> {
     }
 
     /// Says what the equations of a part carry, and why.
-    fn say_part(&mut self, part: &Part, transposed: Option<&Transposed>, forces: &[ExprId]) {
+    fn say_part(&mut self, part: &Subsystem, transposed: Option<&Transposed>, forces: &[ExprId]) {
         let rows = part.equations.iter().map(|it| it.row);
         self.builder.say(|builder| {
             let system = &builder.system;
@@ -223,7 +223,7 @@ impl Sweep<'_, '_> {
     }
 
     /// The multipliers of a part without a closed form, by one dense system with its Jacobian.
-    fn dense(&mut self, part: &Part, forces: Vec<ExprId>) -> Vec<ExprId> {
+    fn dense(&mut self, part: &Subsystem, forces: Vec<ExprId>) -> Vec<ExprId> {
         let mut jacobian = Vec::with_capacity(forces.len() * forces.len());
         for equation in &part.equations {
             for &unknown in &part.unknowns {

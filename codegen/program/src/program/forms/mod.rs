@@ -29,7 +29,7 @@ use super::builder::Builder;
 use super::function::Level;
 use crate::expr::{ExprId, Graph};
 use crate::joint::Quantity;
-use crate::structure::Part;
+use crate::structure::Subsystem;
 use crate::system::{System, VectorForm};
 use crate::words::Singular;
 
@@ -94,7 +94,7 @@ const FORMS: &[Match] = &[
 ];
 
 /// The form of a part.
-pub(super) fn recognize(part: &Part, system: &mut System) -> Arc<dyn Form> {
+pub(super) fn recognize(part: &Subsystem, system: &mut System) -> Arc<dyn Form> {
     let System {
         vector_form: form,
         mechanism,

@@ -1,4 +1,4 @@
-//! Blocks that are needed → what shows that they have kept to their path, which needs more of them.
+//! Blocks that are needed → what shows that they have stayed on their path, which needs more of them.
 
 use crate::expr::{ExprId, IdSet, SymbolId};
 use crate::program::block::{Block, Lowering};
@@ -17,7 +17,7 @@ pub(super) struct Needed {
     pub path: Option<Path>,
 }
 
-/// What shows that these blocks have kept to their path.
+/// What shows that these blocks have stayed on their path.
 pub(super) fn path_of(blocks: &[Block], lowering: &mut Lowering<'_>, plan: &SolvedPlan) -> Path {
     let kept: Vec<usize> = blocks
         .iter()
@@ -26,7 +26,7 @@ pub(super) fn path_of(blocks: &[Block], lowering: &mut Lowering<'_>, plan: &Solv
         .collect();
     let kept = kept.into_iter().map(|place| (place, &plan.blocks[place]));
     let mut found = lowering.path(kept.clone());
-    // What Newton-Raphson finds needs its tubes, also where it does not move.
+    // What Newton-Raphson finds needs its enclosures, also where it does not move.
     if blocks.iter().all(|block| block.newton.is_none()) {
         found.closed = lowering.closed_path(kept);
     }

@@ -79,7 +79,7 @@ impl Stated {
         }
     }
 
-    /// What the blocks find that is needed, and what shows that they have kept to their path.
+    /// What the blocks find that is needed, and what shows that they have stayed on their path.
     pub fn needed(&self, lowering: &mut Lowering<'_>, plan: &SolvedPlan) -> Needed {
         let mut asked = self.asked.clone();
         let mut blocks = self.pruned(&asked, lowering.system);

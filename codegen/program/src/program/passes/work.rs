@@ -30,7 +30,7 @@ pub const BLOCKS: usize = 64;
 /// How often a guard looks at most: at windows of 1024 to 2 steps, each 0.625 of the last one, and at the step alone.
 pub const LOOKS: usize = 15;
 
-/// How often the sags of a window are widened.
+/// How often the deviations of a window are widened.
 pub const WIDENED: usize = 8;
 
 /// What a cell of a chain takes at most: additions, multiplications and divisions; and additions and multiplications in each round.
@@ -242,7 +242,7 @@ impl Looks {
     }
 }
 
-/// What shows that a chain with so many unknowns keeps to its path.
+/// What shows that a chain with so many unknowns stays on its path.
 fn of_chain(order: usize) -> Operations {
     let [additions, multiplications, divisions] = OF_CELL;
     let rounds = WIDENED * OF_CELL_IN_ROUND;

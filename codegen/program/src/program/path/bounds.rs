@@ -8,15 +8,15 @@ use crate::system::SymbolRole;
 
 impl Builder<'_> {
     /// How far an unknown goes along the line: what it has moved since the last frame, stretched.
-    pub(super) fn way(&mut self, unknown: usize) -> SymbolId {
-        let way = self.bound(unknown, "way");
+    pub(super) fn change(&mut self, unknown: usize) -> SymbolId {
+        let change = self.bound(unknown, "change");
         let moved = self.moved_since(unknown);
         let moved = self.graph().magnitude(moved);
-        let stretch = self.paths.span.stretch;
+        let stretch = self.paths.window.steps;
         let stretch = self.graph().variable(stretch);
         let value = self.graph().multiply(stretch, moved);
-        self.assign(way, value);
-        way
+        self.assign(change, value);
+        change
     }
 
     /// How far an unknown has moved since the last frame.
@@ -80,7 +80,7 @@ impl Builder<'_> {
             unknown,
             Enclosure {
                 radius: zero,
-                sag: zero,
+                deviation: zero,
             },
         );
     }
@@ -111,13 +111,13 @@ impl Builder<'_> {
                 continue;
             }
             let name = self.system.mechanism.inputs[input].name.to_lowercase();
-            let found =
-                ["radius", "sag"].map(|what| self.system.intermediate(&format!("{name}_{what}")));
+            let found = ["radius", "deviation"]
+                .map(|what| self.system.intermediate(&format!("{name}_{what}")));
             self.state(Statement::Signal { input, found });
-            let [radius, sag] = found.map(|it| self.graph().variable(it));
+            let [radius, deviation] = found.map(|it| self.graph().variable(it));
             self.paths
                 .enclosures
-                .know(symbol, Enclosure { radius, sag });
+                .know(symbol, Enclosure { radius, deviation });
         }
     }
 }

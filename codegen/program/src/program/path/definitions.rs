@@ -68,7 +68,7 @@ impl Builder<'_> {
         }
         let zero = self.graph().zero();
         let found = self.enclosure(value);
-        self.path_geometry(&[found.radius, found.sag]);
+        self.path_geometry(&[found.radius, found.deviation]);
         self.require(block);
         if found.radius == zero {
             return self.know(unknown, found);
@@ -81,12 +81,12 @@ impl Builder<'_> {
             builder.assign(symbol, value);
             builder.graph().variable(symbol)
         };
-        let sag = named(self, found.sag, "sag");
+        let deviation = named(self, found.deviation, "deviation");
         // Between both frames it moves by their difference, and beyond them as much.
-        let way = self.way(unknown);
-        let way = self.graph().variable(way);
-        let reach = self.graph().add(way, sag);
+        let change = self.change(unknown);
+        let change = self.graph().variable(change);
+        let reach = self.graph().add(change, deviation);
         let radius = named(self, reach, "radius");
-        self.know(unknown, Enclosure { radius, sag });
+        self.know(unknown, Enclosure { radius, deviation });
     }
 }

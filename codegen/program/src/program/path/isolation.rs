@@ -17,7 +17,7 @@ pub(super) struct Loops {
     /// Where each unknown stands among them.
     pub columns: HashMap<usize, usize>,
     /// How far the unknowns go along the line.
-    pub ways: Vec<SymbolId>,
+    pub changes: Vec<SymbolId>,
     pub residuals: Vec<ExprId>,
     /// The block of each equation, by its place in the plan.
     pub blocks: Vec<usize>,
@@ -30,7 +30,7 @@ impl Loops {
         let places = unknowns.iter().enumerate();
         Loops {
             columns: places.map(|(place, &unknown)| (unknown, place)).collect(),
-            ways: order.columns.iter().map(|&it| self.ways[it]).collect(),
+            changes: order.columns.iter().map(|&it| self.changes[it]).collect(),
             residuals: order.rows.iter().map(|&it| self.residuals[it]).collect(),
             blocks: order.rows.iter().map(|&it| self.blocks[it]).collect(),
             unknowns,
@@ -48,11 +48,11 @@ impl Builder<'_> {
         loops: &mut Loops,
     ) {
         for &unknown in unknowns {
-            let way = self.way(unknown);
-            // On the line the unknowns have no sag of their own.
-            let (radius, sag) = (self.graph().variable(way), self.graph().zero());
-            self.know(unknown, Enclosure { radius, sag });
-            loops.ways.push(way);
+            let change = self.change(unknown);
+            // On the line the unknowns have no deviation of their own.
+            let (radius, deviation) = (self.graph().variable(change), self.graph().zero());
+            self.know(unknown, Enclosure { radius, deviation });
+            loops.changes.push(change);
             loops.columns.insert(unknown, loops.unknowns.len());
             loops.unknowns.push(unknown);
         }
@@ -78,7 +78,7 @@ impl Builder<'_> {
         }
         let Loops {
             unknowns,
-            ways,
+            changes,
             residuals,
             blocks,
             ..
@@ -88,7 +88,10 @@ impl Builder<'_> {
             turns,
             turning,
         } = found;
-        let sags: Vec<SymbolId> = unknowns.iter().map(|&it| self.bound(it, "sag")).collect();
+        let deviations: Vec<SymbolId> = unknowns
+            .iter()
+            .map(|&it| self.bound(it, "deviation"))
+            .collect();
         // What arms do that turn with such a column is known without bounds.
         for (&unknown, _) in unknowns.iter().zip(&turns).filter(|(_, turns)| **turns) {
             self.know_still(unknown);
@@ -100,10 +103,10 @@ impl Builder<'_> {
             curvatures.push(on_line.curvature);
         }
         self.require(blocks[0]);
-        for ((&unknown, &way), &sag) in unknowns.iter().zip(&ways).zip(&sags) {
-            let [way, sag] = [way, sag].map(|it| self.graph().variable(it));
-            let radius = self.graph().add(way, sag);
-            self.know(unknown, Enclosure { radius, sag });
+        for ((&unknown, &change), &deviation) in unknowns.iter().zip(&changes).zip(&deviations) {
+            let [change, deviation] = [change, deviation].map(|it| self.graph().variable(it));
+            let radius = self.graph().add(change, deviation);
+            self.know(unknown, Enclosure { radius, deviation });
         }
         let zero = self.graph().zero();
         let mut varied = Vec::new();
@@ -124,14 +127,17 @@ impl Builder<'_> {
         let all: Vec<ExprId> = entries.chain(variations).chain(on_line).collect();
         let sizes = unknowns.iter().map(|&it| self.size(it)).collect();
         self.path_geometry(&all);
-        let distances = ways.iter().map(|&it| self.graph().variable(it)).collect();
+        let distances = changes
+            .iter()
+            .map(|&it| self.graph().variable(it))
+            .collect();
         self.state(Statement::Isolate {
             is_chain: order.is_some(),
             blocks: blocks.clone(),
-            found: sags.clone(),
+            found: deviations.clone(),
             bounds,
             curvatures,
-            ways: distances,
+            changes: distances,
             sizes,
             jacobian,
             turns,
@@ -142,14 +148,14 @@ impl Builder<'_> {
                 ..Function::default()
             }),
         });
-        for ((&unknown, way), sag) in unknowns.iter().zip(ways).zip(sags) {
-            self.paths.sags.insert(unknown, sag);
-            let [way, sag] = [way, sag].map(|it| self.graph().variable(it));
-            let reach = self.graph().add(way, sag);
+        for ((&unknown, change), deviation) in unknowns.iter().zip(changes).zip(deviations) {
+            self.paths.deviations.insert(unknown, deviation);
+            let [change, deviation] = [change, deviation].map(|it| self.graph().variable(it));
+            let reach = self.graph().add(change, deviation);
             let radius = self.bound(unknown, "radius");
             self.assign(radius, reach);
             let radius = self.graph().variable(radius);
-            self.know(unknown, Enclosure { radius, sag });
+            self.know(unknown, Enclosure { radius, deviation });
         }
         self.require(blocks[0]);
     }

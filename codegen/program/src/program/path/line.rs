@@ -1,7 +1,7 @@
 //! An equation → how far it is from zero along the line through both frames.
 //!
 //! It is zero in both, so that its second derivative bounds it between them and beyond. Where that is one of time alone, as what
-//! drivers do to an equation, its sign is kept: along a chain of links what drivers bend cancels, and bounds would add it up.
+//! drivers do to an equation, its sign is kept: along a chain of links what drivers remainder cancels, and bounds would add it up.
 
 use std::collections::HashSet;
 
@@ -13,7 +13,7 @@ use crate::program::passes::enclosure::Enclosure;
 pub(super) struct OnLine {
     /// How far it is from zero, but for its curvature.
     pub bound: ExprId,
-    /// Its second derivative over the span, as far as that is known with its sign.
+    /// Its second derivative over the window, as far as that is known with its sign.
     pub curvature: ExprId,
 }
 
@@ -21,27 +21,27 @@ impl Builder<'_> {
     /// How far an equation is from zero while what it mentions is on the line, or as near as is known.
     pub(super) fn on_line(&mut self, residual: ExprId) -> OnLine {
         let Some(second) = self.second_derivative_in_time(residual) else {
-            let (bound, curvature) = (self.enclosure(residual).sag, self.graph().zero());
+            let (bound, curvature) = (self.enclosure(residual).deviation, self.graph().zero());
             return OnLine { bound, curvature };
         };
         let time = self.system.mechanism.time;
-        let [span, bend] = [self.paths.span.time, self.paths.span.bend];
-        let [span, bend] = [span, bend].map(|it| self.graph().variable(it));
+        let [window, remainder] = [self.paths.window.time, self.paths.window.remainder];
+        let [window, remainder] = [window, remainder].map(|it| self.graph().variable(it));
         let zero = self.graph().zero();
         let changed = self.enclosure(second).radius;
         let unmoved = Enclosure {
             radius: zero,
-            sag: zero,
+            deviation: zero,
         };
         self.paths.enclosures.know(time, unmoved);
-        let without = self.enclosure(residual).sag;
+        let without = self.enclosure(residual).deviation;
         let moved = Enclosure {
-            radius: span,
-            sag: zero,
+            radius: window,
+            deviation: zero,
         };
         self.paths.enclosures.know(time, moved);
-        let curvature = self.graph().product(&[second, span, span]);
-        let change = self.graph().product(&[changed, bend, span, span]);
+        let curvature = self.graph().product(&[second, window, window]);
+        let change = self.graph().product(&[changed, remainder, window, window]);
         OnLine {
             bound: self.graph().add(without, change),
             curvature,

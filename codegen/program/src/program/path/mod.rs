@@ -1,6 +1,6 @@
-//! The blocks of a plan → whether all of them have kept to their path since the last frame.
+//! The blocks of a plan → whether all of them have stayed on their path since the last frame.
 //!
-//! A mechanism keeps to its path where its equations have one solution near a straight line through both frames all the while: then
+//! A mechanism stays on its path where its equations have one solution near a straight line through both frames all the while: then
 //! this frame is the one that the last one leads to, in the same assembly mode. That is so where a Newton operator with the
 //! Jacobian of this frame contracts (Krawczyk 1969; Neumaier, Interval Methods for Systems of Equations, 1990, chapter 5), for which
 //! [`Enclosures`] bound how far the equations are from zero on the line, and how far the Jacobian changes. Blocks are looked at
@@ -19,17 +19,17 @@ use std::collections::{HashMap, HashSet};
 
 use super::builder::{Builder, Direction};
 use super::function::{Function, Statement};
-use super::passes::enclosure::{Enclosures, Span};
+use super::passes::enclosure::{Enclosures, TimeWindow};
 use super::two_links::TwoLinks;
 use crate::expr::{ExprId, Node, SymbolId};
-use crate::structure::{Definition, Part, SolvedBlock};
+use crate::structure::{Definition, SolvedBlock, Subsystem};
 use crate::system::{SymbolRole, System};
 use isolation::Loops;
 
 /// What is known of all values while paths are looked at.
 pub(super) struct Paths {
-    /// What the span is like.
-    pub span: Span,
+    /// What the window is like.
+    pub window: TimeWindow,
     enclosures: Enclosures,
     /// The pairs of links that closed forms have found, by the angle of each.
     pub links: HashMap<usize, TwoLinks>,
@@ -45,21 +45,21 @@ pub(super) struct Paths {
     signals: HashSet<usize>,
     /// The angles whose arms have been computed, with their directions where arms turn with them.
     turned: HashMap<usize, Option<Direction>>,
-    sags: HashMap<usize, SymbolId>,
+    deviations: HashMap<usize, SymbolId>,
 }
 
 impl Paths {
     pub fn new(system: &mut System) -> Paths {
-        let span = Span {
-            time: system.intermediate("span_time"),
-            stretch: system.intermediate("span_stretch"),
-            bend: system.intermediate("span_bend"),
-            beyond: system.intermediate("span_beyond"),
-            rounding: system.intermediate("span_rounding"),
+        let window = TimeWindow {
+            time: system.intermediate("window_time"),
+            steps: system.intermediate("window_steps"),
+            remainder: system.intermediate("window_remainder"),
+            beyond: system.intermediate("window_beyond"),
+            rounding: system.intermediate("window_rounding"),
         };
         Paths {
-            span,
-            enclosures: Enclosures::new(span, system),
+            window,
+            enclosures: Enclosures::new(window, system),
             links: HashMap::new(),
             directions: HashMap::new(),
             definitions: HashMap::new(),
@@ -67,18 +67,18 @@ impl Paths {
             keeps_angles: system.mechanism.requests.is_empty(),
             signals: HashSet::new(),
             turned: HashMap::new(),
-            sags: HashMap::new(),
+            deviations: HashMap::new(),
         }
     }
 
     /// Forgets all bounds.
     fn begin(&mut self, system: &mut System) {
-        self.enclosures = Enclosures::new(self.span, system);
+        self.enclosures = Enclosures::new(self.window, system);
         self.definitions.clear();
         self.awaited.clear();
         self.signals.clear();
         self.turned.clear();
-        self.sags.clear();
+        self.deviations.clear();
     }
 
     /// The cosine and the sine of an angle that a closed form finds.
@@ -107,9 +107,9 @@ pub struct Path {
     /// What is looked at where all blocks are closed forms, one after another: it takes less, and may show less.
     pub closed: Option<Function>,
     /// How far unknowns may be from a straight line, of those that are found so.
-    pub sags: HashMap<usize, SymbolId>,
-    /// The symbols of the span.
-    pub span: Span,
+    pub deviations: HashMap<usize, SymbolId>,
+    /// The symbols of the window.
+    pub window: TimeWindow,
 }
 
 impl Path {
@@ -129,7 +129,7 @@ impl Path {
 }
 
 impl Builder<'_> {
-    /// What shows that these blocks, with their places in the plan, have kept to their path.
+    /// What shows that these blocks, with their places in the plan, have stayed on their path.
     pub(super) fn path<'b>(
         mut self,
         blocks: impl Iterator<Item = (usize, &'b SolvedBlock)>,
@@ -154,8 +154,8 @@ impl Builder<'_> {
                 ..Function::default()
             },
             closed: None,
-            sags: std::mem::take(&mut self.paths.sags),
-            span: self.paths.span,
+            deviations: std::mem::take(&mut self.paths.deviations),
+            window: self.paths.window,
         }
     }
 
@@ -204,7 +204,7 @@ impl Builder<'_> {
         direction
     }
 
-    fn path_of_part(&mut self, part: &Part, block: usize, loops: &mut Loops) {
+    fn path_of_part(&mut self, part: &Subsystem, block: usize, loops: &mut Loops) {
         let equations = part.equations.iter();
         let residuals: Vec<ExprId> = equations.map(|it| self.in_short(it.residual)).collect();
         for &residual in &residuals {

@@ -2,7 +2,7 @@
 //!
 //! Bounds of bounds grow from pair to pair by more than what they bound. So signs are kept here as far as frames know them: the
 //! parabola of an angle follows from those of the angles before it, and what is left beside it goes on by the transmission ratio, which
-//! itself runs on over the span. The unit of time is the length of the span from the second frame. The letters are those of the
+//! itself runs on over the window. The unit of time is the length of the window from the second frame. The letters are those of the
 //! [room](super); the guide (`theory.md`) has the argument.
 
 use super::pair::Bounded;
@@ -13,31 +13,31 @@ use crate::program::builder::Builder;
 use crate::program::passes::enclosure::Enclosure;
 use crate::program::pin_motion::Known;
 
-/// How an angle runs over a span.
+/// How an angle runs over a window.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::program) struct Course {
     /// y: how far the straight line through both frames goes, with its sign.
     turn: ExprId,
     /// c: the second derivative of the parabola.
     curve: ExprId,
-    /// S: bounds of the deviation from the parabola at both ends of the span; between these their geometric means are bounds.
-    strays: [ExprId; 2],
+    /// S: bounds of the deviation from the parabola at both ends of the window; between these their geometric means are bounds.
+    deviations: [ExprId; 2],
 }
 
 impl Course {
     /// How far the angle is from the straight line.
-    pub fn sag(&self, name: &str, builder: &mut Builder<'_>) -> ExprId {
-        let [before, after] = self.strays;
+    pub fn deviation(&self, name: &str, builder: &mut Builder<'_>) -> ExprId {
+        let [before, after] = self.deviations;
         let difference = builder.graph().subtract(before, after);
-        let stray = builder.graph().choose(difference, after, before);
-        let bend = builder.paths.span.bend;
-        let [bend, curve] = [
-            builder.graph().variable(bend),
+        let deviation = builder.graph().choose(difference, after, before);
+        let remainder = builder.paths.window.remainder;
+        let [remainder, curve] = [
+            builder.graph().variable(remainder),
             builder.graph().magnitude(self.curve),
         ];
-        let curved = builder.graph().multiply(bend, curve);
-        let sag = builder.graph().add(curved, stray);
-        builder.bounded(&format!("{name}_sag"), sag)
+        let curved = builder.graph().multiply(remainder, curve);
+        let deviation = builder.graph().add(curved, deviation);
+        builder.bounded(&format!("{name}_deviation"), deviation)
     }
 }
 
@@ -46,7 +46,7 @@ struct Arm {
     vector: Vector,
     length: ExprId,
     /// How far the angle that turns it is from the straight line.
-    sag: ExprId,
+    deviation: ExprId,
     course: Course,
     /// The largest rate on the parabola.
     rate: ExprId,
@@ -93,8 +93,8 @@ impl Builder<'_> {
         let opened = {
             let difference = self.graph().subtract(turns[1], turns[0]);
             let difference = self.graph().magnitude(difference);
-            let stray = self.graph().multiply(bounded.slopes.both, bounded.bent);
-            let opened = self.graph().add(difference, stray);
+            let deviation = self.graph().multiply(bounded.slopes.both, bounded.bent);
+            let opened = self.graph().add(difference, deviation);
             self.bounded(&format!("{}_opened", pair.name), opened)
         };
         let rates = self.rates_of(bounded, &arms, turns);
@@ -121,7 +121,7 @@ impl Builder<'_> {
             let turned = self.system.vector_form.turned_vector(rest, angle, graph);
             let (local, others) = turned?;
             let position = self.position(angle);
-            let Enclosure { radius, sag } = self.enclosure(position);
+            let Enclosure { radius, deviation } = self.enclosure(position);
             let vector = [0, 1].map(|axis| self.graph().subtract(rest[axis], others[axis]));
             rest = others;
             if self.components(local).radius != zero {
@@ -136,7 +136,7 @@ impl Builder<'_> {
                     let course = Course {
                         turn: self.turn_over_span(angle),
                         curve: zero,
-                        strays: [sag; 2],
+                        deviations: [deviation; 2],
                     };
                     known.courses.insert(angle, course);
                     course
@@ -145,7 +145,7 @@ impl Builder<'_> {
             arms.push(Arm {
                 vector,
                 length: self.length_of(local),
-                sag,
+                deviation,
                 course,
                 rate: self.rate_on(course),
             });
@@ -156,7 +156,7 @@ impl Builder<'_> {
     /// y of an angle.
     fn turn_over_span(&mut self, angle: usize) -> ExprId {
         let moved = self.moved_since(angle);
-        let stretch = self.paths.span.stretch;
+        let stretch = self.paths.window.steps;
         let stretch = self.graph().variable(stretch);
         let turn = self.graph().multiply(stretch, moved);
         let name = format!("{}_turn", self.system.unknown_name(angle));
@@ -165,7 +165,7 @@ impl Builder<'_> {
 
     /// The largest rate on a parabola: |y| + |c| (½ + b), since its slope is that of the line half a step before the second frame.
     fn rate_on(&mut self, course: Course) -> ExprId {
-        let beyond = self.paths.span.beyond;
+        let beyond = self.paths.window.beyond;
         let [beyond, half] = [self.graph().variable(beyond), self.graph().rational(1, 2)];
         let farthest = self.graph().add(half, beyond);
         let [turn, curve] = [course.turn, course.curve].map(|it| self.graph().magnitude(it));
@@ -173,9 +173,9 @@ impl Builder<'_> {
         self.graph().add(turn, curved)
     }
 
-    /// The longest time from where a rate is y, somewhere between both frames, to an end of the span.
+    /// The longest time from where a rate is y, somewhere between both frames, to an end of the window.
     fn farthest(&mut self) -> ExprId {
-        let beyond = self.paths.span.beyond;
+        let beyond = self.paths.window.beyond;
         let [beyond, one] = [self.graph().variable(beyond), self.graph().one()];
         self.graph().add(one, beyond)
     }
@@ -250,18 +250,18 @@ impl Builder<'_> {
                 changes[side],
             ]
         };
-        let mut strays = [Vec::new(), Vec::new()];
+        let mut deviations = [Vec::new(), Vec::new()];
         for arm in arms {
             let lever = self.cross(arm.vector, links[other]);
             let lever = self.bounded(&format!("{name}_lever"), lever);
             let along = self.dot(arm.vector, links[other]);
             let along = self.bounded(&format!("{name}_along"), along);
-            let stray = self.graph().multiply(slopes.each[other], bounded.bent);
-            let stray = self.graph().add(arm.sag, stray);
+            let deviation = self.graph().multiply(slopes.each[other], bounded.bent);
+            let deviation = self.graph().add(arm.deviation, deviation);
             let difference = self.graph().subtract(turns[other], arm.course.turn);
             let opened = {
                 let size = self.graph().magnitude(difference);
-                let opened = self.graph().add(size, stray);
+                let opened = self.graph().add(size, deviation);
                 self.bounded(&format!("{name}_opened"), opened)
             };
             let turn_square = self.square(arm.course.turn);
@@ -280,11 +280,11 @@ impl Builder<'_> {
                 name,
                 [lever, along],
                 difference,
-                [stray, opened, whole],
+                [deviation, opened, whole],
                 determinant,
             );
             for (end, factor) in factors.into_iter().enumerate() {
-                strays[end].push(self.graph().multiply(factor, arm.course.strays[end]));
+                deviations[end].push(self.graph().multiply(factor, arm.course.deviations[end]));
             }
         }
         let curve = {
@@ -298,8 +298,8 @@ impl Builder<'_> {
         };
         let size = self.graph().magnitude(curve);
         third.push(self.graph().product(&[size, turn.cosine, *opened]));
-        let bend = self.paths.span.bend;
-        let bend = self.graph().variable(bend);
+        let remainder = self.paths.window.remainder;
+        let remainder = self.graph().variable(remainder);
         let third = self.graph().sum(&third);
         let change = self.graph().multiply(turn.inverse, third);
         let change = self.bounded(&format!("{name}_change"), change);
@@ -318,20 +318,20 @@ impl Builder<'_> {
             let less = self.graph().product(&[turn.inverse, opening, less]);
             self.graph().add(change, less)
         };
-        let change = self.graph().multiply(bend, change);
+        let change = self.graph().multiply(remainder, change);
         let rounding = self.graph().product(&[pair.rounding, turn.inverse, own]);
         let local = self.graph().add(change, rounding);
         let local = self.bounded(&format!("{name}_own"), local);
-        let [before, after] = strays.map(|mut strays| {
-            strays.push(local);
-            self.graph().sum(&strays)
+        let [before, after] = deviations.map(|mut deviations| {
+            deviations.push(local);
+            self.graph().sum(&deviations)
         });
         Course {
             turn: turns[side],
             curve,
-            strays: [
-                self.bounded(&format!("{name}_stray_before"), before),
-                self.bounded(&format!("{name}_stray_after"), after),
+            deviations: [
+                self.bounded(&format!("{name}_deviation_before"), before),
+                self.bounded(&format!("{name}_deviation_after"), after),
             ],
         }
     }

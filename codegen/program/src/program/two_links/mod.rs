@@ -21,7 +21,7 @@ use super::passes::enclosure::Enclosure;
 use super::pin_motion::Known;
 use crate::expr::ExprId;
 use crate::joint::geometry::Vector;
-use crate::structure::{Part, SolvedBlock};
+use crate::structure::{SolvedBlock, Subsystem};
 
 pub(super) use course::Course;
 
@@ -50,7 +50,7 @@ impl Builder<'_> {
         }
     }
 
-    /// What shows that all of these blocks, with their places in the plan, keep to their path because no two links come in line;
+    /// What shows that all of these blocks, with their places in the plan, stay on their path because no two links come in line;
     /// `None` where one of them is something else.
     pub(super) fn two_links<'b>(
         mut self,
@@ -107,7 +107,7 @@ impl Builder<'_> {
     }
 
     /// Bounds what a part finds; false where it does not move.
-    fn bound_part(&mut self, part: &Part, block: usize, known: &mut Known) -> Option<bool> {
+    fn bound_part(&mut self, part: &Subsystem, block: usize, known: &mut Known) -> Option<bool> {
         let equations = part.equations.iter();
         let residuals: Vec<ExprId> = equations.map(|it| self.in_short(it.residual)).collect();
         for &residual in &residuals {
@@ -132,7 +132,7 @@ impl Builder<'_> {
             let value = self.in_short(definition.value);
             self.bound_definitions(value, known);
             let found = self.enclosure(value);
-            self.path_geometry(&[found.radius, found.sag]);
+            self.path_geometry(&[found.radius, found.deviation]);
             self.require(block);
             if found.radius == self.graph().zero() {
                 self.know(unknown, found);
@@ -143,16 +143,16 @@ impl Builder<'_> {
             }
             // Between both frames it moves by their difference, and beyond them as much.
             let name = self.system.unknown_name(unknown).to_string();
-            let rounding = self.paths.span.rounding;
+            let rounding = self.paths.window.rounding;
             let [rounding, value] = [self.graph().variable(rounding), self.position(unknown)];
             let size = self.graph().magnitude(value);
             let rounding = self.graph().multiply(rounding, size);
-            let sag = self.graph().add(found.sag, rounding);
-            let sag = self.bounded(&format!("{name}_sag"), sag);
-            let way = self.way_of(value);
-            let radius = self.graph().add(way, sag);
+            let deviation = self.graph().add(found.deviation, rounding);
+            let deviation = self.bounded(&format!("{name}_deviation"), deviation);
+            let change = self.change_of(value);
+            let radius = self.graph().add(change, deviation);
             let radius = self.bounded(&format!("{name}_radius"), radius);
-            self.know(unknown, Enclosure { radius, sag });
+            self.know(unknown, Enclosure { radius, deviation });
         }
     }
 }

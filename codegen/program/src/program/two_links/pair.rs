@@ -39,7 +39,7 @@ pub(super) struct Pair {
     /// m: how far all of it goes.
     moved: ExprId,
     /// σ: how far it is from a straight line.
-    strayed: ExprId,
+    input_deviation: ExprId,
 }
 
 /// How the lengths enter a pair's bounds: 1/a, 1/b and their sum, at the least lengths.
@@ -70,7 +70,7 @@ pub(super) struct Bounded {
     pub pair: Pair,
     pub slopes: Slopes,
     pub turn: Turn,
-    /// How far the links stray while they turn, which the lengths divide.
+    /// How far the links deviate while they turn, which the lengths divide.
     pub bent: ExprId,
 }
 
@@ -81,7 +81,7 @@ impl Builder<'_> {
         self.require(block);
         let slopes = self.slopes_of(&pair);
         let turn = self.turn_of(&pair, &slopes);
-        let bent = self.straying_of(&pair, &slopes, &turn);
+        let bent = self.input_deviation_of(&pair, &slopes, &turn);
         let bounded = Bounded {
             pair,
             slopes,
@@ -114,27 +114,27 @@ impl Builder<'_> {
             turn,
             bent,
         } = bounded;
-        let [sag, first] =
+        let [deviation, first] =
             [*bent, turn.turned].map(|it| self.graph().multiply(it, slopes.each[side]));
-        let way = self.way_of_angle(pair.angles[side]);
+        let change = self.change_of_angle(pair.angles[side]);
         let name = &pair.names[side];
-        let sag = match course {
-            Some(course) => course.sag(name, self),
+        let deviation = match course {
+            Some(course) => course.deviation(name, self),
             None => {
-                let sag = match pair.is_oblique[side] {
-                    true => self.graph().add(way, first),
-                    false => sag,
+                let deviation = match pair.is_oblique[side] {
+                    true => self.graph().add(change, first),
+                    false => deviation,
                 };
-                self.bounded(&format!("{name}_sag"), sag)
+                self.bounded(&format!("{name}_deviation"), deviation)
             }
         };
         // Where links move the pins, bounds of bounds grow by more than what they bound, and frames know better.
         let radius = match course.is_none() && (pair.is_oblique[side] || !pair.is_linked) {
             true => first,
-            false => self.graph().add(way, sag),
+            false => self.graph().add(change, deviation),
         };
         let radius = self.bounded(&format!("{name}_radius"), radius);
-        Enclosure { radius, sag }
+        Enclosure { radius, deviation }
     }
 
     /// How far pins and the ends of links go, and how far they are from a straight line.
@@ -150,7 +150,7 @@ impl Builder<'_> {
             let [x, y] = closure.map(|part| self.size_of(part, known));
             let [a, b] = lengths.map(|length| self.size_of(length, known));
             let size = self.graph().sum(&[x, y, a, b]);
-            let rounding = self.paths.span.rounding;
+            let rounding = self.paths.window.rounding;
             let rounding = self.graph().variable(rounding);
             let rounding = self.graph().multiply(rounding, size);
             self.bounded(&format!("{name}_rounding"), rounding)
@@ -171,16 +171,23 @@ impl Builder<'_> {
             let [first, second] = stretched.map(|it| it.radius);
             let parts = [pins.radius, first, second, oblique[0], oblique[1], rounding];
             let moved = self.graph().sum(&parts);
-            self.bounded(&format!("{name}_moved"), moved)
+            self.bounded(&format!("{name}_input_change"), moved)
         };
-        let strayed = {
-            // Such a length is no linear function of what drives it: it strays by what it moves, here and along the line.
+        let input_deviation = {
+            // Such a length is no linear function of what drives it: it deviates by what it moves, here and along the line.
             let twice = self.graph().integer(2);
             let oblique = oblique.map(|part| self.graph().multiply(twice, part));
-            let [first, second] = stretched.map(|it| it.sag);
-            let parts = [pins.sag, first, second, oblique[0], oblique[1], rounding];
-            let strayed = self.graph().sum(&parts);
-            self.bounded(&format!("{name}_strayed"), strayed)
+            let [first, second] = stretched.map(|it| it.deviation);
+            let parts = [
+                pins.deviation,
+                first,
+                second,
+                oblique[0],
+                oblique[1],
+                rounding,
+            ];
+            let input_deviation = self.graph().sum(&parts);
+            self.bounded(&format!("{name}_input_deviation"), input_deviation)
         };
         Pair {
             block,
@@ -196,7 +203,7 @@ impl Builder<'_> {
             is_linked,
             rounding,
             moved,
-            strayed,
+            input_deviation,
         }
     }
 
@@ -228,10 +235,10 @@ impl Builder<'_> {
     /// Asks that the links do not come in line.
     fn turn_of(&mut self, pair: &Pair, slopes: &Slopes) -> Turn {
         let name = &pair.name;
-        let bend = self.paths.span.bend;
-        let bend = self.graph().variable(bend);
+        let remainder = self.paths.window.remainder;
+        let remainder = self.graph().variable(remainder);
         let moved_square = self.graph().multiply(pair.moved, pair.moved);
-        let moved_square = self.bounded(&format!("{name}_moved_square"), moved_square);
+        let moved_square = self.bounded(&format!("{name}_input_change_square"), moved_square);
         let [zero, one] = [self.graph().zero(), self.graph().one()];
         let cosine = {
             let area = self.graph().multiply(pair.lengths[0], pair.lengths[1]);
@@ -239,11 +246,11 @@ impl Builder<'_> {
             let now = self.graph().magnitude(pair.product);
             let (scaled, further) = match pair.is_fixed(zero) {
                 true => {
-                    let way = self.way_of(pair.product);
-                    let curved = self.graph().multiply(bend, moved_square);
-                    let scaled = self.graph().sum(&[now, way, curved]);
+                    let change = self.change_of(pair.product);
+                    let curved = self.graph().multiply(remainder, moved_square);
+                    let scaled = self.graph().sum(&[now, change, curved]);
                     let scaled = self.bounded(&format!("{name}_product"), scaled);
-                    (scaled, pair.strayed)
+                    (scaled, pair.input_deviation)
                 }
                 false => (now, pair.moved),
             };
@@ -282,16 +289,16 @@ impl Builder<'_> {
         }
     }
 
-    /// How far the links stray while they turn, which the lengths divide.
-    fn straying_of(&mut self, pair: &Pair, slopes: &Slopes, turn: &Turn) -> ExprId {
+    /// How far the links deviate while they turn, which the lengths divide.
+    fn input_deviation_of(&mut self, pair: &Pair, slopes: &Slopes, turn: &Turn) -> ExprId {
         let Turn {
             cosine,
             inverse,
             turned,
         } = *turn;
         let zero = self.graph().zero();
-        let bend = self.paths.span.bend;
-        let bend = self.graph().variable(bend);
+        let remainder = self.paths.window.remainder;
+        let remainder = self.graph().variable(remainder);
         // What the square of a turn is multiplied by in the second derivative of an angle.
         let own = match pair.is_fixed(zero) {
             true => self.larger(slopes.each),
@@ -299,9 +306,9 @@ impl Builder<'_> {
         };
         let other = self.graph().product(&[slopes.both, cosine, inverse]);
         let both = self.graph().add(own, other);
-        let curved = self.graph().product(&[bend, turned, turned, both]);
-        let strayed = self.graph().multiply(inverse, pair.strayed);
-        let bent = self.graph().add(curved, strayed);
+        let curved = self.graph().product(&[remainder, turned, turned, both]);
+        let input_deviation = self.graph().multiply(inverse, pair.input_deviation);
+        let bent = self.graph().add(curved, input_deviation);
         self.bounded(&format!("{}_bent", pair.name), bent)
     }
 

@@ -1,4 +1,4 @@
-//! The transmission ratio of two links, a quotient of two sines, as it runs on over a span.
+//! The transmission ratio of two links, a quotient of two sines, as it runs on over a window.
 
 use super::pair::Bounded;
 use crate::expr::ExprId;
@@ -6,7 +6,7 @@ use crate::joint::geometry::Vector;
 use crate::program::builder::Builder;
 use crate::program::function::Statement;
 
-/// The determinant of a pair, w_a × w_b, as it runs on over the span.
+/// The determinant of a pair, w_a × w_b, as it runs on over the window.
 pub(super) struct Determinant {
     pub inverse: ExprId,
     /// Its change along the lines, as a part of it, with its sign.
@@ -16,7 +16,7 @@ pub(super) struct Determinant {
 }
 
 impl Builder<'_> {
-    /// The determinant over the span. Asks that it changes by no more than half of itself.
+    /// The determinant over the window. Asks that it changes by no more than half of itself.
     pub(super) fn determinant_over_span(
         &mut self,
         bounded: &Bounded,
@@ -38,8 +38,8 @@ impl Builder<'_> {
         let slope = self.graph().multiply(cotangent, difference);
         let slope = self.bounded(&format!("{name}_slope"), slope);
         let size = self.graph().magnitude(cotangent);
-        let stray = self.graph().multiply(slopes.both, *bent);
-        let beside = self.beside_sine(one, size, stray, opened, one);
+        let deviation = self.graph().multiply(slopes.both, *bent);
+        let beside = self.beside_sine(one, size, deviation, opened, one);
         let beside = self.bounded(&format!("{name}_beside"), beside);
         let size = self.graph().magnitude(slope);
         let largest = self.graph().add(size, beside);
@@ -61,17 +61,17 @@ impl Builder<'_> {
         }
     }
 
-    /// How far a sine (`sine` in size) is from its tangent where its angle goes `opened` and strays from a line: ½ x² of itself, and of
-    /// the cosine what the angle strays and x³/6; and rounding of what both are a part of.
+    /// How far a sine (`sine` in size) is from its tangent where its angle goes `opened` and deviates from a line: ½ x² of itself, and of
+    /// the cosine what the angle deviates and x³/6; and rounding of what both are a part of.
     fn beside_sine(
         &mut self,
         sine: ExprId,
         cosine: ExprId,
-        stray: ExprId,
+        deviation: ExprId,
         opened: ExprId,
         whole: ExprId,
     ) -> ExprId {
-        let rounding = self.paths.span.rounding;
+        let rounding = self.paths.window.rounding;
         let [rounding, half, sixth] = [
             self.graph().variable(rounding),
             self.graph().rational(1, 2),
@@ -79,7 +79,7 @@ impl Builder<'_> {
         ];
         let square = self.square(opened);
         let third = self.graph().product(&[sixth, square, opened]);
-        let along = self.graph().add(stray, third);
+        let along = self.graph().add(deviation, third);
         let parts = [
             self.graph().product(&[half, sine, square]),
             self.graph().multiply(cosine, along),
@@ -88,7 +88,7 @@ impl Builder<'_> {
         self.graph().sum(&parts)
     }
 
-    /// No less than the transmission ratio from an arm at both ends of the span, and than its geometric mean between.
+    /// No less than the transmission ratio from an arm at both ends of the window, and than its geometric mean between.
     ///
     /// The ratio is that of two sines. Each is on its tangent but for what is beside it, and 1 + x ≤ exp x ≤ 1 + x + x² up to x = 1.79.
     pub(super) fn factors_of(
@@ -96,7 +96,7 @@ impl Builder<'_> {
         name: &str,
         [lever, along]: [ExprId; 2],
         difference: ExprId,
-        [stray, opened, whole]: [ExprId; 3],
+        [deviation, opened, whole]: [ExprId; 3],
         determinant: &Determinant,
     ) -> [ExprId; 2] {
         let zero = self.graph().zero();
@@ -106,7 +106,7 @@ impl Builder<'_> {
         let slope = self.graph().multiply(along, difference);
         let slope = self.bounded(&format!("{name}_lever_slope"), slope);
         let size = self.graph().magnitude(slope);
-        // Where the lever may vanish, it is bounded by its size all over the span.
+        // Where the lever may vanish, it is bounded by its size all over the window.
         let crossing = {
             let twice = self.graph().add(size, size);
             self.graph().subtract(sine, twice)
@@ -117,7 +117,7 @@ impl Builder<'_> {
             let kept = self.graph().magnitude(kept);
             self.graph().subtract(size, kept)
         };
-        let beside = self.beside_sine(sine, cosine, stray, opened, whole);
+        let beside = self.beside_sine(sine, cosine, deviation, opened, whole);
         let largest = self.graph().sum(&[sine, beside, lost]);
         let largest = self.bounded(&format!("{name}_lever_largest"), largest);
         let run = self.graph().divide(kept, largest);
@@ -126,7 +126,7 @@ impl Builder<'_> {
         let inverse = self.graph().magnitude(determinant.inverse);
         let ratio = self.graph().multiply(largest, inverse);
         let ratio = self.bounded(&format!("{name}_ratio"), ratio);
-        let beyond = self.paths.span.beyond;
+        let beyond = self.paths.window.beyond;
         let beyond = self.graph().variable(beyond);
         let onward = self.graph().multiply(beyond, run);
         let ends = [

@@ -274,7 +274,7 @@ static void begin_chain$f(const linked$f *chain, const linkwright$f_isolation *i
             const $real rounding = (LEFT_BY_ROUNDING$f * $FLT_EPSILON) * fabs$f(chord->sizes[column]);
             const $real size = fabs$f(chord->jacobian[k]) + fabs$f(chord->turning[k]);
             off[row] = larger$f(rounding * size, off[row]);
-            second[row] += chord->turning[k] * (chord->ways[column] * chord->ways[column]);
+            second[row] += chord->turning[k] * (chord->changes[column] * chord->changes[column]);
         }
         off[row] += chord->bounds[row];
     }
@@ -282,38 +282,38 @@ static void begin_chain$f(const linked$f *chain, const linkwright$f_isolation *i
     /* What is left beside second derivatives: half of d to the fourth of the cosine's, and the cube of d of the
        sine's. */
     for (size_t k = 0U; k < n; k += 1U) {
-        const $real square = chord->ways[k] * chord->ways[k];
+        const $real square = chord->changes[k] * chord->changes[k];
         chain->vector[k] = (0.5$f * square) * square;
     }
     spread_chain$f(chain, chain->vector, isolation->needed);
     for (size_t k = 0U; k < n; k += 1U) {
-        const $real third = chord->ways[k] * (chord->ways[k] * chord->ways[k]);
-        least[k] = chord->bend * ((fabs$f(least[k]) + isolation->needed[k]) + third);
+        const $real third = chord->changes[k] * (chord->changes[k] * chord->changes[k]);
+        least[k] = chord->remainder * ((fabs$f(least[k]) + isolation->needed[k]) + third);
     }
     times_chain$f(chain, off, true, isolation->needed);
     for (size_t k = 0U; k < n; k += 1U) {
         least[k] += isolation->needed[k];
-        isolation->sags[k] = least[k] * FIRST$f;
+        isolation->deviations[k] = least[k] * FIRST$f;
     }
 }
 
-/* Where the operator takes the sags: |sin d| is at most d, and 1 - cos d at most d^2 / 2. */
-static void spread_sags$f(const linked$f *chain, const linkwright$f_isolation *isolation)
+/* Where the operator takes the deviations: |sin d| is at most d, and 1 - cos d at most d^2 / 2. */
+static void spread_deviations$f(const linked$f *chain, const linkwright$f_isolation *isolation)
 {
-    const $real *const ways = chain->chord->ways;
+    const $real *const changes = chain->chord->changes;
     for (size_t k = 0U; k < chain->order; k += 1U) {
-        chain->vector[k] = (ways[k] + isolation->sags[k]) * isolation->sags[k];
+        chain->vector[k] = (changes[k] + isolation->deviations[k]) * isolation->deviations[k];
     }
     spread_chain$f(chain, chain->vector, isolation->needed);
     for (size_t k = 0U; k < chain->order; k += 1U) {
-        const $real delta = ways[k] + isolation->sags[k];
-        const $real beside = ((0.5$f * delta) * delta) * isolation->sags[k];
+        const $real delta = changes[k] + isolation->deviations[k];
+        const $real beside = ((0.5$f * delta) * delta) * isolation->deviations[k];
         isolation->needed[k] = (isolation->needed[k] + beside) + isolation->least[k];
     }
 }
 
 void linkwright$f_isolate_chain(linkwright$f_isolation *isolation, uint16_t order, const uint16_t blocks[],
-    const linkwright$f_span *span, const linkwright$f_chord *chord, const $real variation[], $real reals[])
+    const linkwright$f_time_window *window, const linkwright$f_chord *chord, const $real variation[], $real reals[])
 {
     const size_t n = order;
     linked$f chain = {0};
@@ -324,7 +324,7 @@ void linkwright$f_isolate_chain(linkwright$f_isolation *isolation, uint16_t orde
     isolation->least = reals;
     isolation->needed = &reals[n];
     isolation->rest = &reals[2U * n];
-    isolation->sags = &reals[3U * n];
+    isolation->deviations = &reals[3U * n];
     isolation->found = isolation->needed;
     isolation->largest = 0.0$f;
     isolation->is_nearing = false;
@@ -348,15 +348,15 @@ void linkwright$f_isolate_chain(linkwright$f_isolation *isolation, uint16_t orde
         turn_chain$f(&chain);
         begin_chain$f(&chain, isolation);
         while (is_wider) {
-            spread_sags$f(&chain, isolation);
+            spread_deviations$f(&chain, isolation);
             is_wider = widens$f(isolation, round);
             round++;
         }
     }
-    /* Beyond the frames there are nearer spans to try; between them the whole inverse decides. */
-    if (!isolation->is_shown && (span->stretch <= 1.0$f)) {
+    /* Beyond the frames there are nearer windows to try; between them the whole inverse decides. */
+    if (!isolation->is_shown && (window->steps <= 1.0$f)) {
         linkwright$f_isolate(isolation, order, blocks, chord, variation, reals);
-        while (linkwright$f_isolation_asks(isolation)) {
+        while (linkwright$f_isolation_needs_variation(isolation)) {
             /* What turns does not vary beside. */
         }
     }

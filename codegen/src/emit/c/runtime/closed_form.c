@@ -40,7 +40,7 @@ static linkwright_status noted$f(linkwright$f_failure *failure, linkwright_statu
     return status;
 }
 
-bool linkwright$f_spans($real excess, $real scale)
+bool linkwright$f_exceeds_rounding($real excess, $real scale)
 {
     return excess > (((FOLD$f * $FLT_EPSILON) * scale) + (UNDERFLOW$f * $FLT_MIN));
 }
@@ -59,7 +59,7 @@ bool linkwright$f_all_finite(const $real values[], size_t count)
     return are_finite;
 }
 
-linkwright_status linkwright$f_no_span($real distance, $real longest, $real shortest,
+linkwright_status linkwright$f_fail_out_of_reach($real distance, $real longest, $real shortest,
     const linkwright$f_conditions *conditions, uint16_t block)
 {
     const $real least = fabs$f(shortest);

@@ -84,27 +84,27 @@ typedef struct linkwright$f_conditions {
     linkwright$f_failure *failure;
 } linkwright$f_conditions;
 
-/* A span of time about two frames. */
-typedef struct linkwright$f_span {
+/* A window of time about two frames. */
+typedef struct linkwright$f_time_window {
     /* From the first frame to the second one, and how far the time goes from there (s). */
     $real step;
     $real time;
-    /* The same in steps: 1 where the span ends with the frames. */
-    $real stretch;
-    /* The remainder of linear interpolation over the span, for a second derivative of 1 and a way of 1. */
-    $real bend;
-    /* 1 where the span goes beyond the frames, and as far before them, or else 0. */
+    /* The same in steps: 1 where the window ends with the frames. */
+    $real steps;
+    /* The remainder of linear interpolation over the window, for a second derivative of 1 and a change of 1. */
+    $real remainder;
+    /* 1 where the window goes beyond the frames, and as far before them, or else 0. */
     $real beyond;
-    /* How far rounding leaves what frames hold from what it stands for over the span, as a part of its size. */
+    /* How far rounding leaves what frames hold from what it stands for over the window, as a part of its size. */
     $real rounding;
-} linkwright$f_span;
+} linkwright$f_time_window;
 
 /* A straight line through the values of two frames, and how far a value may be from it. */
-typedef struct linkwright$f_tube {
+typedef struct linkwright$f_enclosure {
     $real value;
     $real moved;
-    $real sag;
-} linkwright$f_tube;
+    $real deviation;
+} linkwright$f_enclosure;
 
 /* Two frames and what they were solved with. */
 typedef struct linkwright$f_pair {
@@ -138,12 +138,12 @@ typedef struct linkwright$f_blocks {
     bool (*exchanged)(const void *branches, uint16_t block, void *others);
     /* Null where no modes meet: a linker then leaves out what goes through such poses. */
     const linkwright$f_passage *passage;
-    /* Whether a frame keeps to the path of the last one, or else the block; null where nothing is guarded. */
-    bool (*keeps_to_path)(const linkwright$f_pair *pair, const linkwright$f_span *span, linkwright$f_tube *tubes,
+    /* Whether a frame stays on the path of the last one, or else the block; null where nothing is guarded. */
+    bool (*verify_path)(const linkwright$f_pair *pair, const linkwright$f_time_window *window, linkwright$f_enclosure *enclosures,
         uint16_t *block);
-    /* Whether no block is singular anywhere in a span, or else the block; null where not all have a closed form. */
-    bool (*stays_regular)(const linkwright$f_pair *pair, const linkwright$f_span *span, uint16_t *block);
-    bool (*is_within)(const void *at, const linkwright$f_tube *tubes, $real steps);
+    /* Whether no block is singular anywhere in a window, or else the block; null where not all have a closed form. */
+    bool (*verify_nonsingular)(const linkwright$f_pair *pair, const linkwright$f_time_window *window, uint16_t *block);
+    bool (*is_within)(const void *at, const linkwright$f_enclosure *enclosures, $real steps);
     /* The time of a frame, and the number of coordinates or components of points by which poses are compared. Where
        frames hold coordinates, these are the first numbers after the time. */
     $real (*time)(const void *frame);
@@ -164,11 +164,11 @@ typedef struct linkwright$f_state {
     bool second_is_last;
     /* Whether something is known of the path, and of which time (s). */
     bool has_window;
-    linkwright$f_span span;
+    linkwright$f_time_window window;
     $real t;
     /* How many steps are looked ahead next, and the same of closed forms by themselves. */
-    $real stretch;
-    $real stretch_of_closed_forms;
+    $real steps;
+    $real steps_of_closed_forms;
     /* The last sum of durations (s), and what it is beyond its rounding. */
     $real sum;
     $real rest;
@@ -183,13 +183,13 @@ typedef struct linkwright$f_mechanism {
     void *branches;
     void *parameters;
     void *inputs;
-    /* The inputs of both frames of the window, and its tubes. */
+    /* The inputs of both frames of the window, and its enclosures. */
     void *window_inputs[2];
-    linkwright$f_tube *tubes;
+    linkwright$f_enclosure *enclosures;
 } linkwright$f_mechanism;
 
 /* Room for what moving in several steps works with: arrays of the mechanism's own types, of as many elements as
-   LINKWRIGHT_WAY_FRAMES and its like say. */
+   LINKWRIGHT_SUBSTEP_FRAMES and its like say. */
 typedef struct linkwright$f_room {
     void *frames;
     void *branches;
@@ -265,15 +265,15 @@ typedef struct linkwright$f_factorization {
 
 /* Equations along a straight line through two frames. Matrices are stored row by row. */
 typedef struct linkwright$f_chord {
-    /* The remainder of linear interpolation over the span, for a second derivative of 1 and a way of 1. */
-    $real bend;
+    /* The remainder of linear interpolation over the window, for a second derivative of 1 and a change of 1. */
+    $real remainder;
     /* How far each equation may be from zero on the line, but for what follows. */
     const $real *bounds;
-    /* What each equation's second derivative over the span is, where it is known with its sign, without the arms that
+    /* What each equation's second derivative over the window is, where it is known with its sign, without the arms that
        turn. */
     const $real *curvatures;
     /* How far each unknown goes along the line, and how large it is, which rounding is a part of. */
-    const $real *ways;
+    const $real *changes;
     $real *sizes;
     /* The Jacobian of the second frame. */
     const $real *jacobian;
@@ -286,9 +286,9 @@ typedef struct linkwright$f_chord {
 typedef struct linkwright$f_isolation {
     uint16_t order;
     const uint16_t *blocks;
-    /* For which sags the variation is wanted. */
-    $real *sags;
-    /* What was shown: whether the unknowns keep to their path, or else the block that does not, and their sags. */
+    /* For which deviations the variation is wanted. */
+    $real *deviations;
+    /* What was shown: whether the unknowns stay on their path, or else the block that does not, and their deviations. */
     bool is_shown;
     uint16_t block;
     const $real *found;
@@ -301,7 +301,7 @@ typedef struct linkwright$f_isolation {
     $real *rest;
     uint16_t rounds;
     uint16_t farthest;
-    /* By how much the farthest sag is too small, and whether that has become less. */
+    /* By how much the farthest deviation is too small, and whether that has become less. */
     $real largest;
     bool is_nearing;
 } linkwright$f_isolation;
@@ -319,9 +319,9 @@ $real linkwright$f_exp($real x);
 $real linkwright$f_angle_near($real sine, $real cosine, $real near_angle);
 
 /* Whether the square of a half chord is safely positive beside a scale. False for NaN. */
-bool linkwright$f_spans($real excess, $real scale);
+bool linkwright$f_exceeds_rounding($real excess, $real scale);
 /* Notes why links do not span a distance (m). */
-linkwright_status linkwright$f_no_span($real distance, $real longest, $real shortest,
+linkwright_status linkwright$f_fail_out_of_reach($real distance, $real longest, $real shortest,
     const linkwright$f_conditions *conditions, uint16_t block);
 /* Notes that a divisor has vanished beside a scale. */
 linkwright_status linkwright$f_singular_divisor($real value, $real scale, const linkwright$f_conditions *conditions,
@@ -348,22 +348,22 @@ void linkwright$f_table_at(const linkwright$f_table *table, $real x, $real found
 $real linkwright$f_table_value(const linkwright$f_table *table, $real x, size_t order);
 
 /* How far a signal goes from its second value, and from the straight line. */
-void linkwright$f_span_signal(const linkwright$f_span *span, const linkwright$f_signal *before,
+void linkwright$f_window_signal(const linkwright$f_time_window *window, const linkwright$f_signal *before,
     const linkwright$f_signal *now, $real found[2]);
-/* The tube about a value, and whether another value is in it so many steps after the second frame. */
-linkwright$f_tube linkwright$f_tube_of($real now, $real before, $real sag);
-bool linkwright$f_tube_holds(const linkwright$f_tube *tube, $real value, $real steps);
+/* The enclosure about a value, and whether another value is in it so many steps after the second frame. */
+linkwright$f_enclosure linkwright$f_enclosure_of($real now, $real before, $real deviation);
+bool linkwright$f_enclosure_holds(const linkwright$f_enclosure *enclosure, $real value, $real steps);
 /* Begins to show that unknowns keep to a straight line through both frames. The variation, zero at first, is how far
-   the entries of the Jacobian may change, but for the columns that turn: as long as linkwright$f_isolation_asks says
-   so, it is wanted for the sags of the isolation. The sizes and what turns are changed; reals is room for
+   the entries of the Jacobian may change, but for the columns that turn: as long as linkwright$f_isolation_needs_variation says
+   so, it is wanted for the deviations of the isolation. The sizes and what turns are changed; reals is room for
    LINKWRIGHT_ISOLATION_REALS(order) numbers. */
 void linkwright$f_isolate(linkwright$f_isolation *isolation, uint16_t order, const uint16_t blocks[],
     const linkwright$f_chord *chord, const $real variation[], $real reals[]);
-bool linkwright$f_isolation_asks(linkwright$f_isolation *isolation);
+bool linkwright$f_isolation_needs_variation(linkwright$f_isolation *isolation);
 /* The same as a whole where all columns turn and every two equations but the last two link two unknowns to the next
    two: the work is in proportion to the cells of such a chain. The variation is zero. */
 void linkwright$f_isolate_chain(linkwright$f_isolation *isolation, uint16_t order, const uint16_t blocks[],
-    const linkwright$f_span *span, const linkwright$f_chord *chord, const $real variation[], $real reals[]);
+    const linkwright$f_time_window *window, const linkwright$f_chord *chord, const $real variation[], $real reals[]);
 
 /* Solves the equations of a block from the last frame, or near an estimate; notes a failure. */
 linkwright_status linkwright$f_solve_block(const linkwright$f_equations *equations, const linkwright$f_tears *last,

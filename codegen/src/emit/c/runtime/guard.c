@@ -23,7 +23,7 @@ static bool holds_signals$f(const linkwright$f_mechanism *mechanism, const linkw
     if (blocks->signals > 0U) {
         const $real h = pair->conditions->t - blocks->time(pair->last);
         for (uint16_t k = 0U; (k < blocks->signals) && holds; k++) {
-            holds = holds_signal$f(&mechanism->state->span, blocks->read_signal(mechanism->window_inputs[0], k),
+            holds = holds_signal$f(&mechanism->state->window, blocks->read_signal(mechanism->window_inputs[0], k),
                 blocks->read_signal(mechanism->window_inputs[1], k), blocks->read_signal(pair->before, k),
                 blocks->read_signal(pair->conditions->inputs, k), h, since);
         }
@@ -31,26 +31,26 @@ static bool holds_signals$f(const linkwright$f_mechanism *mechanism, const linkw
     return holds;
 }
 
-/* The span from one frame to the next one, which is the time step (s) away. */
-static linkwright$f_span span_between$f($real step)
+/* The window from one frame to the next one, which is the time step (s) away. */
+static linkwright$f_time_window window_between$f($real step)
 {
-    const linkwright$f_span span = {step, fabs$f(step), 1.0$f, 0.125$f, 0.0$f, span_rounding$f(1.0$f)};
-    return span;
+    const linkwright$f_time_window window = {step, fabs$f(step), 1.0$f, 0.125$f, 0.0$f, window_rounding$f(1.0$f)};
+    return window;
 }
 
 /* So many steps before the second frame and after it. */
-static linkwright$f_span span_around$f($real step, $real stretch)
+static linkwright$f_time_window window_around$f($real step, $real steps)
 {
-    const linkwright$f_span span = {step, fabs$f(step) * stretch, stretch, 0.5$f + (0.5$f / stretch), 1.0$f,
-        span_rounding$f(stretch)};
-    return span;
+    const linkwright$f_time_window window = {step, fabs$f(step) * steps, steps, 0.5$f + (0.5$f / steps), 1.0$f,
+        window_rounding$f(steps)};
+    return window;
 }
 
-/* The same span with at least this rounding. */
-static linkwright$f_span at_least$f(linkwright$f_span span, $real rounding)
+/* The same window with at least this rounding. */
+static linkwright$f_time_window at_least$f(linkwright$f_time_window window, $real rounding)
 {
-    span.rounding = larger$f(span.rounding, rounding);
-    return span;
+    window.rounding = larger$f(window.rounding, rounding);
+    return window;
 }
 
 /* The first block that such a rounding might make singular in the second of two frames. */
@@ -58,36 +58,36 @@ static bool is_weak$f(const linkwright$f_mechanism *mechanism, const linkwright$
     uint16_t *block)
 {
     const linkwright$f_pair same = {pair->at, pair->at, pair->conditions->inputs, pair->conditions};
-    const linkwright$f_span span = at_least$f(span_between$f(0.0$f), rounding);
-    return !mechanism->blocks->stays_regular(&same, &span, block);
+    const linkwright$f_time_window window = at_least$f(window_between$f(0.0$f), rounding);
+    return !mechanism->blocks->verify_nonsingular(&same, &window, block);
 }
 
-/* Whether something can be shown of a span: of closed forms one after another, or of all equations together, which
-   fills the tubes. */
+/* Whether something can be shown of a window: of closed forms one after another, or of all equations together, which
+   fills the enclosures. */
 static bool shown$f(const linkwright$f_mechanism *mechanism, const linkwright$f_pair *pair,
-    const linkwright$f_span *span, bool is_closed, uint16_t *block)
+    const linkwright$f_time_window *window, bool is_closed, uint16_t *block)
 {
     const linkwright$f_blocks *const blocks = mechanism->blocks;
-    const linkwright$f_span wide = at_least$f(*span, WEAK$f);
-    return is_closed ? blocks->stays_regular(pair, &wide, block)
-                     : blocks->keeps_to_path(pair, span, mechanism->tubes, block);
+    const linkwright$f_time_window wide = at_least$f(*window, WEAK$f);
+    return is_closed ? blocks->verify_nonsingular(pair, &wide, block)
+                     : blocks->verify_path(pair, window, mechanism->enclosures, block);
 }
 
-/* Keeps the widest span about two frames, at most so many steps, of which something can be shown; false where no span
-   beyond the frames is one. Afterwards stretch is how many steps to begin with next. */
+/* Keeps the widest window about two frames, at most so many steps, of which something can be shown; false where no window
+   beyond the frames is one. Afterwards steps is how many steps to begin with next. */
 static bool finds_window$f(const linkwright$f_mechanism *mechanism, const linkwright$f_pair *pair, $real step,
-    bool is_closed, $real *stretch)
+    bool is_closed, $real *steps)
 {
     linkwright$f_state *const state = mechanism->state;
-    $real tried = *stretch;
+    $real tried = *steps;
     uint16_t block = 0U;
     while ((tried >= LEAST_AHEAD$f) && (fabs$f(step) > 0.0$f)) {
-        const linkwright$f_span span = span_around$f(step, tried);
-        if (shown$f(mechanism, pair, &span, is_closed, &block)) {
+        const linkwright$f_time_window window = window_around$f(step, tried);
+        if (shown$f(mechanism, pair, &window, is_closed, &block)) {
             const $real further = tried * AHEAD_GROWTH$f;
-            *stretch = (further < MOST_AHEAD$f) ? further : MOST_AHEAD$f;
+            *steps = (further < MOST_AHEAD$f) ? further : MOST_AHEAD$f;
             state->has_window = true;
-            state->span = span;
+            state->window = window;
             state->t = pair->conditions->t;
             if (mechanism->blocks->signals > 0U) {
                 (void)memcpy(mechanism->window_inputs[0], pair->before, mechanism->blocks->inputs_size);
@@ -98,7 +98,7 @@ static bool finds_window$f(const linkwright$f_mechanism *mechanism, const linkwr
         tried *= AHEAD_SHRINKING$f;
     }
     /* Where it could not look beyond the frames at all, some frames go by before it tries again. */
-    *stretch = (*stretch < LEAST_AHEAD$f) ? (tried * AHEAD_GROWTH$f) : tried;
+    *steps = (*steps < LEAST_AHEAD$f) ? (tried * AHEAD_GROWTH$f) : tried;
     return false;
 }
 
@@ -110,12 +110,12 @@ static linkwright_status look$f(const linkwright$f_mechanism *mechanism, const l
     linkwright$f_state *const state = mechanism->state;
     const $real t = pair->conditions->t;
     const $real step = t - mechanism->blocks->time(pair->last);
-    const linkwright$f_span between = span_between$f(step);
+    const linkwright$f_time_window between = window_between$f(step);
     uint16_t block = 0U;
     bool is_far = true;
     state->has_window = false;
-    if (mechanism->blocks->stays_regular != NULL) {
-        if (finds_window$f(mechanism, pair, step, true, &state->stretch_of_closed_forms)
+    if (mechanism->blocks->verify_nonsingular != NULL) {
+        if (finds_window$f(mechanism, pair, step, true, &state->steps_of_closed_forms)
             || shown$f(mechanism, pair, &between, true, &block)) {
             return LINKWRIGHT_OK;
         }
@@ -125,7 +125,7 @@ static linkwright_status look$f(const linkwright$f_mechanism *mechanism, const l
             return noted$f(pair->conditions->failure, LINKWRIGHT_STEP_TOO_LARGE, 0.0$f, 0U, t, block);
         }
     }
-    if ((is_far && finds_window$f(mechanism, pair, step, false, &state->stretch))
+    if ((is_far && finds_window$f(mechanism, pair, step, false, &state->steps))
         || shown$f(mechanism, pair, &between, false, &block)) {
         return LINKWRIGHT_OK;
     }
@@ -142,10 +142,10 @@ static linkwright_status admitted$f(const linkwright$f_mechanism *mechanism, con
     linkwright_status status = LINKWRIGHT_OK;
     if (blocks->is_guarded && (pair->conditions->start != LINKWRIGHT_ESTIMATE)) {
         const $real since = pair->conditions->t - state->t;
-        const bool holds = state->has_window && (fabs$f(since) <= state->span.time) && holds_signals$f(mechanism,
+        const bool holds = state->has_window && (fabs$f(since) <= state->window.time) && holds_signals$f(mechanism,
             pair, since)
-            && ((blocks->is_within == NULL) || blocks->is_within(pair->at, mechanism->tubes,
-                since / state->span.step));
+            && ((blocks->is_within == NULL) || blocks->is_within(pair->at, mechanism->enclosures,
+                since / state->window.step));
         if (!holds) {
             status = look$f(mechanism, pair, may_be_weak);
         }

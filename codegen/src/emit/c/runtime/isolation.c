@@ -1,16 +1,16 @@
 /* Equations along a straight line through two frames: whether they have one solution near it all the while. */
 
-/* The multiple of the least sags that is tried first. */
+/* The multiple of the least deviations that is tried first. */
 static const $real FIRST$f = 2.0$f;
 
-/* By how much sags are widened that the operator does not map into themselves, and how often. */
+/* By how much deviations are widened that the operator does not map into themselves, and how often. */
 static const $real INFLATION$f = 1.25$f;
 #define WIDENED$F 8U
 
-/* The round from which on sags must come nearer to being mapped into themselves. */
+/* The round from which on deviations must come nearer to being mapped into themselves. */
 #define SETTLED$F 2U
 
-/* How often the variation is asked for before sags are spread. */
+/* How often the variation is asked for before deviations are spread. */
 #define FIRST_ROUND$F 2U
 
 /* Makes a row that of the identity, by its column, and puts the row of the inverse in its place. Room for n numbers.
@@ -95,7 +95,7 @@ static void magnitudes$f($real values[], size_t count)
     }
 }
 
-/* With C the inverse of the Jacobian, the operator of Newton with C maps the sags R into themselves where what it leaves
+/* With C the inverse of the Jacobian, the operator of Newton with C maps the deviations R into themselves where what it leaves
    of the line and |I - C J| R are together no more than R; then the equations have one solution near the line
    (Krawczyk). Arms turn with their angle, so that a column J of the Jacobian becomes J cos d + J' sin d where C J is
    known, and what arms of one angle do through many equations is added up with its signs. */
@@ -112,7 +112,7 @@ void linkwright$f_isolate(linkwright$f_isolation *isolation, uint16_t order, con
     isolation->least = &reals[n * n];
     isolation->needed = &isolation->least[n];
     isolation->rest = &isolation->needed[n];
-    isolation->sags = chord->sizes;
+    isolation->deviations = chord->sizes;
     isolation->found = isolation->needed;
     isolation->rounds = 0U;
     isolation->largest = 0.0$f;
@@ -120,7 +120,7 @@ void linkwright$f_isolate(linkwright$f_isolation *isolation, uint16_t order, con
     isolation->farthest = 0U;
     isolation->is_shown = invert$f(chord->jacobian, n, isolation->inverse, &failed, isolation->least);
     isolation->block = blocks[failed];
-    magnitudes$f(isolation->sags, n);
+    magnitudes$f(isolation->deviations, n);
 }
 
 /* How far each equation may be from zero on the line: what the bounds say, and what rounding may leave. */
@@ -132,7 +132,7 @@ static void off_line$f(const linkwright$f_isolation *isolation, $real off[])
         off[row] = 0.0$f;
         for (size_t column = 0U; column < n; column += 1U) {
             const size_t k = (row * n) + column;
-            const $real rounding = (LEFT_BY_ROUNDING$f * $FLT_EPSILON) * isolation->sags[column];
+            const $real rounding = (LEFT_BY_ROUNDING$f * $FLT_EPSILON) * isolation->deviations[column];
             const $real size = fabs$f(chord->jacobian[k]) + fabs$f(chord->turning[k]);
             off[row] = larger$f(rounding * (size + fabs$f(isolation->variation[k])), off[row]);
         }
@@ -181,29 +181,29 @@ static void begin_isolation$f(linkwright$f_isolation *isolation)
     magnitudes$f(isolation->inverse, n * n);
     times$f(isolation->inverse, off, n, needed);
     for (size_t row = 0U; row < n; row += 1U) {
-        const $real way = chord->ways[row];
+        const $real change = chord->changes[row];
         $real second = 0.0$f;
         /* What is left beside second derivatives: half of d to the fourth of the cosine's, and the cube of d of the
            sine's. */
         $real fourth = 0.0$f;
-        const $real third = chord->turns[row] ? (way * (way * way)) : 0.0$f;
+        const $real third = chord->turns[row] ? (change * (change * change)) : 0.0$f;
         for (size_t column = 0U; column < n; column += 1U) {
             if (chord->turns[column]) {
                 $real *const turned = &chord->turning[(row * n) + column];
-                const $real square = chord->ways[column] * chord->ways[column];
+                const $real square = chord->changes[column] * chord->changes[column];
                 second += *turned * square;
                 *turned = fabs$f(*turned);
                 fourth += *turned * ((0.5$f * square) * square);
             }
         }
-        least[row] = (chord->bend * ((fabs$f(second + least[row]) + fourth) + third)) + needed[row];
-        /* Where a map least + k R + a R^2 of one sag takes any R into itself, the largest that it does so with is
+        least[row] = (chord->remainder * ((fabs$f(second + least[row]) + fourth) + third)) + needed[row];
+        /* Where a map least + k R + a R^2 of one deviation takes any R into itself, the largest that it does so with is
            2 least or more. */
-        isolation->sags[row] = least[row] * FIRST$f;
+        isolation->deviations[row] = least[row] * FIRST$f;
     }
 }
 
-/* What sags become where the operator takes them: |sin d| is at most d, and 1 - cos d at most d^2 / 2. */
+/* What deviations become where the operator takes them: |sin d| is at most d, and 1 - cos d at most d^2 / 2. */
 static void spread$f(const linkwright$f_isolation *isolation)
 {
     const linkwright$f_chord *const chord = isolation->chord;
@@ -216,24 +216,24 @@ static void spread$f(const linkwright$f_isolation *isolation)
         isolation->needed[column] = 0.0$f;
     }
     if (varies) {
-        times$f(isolation->variation, isolation->sags, n, spread);
+        times$f(isolation->variation, isolation->deviations, n, spread);
         times$f(isolation->inverse, spread, n, isolation->needed);
     }
     for (size_t row = 0U; row < n; row += 1U) {
         $real turned = 0.0$f;
         for (size_t column = 0U; column < n; column += 1U) {
             if (chord->turns[column]) {
-                const $real delta = chord->ways[column] + isolation->sags[column];
-                turned += chord->turning[(row * n) + column] * (delta * isolation->sags[column]);
+                const $real delta = chord->changes[column] + isolation->deviations[column];
+                turned += chord->turning[(row * n) + column] * (delta * isolation->deviations[column]);
             }
         }
-        const $real own = chord->ways[row] + isolation->sags[row];
-        const $real beside = chord->turns[row] ? (((0.5$f * own) * own) * isolation->sags[row]) : 0.0$f;
+        const $real own = chord->changes[row] + isolation->deviations[row];
+        const $real beside = chord->turns[row] ? (((0.5$f * own) * own) * isolation->deviations[row]) : 0.0$f;
         isolation->needed[row] = ((isolation->needed[row] + beside) + turned) + isolation->least[row];
     }
 }
 
-/* Whether the operator, which has spread the sags, maps them into themselves. */
+/* Whether the operator, which has spread the deviations, maps them into themselves. */
 static bool is_mapped_inside$f(linkwright$f_isolation *isolation)
 {
     const size_t n = isolation->order;
@@ -241,12 +241,12 @@ static bool is_mapped_inside$f(linkwright$f_isolation *isolation)
     bool is_inside = true;
     for (uint16_t row = 0U; row < n; row++) {
         const $real needed = isolation->needed[row];
-        const $real sag = isolation->sags[row];
+        const $real deviation = isolation->deviations[row];
         /* Written so that NaN is refused, and bounds that have become infinite. */
-        is_inside = is_inside && (needed <= sag) && linkwright$f_is_finite(sag);
-        if (!(needed <= (largest * sag))) {
+        is_inside = is_inside && (needed <= deviation) && linkwright$f_is_finite(deviation);
+        if (!(needed <= (largest * deviation))) {
             isolation->farthest = row;
-            largest = needed / sag;
+            largest = needed / deviation;
         }
     }
     isolation->is_nearing = largest < isolation->largest;
@@ -254,7 +254,7 @@ static bool is_mapped_inside$f(linkwright$f_isolation *isolation)
     return is_inside;
 }
 
-/* Whether wider sags are to be tried, and widens them: where those of this round are not mapped into themselves, and
+/* Whether wider deviations are to be tried, and widens them: where those of this round are not mapped into themselves, and
    come nearer to it. */
 static bool widens$f(linkwright$f_isolation *isolation, uint16_t round)
 {
@@ -263,7 +263,7 @@ static bool widens$f(linkwright$f_isolation *isolation, uint16_t round)
         /* What the operator maps them to holds the solution as well. */
     } else if (((round + 1U) < WIDENED$F) && ((round < SETTLED$F) || isolation->is_nearing)) {
         for (size_t k = 0U; k < isolation->order; k += 1U) {
-            isolation->sags[k] = isolation->needed[k] * INFLATION$f;
+            isolation->deviations[k] = isolation->needed[k] * INFLATION$f;
         }
         is_wider = true;
     } else {
@@ -273,7 +273,7 @@ static bool widens$f(linkwright$f_isolation *isolation, uint16_t round)
     return is_wider;
 }
 
-bool linkwright$f_isolation_asks(linkwright$f_isolation *isolation)
+bool linkwright$f_isolation_needs_variation(linkwright$f_isolation *isolation)
 {
     bool asks = false;
     const uint16_t round = isolation->rounds;

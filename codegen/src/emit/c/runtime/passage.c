@@ -136,7 +136,7 @@ static void pass_ends$f(Way$f *way)
     const $real step = SHORTER$f * (way->end - way->from);
     uint16_t block = 0U;
     Passage$f passage = PASSED$F;
-    const bool is_closed = blocks->stays_regular != NULL;
+    const bool is_closed = blocks->verify_nonsingular != NULL;
     /* The other mode of Newton-Raphson takes too long to be looked for in each step that is divided. */
     if ((blocks->is_within != NULL) || !blocks->holds_coordinates || (way->start == LINKWRIGHT_ESTIMATE)
         || (way->from == way->end)) {

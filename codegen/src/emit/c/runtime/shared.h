@@ -97,7 +97,7 @@ typedef struct linkwright_block_name {
     const char *singular;
 } linkwright_block_name;
 
-/* How many numbers Newton-Raphson works with for so many unknowns, and what shows that so many keep to their path. */
+/* How many numbers Newton-Raphson works with for so many unknowns, and what shows that so many stay on their path. */
 #define LINKWRIGHT_NEWTON_REALS(order) ((3 * (order) * (order)) + (12 * (order)))
 #define LINKWRIGHT_MOST_TEARS 2
 #define LINKWRIGHT_ISOLATION_REALS(order) (((order) * (order)) + (3 * (order)))
@@ -110,6 +110,6 @@ typedef struct linkwright_block_name {
 #endif
 
 /* How many frames and how many assembly modes moving in several steps works with. */
-#define LINKWRIGHT_WAY_FRAMES 9
+#define LINKWRIGHT_SUBSTEP_FRAMES 9
 #define LINKWRIGHT_WAY_BRANCHES 7
 #define LINKWRIGHT_WAY_INPUTS 2

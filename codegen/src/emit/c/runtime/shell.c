@@ -37,8 +37,8 @@ linkwright_status linkwright$f_assemble(const linkwright$f_mechanism *mechanism,
     state->start = LINKWRIGHT_LAST_FRAME;
     state->second_is_last = false;
     state->has_window = false;
-    state->stretch = AHEAD$f;
-    state->stretch_of_closed_forms = AHEAD$f;
+    state->steps = AHEAD$f;
+    state->steps_of_closed_forms = AHEAD$f;
     state->t = t;
     state->sum = t;
     state->rest = 0.0$f;

@@ -13,7 +13,7 @@ const LONGEST_FLAT: usize = 8;
 impl Enclosures {
     /// Arms that turn with the same angle are one arm.
     pub(super) fn of_sum(&mut self, terms: &[Term], system: &mut System) -> Enclosure {
-        let (mut radii, mut sags) = (Vec::new(), Vec::new());
+        let (mut radii, mut deviations) = (Vec::new(), Vec::new());
         let mut turned: Vec<(usize, Amplitude)> = Vec::new();
         let mut bounds: Vec<Enclosure> = Vec::new();
         for term in terms {
@@ -36,7 +36,7 @@ impl Enclosures {
             let graph = &mut system.mechanism.graph;
             bounds.push(Enclosure {
                 radius: graph.scale(size, own.radius),
-                sag: graph.scale(size, own.sag),
+                deviation: graph.scale(size, own.deviation),
             });
         }
         for (angle, amplitude) in turned {
@@ -44,16 +44,16 @@ impl Enclosures {
         }
         for bound in bounds {
             radii.push(bound.radius);
-            sags.push(bound.sag);
+            deviations.push(bound.deviation);
         }
         let graph = &mut system.mechanism.graph;
         Enclosure {
             radius: graph.sum(&radii),
-            sag: graph.sum(&sags),
+            deviation: graph.sum(&deviations),
         }
     }
 
-    /// The largest magnitude of a value over the span.
+    /// The largest magnitude of a value over the window.
     fn largest(&self, value: ExprId, bounds: Enclosure, system: &mut System) -> ExprId {
         match constant_size(value, system) {
             Some(size) => size,
@@ -110,18 +110,18 @@ impl Enclosures {
             graph.multiply(largest_a, of_b.radius),
             graph.multiply(size_b, of_a.radius),
         ];
-        let bend = graph.variable(self.span.bend);
-        let curved = graph.product(&[bend, of_a.radius, of_b.radius]);
+        let remainder = graph.variable(self.window.remainder);
+        let curved = graph.product(&[remainder, of_a.radius, of_b.radius]);
         let bent = [
-            graph.multiply(largest_a, of_b.sag),
-            graph.multiply(largest_b, of_a.sag),
-            graph.multiply(of_a.sag, of_b.sag),
+            graph.multiply(largest_a, of_b.deviation),
+            graph.multiply(largest_b, of_a.deviation),
+            graph.multiply(of_a.deviation, of_b.deviation),
             curved,
             curved,
         ];
         Enclosure {
             radius: graph.sum(&moved),
-            sag: graph.sum(&bent),
+            deviation: graph.sum(&bent),
         }
     }
 
@@ -134,7 +134,7 @@ impl Enclosures {
                 false => still(&system.mechanism.graph),
             };
         }
-        // |x| over the span, from the side on which the derivative is largest.
+        // |x| over the window, from the side on which the derivative is largest.
         let is_whole = exponent.denominator() == 1;
         let graph = &mut system.mechanism.graph;
         let size = if is_whole {

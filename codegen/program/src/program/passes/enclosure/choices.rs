@@ -7,13 +7,13 @@ use crate::system::System;
 impl Enclosures {
     /// |x| is no farther away and has a kink.
     pub(super) fn of_magnitude(&mut self, x: ExprId, system: &mut System) -> Enclosure {
-        let Enclosure { radius, sag } = self.of(x, system);
+        let Enclosure { radius, deviation } = self.of(x, system);
         let graph = &mut system.mechanism.graph;
         let size = graph.magnitude(x);
         let kept = graph.subtract(size, radius);
         Enclosure {
             radius,
-            sag: graph.choose(kept, radius, sag),
+            deviation: graph.choose(kept, radius, deviation),
         }
     }
 
@@ -47,8 +47,9 @@ impl Enclosures {
                 graph.choose(certain, both, chosen)
             }
         };
-        let [radius, sag] = [arms.map(|arm| arm.radius), arms.map(|arm| arm.sag)].map(&mut bound);
-        Enclosure { radius, sag }
+        let [radius, deviation] =
+            [arms.map(|arm| arm.radius), arms.map(|arm| arm.deviation)].map(&mut bound);
+        Enclosure { radius, deviation }
     }
 
     /// A choice by what is brought into one period joins there too: what moves beyond the end of a period goes on from the number of
@@ -63,7 +64,7 @@ impl Enclosures {
         };
         let inner = self.of(periods, system);
         // Within the frames one end of a period may lie, beyond them none.
-        let beyond = system.mechanism.graph.variable(self.span.beyond);
+        let beyond = system.mechanism.graph.variable(self.window.beyond);
         let radius = system.mechanism.graph.multiply(beyond, inner.radius);
         self.require_between_integers(periods, radius, system);
         let last = system.in_last_frame(periods);
@@ -81,7 +82,7 @@ impl Enclosures {
         self.known.insert(number, still(graph));
         let bounds = self.of(fixed, system);
         let [now, then] = [floor, before].map(|value| {
-            [bounds.radius, bounds.sag].map(|bound| {
+            [bounds.radius, bounds.deviation].map(|bound| {
                 let graph = &mut system.mechanism.graph;
                 graph.substitute(bound, &[(number, value)])
             })
@@ -102,7 +103,7 @@ impl Enclosures {
         let parts = [now[1], bent, over];
         Some(Enclosure {
             radius: graph.add(now[0], over),
-            sag: graph.sum(&parts),
+            deviation: graph.sum(&parts),
         })
     }
 

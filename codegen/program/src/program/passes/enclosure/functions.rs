@@ -22,8 +22,8 @@ impl Enclosures {
         let jumps = graph.choose(left, kept, one);
         self.required.push(jumps);
         let slopes = [-1, -2].map(|power| graph.power(least, Rational::integer(power)));
-        let sag = graph.add(of_y.sag, of_x.sag);
-        self.composed(Enclosure { radius, sag }, slopes, system)
+        let deviation = graph.add(of_y.deviation, of_x.deviation);
+        self.composed(Enclosure { radius, deviation }, slopes, system)
     }
 
     pub(super) fn of_spline(
@@ -49,20 +49,20 @@ impl Enclosures {
                 let radius = graph.multiply(third, inner.radius);
                 Enclosure {
                     radius,
-                    sag: radius,
+                    deviation: radius,
                 }
             }
             _ => {
                 let radius = graph.add(third, third);
                 Enclosure {
                     radius,
-                    sag: radius,
+                    deviation: radius,
                 }
             }
         }
     }
 
-    /// The bounds of f(x), whose first and second derivative are at most these over the span.
+    /// The bounds of f(x), whose first and second derivative are at most these over the window.
     pub(super) fn composed(
         &self,
         inner: Enclosure,
@@ -70,12 +70,12 @@ impl Enclosures {
         system: &mut System,
     ) -> Enclosure {
         let graph = &mut system.mechanism.graph;
-        let bend = graph.variable(self.span.bend);
-        let moved = graph.multiply(first, inner.sag);
-        let curved = graph.product(&[second, bend, inner.radius, inner.radius]);
+        let remainder = graph.variable(self.window.remainder);
+        let moved = graph.multiply(first, inner.deviation);
+        let curved = graph.product(&[second, remainder, inner.radius, inner.radius]);
         Enclosure {
             radius: graph.multiply(first, inner.radius),
-            sag: graph.add(moved, curved),
+            deviation: graph.add(moved, curved),
         }
     }
 

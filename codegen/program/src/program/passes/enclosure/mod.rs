@@ -1,7 +1,7 @@
 //! An expression → how far it can be from where it is, and from a straight line, while what it is made of moves.
 //!
-//! A mechanism is looked at over a span of time that holds its last frame and this one. Every value runs along a straight line through
-//! both, up to a deviation: the *radius* bounds its distance from its value in this frame, the *sag* its distance from the line. Both
+//! A mechanism is looked at over a window of time that holds its last frame and this one. Every value runs along a straight line through
+//! both, up to a deviation: the *radius* bounds its distance from its value in this frame, the *deviation* its distance from the line. Both
 //! are expressions that bound it rigorously, by the mean value theorem and the remainder of linear interpolation, as far as functions
 //! are smooth; what must be positive for that is listed. Deliberately unknown here: what is done with the bounds.
 
@@ -22,19 +22,19 @@ pub(in crate::program) struct Enclosure {
     /// How far the value is from where it is in this frame.
     pub radius: ExprId,
     /// How far it is from the straight line.
-    pub sag: ExprId,
+    pub deviation: ExprId,
 }
 
-/// What the span is like, as symbols.
+/// What the window is like, as symbols.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Span {
+pub struct TimeWindow {
     /// How far the time goes from this frame, in s.
     pub time: SymbolId,
-    /// The same in steps: 1 where the span ends with the frames.
-    pub stretch: SymbolId,
+    /// The same in steps: 1 where the window ends with the frames.
+    pub steps: SymbolId,
     /// What the square of a radius is multiplied by in the remainder of linear interpolation, for a second derivative of 1.
-    pub bend: SymbolId,
-    /// Whether the span goes beyond the frames: 1, or else 0.
+    pub remainder: SymbolId,
+    /// Whether the window goes beyond the frames: 1, or else 0.
     pub beyond: SymbolId,
     /// How far rounding leaves what frames hold from what it stands for, as a part of its size.
     pub rounding: SymbolId,
@@ -42,7 +42,7 @@ pub struct Span {
 
 /// The bounds that are known so far.
 pub(in crate::program) struct Enclosures {
-    span: Span,
+    window: TimeWindow,
     known: HashMap<SymbolId, Enclosure>,
     found: HashMap<ExprId, Enclosure>,
     /// What has been found with the bounds of a symbol, by that symbol: the angle in the place of the arms that it turns.
@@ -53,14 +53,14 @@ pub(in crate::program) struct Enclosures {
 
 impl Enclosures {
     /// Time alone moves.
-    pub fn new(span: Span, system: &mut System) -> Enclosures {
+    pub fn new(window: TimeWindow, system: &mut System) -> Enclosures {
         let graph = &mut system.mechanism.graph;
         let time = Enclosure {
-            radius: graph.variable(span.time),
-            sag: graph.zero(),
+            radius: graph.variable(window.time),
+            deviation: graph.zero(),
         };
         Enclosures {
-            span,
+            window,
             known: HashMap::from([(system.mechanism.time, time)]),
             found: HashMap::new(),
             resting: HashMap::new(),
@@ -173,6 +173,6 @@ impl Enclosures {
 fn still(graph: &Graph) -> Enclosure {
     Enclosure {
         radius: graph.zero(),
-        sag: graph.zero(),
+        deviation: graph.zero(),
     }
 }

@@ -1,11 +1,11 @@
-//! What Newton-Raphson finds → the tubes in which it must be found again.
+//! What Newton-Raphson finds → the enclosures in which it must be found again.
 
 use super::Module;
 use crate::expr::{IdSet, SymbolId};
 use crate::program::{Path, Program};
 use crate::system::System;
 
-/// The unknowns that Newton-Raphson finds, with their sags; what does not move has none.
+/// The unknowns that Newton-Raphson finds, with their deviations; what does not move has none.
 pub(in crate::emit) fn iterated(
     program: &Program,
     system: &System,
@@ -15,22 +15,22 @@ pub(in crate::emit) fn iterated(
     let unknowns = blocks.flat_map(|block| block.newton.iter().flat_map(|newton| &newton.unknowns));
     let unknowns = unknowns.map(|unknown| {
         let position = system.vector_form.unknowns[*unknown].position;
-        (position, path.sags.get(unknown).copied())
+        (position, path.deviations.get(unknown).copied())
     });
     unknowns.collect()
 }
 
-/// How many tubes there are.
-pub(in crate::emit) fn tube_count(module: &Module<'_>) -> usize {
+/// How many enclosures there are.
+pub(in crate::emit) fn enclosure_count(module: &Module<'_>) -> usize {
     let path = module.program.path.iter();
     path.map(|path| iterated(module.program, module.system, path).len())
         .sum()
 }
 
-/// The sags of tubes.
-pub(super) fn sags_of_tubes(program: &Program, system: &System) -> IdSet<SymbolId> {
+/// The deviations of enclosures.
+pub(super) fn deviations_of_enclosures(program: &Program, system: &System) -> IdSet<SymbolId> {
     let path = program.path.iter();
     path.flat_map(|path| iterated(program, system, path))
-        .filter_map(|(_, sag)| sag)
+        .filter_map(|(_, deviation)| deviation)
         .collect()
 }

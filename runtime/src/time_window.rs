@@ -1,53 +1,53 @@
-//! Two frames → a [`Span`] of time that holds both, and how far signals and what is found go in it.
+//! Two frames → a [`TimeWindow`] of time that holds both, and how far signals and what is found go in it.
 //!
 //! Every value is bounded by its distance from a straight line through both frames. The module does not know equations.
 
 use crate::math::Real;
 use crate::signal::Signal;
 
-/// A span of time about two frames.
+/// A window of time about two frames.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Span<T = f64> {
+pub struct TimeWindow<T = f64> {
     /// The time from the first frame to the second one, in s.
     pub step: T,
     /// How far the time goes from the second frame, in s.
     pub time: T,
-    /// The same in steps: 1 where the span ends with the frames.
-    pub stretch: T,
-    /// The remainder of linear interpolation over the span, for a second derivative of 1 and a way of 1.
-    pub bend: T,
-    /// 1 where the span goes beyond the frames, and as far before them, or else 0.
+    /// The same in steps: 1 where the window ends with the frames.
+    pub steps: T,
+    /// The remainder of linear interpolation over the window, for a second derivative of 1 and a way of 1.
+    pub remainder: T,
+    /// 1 where the window goes beyond the frames, and as far before them, or else 0.
     pub beyond: T,
-    /// How far rounding leaves what frames hold from what it stands for over the span, as a part of its size.
+    /// How far rounding leaves what frames hold from what it stands for over the window, as a part of its size.
     pub rounding: T,
 }
 
-impl<T: Real> Span<T> {
+impl<T: Real> TimeWindow<T> {
     /// From one frame to the next one, which is the time `h` (s) away: ½ x (1 − x) is at most ⅛ there.
     pub fn between(h: T) -> Self {
         Self {
             step: h,
             time: h.abs(),
-            stretch: T::ONE,
-            bend: T::from_f64(0.125),
+            steps: T::ONE,
+            remainder: T::from_f64(0.125),
             beyond: T::ZERO,
             rounding: rounding(T::ONE),
         }
     }
 
-    /// `stretch` (at least 1) steps of `h` (s) before the second frame and after it: ½ x (x + 1) is largest at their end.
-    pub fn around(h: T, stretch: T) -> Self {
+    /// `steps` (at least 1) steps of `h` (s) before the second frame and after it: ½ x (x + 1) is largest at their end.
+    pub fn around(h: T, steps: T) -> Self {
         Self {
             step: h,
-            time: h.abs() * stretch,
-            stretch,
-            bend: T::HALF + T::HALF / stretch,
+            time: h.abs() * steps,
+            steps,
+            remainder: T::HALF + T::HALF / steps,
             beyond: T::ONE,
-            rounding: rounding(stretch),
+            rounding: rounding(steps),
         }
     }
 
-    /// The same span with at least this rounding.
+    /// The same window with at least this rounding.
     #[must_use]
     pub fn at_least(self, rounding: f64) -> Self {
         Self {
@@ -57,19 +57,19 @@ impl<T: Real> Span<T> {
     }
 
     /// How far a signal goes from its second value, and from the straight line, on the way that [`Signal::towards`] describes; beyond
-    /// the frames as far as [`Span::holds_signal`] lets it. Where no time passes, it goes straight.
+    /// the frames as far as [`TimeWindow::holds_signal`] lets it. Where no time passes, it goes straight.
     pub fn signal(&self, before: &Signal<T>, now: &Signal<T>) -> [T; 2] {
         let moved = (now.value - before.value).abs();
-        let bend = match self.step == T::ZERO {
+        let remainder = match self.step == T::ZERO {
             true => T::ZERO,
-            false => bend_of_signal(self.step, before, now),
+            false => remainder_of_signal(self.step, before, now),
         };
-        let sag = bend + self.beyond * self.tube(moved);
-        [self.stretch * moved + sag, sag]
+        let deviation = remainder + self.beyond * self.allowance(moved);
+        [self.steps * moved + deviation, deviation]
     }
 
     /// Whether a signal that goes from `last` to `next` in the time `h` (s) stays as near to the straight line from `before` to `now`
-    /// as [`Span::signal`] supposes; the line ends `since` (s) before `next`.
+    /// as [`TimeWindow::signal`] supposes; the line ends `since` (s) before `next`.
     pub fn holds_signal(
         &self,
         [before, now]: [&Signal<T>; 2],
@@ -80,28 +80,28 @@ impl<T: Real> Span<T> {
         let moved = now.value - before.value;
         let line = |since: T| now.value + moved * (since / self.step);
         let off = |signal: &Signal<T>, since: T| (signal.value - line(since)).abs();
-        let tube = T::HALF * self.tube(moved.abs());
-        off(last, since - h) <= tube
-            && off(next, since) <= tube
-            && bend_of_signal(h, last, next) <= tube
+        let allowance = T::HALF * self.allowance(moved.abs());
+        off(last, since - h) <= allowance
+            && off(next, since) <= allowance
+            && remainder_of_signal(h, last, next) <= allowance
     }
 
     /// How far a signal that moves so far in one step may be from the straight line beyond the frames.
-    fn tube(&self, moved: T) -> T {
-        T::from_f64(0.25) * self.stretch * moved
+    fn allowance(&self, moved: T) -> T {
+        T::from_f64(0.25) * self.steps * moved
     }
 }
 
-/// How far rounding leaves what frames hold, and what differences of two of them lead to that are multiplied by `stretch`.
-fn rounding<T: Real>(stretch: T) -> T {
-    T::EPSILON * (T::from_f64(LEFT_BY_ROUNDING) + T::from_f64(OF_DIFFERENCES) * stretch)
+/// How far rounding leaves what frames hold, and what differences of two of them lead to that are multiplied by `steps`.
+fn rounding<T: Real>(steps: T) -> T {
+    T::EPSILON * (T::from_f64(LEFT_BY_ROUNDING) + T::from_f64(OF_DIFFERENCES) * steps)
 }
 
 /// How far a signal is from a straight line between two values that are `h` (s) apart.
 ///
 /// The functions that rates and accelerations at the ends are multiplied by in the polynomial of the fifth degree are at most
 /// 0.2 and 0.018 in size.
-fn bend_of_signal<T: Real>(h: T, before: &Signal<T>, now: &Signal<T>) -> T {
+fn remainder_of_signal<T: Real>(h: T, before: &Signal<T>, now: &Signal<T>) -> T {
     let moved = now.value - before.value;
     let rate = |it: &Signal<T>| (it.rate * h - moved).abs();
     let acceleration = |it: &Signal<T>| (it.acceleration * h * h).abs();
@@ -111,36 +111,36 @@ fn bend_of_signal<T: Real>(h: T, before: &Signal<T>, now: &Signal<T>) -> T {
 
 /// A straight line through the values of two frames, and how far a value may be from it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Tube<T = f64> {
+pub struct PathEnclosure<T = f64> {
     /// The value in the second frame.
     pub value: T,
     /// How far it has moved in one step.
     pub moved: T,
     /// How far it may be from the line.
-    pub sag: T,
+    pub deviation: T,
 }
 
-impl<T: Real> Tube<T> {
-    /// The tube of what does not move.
+impl<T: Real> PathEnclosure<T> {
+    /// The enclosure of what does not move.
     pub const STILL: Self = Self {
         value: T::ZERO,
         moved: T::ZERO,
-        sag: T::ZERO,
+        deviation: T::ZERO,
     };
 
-    /// The tube about a value.
-    pub fn new(now: T, before: T, sag: T) -> Self {
+    /// The enclosure about a value.
+    pub fn new(now: T, before: T, deviation: T) -> Self {
         Self {
             value: now,
             moved: now - before,
-            sag,
+            deviation,
         }
     }
 
-    /// Whether a value is in the tube so many steps after the second frame, but for rounding.
+    /// Whether a value is in the enclosure so many steps after the second frame, but for rounding.
     pub fn holds(&self, value: T, steps: T) -> bool {
         let rounding = T::from_f64(ROUNDING) * T::EPSILON * (T::ONE + value.abs());
-        (value - self.value - self.moved * steps).abs() <= self.sag + rounding
+        (value - self.value - self.moved * steps).abs() <= self.deviation + rounding
     }
 }
 

@@ -1,4 +1,4 @@
-//! *Wishes like `phi2=other` or `loop_p=c`* → *the modes in which a mechanism is assembled, and a pose of them*.
+//! *ModeSelection like `phi2=other` or `loop_p=c`* → *the modes in which a mechanism is assembled, and a pose of them*.
 
 use linkwright::{Blocks, Branch, Failure, FailureKind};
 use linkwright_codegen::diagnostic::nearest;
@@ -13,7 +13,7 @@ use crate::view::View;
 
 /// The modes that are wanted of some loops; those of the others are the drawing's.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Wishes(Vec<(ModeName, Wish)>);
+pub struct ModeSelection(Vec<(ModeName, Wish)>);
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Wish {
@@ -71,12 +71,12 @@ impl Unassembled {
     }
 }
 
-impl Wishes {
+impl ModeSelection {
     /// Reads `LOOP=positive`, `LOOP=negative`, `LOOP=other`, or of a loop without a closed form the letter of a pose, as `check` lists them.
     ///
     /// # Errors
     /// A sentence where a wish cannot be read, or names no loop.
-    pub fn read(interpreted: &Interpreted, texts: &[String]) -> Result<Wishes, String> {
+    pub fn read(interpreted: &Interpreted, texts: &[String]) -> Result<ModeSelection, String> {
         let known = interpreted.mode_names();
         let mut found: Vec<(ModeName, Wish)> = Vec::new();
         for text in texts {
@@ -114,7 +114,7 @@ impl Wishes {
             }
             found.push((own.clone(), wish));
         }
-        Ok(Wishes(found))
+        Ok(ModeSelection(found))
     }
 
     /// Assembles the mechanism at time `t` (s) as wished, block by block, with its nominal parameters and inputs.

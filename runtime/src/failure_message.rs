@@ -29,14 +29,14 @@ impl<'a> BlockName<'a> {
 
 /// A failure in a mechanism's own terms; its `Display` is one sentence.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Explained<'a, T = f64> {
+pub struct FailureMessage<'a, T = f64> {
     /// What happened.
     pub failure: Failure<T>,
     /// The name of the block where it happened, or of the input or load that is not finite, if it is known.
     pub block: Option<BlockName<'a>>,
 }
 
-impl<T: Real> Explained<'_, T> {
+impl<T: Real> FailureMessage<'_, T> {
     /// What happened, without the time.
     pub fn cause(&self) -> impl fmt::Display + '_ {
         self.cause_in("m", 1.0)
@@ -54,12 +54,12 @@ impl<T: Real> Explained<'_, T> {
 }
 
 struct Cause<'a, T> {
-    explained: &'a Explained<'a, T>,
+    explained: &'a FailureMessage<'a, T>,
     unit: &'a str,
     per_meter: f64,
 }
 
-impl<T: Real> fmt::Display for Explained<'_, T> {
+impl<T: Real> fmt::Display for FailureMessage<'_, T> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.failure.kind {
             FailureKind::NotPositive { .. } => write!(formatter, "{}", self.cause()),
@@ -192,7 +192,7 @@ mod tests {
             input: None,
         };
         let block = BLOCKS.get(usize::from(block)).copied();
-        Explained { failure, block }.to_string()
+        FailureMessage { failure, block }.to_string()
     }
 
     #[test]

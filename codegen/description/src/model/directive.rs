@@ -2,13 +2,13 @@
 
 use super::resolve::Resolver;
 use crate::diagnostic::{Code, Diagnostic};
-use crate::syntax::{Statement, WishKind};
+use crate::syntax::{DirectiveKind, Statement};
 
 impl Resolver<'_> {
     /// Whether there is a statement of this kind; a second one is reported.
-    pub(super) fn wishes(&mut self, wished: WishKind, statements: &[&Statement]) -> bool {
+    pub(super) fn has(&mut self, wished: DirectiveKind, statements: &[&Statement]) -> bool {
         let spans = statements.iter().filter_map(|statement| match statement {
-            Statement::Wish(wish) if wish.kind == wished => Some(wish.span),
+            Statement::Directive(wish) if wish.kind == wished => Some(wish.span),
             _ => None,
         });
         let spans: Vec<_> = spans.collect();
@@ -16,12 +16,12 @@ impl Resolver<'_> {
             return false;
         };
         let message = match wished {
-            WishKind::Monitor => "the mechanism is monitored already",
-            WishKind::Unguarded => "the mechanism is unguarded already",
-            WishKind::Effort => "efforts are already requested",
-            WishKind::Reactions => "all reactions are already requested",
-            WishKind::LeastNorm => "reactions of the least norm are already requested",
-            WishKind::Energy => "energies are already requested",
+            DirectiveKind::Monitor => "the mechanism is monitored already",
+            DirectiveKind::Unguarded => "the mechanism is unguarded already",
+            DirectiveKind::Effort => "efforts are already requested",
+            DirectiveKind::Reactions => "all reactions are already requested",
+            DirectiveKind::LeastNorm => "reactions of the least norm are already requested",
+            DirectiveKind::Energy => "energies are already requested",
         };
         for &span in others {
             self.diagnostics.push(

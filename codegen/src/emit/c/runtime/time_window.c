@@ -11,14 +11,14 @@ static const $real LEFT_BY_ROUNDING$f = 64.0$f;
 static const $real OF_DIFFERENCES$f = 32.0$f;
 
 /* How far rounding leaves what frames hold, and what differences of two of them lead to that are multiplied by
-   stretch. */
-static $real span_rounding$f($real stretch)
+   steps. */
+static $real window_rounding$f($real steps)
 {
-    return $FLT_EPSILON * (LEFT_BY_ROUNDING$f + (OF_DIFFERENCES$f * stretch));
+    return $FLT_EPSILON * (LEFT_BY_ROUNDING$f + (OF_DIFFERENCES$f * steps));
 }
 
 /* How far a signal is from a straight line between two values that are h (s) apart. */
-static $real bend_of_signal$f($real h, const linkwright$f_signal *before, const linkwright$f_signal *now)
+static $real remainder_of_signal$f($real h, const linkwright$f_signal *before, const linkwright$f_signal *now)
 {
     const $real moved = now->value - before->value;
     const $real rate_before = fabs$f((before->rate * h) - moved);
@@ -29,34 +29,34 @@ static $real bend_of_signal$f($real h, const linkwright$f_signal *before, const 
 }
 
 /* How far a signal that moves so far in one step may be from the straight line beyond the frames. */
-static $real tube_of_signal$f(const linkwright$f_span *span, $real moved)
+static $real allowance_of_signal$f(const linkwright$f_time_window *window, $real moved)
 {
-    return (0.25$f * span->stretch) * moved;
+    return (0.25$f * window->steps) * moved;
 }
 
-void linkwright$f_span_signal(const linkwright$f_span *span, const linkwright$f_signal *before,
+void linkwright$f_window_signal(const linkwright$f_time_window *window, const linkwright$f_signal *before,
     const linkwright$f_signal *now, $real found[2])
 {
     const $real moved = fabs$f(now->value - before->value);
     /* Where no time passes, it goes straight. */
-    const $real bend = (span->step == 0.0$f) ? 0.0$f : bend_of_signal$f(span->step, before, now);
-    const $real sag = bend + (span->beyond * tube_of_signal$f(span, moved));
-    found[0] = (span->stretch * moved) + sag;
-    found[1] = sag;
+    const $real remainder = (window->step == 0.0$f) ? 0.0$f : remainder_of_signal$f(window->step, before, now);
+    const $real deviation = remainder + (window->beyond * allowance_of_signal$f(window, moved));
+    found[0] = (window->steps * moved) + deviation;
+    found[1] = deviation;
 }
 
 /* Whether a signal that goes from last to next in the time h stays as near to the straight line from before to now
    as is supposed; the line ends so long (s) before next. */
-static bool holds_signal$f(const linkwright$f_span *span, const linkwright$f_signal *before,
+static bool holds_signal$f(const linkwright$f_time_window *window, const linkwright$f_signal *before,
     const linkwright$f_signal *now, const linkwright$f_signal *last, const linkwright$f_signal *next, $real h,
     $real since)
 {
     const $real moved = now->value - before->value;
-    const $real line_last = now->value + (moved * ((since - h) / span->step));
-    const $real line_next = now->value + (moved * (since / span->step));
-    const $real tube = 0.5$f * tube_of_signal$f(span, fabs$f(moved));
-    return (fabs$f(last->value - line_last) <= tube) && (fabs$f(next->value - line_next) <= tube)
-        && (bend_of_signal$f(h, last, next) <= tube);
+    const $real line_last = now->value + (moved * ((since - h) / window->step));
+    const $real line_next = now->value + (moved * (since / window->step));
+    const $real allowance = 0.5$f * allowance_of_signal$f(window, fabs$f(moved));
+    return (fabs$f(last->value - line_last) <= allowance) && (fabs$f(next->value - line_next) <= allowance)
+        && (remainder_of_signal$f(h, last, next) <= allowance);
 }
 
 /* What a signal is at a part of the time h (s) that it takes from one value to another, by the polynomial of the
@@ -83,14 +83,14 @@ static linkwright$f_signal signal_towards$f(const linkwright$f_signal *first, co
     return found;
 }
 
-linkwright$f_tube linkwright$f_tube_of($real now, $real before, $real sag)
+linkwright$f_enclosure linkwright$f_enclosure_of($real now, $real before, $real deviation)
 {
-    const linkwright$f_tube tube = {now, now - before, sag};
-    return tube;
+    const linkwright$f_enclosure enclosure = {now, now - before, deviation};
+    return enclosure;
 }
 
-bool linkwright$f_tube_holds(const linkwright$f_tube *tube, $real value, $real steps)
+bool linkwright$f_enclosure_holds(const linkwright$f_enclosure *enclosure, $real value, $real steps)
 {
     const $real rounding = (TUBE_ROUNDING$f * $FLT_EPSILON) * (1.0$f + fabs$f(value));
-    return fabs$f((value - tube->value) - (tube->moved * steps)) <= (tube->sag + rounding);
+    return fabs$f((value - enclosure->value) - (enclosure->moved * steps)) <= (enclosure->deviation + rounding);
 }

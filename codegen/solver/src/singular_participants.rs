@@ -16,16 +16,16 @@ const LISTED: usize = 6;
 
 /// Who takes part in a singularity.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Concerned {
+pub struct SingularParticipants {
     /// Labels of joints and drivers, as the description writes them.
     pub joints: Vec<String>,
     /// Names of bodies that can move.
     pub bodies: Vec<String>,
 }
 
-impl Concerned {
+impl SingularParticipants {
     /// The names behind the directions of `weakness`.
-    pub fn of(system: &System, weakness: &Weakness) -> Concerned {
+    pub fn of(system: &System, weakness: &Weakness) -> SingularParticipants {
         let mechanism = &system.mechanism;
         let joints = taking_part(
             mechanism.joints.len(),
@@ -41,7 +41,7 @@ impl Concerned {
             // The poses come first; where a joint touches its curve follows from them.
             weakness.coordinates.as_slice(),
         );
-        Concerned {
+        SingularParticipants {
             joints: joints
                 .map(|joint| mechanism.joints[joint].label.clone())
                 .collect(),
@@ -52,7 +52,7 @@ impl Concerned {
     }
 }
 
-impl std::fmt::Display for Concerned {
+impl std::fmt::Display for SingularParticipants {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(
             formatter,
