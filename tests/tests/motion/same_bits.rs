@@ -36,11 +36,15 @@ pub struct Compared {
 
 type Frame<M> = <<M as Mechanism>::Blocks as Blocks>::Frame;
 
+/// What frames say that are limited by `output`: names of coordinates, 0 to 2 for the levels, and values.
+type Outputs = Vec<(&'static str, usize, f64)>;
+
 /// A compiled mechanism and an interpreted one, which are moved together.
 struct Both<'a, M: Mechanism> {
     generated: Option<Shell<M::Blocks>>,
     interpreted: Option<Shell<Interpreted>>,
     view: &'a Interpreted,
+    outputs: fn(&Frame<M>) -> Outputs,
     forces: fn(&Frame<M>) -> Vec<f64>,
     derivatives: fn(&Frame<M>) -> Vec<f64>,
     tally: Tally,
@@ -138,6 +142,12 @@ where
                 pairs[level].push([own[level], same[level]]);
             }
         }
+        for (name, level, own) in (self.outputs)(frame) {
+            let mut names = (0..).map_while(|it| view.coordinate_name(it));
+            let place = names.position(|it| it == name).expect("a coordinate");
+            let same = view.coordinate(instant, place).expect("a coordinate");
+            pairs[level].push([own, same[level]]);
+        }
         let points = (0..).map_while(|place| blocks.point(frame, place));
         for (place, own) in points.enumerate() {
             let name = blocks.point_name(place).expect("a name");
@@ -186,6 +196,7 @@ fn supplied<B: Blocks<Scalar = f64>>(blocks: &B, inputs: &InputSignals) -> B::In
 /// Moves a compiled mechanism and an interpreted one, and compares both.
 fn compare<M>(
     system: &System,
+    outputs: fn(&Frame<M>) -> Outputs,
     forces: fn(&Frame<M>) -> Vec<f64>,
     derivatives: fn(&Frame<M>) -> Vec<f64>,
 ) -> Tally
@@ -199,6 +210,7 @@ where
         generated: None,
         interpreted: None,
         view: &view,
+        outputs,
         forces,
         derivatives,
         tally: Tally::default(),
