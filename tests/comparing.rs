@@ -4,7 +4,7 @@
 //! named anywhere.
 
 use linkwright_codegen::stages::emit::rust::type_name;
-use linkwright_codegen::stages::program::{Program, Reaction, lower};
+use linkwright_codegen::stages::program::{Output, Program, Reaction, lower};
 use linkwright_codegen::stages::structure::plan;
 use linkwright_codegen::stages::system::Component;
 
@@ -34,9 +34,11 @@ pub fn write(own: &str, others: &str) {
                     continue;
                 };
                 let program = lower(&mut system, &plan);
-                let (forces, derivatives) = (forces(&program), derivatives(&program));
+                let (outputs, forces) = (outputs(&program), forces(&program));
+                let derivatives = derivatives(&program);
                 list.push_str(&format!(
-                    "    Compared {{\n        name: {name:?},\n        motion: {place},\n        compare: |system| compare::<{path}::{own}>(\n            system,\n            |it| {{ {} }},\n            |it| {{ {} }},\n        ),\n    }},\n",
+                    "    Compared {{\n        name: {name:?},\n        motion: {place},\n        compare: |system| compare::<{path}::{own}>(\n            system,\n            |it| {{ {} }},\n            |it| {{ {} }},\n            |it| {{ {} }},\n        ),\n    }},\n",
+                    collected(&outputs),
                     collected(&forces),
                     collected(&derivatives),
                 ));
@@ -53,6 +55,23 @@ fn collected(values: &[String]) -> String {
         [] => "let _ = it; Vec::new()".to_string(),
         _ => format!("[{}].concat()", values.join(", ")),
     }
+}
+
+/// The coordinates that a frame offers where `output` limits it, with their levels.
+fn outputs(program: &Program) -> Vec<String> {
+    let mut values = Vec::new();
+    for output in program.outputs.iter().flatten() {
+        if let Output::Coordinate { name, fields, .. } = output {
+            let suffixes = ["", "_rate", "_acceleration"].iter().enumerate();
+            let levels = suffixes.take(fields.len());
+            values.extend(
+                levels.map(|(level, suffix)| {
+                    format!("vec![({name:?}, {level}, it.{name}{suffix}())]")
+                }),
+            );
+        }
+    }
+    values
 }
 
 /// What a frame says of forces, in the order of the interpreter's columns.

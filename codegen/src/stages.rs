@@ -61,8 +61,8 @@ pub mod program {
     #[doc(inline)]
     pub use crate::program::{
         Arithmetic, Block, Branch, Choice, EVALUATIONS, Effort, Elementary, Energy, Evaluation,
-        Forces, Found, Function, Lengths, Level, NewtonBlock, Operations, Program, Reaction,
-        Reduced, Requirements, STEPS, Statement, Tearing, Work, forms_of, lower,
+        Forces, Found, Function, Lengths, Level, NewtonBlock, Operations, Output, Program,
+        Reaction, Reduced, Requirements, STEPS, Statement, Tearing, Work, forms_of, lower,
         lower_with_unknowns, unpruned, work,
     };
 }

@@ -1,13 +1,13 @@
 //! The interpreter computes what generated code computes, bit by bit: every motion of every description that is compiled, along its path,
 //! with other parameters and inputs, back and forth and as far as it goes.
 
-use linkwright::{Blocks, Failure, Mechanism, Settings, Shell, Signals};
+use linkwright::{Blocks, Failure, Mechanism, Settings, Shell, Signals, math};
 use linkwright_codegen::stages::system::System;
 use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::supplied::InputSignals;
 use linkwright_solver::view::View;
 use linkwright_tests::description;
-use linkwright_tests::values::{filled, numbers};
+use linkwright_tests::values::{assembled_from, filled, numbers};
 
 /// What is compared.
 const KINDS: [&str; 7] = [
@@ -36,11 +36,15 @@ pub struct Compared {
 
 type Frame<M> = <<M as Mechanism>::Blocks as Blocks>::Frame;
 
+/// What frames say that are limited by `output`: names of coordinates, 0 to 2 for the levels, and values.
+type Outputs = Vec<(&'static str, usize, f64)>;
+
 /// A compiled mechanism and an interpreted one, which are moved together.
 struct Both<'a, M: Mechanism> {
     generated: Option<Shell<M::Blocks>>,
     interpreted: Option<Shell<Interpreted>>,
     view: &'a Interpreted,
+    outputs: fn(&Frame<M>) -> Outputs,
     forces: fn(&Frame<M>) -> Vec<f64>,
     derivatives: fn(&Frame<M>) -> Vec<f64>,
     tally: Tally,
@@ -138,6 +142,12 @@ where
                 pairs[level].push([own[level], same[level]]);
             }
         }
+        for (name, level, own) in (self.outputs)(frame) {
+            let mut names = (0..).map_while(|it| view.coordinate_name(it));
+            let place = names.position(|it| it == name).expect("a coordinate");
+            let same = view.coordinate(instant, place).expect("a coordinate");
+            pairs[level].push([own, same[level]]);
+        }
         let points = (0..).map_while(|place| blocks.point(frame, place));
         for (place, own) in points.enumerate() {
             let name = blocks.point_name(place).expect("a name");
@@ -186,6 +196,7 @@ fn supplied<B: Blocks<Scalar = f64>>(blocks: &B, inputs: &InputSignals) -> B::In
 /// Moves a compiled mechanism and an interpreted one, and compares both.
 fn compare<M>(
     system: &System,
+    outputs: fn(&Frame<M>) -> Outputs,
     forces: fn(&Frame<M>) -> Vec<f64>,
     derivatives: fn(&Frame<M>) -> Vec<f64>,
 ) -> Tally
@@ -199,6 +210,7 @@ where
         generated: None,
         interpreted: None,
         view: &view,
+        outputs,
         forces,
         derivatives,
         tally: Tally::default(),
@@ -275,6 +287,48 @@ fn interpreted_and_generated_numbers_are_the_same() {
     }
     println!("{of_outputs} of points that are asked for differ");
     assert!(of_outputs <= DIFFERENT, "{of_outputs}");
+}
+
+/// Powers, roots and logarithms as generated code writes them, of which no description above has any.
+#[test]
+fn interpreted_powers_and_logarithms_are_those_of_generated_code() {
+    type Written = fn(f64) -> f64;
+    let laws: [(&str, Written); 7] = [
+        ("(1 + t^2)^(1/3)", |t| {
+            math::powf(1.0 + t * t, 0.3333333333333333)
+        }),
+        ("(1 + t^2)^(-1/3)", |t| {
+            1.0 / math::powf(1.0 + t * t, 0.3333333333333333)
+        }),
+        ("(1 + t^2)^(5/2)", |t| {
+            (1.0 + t * t) * (1.0 + t * t) * math::sqrt(1.0 + t * t)
+        }),
+        ("2*t/(1 + t^2)^(5/2)", |t| {
+            2.0 * t / ((1.0 + t * t) * (1.0 + t * t) * math::sqrt(1.0 + t * t))
+        }),
+        ("ln(2 + t)", |t| math::ln(2.0 + t)),
+        ("exp(t)", math::exp),
+        ("-0.3*t^3", |t| -0.3 * t * t * t),
+    ];
+    for (law, written) in laws {
+        let system = description::written(&format!(
+            "mechanism lone {{ point A = (0, 0); body crank at A {{ A, B: (1, 0) }} revolute A(ground, crank); drive phi(crank) = {law}; }}"
+        ));
+        let view = Interpreted::new(&system).expect("a plan");
+        let mut shell = assembled_from(view, &[], 0.1, Settings::default()).expect("as drawn");
+        for step in 1..=200 {
+            let t = 0.1 + 0.013 * f64::from(step);
+            let frame = shell
+                .advance(t, &InputSignals::default())
+                .expect("explicit");
+            let (found, expected) = (frame.q()[2], written(t));
+            assert_eq!(
+                found.to_bits(),
+                expected.to_bits(),
+                "{law} at {t}: {found} {expected}"
+            );
+        }
+    }
 }
 
 include!(concat!(env!("OUT_DIR"), "/comparing.rs"));
