@@ -122,34 +122,3 @@ fn character(rest: &str) -> Option<usize> {
     let own = inside.chars().next()?.len_utf8();
     inside[own..].starts_with('\'').then_some(own + 2)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::lines;
-
-    #[test]
-    fn comments_and_strings_are_apart_from_code() {
-        let source = "let a = \"not // one\"; // but \"this\"\n/// `'` in a doc\nlet b: &'a str = r#\"x \"y\"\"#;\n\
-                      let c = '\"'; /* one\n two */ let d = '\\'';";
-        let found = lines(source);
-        let code: Vec<&str> = found.iter().map(|it| it.code.trim()).collect();
-        assert_eq!(
-            code,
-            [
-                "let a = \"\";",
-                "",
-                "let b: &'a str = \"\";",
-                "let c = ' ';",
-                "let d = ' ';"
-            ]
-        );
-        let comments: Vec<&str> = found.iter().map(|it| it.comment.trim()).collect();
-        assert_eq!(comments, ["but \"this\"", "`'` in a doc", "", "one", "two"]);
-        assert_eq!(found[0].strings, "not // one\n");
-        assert_eq!(found[2].strings, "x \"y\"\n");
-        assert_eq!(
-            [found[0].marks, found[1].marks, found[4].marks],
-            ["//", "///", "/*"]
-        );
-    }
-}

@@ -88,7 +88,11 @@ impl Study {
             words.push("--".to_string());
         }
         words.extend(self.arguments.iter().map(|it| it.to_string()));
-        words.extend(commit.iter().flat_map(|it| ["--commit".to_string(), it.to_string()]));
+        words.extend(
+            commit
+                .iter()
+                .flat_map(|it| ["--commit".to_string(), it.to_string()]),
+        );
         words
     }
 }
@@ -109,7 +113,12 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let mut failed = Vec::new();
     for (place, study) in chosen.iter().enumerate() {
         let words = study.words(arguments.commit.as_deref());
-        println!("{} of {}: cargo {}", place + 1, chosen.len(), words.join(" "));
+        println!(
+            "{} of {}: cargo {}",
+            place + 1,
+            chosen.len(),
+            words.join(" ")
+        );
         if arguments.list {
             continue;
         }

@@ -231,3 +231,29 @@ fn each_fault_is_found() {
     let long = format!("// {}\n", "word ".repeat(LONGEST_SENTENCE + 1));
     assert_eq!(faults(&long), 1);
 }
+
+#[test]
+fn comments_and_strings_are_apart_from_code() {
+    let source = "let a = \"not // one\"; // but \"this\"\n/// `'` in a doc\nlet b: &'a str = r#\"x \"y\"\"#;\n\
+                  let c = '\"'; /* one\n two */ let d = '\\'';";
+    let found = lines(source);
+    let code: Vec<&str> = found.iter().map(|it| it.code.trim()).collect();
+    assert_eq!(
+        code,
+        [
+            "let a = \"\";",
+            "",
+            "let b: &'a str = \"\";",
+            "let c = ' ';",
+            "let d = ' ';"
+        ]
+    );
+    let comments: Vec<&str> = found.iter().map(|it| it.comment.trim()).collect();
+    assert_eq!(comments, ["but \"this\"", "`'` in a doc", "", "one", "two"]);
+    assert_eq!(found[0].strings, "not // one\n");
+    assert_eq!(found[2].strings, "x \"y\"\n");
+    assert_eq!(
+        [found[0].marks, found[1].marks, found[4].marks],
+        ["//", "///", "/*"]
+    );
+}

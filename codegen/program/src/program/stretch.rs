@@ -47,7 +47,7 @@ impl Builder<'_> {
         let mut vector = |name| {
             ["x", "y"].map(|axis| self.system.intermediate(&format!("{name}{number}_{axis}")))
         };
-        let (stretch, pull) = (vector("stretch"), vector("pull"));
+        let (stretch, pull) = (vector("relative_velocity"), vector("relative_acceleration"));
         self.turn_rule(w, turning, stretch);
         let moved = stretch.map(|symbol| self.graph().variable(symbol));
         self.turn_rule(moved, turning, pull);
@@ -112,7 +112,7 @@ impl Stretch {
         }
         let turned = builder.turn(self.direction, change);
         // What changes the vector with time may be needed beside it, so the names must be told apart.
-        let name = builder.derivatives.name("stretch", direction);
+        let name = builder.derivatives.name("relative_change", direction);
         let values = builder.vector(&name, turned);
         for (component, value) in self.w.into_iter().zip(values) {
             if let Node::Symbol(symbol) = *builder.system.mechanism.graph.node(component) {
@@ -135,7 +135,7 @@ impl Stretch {
         let change = self.p.map(|part| builder.along(part, direction));
         let change = change.map(|part| builder.rate(part));
         let turned = builder.turn(self.direction, change);
-        let name = builder.derivatives.name("stretch_rate", direction);
+        let name = builder.derivatives.name("relative_change_rate", direction);
         let values = builder.vector(&name, turned);
         let turning = builder.rate_of(self.angle);
         builder.rate_rule([x, y], [x, y], turning, values);

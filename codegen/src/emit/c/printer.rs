@@ -54,7 +54,7 @@ impl<'a> Printer<'a> {
         }
     }
 
-    /// Something of the runtime: `linkwright_spans`, or `linkwrightf_spans`.
+    /// Something of the runtime: `linkwright_exceeds_rounding`, or `linkwrightf_exceeds_rounding`.
     pub(super) fn runtime(&self, name: &str) -> String {
         format!("linkwright{}_{name}", self.suffix())
     }
