@@ -14,6 +14,7 @@ mod named_parts;
 mod plans;
 mod singular_words;
 mod snapshots;
+mod words_of_modules;
 
 /// Compares a text with the snapshot `tests/snapshots/<folder>/<name>.snap`.
 fn assert_snapshot(folder: &str, name: &str, text: &str) {

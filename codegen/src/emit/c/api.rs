@@ -58,9 +58,9 @@ pub(super) fn parts(printer: &Printer<'_>, text: &mut Text) {
 
 /// What needs the most room, apart from what is called often.
 fn in_steps(printer: &Printer<'_>, text: &mut Text) {
-    let (mechanism, room, real) = (
+    let (mechanism, workspace, real) = (
         printer.runtime("mechanism"),
-        printer.runtime("room"),
+        printer.runtime("workspace"),
         printer.real(),
     );
     let has_inputs = printer.declared().inputs;
@@ -87,10 +87,10 @@ fn in_steps(printer: &Printer<'_>, text: &mut Text) {
     }
     let between = if has_inputs { "between" } else { "NULL" };
     text.line(format!(
-        "const {room} room = {{frames, branches, {between}}};"
+        "const {workspace} workspace = {{frames, branches, {between}}};"
     ));
     text.line(format!(
-        "return {}(parts, t, inputs, &room);",
+        "return {}(parts, t, inputs, &workspace);",
         printer.runtime("advance_in_steps")
     ));
     text.close("}");

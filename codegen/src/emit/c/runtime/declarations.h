@@ -190,11 +190,11 @@ typedef struct linkwright$f_mechanism {
 
 /* Room for what moving in several steps works with: arrays of the mechanism's own types, of as many elements as
    LINKWRIGHT_SUBSTEP_FRAMES and its like say. */
-typedef struct linkwright$f_room {
+typedef struct linkwright$f_workspace {
     void *frames;
     void *branches;
     void *inputs;
-} linkwright$f_room;
+} linkwright$f_workspace;
 
 /* The equations of a block without a closed form, as functions of as many unknowns. Matrices are stored row by row.
    */
@@ -394,7 +394,7 @@ linkwright_status linkwright$f_assemble(const linkwright$f_mechanism *mechanism,
 linkwright_status linkwright$f_advance(const linkwright$f_mechanism *mechanism, $real t, const void *inputs);
 /* Goes on in several steps where that has failed. */
 linkwright_status linkwright$f_advance_in_steps(const linkwright$f_mechanism *mechanism, $real t, const void *inputs,
-    const linkwright$f_room *room);
+    const linkwright$f_workspace *workspace);
 /* Solves for a frame at a time in the modes of now, in room for a copy of them; the mechanism stays where it is. */
 linkwright_status linkwright$f_frame_at(const linkwright$f_mechanism *mechanism, $real t, const void *inputs,
     void *frame, void *branches);

@@ -105,7 +105,7 @@ static linkwright_status gone$f(Way$f *way)
 }
 
 linkwright_status linkwright$f_advance_in_steps(const linkwright$f_mechanism *mechanism, $real t, const void *inputs,
-    const linkwright$f_room *room)
+    const linkwright$f_workspace *workspace)
 {
     const linkwright$f_blocks *const blocks = mechanism->blocks;
     const linkwright$f_state *const state = mechanism->state;
@@ -125,25 +125,25 @@ linkwright_status linkwright$f_advance_in_steps(const linkwright$f_mechanism *me
     way.last_inputs = inputs;
     way.start = state->start;
     for (size_t k = 0U; k < 6U; k += 1U) {
-        way.frames[k] = element$f(room->frames, blocks->frame_size, k);
+        way.frames[k] = element$f(workspace->frames, blocks->frame_size, k);
     }
-    way.reached = element$f(room->frames, blocks->frame_size, 6U);
-    way.origin = element$f(room->frames, blocks->frame_size, 7U);
-    way.next = element$f(room->frames, blocks->frame_size, 8U);
-    way.branches = room->branches;
-    way.others = element$f(room->branches, blocks->branches_size, 1U);
-    way.kept_branches = element$f(room->branches, blocks->branches_size, 2U);
-    way.solved_branches = element$f(room->branches, blocks->branches_size, 3U);
-    way.found_branches = element$f(room->branches, blocks->branches_size, 4U);
-    way.tried_branches = element$f(room->branches, blocks->branches_size, 5U);
-    way.later_branches = element$f(room->branches, blocks->branches_size, 6U);
+    way.reached = element$f(workspace->frames, blocks->frame_size, 6U);
+    way.origin = element$f(workspace->frames, blocks->frame_size, 7U);
+    way.next = element$f(workspace->frames, blocks->frame_size, 8U);
+    way.branches = workspace->branches;
+    way.others = element$f(workspace->branches, blocks->branches_size, 1U);
+    way.kept_branches = element$f(workspace->branches, blocks->branches_size, 2U);
+    way.solved_branches = element$f(workspace->branches, blocks->branches_size, 3U);
+    way.found_branches = element$f(workspace->branches, blocks->branches_size, 4U);
+    way.tried_branches = element$f(workspace->branches, blocks->branches_size, 5U);
+    way.later_branches = element$f(workspace->branches, blocks->branches_size, 6U);
     way.may_be_weak = false;
     way.direction = 1.0$f;
     way.law = LAW_OF_WAY$F;
-    way.inputs = room->inputs;
-    way.before = room->inputs;
+    way.inputs = workspace->inputs;
+    way.before = workspace->inputs;
     if (blocks->signals > 0U) {
-        way.before = element$f(room->inputs, blocks->inputs_size, 1U);
+        way.before = element$f(workspace->inputs, blocks->inputs_size, 1U);
     }
     way.failure = *mechanism->failure;
     way.tried = *mechanism->failure;
