@@ -10,7 +10,7 @@ use super::values::{step, time};
 /// Solves the motion of a mechanism without a compile step.
 ///
 /// The mechanism is assembled at the start in the mode in which each of its loops is drawn, and advanced step by step, so that
-/// it stays in this mode. All quantities are in m, rad and s.
+/// it stays in this mode. Quantities are in m, rad and s unless other units are chosen.
 ///
 /// It runs the same blocks as a generated module, so that it takes the same path and fails with the same words.
 #[derive(Args, Debug)]
