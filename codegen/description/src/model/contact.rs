@@ -160,13 +160,16 @@ impl Resolver<'_> {
         }
         if distance > FAR * size {
             let unit = self.formulas.reported().of("m");
+            // Three digits.
+            let away: f64 = format!("{:.2e}", unit.of_si(distance))
+                .parse()
+                .unwrap_or(distance);
             self.diagnostics.push(
                 Diagnostic::warning(
                     Code::DegenerateGeometry,
                     given.span,
                     format!(
-                        "in the drawing this is {:.3} {} away from touching its curve",
-                        unit.of_si(distance),
+                        "in the drawing this is {away} {} away from touching its curve",
                         unit.name
                     ),
                 )

@@ -67,7 +67,7 @@ fn curves_that_nothing_can_follow_are_warned_of() {
         found
             .iter()
             .any(|(_, message)| message
-                == "in the drawing this is 0.038 m away from touching its curve"),
+                == "in the drawing this is 38 mm away from touching its curve"),
         "{found:?}"
     );
 }
