@@ -2,7 +2,6 @@
 //!
 //! Names are in the line before the first row, or in the last comment before it. A line of units may be between them. Lines
 //! above the names are not part of the table. A unit may also follow a name, in parentheses or brackets.
-//! above is no part of the table. A unit may also stand behind a name, in parentheses or brackets.
 
 use super::cells::{Cell, Line};
 use super::dialect::is_word;

@@ -28,7 +28,7 @@ use number::{Content, content};
 pub const LARGEST: usize = 256 << 20;
 
 /// Maximum number of faults reported for one file.
-const MOST_FAULTS: usize = 10;
+const MAX_FAULTS: usize = 10;
 
 /// Dialect given by the caller; missing fields are detected.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -199,7 +199,7 @@ fn in_dialect(text: &str, dialect: Dialect) -> Result<Columns, Vec<Fault>> {
             continue;
         };
         take(columns, &line, &mut faults);
-        if faults.len() >= MOST_FAULTS {
+        if faults.len() >= MAX_FAULTS {
             break;
         }
     }

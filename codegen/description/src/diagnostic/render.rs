@@ -7,7 +7,7 @@ use super::source::Lines;
 use super::{Diagnostic, Label};
 
 /// Maximum length of a displayed part of a source line, in characters.
-const WIDEST: usize = 120;
+const MAX_WIDTH: usize = 120;
 /// Number of characters displayed before the mark in a line that is cut.
 const BEFORE: usize = 40;
 /// Replacement of a tabulator.
@@ -104,7 +104,7 @@ impl Excerpt {
 
     /// Writes a source line with the rows of its marks.
     fn line(&mut self, line: usize, shown: &[char], marks: &[Mark<'_>]) {
-        if shown.len() <= WIDEST {
+        if shown.len() <= MAX_WIDTH {
             self.row(&line.to_string(), &shown.iter().collect::<String>());
             for mark in marks {
                 self.carets(mark, mark.start, mark.end);
@@ -113,8 +113,11 @@ impl Excerpt {
         }
         // Marks can be further apart than the window is wide, so each gets its own window.
         for mark in marks {
-            let from = mark.start.saturating_sub(BEFORE).min(shown.len() - WIDEST);
-            let to = (from + WIDEST).min(shown.len());
+            let from = mark
+                .start
+                .saturating_sub(BEFORE)
+                .min(shown.len() - MAX_WIDTH);
+            let to = (from + MAX_WIDTH).min(shown.len());
             let left = if from > 0 { CUT } else { "" };
             let right = if to < shown.len() { CUT } else { "" };
             let part: String = shown[from..to].iter().collect();

@@ -14,10 +14,10 @@ pub const DEEPEST: u32 = 512;
 pub const LARGEST_STORE: usize = 3_000_000;
 
 /// Maximum number of terms of one sum, or factors of one product: no text of 1 MB contains more.
-const LARGEST_NODE: usize = 200_000;
+const MAX_NODE_PARTS: usize = 200_000;
 
 /// Maximum number of terms and factors touched to build expressions, some 50 ns each.
-const LARGEST_WORK: usize = 50_000_000;
+const MAX_WORK: usize = 50_000_000;
 
 /// Bound that a graph has passed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,7 +47,7 @@ impl Ledger {
             stored: 0,
             touched: 0,
             largest_store: LARGEST_STORE,
-            largest_work: LARGEST_WORK,
+            largest_work: MAX_WORK,
             excess: None,
             depths: Vec::new(),
         }
@@ -65,7 +65,7 @@ impl Ledger {
 
     /// True if a node of this depth with so many operands may be stored.
     pub(super) fn admits(&mut self, parts: usize, depth: u32) -> bool {
-        let is_large = parts > LARGEST_NODE || self.stored + parts > self.largest_store;
+        let is_large = parts > MAX_NODE_PARTS || self.stored + parts > self.largest_store;
         let excess = if depth > DEEPEST {
             Some(Excess::Depth)
         } else if is_large || self.touched > self.largest_work {

@@ -10,7 +10,7 @@ use super::node::{ExprId, Node, Term};
 use super::number::Number;
 
 /// Bound on floors that become whole numbers: larger numbers are whole anyway, and too large to be exact.
-const LARGEST_COUNTED: f64 = 1e15;
+const MAX_COUNTED_FLOOR: f64 = 1e15;
 
 /// A condition in handwritten form: `left < right` or `left > right`, without negative variable terms.
 #[derive(Clone, Debug, PartialEq)]
@@ -109,7 +109,7 @@ impl Graph {
             && let Some(value) = self.constant_value(argument)
         {
             let floor = value.floor();
-            return if floor.abs() < LARGEST_COUNTED {
+            return if floor.abs() < MAX_COUNTED_FLOOR {
                 self.integer(floor as i64)
             } else {
                 self.number(Number::float(floor))

@@ -11,10 +11,10 @@ use super::number::Number;
 use super::rational::Rational;
 
 /// Maximum number of terms of a polynomial.
-const MOST_TERMS: usize = 512;
+const MAX_TERMS: usize = 512;
 
 /// Maximum depth of an expression.
-const DEEPEST: u32 = 64;
+const MAX_DEPTH: u32 = 64;
 
 /// Two symbols that are components of a vector of known length.
 #[derive(Clone, Copy, Debug)]
@@ -54,7 +54,7 @@ impl Graph {
     }
 
     fn polynomial(&mut self, expr: ExprId, circles: &[Circle]) -> Option<Polynomial> {
-        if self.depth(expr) > DEEPEST {
+        if self.depth(expr) > MAX_DEPTH {
             return None;
         }
         match self.node(expr).clone() {
@@ -87,7 +87,7 @@ impl Graph {
                     }
                 }
                 None => {
-                    // A factor that contains a circle's symbol is not a polynomial.
+                    // Any other power that contains a circle's symbol is not a polynomial.
                     let is_round = |it: &Circle| {
                         [it.cosine, it.sine]
                             .iter()
@@ -184,7 +184,7 @@ fn plus(mut polynomial: Polynomial, factors: Powers, coefficient: Number) -> Opt
     } else {
         polynomial.insert(place, sum);
     }
-    (polynomial.len() <= MOST_TERMS).then_some(polynomial)
+    (polynomial.len() <= MAX_TERMS).then_some(polynomial)
 }
 
 #[cfg(test)]

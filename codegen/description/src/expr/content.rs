@@ -1,7 +1,7 @@
 //! Computes the content of a sum: the number that can be factored out of all terms.
 //!
-//! x - y, y - x and 2·x - 2·y have the contents 1, -1 and 2, and one common primitive part, on which products and powers are
-//! built.
+//! x - y, y - x and 2·x - 2·y have the contents 1, -1 and 2, and one common primitive part. Products and powers are built on
+//! primitive parts.
 
 use super::graph::Graph;
 use super::node::Term;

@@ -20,17 +20,17 @@ use super::rational::Rational;
 use std::collections::{HashMap, HashSet};
 
 /// Depth from which operands are differentiated first.
-const DEEP: u32 = 32;
+const OPERANDS_FIRST_DEPTH: u32 = 32;
 
 /// Number of terms from which a sum has an index of its symbols, unless each term contains more symbols than this.
-const LONG: usize = 64;
-const MOST_OCCURRENCES: usize = 16;
+const INDEXED_TERM_COUNT: usize = 64;
+const MAX_OCCURRENCES: usize = 16;
 
 /// Indices of the terms of a sum by symbol; never iterated.
 pub(super) type TermIndex = HashMap<SymbolId, Vec<u32>, BuildExprHasher>;
 
 /// Maximum number of dependent factors of a product that is not halved.
-const LONGEST_FLAT: usize = 8;
+const MAX_FLAT_FACTORS: usize = 8;
 
 /// Indices of the root S^r among the factors of a product, and of k·b^(-1/r) among the terms of S.
 struct Level {
@@ -50,7 +50,7 @@ impl Graph {
         if let Some(&known) = self.derivatives.get(&(expr, symbol)) {
             return known;
         }
-        if self.depth(expr) > DEEP {
+        if self.depth(expr) > OPERANDS_FIRST_DEPTH {
             for operand in self.open_below(expr, symbol) {
                 self.differentiate(operand, symbol);
             }
@@ -81,7 +81,7 @@ impl Graph {
             Node::Symbol(_) => self.one(),
             Node::Sum(terms) => {
                 let dependent = match terms.len() {
-                    0..LONG => self.dependent_terms(terms, symbol),
+                    0..INDEXED_TERM_COUNT => self.dependent_terms(terms, symbol),
                     _ => self.indexed_terms(expr, symbol),
                 };
                 self.sum_derivative(&dependent, symbol)
@@ -160,7 +160,7 @@ impl Graph {
             return indexed(index);
         }
         let occurrences: usize = terms.iter().map(|it| self.symbols(it.expr).len()).sum();
-        if occurrences > MOST_OCCURRENCES * terms.len() {
+        if occurrences > MAX_OCCURRENCES * terms.len() {
             // Testing whether a term depends on the symbol costs a fraction of adding the term.
             let looked_at = 1 + terms.len() / 8;
             let dependent = self.dependent_terms(terms, symbol);
@@ -197,7 +197,7 @@ impl Graph {
             .iter()
             .copied()
             .partition(|factor| self.depends_on(factor.base, symbol));
-        if dependent.len() > LONGEST_FLAT {
+        if dependent.len() > MAX_FLAT_FACTORS {
             return self.halved_derivative(&dependent, &constant, symbol);
         }
         if let Some(level) = self.level(&dependent, symbol) {
@@ -255,7 +255,7 @@ impl Graph {
                     Some(Factor { base, exponent })
                 })
                 .collect();
-            let base_factors: Vec<Factor> = match self.node(terms[varying].expr) {
+            let varying_factors: Vec<Factor> = match self.node(terms[varying].expr) {
                 Node::Product(factors) => {
                     let factors = factors.iter().copied();
                     factors
@@ -267,7 +267,7 @@ impl Graph {
                     exponent: Rational::ONE,
                 }],
             };
-            (base_factors == expected?).then_some(Level { root, varying })
+            (varying_factors == expected?).then_some(Level { root, varying })
         })
     }
 

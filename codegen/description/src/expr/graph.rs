@@ -187,7 +187,8 @@ impl Graph {
     }
 
     /// True if the expression contains no non-finite number. Such numbers come from a division by a constant zero, a root of a
-    /// negative number, an angle of the zero vector, constants whose product is too large, and a passed bound of the graph.
+    /// negative number, or an angle of the zero vector. Other causes are constants whose product is too large, and a passed
+    /// bound of the graph.
     pub fn is_finite(&self, expr: ExprId) -> bool {
         // The invariant of this module makes the top node sufficient.
         !matches!(self.node(expr), Node::Number(value) if !value.is_finite())

@@ -239,8 +239,8 @@ impl Graph {
     /// Joins integer powers of a primitive sum to a root of its multiple, (x - y)·√(y - x) = -(y - x)^(3/2). A root and its
     /// derivatives then share one sum.
     ///
-    /// Among several roots of multiples of one primitive sum, the integer powers go to the root of the sum itself, if there is
-    /// one, and otherwise to the first root.
+    /// Among several roots of multiples of one primitive sum, the root of the sum itself receives the integer powers. Without
+    /// such a root, the first root does.
     fn join_roots(&mut self, monomial: &mut Monomial) {
         let mut roots = Vec::new();
         for (place, factor) in monomial.factors.iter().enumerate() {

@@ -13,7 +13,7 @@ use super::rational::Rational;
 use super::sum::find_term;
 
 /// Maximum number of factors of a product that is examined: each factor is looked up among all terms.
-const LONGEST_PRODUCT: usize = 16;
+const MAX_FACTORS: usize = 16;
 
 /// A monomial m with an angle u.
 struct Triple {
@@ -45,7 +45,7 @@ impl Graph {
         else {
             return Vec::new();
         };
-        if factors.len() > LONGEST_PRODUCT {
+        if factors.len() > MAX_FACTORS {
             return Vec::new();
         }
         let mut triples = Vec::new();

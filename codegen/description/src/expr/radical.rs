@@ -4,7 +4,7 @@
 //! divisions. A square of a larger prime beside another factor may stay under the root.
 
 /// Bound on trial divisors.
-const LARGEST_DIVISOR: u128 = 1000;
+const MAX_DIVISOR: u128 = 1000;
 
 /// Returns the root of this order; `None` if it is not a whole number.
 pub(super) fn exact_root(value: u128, order: i128) -> Option<u128> {
@@ -29,7 +29,7 @@ pub(super) fn extract_squares(value: u128) -> (u128, u128) {
     let (mut root, mut kept, mut rest) = (1, 1, value);
     let mut divisor = 2u128;
     // A number below d³ without a divisor below d is a prime, a product of two primes, or the square of one.
-    while divisor <= LARGEST_DIVISOR && divisor * divisor * divisor <= rest {
+    while divisor <= MAX_DIVISOR && divisor * divisor * divisor <= rest {
         while rest % (divisor * divisor) == 0 {
             rest /= divisor * divisor;
             root *= divisor;

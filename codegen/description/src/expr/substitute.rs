@@ -11,7 +11,7 @@ use super::product::Monomial;
 use std::collections::{HashMap, HashSet};
 
 /// Depth from which operands are rebuilt first.
-const DEEP: u32 = 32;
+const OPERANDS_FIRST_DEPTH: u32 = 32;
 
 /// Replacements with the results so far.
 struct Substitution {
@@ -54,7 +54,7 @@ impl Graph {
         if let Some(&known) = substitution.done.get(&expr) {
             return known;
         }
-        if self.depth(expr) > DEEP {
+        if self.depth(expr) > OPERANDS_FIRST_DEPTH {
             for operand in self.open_in(expr, substitution) {
                 self.rebuild(operand, substitution);
             }
@@ -84,10 +84,10 @@ impl Graph {
         let result = match self.node(expr) {
             Node::Number(_) | Node::Pi => expr,
             Node::Symbol(symbol) => {
-                let start = substitution
+                let index = substitution
                     .replacements
                     .binary_search_by_key(symbol, |&(symbol, _)| symbol);
-                start.map_or(expr, |place| substitution.replacements[place].1)
+                index.map_or(expr, |index| substitution.replacements[index].1)
             }
             Node::Sum(terms) => {
                 let terms = terms.clone();

@@ -14,13 +14,13 @@ use super::rational::Rational;
 use std::collections::HashSet;
 
 /// Maximum number of terms of an expanded product.
-const LONGEST_PRODUCT: usize = 16;
+const MAX_PRODUCT_TERMS: usize = 16;
 
 /// Maximum number of angles of a sum whose direction is expanded.
-const MOST_ANGLES: usize = 4;
+const MAX_ANGLES: usize = 4;
 
 /// Maximum depth of an expression.
-const DEEPEST: u32 = 64;
+const MAX_DEPTH: u32 = 64;
 
 /// Maximum number of subexpressions.
 const MAX_NODE_COUNT: usize = 128;
@@ -39,7 +39,7 @@ impl Graph {
     /// Returns a shorter form of a constant, or the constant itself. Other expressions are returned unchanged.
     pub fn tidied(&mut self, expr: ExprId) -> ExprId {
         let is_plain = matches!(self.node(expr), Node::Number(_) | Node::Pi);
-        if is_plain || !self.is_constant(expr) || self.depth(expr) > DEEPEST {
+        if is_plain || !self.is_constant(expr) || self.depth(expr) > MAX_DEPTH {
             return expr;
         }
         if let Some(&known) = self.tidied.get(&expr) {
@@ -128,7 +128,7 @@ impl Graph {
         let Node::Sum(terms) = self.node(angle) else {
             return None;
         };
-        let is_short = terms.len() <= MOST_ANGLES
+        let is_short = terms.len() <= MAX_ANGLES
             && terms
                 .iter()
                 .any(|it| matches!(self.node(it.expr), Node::Atan2(..)));
@@ -213,7 +213,7 @@ impl Graph {
         self.gather(Number::ONE, base, &mut addends);
         let count = u32::try_from(exponent.numerator()).ok();
         let most = count.and_then(|count| addends.len().checked_pow(count));
-        if most.is_none_or(|most| most.saturating_mul(terms.len()) > LONGEST_PRODUCT) {
+        if most.is_none_or(|most| most.saturating_mul(terms.len()) > MAX_PRODUCT_TERMS) {
             return false;
         }
         if addends.len() == 1 {

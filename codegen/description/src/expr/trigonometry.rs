@@ -106,8 +106,8 @@ impl Graph {
     }
 
     /// Returns (y, x) of the angle of a vector that is known to be nonzero. The vector qualifies if both components are
-    /// constant, one is a number, the length is a number (as in an arcsine), or both consist of parameters whose defaults give
-    /// a direction. For others, y/√(x² + y²) would lose the value at the origin.
+    /// constant, if one is a number, or if the length is a number (as in an arcsine). It also qualifies if both consist of
+    /// parameters whose defaults give a direction. For others, y/√(x² + y²) would lose the value at the origin.
     fn constant_direction(&mut self, angle: ExprId) -> Option<(ExprId, ExprId)> {
         let Node::Atan2(y, x) = *self.node(angle) else {
             return None;
@@ -242,7 +242,7 @@ impl Graph {
 
 /// Returns `(phase, quarters, rest)` with phase = quarters/2 + rest, in units of π; the quarters are modulo 4.
 ///
-/// Beside a variable, only a whole number of quarter turns, or else of half turns, is split off, so that sin(u - π/3) is not
+/// Beside a variable, only a whole number of quarter turns, or else of half turns, is split off. So sin(u - π/3) is not
 /// rewritten as a cosine. The rest is then in (-1/2, 1/2]. A phase that is `alone` is reduced to (-1/4, 1/4].
 fn reduce_phase(phase: Rational, alone: bool) -> Option<(Rational, i128, Rational)> {
     let (quarters, rest) = reduce_by(phase, Rational::HALF)?;

@@ -4,7 +4,7 @@ use super::{Element, Exerted, Place, Shape, opposite, scaled};
 use crate::expr::{ExprId, Graph};
 use crate::joint::geometry::{Mark, dot, subtract};
 
-/// Pulls with the force damping · ℓ̇, where ℓ̇ = (r_j − r_i) · (v_j − v_i)/ℓ, and dissipates the power damping · ℓ̇².
+/// Damper between two points, with the tension damping · ℓ̇, where ℓ̇ = (r_j − r_i) · (v_j − v_i)/ℓ, and the dissipated power damping · ℓ̇².
 #[derive(Clone, Debug)]
 pub struct Damper {
     /// Ends.

@@ -4,7 +4,7 @@ use super::{Element, Exerted, Place, Shape, opposite, scaled};
 use crate::expr::{ExprId, Graph, Number, Rational};
 use crate::joint::geometry::{Mark, dot, subtract};
 
-/// Stores the energy stiffness (ℓ − free)²/2 + preload (ℓ − free).
+/// Spring between two points, with the stored energy stiffness (ℓ − free)²/2 + preload (ℓ − free).
 ///
 /// With a free length of zero and without a preload, the force is stiffness · (r_j − r_i), which needs neither a length nor a
 /// direction.

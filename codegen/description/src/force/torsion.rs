@@ -4,8 +4,8 @@ use super::{Element, Exerted, Place, Shape};
 use crate::expr::{ExprId, Graph, Number, Rational};
 use crate::joint::geometry::Mark;
 
-/// Applies the restoring torque stiffness · (φ_j − φ_i − free) + preload to the second body, and the opposite torque to the
-/// first.
+/// Torsion spring, with the restoring torque stiffness · (φ_j − φ_i − free) + preload on the second body, and the opposite
+/// torque on the first.
 #[derive(Clone, Debug)]
 pub struct TorsionSpring {
     /// Origins of the bodies' frames.
@@ -48,7 +48,7 @@ impl Element for TorsionSpring {
     }
 }
 
-/// Applies the resisting torque damping · (φ̇_j − φ̇_i) to the second body, and the opposite torque to the first.
+/// Torsion damper, with the resisting torque damping · (φ̇_j − φ̇_i) on the second body, and the opposite torque on the first.
 #[derive(Clone, Debug)]
 pub struct TorsionDamper {
     /// Origins of the bodies' frames.

@@ -118,7 +118,7 @@ impl<'a> Columns<'a> {
     /// Finds aligned pieces in lines without a blank line between them.
     fn find_in(&mut self, rows: &[&Row]) {
         let first_column = self.columns.len();
-        let mut counts: BTreeMap<(Alike<'_>, usize), usize> = BTreeMap::new();
+        let mut column_at: BTreeMap<(Alike<'_>, usize), usize> = BTreeMap::new();
         let mut last: Option<&Row> = None;
         for row in rows {
             if let Some(above) = last {
@@ -130,7 +130,7 @@ impl<'a> Columns<'a> {
                 };
                 let sort = (self.kind(row), row.goes_on, sort);
                 let place = self.pieces[index].column;
-                let column = *counts.entry((sort, place)).or_insert_with(|| {
+                let column = *column_at.entry((sort, place)).or_insert_with(|| {
                     self.columns.push(Column {
                         place,
                         sort: Some(sort),

@@ -91,7 +91,7 @@ pub trait Kind: Sync {
     fn joins_points(&self) -> bool {
         false
     }
-    /// Returns the joint that remains without the row of this component; `None` if there is no such joint.
+    /// Returns the keyword of the joint that remains without the row of this component; `None` if there is none.
     fn without(&self, _component: &str) -> Option<&'static str> {
         None
     }

@@ -74,7 +74,7 @@ impl Resolver<'_> {
         false
     }
 
-    /// Reports a value or a point with the name of an earlier angle.
+    /// True unless an earlier angle has the name of this value or point, which is reported.
     pub(super) fn is_no_angle(&mut self, name: &Name) -> bool {
         let Some(angle) = self.angle_named(&name.text) else {
             return true;

@@ -9,7 +9,7 @@ use crate::expr::{DEEPEST, Excess};
 use crate::syntax::Expression;
 
 /// Maximum depth of a formula including its named constants; derivatives are somewhat deeper.
-const DEEPEST_FORMULA: u32 = DEEPEST / 2;
+const MAX_FORMULA_DEPTH: u32 = DEEPEST / 2;
 
 /// Returns the error for a bound that was passed while processing `span`.
 pub fn beyond_bounds(excess: Excess, span: Span) -> Diagnostic {
@@ -34,7 +34,7 @@ pub fn beyond_bounds(excess: Excess, span: Span) -> Diagnostic {
 impl Resolver<'_> {
     /// Returns the value unless the formula, including its named constants, is nested too deeply.
     pub(super) fn shallow(&mut self, value: Value, written: &Expression) -> Option<Value> {
-        if self.graph.depth(value.0) <= DEEPEST_FORMULA {
+        if self.graph.depth(value.0) <= MAX_FORMULA_DEPTH {
             return Some(value);
         }
         self.diagnostics.push(
@@ -42,7 +42,7 @@ impl Resolver<'_> {
                 Code::NestedTooDeeply,
                 written.span,
                 format!(
-                    "nested more than {DEEPEST_FORMULA} levels deep by the constants that it names"
+                    "nested more than {MAX_FORMULA_DEPTH} levels deep by the constants that it names"
                 ),
             )
             .help("build it from fewer formulas inside one another"),

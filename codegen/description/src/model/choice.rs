@@ -15,7 +15,7 @@ use crate::syntax::{Choice, Comparison};
 const ROUNDING: f64 = 1e-9;
 
 /// Magnitude below which both values count as zero, in SI units.
-const NOTHING: f64 = 1e-12;
+const ZERO_LIMIT: f64 = 1e-12;
 
 /// Names of jumps, by order of the derivative.
 const LEVELS: [&str; 3] = ["value", "first derivative", "second derivative"];
@@ -150,7 +150,7 @@ impl Resolver<'_> {
                 return Some(());
             };
             let size = before.abs().max(after.abs());
-            if (before - after).abs() <= ROUNDING * size || size <= NOTHING {
+            if (before - after).abs() <= ROUNDING * size || size <= ZERO_LIMIT {
                 continue;
             }
             let message = format!(

@@ -12,7 +12,7 @@ use crate::joint::{Curve, Resolved};
 use crate::syntax::Reference;
 
 /// Tolerance on the residual for an equally good contact, relative to the size of the curve.
-const AS_GOOD: f64 = 1e-3;
+const EQUIVALENCE_TOLERANCE: f64 = 1e-3;
 
 /// Distance beyond which a contact is reported as far away, relative to the size of the curve.
 const DISTANCE_LIMIT: f64 = 0.25;
@@ -124,12 +124,13 @@ impl Resolver<'_> {
         let [x, y] = [along.at(place)[0], along.at(place)[1]];
         let rival = candidates.iter().find(|(other, minimum)| {
             let there = along.at(minimum.place);
-            let apart = (there[0] - x).hypot(there[1] - y) > AS_GOOD * size;
-            (apart || *other != side) && minimum.cost.sqrt() - distance <= AS_GOOD * size
+            let apart = (there[0] - x).hypot(there[1] - y) > EQUIVALENCE_TOLERANCE * size;
+            (apart || *other != side)
+                && minimum.cost.sqrt() - distance <= EQUIVALENCE_TOLERANCE * size
         });
         let is_even = searched
             .iter()
-            .any(|(_, minima)| minima.largest.sqrt() - distance <= AS_GOOD * size);
+            .any(|(_, minima)| minima.largest.sqrt() - distance <= EQUIVALENCE_TOLERANCE * size);
         let doubt = match rival {
             _ if is_even => Some("every point of it is as near".to_string()),
             Some((other, _)) if *other != side => Some(format!(

@@ -1,8 +1,8 @@
 //! Computes with units and dimensions: permitted sums, and factors of suffixes.
 //!
-//! A number without a suffix is in the SI unit of the expected quantity if it is alone, and a plain factor beside a quantity
-//! with a unit: `2*5mm` is a length. `t` and its products fit every dimension, since the unit of their factor is rarely
-//! written: `1.5*t` means 1.5 1/s times t.
+//! A number without a suffix that stands alone is in the SI unit of the expected quantity. Beside a quantity with a unit, such
+//! a number is a plain factor: `2*5mm` is a length. `t` and its products fit every dimension, since the unit of their factor is
+//! rarely written: `1.5*t` means 1.5 1/s times t.
 
 use crate::expr::{ExprId, Graph};
 use crate::joint::Quantity;

@@ -81,7 +81,7 @@ impl Forces {
         self.need_efforts() || !self.reactions.is_empty()
     }
 
-    /// True if the generalized forces of the drivers are requested.
+    /// True if the generalized forces of the drivers are requested, or needed for free coordinates.
     pub fn need_efforts(&self) -> bool {
         self.efforts || !self.free.is_empty()
     }

@@ -2,7 +2,6 @@
 //!
 //! The solver supplies value, rate and acceleration of the coordinate, as of an input. All analyses of a driven mechanism
 //! therefore apply.
-//! driven mechanism is found of this one too. Deliberately unknown here: how the acceleration follows from the forces.
 
 use super::dimension::Dimension;
 use super::forces::Free;
@@ -51,9 +50,9 @@ impl Resolver<'_> {
         };
         let time = self.graph.variable(self.formulas.time);
         let passed = self.graph.multiply(rate, time);
-        let signal = &mut self.declared.inputs[input];
-        signal.signal[0] = self.graph.add(signal.initial, passed);
-        signal.signal[1] = rate;
+        let supplied = &mut self.declared.inputs[input];
+        supplied.signal[0] = self.graph.add(supplied.initial, passed);
+        supplied.signal[1] = rate;
         self.forces.free.push(Free {
             joint,
             input,

@@ -2,7 +2,6 @@
 //!
 //! cos(φ + δ) and sin(φ + δ) are the components of R(φ) (cos δ, sin δ), and further angles rotate the result. Closed forms for
 //! rotated vectors therefore apply to these functions. Other arguments are left unchanged.
-//! these functions. What else stands in the argument is left as it is.
 
 use super::resolve::Resolver;
 use crate::expr::{ExprId, SymbolId};

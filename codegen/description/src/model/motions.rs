@@ -14,7 +14,7 @@ use crate::expr::{Excess, LARGEST_STORE};
 use crate::syntax::{Document, Statement};
 
 /// Maximum total size of the motions of a document, in terms: each motion has its own equations and code.
-const LARGEST_TOGETHER: usize = LARGEST_STORE / 4;
+const MAX_TOTAL_SIZE: usize = LARGEST_STORE / 4;
 
 /// Resolves a document into its motions in source order, or into one mechanism without motions. Names follow the rules of
 /// `naming`. `None` after an error; all errors of the document are in `diagnostics`.
@@ -40,7 +40,7 @@ pub fn resolve(
         let mut part = Diagnostics::new();
         let mechanism = resolve_statements(document, &statements, Some(motion), naming, &mut part);
         size += statements.len() + mechanism.graph.node_count() + mechanism.graph.store();
-        let is_beyond = size > LARGEST_TOGETHER && mechanism.graph.excess().is_none();
+        let is_beyond = size > MAX_TOTAL_SIZE && mechanism.graph.excess().is_none();
         if is_beyond {
             part.push(beyond_bounds(Excess::Size, motion.name.span));
         }

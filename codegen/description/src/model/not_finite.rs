@@ -8,10 +8,10 @@ use crate::expr::ExprId;
 use crate::syntax::{Expression, ExpressionKind, Operation};
 
 /// Bound on lengths, in m: the fourth power must be finite, and no closed form needs a higher one.
-const LARGEST_LENGTH: f64 = 1e75;
+const MAX_LENGTH: f64 = 1e75;
 
 /// Bound on the cosine below which the tangent is undefined: no written angle is a right angle to the last digit.
-const SMALLEST_COSINE: f64 = 1e-9;
+const MIN_COSINE: f64 = 1e-9;
 
 /// Cause of an error, with its location and remedy.
 struct Cause {
@@ -61,7 +61,7 @@ impl Resolver<'_> {
     /// True if products of the length can be computed, as far as its value is known; otherwise reports an error.
     pub(super) fn is_measurable(&mut self, length: ExprId, span: Span) -> bool {
         let value = self.graph.constant_value(length).unwrap_or(0.0);
-        if value.abs() <= LARGEST_LENGTH {
+        if value.abs() <= MAX_LENGTH {
             return true;
         }
         self.diagnostics.push(
@@ -70,7 +70,7 @@ impl Resolver<'_> {
                 span,
                 format!("a length of {value:e} m is too large for products of lengths"),
             )
-            .label(format!("beyond {LARGEST_LENGTH:e} m"))
+            .label(format!("beyond {MAX_LENGTH:e} m"))
             .help("check the unit and the exponent"),
         );
         false
@@ -120,7 +120,7 @@ impl Resolver<'_> {
             "sqrt" => (value < 0.0, "numbers that are not negative"),
             "ln" => (value <= 0.0, "positive numbers"),
             "tan" => (
-                value.cos().abs() < SMALLEST_COSINE,
+                value.cos().abs() < MIN_COSINE,
                 "angles other than 90deg, 270deg, …",
             ),
             "atan2" => (value == 0.0, "two numbers that are not both zero"),

@@ -29,7 +29,7 @@ pub(super) struct Minimum {
     pub cost: f64,
 }
 
-/// Local minima, lowest first, with the maximum of the cost.
+/// Local minima, lowest first, with the largest sampled cost.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Minima {
     found: Vec<Minimum>,

@@ -21,7 +21,6 @@ const AFTER: &str = "\n;}";
 ///
 /// # Errors
 /// Returns the rendered findings; the mechanism is then unchanged.
-/// What is wrong with it, rendered; nothing is changed then.
 pub fn set(mechanism: &mut Mechanism, assignment: &str) -> Result<(), String> {
     if assignment.contains(';') {
         return Err(FORM.to_string());

@@ -18,7 +18,7 @@ use crate::diagnostic::{Code, Diagnostic, Span};
 const MAX_SHOWN_BRACKETS: usize = 3;
 
 /// Maximum number of missing brackets that a message writes out.
-const LONGEST_CLOSING: usize = 8;
+const MAX_SHOWN_CLOSINGS: usize = 8;
 
 /// Offsets of lines that start a statement, ascending.
 pub(super) struct StatementStarts(Vec<usize>);
@@ -260,7 +260,7 @@ impl Balance<'_> {
             let label = format!("`{}` opened here", opener.bracket as char);
             finding = finding.also(Span::new(opener.at, opener.at + 1), label);
         }
-        finding = finding.help(if missing.len() <= LONGEST_CLOSING {
+        finding = finding.help(if missing.len() <= MAX_SHOWN_CLOSINGS {
             format!("close what is open with `{missing}`")
         } else {
             "close each bracket where what it holds ends".to_string()

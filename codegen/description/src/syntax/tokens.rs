@@ -13,7 +13,7 @@ use super::reader::Reader;
 use crate::diagnostic::{Code, Diagnostic, Span};
 
 /// Maximum number of characters that a message quotes.
-const LONGEST_REPEATED: usize = 40;
+const MAX_QUOTED_CHARACTERS: usize = 40;
 
 /// A position between two tokens of one group. Copies are cheap, so look-ahead works on a copy.
 #[derive(Clone, Copy)]
@@ -215,7 +215,7 @@ impl<'a> Tokens<'a> {
         let span = self.next_span();
         match self.reader.written(span) {
             "" => "the end of the file".to_string(),
-            written if written.chars().count() > LONGEST_REPEATED => "this".to_string(),
+            written if written.chars().count() > MAX_QUOTED_CHARACTERS => "this".to_string(),
             written => format!("`{written}`"),
         }
     }

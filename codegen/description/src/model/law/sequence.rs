@@ -18,7 +18,7 @@ use crate::syntax::{Expression, ExpressionKind};
 const FORM: &str = "sequence(x, cycloidal, (x0, h0), (x1, h1), …)";
 
 /// Maximum number of pieces that are distinguished sequentially; more are bisected.
-const LONGEST_CHAIN: usize = 24;
+const MAX_CHAIN_LENGTH: usize = 24;
 
 /// One station: position and height, as written and as values.
 type Station<'a> = [(&'a Expression, Value); 2];
@@ -251,7 +251,7 @@ fn among(x: ExprId, pieces: &[(ExprId, ExprId)], graph: &mut Graph) -> ExprId {
     match pieces {
         [] => graph.zero(),
         [(_, only)] => *only,
-        few if few.len() <= LONGEST_CHAIN => {
+        few if few.len() <= MAX_CHAIN_LENGTH => {
             let mut pieces = few.iter().rev();
             let last = pieces.next().map_or(graph.zero(), |last| last.1);
             pieces.fold(last, |value, &(end, own)| {
