@@ -4,8 +4,8 @@
 //! visited. Deeply nested expressions are differentiated from the inside out. Rules: d(f^n) = n·f^(n-1)·df, and d atan2(y, x) =
 //! (x·dy - y·dx)/(x² + y²). A choice is differentiated arm by arm.
 //!
-//! The derivative of b·S^r, b'·S^r + r·b·S^(r-1)·S', is a difference with cancellation if one term of S is proportional to
-//! b^(-1/r) and the rest of S is constant: x/√(x² + c) → 1/√(x² + c) - x²/(x² + c)^(3/2). With S = k·b^(-1/r) + c the
+//! The derivative of b·S^r is b'·S^r + r·b·S^(r-1)·S'. Its terms cancel if one term of S is proportional to b^(-1/r) and the
+//! rest of S is constant: x/√(x² + c) has the derivative 1/√(x² + c) - x²/(x² + c)^(3/2). With S = k·b^(-1/r) + c the
 //! derivative equals b'·c·S^(r-1), which is used instead.
 //!
 //! The product rule turns n factors into n products of n factors, and the next derivative into n² products. A long product is

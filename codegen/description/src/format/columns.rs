@@ -248,7 +248,7 @@ impl<'a> Columns<'a> {
         self.kept.extend(aligned.into_iter().filter(is_apart));
     }
 
-    /// Returns the column after a number that starts, with its sign, at this piece; `None` if there is no number.
+    /// Returns the column after a number that starts, with its sign, at this piece; `None` without a number.
     fn end_of_number(&self, index: usize) -> Option<usize> {
         let number = index + usize::from(self.signs[index]);
         let is_signed = index > 0 && self.signs[index - 1];

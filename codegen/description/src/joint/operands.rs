@@ -55,7 +55,7 @@ impl Operands {
     pub const POINT: Operands = Operands::of(&[Slot::Point]);
     /// A point of each of two bodies, or bodies for their origins: `relative_x(1.P, 2)`.
     pub const POINTS: Operands = Operands::of(&[Slot::Point, Slot::Point]);
-    /// The same named point on two bodies, `P(1, 2)`, or a point of each, `(1.P, 2.Q)`.
+    /// A point name on two bodies, `P(1, 2)`, or a point of each, `(1.P, 2.Q)`.
     pub const PINS: Operands = Operands::of(&[Slot::Pin, Slot::Pin]);
     /// Two bodies or angles: `(1, 2)`.
     pub const ANGLES: Operands = Operands::of(&[Slot::Turning, Slot::Turning]);

@@ -22,7 +22,7 @@ pub(super) struct Formulas {
     pub mentioned: HashSet<SymbolId>,
     /// Units of the numbers read so far.
     pub written_units: Tally,
-    /// Units of output requested by the description or its reader; `None` if there is no request.
+    /// Units of output requested by the description or its reader; `None` without a request.
     pub requested_units: Option<OutputUnits>,
 }
 

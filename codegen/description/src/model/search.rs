@@ -106,7 +106,7 @@ impl Along {
 pub(super) fn minima(range: Range, mut cost: impl FnMut(f64) -> f64) -> Minima {
     let mut cost = |place: f64| -> f64 {
         let value = cost(place);
-        // There is no contact where the curve is undefined.
+        // The curve cannot be touched where it is undefined.
         if value.is_finite() { value } else { f64::MAX }
     };
     let step = (range.to - range.from) / SAMPLES as f64;

@@ -103,7 +103,7 @@ impl<'a> Revolutes<'a> {
     }
 
     /// Returns the axis of a wheel on a carrier with the fewest redundant bearings; a direct joint is preferred among equals.
-    /// `None` if there is no axis.
+    /// `None` without an axis.
     fn axis(&self, wheel: BodyId, carrier: BodyId) -> Option<WheelAxis> {
         let direct = self.joining(wheel, carrier).iter().map(|&it| vec![it]);
         // One of the bodies may be the ground, to which many joints belong.
