@@ -11,7 +11,7 @@ use crate::joint::Quantity;
 use crate::joint::geometry::{BodyId, Vector};
 use crate::syntax::{self, BUILT_IN};
 
-/// Square of the relative speed, as a fraction of the maximum, below which a curve has a cusp.
+/// Square of the speed, relative to its maximum, below which a curve has a cusp.
 const STANDSTILL: f64 = 1e-10;
 
 /// A declared curve.
