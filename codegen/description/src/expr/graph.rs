@@ -1,7 +1,8 @@
 //! Stores canonical nodes in an arena, in which equal nodes have equal ids.
 //!
 //! Operands have smaller ids than the expressions built from them. A node other than a number contains neither a non-finite
-//! number nor constants that combine to one: the constructors return the number NaN instead. Simplification is done elsewhere.
+//! number nor constants with a non-finite result: the constructors return the number NaN instead. Simplification is done
+//! elsewhere.
 
 use super::bounds::Ledger;
 use super::derivative::TermIndex;

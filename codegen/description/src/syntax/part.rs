@@ -110,7 +110,7 @@ struct Used {
     place: Place,
 }
 
-/// Parses the statement after its first word; returns the statements of the part.
+/// Parses the statement after its first word, and appends the statements of the part.
 pub(super) fn part(
     tokens: &mut Tokens<'_>,
     start: Span,
