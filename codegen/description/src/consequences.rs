@@ -1,12 +1,12 @@
-//! Errors of a document that was only partly read → those that do not merely follow from the unread parts.
+//! Filters errors of a partly read document that only follow from the unread parts.
 //!
-//! A body whose statement could not be read is missing below; saying so at each of its uses would bury the one error that
-//! matters. An unknown name is therefore only reported when it does not stand anywhere in the unread text.
+//! A body in an unreadable statement is missing later; reporting each of its uses would bury the relevant error. An unknown
+//! name is therefore reported only if it does not occur in the unread text.
 
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span};
 use crate::syntax::{Document, Statement};
 
-/// Adds the errors of `resolving` to those of the syntax, without those that the unread text explains.
+/// Adds the errors of `resolving` to those of the syntax, except for those that the unread text explains.
 pub fn add_independent(
     resolving: Diagnostics,
     document: &Document,
@@ -22,18 +22,18 @@ pub fn add_independent(
     }
 }
 
-/// Whether an error may be there only because something was not read.
+/// True if an error may follow from unread text.
 fn may_follow(diagnostic: &Diagnostic, source: &Source, unread_words: &[&str]) -> bool {
     match diagnostic.code {
         Code::UnknownName | Code::PointNotOnBody => {
             text_of(diagnostic.primary.span, source).is_none_or(|word| unread_words.contains(&word))
         }
-        // A table whose statement was not read.
+        // The statement of the table may be unread.
         Code::UnknownFunction => text_of(diagnostic.primary.span, source).is_none_or(|name| {
             let mut pairs = unread_words.windows(2);
             pairs.any(|pair| pair == ["table", name])
         }),
-        // A length driver asks for a translational joint, and the force of teeth for revolutes.
+        // A length driver requires a translational joint, and the force of teeth requires revolute joints.
         Code::WrongForm => {
             let mut beside = diagnostic.secondary.iter();
             let is_of_teeth = beside.any(|label| {
@@ -42,13 +42,13 @@ fn may_follow(diagnostic: &Diagnostic, source: &Source, unread_words: &[&str]) -
             });
             unread_words.contains(&"along") || is_of_teeth && unread_words.contains(&"revolute")
         }
-        // The body that is asked for may be among the unread statements.
+        // The body may be declared in unread text.
         Code::NoBodies => true,
         _ => false,
     }
 }
 
-/// The text between the statements that were read, and every line with an error on it.
+/// Returns the text between the statements that were read, and every line with an error.
 fn unread_text<'a>(document: &Document, source: &'a Source, syntax: &Diagnostics) -> Vec<&'a str> {
     let mut texts = Vec::new();
     let mut position = document.mechanism.span.start;
@@ -83,7 +83,7 @@ fn unread_text<'a>(document: &Document, source: &'a Source, syntax: &Diagnostics
     texts
 }
 
-/// The places of the statements that were read; of a motion, those in its braces.
+/// Returns the locations of the statements that were read; for a motion, of those in its braces.
 fn read_places(statements: &[Statement]) -> Vec<Span> {
     let places = statements.iter().flat_map(|statement| match statement {
         Statement::Motion(motion) => read_places(&motion.statements),

@@ -11,18 +11,18 @@ pub use unit::Unit;
 /// Powers of m, s, kg and rad.
 pub type Powers = [i32; 4];
 
-/// A unit with a name.
+/// A named unit.
 #[derive(Debug)]
 pub struct Named {
-    /// Names in descriptions, the usual one first; columns may have them, too.
+    /// Names in descriptions, the usual one first; also valid in columns.
     pub names: &'static [&'static str],
-    /// Names that only columns may have.
+    /// Names valid only in columns.
     pub in_columns: &'static [&'static str],
     /// Numerator and denominator of the factor to SI units.
     pub factor: [i64; 2],
-    /// True if the factor is times π.
+    /// True if the factor is multiplied by π.
     pub times_pi: bool,
-    /// What the unit measures.
+    /// Powers of the measured quantity.
     pub powers: Powers,
     /// True if the rate of an angle in this unit, without a unit of angles, counts turns.
     pub counts_turns: bool,
@@ -68,7 +68,7 @@ impl Named {
     }
 }
 
-/// All units that have names, by what they measure.
+/// All named units, by quantity.
 pub const KNOWN: &[Named] = &[
     rational(&[], &["1", "-", "–", "none", "no_units"], [1, 1], [0; 4]),
     rational(
@@ -144,7 +144,7 @@ pub const KNOWN: &[Named] = &[
     rational(&[], &["W", "watt", "watts"], [1, 1], [2, -3, 1, 0]),
 ];
 
-/// Names of descriptions that are one word, for lists and completion; `U/min` is none.
+/// Names of descriptions that are one word, for lists and completion; `U/min` is excluded.
 pub const UNITS: &[&str] = &words::<{ count_of_words() }>();
 
 const fn is_word(name: &str) -> bool {
@@ -188,12 +188,13 @@ const fn words<const COUNT: usize>() -> [&'static str; COUNT] {
     words
 }
 
-/// The unit that descriptions call by this name.
+/// Returns the unit with this name in descriptions; `None` if there is none.
 pub fn of_description(name: &str) -> Option<&'static Named> {
     KNOWN.iter().find(|it| it.names.contains(&name))
 }
 
-/// The unit that columns call by this name. Words may be in capitals; symbols may not, since `MS` is nothing.
+/// Returns the unit with this name in columns; `None` if there is none. Words may be in capitals; symbols may not, since `MS`
+/// is not a unit.
 pub fn of_column(name: &str) -> Option<&'static Named> {
     let lower = name.to_lowercase();
     let called = |name: &str| {

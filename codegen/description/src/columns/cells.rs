@@ -1,43 +1,43 @@
-//! *A text and what separates its cells* → *its lines, cell by cell*.
+//! Splits a text into lines of cells.
 //!
-//! A quoted cell may hold separators, doubled quotes and line breaks. `#` begins a comment, at the beginning of a line also `%`, `!`, `//`
-//! and `*`. Lines end as on any system. Empty lines are left out.
+//! A quoted cell may contain separators, doubled quotes and line breaks. `#` begins a comment; at the beginning of a line, so
+//! do `%`, `!`, `//` and `*`. All line endings are accepted. Empty lines are skipped.
 
 use std::borrow::Cow;
 
 use super::{Delimiter, Fault};
 use crate::diagnostic::Span;
 
-/// How lines begin that are comments.
+/// Signs that begin a comment line.
 const COMMENTS: [&str; 5] = ["#", "%", "//", "!", "*"];
 
-/// What spreadsheets write in place of a value begins with the sign of a comment.
+/// Error values of spreadsheets, which begin with the sign of a comment.
 const ERRORS: [&str; 7] = [
     "#N/A", "#DIV/0!", "#VALUE!", "#REF!", "#NAME?", "#NUM!", "#NULL!",
 ];
 
-/// The first line by which a file tells a spreadsheet its separator.
+/// First line with which a file announces its separator to a spreadsheet.
 pub(super) const ANNOUNCEMENT: &str = "sep=";
 
-/// A cell without the spaces around it.
+/// A cell without surrounding spaces.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Cell<'a> {
     pub text: Cow<'a, str>,
     pub span: Span,
 }
 
-/// A line with something in it.
+/// A line that is not empty.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Line<'a> {
-    /// Counted from 1.
+    /// Line number, counted from 1.
     pub number: usize,
     pub cells: Vec<Cell<'a>>,
-    /// The cells are then those that the comment would have.
+    /// True if the cells are those of a comment.
     pub is_comment: bool,
 }
 
 impl Line<'_> {
-    /// From the first cell to the last one.
+    /// Location from the first cell to the last.
     pub fn span(&self) -> Span {
         match (self.cells.first(), self.cells.last()) {
             (Some(first), Some(last)) => first.span.to(last.span),
@@ -46,7 +46,7 @@ impl Line<'_> {
     }
 }
 
-/// The lines of a text.
+/// Iterator over the lines of a text.
 pub(super) struct Cells<'a> {
     text: &'a str,
     at: usize,
@@ -64,7 +64,7 @@ impl<'a> Cells<'a> {
         }
     }
 
-    /// Goes behind the end of a line that begins or ends here.
+    /// Skips the line ending.
     fn end_line(&mut self) {
         self.number += 1;
         let rest = &self.text.as_bytes()[self.at..];
@@ -93,7 +93,7 @@ impl<'a> Cells<'a> {
         self.at += spaces;
     }
 
-    /// The cells of the rest of a line, which then is behind.
+    /// Returns the remaining cells of a line and moves to the next line.
     fn cells(&mut self) -> Result<Vec<Cell<'a>>, Fault> {
         let mut cells = Vec::new();
         loop {
@@ -213,10 +213,10 @@ impl<'a> Iterator for Cells<'a> {
             if let Some(sign) = sign {
                 self.at += sign.len();
                 let end = self.end_of_line();
-                // What stands in a comment need not be cells at all.
-                let mut own = Cells::new(&self.text[..end], self.delimiter);
-                own.at = self.at;
-                let cells = own.cells().unwrap_or_default();
+                // The text of a comment need not be cells.
+                let mut comment_cells = Cells::new(&self.text[..end], self.delimiter);
+                comment_cells.at = self.at;
+                let cells = comment_cells.cells().unwrap_or_default();
                 self.at = end;
                 return Some(Ok(Line {
                     number,

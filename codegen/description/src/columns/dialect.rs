@@ -1,7 +1,7 @@
-//! *The beginning of a text* → *what separates its cells and its decimals*.
+//! Detects the cell separator and the decimal mark of a text.
 //!
-//! Every pair is tried: it must make lines of equal length whose cells are numbers. Where two pairs do and read different numbers, the
-//! file is ambiguous, which is a fault.
+//! Every pair is tried: its lines must have equal length, with numbers as cells. If two pairs fit and read different numbers,
+//! the file is ambiguous, which is a fault.
 
 use std::fmt;
 
@@ -11,39 +11,39 @@ use super::number::{Content, Why, content};
 use super::{Fault, Known};
 use crate::diagnostic::Span;
 
-/// How many lines are looked at before one is chosen.
+/// Number of lines that determine the dialect.
 const LINES: usize = 200;
 
-/// What separates cells.
+/// Cell separator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Delimiter {
-    /// `;`
+    /// Semicolon: `;`.
     Semicolon,
-    /// A tab.
+    /// Tab.
     Tab,
-    /// `|`
+    /// Bar: `|`.
     Bar,
-    /// `,`
+    /// Comma: `,`.
     Comma,
-    /// Spaces or tabs, as many as there are.
+    /// Any number of spaces or tabs.
     Spaces,
 }
 
-/// What separates decimals.
+/// Decimal mark.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Decimal {
-    /// `0.5`
+    /// Point: `0.5`.
     Point,
-    /// `0,5`
+    /// Comma: `0,5`.
     Comma,
 }
 
-/// What separates cells, and decimals.
+/// Cell separator and decimal mark.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Dialect {
-    /// What separates cells.
+    /// Cell separator.
     pub delimiter: Delimiter,
-    /// What separates decimals.
+    /// Decimal mark.
     pub decimal: Decimal,
 }
 
@@ -56,7 +56,7 @@ impl Delimiter {
         Delimiter::Spaces,
     ];
 
-    /// The separator; `None` where there may be several.
+    /// Returns the separator; `None` for any number of spaces.
     pub fn character(self) -> Option<char> {
         match self {
             Delimiter::Semicolon => Some(';'),
@@ -69,7 +69,7 @@ impl Delimiter {
 }
 
 impl Decimal {
-    /// The mark itself.
+    /// Returns the character of the mark.
     pub fn mark(self) -> char {
         match self {
             Decimal::Point => '.',
@@ -95,12 +95,12 @@ impl fmt::Display for Dialect {
     }
 }
 
-/// Whether a cell is a word, and not a number with a fault.
+/// True if a cell is a word rather than a malformed number.
 pub(super) fn is_word(cell: &Cell<'_>, decimal: Decimal) -> bool {
     content(&cell.text, decimal) == Content::Words(Why::NoNumber)
 }
 
-/// Whether a line is a row: at least two cells, one of them a number, and fewer words than anything else.
+/// True if a line is a row: at least two cells, one of them a number, and fewer words than other cells.
 pub(super) fn is_data(line: &Line<'_>, decimal: Decimal) -> bool {
     let words = line.cells.iter().filter(|it| is_word(it, decimal)).count();
     let missing = line
@@ -112,25 +112,25 @@ pub(super) fn is_data(line: &Line<'_>, decimal: Decimal) -> bool {
     !line.is_comment && line.cells.len() > 1 && others > missing && words < others
 }
 
-/// How well a dialect suits.
+/// A dialect that fits, with the figures that rank it.
 struct Suited {
     dialect: Dialect,
-    /// Columns of words.
+    /// Number of columns of words.
     words: usize,
-    /// The number of the line that is the first row.
+    /// Line number of the first row.
     line: usize,
-    /// The numbers of the first row.
+    /// Numbers of the first row.
     first: Vec<Option<f64>>,
 }
 
-/// How far a dialect suits, and what is then wrong.
+/// A dialect that does not fit, with its first fault.
 struct Unsuited {
     dialect: Dialect,
     cells: usize,
     fault: Fault,
 }
 
-/// What separates cells and decimals; otherwise the first fault, and the dialect that suits best all the same.
+/// Detects the dialect. An error has the first fault and the dialect that fits best, if any.
 pub(super) fn of(text: &str, known: Known) -> Result<Dialect, (Fault, Option<Dialect>)> {
     let announced = text
         .strip_prefix(ANNOUNCEMENT)
@@ -164,8 +164,8 @@ pub(super) fn of(text: &str, known: Known) -> Result<Dialect, (Fault, Option<Dia
             Err(_) => {}
         }
     }
-    // Names above rows hold no numbers, so that an early first row is the better one. Of several that suit alike the first one is
-    // taken, the most particular separator.
+    // Names above rows contain no numbers, so an earlier first row fits better. Among equals, the first and most specific
+    // separator wins.
     let key = |it: &Suited| (it.words, it.line);
     let Some(best) = (0..suited.len()).min_by_key(|&it| key(&suited[it])) else {
         return Err(unsuited
@@ -221,9 +221,9 @@ fn suits(text: &str, dialect: Dialect) -> Result<Suited, Unsuited> {
         if line.is_comment {
             continue;
         }
-        let wanted = first.cells.len();
-        if line.cells.len() != wanted {
-            return Err(unsuited(cells, wrong_length(&line, wanted)));
+        let width = first.cells.len();
+        if line.cells.len() != width {
+            return Err(unsuited(cells, wrong_length(&line, width)));
         }
         for (cell, above) in line.cells.iter().zip(&first.cells) {
             let is_text = is_word(above, dialect.decimal);
@@ -262,18 +262,18 @@ fn suits(text: &str, dialect: Dialect) -> Result<Suited, Unsuited> {
     })
 }
 
-/// That a line has more cells than the first row, or fewer.
+/// Returns the fault of a line with more or fewer cells than the first row.
 pub(super) fn wrong_length(line: &Line<'_>, wanted: usize) -> Fault {
-    let found = line.cells.len();
-    let cells = if found == 1 { "cell" } else { "cells" };
+    let count = line.cells.len();
+    let cells = if count == 1 { "cell" } else { "cells" };
     Fault::new(
         line.span(),
-        format!("{found} {cells} where the lines above have {wanted}"),
+        format!("{count} {cells} where the lines above have {wanted}"),
         "complete the line, or make it a comment with `#`; decimal commas need another separator than `,`",
     )
 }
 
-/// That nothing in a text is a row of numbers.
+/// Returns the fault of a text without a row of numbers.
 pub(super) fn no_rows(text: &str) -> Fault {
     let end = text.find(['\r', '\n']).unwrap_or(text.len());
     match text.trim().is_empty() {

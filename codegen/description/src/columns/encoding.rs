@@ -1,23 +1,23 @@
-//! *Bytes → text*, by a byte order mark, by zeros in every other byte, as UTF-8, and what is not as Windows-1252.
+//! Decodes bytes by their byte order mark, by zeros in every other byte, as UTF-8, or else as Windows-1252.
 
 use super::{Fault, Unreadable};
 use crate::diagnostic::Span;
 
-/// How a text is encoded.
+/// Encoding of a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Encoding {
-    /// UTF-8, ASCII included.
+    /// UTF-8, including ASCII.
     Utf8,
     /// UTF-16, little-endian.
     Utf16Little,
     /// UTF-16, big-endian.
     Utf16Big,
-    /// Windows-1252, which most of Latin-1 is.
+    /// Windows-1252, which covers the printable part of Latin-1.
     Windows1252,
 }
 
 impl Encoding {
-    /// What it is called.
+    /// Returns the name for messages.
     pub fn name(self) -> &'static str {
         match self {
             Encoding::Utf8 => "UTF-8",
@@ -28,7 +28,7 @@ impl Encoding {
     }
 }
 
-/// The characters of 0x80 to 0x9f in Windows-1252; five are none.
+/// Characters 0x80 to 0x9f in Windows-1252; five are undefined.
 const WINDOWS: [Option<char>; 32] = [
     Some('€'),
     None,
@@ -64,7 +64,7 @@ const WINDOWS: [Option<char>; 32] = [
     Some('Ÿ'),
 ];
 
-/// How files begin that are no text, and what they are.
+/// First bytes of files that are not text, and their kinds.
 const OTHERS: [(&[u8], &str); 4] = [
     (b"PK\x03\x04", "a workbook or an archive"),
     (b"\xd0\xcf\x11\xe0", "a workbook"),
@@ -72,7 +72,7 @@ const OTHERS: [(&[u8], &str); 4] = [
     (b"\x89HDF", "an HDF5 file"),
 ];
 
-/// The text without its byte order mark.
+/// Decodes a text and removes its byte order mark.
 pub(super) fn decoded(bytes: &[u8]) -> Result<(String, Encoding), Unreadable> {
     if let Some((_, what)) = OTHERS.iter().find(|(start, _)| bytes.starts_with(start)) {
         return Err(refused(

@@ -1,24 +1,24 @@
-//! *The lines up to the first row* → *what the columns are called and measured in*.
+//! Determines names and units of columns from the lines up to the first row.
 //!
-//! Names stand in the line before the first row, or in the last comment before it; a line of units may stand between. What stands
-//! above is no part of the table. A unit may also stand behind a name, in parentheses or brackets.
+//! Names are in the line before the first row, or in the last comment before it. A line of units may be between them. Lines
+//! above the names are not part of the table. A unit may also follow a name, in parentheses or brackets.
 
 use super::cells::{Cell, Line};
 use super::dialect::is_word;
 use super::{Column, Columns, Dialect, Encoding, Fault, Unit};
 
-/// Where names stand.
+/// Location of the names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Header {
-    /// In this line, counted from 1.
+    /// Line number, counted from 1.
     Line(usize),
-    /// In this line, which is a comment.
+    /// Number of a comment line, counted from 1.
     Comment(usize),
-    /// Nowhere.
+    /// No names.
     None,
 }
 
-/// How a table begins.
+/// Header of a table and its empty columns.
 pub(super) struct Beginning {
     header: Header,
     unit_line: Option<usize>,
@@ -27,7 +27,7 @@ pub(super) struct Beginning {
 }
 
 impl Beginning {
-    /// The table without rows.
+    /// Returns the table without rows.
     pub fn columns(&self, dialect: Dialect) -> Columns {
         Columns {
             text: String::new(),
@@ -43,13 +43,13 @@ impl Beginning {
     }
 }
 
-/// What a column of times is mostly called, which is also the unit of tonnes.
+/// Usual name of a column of times, which is also the unit of tonnes.
 const TIME: &str = "t";
 
-/// The brackets around units.
+/// Brackets around units.
 const BRACKETS: [[char; 2]; 3] = [['(', ')'], ['[', ']'], ['{', '}']];
 
-/// `x (mm)` → `x` and `mm`.
+/// Splits `x (mm)` into `x` and `mm`.
 fn parted(name: &str) -> (String, Option<String>) {
     for [open, close] in BRACKETS {
         let parts = name.strip_suffix(close).and_then(|it| it.rsplit_once(open));
@@ -60,7 +60,7 @@ fn parted(name: &str) -> (String, Option<String>) {
             return (before.trim().to_string(), Some(unit.trim().to_string()));
         }
     }
-    // `x / mm` is how the standards want it.
+    // `x / mm` is the notation of ISO 80000-1.
     match name.split_once('/') {
         Some((before, unit)) if !before.trim().is_empty() && Unit::parse(unit).is_some() => {
             (before.trim().to_string(), Some(unit.trim().to_string()))
@@ -69,7 +69,7 @@ fn parted(name: &str) -> (String, Option<String>) {
     }
 }
 
-/// A unit that stands alone in a cell.
+/// Returns the unit if the cell contains nothing else.
 fn alone(cell: &Cell<'_>) -> Option<String> {
     let text = cell.text.trim();
     let inner = BRACKETS
@@ -79,7 +79,7 @@ fn alone(cell: &Cell<'_>) -> Option<String> {
     Unit::parse(unit).map(|_| unit.to_string())
 }
 
-/// Whether a line holds units, and nothing else. A bare `t` calls a column of times; tonnes stand in brackets or beside a name.
+/// True if a line contains only units. A bare `t` names a column of times; tonnes must be in brackets or beside a name.
 fn are_units(line: &Line<'_>) -> bool {
     let mut filled = line
         .cells
@@ -89,7 +89,7 @@ fn are_units(line: &Line<'_>) -> bool {
     filled.peek().is_some() && filled.all(|it| it.text.trim() != TIME && alone(it).is_some())
 }
 
-/// The first cell of a line of units that contradicts the unit beside the name above it.
+/// Returns a fault for the first unit that contradicts the unit beside the name above it.
 fn contradiction(names: &Line<'_>, units: &Line<'_>) -> Option<Fault> {
     let mut cells = names.cells.iter().zip(&units.cells);
     cells.find_map(|(name, cell)| {
@@ -106,7 +106,7 @@ fn contradiction(names: &Line<'_>, units: &Line<'_>) -> Option<Fault> {
     })
 }
 
-/// How a table begins whose first row is the last of these lines.
+/// Reads the header from lines of which the last is the first row.
 pub(super) fn beginning(head: &[Line<'_>], dialect: Dialect) -> Result<Beginning, Fault> {
     let Some((first, above)) = head.split_last() else {
         return Ok(Beginning {
@@ -126,12 +126,12 @@ pub(super) fn beginning(head: &[Line<'_>], dialect: Dialect) -> Result<Beginning
         }
         [before @ .., names] if suits(names) => (Some(*names), None, before.len()),
         [.., other] if comment.is_none_or(|it| it.number < other.number) => {
-            let found = other.cells.len();
-            let cells = if found == 1 { "cell" } else { "cells" };
+            let count = other.cells.len();
+            let cells = if count == 1 { "cell" } else { "cells" };
             return Err(Fault::new(
                 other.span(),
                 format!(
-                    "{found} {cells} above rows of {width}: the line before the first row names the columns"
+                    "{count} {cells} above rows of {width}: the line before the first row names the columns"
                 ),
                 "name every column, or put `#` before this line",
             ));

@@ -1,9 +1,11 @@
-//! *The bytes of a file* → *its columns of numbers, each with a name and perhaps a unit*, or *what is wrong in which line and column*.
+//! Reads columns of numbers, with names and units, from the bytes of a file.
 //!
-//! Files are those that programs export: cells between commas, semicolons, tabs, bars or spaces; decimal points or commas; UTF-8, UTF-16
-//! or Windows-1252; quotes, comments, missing cells, lines before the header, a line of units below it. What separates cells is
-//! chosen so that everything below the header is a number; [`Columns::reading`] says what was chosen. Nothing is repaired: what
-//! is neither a number nor missing is a [`Fault`]. Deliberately unknown here: mechanisms, and what a column is wanted for.
+//! Files are exports of other programs. Cells stand between commas, semicolons, tabs, bars or spaces, with decimal points or
+//! commas. The encoding is UTF-8, UTF-16 or Windows-1252. Quotes, comments, missing cells, lines before the header and a line
+//! of units below it are accepted.
+//!
+//! The dialect is chosen so that all cells below the header are numbers; [`Columns::reading`] describes the choice. Nothing is
+//! repaired: a cell that is neither a number nor missing is a [`Fault`].
 
 mod cells;
 mod dialect;
@@ -22,78 +24,78 @@ use cells::{Cells, Line};
 use header::beginning;
 use number::{Content, content};
 
-/// The largest file that is read, in bytes.
+/// Size limit of a file, in bytes.
 pub const LARGEST: usize = 256 << 20;
 
-/// Nobody reads more faults of one file than these.
-const MOST_FAULTS: usize = 10;
+/// Maximum number of faults reported for one file.
+const MAX_FAULTS: usize = 10;
 
-/// What is known about a file beforehand; what is not is found out.
+/// Dialect given by the caller; missing fields are detected.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Known {
-    /// What separates cells.
+    /// Cell separator.
     pub delimiter: Option<Delimiter>,
-    /// What separates decimals.
+    /// Decimal mark.
     pub decimal: Option<Decimal>,
 }
 
-/// A table.
+/// A table of numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Columns {
-    /// The text of the file, which all places are in.
+    /// Text of the file, to which all locations refer.
     pub text: String,
-    /// How it was encoded.
+    /// Encoding of the file.
     pub encoding: Encoding,
-    /// What separates cells and decimals.
+    /// Cell separator and decimal mark.
     pub dialect: Dialect,
-    /// Where the names stand.
+    /// Location of the names.
     pub header: Header,
-    /// The number of the line of units, where there is one.
+    /// Line number of the units; `None` without a line of units.
     pub unit_line: Option<usize>,
-    /// How many lines with text stand before the names.
+    /// Number of text lines before the names.
     pub skipped: usize,
-    /// In the order of the file.
+    /// Columns in the order of the file.
     pub columns: Vec<Column>,
-    /// How many rows there are.
+    /// Number of rows.
     pub rows: usize,
-    /// The number of the line of each row, counted from 1.
+    /// Line number of each row, counted from 1.
     pub lines: Vec<usize>,
 }
 
 /// One column of a table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
-    /// The name in the header without its unit; the number of the column, from 1, where there is none.
+    /// Name in the header without its unit; without a name, the number of the column, counted from 1.
     pub name: String,
-    /// The unit as written.
+    /// Unit as written; `None` if there is none.
     pub unit: Option<String>,
-    /// Where the name stands; of a column without one, its first cell.
+    /// Location of the name; without one, of the first cell.
     pub span: Span,
-    /// The number in each row; `None` where it is missing.
+    /// Number in each row; `None` if it is missing.
     pub values: Vec<Option<f64>>,
-    /// Where each cell stands.
+    /// Location of each cell.
     pub spans: Vec<Span>,
-    /// Whether its cells are words, which are not kept.
+    /// True if the cells are words, which are not stored.
     pub is_text: bool,
 }
 
-/// What is wrong at a place.
+/// A fault at a location of a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault {
-    /// Where.
+    /// Location of the fault.
     pub span: Span,
-    /// What is wrong: lower case, without a full stop.
+    /// Message in lower case, without a full stop.
     pub message: String,
-    /// What to do about it.
+    /// Suggested remedy.
     pub help: String,
 }
 
-/// A file that is no table.
+/// Faults of a file that is not a table.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unreadable {
-    /// The text that the places are in.
+    /// Text to which the locations refer.
     pub text: String,
-    /// At least one.
+    /// Faults; at least one.
     pub faults: Vec<Fault>,
 }
 
@@ -108,10 +110,10 @@ impl Fault {
 }
 
 impl Columns {
-    /// The table in a file.
+    /// Reads the table of a file.
     ///
     /// # Errors
-    /// The first places at which it is none.
+    /// Returns the first faults if the file is not a table.
     pub fn read(bytes: &[u8], known: Known) -> Result<Columns, Unreadable> {
         let (text, encoding) = encoding::decoded(bytes)?;
         match table(&text, known) {
@@ -124,7 +126,7 @@ impl Columns {
         }
     }
 
-    /// How the file was understood, in words.
+    /// Describes the detected encoding, dialect and header.
     pub fn reading(&self) -> String {
         let names = match self.header {
             Header::Line(line) => format!("names in line {line}"),
@@ -144,7 +146,7 @@ impl Columns {
         format!("{encoding}, {dialect}, {names}{units}{skipped}")
     }
 
-    /// The columns of this name.
+    /// Returns the indices of the columns with this name.
     pub fn named(&self, name: &str) -> impl Iterator<Item = usize> {
         let places = self.columns.iter().enumerate();
         places
@@ -152,7 +154,7 @@ impl Columns {
             .map(|(place, _)| place)
     }
 
-    /// The text of a cell's number as the language of descriptions writes it: with a point before decimals.
+    /// Returns the text of a number with a decimal point, as descriptions write it; `None` if the cell is not a number.
     pub fn written(&self, span: Span) -> Option<String> {
         let cell = self.text.get(span.range())?;
         match content(cell, self.dialect.decimal) {
@@ -162,7 +164,7 @@ impl Columns {
     }
 }
 
-/// The table in a text, whose text is left empty.
+/// Reads a table and leaves its `text` empty.
 fn table(text: &str, known: Known) -> Result<Columns, Vec<Fault>> {
     let dialect = match dialect::of(text, known) {
         Ok(dialect) => dialect,
@@ -176,7 +178,6 @@ fn table(text: &str, known: Known) -> Result<Columns, Vec<Fault>> {
     in_dialect(text, dialect)
 }
 
-/// The same where it is known what separates cells and decimals.
 fn in_dialect(text: &str, dialect: Dialect) -> Result<Columns, Vec<Fault>> {
     let lines = Cells::new(text, dialect.delimiter);
     let mut head: Vec<Line<'_>> = Vec::new();
@@ -188,8 +189,8 @@ fn in_dialect(text: &str, dialect: Dialect) -> Result<Columns, Vec<Fault>> {
             let is_data = dialect::is_data(&line, dialect.decimal);
             head.push(line);
             if is_data {
-                let found = beginning(&head, dialect).map_err(|fault| vec![fault])?;
-                let mut columns = found.columns(dialect);
+                let beginning_of_table = beginning(&head, dialect).map_err(|fault| vec![fault])?;
+                let mut columns = beginning_of_table.columns(dialect);
                 if let Some(first) = head.last() {
                     take(&mut columns, first, &mut faults);
                 }
@@ -198,7 +199,7 @@ fn in_dialect(text: &str, dialect: Dialect) -> Result<Columns, Vec<Fault>> {
             continue;
         };
         take(columns, &line, &mut faults);
-        if faults.len() >= MOST_FAULTS {
+        if faults.len() >= MAX_FAULTS {
             break;
         }
     }
@@ -208,7 +209,7 @@ fn in_dialect(text: &str, dialect: Dialect) -> Result<Columns, Vec<Fault>> {
     if !faults.is_empty() {
         return Err(faults);
     }
-    // What ends every line is no column.
+    // A separator at the end of every line begins no column.
     let is_nothing = |it: &Column| {
         !it.is_text && it.values.iter().all(Option::is_none) && it.span.start == it.span.end
     };
@@ -218,14 +219,13 @@ fn in_dialect(text: &str, dialect: Dialect) -> Result<Columns, Vec<Fault>> {
     Ok(columns)
 }
 
-/// Adds a row.
 fn take(columns: &mut Columns, line: &Line<'_>, faults: &mut Vec<Fault>) {
     if line.is_comment {
         return;
     }
-    let wanted = columns.columns.len();
-    if line.cells.len() != wanted {
-        faults.push(dialect::wrong_length(line, wanted));
+    let width = columns.columns.len();
+    if line.cells.len() != width {
+        faults.push(dialect::wrong_length(line, width));
         return;
     }
     let decimal = columns.dialect.decimal;

@@ -1,49 +1,49 @@
-//! *The text of a cell* → *a number, nothing, or words*.
+//! Reads a cell as a number, a missing value or words.
 
 use super::Decimal;
 
-/// What stands in cells without a measured value, in lower case.
+/// Texts of cells without a measured value, in lower case.
 const MISSING: [&str; 16] = [
     "", "nan", "na", "n/a", "#n/a", "null", "none", "-", "--", "---", "?", "1.#qnan", "-1.#ind",
     "<na>", "nan()", "-nan",
 ];
 
-/// Longer cells are shown in part.
-const SHOWN: usize = 40;
+/// Maximum number of characters of a cell in a message.
+const MAX_SHOWN_CHARACTERS: usize = 40;
 
-/// What a cell holds.
+/// Content of a cell.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Content {
-    /// A number, also as text with a decimal point.
+    /// A number: its text with a decimal point, and its value.
     Number(String, f64),
-    /// Nothing, or a word for it.
+    /// An empty cell, or a word for a missing value.
     Missing,
-    /// Something else.
+    /// Any other text.
     Words(Why),
 }
 
-/// Why a cell is no number.
+/// Reason why a cell is not a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Why {
-    /// It has no digits where a number has them.
+    /// A digit is missing.
     NoNumber,
-    /// It is beyond the range of numbers.
+    /// The number is outside the range of `f64`.
     TooLarge,
-    /// Its digits are in groups, or it has both marks.
+    /// Digits are grouped, or both decimal marks occur.
     Groups,
-    /// A number is followed by letters.
+    /// Letters follow a number.
     WithUnit,
 }
 
 impl Why {
     pub fn message(self, cell: &str) -> String {
-        let shown: String = cell.chars().take(SHOWN).collect();
-        let shown = shown.escape_debug();
+        let excerpt: String = cell.chars().take(MAX_SHOWN_CHARACTERS).collect();
+        let excerpt = excerpt.escape_debug();
         match self {
-            Why::NoNumber => format!("`{shown}` is not a number"),
-            Why::TooLarge => format!("`{shown}` is not a finite number"),
-            Why::Groups => format!("`{shown}` has groups of digits, or the other decimal mark"),
-            Why::WithUnit => format!("`{shown}` has letters after its number"),
+            Why::NoNumber => format!("`{excerpt}` is not a number"),
+            Why::TooLarge => format!("`{excerpt}` is not a finite number"),
+            Why::Groups => format!("`{excerpt}` has groups of digits, or the other decimal mark"),
+            Why::WithUnit => format!("`{excerpt}` has letters after its number"),
         }
     }
 
@@ -61,10 +61,10 @@ impl Why {
     }
 }
 
-/// What stands in a cell.
+/// Reads the content of a cell.
 pub(super) fn content(cell: &str, decimal: Decimal) -> Content {
     let cell = cell.trim();
-    // What begins with a digit is not looked up.
+    // Cells that begin with a digit need no look-up.
     let is_digit =
         cell.starts_with(|it: char| it.is_ascii_digit()) && !cell.ends_with(char::is_alphabetic);
     if !is_digit && MISSING.contains(&cell.to_ascii_lowercase().as_str()) {

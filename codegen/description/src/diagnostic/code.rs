@@ -1,27 +1,28 @@
-//! *Class of a finding → its stable number and title.* A number is never given to another class.
+//! Defines the classes of findings with stable numbers and titles. A number is never reused for another class.
 
 use std::fmt;
 
 macro_rules! codes {
     ($($(#[doc = $title:literal])+ $variant:ident = $name:literal;)+) => {
-        /// The class of a finding. The first digit is the group: 0 syntax, 1 names, 2 values and units, 3 structure, 9 Linkwright itself.
+        /// Class of a finding. The first digit is the group: 0 syntax, 1 names, 2 values and units, 3 structure, 9 Linkwright
+        /// itself.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum Code {
             $($(#[doc = $title])+ $variant,)+
         }
 
         impl Code {
-            /// Every code, in the order of the numbers.
+            /// All codes, in order of their numbers.
             pub const ALL: &'static [Code] = &[$(Code::$variant),+];
 
-            /// The stable number, as in `error[K07]`.
+            /// Returns the stable number, as in `error[K07]`.
             pub fn name(self) -> &'static str {
                 match self {
                     $(Code::$variant => $name,)+
                 }
             }
 
-            /// One line that says what the class is.
+            /// Returns the title of the class, one line.
             pub fn title(self) -> &'static str {
                 match self {
                     $(Code::$variant => concat!($($title),+).trim_ascii(),)+

@@ -1,7 +1,7 @@
-//! Catches panics: an error of Linkwright becomes a finding at the place of the description that was being worked on.
+//! Converts panics into findings at the location of the description being processed.
 //!
-//! Each thread notes the text that it reads and the place that it works on. A panic leaves both as they are, so that whoever catches it
-//! knows them; nothing else reads them, and no result depends on them.
+//! Each thread records the text that it reads and the location that it processes. A panic leaves both records unchanged for the
+//! handler. No result depends on them.
 
 use std::any::Any;
 use std::cell::{Cell, RefCell};
@@ -21,41 +21,41 @@ thread_local! {
 const HELP: &str = "this is an error of Linkwright, not of the description; please report it with the description \
                     to those from whom you have Linkwright";
 
-/// Work on a place of the description, until it is dropped.
+/// Record of the location being processed, until it is dropped.
 #[must_use]
 #[derive(Debug)]
 pub struct WorkAt(Option<Span>);
 
-/// Notes which place of the description is being worked on.
+/// Records the location being processed.
 pub fn work_at(span: Span) -> WorkAt {
     WorkAt(PLACE.replace(Some(span)))
 }
 
 impl Drop for WorkAt {
     fn drop(&mut self) {
-        // The innermost place is what is reported.
+        // The innermost location is reported.
         if !thread::panicking() {
             PLACE.set(self.0);
         }
     }
 }
 
-/// Notes which text is being read.
+/// Records the text being read.
 pub fn reads(source: &Source) {
     let noted = Source::new(source.name.as_str(), source.text.as_str());
     SOURCE.set(Some(noted));
 }
 
-/// Has panics noted with the line of code where they begin, in place of printing them. For programs alone: it holds for a whole process.
+/// Records the source line of panics instead of printing them. Only for programs: the hook affects the whole process.
 pub fn note_panics() {
     panic::set_hook(Box::new(|info| {
         let origin = info.location().map(ToString::to_string);
-        // A thread that ends has nothing left to note.
+        // An ending thread has no record.
         let _ = ORIGIN.try_with(|noted| noted.replace(origin));
     }));
 }
 
-/// Error of Linkwright itself: a panic that was caught.
+/// A caught panic: an error of Linkwright itself.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InternalError {
     message: String,
@@ -63,14 +63,14 @@ pub struct InternalError {
     place: Option<Span>,
 }
 
-/// Result of some work.
+/// Runs some work and catches its panics.
 ///
 /// # Errors
-/// The work panicked.
+/// Returns an error if the work panicked.
 pub fn caught<T>(work: impl FnOnce() -> T) -> Result<T, InternalError> {
     let outer = PLACE.take();
     ORIGIN.set(None);
-    // What the work leaves behind is dropped, or replaced as a whole by every caller.
+    // Values that the work leaves behind are dropped, or replaced as a whole by every caller.
     let result = catch_unwind(AssertUnwindSafe(work));
     let place = PLACE.replace(outer);
     result.map_err(|payload| {
@@ -83,7 +83,7 @@ pub fn caught<T>(work: impl FnOnce() -> T) -> Result<T, InternalError> {
     })
 }
 
-/// Message of a panic in one line.
+/// Returns the message of a panic in one line.
 fn words(payload: &(dyn Any + Send)) -> String {
     let text = payload.downcast_ref::<&str>().copied();
     let text = text.or_else(|| payload.downcast_ref::<String>().map(String::as_str));
@@ -92,7 +92,7 @@ fn words(payload: &(dyn Any + Send)) -> String {
 }
 
 impl InternalError {
-    /// Finding in the text that was read last.
+    /// Returns the finding in the text that was read last.
     pub fn finding(&self) -> Diagnostic {
         let place = self.place.unwrap_or_default();
         let finding = Diagnostic::error(Code::InternalError, place, self.message.as_str());
@@ -104,7 +104,7 @@ impl InternalError {
         }
     }
 
-    /// Findings with this one alone.
+    /// Returns a sink that contains only this finding.
     pub fn findings(&self) -> Diagnostics {
         let mut findings = Diagnostics::new();
         findings.push(self.finding());
@@ -112,7 +112,7 @@ impl InternalError {
     }
 }
 
-/// Text as it is printed, with the place as far as it is known.
+/// Formats the error for printing, with the location if it is known.
 impl fmt::Display for InternalError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match (&self.source, self.place) {
@@ -159,7 +159,7 @@ mod tests {
         ] {
             assert!(text.contains(part), "{part} in\n{text}");
         }
-        // The next one knows nothing of the last one's place.
+        // The next panic has no record of the previous location.
         let error = caught(|| panic!("{}\n{}", "two", "lines")).expect_err("it panics");
         assert_eq!(error.place, None);
         assert!(

@@ -1,19 +1,20 @@
-//! *The findings of each motion → those of the file.* What all motions have is said once, without a motion's name.
+//! Merges the findings of all motions of a file.
 //!
-//! A finding of some motions alone begins with the name of the motion, unless its place lies in the motion already.
+//! A finding common to all motions is reported once, without the name of a motion. Any other begins with the name of its
+//! motion, unless its location lies in that motion.
 
 use std::collections::BTreeMap;
 
 use super::{Code, Diagnostic, Diagnostics, Span};
 
-/// The findings of motions that are given with their names and, where a place in them says enough, their places.
+/// Merges findings of motions, given with their names and, for motions that contain their statements, their locations.
 pub fn merged(motions: Vec<(&str, Option<Span>, Diagnostics)>) -> Diagnostics {
     let count = motions.len();
     let motions: Vec<(&str, Option<Span>, Vec<Diagnostic>)> = motions
         .into_iter()
         .map(|(name, place, found)| (name, place, found.into_sorted()))
         .collect();
-    // How many motions have a finding.
+    // Number of motions with a finding.
     let mut having: BTreeMap<Key<'_>, usize> = BTreeMap::new();
     for finding in motions.iter().flat_map(|(_, _, found)| found) {
         *having.entry(key(finding)).or_default() += 1;
@@ -39,7 +40,7 @@ pub fn merged(motions: Vec<(&str, Option<Span>, Diagnostics)>) -> Diagnostics {
     all
 }
 
-/// What makes two findings the same.
+/// Fields by which two findings are equal.
 type Key<'a> = (u32, u32, Code, &'a str, &'a str);
 
 fn key(finding: &Diagnostic) -> Key<'_> {
@@ -54,7 +55,7 @@ mod tests {
     use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 
     #[test]
-    fn what_all_motions_have_is_said_once() {
+    fn reports_common_findings_once() {
         let finding = |message: &str, at: usize| {
             Diagnostic::error(Code::UnknownName, Span::new(at, at + 1), message)
         };
@@ -64,7 +65,7 @@ mod tests {
             part
         };
         let (shared, inside, outside) = (finding("shared", 1), finding("in", 5), finding("out", 2));
-        let found = merged(vec![
+        let findings = merged(vec![
             (
                 "one",
                 Some(Span::new(4, 8)),
@@ -72,7 +73,10 @@ mod tests {
             ),
             ("two", Some(Span::new(8, 9)), part(&[shared])),
         ]);
-        let messages: Vec<String> = found.into_iter().map(|finding| finding.message).collect();
+        let messages: Vec<String> = findings
+            .into_iter()
+            .map(|finding| finding.message)
+            .collect();
         assert_eq!(messages, ["shared", "motion `one`: out", "in"]);
     }
 }

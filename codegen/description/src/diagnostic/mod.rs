@@ -1,10 +1,10 @@
-//! *Findings of any stage → text for a person.* The place in the source, the code, the severity and the sink.
+//! Collects findings of all stages and prints them with their source locations.
 //!
-//! Every stage pushes what it finds into one [`Diagnostics`]; the pipeline stops at the border of a stage that found an error.
-//! Afterwards the findings are ordered by position, each is printed once, and printing never panics whatever the spans are.
-//! This room does not know the language: it sees text, byte offsets and sentences made elsewhere.
+//! Every stage pushes its findings into one [`Diagnostics`]; the pipeline stops at the boundary of a stage with an error.
+//! Findings are then ordered by position and printed once each. Printing never panics, whatever the spans.
 //!
-//! Messages are lower case, put names in backticks and have no full stop: the message says what is, `help` says what to do.
+//! This module handles text, byte offsets and finished sentences, independently of the language. Messages are in lower case,
+//! with names in backticks and without a full stop. The message states the fault, and `help` the remedy.
 
 mod code;
 pub mod internal;
@@ -21,17 +21,17 @@ pub use sink::Diagnostics;
 pub use source::{Attachment, Position, Source, Span};
 pub use suggestion::{Suggestions, nearest};
 
-/// How serious a finding is.
+/// Severity of a finding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Severity {
-    /// Nothing is generated.
+    /// Fatal: nothing is generated.
     Error,
-    /// The output is generated, but a person should look.
+    /// Output is generated, but should be reviewed.
     Warning,
 }
 
 impl Severity {
-    /// The word that opens the printed finding: `error` or `warning`.
+    /// Returns the word that opens the printed finding: `error` or `warning`.
     pub fn word(self) -> &'static str {
         match self {
             Severity::Error => "error",
@@ -40,41 +40,41 @@ impl Severity {
     }
 }
 
-/// A place in the source with what is to be said about it.
+/// A marked location with its text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Label {
-    /// The marked place.
+    /// Marked location.
     pub span: Span,
-    /// The words beside the marks; may be empty.
+    /// Text beside the marks; may be empty.
     pub text: String,
 }
 
-/// One finding: what is wrong, where, and what to do about it.
+/// A finding: its fault, location and remedy.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Diagnostic {
-    /// Whether it stops the pipeline.
+    /// Severity; an error stops the pipeline.
     pub severity: Severity,
-    /// The class of the finding, printed as `K07`.
+    /// Class of the finding, printed as `K07`.
     pub code: Code,
-    /// What is wrong: lower case, names in backticks, no full stop.
+    /// Fault in lower case, with names in backticks and without a full stop.
     pub message: String,
-    /// The place of the cause, marked `^^^`.
+    /// Location of the cause, marked `^^^`.
     pub primary: Label,
-    /// Other places that explain the cause (a first declaration, an opening bracket), marked `---`.
+    /// Further locations that explain the cause, such as a first declaration or an opening bracket, marked `---`.
     pub secondary: Vec<Label>,
-    /// What to do about it, one sentence each.
+    /// Remedies, one sentence each.
     pub help: Vec<String>,
-    /// Background that is neither the cause nor a remedy.
+    /// Background that is neither cause nor remedy.
     pub notes: Vec<String>,
 }
 
 impl Diagnostic {
-    /// An error at `span`.
+    /// Creates an error at `span`.
     pub fn error(code: Code, span: Span, message: impl Into<String>) -> Self {
         Self::new(Severity::Error, code, span, message.into())
     }
 
-    /// A warning at `span`.
+    /// Creates a warning at `span`.
     pub fn warning(code: Code, span: Span, message: impl Into<String>) -> Self {
         Self::new(Severity::Warning, code, span, message.into())
     }
@@ -95,13 +95,13 @@ impl Diagnostic {
         }
     }
 
-    /// Puts words beside the carets of the primary place.
+    /// Sets the text beside the marks of the primary location.
     pub fn label(mut self, text: impl Into<String>) -> Self {
         self.primary.text = text.into();
         self
     }
 
-    /// Marks a second place.
+    /// Marks a further location.
     pub fn also(mut self, span: Span, text: impl Into<String>) -> Self {
         self.secondary.push(Label {
             span,
@@ -110,25 +110,25 @@ impl Diagnostic {
         self
     }
 
-    /// Adds a line that says what to do.
+    /// Adds a remedy.
     pub fn help(mut self, text: impl Into<String>) -> Self {
         self.help.push(text.into());
         self
     }
 
-    /// Says what to do in place of what was said about it.
+    /// Replaces all remedies by this one.
     pub fn instead(mut self, text: impl Into<String>) -> Self {
         self.help = vec![text.into()];
         self
     }
 
-    /// Adds a line of background.
+    /// Adds background.
     pub fn note(mut self, text: impl Into<String>) -> Self {
         self.notes.push(text.into());
         self
     }
 
-    /// The finding as rustc would print it, without color, ending in a line break.
+    /// Renders the finding in the format of rustc, without color, ending in a line break.
     pub fn render(&self, source: &Source) -> String {
         render::one(self, &source::Lines::of(source))
     }

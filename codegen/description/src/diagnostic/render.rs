@@ -1,30 +1,32 @@
-//! *One finding → a frame as rustc prints it.* Every marked line is shown once, in the order of the lines, with a row of carets
-//! for each mark; a line too long for a terminal is cut to a window around its mark. Any span can be printed: [`Lines`] clamps it.
+//! Renders a finding in the format of rustc.
+//!
+//! Every marked line appears once, in order, with a row of carets for each mark. A line that is too long for a terminal is cut
+//! to a window around its mark. Any span can be printed, as [`Lines`] clamps spans.
 
 use super::source::Lines;
 use super::{Diagnostic, Label};
 
-/// Longest part of a source line that is shown, in characters.
-const WIDEST: usize = 120;
-/// Characters shown before the mark in a line that is cut.
+/// Maximum length of a displayed part of a source line, in characters.
+const MAX_WIDTH: usize = 120;
+/// Number of characters displayed before the mark in a line that is cut.
 const BEFORE: usize = 40;
-/// What a tabulator is shown as.
+/// Replacement of a tabulator.
 const TABULATOR: &str = "    ";
-/// What stands where a line is cut.
+/// Ellipsis of a cut line.
 const CUT: &str = "...";
 
-/// A label, reduced to one line: from its start to its end or to the end of that line.
+/// A label reduced to one line: from its start to its end, or to the end of that line.
 struct Mark<'a> {
     line: usize,
-    /// First marked column of the shown text, counted from 0.
+    /// First marked column of the displayed text, counted from 0.
     start: usize,
-    /// Column after the last marked one; always beyond `start`.
+    /// Column after the last marked one; always greater than `start`.
     end: usize,
     caret: char,
     text: &'a str,
 }
 
-/// The frame of one finding, ending in a line break.
+/// Renders one finding, ending in a line break.
 pub(super) fn one(diagnostic: &Diagnostic, lines: &Lines<'_>) -> String {
     let mut marks = vec![mark(&diagnostic.primary, '^', lines)];
     marks.extend(
@@ -56,14 +58,14 @@ pub(super) fn one(diagnostic: &Diagnostic, lines: &Lines<'_>) -> String {
         position.column
     ));
     frame.row("", "");
-    let mut shown: Option<usize> = None;
+    let mut last_shown: Option<usize> = None;
     for group in marks.chunk_by(|one, other| one.line == other.line) {
         let line = group[0].line;
-        if shown.is_some_and(|previous| previous + 1 < line) {
+        if last_shown.is_some_and(|previous| previous + 1 < line) {
             frame.text.push_str("...\n");
         }
         frame.line(line, &displayed(lines.text(line)), group);
-        shown = Some(line);
+        last_shown = Some(line);
     }
     if !diagnostic.notes.is_empty() || !diagnostic.help.is_empty() {
         frame.row("", "");
@@ -83,7 +85,7 @@ struct Excerpt {
 }
 
 impl Excerpt {
-    /// `12 | text`, without blanks at the end.
+    /// Writes `12 | text`, without trailing blanks.
     fn row(&mut self, number: &str, text: &str) {
         let gutter = self.gutter;
         let row = format!("{number:>gutter$} | {text}");
@@ -91,7 +93,7 @@ impl Excerpt {
         self.text.push('\n');
     }
 
-    /// `= help: text`, further lines of the text indented under the first.
+    /// Writes `= help: text`, with further lines indented under the first.
     fn remark(&mut self, word: &str, text: &str) {
         let gutter = self.gutter;
         let indent = format!("\n{:gutter$}   {:indent$}", "", "", indent = word.len() + 2);
@@ -100,19 +102,22 @@ impl Excerpt {
             .push_str(&format!("{:gutter$} = {word}: {text}\n", ""));
     }
 
-    /// A source line with the rows of its marks.
+    /// Writes a source line with the rows of its marks.
     fn line(&mut self, line: usize, shown: &[char], marks: &[Mark<'_>]) {
-        if shown.len() <= WIDEST {
+        if shown.len() <= MAX_WIDTH {
             self.row(&line.to_string(), &shown.iter().collect::<String>());
             for mark in marks {
                 self.carets(mark, mark.start, mark.end);
             }
             return;
         }
-        // The marks may be further apart than the window is wide, so each gets its own.
+        // Marks can be further apart than the window is wide, so each gets its own window.
         for mark in marks {
-            let from = mark.start.saturating_sub(BEFORE).min(shown.len() - WIDEST);
-            let to = (from + WIDEST).min(shown.len());
+            let from = mark
+                .start
+                .saturating_sub(BEFORE)
+                .min(shown.len() - MAX_WIDTH);
+            let to = (from + MAX_WIDTH).min(shown.len());
             let left = if from > 0 { CUT } else { "" };
             let right = if to < shown.len() { CUT } else { "" };
             let part: String = shown[from..to].iter().collect();
@@ -160,23 +165,23 @@ fn width(character: char) -> usize {
     }
 }
 
-/// The characters of a line as they are shown: what would move the cursor or turn the writing direction is replaced.
+/// Returns the displayed characters of a line. Characters that move the cursor or change the writing direction are replaced.
 fn displayed(line: &str) -> Vec<char> {
-    let mut shown = Vec::new();
+    let mut characters = Vec::new();
     for character in line.chars() {
         match character {
-            '\t' => shown.extend(TABULATOR.chars()),
+            '\t' => characters.extend(TABULATOR.chars()),
             '\u{200b}'..='\u{200f}'
             | '\u{2028}'..='\u{202e}'
             | '\u{2060}'..='\u{206f}'
             | '\u{feff}' => {
-                shown.push(char::REPLACEMENT_CHARACTER);
+                characters.push(char::REPLACEMENT_CHARACTER);
             }
-            control if control.is_control() => shown.push(char::REPLACEMENT_CHARACTER),
-            other => shown.push(other),
+            control if control.is_control() => characters.push(char::REPLACEMENT_CHARACTER),
+            other => characters.push(other),
         }
     }
-    shown
+    characters
 }
 
 #[cfg(test)]
@@ -198,8 +203,8 @@ mod tests {
         )
         .label("not a function of this language")
         .help("did you mean `sin`?");
-        let mut found = Diagnostics::new();
-        found.push(diagnostic);
+        let mut findings = Diagnostics::new();
+        findings.push(diagnostic);
         let expected = "\
 error[K13]: unknown function `sine`
   --> mechanisms/arm.mech:12:20
@@ -212,7 +217,7 @@ error[K13]: unknown function `sine`
 error: 1 error in mechanisms/arm.mech
 ";
         assert_eq!(
-            found.render(&Source::new("mechanisms/arm.mech", text)),
+            findings.render(&Source::new("mechanisms/arm.mech", text)),
             expected
         );
     }

@@ -1,9 +1,9 @@
-//! *Findings in any order → findings by position, each once.*
+//! Orders findings by position and removes duplicates.
 
 use super::source::Lines;
 use super::{Diagnostic, Severity, Source, render};
 
-/// Where every stage puts what it finds.
+/// Sink for the findings of every stage.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Diagnostics {
     found: Vec<Diagnostic>,
@@ -11,15 +11,15 @@ pub struct Diagnostics {
 }
 
 impl Diagnostics {
-    /// So many errors are kept, and as many warnings: nobody reads more, and a large file of rubbish would produce millions.
+    /// Maximum number of errors, and of warnings, that are kept. A large file of rubbish would produce millions.
     pub const MOST: usize = 100;
 
-    /// An empty sink.
+    /// Creates an empty sink.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Adds one finding; beyond [`Diagnostics::MOST`] of its severity it is left out.
+    /// Adds a finding, unless [`Diagnostics::MOST`] of its severity are kept already.
     pub fn push(&mut self, diagnostic: Diagnostic) {
         let is_error = diagnostic.severity == Severity::Error;
         let others = if is_error {
@@ -33,39 +33,39 @@ impl Diagnostics {
         }
     }
 
-    /// Whether so many errors were found that going on is pointless.
+    /// True if the limit of errors is reached, so that work can stop.
     pub fn is_full(&self) -> bool {
         self.errors >= Diagnostics::MOST
     }
 
-    /// The findings as they are now, to come back to.
+    /// Returns a mark of the present findings for [`Diagnostics::forget_after`].
     pub fn mark(&self) -> usize {
         self.found.len()
     }
 
-    /// Forgets what was found after a mark.
+    /// Removes the findings added after a mark.
     pub fn forget_after(&mut self, mark: usize) {
         self.found.truncate(mark);
         let is_error = |it: &&Diagnostic| it.severity == Severity::Error;
         self.errors = self.found.iter().filter(is_error).count();
     }
 
-    /// Whether nothing was found, not even a warning.
+    /// True if there are neither errors nor warnings.
     pub fn is_empty(&self) -> bool {
         self.found.is_empty()
     }
 
-    /// Whether the pipeline must stop at the border of this stage.
+    /// True if the pipeline must stop at the boundary of this stage.
     pub fn has_errors(&self) -> bool {
         self.errors > 0
     }
 
-    /// The findings in the order in which they were made.
+    /// Returns the findings in order of insertion.
     pub fn iter(&self) -> std::slice::Iter<'_, Diagnostic> {
         self.found.iter()
     }
 
-    /// The findings ordered by position, then by code; equal ones once.
+    /// Returns the findings ordered by position, then by code, without duplicates.
     pub fn into_sorted(mut self) -> Vec<Diagnostic> {
         self.found.sort_by(|one, other| {
             let key = |it: &Diagnostic| (it.primary.span.start, it.code, it.primary.span.end);
@@ -77,8 +77,8 @@ impl Diagnostics {
         self.found
     }
 
-    /// All findings as rustc would print them, without color, with a closing line that counts the errors.
-    /// Empty when nothing was found.
+    /// Renders all findings in the format of rustc, without color, with a final line that counts the errors. Empty if there are
+    /// no findings.
     pub fn render(&self, source: &Source) -> String {
         let lines = Lines::of(source);
         let sorted = self.clone().into_sorted();
@@ -116,7 +116,7 @@ impl IntoIterator for Diagnostics {
     type Item = Diagnostic;
     type IntoIter = std::vec::IntoIter<Diagnostic>;
 
-    /// The findings ordered by position, each once, as by [`Diagnostics::into_sorted`].
+    /// Iterates in the order of [`Diagnostics::into_sorted`].
     fn into_iter(self) -> Self::IntoIter {
         self.into_sorted().into_iter()
     }
@@ -129,30 +129,34 @@ mod tests {
 
     #[test]
     fn sorted_by_position_then_code_and_each_once() {
-        let mut found = Diagnostics::new();
+        let mut findings = Diagnostics::new();
         let late = Diagnostic::error(Code::UnknownName, Span::new(9, 10), "late");
         let early = Diagnostic::warning(Code::UnknownName, Span::new(1, 2), "early");
         let same_place = Diagnostic::error(Code::UnexpectedToken, Span::new(9, 12), "same place");
-        found.extend([
+        findings.extend([
             late.clone(),
             early.clone(),
             late.clone(),
             same_place.clone(),
         ]);
-        assert!(found.has_errors());
-        assert_eq!(found.into_sorted(), vec![early, same_place, late]);
+        assert!(findings.has_errors());
+        assert_eq!(findings.into_sorted(), vec![early, same_place, late]);
     }
 
     #[test]
     fn a_warning_is_no_error() {
-        let mut found = Diagnostics::new();
-        assert_eq!(found.render(&Source::new("a.mech", "")), "");
-        found.push(Diagnostic::warning(
+        let mut findings = Diagnostics::new();
+        assert_eq!(findings.render(&Source::new("a.mech", "")), "");
+        findings.push(Diagnostic::warning(
             Code::UnknownName,
             Span::new(0, 0),
             "look",
         ));
-        assert!(!found.has_errors() && !found.is_empty());
-        assert!(!found.render(&Source::new("a.mech", "")).contains("error"));
+        assert!(!findings.has_errors() && !findings.is_empty());
+        assert!(
+            !findings
+                .render(&Source::new("a.mech", ""))
+                .contains("error")
+        );
     }
 }

@@ -1,9 +1,9 @@
-//! *Bytes of a file → text with a name, and places in it.* A [`Span`] is only two offsets: whoever prints it clamps it to the text.
+//! Represents source text and locations in it. A [`Span`] is only two offsets, so code that prints it clamps it to the text.
 
 use super::{Code, Diagnostic, Diagnostics};
 use crate::units::OutputUnits;
 
-/// A range of bytes of the source, `start` included, `end` not.
+/// A range of bytes of the source, which includes `start` and excludes `end`.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Span {
     /// Offset of the first byte.
@@ -13,7 +13,7 @@ pub struct Span {
 }
 
 impl Span {
-    /// The bytes from `start` up to, but not including, `end`. Offsets beyond 4 GiB become the largest offset.
+    /// Creates the span from `start` to `end`, exclusive. Offsets beyond 4 GiB become the largest offset.
     pub fn new(start: usize, end: usize) -> Self {
         let offset = |value| u32::try_from(value).unwrap_or(u32::MAX);
         Self {
@@ -22,12 +22,12 @@ impl Span {
         }
     }
 
-    /// The place between two bytes.
+    /// Creates an empty span before the byte at `at`.
     pub fn empty(at: usize) -> Self {
         Self::new(at, at)
     }
 
-    /// The smallest span that covers both.
+    /// Returns the smallest span that covers both.
     pub fn to(self, other: Span) -> Self {
         Self {
             start: self.start.min(other.start),
@@ -35,48 +35,48 @@ impl Span {
         }
     }
 
-    /// The same span as a range, as slices want it.
+    /// Converts the span into a range for slices.
     pub fn range(self) -> std::ops::Range<usize> {
         self.start as usize..(self.end as usize).max(self.start as usize)
     }
 }
 
-/// A line and a column, both counted from 1; the column counts characters.
+/// A line and a column, counted from 1; columns count characters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Position {
-    /// Number of the line, from 1.
+    /// Line number, counted from 1.
     pub line: usize,
-    /// Number of the character in its line, from 1.
+    /// Number of the character in its line, counted from 1.
     pub column: usize,
 }
 
-/// A file that a description names, as far as it could be read.
+/// A file that a description names.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Attachment {
-    /// The path as the description writes it.
+    /// Path as the description writes it.
     pub path: String,
-    /// What it holds, or why that is not known.
+    /// Contents, or the reason why they could not be read.
     pub bytes: Result<Vec<u8>, String>,
 }
 
-/// The text of a description and the name it is reported under.
+/// Text of a description with its name in reports.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Source {
-    /// The name as the user gave it; printed, never opened.
+    /// Name as given by the user; printed, never opened.
     pub name: String,
-    /// The whole text.
+    /// Whole text.
     pub text: String,
-    /// The files that the text names.
+    /// Files that the text names.
     pub attachments: Vec<Attachment>,
-    /// Units in which values are reported, whatever the text says of them; `None` if the text decides.
+    /// Units of reported values, which override the text; `None` if the text decides.
     pub units: Option<OutputUnits>,
 }
 
 impl Source {
-    /// The largest text that is read, in bytes: a mechanism of ten thousand bodies is far smaller.
+    /// Maximum size of a text, in bytes: a mechanism of ten thousand bodies is far smaller.
     pub const LARGEST: usize = 4 << 20;
 
-    /// A source from text.
+    /// Creates a source from text.
     pub fn new(name: impl Into<String>, text: impl Into<String>) -> Self {
         Self {
             name: name.into(),
@@ -86,13 +86,13 @@ impl Source {
         }
     }
 
-    /// Returns the source, reported in these units.
+    /// Returns the source with these units for reported values.
     pub fn reported_in(mut self, units: Option<OutputUnits>) -> Source {
         self.units = units;
         self
     }
 
-    /// The same with the bytes of a file that the text names, or with the reason why there are none.
+    /// Returns the source with the bytes of a file that the text names, or the reason why they are missing.
     pub fn with_attachment(
         mut self,
         path: impl Into<String>,
@@ -107,18 +107,18 @@ impl Source {
         self
     }
 
-    /// A source from the bytes of a file.
+    /// Creates a source from the bytes of a file.
     ///
     /// # Errors
-    /// [`Code::UnreadableFile`] when the bytes are not UTF-8; the source that comes with it has the unreadable bytes replaced,
-    /// so that the finding can be printed.
+    /// Returns [`Code::UnreadableFile`] if the bytes are not UTF-8. The source beside the finding has the invalid bytes
+    /// replaced, so that the finding can be printed.
     pub fn from_bytes(
         name: impl Into<String>,
         bytes: &[u8],
     ) -> Result<Source, Box<(Source, Diagnostics)>> {
         let error = match std::str::from_utf8(bytes) {
             Ok(text) => return Ok(Source::new(name, text)),
-            // It was read no further than is needed to know that it is too large, which is what will be reported.
+            // The file was read only until its size exceeded the limit, which is reported later.
             Err(error) if error.error_len().is_none() && bytes.len() > Source::LARGEST => {
                 return Ok(Source::new(name, String::from_utf8_lossy(bytes)));
             }
@@ -131,7 +131,7 @@ impl Source {
             .take(width)
             .map(|byte| format!("0x{byte:02x}"))
             .collect();
-        // The text before the first bad byte is unchanged by the replacement, so the offset is good in both.
+        // Replacement leaves the text before the first invalid byte unchanged, so the offset is valid in both.
         let source = Source::new(name, String::from_utf8_lossy(bytes));
         let replaced = Span::new(start, start + char::REPLACEMENT_CHARACTER.len_utf8());
         let diagnostic =
@@ -142,18 +142,18 @@ impl Source {
                     values.join(" ")
                 ))
                 .help("save the file as UTF-8");
-        let mut found = Diagnostics::new();
-        found.push(diagnostic);
-        Err(Box::new((source, found)))
+        let mut findings = Diagnostics::new();
+        findings.push(diagnostic);
+        Err(Box::new((source, findings)))
     }
 
-    /// The line and column of a byte offset; an offset beyond the end is the end.
+    /// Returns the line and column of a byte offset; an offset beyond the end is clamped.
     pub fn position(&self, offset: u32) -> Position {
         Lines::of(self).position(offset as usize)
     }
 }
 
-/// The lines of a source, found once and asked often.
+/// Line starts of a source, computed once for many queries.
 pub(super) struct Lines<'a> {
     source: &'a Source,
     starts: Vec<usize>,
@@ -176,13 +176,13 @@ impl<'a> Lines<'a> {
         &self.source.name
     }
 
-    /// The text of a line, counted from 1, without its line break.
+    /// Returns the text of a line, counted from 1, without its line break.
     pub(super) fn text(&self, line: usize) -> &'a str {
         let range = self.range(line);
         &self.source.text[range]
     }
 
-    /// The bytes of a line, counted from 1, without its line break. Lines beyond the last are the last.
+    /// Returns the bytes of a line, counted from 1, without its line break. Lines beyond the last are clamped.
     fn range(&self, line: usize) -> std::ops::Range<usize> {
         let index = line.clamp(1, self.starts.len()) - 1;
         let start = self.starts[index];
@@ -194,7 +194,8 @@ impl<'a> Lines<'a> {
         start..start + text.strip_suffix('\r').unwrap_or(text).len()
     }
 
-    /// The line and column of an offset. Inside a character or a line break it is the start of it; beyond the text, the end.
+    /// Returns the line and column of an offset. An offset within a character or a line break moves to its start, one beyond
+    /// the text to the end.
     pub(super) fn position(&self, offset: usize) -> Position {
         let mut offset = offset.min(self.source.text.len());
         while !self.source.text.is_char_boundary(offset) {

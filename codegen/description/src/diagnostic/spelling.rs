@@ -1,33 +1,35 @@
-//! *Findings about what a text was written out to* → *findings about the text*: names as they are written there, and what holds for
-//! everything that is written out once.
+//! Converts findings on expanded text into findings on the source: restores spellings, and merges findings that repetition
+//! multiplied.
 
 use std::collections::BTreeMap;
 
 use super::{Diagnostic, Diagnostics};
 
 impl Diagnostics {
-    /// The findings with names spelled as they are written: `rod[3]` for `rod3`, by what they are called. Of those that have one code
-    /// and one place, the one with the lowest index says that there are more.
+    /// Returns the findings with the source spellings of names, by resolved name: `rod[3]` for `rod3`. Of findings with equal
+    /// code and location, the one with the lowest index is kept and notes that there are more.
     pub fn respelled(self, spellings: &BTreeMap<String, String>) -> Diagnostics {
         if spellings.is_empty() {
             return self;
         }
         let mut kept: Vec<(Diagnostic, usize)> = Vec::new();
-        for found in self.iter() {
-            let found = respelled(found.clone(), spellings);
+        for finding in self.iter() {
+            let respelled_finding = respelled(finding.clone(), spellings);
             let same = kept.iter_mut().find(|(it, _)| {
-                (it.code, it.primary.span) == (found.code, found.primary.span)
-                    && it.severity == found.severity
+                (it.code, it.primary.span)
+                    == (respelled_finding.code, respelled_finding.primary.span)
+                    && it.severity == respelled_finding.severity
             });
             match same {
                 Some((first, others)) => {
-                    *others += usize::from(*first != found);
-                    if (found.message.len(), &found.message) < (first.message.len(), &first.message)
+                    *others += usize::from(*first != respelled_finding);
+                    if (respelled_finding.message.len(), &respelled_finding.message)
+                        < (first.message.len(), &first.message)
                     {
-                        *first = found;
+                        *first = respelled_finding;
                     }
                 }
-                None => kept.push((found, 0)),
+                None => kept.push((respelled_finding, 0)),
             }
         }
         let mut all = Diagnostics::new();
@@ -58,7 +60,7 @@ fn respelled(mut found: Diagnostic, spellings: &BTreeMap<String, String>) -> Dia
     found
 }
 
-/// The text with the names between backticks as they are written.
+/// Returns the text with source spellings of the names in backticks.
 fn with_spellings(text: &str, spellings: &BTreeMap<String, String>) -> String {
     let mut written = String::with_capacity(text.len());
     for (number, piece) in text.split('`').enumerate() {
@@ -132,24 +134,24 @@ mod tests {
     }
 
     #[test]
-    fn what_holds_for_every_repetition_is_said_once() {
-        let mut found = Diagnostics::new();
+    fn reports_repeated_findings_once() {
+        let mut findings = Diagnostics::new();
         for k in 1..=3 {
             let message = format!("no body is named `rod{k}`");
-            found.push(Diagnostic::error(
+            findings.push(Diagnostic::error(
                 Code::UnknownName,
                 Span::new(4, 8),
                 message,
             ));
         }
-        found.push(Diagnostic::error(Code::WrongForm, Span::new(4, 8), "other"));
-        let said = found.respelled(&spellings()).into_sorted();
-        assert_eq!(said.len(), 2);
-        assert_eq!(said[0].message, "no body is named `rod1`");
+        findings.push(Diagnostic::error(Code::WrongForm, Span::new(4, 8), "other"));
+        let sorted = findings.respelled(&spellings()).into_sorted();
+        assert_eq!(sorted.len(), 2);
+        assert_eq!(sorted[0].message, "no body is named `rod1`");
         assert_eq!(
-            said[0].notes,
+            sorted[0].notes,
             ["the same holds where it is written out 2 more times"]
         );
-        assert!(said[1].notes.is_empty());
+        assert!(sorted[1].notes.is_empty());
     }
 }

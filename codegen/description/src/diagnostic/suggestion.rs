@@ -1,28 +1,28 @@
-//! *A misspelt word and the words that exist → the one that was probably meant.*
+//! Suggests the existing word nearest to a misspelt one.
 
 use std::cell::Cell;
 
-/// Among so many words the meant one is looked for, one misspelt word after the other; then no more: whoever misspells every name of
-/// a long list is told the first ones.
-const MOST: usize = 1_000_000;
+/// Maximum number of words compared over all suggestions of a text. In a long list of misspelt names, only the first get
+/// suggestions.
+const MAX_COMPARISONS: usize = 1_000_000;
 
-/// One slip in so many letters is forgiven, and always one.
+/// Number of letters per permitted slip; one slip is always permitted.
 const LETTERS_PER_SLIP: usize = 3;
 
-/// Suggestions from long lists, as many as take little time.
+/// Source of suggestions from long lists, within a bounded amount of work.
 #[derive(Debug, Clone, Default)]
 pub struct Suggestions {
     compared: Cell<usize>,
 }
 
 impl Suggestions {
-    /// The [`nearest`] candidate, unless too many have been compared already.
+    /// Returns the [`nearest`] candidate; `None` as well if the limit of comparisons is reached.
     pub fn nearest<'a>(
         &self,
         word: &str,
         candidates: impl IntoIterator<Item = &'a str>,
     ) -> Option<&'a str> {
-        if self.compared.get() >= MOST {
+        if self.compared.get() >= MAX_COMPARISONS {
             return None;
         }
         let counted = candidates
@@ -32,22 +32,22 @@ impl Suggestions {
     }
 }
 
-/// The candidate nearest to `word`, if one is near enough to be a slip: at most a third of the letters differ.
+/// Returns the candidate nearest to `word`, if at most a third of the letters differ.
 ///
-/// The distance counts insertions, deletions, replacements and exchanges of neighbors (optimal string alignment), without
-/// regard to case. Among equally near candidates the first one given wins.
+/// The distance counts insertions, deletions, replacements and exchanges of neighbors (optimal string alignment), ignoring
+/// case. Among equally near candidates, the first wins.
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let wanted: Vec<char> = word.chars().flat_map(char::to_lowercase).collect();
-    let limit = (wanted.len() / LETTERS_PER_SLIP).max(1);
+    let letters_of_word: Vec<char> = word.chars().flat_map(char::to_lowercase).collect();
+    let limit = (letters_of_word.len() / LETTERS_PER_SLIP).max(1);
     let mut best: Option<(usize, &str)> = None;
     for candidate in candidates {
         let letters: Vec<char> = candidate.chars().flat_map(char::to_lowercase).collect();
-        // A difference in length alone already costs that much, which spares the table for most candidates.
-        if letters.len().abs_diff(wanted.len()) > limit {
+        // The difference in length bounds the distance from below, which avoids the table for most candidates.
+        if letters.len().abs_diff(letters_of_word.len()) > limit {
             continue;
         }
-        let distance = distance(&wanted, &letters);
-        let replaces_everything = distance >= wanted.len().max(letters.len());
+        let distance = distance(&letters_of_word, &letters);
+        let replaces_everything = distance >= letters_of_word.len().max(letters.len());
         if distance <= limit
             && !replaces_everything
             && best.is_none_or(|(least, _)| distance < least)

@@ -1,42 +1,42 @@
-//! How much a graph may hold: *every new node, and every term that is touched* → *whether there is room for more*.
+//! Bounds the size and the work of a graph.
 //!
-//! What is past a bound becomes the number NaN, as what is undefined does, so that whatever is built on it ends soon; and the
-//! graph says which bound it was. Work is counted in terms and factors, not in seconds, so that the same description ends at the
-//! same place on every machine. This file does not know which statement caused the work.
+//! An expression past a bound becomes the number NaN, like an undefined one, so that any further construction on it is cheap.
+//! The graph reports which bound was passed. Work is counted in terms and factors instead of seconds, so a description stops at
+//! the same node on every machine. The caller attributes the work to a statement.
 
 use super::graph::Graph;
 use super::node::ExprId;
 
-/// The deepest expression: what walks an expression by recursion has room for as many levels on every thread.
+/// Maximum depth of an expression: recursive walks need stack for as many levels on every thread.
 pub const DEEPEST: u32 = 512;
 
-/// The most terms, factors and symbols that a graph stores, of some 100 bytes each.
+/// Maximum number of stored terms, factors and symbols, of some 100 bytes each.
 pub const LARGEST_STORE: usize = 3_000_000;
 
-/// The most terms of one sum, or factors of one product: no text of 1 MB writes more.
-const LARGEST_NODE: usize = 200_000;
+/// Maximum number of terms of one sum, or factors of one product: no text of 1 MB contains more.
+const MAX_NODE_PARTS: usize = 200_000;
 
-/// The most terms and factors that are touched to build them, some 50 ns each.
-const LARGEST_WORK: usize = 50_000_000;
+/// Maximum number of terms and factors touched to build expressions, some 50 ns each.
+const MAX_WORK: usize = 50_000_000;
 
-/// What a graph has no room for.
+/// Bound that a graph has passed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Excess {
-    /// An expression nested deeper than [`DEEPEST`].
+    /// Depth: an expression nested deeper than [`DEEPEST`].
     Depth,
-    /// More terms and factors than are stored, or touched to build them.
+    /// Size: too many terms and factors stored, or touched to build expressions.
     Size,
 }
 
-/// What has been used of it.
+/// Consumption of a graph.
 #[derive(Clone, Debug)]
 pub(super) struct Ledger {
     stored: usize,
     touched: usize,
-    /// The bounds; smaller in tests.
+    /// Bounds; smaller in tests.
     largest_store: usize,
     largest_work: usize,
-    /// The first bound that was passed.
+    /// First bound that was passed; `None` if none was.
     excess: Option<Excess>,
     depths: Vec<u32>,
 }
@@ -47,37 +47,37 @@ impl Ledger {
             stored: 0,
             touched: 0,
             largest_store: LARGEST_STORE,
-            largest_work: LARGEST_WORK,
+            largest_work: MAX_WORK,
             excess: None,
             depths: Vec::new(),
         }
     }
 
-    /// Counts what is stored whatever there is room for: a symbol, or a leaf.
+    /// Counts a symbol or a leaf, which is stored unconditionally.
     pub(super) fn store(&mut self, parts: usize) {
         self.stored += parts;
     }
 
-    /// Counts terms and factors that are looked at.
+    /// Counts touched terms and factors.
     pub(super) fn touch(&mut self, parts: usize) {
         self.touched = self.touched.saturating_add(parts);
     }
 
-    /// Whether a node of this depth with so many operands may be stored.
+    /// True if a node of this depth with so many operands may be stored.
     pub(super) fn admits(&mut self, parts: usize, depth: u32) -> bool {
-        let is_large = parts > LARGEST_NODE || self.stored + parts > self.largest_store;
-        let found = if depth > DEEPEST {
+        let is_large = parts > MAX_NODE_PARTS || self.stored + parts > self.largest_store;
+        let excess = if depth > DEEPEST {
             Some(Excess::Depth)
         } else if is_large || self.touched > self.largest_work {
             Some(Excess::Size)
         } else {
             None
         };
-        if found.is_none() {
+        if excess.is_none() {
             self.stored += parts;
         }
-        self.excess = self.excess.or(found);
-        found.is_none()
+        self.excess = self.excess.or(excess);
+        excess.is_none()
     }
 
     /// Records the depth of the next node.
@@ -91,29 +91,29 @@ impl Ledger {
 }
 
 impl Graph {
-    /// The bound that was passed first, if one was: some expression is NaN for that reason alone.
+    /// Returns the first bound that was passed, which may be the cause of a NaN; `None` if none was.
     pub fn excess(&self) -> Option<Excess> {
         let ledger = &self.ledger;
         let too_much = ledger.touched > ledger.largest_work || ledger.stored > ledger.largest_store;
         self.ledger.excess.or(too_much.then_some(Excess::Size))
     }
 
-    /// Counts work that is done beside the graph, in terms and factors that would take as long.
+    /// Counts work outside the graph, in terms and factors of equal duration.
     pub fn spend(&mut self, parts: usize) {
         self.ledger.touch(parts);
     }
 
-    /// How many levels of operands are below the expression.
+    /// Returns the number of levels of operands below the expression.
     pub fn depth(&self, expr: ExprId) -> u32 {
         self.ledger.depth(expr)
     }
 
-    /// How many terms and factors have been touched to build what there is: the work so far.
+    /// Returns the number of terms and factors touched so far.
     pub fn work(&self) -> usize {
         self.ledger.touched
     }
 
-    /// How many terms, factors and symbols are stored.
+    /// Returns the number of stored terms, factors and symbols.
     pub fn store(&self) -> usize {
         self.ledger.stored
     }

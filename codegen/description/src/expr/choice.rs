@@ -1,30 +1,30 @@
-//! Choices between two expressions: *a condition and two arms* → *the canonical expression*.
+//! Constructs choices between two expressions, in canonical form.
 //!
-//! A choice is its first arm where the condition is negative and its second arm elsewhere. Its derivative is the choice
-//! between the derivatives of the arms: exact wherever the arms join; a jump between them is not differentiated, so whoever
-//! builds a choice answers for the join. An argument brought into one period needs the number of whole periods, whose
-//! derivative is zero for the same reason.
+//! A choice is its first arm if the condition is negative, and its second arm otherwise. The derivative is the choice between
+//! the derivatives of the arms, which is exact if the arms join. A jump between arms is not differentiated, so the caller must
+//! ensure continuity. The reduction of an argument to one period uses the number of whole periods, whose derivative is zero for
+//! the same reason.
 
 use super::graph::Graph;
 use super::node::{ExprId, Node, Term};
 use super::number::Number;
 
-/// The largest floor that becomes a whole number: larger numbers are whole anyway, and too large to be counted exactly.
-const LARGEST_COUNTED: f64 = 1e15;
+/// Bound on floors that become whole numbers: larger numbers are whole anyway, and too large to be exact.
+const MAX_COUNTED_FLOOR: f64 = 1e15;
 
-/// A condition as a person writes it: `left < right`, or `left > right`, without negative variable terms.
+/// A condition in handwritten form: `left < right` or `left > right`, without negative variable terms.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Comparison {
-    /// The terms on the left; never empty.
+    /// Terms on the left; never empty.
     pub left: Vec<Term>,
-    /// Whether the sign is `<`, and not `>`.
+    /// True if the sign is `<`, false if it is `>`.
     pub is_less: bool,
-    /// The terms on the right; empty for 0.
+    /// Terms on the right; empty for 0.
     pub right: Vec<Term>,
 }
 
 impl Graph {
-    /// `below` where `condition` is negative, `otherwise` elsewhere.
+    /// Returns `below` if `condition` is negative, and `otherwise` if not.
     pub fn choose(&mut self, condition: ExprId, below: ExprId, otherwise: ExprId) -> ExprId {
         if self.any_non_finite(&[condition, below, otherwise]) {
             return self.not_a_number();
@@ -35,7 +35,7 @@ impl Graph {
         {
             return if value < 0.0 { below } else { otherwise };
         }
-        // An arm that asks the same question has its answer already.
+        // An arm that tests the same condition is already decided.
         let below = match *self.node(below) {
             Node::Choose {
                 condition: same,
@@ -62,7 +62,7 @@ impl Graph {
         })
     }
 
-    /// |x|, as a choice between −x and x.
+    /// Returns |x|, as a choice between −x and x.
     pub fn magnitude(&mut self, x: ExprId) -> ExprId {
         if self.magnitude_of(x).is_some() {
             return x;
@@ -71,7 +71,7 @@ impl Graph {
         match self.is_constant(x) {
             true if self.constant_value(x).is_some_and(|value| value < 0.0) => negated,
             true => x,
-            // −x has the same magnitude, and one of them is written.
+            // −x has the same magnitude, and only one of them is used.
             false => {
                 let x = x.min(negated);
                 let negated = self.negate(x);
@@ -80,7 +80,7 @@ impl Graph {
         }
     }
 
-    /// What an expression is the magnitude of, if it is one.
+    /// Returns the x of an expression |x|; `None` for other expressions.
     pub fn magnitude_of(&self, expr: ExprId) -> Option<ExprId> {
         match *self.node(expr) {
             Node::Choose {
@@ -92,7 +92,7 @@ impl Graph {
         }
     }
 
-    /// Whether two expressions differ in the sign of every term alone.
+    /// True if two expressions differ only in the signs of all terms.
     fn is_negation(&self, one: ExprId, other: ExprId) -> bool {
         let (mut of_one, mut of_other) = (Vec::new(), Vec::new());
         self.gather(Number::ONE, one, &mut of_one);
@@ -100,7 +100,7 @@ impl Graph {
         of_one == of_other
     }
 
-    /// The largest whole number that is not greater than the argument.
+    /// Returns the greatest whole number that does not exceed the argument.
     pub fn floor(&mut self, argument: ExprId) -> ExprId {
         if !self.is_finite(argument) {
             return self.not_a_number();
@@ -109,7 +109,7 @@ impl Graph {
             && let Some(value) = self.constant_value(argument)
         {
             let floor = value.floor();
-            return if floor.abs() < LARGEST_COUNTED {
+            return if floor.abs() < MAX_COUNTED_FLOOR {
                 self.integer(floor as i64)
             } else {
                 self.number(Number::float(floor))
@@ -118,7 +118,8 @@ impl Graph {
         self.intern(Node::Floor(argument))
     }
 
-    /// What `condition < 0` says, with every variable term on the side where it is positive and constants on the right.
+    /// Returns `condition < 0` as a comparison, with every variable term on the side where it is positive, and constants on the
+    /// right.
     pub fn comparison(&self, condition: ExprId) -> Comparison {
         let terms = match self.node(condition) {
             Node::Sum(terms) => terms.to_vec(),

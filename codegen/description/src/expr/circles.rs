@@ -1,7 +1,7 @@
-//! Polynomials over unit circles: *an expression of cosines and sines that are symbols* → *its normal form, in which no sine is squared*.
+//! Reduces polynomials over unit circles to a normal form, in which no sine is squared.
 //!
-//! With s² = r² − c² a polynomial has one form only, so that what is zero on the circles is seen to be zero. What is no polynomial of
-//! the symbols, or too long, has none.
+//! With s² = r² − c², a polynomial has only one form, so a polynomial that vanishes on the circles becomes zero. Expressions
+//! that are not polynomials of the symbols, or too long, have no normal form.
 
 use std::collections::BTreeMap;
 
@@ -10,34 +10,34 @@ use super::node::{ExprId, Factor, Node, SymbolId};
 use super::number::Number;
 use super::rational::Rational;
 
-/// Longer polynomials are left alone.
-const MOST_TERMS: usize = 512;
+/// Maximum number of terms of a polynomial.
+const MAX_TERMS: usize = 512;
 
-/// What is nested deeper is left alone.
-const DEEPEST: u32 = 64;
+/// Maximum depth of an expression.
+const MAX_DEPTH: u32 = 64;
 
 /// Two symbols that are components of a vector of known length.
 #[derive(Clone, Copy, Debug)]
 pub struct Circle {
-    /// The first component.
+    /// First component.
     pub cosine: SymbolId,
-    /// The second one.
+    /// Second component.
     pub sine: SymbolId,
-    /// The square of the length.
+    /// Square of the length.
     pub square: ExprId,
 }
 
-/// Factors with their powers, each once and ascending.
+/// Distinct factors with their powers, ascending.
 type Powers = Vec<(ExprId, u32)>;
 
-/// What is multiplied, and the radicand of the coefficient.
+/// Powers of a monomial, and the radicand of its coefficient.
 type Monomial = (Powers, u128);
 
-/// Coefficients, none of them zero.
+/// Nonzero coefficients by monomial.
 type Polynomial = BTreeMap<Monomial, Number>;
 
 impl Graph {
-    /// The normal form on these circles; `None` for what is no polynomial, or too long.
+    /// Returns the normal form on these circles; `None` if the expression is not a polynomial, or too long.
     pub fn on_circles(&mut self, expr: ExprId, circles: &[Circle]) -> Option<ExprId> {
         let polynomial = self.polynomial(expr, circles)?;
         self.ledger.touch(polynomial.len());
@@ -54,7 +54,7 @@ impl Graph {
     }
 
     fn polynomial(&mut self, expr: ExprId, circles: &[Circle]) -> Option<Polynomial> {
-        if self.depth(expr) > DEEPEST {
+        if self.depth(expr) > MAX_DEPTH {
             return None;
         }
         match self.node(expr).clone() {
@@ -74,7 +74,7 @@ impl Graph {
         }
     }
 
-    /// Whole powers of sums multiplied out; anything else is a factor of its own.
+    /// Expands integer powers of sums; any other factor is kept.
     fn multiplied_out(&mut self, factors: &[Factor], circles: &[Circle]) -> Option<Polynomial> {
         let mut product = plus(Polynomial::new(), Vec::new(), Number::ONE)?;
         for &Factor { base, exponent } in factors {
@@ -87,7 +87,7 @@ impl Graph {
                     }
                 }
                 None => {
-                    // No circle is in it, or this is no polynomial.
+                    // Any other power that contains a circle's symbol is not a polynomial.
                     let is_round = |it: &Circle| {
                         [it.cosine, it.sine]
                             .iter()
@@ -125,7 +125,7 @@ impl Graph {
         Some(product)
     }
 
-    /// A monomial without squares of sines: s² = r² − c².
+    /// Replaces squares of sines in a monomial by s² = r² − c².
     fn on_circle(&mut self, factors: Powers, circles: &[Circle]) -> Option<Vec<(Powers, Number)>> {
         let squared = circles.iter().find_map(|circle| {
             let sine = self.variable(circle.sine);
@@ -142,21 +142,21 @@ impl Graph {
         rest.retain(|factor| factor.1 > 0);
         let cosine = self.variable(circle.cosine);
         let minus = merged(&rest, &[(cosine, 2)]);
-        let mut found = Vec::new();
+        let mut terms = Vec::new();
         for (factors, coefficient) in self.on_circle(minus, circles)? {
-            found.push((factors, coefficient.neg()));
+            terms.push((factors, coefficient.neg()));
         }
         for ((square, _), coefficient) in self.polynomial(circle.square, &[])? {
             let plus = merged(&rest, &square);
             for (factors, sign) in self.on_circle(plus, circles)? {
-                found.push((factors, coefficient.mul(sign)));
+                terms.push((factors, coefficient.mul(sign)));
             }
         }
-        Some(found)
+        Some(terms)
     }
 }
 
-/// Two products as one.
+/// Returns the product of two monomials.
 fn merged(one: &[(ExprId, u32)], other: &[(ExprId, u32)]) -> Powers {
     let mut all = one.to_vec();
     for &(base, power) in other {
@@ -168,7 +168,7 @@ fn merged(one: &[(ExprId, u32)], other: &[(ExprId, u32)]) -> Powers {
     all
 }
 
-/// A polynomial with one more term; roots of different radicands stay apart.
+/// Adds a term to a polynomial; roots of different radicands are separate.
 fn plus(mut polynomial: Polynomial, factors: Powers, coefficient: Number) -> Option<Polynomial> {
     let radicand = match coefficient {
         Number::Exact { radicand, .. } => radicand,
@@ -184,7 +184,7 @@ fn plus(mut polynomial: Polynomial, factors: Powers, coefficient: Number) -> Opt
     } else {
         polynomial.insert(place, sum);
     }
-    (polynomial.len() <= MOST_TERMS).then_some(polynomial)
+    (polynomial.len() <= MAX_TERMS).then_some(polynomial)
 }
 
 #[cfg(test)]
@@ -215,9 +215,9 @@ mod tests {
         let squares = parts.map(|it| graph.multiply(it, it));
         let length = graph.sum(&squares);
         let [aa, bb] = [graph.multiply(a, a), graph.multiply(b, b)];
-        let wanted = graph.add(aa, bb);
-        assert_eq!(graph.on_circles(length, &circles), Some(wanted));
-        let gap = graph.subtract(length, wanted);
+        let square = graph.add(aa, bb);
+        assert_eq!(graph.on_circles(length, &circles), Some(square));
+        let gap = graph.subtract(length, square);
         assert_eq!(graph.on_circles(gap, &circles), Some(graph.zero()));
     }
 }

@@ -1,7 +1,7 @@
-//! The content of a sum: *its terms* → *the number that can be taken out of all of them*.
+//! Computes the content of a sum: the number that can be factored out of all terms.
 //!
-//! x - y, y - x and 2·x - 2·y have the contents 1, -1 and 2, and one common primitive part, which is what products and
-//! powers are built on.
+//! x - y, y - x and 2·x - 2·y have the contents 1, -1 and 2, and one common primitive part. Products and powers are built on
+//! primitive parts.
 
 use super::graph::Graph;
 use super::node::Term;
@@ -9,10 +9,11 @@ use super::number::Number;
 use super::rational::{Rational, greatest_common_divisor};
 
 impl Graph {
-    /// The content, such that the primitive part has whole coefficients without a common divisor, the leading one positive.
-    /// A common square root belongs to the content. Only the sign is taken out of rational coefficients of different size,
-    /// which keeps the sums of a mechanism as they are written (x + 3/20·cos φ, not 20·x + 3·cos φ), where a float takes
-    /// part, and where the numbers get too large.
+    /// Returns the content. The primitive part has whole coefficients without a common divisor, the leading one positive. A
+    /// common square root belongs to the content.
+    ///
+    /// Only the sign is factored out of rational coefficients of different magnitude, which keeps sums of a mechanism as
+    /// written: x + 3/20·cos φ, not 20·x + 3·cos φ. This also applies to sums with floats, and if the numbers become too large.
     pub(super) fn content(&self, terms: &[Term]) -> Number {
         let first = terms.first().map(|term| term.coefficient.absolute());
         let equal = terms
@@ -27,8 +28,8 @@ impl Graph {
         }
     }
 
-    /// Whether the leading term is negative. A rational multiple of π does not lead unless it is alone: so a phase shift
-    /// does not decide the sign of an angle.
+    /// True if the leading term is negative. A rational multiple of π leads only if it is the only term, so that a phase shift
+    /// does not determine the sign of an angle.
     pub(super) fn is_negative_lead(&self, terms: &[Term]) -> bool {
         let lead = terms
             .iter()
@@ -37,7 +38,7 @@ impl Graph {
         lead.is_some_and(|term| term.coefficient.is_negative())
     }
 
-    /// The r of a term r·π with a rational r.
+    /// Returns the r of a term r·π with a rational r; `None` for other terms.
     pub(super) fn as_phase(&self, term: &Term) -> Option<Rational> {
         match term.coefficient {
             Number::Exact {
@@ -49,7 +50,7 @@ impl Graph {
     }
 }
 
-/// The largest positive number of which all coefficients are whole multiples, `None` where it is not exact.
+/// Returns the greatest positive number of which all coefficients are whole multiples; `None` if it is not exact.
 pub(super) fn common_divisor(terms: &[Term]) -> Option<Number> {
     let (mut above, mut below) = (0, 1u128);
     let mut shared_radicand = None;

@@ -1,14 +1,15 @@
-//! Differentiation: *an expression and a symbol* → *the partial derivative*.
+//! Differentiates expressions partially with respect to symbols.
 //!
-//! Memoized per node and symbol, so that shared parts are differentiated once; parts without the symbol are not visited. What is
-//! nested deeply is differentiated from the inside out. Rules: d(f^n) = n·f^(n-1)·df, and d atan2(y, x) = (x·dy - y·dx)/(x² + y²). A
-//! choice is differentiated arm by arm.
+//! Derivatives are memoized per node and symbol, so shared parts are differentiated once; parts without the symbol are not
+//! visited. Deeply nested expressions are differentiated from the inside out. Rules: d(f^n) = n·f^(n-1)·df, and d atan2(y, x) =
+//! (x·dy - y·dx)/(x² + y²). A choice is differentiated arm by arm.
 //!
-//! The derivative of b·S^r, b'·S^r + r·b·S^(r-1)·S', is a difference that cancels where a term of S grows as b^(-1/r) does and the rest of
-//! S is constant: x/√(x² + c) → 1/√(x² + c) - x²/(x² + c)^(3/2). With S = k·b^(-1/r) + c it is b'·c·S^(r-1), which is taken instead.
+//! The derivative of b·S^r is b'·S^r + r·b·S^(r-1)·S'. Its terms cancel if one term of S is proportional to b^(-1/r) and the
+//! rest of S is constant: x/√(x² + c) has the derivative 1/√(x² + c) - x²/(x² + c)^(3/2). With S = k·b^(-1/r) + c the
+//! derivative equals b'·c·S^(r-1), which is used instead.
 //!
-//! The product rule on n factors makes n products of n factors, and the next derivative n² of them. So a long product is taken for
-//! one of two halves, whose derivatives are sums of their own: n log n factors, and for the next derivative n log² n.
+//! The product rule turns n factors into n products of n factors, and the next derivative into n² products. A long product is
+//! therefore split into halves, whose derivatives are separate sums: n log n factors, and n log² n for the next derivative.
 
 use super::graph::Graph;
 use super::hashing::BuildExprHasher;
@@ -18,27 +19,27 @@ use super::product::Monomial;
 use super::rational::Rational;
 use std::collections::{HashMap, HashSet};
 
-/// From so many levels on the operands are differentiated before what is made of them.
-const DEEP: u32 = 32;
+/// Depth from which operands are differentiated first.
+const OPERANDS_FIRST_DEPTH: u32 = 32;
 
-/// From so many terms on a sum has an index of its symbols, unless each term mentions more of them than this.
-const LONG: usize = 64;
-const MOST_OCCURRENCES: usize = 16;
+/// Number of terms from which a sum has an index of its symbols, unless each term contains more symbols than this.
+const INDEXED_TERM_COUNT: usize = 64;
+const MAX_OCCURRENCES: usize = 16;
 
-/// The places of the terms of a sum in which each symbol occurs; only looked up.
+/// Indices of the terms of a sum by symbol; never iterated.
 pub(super) type TermIndex = HashMap<SymbolId, Vec<u32>, BuildExprHasher>;
 
-/// A product of more factors that depend on the symbol is halved.
-const LONGEST_FLAT: usize = 8;
+/// Maximum number of dependent factors of a product that is not halved.
+const MAX_FLAT_FACTORS: usize = 8;
 
-/// Places of the root S^r among the factors of a product, and of k·b^(-1/r) among the terms of S.
+/// Indices of the root S^r among the factors of a product, and of k·b^(-1/r) among the terms of S.
 struct Level {
     root: usize,
     varying: usize,
 }
 
 impl Graph {
-    /// The partial derivative of the expression with respect to the symbol. That of a non-finite number is NaN.
+    /// Returns the partial derivative of the expression with respect to the symbol; NaN for a non-finite number.
     pub fn derivative(&mut self, expr: ExprId, symbol: SymbolId) -> ExprId {
         if !self.is_finite(expr) {
             return self.not_a_number();
@@ -49,7 +50,7 @@ impl Graph {
         if let Some(&known) = self.derivatives.get(&(expr, symbol)) {
             return known;
         }
-        if self.depth(expr) > DEEP {
+        if self.depth(expr) > OPERANDS_FIRST_DEPTH {
             for operand in self.open_below(expr, symbol) {
                 self.differentiate(operand, symbol);
             }
@@ -57,7 +58,7 @@ impl Graph {
         self.differentiate(expr, symbol)
     }
 
-    /// What is below an expression, depends on the symbol and has not been differentiated: operands first.
+    /// Returns the subexpressions that depend on the symbol and are not yet differentiated, operands first.
     fn open_below(&self, expr: ExprId, symbol: SymbolId) -> Vec<ExprId> {
         let mut seen: HashSet<ExprId, BuildExprHasher> = HashSet::default();
         let mut stack = self.operands(expr);
@@ -73,14 +74,14 @@ impl Graph {
         open
     }
 
-    /// The derivative of an expression that depends on the symbol, by that of its operands.
+    /// Differentiates an expression that depends on the symbol, given the derivatives of its operands.
     fn differentiate(&mut self, expr: ExprId, symbol: SymbolId) -> ExprId {
         let result = match self.node(expr) {
             Node::Number(_) | Node::Pi => self.zero(),
             Node::Symbol(_) => self.one(),
             Node::Sum(terms) => {
                 let dependent = match terms.len() {
-                    0..LONG => self.dependent_terms(terms, symbol),
+                    0..INDEXED_TERM_COUNT => self.dependent_terms(terms, symbol),
                     _ => self.indexed_terms(expr, symbol),
                 };
                 self.sum_derivative(&dependent, symbol)
@@ -145,21 +146,22 @@ impl Graph {
         dependent.copied().collect()
     }
 
-    /// The same for a long sum, which is mostly differentiated by one symbol after the other: where each occurs is found once.
+    /// Returns the terms of a long sum that contain the symbol. Such a sum is mostly differentiated by many symbols, so their
+    /// occurrences are indexed once.
     fn indexed_terms(&mut self, expr: ExprId, symbol: SymbolId) -> Vec<Term> {
         let Node::Sum(terms) = self.node(expr) else {
             return Vec::new();
         };
-        let found = |index: &TermIndex| {
+        let indexed = |index: &TermIndex| {
             let places = index.get(&symbol).into_iter().flatten();
             places.map(|&place| terms[place as usize]).collect()
         };
         if let Some(index) = self.term_indices.get(&expr) {
-            return found(index);
+            return indexed(index);
         }
         let occurrences: usize = terms.iter().map(|it| self.symbols(it.expr).len()).sum();
-        if occurrences > MOST_OCCURRENCES * terms.len() {
-            // Looking whether a term depends on the symbol takes little of what adding it would.
+        if occurrences > MAX_OCCURRENCES * terms.len() {
+            // Testing whether a term depends on the symbol costs a fraction of adding the term.
             let looked_at = 1 + terms.len() / 8;
             let dependent = self.dependent_terms(terms, symbol);
             self.ledger.touch(looked_at);
@@ -171,7 +173,7 @@ impl Graph {
                 index.entry(symbol).or_default().push(place);
             }
         }
-        let dependent = found(&index);
+        let dependent = indexed(&index);
         self.ledger.store(occurrences / 8);
         self.term_indices.insert(expr, index);
         dependent
@@ -195,7 +197,7 @@ impl Graph {
             .iter()
             .copied()
             .partition(|factor| self.depends_on(factor.base, symbol));
-        if dependent.len() > LONGEST_FLAT {
+        if dependent.len() > MAX_FLAT_FACTORS {
             return self.halved_derivative(&dependent, &constant, symbol);
         }
         if let Some(level) = self.level(&dependent, symbol) {
@@ -226,7 +228,7 @@ impl Graph {
         self.sum(&parts)
     }
 
-    /// The root S^r among factors b·S^r of which S = k·b^(-1/r) + c with constants k and c; `None` if there is none.
+    /// Returns the root S^r among factors b·S^r with S = k·b^(-1/r) + c and constants k and c; `None` if there is none.
     fn level(&self, dependent: &[Factor], symbol: SymbolId) -> Option<Level> {
         if dependent.len() < 2 {
             return None;
@@ -253,7 +255,7 @@ impl Graph {
                     Some(Factor { base, exponent })
                 })
                 .collect();
-            let found: Vec<Factor> = match self.node(terms[varying].expr) {
+            let varying_factors: Vec<Factor> = match self.node(terms[varying].expr) {
                 Node::Product(factors) => {
                     let factors = factors.iter().copied();
                     factors
@@ -265,11 +267,11 @@ impl Graph {
                     exponent: Rational::ONE,
                 }],
             };
-            (found == expected?).then_some(Level { root, varying })
+            (varying_factors == expected?).then_some(Level { root, varying })
         })
     }
 
-    /// b'·c·S^(r-1), times the constant factors.
+    /// Returns b'·c·S^(r-1), times the constant factors.
     fn level_derivative(
         &mut self,
         dependent: &[Factor],
@@ -303,7 +305,7 @@ impl Graph {
         self.finish(monomial)
     }
 
-    /// c·(a·b)' = c·b·a' + c·a·b' with the halves a and b of the dependent factors.
+    /// Returns c·(a·b)' = c·b·a' + c·a·b' with the halves a and b of the dependent factors.
     fn halved_derivative(
         &mut self,
         dependent: &[Factor],

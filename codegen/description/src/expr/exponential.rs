@@ -1,14 +1,14 @@
-//! Exponential function, logarithm and powers with any exponent: *operands* → *the canonical expression*.
+//! Constructs exponential functions, logarithms and general powers, in canonical form.
 //!
-//! `ln(exp u)` is u; `exp(ln u)` is u only where u is a positive number, because elsewhere u may be negative and the left
-//! side undefined. A power whose exponent is not a rational number is exp(exponent·ln(base)).
+//! `ln(exp u)` is u. `exp(ln u)` is u only if u is a positive number; otherwise u may be negative and the left side undefined.
+//! A power whose exponent is not a rational number is exp(exponent·ln(base)).
 
 use super::graph::Graph;
 use super::node::{ExprId, Node};
 use super::number::Number;
 
 impl Graph {
-    /// The exponential function.
+    /// Returns the exponential function.
     pub fn exp(&mut self, exponent: ExprId) -> ExprId {
         if !self.is_finite(exponent) {
             return self.not_a_number();
@@ -22,7 +22,7 @@ impl Graph {
         self.intern(Node::Exp(exponent))
     }
 
-    /// The natural logarithm; non-finite for a number that is not positive.
+    /// Returns the natural logarithm; non-finite for a number that is not positive.
     pub fn ln(&mut self, argument: ExprId) -> ExprId {
         match *self.node(argument) {
             Node::Exp(exponent) => exponent,
@@ -33,7 +33,7 @@ impl Graph {
         }
     }
 
-    /// `base ^ exponent` for any exponent: [`Graph::power`] for a rational number, otherwise exp(exponent·ln(base)).
+    /// Returns `base ^ exponent` for any exponent: [`Graph::power`] for a rational number, otherwise exp(exponent·ln(base)).
     pub fn raise(&mut self, base: ExprId, exponent: ExprId) -> ExprId {
         if self.any_non_finite(&[base, exponent]) {
             return self.not_a_number();
@@ -50,7 +50,7 @@ impl Graph {
         self.exp(product)
     }
 
-    /// The n^c of an exponent c·ln(n) with a positive number n and a rational c, where it is exact.
+    /// Returns n^c for an exponent c·ln(n) with a positive number n and a rational c; `None` if it is not exact.
     fn power_of_number(&self, exponent: ExprId) -> Option<Number> {
         let (coefficient, logarithm) = match self.node(exponent) {
             Node::Sum(terms) if terms.len() == 1 => (terms[0].coefficient, terms[0].expr),

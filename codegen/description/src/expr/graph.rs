@@ -1,8 +1,8 @@
-//! The arena: *a canonical node* → *its id, the same whenever it is asked for again*.
+//! Stores canonical nodes in an arena, in which equal nodes have equal ids.
 //!
-//! Operands have smaller ids than what is built from them. A node other than a number never has a non-finite number
-//! beneath it, nor constants that make one: the constructors answer with the number NaN instead. This file knows how nodes are
-//! stored, not how they are simplified.
+//! Operands have smaller ids than the expressions built from them. A node other than a number contains neither a non-finite
+//! number nor constants with a non-finite result: the constructors return the number NaN instead. Simplification is done
+//! elsewhere.
 
 use super::bounds::Ledger;
 use super::derivative::TermIndex;
@@ -22,29 +22,29 @@ const ZERO: ExprId = ExprId(0);
 const ONE: ExprId = ExprId(1);
 const PI: ExprId = ExprId(2);
 
-/// A growing set of hash-consed expressions. Ids of one graph mean nothing in another.
+/// A growing set of hash-consed expressions. Ids are valid only in their own graph.
 #[derive(Clone, Debug)]
 pub struct Graph {
     nodes: Vec<Node>,
     hashes: Vec<u64>,
-    /// Open addressing by hash, at most half full; a power of two long.
+    /// Hash table with open addressing, at most half full; its length is a power of two.
     slots: Vec<u32>,
     pub(super) symbol_sets: SymbolSets,
-    /// By node.
+    /// Values by node.
     pub(super) worths: Vec<Worth>,
     pub(super) ledger: Ledger,
     pub(super) derivatives: HashMap<(ExprId, SymbolId), ExprId, BuildExprHasher>,
-    /// Of long sums that have been differentiated.
+    /// Indices of long sums that have been differentiated.
     pub(super) term_indices: HashMap<ExprId, TermIndex, BuildExprHasher>,
-    /// Shorter forms of constants that were asked for.
+    /// Shorter forms of constants, as requested so far.
     pub(super) tidied: HashMap<ExprId, ExprId, BuildExprHasher>,
     symbol_names: Vec<String>,
     symbols_by_name: HashMap<String, SymbolId>,
-    /// By symbol, as far as any has one.
+    /// Nominal values by symbol, up to the last symbol with one.
     pub(super) nominal_values: Vec<Option<f64>>,
-    /// Each once.
+    /// Splines without duplicates.
     pub(super) splines: Vec<Arc<Spline>>,
-    /// Their places; only looked up.
+    /// Indices of splines by name; never iterated.
     pub(super) splines_by_name: HashMap<String, Vec<usize>>,
 }
 
@@ -55,7 +55,7 @@ impl Default for Graph {
 }
 
 impl Graph {
-    /// A graph that holds the numbers 0 and 1 and π.
+    /// Creates a graph that contains the numbers 0, 1 and π.
     pub fn new() -> Graph {
         let mut graph = Graph {
             nodes: Vec::new(),
@@ -83,31 +83,31 @@ impl Graph {
         graph
     }
 
-    /// What an expression is made of, in the order of its node.
+    /// Returns the operands of an expression, in the order of its node.
     pub fn operands(&self, id: ExprId) -> Vec<ExprId> {
         let mut operands = Vec::new();
         self.node(id).each_operand(|operand| operands.push(operand));
         operands
     }
 
-    /// One more than the deepest operand; 0 for what has none.
+    /// Returns one more than the depth of the deepest operand; 0 without operands.
     fn depth_of(&self, node: &Node) -> u32 {
         let mut depth = 0;
         node.each_operand(|operand| depth = depth.max(self.depth(operand) + 1));
         depth
     }
 
-    /// What an expression is at its top.
+    /// Returns the top node of an expression.
     pub fn node(&self, id: ExprId) -> &Node {
         &self.nodes[id.index()]
     }
 
-    /// How many nodes there are.
+    /// Returns the number of nodes.
     pub fn node_count(&self) -> usize {
         self.nodes.len()
     }
 
-    /// The symbol of this name; it is made when asked for the first time.
+    /// Returns the symbol of this name, and creates it on the first call.
     pub fn symbol(&mut self, name: &str) -> SymbolId {
         if let Some(&symbol) = self.symbols_by_name.get(name) {
             return symbol;
@@ -123,25 +123,25 @@ impl Graph {
         symbol
     }
 
-    /// The symbol of this name, if it has been made.
+    /// Returns the symbol of this name; `None` if it does not exist.
     pub fn find_symbol(&self, name: &str) -> Option<SymbolId> {
         self.symbols_by_name.get(name).copied()
     }
 
-    /// The name of a symbol.
+    /// Returns the name of a symbol.
     pub fn symbol_name(&self, symbol: SymbolId) -> &str {
         &self.symbol_names[symbol.index()]
     }
 
-    /// How many symbols there are.
+    /// Returns the number of symbols.
     pub fn symbol_count(&self) -> usize {
         self.symbol_names.len()
     }
 
-    /// The expression that is this symbol.
+    /// Returns the expression of a symbol.
     ///
     /// # Panics
-    /// Where the symbol belongs to another graph and has no name in this one.
+    /// Panics if the symbol belongs to another graph and has no name in this one.
     pub fn variable(&mut self, symbol: SymbolId) -> ExprId {
         assert!(
             symbol.index() < self.symbol_count(),
@@ -150,7 +150,7 @@ impl Graph {
         self.intern(Node::Symbol(symbol))
     }
 
-    /// A number.
+    /// Returns a number.
     pub fn number(&mut self, value: Number) -> ExprId {
         let value = match value {
             Number::Float(float) => Number::float(float),
@@ -159,12 +159,12 @@ impl Graph {
         self.intern(Node::Number(value))
     }
 
-    /// A whole number.
+    /// Returns a whole number.
     pub fn integer(&mut self, value: i64) -> ExprId {
         self.number(Number::integer(value))
     }
 
-    /// A fraction; with a zero denominator the number NaN.
+    /// Returns a fraction, or the number NaN for a zero denominator.
     pub fn rational(&mut self, numerator: i64, denominator: i64) -> ExprId {
         match Rational::new(i128::from(numerator), i128::from(denominator)) {
             Some(rational) => self.number(Number::rational(rational)),
@@ -172,30 +172,30 @@ impl Graph {
         }
     }
 
-    /// The number 0.
+    /// Returns the number 0.
     pub fn zero(&self) -> ExprId {
         ZERO
     }
 
-    /// The number 1.
+    /// Returns the number 1.
     pub fn one(&self) -> ExprId {
         ONE
     }
 
-    /// The number π.
+    /// Returns the number π.
     pub fn pi(&self) -> ExprId {
         PI
     }
 
-    /// Whether no non-finite number occurs in the expression. A division by a constant zero, a root of a negative number,
-    /// an angle of the zero vector and constants whose product is too large make one, and so does what is past a bound of the
-    /// graph.
+    /// True if the expression contains no non-finite number. Such numbers come from a division by a constant zero, a root of a
+    /// negative number, or an angle of the zero vector. Other causes are constants whose product is too large, and a passed
+    /// bound of the graph.
     pub fn is_finite(&self, expr: ExprId) -> bool {
-        // By the invariant of this file only the top need be looked at.
+        // The invariant of this module makes the top node sufficient.
         !matches!(self.node(expr), Node::Number(value) if !value.is_finite())
     }
 
-    /// The number an expression is, if it is one.
+    /// Returns the number of a number node; `None` for other nodes.
     pub(super) fn as_number(&self, expr: ExprId) -> Option<Number> {
         match self.node(expr) {
             Node::Number(value) => Some(*value),
@@ -203,24 +203,24 @@ impl Graph {
         }
     }
 
-    /// What stands for an undefined value.
+    /// Returns the expression for undefined values.
     pub(super) fn not_a_number(&mut self) -> ExprId {
         self.number(Number::Float(f64::NAN))
     }
 
-    /// Whether one of these is non-finite, so that whatever is built from them is.
+    /// True if one of the operands is non-finite, which makes the result non-finite.
     pub(super) fn any_non_finite(&self, operands: &[ExprId]) -> bool {
         operands.iter().any(|&operand| !self.is_finite(operand))
     }
 
-    /// The id of a canonical node, if it exists.
+    /// Returns the id of a canonical node; `None` if it does not exist.
     pub fn find(&self, node: &Node) -> Option<ExprId> {
-        let found = self.slots[self.slot(hash(node), node)];
-        (found != VACANT).then_some(ExprId(found))
+        let slot_content = self.slots[self.slot(hash(node), node)];
+        (slot_content != VACANT).then_some(ExprId(slot_content))
     }
 
-    /// The id of a canonical node, made if it does not exist. The number NaN where a constant in it is infinite or undefined, or
-    /// where there is no room for it.
+    /// Returns the id of a canonical node, and stores the node if it is new. Returns the number NaN if a constant in the node
+    /// is infinite or undefined, or if a bound is passed.
     pub(super) fn intern(&mut self, node: Node) -> ExprId {
         let hash = hash(&node);
         let slot = self.slot(hash, &node);
@@ -255,7 +255,7 @@ impl Graph {
         ExprId(id)
     }
 
-    /// Where the node is, or the vacant slot where it belongs.
+    /// Returns the slot of the node, or the vacant slot for it.
     fn slot(&self, hash: u64, node: &Node) -> usize {
         let mask = self.slots.len() - 1;
         let mut slot = hash as usize & mask;

@@ -1,25 +1,25 @@
-//! A fast hash: *the fields of a node, or an id* → *64 bits*.
+//! Hashes the fields of a node, or an id, to 64 bits.
 //!
-//! The same on every run and machine. It is used for look-up only; no order ever depends on it. The standard library's
-//! hash resists crafted collisions, which a description's author has no use for, at several times the cost. The step is
+//! The hash is equal on every run and machine. It is used for look-up only; no order depends on it. The standard library's hash
+//! resists crafted collisions, which authors of descriptions have no reason to produce, at several times the cost. The step is
 //! that of the Firefox hash (rotate, exclusive or, multiply).
 
 use std::collections::{HashMap, HashSet};
 use std::hash::{BuildHasherDefault, Hasher};
 
-/// The state.
+/// State of the hash.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ExprHasher {
     state: u64,
 }
 
-/// What a map with this hash is built with.
+/// Builder of maps with this hash.
 pub type BuildExprHasher = BuildHasherDefault<ExprHasher>;
 
-/// A map by the ids of a graph; only looked up.
+/// Map by ids of a graph; never iterated.
 pub type IdMap<K, V> = HashMap<K, V, BuildExprHasher>;
 
-/// A set of ids of a graph.
+/// Set of ids of a graph.
 pub type IdSet<K> = HashSet<K, BuildExprHasher>;
 
 impl ExprHasher {
@@ -30,7 +30,7 @@ impl ExprHasher {
 
 impl Hasher for ExprHasher {
     fn finish(&self) -> u64 {
-        // A table looks at the low bits, which a multiplication mixes least.
+        // A table uses the low bits, which a multiplication mixes least.
         let folded = (self.state ^ (self.state >> 32)).wrapping_mul(0x9e37_79b9_7f4a_7c15);
         folded ^ (folded >> 29)
     }

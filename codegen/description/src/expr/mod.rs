@@ -1,17 +1,15 @@
-//! Hash-consed expressions: smart constructors, derivative, substitution and evaluation.
+//! Defines hash-consed expressions: constructors, derivatives, substitution and evaluation.
 //!
-//! *Takes* constructor calls on a [`Graph`] → *gives* ids of canonical nodes, and a [`Tape`] that evaluates them.
+//! Constructor calls on a [`Graph`] return ids of canonical nodes, and a [`Tape`] evaluates them. Symbols are names without
+//! meaning.
 //!
-//! What holds afterwards: within one graph equal expressions, as far as the rules of `sum`, `product`, `power` and
-//! `trigonometry` see it, have equal ids whatever the order in which they were built; an id never changes its meaning; ids
-//! depend on the sequence of calls only. Rationals and square roots of rationals stay exact; what no longer fits becomes
-//! [`Number::Float`], and what is undefined becomes a non-finite number that [`Graph::is_finite`] reports. Nothing is
-//! dropped silently.
+//! Within one graph, expressions that are equal by the rules of `sum`, `product`, `power` and `trigonometry` have equal ids, in
+//! whatever order they were built. An id never changes its meaning. Ids depend only on the sequence of calls. Rationals and
+//! square roots of rationals stay exact. A value without an exact representation becomes [`Number::Float`], and an undefined
+//! one a non-finite number that [`Graph::is_finite`] reports. Nothing is dropped silently.
 //!
-//! What this room does not know: mechanisms, units, bodies, printing. Symbols are names without meaning.
-//!
-//! Real arithmetic is meant throughout. A simplification may widen the domain (`x·x⁻¹ = 1`, `√x·√x = x`), but never
-//! changes a value where the original has one.
+//! All arithmetic is real. A simplification may widen the domain (`x·x⁻¹ = 1`, `√x·√x = x`), but never changes a value where
+//! the original has one.
 
 mod assembler;
 mod bounds;

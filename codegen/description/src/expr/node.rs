@@ -1,7 +1,6 @@
-//! The node kinds: *an id* → *what it stands for*.
+//! Defines the kinds of nodes.
 //!
-//! The invariants named on each kind are kept by the constructors of [`Graph`](super::Graph), the only code that makes
-//! nodes. This file does not know how they are kept.
+//! The constructors of [`Graph`](super::Graph), the only code that creates nodes, maintain the invariants stated for each kind.
 
 use std::sync::Arc;
 
@@ -9,12 +8,12 @@ use super::number::Number;
 use super::rational::Rational;
 use super::spline::SplineId;
 
-/// An expression of one [`Graph`](super::Graph). Operands always have smaller ids than what is built from them.
+/// An expression of one [`Graph`](super::Graph). Operands always have smaller ids than the expressions built from them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ExprId(pub(super) u32);
 
 impl ExprId {
-    /// The position in creation order, from 0.
+    /// Returns the position in creation order, from 0.
     pub fn index(self) -> usize {
         self.0 as usize
     }
@@ -25,7 +24,7 @@ impl ExprId {
 pub struct SymbolId(pub(super) u32);
 
 impl SymbolId {
-    /// The position in order of declaration, from 0: the index into the values given to
+    /// Returns the position in order of declaration, from 0: the index into the values given to
     /// [`Tape::evaluate`](super::Tape::evaluate).
     pub fn index(self) -> usize {
         self.0 as usize
@@ -35,22 +34,22 @@ impl SymbolId {
 /// One term of a sum: `coefficient · expr`. The constant part has `expr == Graph::one()`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Term {
-    /// The numeric factor, never zero, always finite.
+    /// Numeric factor; never zero, always finite.
     pub coefficient: Number,
-    /// What it multiplies: never a sum, and a number only where it is [`Graph::one`](super::Graph::one).
+    /// Multiplied expression; never a sum, and a number only if it is [`Graph::one`](super::Graph::one).
     pub expr: ExprId,
 }
 
 /// One factor of a product: `base ^ exponent`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Factor {
-    /// What is raised. A product or a sum with a numeric content only under an exponent that is not an integer.
+    /// Base. A product, or a sum with a numeric content, only if the exponent is not an integer.
     pub base: ExprId,
-    /// The exponent, never zero. A base that is negative under a non-integer exponent has no value.
+    /// Exponent; never zero. A negative base with a non-integer exponent has no value.
     pub exponent: Rational,
 }
 
-/// What an expression is at its top. Copies share their terms and factors.
+/// Top of an expression. Copies share their terms and factors.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Node {
     /// A number; the only node that may be non-finite.
@@ -62,8 +61,8 @@ pub enum Node {
     /// At least two terms, or one term whose coefficient is not one. Sorted by expression, then by the radicand of the
     /// coefficient; like terms are merged.
     Sum(Arc<[Term]>),
-    /// Two factors or more, or one whose exponent is not one. Sorted by base, bases distinct, no numeric factor:
-    /// coefficients live in the enclosing sum's term.
+    /// At least two factors, or one whose exponent is not one. Sorted by base, with distinct bases and without numeric factors:
+    /// coefficients are in the terms of the enclosing sum.
     Product(Arc<[Factor]>),
     /// The sine of an angle in radians.
     Sin(ExprId),
@@ -75,30 +74,30 @@ pub enum Node {
     Exp(ExprId),
     /// The natural logarithm.
     Ln(ExprId),
-    /// The largest whole number that is not greater than the operand.
+    /// Greatest whole number that does not exceed the operand.
     Floor(ExprId),
     /// One of two expressions. The condition is not constant, and the arms differ.
     Choose {
-        /// Decides: negative or not.
+        /// Condition: negative or not.
         condition: ExprId,
-        /// The value where the condition is negative.
+        /// Value if the condition is negative.
         below: ExprId,
-        /// The value elsewhere.
+        /// Value otherwise.
         otherwise: ExprId,
     },
-    /// A spline, or one of its derivatives, at an argument that holds a symbol.
+    /// A spline, or one of its derivatives, at an argument that contains a symbol.
     Spline {
-        /// Which one.
+        /// Spline.
         spline: SplineId,
-        /// Which derivative, from 0 to 3.
+        /// Order of the derivative, from 0 to 3.
         order: u8,
-        /// Where.
+        /// Argument.
         argument: ExprId,
     },
 }
 
 impl Node {
-    /// Calls `visit` with everything that it is made of, in its order.
+    /// Calls `visit` with every operand, in order.
     pub(super) fn each_operand(&self, mut visit: impl FnMut(ExprId)) {
         match self {
             Node::Number(_) | Node::Pi | Node::Symbol(_) => {}
@@ -115,7 +114,7 @@ impl Node {
         }
     }
 
-    /// How many terms or factors it holds; 1 for any other node.
+    /// Returns the number of terms or factors; 1 for any other node.
     pub(super) fn size(&self) -> usize {
         match self {
             Node::Sum(terms) => terms.len(),

@@ -1,17 +1,17 @@
-//! Symbols that do not move: *a symbol with a nominal value* → *questions about numbers answered at that value*.
+//! Assigns nominal values to symbols that are constant during a motion.
 //!
-//! A symbol with a nominal value stands for a number that may be chosen later but keeps its value from then on. Expressions of
-//! such symbols alone are *fixed*: they stay symbolic, have no rate, and are evaluated at the nominal values wherever a number
-//! is wanted. This file does not know what the symbols stand for.
+//! A symbol with a nominal value stands for a number that may be chosen later, but then keeps its value. Expressions of such
+//! symbols alone are *fixed*. They remain symbolic, have zero rate, and are evaluated at the nominal values wherever a number
+//! is required.
 
 use super::graph::Graph;
 use super::node::{ExprId, Node, SymbolId};
 
 impl Graph {
-    /// States that a symbol keeps its value, and which one it has where a number is wanted.
+    /// Declares a symbol fixed, with its nominal value.
     ///
     /// # Panics
-    /// Where the symbol belongs to another graph and has no name in this one.
+    /// Panics if the symbol belongs to another graph and has no name in this one.
     pub fn set_nominal(&mut self, symbol: SymbolId, value: f64) {
         assert!(
             symbol.index() < self.symbol_count(),
@@ -26,12 +26,12 @@ impl Graph {
         }
     }
 
-    /// The nominal value of a symbol, if it has one.
+    /// Returns the nominal value of a symbol; `None` if it has none.
     pub fn nominal(&self, symbol: SymbolId) -> Option<f64> {
         self.nominal_values.get(symbol.index()).copied().flatten()
     }
 
-    /// Puts the nominal values into a table of all symbols, and leaves the other entries as they are.
+    /// Writes the nominal values into a table of all symbols, and leaves the other entries unchanged.
     pub fn fill_nominal(&self, symbols: &mut [f64]) {
         for (place, nominal) in symbols.iter_mut().zip(&self.nominal_values) {
             if let Some(nominal) = nominal {
@@ -40,13 +40,13 @@ impl Graph {
         }
     }
 
-    /// Whether every symbol of the expression has a nominal value, so that the expression does not move. Constants are fixed.
+    /// True if every symbol of the expression has a nominal value, as in a constant.
     pub fn is_fixed(&self, expr: ExprId) -> bool {
         self.worth(expr).is_fixed
     }
 
-    /// The value of a fixed expression, at the nominal values of its symbols; it may be non-finite. `None` where another symbol
-    /// occurs.
+    /// Returns the value of a fixed expression at the nominal values of its symbols, which may be non-finite; `None` if another
+    /// symbol occurs.
     pub fn constant_value(&self, expr: ExprId) -> Option<f64> {
         let worth = self.worth(expr);
         worth.is_fixed.then_some(worth.value)

@@ -1,25 +1,24 @@
-//! Coefficients: *exact arithmetic while it fits* → *a rational times a square root, or a float*.
+//! Computes exactly with rationals times square roots, and with floats otherwise.
 //!
-//! A result that an exact number cannot hold becomes the nearest computed float: nothing wraps and nothing panics. This
-//! file does not know expressions.
+//! A result without an exact representation becomes the nearest computed float: no operation wraps or panics.
 
 use super::radical::{exact_root, extract_squares};
 use super::rational::{Decimal, Rational, greatest_common_divisor};
 use linkwright_math::double;
 use std::hash::{Hash, Hasher};
 
-/// A real number: exact as a rational times a square root, or a float where that does not fit.
+/// A real number: a rational times a square root, or a float if that does not fit.
 #[derive(Clone, Copy, Debug)]
 pub enum Number {
-    /// `rational · √radicand`. The radicand is at least 1 and free of squares as far as they are found: squares of primes
-    /// up to 1000, and what then remains if it is a perfect square. Zero has the radicand 1.
+    /// `rational · √radicand`. The radicand is at least 1. Squares of primes up to 1000 are removed, and so is the rest if it
+    /// is a perfect square. Zero has the radicand 1.
     Exact {
-        /// The rational factor; it carries the sign.
+        /// Rational factor, which has the sign.
         rational: Rational,
-        /// The number under the root.
+        /// Radicand of the square root.
         radicand: u128,
     },
-    /// The fallback for what exact arithmetic cannot hold, such as `1e-300`; also infinities and NaN.
+    /// Float for values without an exact representation, such as `1e-300`, and for infinities and NaN.
     Float(f64),
 }
 
@@ -62,12 +61,12 @@ impl Number {
     /// The number 1.
     pub const ONE: Number = Number::integer(1);
 
-    /// A whole number.
+    /// Returns a whole number.
     pub const fn integer(value: i64) -> Number {
         Number::rational(Rational::integer(value))
     }
 
-    /// A rational number.
+    /// Returns a rational number.
     pub const fn rational(rational: Rational) -> Number {
         Number::Exact {
             rational,
@@ -75,7 +74,7 @@ impl Number {
         }
     }
 
-    /// `rational · √radicand`, with the squares taken out of the radicand.
+    /// Returns `rational · √radicand`, with squares removed from the radicand.
     pub fn surd(rational: Rational, radicand: u128) -> Number {
         let (root, rest) = extract_squares(radicand);
         if rational.is_zero() || rest == 0 {
@@ -93,7 +92,7 @@ impl Number {
         }
     }
 
-    /// A float; a zero of either sign becomes the exact zero and every NaN the same NaN.
+    /// Returns a float; a zero of either sign becomes the exact zero, and every NaN the same NaN.
     pub fn float(value: f64) -> Number {
         if value == 0.0 {
             Number::ZERO
@@ -104,8 +103,8 @@ impl Number {
         }
     }
 
-    /// The value of decimal text: exact where a `Rational` holds it, otherwise the nearest float, which is zero below and
-    /// infinite above the range of floats. `None` for text that is not a decimal number.
+    /// Parses decimal text: exact if a `Rational` can represent the value, otherwise the nearest float, zero below and infinite
+    /// above the range of floats. `None` if the text is not a decimal number.
     pub fn parse(text: &str) -> Option<Number> {
         let decimal = Decimal::read(text)?;
         match Rational::parse(text) {
@@ -114,7 +113,7 @@ impl Number {
         }
     }
 
-    /// The sum, where it is a single number: for equal radicands, and wherever a zero or a float takes part.
+    /// Returns the sum; `None` unless the radicands are equal, or one operand is a zero or a float.
     pub fn add(&self, other: Number) -> Option<Number> {
         match (*self, other) {
             (
@@ -149,7 +148,7 @@ impl Number {
         }
     }
 
-    /// The product.
+    /// Returns the product.
     pub fn mul(&self, other: Number) -> Number {
         let exact = match (*self, other) {
             (
@@ -167,12 +166,12 @@ impl Number {
         exact.unwrap_or_else(|| Number::float(self.to_f64() * other.to_f64()))
     }
 
-    /// Whether it is exact and free of square roots.
+    /// True if the number is exact and rational.
     pub fn is_rational(&self) -> bool {
         matches!(self, Number::Exact { radicand: 1, .. })
     }
 
-    /// The negated number.
+    /// Returns the negated number.
     pub fn neg(&self) -> Number {
         match *self {
             Number::Exact { rational, radicand } => Number::Exact {
@@ -183,7 +182,7 @@ impl Number {
         }
     }
 
-    /// The magnitude.
+    /// Returns the magnitude.
     pub fn absolute(&self) -> Number {
         if self.is_negative() {
             self.neg()
@@ -192,7 +191,7 @@ impl Number {
         }
     }
 
-    /// The reciprocal; that of zero is the float infinity.
+    /// Returns the reciprocal; infinity for zero.
     pub fn recip(&self) -> Number {
         let exact = match *self {
             Number::Exact { rational, radicand } => i128::try_from(radicand)
@@ -204,14 +203,14 @@ impl Number {
         exact.unwrap_or_else(|| Number::float(1.0 / self.to_f64()))
     }
 
-    /// The power, exact where the result is a rational times a square root, otherwise a float. A negative number to a power
-    /// that is not an integer gives NaN, zero to a negative power infinity; `x^0` is 1.
+    /// Returns the power: exact if it is a rational times a square root, otherwise a float. A negative number to a non-integer
+    /// power gives NaN, and zero to a negative power infinity; `x^0` is 1.
     pub fn pow(&self, exponent: Rational) -> Number {
         self.exact_pow(exponent)
             .unwrap_or_else(|| Number::float(float_power(self.to_f64(), exponent)))
     }
 
-    /// The power where it is exact.
+    /// Returns the power; `None` if it is not exact.
     pub fn exact_pow(&self, exponent: Rational) -> Option<Number> {
         let Number::Exact { rational, radicand } = *self else {
             return None;
@@ -228,8 +227,8 @@ impl Number {
         if rational.is_negative() {
             return None;
         }
-        // x = r√d = √(r²d), hence x^(p/n) is the p-th power of √((r²d)^(1/n)), exact where that n-th root is rational. For a
-        // rational x and an even n half of the root is already under the square root.
+        // x = r√d = √(r²d), hence x^(p/n) is the p-th power of √((r²d)^(1/n)), which is exact if that n-th root is rational.
+        // For a rational x and an even n, half of the root is already under the square root.
         let order = exponent.denominator();
         let (under, order) = if radicand == 1 && order % 2 == 0 {
             (rational, order / 2)
@@ -242,7 +241,7 @@ impl Number {
         let below = exact_root(under.denominator().unsigned_abs(), order)?;
         let (above_root, above_rest) = extract_squares(above);
         let (below_root, below_rest) = extract_squares(below);
-        // √(a/b) = √(ab)/b; the rests have no common divisor, so that their product is free of squares.
+        // √(a/b) = √(ab)/b; the reduced radicands are coprime, so their product is free of squares.
         let scale = Rational::new(
             i128::try_from(above_root).ok()?,
             i128::try_from(below_root.checked_mul(below_rest)?).ok()?,
@@ -254,7 +253,7 @@ impl Number {
         )
     }
 
-    /// The value as a float: correctly rounded for a rational, within two units in the last place for a square root.
+    /// Returns the value as a float: correctly rounded for a rational, within two units in the last place for a square root.
     pub fn to_f64(&self) -> f64 {
         match *self {
             Number::Exact {
@@ -266,7 +265,7 @@ impl Number {
         }
     }
 
-    /// Whether this is 0.
+    /// True if the number is 0.
     pub fn is_zero(&self) -> bool {
         match *self {
             Number::Exact { rational, .. } => rational.is_zero(),
@@ -274,7 +273,7 @@ impl Number {
         }
     }
 
-    /// Whether this is 1.
+    /// True if the number is 1.
     pub fn is_one(&self) -> bool {
         match *self {
             Number::Exact { rational, radicand } => radicand == 1 && rational == Rational::ONE,
@@ -282,7 +281,7 @@ impl Number {
         }
     }
 
-    /// Whether this is below 0.
+    /// True if the number is less than 0.
     pub fn is_negative(&self) -> bool {
         match *self {
             Number::Exact { rational, .. } => rational.is_negative(),
@@ -290,7 +289,7 @@ impl Number {
         }
     }
 
-    /// Whether this is neither infinite nor NaN.
+    /// True if the number is neither infinite nor NaN.
     pub fn is_finite(&self) -> bool {
         match *self {
             Number::Exact { .. } => true,
@@ -299,7 +298,8 @@ impl Number {
     }
 }
 
-/// The power of a float: by repeated squaring for an integer exponent, otherwise by the library, NaN for a negative base.
+/// Returns the power of a float: by repeated squaring for an integer exponent, otherwise by the library; NaN for a negative
+/// base.
 pub(super) fn float_power(base: f64, exponent: Rational) -> f64 {
     if !exponent.is_integer() {
         return double::powf(base, exponent.to_f64());
@@ -331,8 +331,8 @@ fn multiply_surds(left: (Rational, u128), right: (Rational, u128)) -> Option<Num
             radicand: left.1.max(right.1),
         });
     }
-    // √p·√q = g·√((p/g)(q/g)) with the greatest common divisor g. Neither factor holds a square that would be found, and a
-    // square of both would divide g.
+    // √p·√q = g·√((p/g)(q/g)) with the greatest common divisor g. Neither factor contains a removable square, and a square of
+    // both would divide g.
     let shared = greatest_common_divisor(left.1, right.1);
     let rational = rational.checked_mul(Rational::new(i128::try_from(shared).ok()?, 1)?)?;
     let radicand = (left.1 / shared).checked_mul(right.1 / shared)?;

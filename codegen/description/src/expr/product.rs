@@ -1,12 +1,12 @@
-//! Products and powers: *factors in any order* → *the canonical product with its coefficient*.
+//! Constructs products and powers in canonical form.
 //!
-//! Powers of one base are merged, numbers and the contents of sums are collected in one coefficient, which ends up in the
-//! term of a sum. A product of sums is not multiplied out.
+//! Powers of one base are merged. Numbers and the contents of sums are collected in one coefficient, which becomes that of a
+//! term of a sum. A product of sums is not expanded.
 //!
-//! `(x^a)^b` becomes `x^(ab)` where both agree for every real x at which the left side has a value: for a whole b, and
-//! for any b unless a is a whole even number (`√(x²)` is |x|). `(x·y)^b` is split for a whole b only: x and y may both
-//! be negative. A positive number leaves a root where its own root is exact; where it is not, as 3 in a fourth root, roots of
-//! different multiples of one expression stay apart, and not every equality between them is seen.
+//! `(x^a)^b` becomes `x^(ab)` if both agree for every real x at which the left side has a value: for an integer b, and for any
+//! b unless a is an even integer (`√(x²)` is |x|). `(x·y)^b` is split for an integer b only, as x and y may both be negative. A
+//! positive number is moved out of a root if its own root is exact. Otherwise, as for 3 in a fourth root, roots of different
+//! multiples of one expression remain separate, so some equalities are not recognized.
 
 use super::graph::Graph;
 use super::node::{ExprId, Factor, Node};
@@ -18,7 +18,7 @@ use super::rational::Rational;
 pub(super) struct Monomial {
     pub(super) coefficient: Number,
     pub(super) factors: Vec<Factor>,
-    /// Whether an exponent did not fit.
+    /// True if an exponent did not fit.
     overflow: bool,
 }
 
@@ -41,7 +41,7 @@ impl Monomial {
 }
 
 impl Graph {
-    /// `a · b`.
+    /// Returns `a · b`.
     pub fn multiply(&mut self, a: ExprId, b: ExprId) -> ExprId {
         match (self.as_number(a), self.as_number(b)) {
             (Some(coefficient), _) => self.scale(coefficient, b),
@@ -50,13 +50,13 @@ impl Graph {
         }
     }
 
-    /// `a / b`; NaN for a constant zero b.
+    /// Returns `a / b`; NaN for a constant zero b.
     pub fn divide(&mut self, a: ExprId, b: ExprId) -> ExprId {
         let reciprocal = self.power(b, -Rational::ONE);
         self.multiply(a, reciprocal)
     }
 
-    /// The product of all factors; 1 for none.
+    /// Returns the product of all factors; 1 for none.
     pub fn product(&mut self, factors: &[ExprId]) -> ExprId {
         if let [factor] = factors {
             return *factor;
@@ -71,8 +71,8 @@ impl Graph {
         self.finish(monomial)
     }
 
-    /// `base ^ exponent`. 1 for the exponent 0; a constant zero to a negative power and a negative number to a power that is
-    /// not whole give a non-finite number.
+    /// Returns `base ^ exponent`; 1 for the exponent 0. A constant zero to a negative power and a negative number to a
+    /// non-integer power give a non-finite number.
     pub fn power(&mut self, base: ExprId, exponent: Rational) -> ExprId {
         if exponent == Rational::ONE {
             return base;
@@ -88,12 +88,12 @@ impl Graph {
         self.finish(monomial)
     }
 
-    /// The square root.
+    /// Returns the square root.
     pub fn sqrt(&mut self, radicand: ExprId) -> ExprId {
         self.power(radicand, Rational::HALF)
     }
 
-    /// Multiplies by `base ^ exponent`, taken apart as far as that is valid.
+    /// Multiplies by `base ^ exponent`, split into factors as far as that is valid.
     pub(super) fn push_power(&mut self, monomial: &mut Monomial, base: ExprId, exponent: Rational) {
         if exponent.is_zero() {
             return;
@@ -116,7 +116,7 @@ impl Graph {
         }
     }
 
-    /// Multiplies by the power of a sum, of which `content` can be taken out.
+    /// Multiplies by the power of a sum from which `content` can be factored out.
     fn push_scaled(
         &mut self,
         monomial: &mut Monomial,
@@ -136,7 +136,7 @@ impl Graph {
             };
         }
         let rest = match *self.node(base) {
-            // Divided without rounding, which a float coefficient would not survive.
+            // The term itself, without a division, which would round a float coefficient.
             Node::Sum(ref terms) if terms.len() == 1 && removed == content => terms[0].expr,
             Node::Sum(ref terms) if terms.len() == 1 && removed == content.neg() => {
                 let expr = terms[0].expr;
@@ -146,7 +146,7 @@ impl Graph {
         };
         monomial.scale(removed.pow(exponent));
         match self.node(rest) {
-            // What cannot leave the root stays in it; the content of a primitive sum has been taken out.
+            // The rest stays under the root; the content of a primitive sum has been removed.
             Node::Sum(terms) if terms.len() > 1 => monomial.push(rest, exponent),
             Node::Sum(_) => self.push_root(monomial, rest, exponent),
             _ => self.push_power(monomial, rest, exponent),
@@ -181,8 +181,8 @@ impl Graph {
         }
     }
 
-    /// Multiplies by a power, not a whole one, of a base that comes apart under a whole power. The whole part of the
-    /// exponent is taken apart, so that x·y·√(x·y) and (x·y)^(3/2) are the same.
+    /// Multiplies by a non-integer power of a base that splits under integer powers. The integer part of the exponent is split
+    /// off, so that x·y·√(x·y) and (x·y)^(3/2) are equal.
     fn push_root(&mut self, monomial: &mut Monomial, base: ExprId, exponent: Rational) {
         let whole = exponent.numerator().div_euclid(exponent.denominator());
         let fraction = exponent.numerator().rem_euclid(exponent.denominator());
@@ -198,7 +198,7 @@ impl Graph {
         }
     }
 
-    /// The expression of a product; NaN where it is undefined or an exponent does not fit.
+    /// Returns the expression of a product; NaN if it is undefined or an exponent does not fit.
     pub(super) fn finish(&mut self, mut monomial: Monomial) -> ExprId {
         self.ledger.touch(monomial.factors.len());
         while self.merge_powers(&mut monomial) {}
@@ -210,8 +210,8 @@ impl Graph {
         self.scale(monomial.coefficient, expr)
     }
 
-    /// Sorts by base and adds exponents; answers whether roots were merged, so that what was under them may have come apart
-    /// into factors that must be merged again.
+    /// Sorts by base and adds exponents. Returns true if roots were merged: their radicands may then have split into factors
+    /// that must be merged again.
     fn merge_powers(&mut self, monomial: &mut Monomial) -> bool {
         let mut factors = std::mem::take(&mut monomial.factors);
         factors.sort_unstable_by_key(|factor| factor.base);
@@ -236,11 +236,11 @@ impl Graph {
         merged_roots
     }
 
-    /// Joins whole powers of a primitive sum to a root of its multiple, (x - y)·√(y - x) = -(y - x)^(3/2): then a root and
-    /// its derivatives need one sum, not two.
+    /// Joins integer powers of a primitive sum to a root of its multiple, (x - y)·√(y - x) = -(y - x)^(3/2). A root and its
+    /// derivatives then share one sum.
     ///
-    /// Among several roots of multiples of one primitive sum the whole powers go to that of the sum itself, if there is one,
-    /// otherwise to the first.
+    /// Among several roots of multiples of one primitive sum, the root of the sum itself receives the integer powers. Without
+    /// such a root, the first root does.
     fn join_roots(&mut self, monomial: &mut Monomial) {
         let mut roots = Vec::new();
         for (place, factor) in monomial.factors.iter().enumerate() {
@@ -265,7 +265,7 @@ impl Graph {
         monomial.factors.retain(|factor| !factor.exponent.is_zero());
     }
 
-    /// The expression of canonical factors.
+    /// Returns the expression of canonical factors.
     pub(super) fn monomial(&mut self, factors: Vec<Factor>) -> ExprId {
         match factors[..] {
             [] => self.one(),
@@ -275,15 +275,16 @@ impl Graph {
     }
 }
 
-/// Gives the whole powers of these roots, and those of their primitive sum, to one of them. `None` where an exponent does
-/// not fit.
+/// Moves the integer powers of these roots, and of their primitive sum, to one of them. `None` if an exponent does not fit.
 fn join_same_primitive(monomial: &mut Monomial, roots: &[(ExprId, usize, Number)]) -> Option<()> {
     let (primitive, first, first_content) = roots[0];
-    let own = monomial
+    let own_factor = monomial
         .factors
         .binary_search_by_key(&primitive, |factor| factor.base)
         .ok();
-    let mut total = own.map_or(Rational::ZERO, |own| monomial.factors[own].exponent);
+    let mut total = own_factor.map_or(Rational::ZERO, |own_factor| {
+        monomial.factors[own_factor].exponent
+    });
     for &(_, place, content) in roots {
         let exponent = monomial.factors[place].exponent;
         let whole = Rational::new(exponent.numerator().div_euclid(exponent.denominator()), 1)?;
@@ -297,16 +298,16 @@ fn join_same_primitive(monomial: &mut Monomial, roots: &[(ExprId, usize, Number)
         monomial.scale(first_content.pow(-total));
         total = Rational::ZERO;
     }
-    // A zero marks a factor that is removed later: places must not move yet. Without a factor of its own the primitive sum
-    // has a whole total, which has been given away.
-    if let Some(own) = own {
-        monomial.factors[own].exponent = total;
+    // A zero marks a factor for later removal, so that indices remain valid. Without a factor of its own, the primitive sum has
+    // an integer total, which has been moved.
+    if let Some(own_factor) = own_factor {
+        monomial.factors[own_factor].exponent = total;
     }
     Some(())
 }
 
-/// The largest part of a positive number whose power is exact: all of it, or its rational factor, or nothing. A float has
-/// no exact root and leaves whole.
+/// Returns the greatest part of a positive number whose power is exact: the number, its rational factor, or 1. A float has no
+/// exact root and is split off completely.
 fn positive_root(content: Number, exponent: Rational) -> Number {
     if content.exact_pow(exponent).is_some() || matches!(content, Number::Float(_)) {
         return content;

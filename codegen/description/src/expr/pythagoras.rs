@@ -1,10 +1,10 @@
-//! sin² + cos² = 1 within a sum: *merged terms* → *equal terms with smaller coefficients*.
+//! Reduces sin² + cos² = 1 within a sum to smaller coefficients.
 //!
-//! For a monomial m and an angle u the three coefficients of m, m·sin²u and m·cos²u are determined only up to a shift
-//! (a + k, b - k, c - k), because m = m·sin²u + m·cos²u. The representative is the one with the least |a| + |b| + |c|; it is
-//! unique, k being the median of -a, b and c. It turns sin² + cos² into 1, 1 - sin² into cos², 1 + tan² into 1/cos², and
-//! leaves 5 + sin² as it is. Where terms belong to two such triples at once, the earlier one in the order of terms is
-//! reduced first; such sums are equal in value but need not have equal ids when built in different steps.
+//! For a monomial m and an angle u, the three coefficients of m, m·sin²u and m·cos²u are determined only up to a shift (a + k,
+//! b - k, c - k), because m = m·sin²u + m·cos²u. The representative has the least |a| + |b| + |c|. It is unique, as k is the
+//! median of -a, b and c. The reduction turns sin² + cos² into 1, 1 - sin² into cos² and 1 + tan² into 1/cos², and leaves 5 +
+//! sin² unchanged. If terms belong to two such triples, the earlier one in the order of terms is reduced first. Such sums have
+//! equal values, but may have different ids if they are built in different steps.
 
 use super::graph::Graph;
 use super::node::{ExprId, Factor, Node, Term};
@@ -12,10 +12,10 @@ use super::number::Number;
 use super::rational::Rational;
 use super::sum::find_term;
 
-/// A longer product takes no part: each of its factors would be looked for among all terms.
-const LONGEST_PRODUCT: usize = 16;
+/// Maximum number of factors of a product that is examined: each factor is looked up among all terms.
+const MAX_FACTORS: usize = 16;
 
-/// A monomial m and the angle u.
+/// A monomial m with an angle u.
 struct Triple {
     monomial: Vec<Factor>,
     angle: ExprId,
@@ -23,10 +23,10 @@ struct Triple {
 }
 
 impl Graph {
-    /// Reduces every triple once; answers whether anything changed, so that the terms must be merged again.
+    /// Reduces every triple once; returns true if a term changed, so that the terms must be merged again.
     ///
-    /// It ends: each change makes the sum of the coefficients' magnitudes smaller, and they are whole multiples of one
-    /// common fraction. Floats, which are not, take no part.
+    /// The reduction terminates: each change decreases the sum of the coefficients' magnitudes, and these are whole multiples
+    /// of a common fraction. Floats lack this property and are excluded.
     pub(super) fn reduce_squares(&mut self, terms: &mut Vec<Term>) -> bool {
         let triples: Vec<Triple> = terms.iter().flat_map(|term| self.triples(term)).collect();
         let mut added = Vec::new();
@@ -38,14 +38,14 @@ impl Graph {
         changed
     }
 
-    /// The triples a term takes part in. A negative power of sine or cosine is the m of 1/cos² = 1 + tan².
+    /// Returns the triples of a term. A negative power of sine or cosine is the m of 1/cos² = 1 + tan².
     fn triples(&self, term: &Term) -> Vec<Triple> {
         let (Number::Exact { radicand, .. }, Node::Product(factors)) =
             (term.coefficient, self.node(term.expr))
         else {
             return Vec::new();
         };
-        if factors.len() > LONGEST_PRODUCT {
+        if factors.len() > MAX_FACTORS {
             return Vec::new();
         }
         let mut triples = Vec::new();
@@ -94,7 +94,7 @@ impl Graph {
         if shift.is_zero() {
             return false;
         }
-        // A zero in place keeps its radicand, so that the terms stay sorted until they are merged.
+        // A zero coefficient keeps its radicand, so that the terms stay sorted until they are merged.
         let coefficient = |rational| Number::Exact {
             rational,
             radicand: triple.radicand,
@@ -124,7 +124,7 @@ impl Graph {
         true
     }
 
-    /// The expression of canonical factors, if it exists.
+    /// Returns the expression of canonical factors; `None` if it does not exist.
     fn find_monomial(&self, factors: &[Factor]) -> Option<ExprId> {
         match factors {
             [] => Some(self.one()),
@@ -134,7 +134,7 @@ impl Graph {
     }
 }
 
-/// The factors times `base ^ exponent`; `None` where the exponent does not fit.
+/// Returns the factors times `base ^ exponent`; `None` if the exponent does not fit.
 fn with_power(factors: &[Factor], base: ExprId, exponent: i64) -> Option<Vec<Factor>> {
     let mut result = factors.to_vec();
     let exponent = Rational::integer(exponent);

@@ -1,7 +1,7 @@
-//! Exact fractions: *two integers, or decimal text* → *the reduced fraction*.
+//! Represents exact fractions of two integers.
 //!
-//! Always reduced, the denominator positive, both within ±(2^127 - 1), so that a change of sign cannot overflow. Arithmetic
-//! that leaves this range answers `None`; what then happens is not decided here.
+//! A fraction is reduced, with a positive denominator. Both parts are within ±(2^127 - 1), so that a change of sign cannot
+//! overflow. Arithmetic outside this range returns `None`.
 
 use std::cmp::Ordering;
 use std::ops::Neg;
@@ -24,7 +24,7 @@ impl Rational {
         denominator: 2,
     };
 
-    /// A whole number.
+    /// Returns a whole number.
     pub const fn integer(value: i64) -> Rational {
         Rational {
             numerator: value as i128,
@@ -32,7 +32,7 @@ impl Rational {
         }
     }
 
-    /// `numerator / denominator`, reduced. `None` for a zero denominator or where the result does not fit.
+    /// Returns `numerator / denominator`, reduced; `None` for a zero denominator or if the result does not fit.
     pub fn new(numerator: i128, denominator: i128) -> Option<Rational> {
         let (above, below) = (numerator.unsigned_abs(), denominator.unsigned_abs());
         if below == 0 {
@@ -46,7 +46,7 @@ impl Rational {
         )
     }
 
-    /// The fraction of two magnitudes without a common divisor.
+    /// Returns the fraction of two coprime magnitudes.
     fn from_parts(negative: bool, above: u128, below: u128) -> Option<Rational> {
         let magnitude = i128::try_from(above).ok()?;
         Some(Rational {
@@ -55,18 +55,18 @@ impl Rational {
         })
     }
 
-    /// The numerator; it carries the sign.
+    /// Returns the numerator, which has the sign.
     pub const fn numerator(self) -> i128 {
         self.numerator
     }
 
-    /// The denominator, always positive.
+    /// Returns the denominator; always positive.
     pub const fn denominator(self) -> i128 {
         self.denominator
     }
 
-    /// The exact value of decimal text such as `12`, `0.05`, `1e-20` or `1_000.5`, with an optional sign. `None` for other
-    /// text and for values that do not fit.
+    /// Parses decimal text such as `12`, `0.05`, `1e-20` or `1_000.5`, with an optional sign, exactly. `None` for other text
+    /// and for values that do not fit.
     pub fn parse(text: &str) -> Option<Rational> {
         let decimal = Decimal::read(text)?;
         let digits = decimal.digits.trim_start_matches('0');
@@ -82,7 +82,7 @@ impl Rational {
         Some(if decimal.negative { -value } else { value })
     }
 
-    /// The sum, or `None` where it does not fit.
+    /// Returns the sum; `None` if it does not fit.
     pub fn checked_add(self, other: Rational) -> Option<Rational> {
         if self.denominator == 1 && other.denominator == 1 {
             return Rational::from_integer(self.numerator.checked_add(other.numerator)?);
@@ -104,17 +104,17 @@ impl Rational {
         )
     }
 
-    /// The difference, or `None` where it does not fit.
+    /// Returns the difference; `None` if it does not fit.
     pub fn checked_sub(self, other: Rational) -> Option<Rational> {
         self.checked_add(-other)
     }
 
-    /// The product, or `None` where it does not fit.
+    /// Returns the product; `None` if it does not fit.
     pub fn checked_mul(self, other: Rational) -> Option<Rational> {
         if self.denominator == 1 && other.denominator == 1 {
             return Rational::from_integer(self.numerator.checked_mul(other.numerator)?);
         }
-        // Cross-reduced first, so that only a result that truly does not fit overflows.
+        // Cross-reduced first, so that only a result that does not fit overflows.
         let (a, b) = (
             self.numerator.unsigned_abs(),
             self.denominator.unsigned_abs(),
@@ -131,12 +131,12 @@ impl Rational {
         )
     }
 
-    /// The quotient, or `None` where it does not fit or the divisor is zero.
+    /// Returns the quotient; `None` if it does not fit or the divisor is zero.
     pub fn checked_div(self, other: Rational) -> Option<Rational> {
         self.checked_mul(other.reciprocal()?)
     }
 
-    /// An integer power, or `None` where it does not fit or zero is raised to a negative power.
+    /// Returns an integer power; `None` if it does not fit, or for zero to a negative power.
     pub fn checked_pow(self, exponent: i128) -> Option<Rational> {
         let mut square = if exponent < 0 {
             self.reciprocal()?
@@ -145,7 +145,7 @@ impl Rational {
         };
         let mut remaining = exponent.unsigned_abs();
         if square.is_zero() || square == Rational::ONE || square == -Rational::ONE {
-            // These are the only bases whose large powers fit; the parity decides them.
+            // Only these bases have large powers that fit; the parity determines them.
             return Some(match (remaining, remaining % 2) {
                 (0, _) => Rational::ONE,
                 (_, 1) => square,
@@ -165,7 +165,7 @@ impl Rational {
         Some(power)
     }
 
-    /// One over this, or `None` for zero.
+    /// Returns the reciprocal; `None` for zero.
     pub fn reciprocal(self) -> Option<Rational> {
         match self.numerator.cmp(&0) {
             Ordering::Equal => None,
@@ -180,24 +180,24 @@ impl Rational {
         }
     }
 
-    /// The magnitude.
+    /// Returns the magnitude.
     pub fn absolute(self) -> Rational {
         if self.is_negative() { -self } else { self }
     }
 
-    /// The nearest `f64`, ties to even.
+    /// Returns the nearest `f64`, ties to even.
     pub fn to_f64(self) -> f64 {
-        const EXACT: u128 = 1 << f64::MANTISSA_DIGITS;
+        const EXACT_LIMIT: u128 = 1 << f64::MANTISSA_DIGITS;
         let (above, below) = (
             self.numerator.unsigned_abs(),
             self.denominator.unsigned_abs(),
         );
-        if above <= EXACT && below <= EXACT {
-            // Both are floats without an error and the division rounds once.
+        if above <= EXACT_LIMIT && below <= EXACT_LIMIT {
+            // Both conversions are exact, and the division rounds once.
             return self.numerator as f64 / self.denominator as f64;
         }
-        // Long division until the quotient has 64 bits, the last of which also stands for all that follow. The cast then
-        // rounds once; the scale is a power of two between 2^-191 and 1, so that the product is exact.
+        // Long division until the quotient has 64 bits, the last of which is sticky for the remainder. The cast then rounds
+        // once. The scale is a power of two between 2^-191 and 1, so the product is exact.
         let (mut quotient, mut remainder) = (above / below, above % below);
         let mut shift = 0u64;
         while quotient < 1 << 63 {
@@ -221,22 +221,22 @@ impl Rational {
         }
     }
 
-    /// Whether this is 0.
+    /// True if the fraction is 0.
     pub const fn is_zero(self) -> bool {
         self.numerator == 0
     }
 
-    /// Whether this is below 0.
+    /// True if the fraction is less than 0.
     pub const fn is_negative(self) -> bool {
         self.numerator < 0
     }
 
-    /// Whether the denominator is 1.
+    /// True if the denominator is 1.
     pub const fn is_integer(self) -> bool {
         self.denominator == 1
     }
 
-    /// A whole number, where it fits.
+    /// Returns a whole number; `None` if it does not fit.
     fn from_integer(value: i128) -> Option<Rational> {
         (value != i128::MIN).then_some(Rational {
             numerator: value,
@@ -257,7 +257,7 @@ impl Neg for Rational {
 }
 
 impl Ord for Rational {
-    /// Compares whole parts, then the reciprocals of what is left: Euclid's algorithm, which cannot overflow.
+    /// Compares whole parts, then the reciprocals of the remainders: Euclid's algorithm, which cannot overflow.
     fn cmp(&self, other: &Rational) -> Ordering {
         let (mut a, mut b) = (self.numerator, self.denominator);
         let (mut c, mut d) = (other.numerator, other.denominator);
@@ -285,7 +285,7 @@ impl PartialOrd for Rational {
     }
 }
 
-/// The greatest common divisor; that of 0 and 0 is 0. The 64-bit loop is several times faster than the 128-bit one.
+/// Returns the greatest common divisor, 0 for 0 and 0. The 64-bit loop is several times faster than the 128-bit one.
 pub(super) fn greatest_common_divisor(a: u128, b: u128) -> u128 {
     let (mut a, mut b) = (a, b);
     while b != 0 {
@@ -300,18 +300,18 @@ pub(super) fn greatest_common_divisor(a: u128, b: u128) -> u128 {
     a
 }
 
-/// The parts of decimal text: `± digits · 10 ^ exponent`.
+/// Parts of decimal text: `± digits · 10 ^ exponent`.
 pub(super) struct Decimal {
     negative: bool,
     digits: String,
-    /// `None` where the written exponent does not fit 64 bits.
+    /// Written exponent; `None` if it does not fit 64 bits.
     exponent: Option<i64>,
-    /// The text without its underscores.
+    /// Text without underscores.
     pub(super) plain: String,
 }
 
 impl Decimal {
-    /// The parts, or `None` where the text is not a decimal number.
+    /// Returns the parts; `None` if the text is not a decimal number.
     pub(super) fn read(text: &str) -> Option<Decimal> {
         let plain: String = text.chars().filter(|&c| c != '_').collect();
         let unsigned = text.strip_prefix(['-', '+']).unwrap_or(text);

@@ -1,8 +1,7 @@
-//! Piecewise cubics: *pieces and an argument* → *the value and its three derivatives, as expressions and as numbers*.
+//! Evaluates piecewise cubics and their derivatives, in numbers and in expressions.
 //!
-//! A spline is data: its pieces are numbers, kept once in the graph however often it is used. As its fourth derivative vanishes,
-//! an expression names a spline and an order from 0 to 3. An argument without symbols is evaluated at once. This file does
-//! not know how the pieces were found, nor that they join.
+//! A spline is stored once per graph, with numbers as coefficients. The fourth derivative vanishes, so an expression names a
+//! spline and an order from 0 to 3. An argument without symbols is evaluated at once. Continuity of the pieces is not checked.
 
 use std::sync::Arc;
 
@@ -15,28 +14,28 @@ use super::number::Number;
 pub struct SplineId(pub(super) u32);
 
 impl SplineId {
-    /// The position in order of declaration, from 0.
+    /// Returns the position in order of declaration, from 0.
     pub fn index(self) -> usize {
         self.0 as usize
     }
 }
 
-/// Cubic pieces side by side.
+/// Consecutive cubic pieces.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spline {
-    /// What a person calls it.
+    /// Name for users.
     pub name: String,
-    /// Where each piece starts, ascending; at least two. The last piece goes on for ever.
+    /// Start of each piece, ascending; at least two. The last piece extends to infinity.
     pub starts: Vec<f64>,
-    /// The coefficients of the powers 0 to 3 of the distance from the start of each piece. Before the first start its tangent
-    /// holds.
+    /// Coefficients of the powers 0 to 3 of the distance from the start of each piece. Before the first start, the tangent
+    /// there applies.
     pub pieces: Vec<[f64; 4]>,
-    /// After how much it is repeated, if it is: from the first start to the last.
+    /// Period, from the first start to the last; `None` if the spline is not periodic.
     pub period: Option<f64>,
 }
 
 impl Spline {
-    /// The value and the first three derivatives.
+    /// Returns the value and the first three derivatives.
     pub fn at(&self, argument: f64) -> [f64; 4] {
         let (Some(&first), Some(&[height, slope, ..])) = (self.starts.first(), self.pieces.first())
         else {
@@ -49,7 +48,7 @@ impl Spline {
         let passed = self.starts.partition_point(|&start| start <= argument);
         let place = match passed.checked_sub(1) {
             Some(place) => place,
-            // Rounding may bring an argument into the period just before its start, where the first piece goes on.
+            // Rounding may move an argument of the period before its start, where the first piece is extended.
             None if self.period.is_some() => 0,
             None => return [height + slope * (argument - first), slope, 0.0, 0.0],
         };
@@ -65,8 +64,8 @@ impl Spline {
 }
 
 impl Spline {
-    /// The largest magnitudes of the first three derivatives over the pieces; the last one, which goes on for ever, counts as far as
-    /// all others together.
+    /// Returns the greatest magnitudes of the first three derivatives over the pieces. The unbounded last piece counts up to
+    /// the total length of all others.
     pub fn largest_derivatives(&self) -> [f64; 3] {
         let reach = match (self.starts.first(), self.starts.last()) {
             (Some(first), Some(last)) => last - first,
@@ -79,7 +78,7 @@ impl Spline {
                 _ => reach,
             };
             let slope = |along: f64| (b + along * (2.0 * c + along * (3.0 * d))).abs();
-            // The slope is largest at an end of the piece, or where the second derivative is zero.
+            // The slope is extremal at an end of the piece, or where the second derivative is zero.
             let turning = (-c / (3.0 * d)).clamp(0.0, length);
             let slopes = [0.0, length, if turning.is_nan() { 0.0 } else { turning }].map(slope);
             let curvatures = [2.0 * c, 2.0 * c + 6.0 * d * length].map(f64::abs);
@@ -92,10 +91,10 @@ impl Spline {
 }
 
 impl Graph {
-    /// The id of a spline, the same for equal ones.
+    /// Returns the id of a spline; equal splines have equal ids.
     ///
     /// # Panics
-    /// Where it has fewer than two pieces, or another number of starts.
+    /// Panics if the spline has fewer than two pieces, or a different number of starts.
     pub fn add_spline(&mut self, spline: Spline) -> SplineId {
         assert!(
             spline.pieces.len() >= 2 && spline.pieces.len() == spline.starts.len(),
@@ -109,22 +108,22 @@ impl Graph {
             self.splines.push(Arc::new(spline));
             self.splines.len() - 1
         });
-        // A description is far shorter than 2^32 statements.
+        // A description contains far fewer than 2^32 statements.
         SplineId(place as u32)
     }
 
-    /// What a spline is made of.
+    /// Returns the data of a spline.
     pub fn spline_of(&self, spline: SplineId) -> &Spline {
         &self.splines[spline.index()]
     }
 
-    /// Every spline with its id, in order of declaration.
+    /// Iterates over all splines with their ids, in order of declaration.
     pub fn splines(&self) -> impl Iterator<Item = (SplineId, &Spline)> {
         let splines = (0u32..).zip(&self.splines);
         splines.map(|(id, spline)| (SplineId(id), &**spline))
     }
 
-    /// The derivative of this order of a spline at an argument.
+    /// Returns the derivative of this order of a spline at an argument.
     pub fn spline(&mut self, spline: SplineId, order: u8, argument: ExprId) -> ExprId {
         if !self.is_finite(argument) {
             return self.not_a_number();
@@ -135,8 +134,8 @@ impl Graph {
         if self.is_constant(argument)
             && let Some(value) = self.constant_value(argument)
         {
-            let found = self.spline_of(spline).at(value)[usize::from(order)];
-            return self.number(Number::float(found));
+            let number = self.spline_of(spline).at(value)[usize::from(order)];
+            return self.number(Number::float(number));
         }
         self.intern(Node::Spline {
             spline,

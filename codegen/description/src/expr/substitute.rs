@@ -1,7 +1,7 @@
-//! Substitution: *an expression and replacements of symbols or parts* → *the expression with all of them put in at once*.
+//! Substitutes expressions for symbols or for subexpressions, all at once.
 //!
-//! The result is built with the same constructors, so it is as canonical as one written directly. Shared parts are rebuilt
-//! once; parts without a replaced symbol are not visited. What is nested deeply is rebuilt from the inside out.
+//! The result is built with the same constructors, so it is canonical. Shared parts are rebuilt once; parts without a replaced
+//! symbol are not visited. Deeply nested expressions are rebuilt from the inside out.
 
 use super::graph::Graph;
 use super::hashing::BuildExprHasher;
@@ -10,21 +10,20 @@ use super::number::Number;
 use super::product::Monomial;
 use std::collections::{HashMap, HashSet};
 
-/// From so many levels on the operands are rebuilt before what is made of them.
-const DEEP: u32 = 32;
+/// Depth from which operands are rebuilt first.
+const OPERANDS_FIRST_DEPTH: u32 = 32;
 
-/// What replaces what, and what is known already.
+/// Replacements with the results so far.
 struct Substitution {
-    /// Sorted by symbol.
+    /// Replacements sorted by symbol.
     replacements: Vec<(SymbolId, ExprId)>,
     done: HashMap<ExprId, ExprId, BuildExprHasher>,
-    /// Whether `done` holds what replaces parts that are no symbols, so that everything is visited.
+    /// True if `done` contains replacements of subexpressions, so that every node must be visited.
     parts: bool,
 }
 
 impl Graph {
-    /// Replaces symbols by expressions, all at once: a replacement is not searched again. Where a symbol is named twice the
-    /// first counts.
+    /// Replaces symbols by expressions, all at once: replacements are not searched. The first replacement of a symbol counts.
     pub fn substitute(&mut self, expr: ExprId, replacements: &[(SymbolId, ExprId)]) -> ExprId {
         let mut replacements = replacements.to_vec();
         replacements.sort_by_key(|&(symbol, _)| symbol);
@@ -37,7 +36,7 @@ impl Graph {
         self.replace(expr, &mut substitution)
     }
 
-    /// Replaces parts by expressions wherever they occur, but not the expression itself.
+    /// Replaces subexpressions wherever they occur, except for the expression itself.
     pub fn replace_parts(&mut self, expr: ExprId, replacements: &[(ExprId, ExprId)]) -> ExprId {
         let done = replacements.iter().copied();
         let mut substitution = Substitution {
@@ -55,7 +54,7 @@ impl Graph {
         if let Some(&known) = substitution.done.get(&expr) {
             return known;
         }
-        if self.depth(expr) > DEEP {
+        if self.depth(expr) > OPERANDS_FIRST_DEPTH {
             for operand in self.open_in(expr, substitution) {
                 self.rebuild(operand, substitution);
             }
@@ -63,7 +62,7 @@ impl Graph {
         self.rebuild(expr, substitution)
     }
 
-    /// What is below an expression and has to be rebuilt: operands first.
+    /// Returns the subexpressions to rebuild, operands first.
     fn open_in(&self, expr: ExprId, substitution: &Substitution) -> Vec<ExprId> {
         let mut seen: HashSet<ExprId, BuildExprHasher> = HashSet::default();
         let mut stack = self.operands(expr);
@@ -79,16 +78,16 @@ impl Graph {
         open
     }
 
-    /// An expression of its replaced operands.
+    /// Rebuilds an expression from its replaced operands.
     fn rebuild(&mut self, expr: ExprId, substitution: &mut Substitution) -> ExprId {
         self.ledger.touch(1);
         let result = match self.node(expr) {
             Node::Number(_) | Node::Pi => expr,
             Node::Symbol(symbol) => {
-                let found = substitution
+                let index = substitution
                     .replacements
                     .binary_search_by_key(symbol, |&(symbol, _)| symbol);
-                found.map_or(expr, |place| substitution.replacements[place].1)
+                index.map_or(expr, |index| substitution.replacements[index].1)
             }
             Node::Sum(terms) => {
                 let terms = terms.clone();
@@ -164,7 +163,7 @@ impl Graph {
         result
     }
 
-    /// Whether a replaced symbol occurs: the shorter of the two sorted lists is looked up in the longer one.
+    /// True if a replaced symbol occurs: the elements of the shorter sorted list are looked up in the longer one.
     fn concerns(&self, expr: ExprId, substitution: &Substitution) -> bool {
         let (symbols, replacements) = (self.symbols(expr), &substitution.replacements);
         if symbols.len() < replacements.len() {

@@ -1,31 +1,31 @@
-//! Sums: *addends in any order* → *the canonical sum*.
+//! Constructs sums in canonical form.
 //!
-//! Nested sums are flattened, like terms merged, numeric coefficients distributed, zeros removed, sin² + cos² reduced (see
-//! `pythagoras`). Nothing is multiplied out. The result does not depend on the order of the addends; where floats take part
-//! it may differ by rounding from the same sum built in steps.
+//! Nested sums are flattened, like terms merged, numeric coefficients distributed, zeros removed, and sin² + cos² reduced (see
+//! `pythagoras`). Products are not expanded. The result is independent of the order of the addends. With floats, it may differ
+//! by rounding from the same sum built in steps.
 
 use super::graph::Graph;
 use super::node::{ExprId, Node, Term};
 use super::number::Number;
 
 impl Graph {
-    /// `a + b`.
+    /// Returns `a + b`.
     pub fn add(&mut self, a: ExprId, b: ExprId) -> ExprId {
         self.combine(&[(Number::ONE, a), (Number::ONE, b)])
     }
 
-    /// `a - b`.
+    /// Returns `a - b`.
     pub fn subtract(&mut self, a: ExprId, b: ExprId) -> ExprId {
         self.combine(&[(Number::ONE, a), (Number::integer(-1), b)])
     }
 
-    /// `-a`.
+    /// Returns `-a`.
     pub fn negate(&mut self, a: ExprId) -> ExprId {
         self.scale(Number::integer(-1), a)
     }
 
-    /// The sum of all addends; 0 for none. Adding many at once takes time proportional to their terms, adding them one by
-    /// one to the square.
+    /// Returns the sum of all addends; 0 for none. One call takes time proportional to the number of terms; repeated additions
+    /// take quadratic time.
     pub fn sum(&mut self, addends: &[ExprId]) -> ExprId {
         let parts: Vec<(Number, ExprId)> = addends
             .iter()
@@ -34,7 +34,7 @@ impl Graph {
         self.combine(&parts)
     }
 
-    /// `coefficient · expr`, distributed over a sum.
+    /// Returns `coefficient · expr`, distributed over a sum.
     pub fn scale(&mut self, coefficient: Number, expr: ExprId) -> ExprId {
         if let Some(value) = self.as_number(expr) {
             return self.number(coefficient.mul(value));
@@ -45,7 +45,7 @@ impl Graph {
         if let (Number::Exact { radicand: 1, .. }, Node::Sum(terms), false) =
             (coefficient, self.node(expr), coefficient.is_zero())
         {
-            // A rational factor keeps radicands, and so the order and the number of terms, unless one leaves exactness.
+            // A rational factor keeps radicands, and thus the order and number of terms, unless one becomes a float.
             let scaled: Vec<Term> = terms
                 .iter()
                 .map(|term| Term {
@@ -63,7 +63,7 @@ impl Graph {
         self.combine(&[(coefficient, expr)])
     }
 
-    /// The sum of `coefficient · expr` over all parts.
+    /// Returns the sum of `coefficient · expr` over all parts.
     pub(super) fn combine(&mut self, parts: &[(Number, ExprId)]) -> ExprId {
         if let [(coefficient, expr)] = parts
             && coefficient.is_one()
@@ -103,7 +103,7 @@ impl Graph {
         }
     }
 
-    /// The expression for terms that are sorted, merged and not zero.
+    /// Returns the expression for terms that are sorted, merged and not zero.
     pub(super) fn canonical_sum(&mut self, terms: Vec<Term>) -> ExprId {
         self.ledger.touch(terms.len());
         match terms[..] {
@@ -115,8 +115,8 @@ impl Graph {
     }
 }
 
-/// What terms are sorted by; a float, which absorbs all others of its expression, comes first, and floats by their bits so
-/// that their sum does not depend on how they were given.
+/// Returns the sort key of a term. A float absorbs all others of its expression, and comes first. Floats are sorted by their
+/// bits, so that their sum is independent of the given order.
 fn sort_key(term: &Term) -> (ExprId, u128, u64) {
     match term.coefficient {
         Number::Exact { radicand, .. } => (term.expr, radicand, 0),
@@ -124,7 +124,7 @@ fn sort_key(term: &Term) -> (ExprId, u128, u64) {
     }
 }
 
-/// Where a term of this expression and radicand is among merged terms.
+/// Returns the index of the term with this expression and radicand among merged terms; `None` if there is none.
 pub(super) fn find_term(terms: &[Term], expr: ExprId, radicand: u128) -> Option<usize> {
     terms
         .binary_search_by(|term| {
@@ -134,7 +134,7 @@ pub(super) fn find_term(terms: &[Term], expr: ExprId, radicand: u128) -> Option<
         .ok()
 }
 
-/// Sorts, merges like terms and removes zeros; answers false where a coefficient is not finite.
+/// Sorts, merges like terms and removes zeros; returns false if a coefficient is not finite.
 fn merge_like_terms(terms: &mut Vec<Term>) -> bool {
     terms.sort_unstable_by_key(sort_key);
     let mut finite = true;
@@ -165,8 +165,7 @@ fn merge_like_terms(terms: &mut Vec<Term>) -> bool {
     finite
 }
 
-/// Adds to the last of the coefficients, or after them where the radicands differ. Floats stay apart until all exact parts
-/// are together.
+/// Adds to the last coefficient, or appends for a different radicand. Floats stay separate until all exact parts are summed.
 fn merge_coefficient(merged: &mut Vec<Number>, coefficient: Number) {
     if let (Some(last @ Number::Exact { .. }), Number::Exact { .. }) =
         (merged.last_mut(), coefficient)

@@ -1,14 +1,13 @@
-//! Which symbols occur: *a new node* → *the sorted set of its symbols*.
+//! Stores the sorted set of symbols of every node.
 //!
-//! Every node has its set from the moment it is made; nodes share a set where one operand's set holds all others. This file
-//! does not know what a node computes.
+//! The set of a node is recorded on its creation. Nodes share a set if the set of one operand contains all others.
 
 use std::sync::Arc;
 
 use super::graph::Graph;
 use super::node::{ExprId, Node, SymbolId};
 
-/// The sets, and which node has which.
+/// Sets of symbols, with the set of each node.
 #[derive(Clone, Debug)]
 pub(super) struct SymbolSets {
     members: Vec<Arc<[SymbolId]>>,
@@ -27,7 +26,7 @@ impl SymbolSets {
         &self.members[self.set_of_node[expr.index()] as usize]
     }
 
-    /// Records the set of the next node, and says how many symbols had to be stored for it.
+    /// Records the set of the next node; returns the number of symbols stored for it.
     pub(super) fn record(&mut self, node: &Node) -> usize {
         let before = self.members.len();
         let set = match node {
@@ -88,17 +87,17 @@ impl SymbolSets {
 }
 
 impl Graph {
-    /// The symbols that occur in the expression, sorted.
+    /// Returns the symbols in the expression, sorted.
     pub fn symbols(&self, expr: ExprId) -> &[SymbolId] {
         self.symbol_sets.of(expr)
     }
 
-    /// Whether the symbol occurs in the expression.
+    /// True if the symbol occurs in the expression.
     pub fn depends_on(&self, expr: ExprId, symbol: SymbolId) -> bool {
         self.symbols(expr).binary_search(&symbol).is_ok()
     }
 
-    /// Whether no symbol occurs in the expression.
+    /// True if no symbol occurs in the expression.
     pub fn is_constant(&self, expr: ExprId) -> bool {
         self.symbols(expr).is_empty()
     }

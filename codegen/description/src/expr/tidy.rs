@@ -1,9 +1,9 @@
-//! Constants of a drawing: *a constant expression* → *the same one in the shortest form that is found*.
+//! Shortens constant expressions.
 //!
-//! The constructors multiply nothing out, so a unit vector that is exactly (1, 0) may come as a page of quotients. Here products of
-//! short sums are multiplied out, terms over one denominator are added up, and a sum that is a multiple of what it is divided by
-//! leaves a number. Directions that are perpendicular or parallel and points that are equal show up as zeros and ones. What comes
-//! out longer than it was stays as it was.
+//! The constructors do not expand products, so a unit vector equal to (1, 0) may be a page of quotients. Here products of short
+//! sums are expanded, and terms over one denominator are added. A sum that is a multiple of its divisor becomes a number.
+//! Perpendicular and parallel directions and equal points thus give zeros and ones. A result that is longer than the original
+//! is discarded.
 
 use super::graph::Graph;
 use super::hashing::BuildExprHasher;
@@ -13,33 +13,33 @@ use super::product::Monomial;
 use super::rational::Rational;
 use std::collections::HashSet;
 
-/// A product of sums is not multiplied out to more terms.
-const LONGEST_PRODUCT: usize = 16;
+/// Maximum number of terms of an expanded product.
+const MAX_PRODUCT_TERMS: usize = 16;
 
-/// The direction of a sum of more angles is left alone.
-const MOST_ANGLES: usize = 4;
+/// Maximum number of angles of a sum whose direction is expanded.
+const MAX_ANGLES: usize = 4;
 
-/// What is nested deeper is left alone.
-const DEEPEST: u32 = 64;
+/// Maximum depth of an expression.
+const MAX_DEPTH: u32 = 64;
 
-/// What holds more expressions is left alone.
-const LARGEST: usize = 128;
+/// Maximum number of subexpressions.
+const MAX_NODE_COUNT: usize = 128;
 
-/// Forms whose values differ by more than this share of their terms are not the same: rounding is far below it.
-const SAME: f64 = 1e-9;
+/// Tolerance between the values of two forms, relative to their terms; rounding is far below it.
+const FORM_TOLERANCE: f64 = 1e-9;
 
 /// A numerator over roots and reciprocals.
 struct Fraction {
     terms: Vec<(Number, ExprId)>,
-    /// What is multiplied by that is no polynomial: powers that are negative or not whole.
+    /// Product of all non-polynomial factors: negative and non-integer powers.
     rest: ExprId,
 }
 
 impl Graph {
-    /// A shorter form of a constant, or the constant itself. Anything else is not touched.
+    /// Returns a shorter form of a constant, or the constant itself. Other expressions are returned unchanged.
     pub fn tidied(&mut self, expr: ExprId) -> ExprId {
         let is_plain = matches!(self.node(expr), Node::Number(_) | Node::Pi);
-        if is_plain || !self.is_constant(expr) || self.depth(expr) > DEEPEST {
+        if is_plain || !self.is_constant(expr) || self.depth(expr) > MAX_DEPTH {
             return expr;
         }
         if let Some(&known) = self.tidied.get(&expr) {
@@ -48,21 +48,21 @@ impl Graph {
         if self.is_large(expr) {
             return expr;
         }
-        let found = self.spread(expr);
-        let is_shorter = self.is_finite(found)
-            && self.written_length(found) < self.written_length(expr)
-            && self.agrees(expr, found);
-        let result = if is_shorter { found } else { expr };
+        let candidate = self.spread(expr);
+        let is_shorter = self.is_finite(candidate)
+            && self.written_length(candidate) < self.written_length(expr)
+            && self.agrees(expr, candidate);
+        let result = if is_shorter { candidate } else { expr };
         self.tidied.insert(expr, result);
         result
     }
 
-    /// Whether a constant holds more than a person would bring into another form.
+    /// True if a constant is too large to be transformed.
     fn is_large(&self, expr: ExprId) -> bool {
         let mut held: HashSet<ExprId, BuildExprHasher> = HashSet::default();
         let mut stack = vec![expr];
         while let Some(expr) = stack.pop() {
-            if held.len() > LARGEST || stack.len() > LARGEST {
+            if held.len() > MAX_NODE_COUNT || stack.len() > MAX_NODE_COUNT {
                 return true;
             }
             if held.insert(expr) {
@@ -72,7 +72,7 @@ impl Graph {
         false
     }
 
-    /// Whether two forms of a constant have one value, up to the rounding of the first.
+    /// True if two forms of a constant have equal values, up to the rounding of the first.
     fn agrees(&self, expr: ExprId, found: ExprId) -> bool {
         let (before, after) = (self.worth(expr).value, self.worth(found).value);
         let size = match self.node(expr) {
@@ -83,10 +83,10 @@ impl Graph {
             Node::Sin(_) | Node::Cos(_) => 1.0,
             _ => before.abs(),
         };
-        (before - after).abs() <= SAME * size
+        (before - after).abs() <= FORM_TOLERANCE * size
     }
 
-    /// The constant with everything in it multiplied out and added up.
+    /// Returns the constant with all products expanded and fractions added.
     fn spread(&mut self, expr: ExprId) -> ExprId {
         match *self.node(expr) {
             Node::Sin(angle) => {
@@ -123,12 +123,12 @@ impl Graph {
         }
     }
 
-    /// The cosine and the sine of a sum of a few angles, by those of the angles.
+    /// Returns cosine and sine of a sum of a few angles, in terms of those of the angles.
     fn direction(&mut self, angle: ExprId) -> Option<[ExprId; 2]> {
         let Node::Sum(terms) = self.node(angle) else {
             return None;
         };
-        let is_short = terms.len() <= MOST_ANGLES
+        let is_short = terms.len() <= MAX_ANGLES
             && terms
                 .iter()
                 .any(|it| matches!(self.node(it.expr), Node::Atan2(..)));
@@ -152,7 +152,7 @@ impl Graph {
         Some(whole)
     }
 
-    /// The addends of an expression as fractions.
+    /// Returns the addends of an expression as fractions.
     fn fractions(&mut self, expr: ExprId) -> Vec<Fraction> {
         match self.node(expr) {
             Node::Sum(terms) => {
@@ -171,7 +171,7 @@ impl Graph {
         }
     }
 
-    /// A product as one fraction, its polynomial part multiplied out.
+    /// Returns a product as one fraction, with its polynomial part expanded.
     fn fraction(&mut self, expr: ExprId) -> Fraction {
         let one = self.one();
         let mut fraction = Fraction {
@@ -186,7 +186,7 @@ impl Graph {
             }],
         };
         for Factor { base, exponent } in factors {
-            // What is in a sum has been multiplied out by itself.
+            // A sum has been expanded by itself.
             let base = match self.node(base) {
                 Node::Sum(_) | Node::Product(_) => self.spread(base),
                 _ => self.tidied(base),
@@ -199,7 +199,7 @@ impl Graph {
         fraction
     }
 
-    /// Multiplies terms by a whole power; answers false, with nothing changed, where it is none or would make too many.
+    /// Multiplies terms by an integer power; returns false, without a change, for other powers and for too many terms.
     fn multiplied(
         &mut self,
         terms: &mut Vec<(Number, ExprId)>,
@@ -213,7 +213,7 @@ impl Graph {
         self.gather(Number::ONE, base, &mut addends);
         let count = u32::try_from(exponent.numerator()).ok();
         let most = count.and_then(|count| addends.len().checked_pow(count));
-        if most.is_none_or(|most| most.saturating_mul(terms.len()) > LONGEST_PRODUCT) {
+        if most.is_none_or(|most| most.saturating_mul(terms.len()) > MAX_PRODUCT_TERMS) {
             return false;
         }
         if addends.len() == 1 {
@@ -235,7 +235,7 @@ impl Graph {
         true
     }
 
-    /// One fraction as an expression, with what numerator and denominator share taken out.
+    /// Returns a fraction as an expression, with common factors of numerator and denominator cancelled.
     fn added_up(&mut self, fraction: Fraction) -> ExprId {
         let mut numerator = self.combine(&fraction.terms);
         let rest = match self.node(fraction.rest) {
@@ -257,7 +257,7 @@ impl Graph {
         self.multiply(numerator, rest)
     }
 
-    /// The k of a sum that is k times another sum.
+    /// Returns the k of a sum that is k times another sum; `None` for other sums.
     fn multiple_of(&mut self, sum: ExprId, of: ExprId) -> Option<Number> {
         let (Node::Sum(terms), Node::Sum(others)) = (self.node(sum), self.node(of)) else {
             return None;

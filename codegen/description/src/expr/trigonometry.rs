@@ -1,9 +1,9 @@
-//! Sine, cosine and their inverses: *an angle or a vector* → *the canonical expression*.
+//! Constructs sine, cosine and their inverses in canonical form.
 //!
-//! Angles are canonical when their leading term is positive and their rational multiple of π is in (-1/4, 1/4]: then
-//! sin(-u) = -sin u, cos(-u) = cos u and shifts by π/2 are all seen. Multiples of π/12 give exact surds. Angles of constant
-//! vectors are exact on the axes and at multiples of 30° and 45°. Tangent, arcsine, arccosine and arctangent are written
-//! with sine, cosine and the angle of a vector: there are no further node kinds.
+//! A canonical angle has a positive leading term, and a rational multiple of π in (-1/4, 1/4]. So sin(-u) = -sin u, cos(-u) =
+//! cos u and shifts by π/2 are all recognized. Multiples of π/12 give exact surds. Angles of constant vectors are exact on the
+//! axes and at multiples of 30° and 45°. Tangent, arcsine, arccosine and arctangent are expressed by sine, cosine and the angle
+//! of a vector, without further kinds of nodes.
 
 use super::content::common_divisor;
 use super::graph::Graph;
@@ -11,18 +11,18 @@ use super::node::{ExprId, Node, Term};
 use super::number::Number;
 use super::rational::Rational;
 
-/// An angle `u`, taken apart as `±(core + quarters·π/2)`.
+/// An angle `u`, decomposed as `±(core + quarters·π/2)`.
 struct Angle {
     negative: bool,
     core: ExprId,
-    /// Whole quarter turns modulo 4.
+    /// Quarter turns modulo 4.
     quarters: i128,
-    /// The core in twelfths of π, where it is a whole number of them; then it is one of 0 to 3.
+    /// Core in twelfths of π, from 0 to 3; `None` if it is not a whole number of them.
     twelfths: Option<i128>,
 }
 
 impl Graph {
-    /// The sine of an angle in radians.
+    /// Returns the sine of an angle in radians.
     pub fn sin(&mut self, angle: ExprId) -> ExprId {
         if !self.is_finite(angle) {
             return self.not_a_number();
@@ -36,7 +36,7 @@ impl Graph {
         }
     }
 
-    /// The cosine of an angle in radians.
+    /// Returns the cosine of an angle in radians.
     pub fn cos(&mut self, angle: ExprId) -> ExprId {
         if !self.is_finite(angle) {
             return self.not_a_number();
@@ -45,31 +45,31 @@ impl Graph {
         self.sine_of(&angle, angle.quarters + 1)
     }
 
-    /// The tangent, as sine over cosine.
+    /// Returns the tangent, as sine over cosine.
     pub fn tan(&mut self, angle: ExprId) -> ExprId {
         let (sine, cosine) = (self.sin(angle), self.cos(angle));
         self.divide(sine, cosine)
     }
 
-    /// The arcsine, as the angle of (√(1 - x²), x).
+    /// Returns the arcsine, as the angle of (√(1 - x²), x).
     pub fn asin(&mut self, x: ExprId) -> ExprId {
         let across = self.cathetus(x);
         self.atan2(x, across)
     }
 
-    /// The arccosine, as the angle of (x, √(1 - x²)).
+    /// Returns the arccosine, as the angle of (x, √(1 - x²)).
     pub fn acos(&mut self, x: ExprId) -> ExprId {
         let across = self.cathetus(x);
         self.atan2(across, x)
     }
 
-    /// The arctangent, as the angle of (1, x).
+    /// Returns the arctangent, as the angle of (1, x).
     pub fn atan(&mut self, x: ExprId) -> ExprId {
         let one = self.one();
         self.atan2(x, one)
     }
 
-    /// The angle of the vector (x, y), in (-π, π]; NaN for the constant zero vector, which has none.
+    /// Returns the angle of the vector (x, y), in (-π, π]; NaN for the constant zero vector.
     pub fn atan2(&mut self, y: ExprId, x: ExprId) -> ExprId {
         if self.any_non_finite(&[y, x]) {
             return self.not_a_number();
@@ -97,7 +97,7 @@ impl Graph {
         self.intern(Node::Atan2(y, x))
     }
 
-    /// √(1 - x²).
+    /// Returns √(1 - x²).
     fn cathetus(&mut self, x: ExprId) -> ExprId {
         let square = self.power(x, Rational::integer(2));
         let one = self.one();
@@ -105,9 +105,9 @@ impl Graph {
         self.sqrt(rest)
     }
 
-    /// The (y, x) of an angle of a vector that is known not to be zero: both parts constant, or one a number, or the length
-    /// a number (as in an arcsine), or both made of parameters, whose defaults give a direction. For others y/√(x² + y²)
-    /// would lose the value at the origin.
+    /// Returns (y, x) of the angle of a vector that is known to be nonzero. The vector qualifies if both components are
+    /// constant, if one is a number, or if the length is a number (as in an arcsine). It also qualifies if both consist of
+    /// parameters whose defaults give a direction. For others, y/√(x² + y²) would lose the value at the origin.
     fn constant_direction(&mut self, angle: ExprId) -> Option<(ExprId, ExprId)> {
         let Node::Atan2(y, x) = *self.node(angle) else {
             return None;
@@ -134,7 +134,7 @@ impl Graph {
         self.tidied(square)
     }
 
-    /// `part / √(x² + y²)`.
+    /// Returns `part / √(x² + y²)`.
     fn over_length(&mut self, part: ExprId, y: ExprId, x: ExprId) -> ExprId {
         let square = self.square_of_length(y, x);
         let reciprocal = self.power(square, -Rational::HALF);
@@ -172,7 +172,7 @@ impl Graph {
         let mut twelfths = None;
         let mut quarters = quarters;
         if terms.len() == 1 {
-            // A multiple of π alone: its remainder is made positive, which turns the whole angle around.
+            // For a multiple of π alone, the remainder is made positive, which negates the angle.
             if rest.is_negative() {
                 core = self.negate(core);
                 negative = !negative;
@@ -192,7 +192,7 @@ impl Graph {
         }
     }
 
-    /// An angle that is not reduced.
+    /// Returns an angle without reduction.
     fn whole(&self, negative: bool, core: ExprId) -> Angle {
         Angle {
             negative,
@@ -202,7 +202,7 @@ impl Graph {
         }
     }
 
-    /// sin(core + quarters·π/2).
+    /// Returns sin(core + quarters·π/2).
     fn sine_of(&mut self, angle: &Angle, quarters: i128) -> ExprId {
         let is_sine = quarters.rem_euclid(2) == 0;
         let value = if let Some(twelfths) = angle.twelfths {
@@ -221,7 +221,7 @@ impl Graph {
         }
     }
 
-    /// sin(k·π/12) for k from 0 to 6.
+    /// Returns sin(k·π/12) for k from 0 to 6.
     fn table(&mut self, twelfths: i128) -> ExprId {
         let surd = |numerator: i64, denominator: i64, radicand: u128| {
             let rational = Rational::new(i128::from(numerator), i128::from(denominator));
@@ -240,10 +240,10 @@ impl Graph {
     }
 }
 
-/// `(phase, quarters, rest)` with phase = quarters/2 + rest, all in units of π; the quarters modulo 4.
+/// Returns `(phase, quarters, rest)` with phase = quarters/2 + rest, in units of π; the quarters are modulo 4.
 ///
-/// Beside a variable only a whole number of quarter turns is taken out, or else of half turns, so that sin(u - π/3) is not
-/// rewritten as a cosine; then the rest is in (-1/2, 1/2]. A phase that is `alone` is reduced to (-1/4, 1/4].
+/// Beside a variable, only a whole number of quarter turns, or else of half turns, is split off. So sin(u - π/3) is not
+/// rewritten as a cosine. The rest is then in (-1/2, 1/2]. A phase that is `alone` is reduced to (-1/4, 1/4].
 fn reduce_phase(phase: Rational, alone: bool) -> Option<(Rational, i128, Rational)> {
     let (quarters, rest) = reduce_by(phase, Rational::HALF)?;
     if alone || rest.is_zero() {
@@ -253,17 +253,18 @@ fn reduce_phase(phase: Rational, alone: bool) -> Option<(Rational, i128, Rationa
     Some((phase, halves.checked_mul(2)?.rem_euclid(4), rest))
 }
 
-/// `(count, rest)` with phase = count·step + rest and the rest in (-step/2, step/2].
+/// Returns `(count, rest)` with phase = count·step + rest and the rest in (-step/2, step/2].
 fn reduce_by(phase: Rational, step: Rational) -> Option<(i128, Rational)> {
     let shifted = phase.checked_div(step)?.checked_sub(Rational::HALF)?;
-    // The ceiling, through the floor of the negated value.
+    // The ceiling is the negated floor of the negated value.
     let count = -(-shifted.numerator()).div_euclid(shifted.denominator());
     let rest =
         phase.checked_sub(step.checked_mul(Rational::integer(i64::try_from(count).ok()?))?)?;
     Some((count, rest))
 }
 
-/// The angle of (x, y) as a fraction of π, numerator and denominator, where it is exact; 0/0 for the zero vector.
+/// Returns the angle of (x, y) as a fraction of π, numerator and denominator; `None` if it is not exact, and 0/0 for the zero
+/// vector.
 fn exact_direction(y: Number, x: Number) -> Option<(i128, i128)> {
     if y.is_zero() || x.is_zero() {
         return Some(match (y.is_zero(), x.is_zero()) {

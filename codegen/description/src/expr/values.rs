@@ -1,8 +1,8 @@
-//! The value of what does not move: *a new node* → *its number, and whether every constant beneath it is one*.
+//! Evaluates fixed expressions, and checks that all constants in a node are finite.
 //!
-//! A node has its value from the moment it is made, computed from those of its operands just as a [`Tape`](super::Tape) does. The
-//! constants that a moving sum or product holds are looked at together, since whoever writes the expression out computes them
-//! together. What is infinite or undefined there makes the whole expression so.
+//! The value of a node is computed on its creation from those of its operands, as a [`Tape`](super::Tape) does. The constants
+//! of a moving sum or product are evaluated together, as in printed expressions. An infinite or undefined constant makes the
+//! whole expression undefined.
 
 use super::graph::Graph;
 use super::hashing::BuildExprHasher;
@@ -12,18 +12,18 @@ use super::rational::Rational;
 use linkwright_math::double;
 use std::collections::HashSet;
 
-/// What a node is worth where numbers are wanted.
+/// Numeric value of a node.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Worth {
-    /// Whether every symbol has a nominal value.
+    /// True if every symbol has a nominal value.
     pub is_fixed: bool,
-    /// The value of a fixed node at the nominal values; of a moving product what its fixed factors make; otherwise one.
+    /// Value of a fixed node at the nominal values; for a moving product, the product of its fixed factors; otherwise one.
     pub value: f64,
-    /// Whether this value and those of all operands are finite.
+    /// True if this value and those of all operands are finite.
     pub is_sound: bool,
 }
 
-/// A moving part, which multiplies constants by nothing known.
+/// Worth of a moving part, which contributes no constant factor.
 const MOVING: Worth = Worth {
     is_fixed: false,
     value: 1.0,
@@ -43,21 +43,20 @@ impl Graph {
         self.worths[expr.index()]
     }
 
-    /// Whether every constant in the expression is a finite number, and everything that parameters make of constants is one where
-    /// they have their nominal values.
+    /// True if all constants in the expression are finite, and so are the values of fixed parts at the nominal values.
     pub fn is_sound(&self, expr: ExprId) -> bool {
         self.is_finite(expr) && self.worth(expr).is_sound
     }
 
-    /// What a node is worth, whose operands are known; `None` where a constant in it is infinite or undefined. A number alone
-    /// may be.
+    /// Returns the worth of a node with known operands; `None` if a constant in it is infinite or undefined. A number node may
+    /// be non-finite.
     pub(super) fn worth_of(&self, node: &Node) -> Option<Worth> {
         let worth = self.marked_worth(node);
         let is_known = worth.value.is_finite() || matches!(node, Node::Number(_));
         (is_known || !self.is_undefined(node)).then_some(worth)
     }
 
-    /// The worth with what its operands say about it.
+    /// Returns the worth, including the soundness of the operands.
     fn marked_worth(&self, node: &Node) -> Worth {
         let mut worth = self.computed_worth(node);
         worth.is_sound = worth.value.is_finite();
@@ -65,7 +64,7 @@ impl Graph {
         worth
     }
 
-    /// Whether constants alone make a node undefined, that no parameter can mend.
+    /// True if constants alone make a node undefined, for all values of the parameters.
     fn is_undefined(&self, node: &Node) -> bool {
         let is_constant = |expr: ExprId| self.is_constant(expr);
         match node {
@@ -88,7 +87,7 @@ impl Graph {
         }
     }
 
-    /// The same, finite or not.
+    /// Returns the worth, finite or not.
     fn computed_worth(&self, node: &Node) -> Worth {
         let of = |expr: &ExprId| self.worth(*expr);
         let function = |argument: &ExprId, function: fn(f64) -> f64| match of(argument) {
@@ -142,14 +141,14 @@ impl Graph {
         }
     }
 
-    /// The constant terms of a moving sum are one number where it is written out, and so are the constants of each moving term.
+    /// The constant terms of a moving sum are printed as one number, and so are the constants of each moving term.
     fn worth_of_sum(&self, terms: &[Term]) -> Worth {
         let value_of = |term: &Term| term.coefficient.to_f64() * self.worth(term.expr).value;
         let is_fixed = |term: &&Term| self.worth(term.expr).is_fixed;
         if terms.iter().all(|term| is_fixed(&term)) {
             return fixed(terms.iter().map(value_of).sum());
         }
-        // An exact number alone is far below what a float can hold, and by far most terms are one times what moves.
+        // A single exact number cannot overflow a float, and most terms have the coefficient one.
         let is_short = |term: &&Term| {
             matches!(term.coefficient, Number::Exact { .. }) && self.worth(term.expr).value == 1.0
         };
@@ -181,13 +180,13 @@ impl Graph {
         let powers = factors.map(|factor| (self.worth(factor.base).value, factor.exponent));
         match quotient(powers) {
             (above, 1.0) => above,
-            // What is divided by infinity is too small to be known.
+            // A quotient by infinity is too small to be known.
             (_, below) if below.is_infinite() => f64::NAN,
             (above, below) => above / below,
         }
     }
 
-    /// Computes all values again, after a nominal value has changed.
+    /// Recomputes all values after a change of a nominal value.
     pub(super) fn revalue(&mut self) {
         for place in 0..self.node_count() {
             let node = self.node(ExprId(place as u32));
@@ -196,12 +195,12 @@ impl Graph {
     }
 }
 
-/// How small and how large constants are, zero left out.
+/// Least and greatest magnitudes of nonzero constants.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Magnitudes {
-    /// The least; infinite where there is none.
+    /// Least magnitude; infinite without constants.
     pub least: f64,
-    /// The largest; zero where there is none.
+    /// Greatest magnitude; zero without constants.
     pub largest: f64,
 }
 
@@ -215,10 +214,10 @@ impl Magnitudes {
 }
 
 impl Graph {
-    /// The constants in these expressions, as whoever writes them out computes them: those of a sum together, and those of each
-    /// term. What parameters make of them is not looked at.
+    /// Returns the magnitudes of the constants in these expressions, as printed: the constants of a sum together, and those of
+    /// each term. Values of parameters are not considered.
     pub fn magnitudes(&self, roots: &[ExprId]) -> Magnitudes {
-        let mut found = Magnitudes {
+        let mut magnitudes = Magnitudes {
             least: f64::INFINITY,
             largest: 0.0,
         };
@@ -229,7 +228,7 @@ impl Graph {
                 continue;
             }
             if self.is_constant(expr) {
-                found.take(self.worth(expr).value);
+                magnitudes.take(self.worth(expr).value);
                 continue;
             }
             match self.node(expr) {
@@ -238,10 +237,12 @@ impl Graph {
                         terms.iter().partition(|term| self.is_constant(term.expr));
                     let value =
                         |term: &Term| term.coefficient.to_f64() * self.constant_factor(term.expr);
-                    found.take(constants.into_iter().map(value).sum());
-                    moving.into_iter().for_each(|term| found.take(value(term)));
+                    magnitudes.take(constants.into_iter().map(value).sum());
+                    moving
+                        .into_iter()
+                        .for_each(|term| magnitudes.take(value(term)));
                 }
-                Node::Product(_) => found.take(self.constant_factor(expr)),
+                Node::Product(_) => magnitudes.take(self.constant_factor(expr)),
                 _ => {}
             }
             self.node(expr).each_operand(|operand| {
@@ -250,10 +251,10 @@ impl Graph {
                 }
             });
         }
-        found
+        magnitudes
     }
 
-    /// A constant, or what the constant factors of a product make.
+    /// Returns a constant, or the product of the constant factors of a product.
     fn constant_factor(&self, expr: ExprId) -> f64 {
         if self.is_constant(expr) {
             return self.worth(expr).value;
@@ -265,8 +266,8 @@ impl Graph {
     }
 }
 
-/// The products of the factors with positive and of those with negative exponents: the quotient takes one division, and has one
-/// rounding less per divisor.
+/// Returns the products of the factors with positive and with negative exponents. Their quotient takes one division, and has
+/// one rounding less per divisor.
 pub(super) fn quotient(powers: impl Iterator<Item = (f64, Rational)>) -> (f64, f64) {
     let (mut above, mut below) = (1.0, 1.0);
     for (base, exponent) in powers {

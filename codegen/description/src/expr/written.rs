@@ -1,8 +1,8 @@
-//! How long an expression is when it is written out: *an expression* → *about how many characters a person needs for it*.
+//! Estimates the length of printed expressions, in characters.
 //!
-//! The length counts what is shared as often as it is written, so it may be astronomic; it is found on the graph all the same, each
-//! node once, and saturates. A printer asks for it before it writes anything out, and for a constant that is not short it writes
-//! the decimal value or a name. This file does not know notations: it counts digits, signs and the names of functions.
+//! A shared part counts at each occurrence, so the length may be astronomical. Each node of the graph is nevertheless visited
+//! once, and the length saturates. Printers use the estimate first, and print a decimal value or a name for a constant that is
+//! not short. The estimate counts digits, signs and names of functions, for any notation.
 
 use super::graph::Graph;
 use super::hashing::BuildExprHasher;
@@ -12,14 +12,14 @@ use super::rational::Rational;
 use std::cell::Cell;
 use std::collections::{HashMap, HashSet};
 
-/// What a person still writes exactly, in characters: `sqrt(3)/2`, `0.125*sqrt(17)`, `pi/6 + atan2(3, 4)`.
+/// Maximum length of a constant printed exactly, in characters: `sqrt(3)/2`, `0.125*sqrt(17)`, `pi/6 + atan2(3, 4)`.
 pub const SHORT: u64 = 32;
 
-/// The characters of a name.
+/// Length of a name, in characters.
 const NAME: u64 = 8;
 
 impl Graph {
-    /// About how many characters the expression takes when it is written out whole.
+    /// Returns the approximate number of characters of the whole expression.
     pub fn written_length(&self, expr: ExprId) -> u64 {
         let mut needed: HashSet<ExprId, BuildExprHasher> = HashSet::default();
         let mut stack = vec![expr];
@@ -38,17 +38,17 @@ impl Graph {
         lengths[&expr]
     }
 
-    /// Whether a person writes an expression exactly: a constant that is not short has a decimal value or a name.
+    /// True if an expression is printed exactly; a constant that is not short has a decimal value or a name.
     pub fn is_short(&self, expr: ExprId) -> bool {
         self.is_written_within(expr, SHORT)
     }
 
-    /// Whether the expression takes at most so many characters when it is written out whole. No more of it is looked at.
+    /// True if the whole expression has at most so many characters. The search stops beyond them.
     pub fn is_written_within(&self, expr: ExprId, characters: u64) -> bool {
         self.is_within_with_names(expr, characters, &|_| false)
     }
 
-    /// The same where what `has_name` is written by its name.
+    /// True if the expression has at most so many characters, with names for the parts that `has_name` selects.
     pub fn is_within_with_names(
         &self,
         expr: ExprId,
@@ -58,8 +58,8 @@ impl Graph {
         self.length_within(expr, &Cell::new(characters), has_name) <= characters
     }
 
-    /// The length of an expression, or the largest number there is where more than `left` nodes would have to be looked at: each
-    /// of them takes at least a character.
+    /// Returns the length of an expression, or the maximum of the type if more than `left` nodes would be visited, each of at
+    /// least one character.
     fn length_within(
         &self,
         expr: ExprId,
@@ -78,7 +78,7 @@ impl Graph {
         self.length_of(node, &of)
     }
 
-    /// The same for the sum of these terms.
+    /// True if the sum of these terms has at most so many characters.
     pub fn is_sum_within(&self, terms: &[Term], characters: u64) -> bool {
         let left = Cell::new(characters);
         let of = |operand| self.length_within(operand, &left, &|_| false);
@@ -86,7 +86,7 @@ impl Graph {
         lengths.fold(0, u64::saturating_add) <= characters
     }
 
-    /// The same for a number times these powers.
+    /// True if the product of a number and these powers has at most so many characters.
     pub fn is_product_within(&self, number: Number, factors: &[Factor], characters: u64) -> bool {
         let left = Cell::new(characters);
         let of = |operand| self.length_within(operand, &left, &|_| false);
@@ -94,7 +94,7 @@ impl Graph {
         lengths.fold(number_length(number.absolute()), u64::saturating_add) <= characters
     }
 
-    /// The length of a node whose operands' lengths are known.
+    /// Returns the length of a node, given the lengths of its operands.
     fn length_of(&self, node: &Node, of: &dyn Fn(ExprId) -> u64) -> u64 {
         let call = |name: u64, arguments: &[ExprId]| {
             let arguments = arguments
@@ -129,7 +129,7 @@ impl Graph {
         }
     }
 
-    /// ` + 3*x`: the sign, the coefficient and what it multiplies.
+    /// Returns the length of ` + 3*x`: sign, coefficient and expression.
     fn term_length(&self, term: &Term, of: &dyn Fn(ExprId) -> u64) -> u64 {
         let coefficient = term.coefficient.absolute();
         let (factor, whole) = (number_length(coefficient), of(term.expr));
@@ -143,7 +143,7 @@ impl Graph {
         written.saturating_add(3)
     }
 
-    /// `*(x + y)^2`: the sign between factors, parentheses, and the exponent.
+    /// Returns the length of `*(x + y)^2`: sign between factors, parentheses and exponent.
     fn factor_length(&self, factor: &Factor, of: &dyn Fn(ExprId) -> u64) -> u64 {
         let magnitude = factor.exponent.absolute();
         let exponent = match (magnitude.numerator(), magnitude.denominator()) {
@@ -159,7 +159,7 @@ impl Graph {
     }
 }
 
-/// A number without its sign.
+/// Returns the length of a number without its sign.
 fn number_length(value: Number) -> u64 {
     match value {
         Number::Float(value) => format!("{:?}", value.abs()).len() as u64,
@@ -173,7 +173,7 @@ fn number_length(value: Number) -> u64 {
     }
 }
 
-/// As a decimal where its digits end soon, otherwise as a fraction.
+/// Returns the length as a decimal with few digits, otherwise as a fraction.
 fn rational_length(value: Rational) -> u64 {
     let (above, below) = (
         value.numerator().unsigned_abs(),

@@ -1,22 +1,22 @@
-//! Forces and torques that the description writes out, as formulas of t, inputs, parameters, coordinates and rates.
+//! Applied forces and torques: formulas of t, inputs, parameters, coordinates and rates.
 
 use super::{Element, Exerted, Place, Rated, Shape, scaled};
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::geometry::{Mark, Vector, add, dot, perpendicular};
 
-/// The points that a formula mentions.
+/// Points and rates in a formula.
 #[derive(Clone, Debug, Default)]
 pub struct Terms {
-    /// The points.
+    /// Points of the formula.
     pub marks: Vec<Mark>,
-    /// For each of them the symbols that stand for the components of its arm R s; `None` where nothing mentions the arm.
+    /// For each point, the symbols of the components of its rotated local vector R s; `None` if they do not occur.
     pub arms: Vec<Option<[SymbolId; 2]>>,
-    /// Formulas of these points, and of inputs and t, whose rates are mentioned.
+    /// Formulas of these points, inputs and t whose rates occur.
     pub rated: Vec<ExprId>,
 }
 
 impl Terms {
-    /// The components of the arms of these places, by the symbols that stand for them.
+    /// Returns the components of the rotated local vectors at these places, by symbol.
     fn arms_at(&self, places: &[Place]) -> Vec<(SymbolId, ExprId)> {
         let mut arms = Vec::new();
         for (place, symbols) in places.iter().zip(&self.arms) {
@@ -27,12 +27,12 @@ impl Terms {
         arms
     }
 
-    /// A formula with the arms of these places put in.
+    /// Substitutes the rotated local vectors at these places in a formula.
     fn put_in(&self, formula: ExprId, places: &[Place], graph: &mut Graph) -> ExprId {
         graph.substitute(formula, &self.arms_at(places))
     }
 
-    /// The formulas whose rates are mentioned, at these places.
+    /// Returns the formulas whose rates occur, at these places.
     fn rated(&self, places: &[Place]) -> Vec<Rated> {
         let formulas = self.rated.iter();
         let rated = formulas.map(|formula| Rated {
@@ -46,13 +46,13 @@ impl Terms {
 /// A force on a point.
 #[derive(Clone, Debug)]
 pub struct AppliedForce {
-    /// Where it acts.
+    /// Point of application.
     pub point: Mark,
-    /// Its components, in N.
+    /// Components, in N.
     pub components: Vector,
-    /// The unit vector along the x axis of the frame of these components; `None` for the global frame.
+    /// Unit vector along the x axis of the frame of the components; `None` for the global frame.
     pub axis: Option<Mark>,
-    /// What the components mention.
+    /// Points and rates in the components.
     pub terms: Terms,
 }
 
@@ -62,14 +62,14 @@ impl Element for AppliedForce {
     }
 
     fn marks(&self) -> Vec<Mark> {
-        let own = [Some(self.point), self.axis];
-        let own = own.into_iter().flatten();
-        own.chain(self.terms.marks.iter().copied()).collect()
+        let marks = [Some(self.point), self.axis];
+        let marks = marks.into_iter().flatten();
+        marks.chain(self.terms.marks.iter().copied()).collect()
     }
 
     fn exerted(&self, places: &[Place], _length: ExprId, graph: &mut Graph) -> Exerted {
-        let own = 1 + usize::from(self.axis.is_some());
-        let terms = &places[own..];
+        let count = 1 + usize::from(self.axis.is_some());
+        let terms = &places[count..];
         let [x, y] = self
             .components
             .map(|component| self.terms.put_in(component, terms, graph));
@@ -95,11 +95,11 @@ impl Element for AppliedForce {
 /// A torque on a body.
 #[derive(Clone, Debug)]
 pub struct AppliedTorque {
-    /// The origin of the body's frame.
+    /// Origin of the body's frame.
     pub body: Mark,
-    /// In N·m, positive counterclockwise.
+    /// Torque in N·m, positive counterclockwise.
     pub value: ExprId,
-    /// What the value mentions.
+    /// Points and rates in the value.
     pub terms: Terms,
 }
 
@@ -109,8 +109,8 @@ impl Element for AppliedTorque {
     }
 
     fn marks(&self) -> Vec<Mark> {
-        let own = std::iter::once(self.body);
-        own.chain(self.terms.marks.iter().copied()).collect()
+        let body_mark = std::iter::once(self.body);
+        body_mark.chain(self.terms.marks.iter().copied()).collect()
     }
 
     fn exerted(&self, places: &[Place], _length: ExprId, graph: &mut Graph) -> Exerted {

@@ -4,12 +4,12 @@ use super::{Element, Exerted, Place, Shape, opposite, scaled};
 use crate::expr::{ExprId, Graph};
 use crate::joint::geometry::{Mark, dot, subtract};
 
-/// It pulls with damping · ℓ̇, where ℓ̇ = (r_j − r_i) · (v_j − v_i)/ℓ, and loses damping · ℓ̇².
+/// Damper between two points, with the tension damping · ℓ̇, where ℓ̇ = (r_j − r_i) · (v_j − v_i)/ℓ, and the dissipated power damping · ℓ̇².
 #[derive(Clone, Debug)]
 pub struct Damper {
-    /// Its ends.
+    /// Ends.
     pub ends: [Mark; 2],
-    /// In N·s/m.
+    /// Coefficient, in N·s/m.
     pub damping: ExprId,
 }
 

@@ -1,7 +1,7 @@
-//! What acts on bodies → forces at points, torques, and the work that is stored, lost and supplied.
+//! Defines loads on bodies: their forces, torques, stored energy and power.
 //!
-//! One file per kind. A kind says which points it needs and what it exerts; everything else follows from these: generalized forces,
-//! efforts, reactions, energies. Deliberately unknown here: names, units, and what the forces are wanted for.
+//! Each kind is one file. A kind states its points and its forces; generalized forces, driving forces, reactions and energies
+//! follow from these.
 
 mod applied;
 mod damper;
@@ -18,87 +18,88 @@ use std::fmt::Debug;
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::geometry::{BodyId, Mark, Vector};
 
-/// A point of a body as it moves.
+/// A moving point of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
-    /// The point, with its arm R s as the equations have it.
+    /// The point, with its rotated local vector R s as in the equations.
     pub mark: Mark,
-    /// Its velocity, in m/s.
+    /// Velocity, in m/s.
     pub velocity: Vector,
-    /// The rate of its body's angle, in rad/s.
+    /// Angular velocity of the body, in rad/s.
     pub turning: ExprId,
 }
 
-/// What an element exerts.
+/// Forces, torques and energy of an element.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Exerted {
-    /// Forces in global components, in N, and the points that they act on.
+    /// Points of application and forces in global components, in N.
     pub forces: Vec<(Mark, Vector)>,
-    /// Torques, in N·m, and the bodies that they act on.
+    /// Bodies and torques, in N·m.
     pub torques: Vec<(BodyId, ExprId)>,
-    /// The work that is stored, in J.
+    /// Stored energy, in J; `None` if nothing is stored.
     pub stored: Option<ExprId>,
-    /// The power that it adds to the mechanism beside what it has stored, in W: negative for a damper.
+    /// Power added to the mechanism beyond the stored energy, in W, negative for a damper; `None` if there is none.
     pub added: Option<ExprId>,
-    /// What the length is that stands for itself in all of this, in m: it must not vanish.
+    /// Value in m of the distance symbol passed to the element; it must not vanish. `None` if the element uses no distance.
     pub length: Option<ExprId>,
-    /// The formulas whose rates decide what it exerts.
+    /// Formulas whose rates determine the forces.
     pub rated: Vec<Rated>,
 }
 
-/// A formula whose rate decides what a load exerts.
+/// A formula whose rate determines a load.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rated {
-    /// Of coordinates, t, inputs, parameters and symbols that stand for arms.
+    /// Formula of coordinates, t, inputs, parameters and symbols of rotated local vectors.
     pub formula: ExprId,
-    /// What these symbols stand for.
+    /// Values of these symbols.
     pub arms: Vec<(SymbolId, ExprId)>,
 }
 
-/// Sign of an element in a drawing.
+/// Symbol of an element in pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
-    /// A coil between its first two points.
+    /// A coil between the first two points.
     Spring,
-    /// A dashpot between its first two points.
+    /// A dashpot between the first two points.
     Damper,
-    /// A spiral about the joint of the bodies of its first two points.
+    /// A spiral about the joint of the bodies of the first two points.
     TorsionSpring,
-    /// A dashpot about that joint.
+    /// A dashpot about the joint of the bodies of the first two points.
     TorsionDamper,
-    /// An arrow at its first point.
+    /// An arrow at the first point.
     Force,
-    /// A bent arrow on the body of its first point.
+    /// A curved arrow on the body of the first point.
     Torque,
 }
 
-/// Something that acts on bodies.
+/// A load on bodies.
 pub trait Element: Debug + Send + Sync {
-    /// Its sign in a drawing.
+    /// Returns the symbol in pictures.
     fn shape(&self) -> Shape;
-    /// The points that it needs; for what turns a body, the origin of the body's frame.
+    /// Returns the points of the load; for a torque, the origin of the body's frame.
     fn marks(&self) -> Vec<Mark>;
-    /// What it exerts when the points are there, each as `marks` lists them; `length` stands for the distance between its ends, where
-    /// it has one.
+    /// Returns forces, torques and energy at these places, which are in the order of `marks`. `length` is the symbol of the
+    /// distance between the ends, if the element uses it.
     fn exerted(&self, places: &[Place], length: ExprId, graph: &mut Graph) -> Exerted;
-    /// What must not be negative whatever the parameters are, and what it is called where it must be positive.
+    /// Returns the expressions that must not be negative for any values of the parameters, and their names in messages if they
+    /// must be positive.
     fn not_negative(&self) -> Vec<(ExprId, &'static str)> {
         Vec::new()
     }
 }
 
-/// v_x w_y − v_y w_x: the moment of w at the end of v.
+/// Returns v_x w_y − v_y w_x: the moment of w at the end of v.
 pub fn moment(v: Vector, w: Vector, graph: &mut Graph) -> ExprId {
     let [forward, backward] = [graph.multiply(v[0], w[1]), graph.multiply(v[1], w[0])];
     graph.subtract(forward, backward)
 }
 
-/// The components times a factor.
+/// Returns factor · v.
 fn scaled(v: Vector, factor: ExprId, graph: &mut Graph) -> Vector {
     v.map(|component| graph.multiply(component, factor))
 }
 
-/// −v.
+/// Returns −v.
 fn opposite(v: Vector, graph: &mut Graph) -> Vector {
     v.map(|component| graph.negate(component))
 }

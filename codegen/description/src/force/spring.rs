@@ -4,17 +4,19 @@ use super::{Element, Exerted, Place, Shape, opposite, scaled};
 use crate::expr::{ExprId, Graph, Number, Rational};
 use crate::joint::geometry::{Mark, dot, subtract};
 
-/// The work stored in it is stiffness (ℓ − free)²/2 + preload (ℓ − free). One that rests at zero length without a preload pulls with
-/// stiffness · (r_j − r_i), which needs neither a length nor a direction.
+/// Spring between two points, with the stored energy stiffness (ℓ − free)²/2 + preload (ℓ − free).
+///
+/// With a free length of zero and without a preload, the force is stiffness · (r_j − r_i), which needs neither a length nor a
+/// direction.
 #[derive(Clone, Debug)]
 pub struct Spring {
-    /// Its ends.
+    /// Ends.
     pub ends: [Mark; 2],
-    /// In N/m.
+    /// Stiffness, in N/m.
     pub stiffness: ExprId,
-    /// The length at which it pulls with its preload, in m.
+    /// Length at which the force is the preload, in m.
     pub free: ExprId,
-    /// In N.
+    /// Preload, in N.
     pub preload: ExprId,
 }
 

@@ -1,19 +1,20 @@
-//! Springs and dampers about a joint: what turns two bodies against one another.
+//! Springs and dampers about a joint: they exert opposite torques on two bodies.
 
 use super::{Element, Exerted, Place, Shape};
 use crate::expr::{ExprId, Graph, Number, Rational};
 use crate::joint::geometry::Mark;
 
-/// It turns the second body back by stiffness · (φ_j − φ_i − free) + preload, and the first one as much the other way.
+/// Torsion spring, with the restoring torque stiffness · (φ_j − φ_i − free) + preload on the second body, and the opposite
+/// torque on the first.
 #[derive(Clone, Debug)]
 pub struct TorsionSpring {
-    /// The origins of the bodies' frames.
+    /// Origins of the bodies' frames.
     pub bodies: [Mark; 2],
-    /// In N·m/rad.
+    /// Stiffness, in N·m/rad.
     pub stiffness: ExprId,
-    /// The angle φ_j − φ_i at which it turns with its preload, in rad.
+    /// Angle φ_j − φ_i at which the torque is the preload, in rad.
     pub free: ExprId,
-    /// In N·m.
+    /// Preload, in N·m.
     pub preload: ExprId,
 }
 
@@ -47,12 +48,12 @@ impl Element for TorsionSpring {
     }
 }
 
-/// It turns the second body back by damping · (φ̇_j − φ̇_i), and the first one as much the other way.
+/// Torsion damper, with the resisting torque damping · (φ̇_j − φ̇_i) on the second body, and the opposite torque on the first.
 #[derive(Clone, Debug)]
 pub struct TorsionDamper {
-    /// The origins of the bodies' frames.
+    /// Origins of the bodies' frames.
     pub bodies: [Mark; 2],
-    /// In N·m·s/rad.
+    /// Coefficient, in N·m·s/rad.
     pub damping: ExprId,
 }
 

@@ -1,9 +1,9 @@
-//! *Lines → the gap before each piece.* One blank or none, except where columns are written.
+//! Determines the gap before each piece: one blank or none, except in columns.
 //!
-//! Pieces of one sort that stand at the same place in statements of one kind without a blank line between them, at least one of them behind a gap of
-//! two or more blanks, are a column, and so is what goes on below something in its statement's last line. A column stays one, as far
-//! left as its widest line and its narrowest written gap let it; a piece behind such a gap that just misses a column of its sort
-//! joins it. Numbers that are written below one another, by their first or by their last digit, keep the gap that they have.
+//! A column consists of pieces of one sort at one position, in statements of one kind without a blank line between them. At
+//! least one of them follows a gap of two or more blanks. A continuation line below a piece of its statement's last line is a
+//! column, too. A column remains, as far left as its widest line and its narrowest written gap permit. A piece after a wide gap
+//! that just misses a column of its sort joins that column. Numbers aligned by their first or last digit keep their gap.
 
 use std::collections::BTreeMap;
 
@@ -12,7 +12,7 @@ use super::rows::Row;
 use super::spacing;
 use crate::syntax;
 
-/// The gaps before the pieces; that before the first piece of a row is its indentation.
+/// Returns the gaps before the pieces; the gap before the first piece of a row is its indentation.
 pub(super) fn gaps(pieces: &[Piece<'_>], rows: &[Row], keeps_number_columns: bool) -> Vec<usize> {
     let mut gaps = vec![0; pieces.len()];
     let mut rows_of = vec![0; pieces.len()];
@@ -22,7 +22,7 @@ pub(super) fn gaps(pieces: &[Piece<'_>], rows: &[Row], keeps_number_columns: boo
         for index in row.pieces.clone() {
             rows_of[index] = number;
             let is_first = index == row.pieces.start;
-            // Comments may stand before a statement on its line.
+            // Comments may precede a statement on its line.
             if !row.goes_on && index > 0 && !is_first && pieces[statement].is_comment() {
                 statement = index;
             }
@@ -53,20 +53,20 @@ pub(super) fn gaps(pieces: &[Piece<'_>], rows: &[Row], keeps_number_columns: boo
     gaps
 }
 
-/// What stands below one another.
+/// Pieces aligned below one another.
 struct Column<'a> {
-    /// Where it is written.
+    /// Written position.
     place: usize,
     sort: Option<Alike<'a>>,
     members: Vec<usize>,
-    /// Whether it stays a column.
+    /// True if the column is kept.
     is_meant: bool,
 }
 
-/// What may stand below one another: pieces of one sort in lines of one kind of statement, in its first line or below.
+/// Key of pieces that may be aligned: kind of statement, first line or continuation, and sort.
 type Alike<'a> = (&'a str, bool, Sort);
 
-/// Pieces of one sort may stand below one another.
+/// Sort of pieces that may be aligned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Sort {
     Operand,
@@ -78,26 +78,26 @@ enum Sort {
     Comment,
 }
 
-/// A number with its sign: its first piece, where it begins, and where it ends.
+/// A number with its sign: index of the first piece, first column, and column after the end.
 type Digits = (usize, usize, usize);
 
 struct Columns<'a> {
     pieces: &'a [Piece<'a>],
     rows: &'a [Row],
-    /// Which pieces are signs of numbers.
+    /// True for each piece that is the sign of a number.
     signs: Vec<bool>,
     usual: Vec<usize>,
     columns: Vec<Column<'a>>,
-    /// The column that each piece belongs to.
+    /// Column of each piece; `None` if it belongs to none.
     column_of: Vec<Option<usize>>,
-    /// Which pieces begin a line below something in the line above.
+    /// True for each piece that begins a line below a piece of the line above.
     hangs: Vec<bool>,
     /// Numbers that keep their gap.
     kept: Vec<usize>,
 }
 
 impl<'a> Columns<'a> {
-    /// Looks which pieces stand below one another.
+    /// Finds aligned pieces.
     fn find(&mut self) {
         let mut paragraph = Vec::new();
         for row in self.rows {
@@ -115,10 +115,10 @@ impl<'a> Columns<'a> {
         self.kept.dedup();
     }
 
-    /// The same in lines without a blank line between them.
+    /// Finds aligned pieces in lines without a blank line between them.
     fn find_in(&mut self, rows: &[&Row]) {
         let first_column = self.columns.len();
-        let mut found: BTreeMap<(Alike<'_>, usize), usize> = BTreeMap::new();
+        let mut column_at: BTreeMap<(Alike<'_>, usize), usize> = BTreeMap::new();
         let mut last: Option<&Row> = None;
         for row in rows {
             if let Some(above) = last {
@@ -130,7 +130,7 @@ impl<'a> Columns<'a> {
                 };
                 let sort = (self.kind(row), row.goes_on, sort);
                 let place = self.pieces[index].column;
-                let column = *found.entry((sort, place)).or_insert_with(|| {
+                let column = *column_at.entry((sort, place)).or_insert_with(|| {
                     self.columns.push(Column {
                         place,
                         sort: Some(sort),
@@ -162,7 +162,7 @@ impl<'a> Columns<'a> {
         self.column_of[index] = Some(column);
     }
 
-    /// Notes whether a line goes on below something in the line above.
+    /// Notes a line that continues below a piece of the line above.
     fn hang(&mut self, above: &Row, below: &Row) {
         let first = below.pieces.start;
         let place = self.pieces[first].column;
@@ -192,8 +192,8 @@ impl<'a> Columns<'a> {
         self.hangs[first] = true;
     }
 
-    /// Brings a piece behind a wide gap, alone at its place, to the nearest column of its sort that it can join without changing
-    /// places with another column of its line.
+    /// Moves a piece after a wide gap, alone at its position, to the nearest column of its sort. It must not change places with
+    /// another column of its line.
     fn join(&mut self, index: usize, row: &Row, first_column: usize) {
         let Some(own) = self.column_of[index] else {
             return;
@@ -209,19 +209,19 @@ impl<'a> Columns<'a> {
         let left = (row.pieces.start..index).filter_map(place_of).max();
         let right = (index + 1..row.pieces.end).filter_map(place_of).min();
         let others = self.columns.iter().enumerate().skip(first_column);
-        let wanted = others.filter(|(_, column)| {
+        let candidates = others.filter(|(_, column)| {
             column.is_meant
                 && column.sort == self.columns[own].sort
                 && left.is_none_or(|it| it < column.place)
                 && right.is_none_or(|it| it > column.place)
         });
-        let nearest = wanted.min_by_key(|(_, column)| column.place.abs_diff(piece.column));
+        let nearest = candidates.min_by_key(|(_, column)| column.place.abs_diff(piece.column));
         if let Some((nearest, _)) = nearest {
             self.enter(index, nearest);
         }
     }
 
-    /// Numbers below one another, by their first or by their last digit.
+    /// Finds numbers aligned by their first or last digit.
     fn compare_numbers(&mut self, above: &Row, below: &Row) {
         let numbers = |row: &Row| -> Vec<Digits> {
             let inside = row.pieces.clone().skip(1);
@@ -232,7 +232,7 @@ impl<'a> Columns<'a> {
             numbers.collect()
         };
         let (upper, lower) = (numbers(above), numbers(below));
-        let mut found = Vec::new();
+        let mut aligned = Vec::new();
         for place in [|it: &Digits| it.1, |it: &Digits| it.2] {
             let mut others = upper.iter().peekable();
             for number in &lower {
@@ -240,15 +240,15 @@ impl<'a> Columns<'a> {
                 if let Some(other) = others.peek()
                     && place(other) == place(number)
                 {
-                    found.extend([number.0, other.0]);
+                    aligned.extend([number.0, other.0]);
                 }
             }
         }
         let is_apart = |index: &usize| self.pieces[*index].gap > self.usual[*index];
-        self.kept.extend(found.into_iter().filter(is_apart));
+        self.kept.extend(aligned.into_iter().filter(is_apart));
     }
 
-    /// The column behind a number that starts, with its sign, at this piece.
+    /// Returns the column after a number that starts, with its sign, at this piece; `None` without a number.
     fn end_of_number(&self, index: usize) -> Option<usize> {
         let number = index + usize::from(self.signs[index]);
         let is_signed = index > 0 && self.signs[index - 1];
@@ -257,7 +257,7 @@ impl<'a> Columns<'a> {
         is_number.then(|| piece.column + piece.width())
     }
 
-    /// The kind of the statement that a row belongs to: its first word, one for all declarations and one for all joints.
+    /// Returns the kind of a row's statement: its first word, with one kind for all declarations and one for all joints.
     fn kind(&self, row: &Row) -> &'a str {
         let mut words = self.pieces[row.statement..].iter();
         let word = words.find(|it| !it.is_comment()).map_or("", |it| it.text);
@@ -269,7 +269,7 @@ impl<'a> Columns<'a> {
         }
     }
 
-    /// What a piece can stand below, where a blank stands before it. Numbers have rules of their own.
+    /// Returns the sort of a piece after a blank; `None` if it is not aligned, or is a number, for which other rules hold.
     fn sort(&self, index: usize) -> Option<Sort> {
         if self.usual[index] == 0 || self.end_of_number(index).is_some() {
             return None;
@@ -285,11 +285,11 @@ impl<'a> Columns<'a> {
         })
     }
 
-    /// Gives the pieces of each column their gaps, columns from left to right.
+    /// Sets the gaps of the pieces of each column, from left to right.
     fn settle(&self, rows_of: &[usize], gaps: &mut [usize]) {
         let mut columns: Vec<&Column<'_>> = self.columns.iter().filter(|it| it.is_meant).collect();
         columns.sort_by_key(|column| column.place);
-        // How far each row is laid out: the next piece, and the column behind what stands before it.
+        // Progress of each row: the next piece, and the column after the previous one.
         let mut reached: Vec<(usize, usize)> =
             self.rows.iter().map(|row| (row.pieces.start, 0)).collect();
         for column in columns {
@@ -307,7 +307,7 @@ impl<'a> Columns<'a> {
             let narrowest = inside.clone().filter(|&&it| is_there(it));
             let narrowest = narrowest.map(|&it| gap(it)).min().unwrap_or(0);
             let reaches = inside.map(|&it| {
-                // What has joined is not where its gap says.
+                // The written gap does not apply to a piece that has joined the column.
                 let gap = if is_there(it) {
                     narrowest
                 } else {

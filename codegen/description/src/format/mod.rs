@@ -1,15 +1,15 @@
-//! *Source → the same description in the usual layout.*
+//! Formats a description in the usual layout.
 //!
 //! ```text
 //! text ── pieces ──> words, marks and comments ── rows ──> lines and their indentation ── columns ──> gaps between them
 //! ```
-//! Every statement starts a line of its own, four blanks deep for each pair of braces with statements around it; what goes on below
-//! its first line is four blanks deeper. Between words and marks stands one blank or none. Kept are comments, the line breaks inside
-//! a statement, one of several blank lines, and columns: where a gap of two or more blanks brings something below its like in the
-//! next line, both stay below one another.
+//! Every statement starts a line, indented by four blanks for each pair of braces with statements around it. Its continuation
+//! lines are indented by four more. Words and marks are separated by one blank or none. Comments, line breaks inside a
+//! statement, and one of several blank lines are kept. Columns are kept, too: a gap of two or more blanks aligns a piece with a
+//! similar piece in the next line.
 //!
-//! Afterwards the text has the words, marks and comments that it had, in their order, and formatting it again changes nothing. What
-//! a statement means is not known here.
+//! The words, marks and comments of the text and their order are unchanged. Formatting is idempotent. The meaning of statements
+//! is not considered.
 
 mod columns;
 mod pieces;
@@ -21,18 +21,18 @@ mod tests;
 use crate::diagnostic::{Diagnostics, Source};
 use crate::syntax;
 
-/// A gap by hand may have to be given up once others have moved; so often it is looked again.
+/// Maximum number of layout passes: aligning columns may invalidate the gap of another column.
 const PASSES: usize = 4;
 
-/// The text of a description as it is usually laid out. Names are not looked up: a description may be formatted while it is written.
+/// Formats the text of a description. Names are not resolved, so an unfinished description can be formatted.
 ///
 /// # Errors
-/// The text cannot be read; what could be made of it would be a guess.
+/// Returns the findings if the text cannot be read: its layout would be a guess.
 pub fn format(source: &Source) -> Result<String, Diagnostics> {
-    let mut found = Diagnostics::new();
-    let document = syntax::parse(source, &mut found);
-    if document.is_none() || found.has_errors() {
-        return Err(found);
+    let mut findings = Diagnostics::new();
+    let document = syntax::parse(source, &mut findings);
+    if document.is_none() || findings.has_errors() {
+        return Err(findings);
     }
     let first_line = source.text.split_inclusive('\n').next();
     let has_carriage_returns = first_line.is_some_and(|line| line.ends_with("\r\n"));
@@ -50,7 +50,7 @@ pub fn format(source: &Source) -> Result<String, Diagnostics> {
     })
 }
 
-/// The text once through all steps.
+/// Runs all steps on the text once.
 fn laid_out(text: &str, keeps_number_columns: bool) -> String {
     let pieces = pieces::pieces(text);
     let rows = rows::rows(&pieces);

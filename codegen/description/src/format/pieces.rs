@@ -1,14 +1,14 @@
-//! *Text → its words, marks and comments in written order*, each with the gap before it. White space is all that is left out.
+//! Splits a text into words, marks and comments in source order, each with the gap before it. Only white space is omitted.
 
 use crate::syntax::{self, Kind, block_comment_length};
 
-/// A tab reaches to the next multiple of so many columns.
+/// Distance of tab stops, in columns.
 const TAB: usize = 4;
 
-/// Marks that are one when they stand together.
+/// Pairs of marks that are one piece.
 const PAIRS: [&str; 3] = ["->", "<=", ">="];
 
-/// What a piece is.
+/// Kind of a piece.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum What {
     Word,
@@ -28,13 +28,13 @@ pub(super) enum What {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Piece<'a> {
     pub what: What,
-    /// Without white space around it.
+    /// Text without surrounding white space.
     pub text: &'a str,
-    /// How many line breaks are written before it.
+    /// Number of line breaks before the piece.
     pub breaks: usize,
-    /// How many columns are written between what stands before it on its line and it.
+    /// Number of columns between the previous piece on the line and this one.
     pub gap: usize,
-    /// The column of its first character, from 0.
+    /// Column of the first character, counted from 0.
     pub column: usize,
 }
 
@@ -47,7 +47,7 @@ impl Piece<'_> {
         self.what == What::Word && self.text == word
     }
 
-    /// Whether an operand ends with it.
+    /// True if an operand ends with this piece.
     pub fn ends_operand(&self) -> bool {
         matches!(
             self.what,
@@ -55,18 +55,18 @@ impl Piece<'_> {
         )
     }
 
-    /// How many columns it takes on one line.
+    /// Returns the number of columns on one line.
     pub fn width(&self) -> usize {
         self.text.chars().count()
     }
 
-    /// Whether it stands on several lines.
+    /// True if the piece extends over several lines.
     pub fn is_tall(&self) -> bool {
         self.text.contains('\n')
     }
 }
 
-/// The pieces of a text that is read without an error.
+/// Splits a text without errors into pieces.
 pub(super) fn pieces(text: &str) -> Vec<Piece<'_>> {
     let mut cutter = Cutter {
         text,
@@ -110,7 +110,7 @@ struct Cutter<'a> {
 }
 
 impl Cutter<'_> {
-    /// White space and comments up to the next lexeme.
+    /// Adds white space and comments up to the next lexeme.
     fn between(&mut self, end: usize) {
         while let Some(next) = self.text[self.at..end].chars().next() {
             let rest = &self.text[self.at..end];

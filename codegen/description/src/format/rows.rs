@@ -1,4 +1,4 @@
-//! *Pieces → lines*: which pieces stand on one, how deep it begins, and whether a blank line stands before it.
+//! Arranges pieces in lines, with indentation and blank lines.
 
 use std::ops::Range;
 
@@ -7,27 +7,27 @@ use super::pieces::{Piece, What};
 /// Statements with statements in their braces.
 const HOLDING: [&str; 3] = ["mechanism", "motion", "repeat"];
 
-/// How much deeper what stands inside begins.
+/// Indentation of nested statements, in blanks.
 const STEP: usize = 4;
 
 /// One line.
 #[derive(Clone, Debug)]
 pub(super) struct Row {
     pub pieces: Range<usize>,
-    /// Where the statement starts that its first piece belongs to, by its piece; the row's own first piece where one starts there.
+    /// Index of the first piece of the statement to which the row's first piece belongs.
     pub statement: usize,
-    /// Whether it goes on with what began above.
+    /// True if the row continues a statement.
     pub goes_on: bool,
-    /// How deep it begins.
+    /// Indentation, in blanks.
     pub indent: usize,
     pub blank_before: bool,
 }
 
 /// A bracket that is open.
 struct Opened {
-    /// Whether statements stand in it.
+    /// True if the bracket contains statements.
     holds_statements: bool,
-    /// The row on which it stands.
+    /// Row of the bracket.
     row: usize,
 }
 
@@ -35,15 +35,15 @@ struct Walk<'a> {
     pieces: &'a [Piece<'a>],
     rows: Vec<Row>,
     open: Vec<Opened>,
-    /// Where the statement that is being read starts, and how many brackets were open there.
+    /// First piece of the current statement, and the number of brackets open there; `None` between statements.
     statement: Option<(usize, usize)>,
-    /// Whether the last row has something besides comments.
+    /// True if the last row contains more than comments.
     has_words: bool,
-    /// Whether braces with statements have just been opened.
+    /// True directly after opening braces that contain statements.
     just_opened: bool,
 }
 
-/// The lines of a text.
+/// Returns the lines of a text.
 pub(super) fn rows(pieces: &[Piece<'_>]) -> Vec<Row> {
     let mut walk = Walk {
         pieces,
@@ -63,7 +63,7 @@ pub(super) fn rows(pieces: &[Piece<'_>]) -> Vec<Row> {
 }
 
 impl Walk<'_> {
-    /// Puts a piece at the end of the last row or on a new one.
+    /// Adds a piece to the last row or to a new one.
     fn place(&mut self, index: usize) {
         let piece = &self.pieces[index];
         let closes_statements = self.closes_statements(piece);
@@ -101,7 +101,7 @@ impl Walk<'_> {
         closes && self.open.last().is_some_and(|it| it.holds_statements)
     }
 
-    /// How deep a row begins that starts with this piece.
+    /// Returns the indentation of a row that starts with this piece.
     fn indent(&self, piece: &Piece<'_>) -> usize {
         let around = self.open.iter().filter(|it| it.holds_statements).count();
         let Some((_, depth)) = self.statement else {
@@ -118,7 +118,7 @@ impl Walk<'_> {
         }
     }
 
-    /// Follows the statements.
+    /// Updates the current statement.
     fn read(&mut self, index: usize) {
         let piece = &self.pieces[index];
         let row = self.rows.len().saturating_sub(1);

@@ -1,9 +1,9 @@
-//! *Two neighbours on a line → one blank between them, or none.*
+//! Determines the usual gap between neighbors on a line: one blank or none.
 
 use super::pieces::{Piece, What};
 use crate::syntax::KEYWORDS;
 
-/// Words that stand behind an operand, and before another.
+/// Words between two operands.
 const CLAUSES: [&str; 13] = [
     "at",
     "turned",
@@ -20,10 +20,11 @@ const CLAUSES: [&str; 13] = [
     "pressure_angle",
 ];
 
-/// Words that stand where an operand is wanted, and before another.
+/// Words in the position of an operand and before another operand.
 const OPENINGS: [&str; 3] = ["if", "else", "polar"];
 
-/// The gap that is usual before the piece at `index`, which is not the first of its line; `first` is where its statement starts.
+/// Returns the usual gap before the piece at `index`, which is not the first of its line; `first` is the first piece of its
+/// statement.
 pub(super) fn gap(pieces: &[Piece<'_>], index: usize, first: usize) -> usize {
     let (before, piece) = (&pieces[index - 1], &pieces[index]);
     usize::from(is_apart(pieces, index, first, before, piece))
@@ -43,26 +44,26 @@ fn is_apart(
         (Open(b'{'), Close(b'}')) => false,
         (Open(b'(' | b'['), _) | (_, Close(b')' | b']') | Mark(b',' | b';' | b':')) => false,
         _ if before.is_comment() || piece.is_comment() => true,
-        // `1 .5` and `1. 5` are not what `1.5` is.
+        // `1 .5` and `1. 5` differ from `1.5`.
         (Number, Mark(b'.')) if after == Some(Number) => piece.gap > 0,
         (Mark(b'.'), Number) if beyond == Some(Number) => piece.gap > 0,
         (_, Mark(b'.')) | (Mark(b'.'), _) => false,
         (_, Mark(b'^' | b'*' | b'/')) | (Mark(b'^' | b'*' | b'/'), _) => false,
         (Mark(b'+' | b'-'), _) if is_sign(pieces, index - 1, first) => {
-            // An arrow must not come about.
+            // The formatter must not create an arrow.
             piece.what == Mark(b'>')
         }
         (Word, Open(b'(')) => {
             is_clause(pieces, index - 1) || is_unnamed_joint(pieces, index, first)
         }
-        // An index, and what follows a name with one.
+        // An index, and the bracket after an indexed name.
         (Word | Close(b']'), Open(b'[')) | (Close(b']'), Open(b'(')) => false,
         (Number, Open(b'(')) => false,
         _ => true,
     }
 }
 
-/// Whether a plus or minus is the sign of what follows, not between two terms.
+/// True if a plus or minus is a sign, and not an operation between two terms.
 pub(super) fn is_sign(pieces: &[Piece<'_>], index: usize, first: usize) -> bool {
     if !matches!(pieces[index].what, What::Mark(b'+' | b'-')) {
         return false;
@@ -76,7 +77,7 @@ pub(super) fn is_sign(pieces: &[Piece<'_>], index: usize, first: usize) -> bool 
     }
 }
 
-/// Whether the word at `index` is one that an operand follows.
+/// True if an operand follows the word at `index`.
 pub(super) fn is_clause(pieces: &[Piece<'_>], index: usize) -> bool {
     let word = &pieces[index];
     let follows_operand = index
@@ -86,7 +87,7 @@ pub(super) fn is_clause(pieces: &[Piece<'_>], index: usize) -> bool {
         && (OPENINGS.contains(&word.text) || follows_operand && CLAUSES.contains(&word.text))
 }
 
-/// Whether the parenthesis at `index` follows a keyword, or the kind of a joint that has no name and more than one operand:
+/// True if the parenthesis at `index` follows a keyword, or the kind of a joint without a name and with several operands:
 /// `translational (1, 2)`, but `absolute_x(1)`.
 fn is_unnamed_joint(pieces: &[Piece<'_>], index: usize, first: usize) -> bool {
     let kind = match pieces[first].is_word("redundant") {

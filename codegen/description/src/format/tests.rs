@@ -1,4 +1,4 @@
-//! The room as a whole: text in, text out.
+//! Tests formatting as a whole, from text to text.
 
 use super::format;
 use crate::diagnostic::Source;
@@ -12,7 +12,7 @@ fn formatted(text: &str) -> String {
     once
 }
 
-/// The statements inside of a mechanism.
+/// Puts statements into a mechanism.
 fn inside(statements: &str) -> String {
     let written = formatted(&format!("mechanism m {{\n{statements}\n}}\n"));
     let lines = written
@@ -115,7 +115,7 @@ fn statements_of_different_kinds_have_no_columns_in_common() {
 }
 
 #[test]
-fn what_goes_on_below_something_stays_below_it() {
+fn keeps_continuations_aligned() {
     let written = inside(
         "
  point A = (0,0), B = (1, 2),
@@ -173,7 +173,7 @@ fn line_ends_are_those_of_the_first_line() {
 }
 
 #[test]
-fn what_cannot_be_read_is_refused() {
+fn rejects_unreadable_text() {
     for text in [
         "",
         "// Nothing.",

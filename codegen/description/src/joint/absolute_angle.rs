@@ -1,4 +1,4 @@
-//! Absolute angle: a body does not turn.
+//! Absolute angle: the angle of a body is constant.
 
 use super::{Feature, Kind, Operands, Quantity, Resolved, Row, Value};
 use crate::expr::Graph;
@@ -6,7 +6,7 @@ use crate::expr::Graph;
 /// φ_i − C = 0 (Haug 1989, section 3.2).
 pub struct AbsoluteAngle;
 
-/// φ_i − value, which the angle driver shares.
+/// Returns the row φ_i − value, also used by the angle driver.
 pub(super) fn angle_row(operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
     let Some(value) = operands.value else {
         return Vec::new();

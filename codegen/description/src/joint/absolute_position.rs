@@ -9,7 +9,7 @@ pub struct AbsoluteX;
 /// y_i + (R_i s_i)_y − C = 0 (Haug 1989, section 3.2).
 pub struct AbsoluteY;
 
-/// The row that holds component `axis` of the mark at the value.
+/// Returns the row that keeps component `axis` of the mark at the value.
 pub(super) fn held(operands: &Resolved, axis: usize, graph: &mut Graph) -> Vec<Row> {
     let Some(value) = operands.value else {
         return Vec::new();

@@ -1,35 +1,33 @@
-//! A curve fixed in a frame and the point of it that is touched → its tangent, normal and curvature.
-//!
-//! All of them follow from p(s) by differentiation. Deliberately unknown here: how the curve was written, and what touches it.
+//! Represents a curve fixed in a frame with its contact point, and derives tangent, normal and curvature from p(s).
 
 use super::Quantity;
 use super::geometry::{BodyFrame, Vector, add, dot, perpendicular};
 use crate::expr::{ExprId, Graph, Rational, SymbolId};
 
-/// A curve p(s) of one body and where one joint touches it.
+/// A curve p(s) of one body, with the contact of one joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Curve {
-    /// The frame it is fixed in.
+    /// Frame in which the curve is fixed.
     pub frame: BodyFrame,
-    /// The x axis of that frame in global components: R (1, 0).
+    /// x axis of the frame in global components: R (1, 0).
     pub axis: Vector,
-    /// s where the joint touches it: a coordinate of the mechanism.
+    /// Parameter s at the contact: a coordinate of the mechanism.
     pub parameter: SymbolId,
-    /// What the parameter is measured in.
+    /// Quantity of the parameter.
     pub quantity: Quantity,
-    /// The parameter in the drawing.
+    /// Parameter at the contact in the design configuration.
     pub estimate: ExprId,
-    /// p(s), in the frame, in m.
+    /// p(s) in the frame, in m.
     pub point: Vector,
-    /// Where the parameter begins and ends in a drawing.
+    /// Range of the parameter in pictures.
     pub range: [f64; 2],
-    /// 1 where what touches lies to the right of the curve as s grows, as it does outside a curve that turns
-    /// counterclockwise; −1 where it lies to the left.
+    /// 1 if the touching body lies to the right of the curve as s grows, as outside a curve that turns counterclockwise; −1 if
+    /// it lies to the left.
     pub side: ExprId,
 }
 
 impl Curve {
-    /// R v: a vector of the frame in global components.
+    /// Returns R v: a vector of the frame in global components.
     pub fn rotate(&self, v: Vector, graph: &mut Graph) -> Vector {
         let across = perpendicular(self.axis, graph);
         let [along, across] = [(v[0], self.axis), (v[1], across)]
@@ -37,19 +35,19 @@ impl Curve {
         add(along, across, graph)
     }
 
-    /// r + R v: where a point of the frame is.
+    /// Returns r + R v: the global position of a point of the frame.
     pub fn position(&self, v: Vector, graph: &mut Graph) -> Vector {
         let arm = self.rotate(v, graph);
         add(self.frame.origin, arm, graph)
     }
 
-    /// p'(s), in the frame.
+    /// Returns p'(s), in the frame.
     pub fn tangent(&self, graph: &mut Graph) -> Vector {
         self.point
             .map(|component| graph.derivative(component, self.parameter))
     }
 
-    /// The unit vector across the tangent towards what touches, in the frame. There is none where p'(s) vanishes.
+    /// Returns the unit normal towards the touching body, in the frame. Undefined where p'(s) vanishes.
     pub fn normal(&self, graph: &mut Graph) -> Vector {
         let tangent = self.tangent(graph);
         let left = perpendicular(tangent, graph);
@@ -61,7 +59,7 @@ impl Curve {
         left.map(|component| graph.multiply(factor, component))
     }
 
-    /// The curvature towards the side that is not touched, in 1/m: positive for a disc touched from outside.
+    /// Returns the curvature in 1/m, positive for a disc touched from outside.
     pub fn curvature(&self, graph: &mut Graph) -> ExprId {
         let first = self.tangent(graph);
         let second = first.map(|component| graph.derivative(component, self.parameter));

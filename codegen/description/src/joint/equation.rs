@@ -1,10 +1,11 @@
-//! Equation: a row that the description writes out, over coordinates, points of bodies and t; or a rod between places that formulas give.
+//! Equation: a row written by the description in coordinates, points of bodies and t, or a rod between positions given by
+//! formulas.
 
 use super::link::refuse_length;
 use super::{Feature, Kind, Operands, Refusal, Resolved, Row, Value};
 use crate::expr::{ExprId, Graph};
 
-/// left − right = 0, as it is written; |Q − P|² − ℓ² = 0 of a rod.
+/// left − right = 0 as written; |Q − P|² − ℓ² = 0 for a rod.
 pub struct Equation;
 
 impl Kind for Equation {
@@ -37,7 +38,7 @@ impl Kind for Equation {
         Some((operands.length()?, "the distance"))
     }
 
-    /// The formula with the arms of the marks put in, so that the vector form has symbols for them.
+    /// Returns the formula with the rotated local vectors of the marks substituted; their symbols serve the vector form.
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
         let Some(formula) = &operands.formula else {
             return Vec::new();

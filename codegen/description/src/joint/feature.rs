@@ -1,55 +1,55 @@
-//! What a drawing shows of a joint.
+//! Defines the symbols of joints in pictures.
 //!
-//! A kind says which of the draughtsman's signs is its own, in terms of its operands; how a sign looks, and how several of them at
-//! one place become one, is for the drawing to say. A driver has the sign of what it drives.
+//! A kind states its symbol in terms of its operands. The picture decides on appearance, and merges symbols at one position. A
+//! driver has the symbol of the driven quantity.
 
 use crate::expr::ExprId;
 
-/// The sign of a joint. Marks are those of its operands, and so is the line.
+/// Symbol of a joint. Marks and line are those of its operands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Feature {
-    /// The two marks are one pin.
+    /// The two marks coincide in a pin.
     Pin,
-    /// The two bodies are one, joined where the marks are.
+    /// The two bodies are welded together at the marks.
     Weld,
-    /// The body of the mark beside the line slides along it and does not turn against it.
+    /// The body of the mark beside the line slides along the line without rotation.
     Slide,
-    /// The mark beside the line slides along it, this far to its left, and its body turns.
+    /// The mark beside the line slides along it, at this offset to its left, and its body rotates.
     Slot(ExprId),
-    /// A component of the first mark is kept: 0 for x, 1 for y.
+    /// A component of the first mark is constant: 0 for x, 1 for y.
     Coordinate(usize),
-    /// The angle of the first mark's body is kept.
+    /// The angle of the first mark's body is constant.
     Orientation,
-    /// The distance of the two marks is kept, as by a link.
+    /// The distance of the two marks is constant, as with a link.
     Link,
-    /// A component of the vector from the first mark to the second is kept.
+    /// A component of the vector from the first mark to the second is constant.
     Offset(usize),
-    /// The angle between the two bodies is kept.
+    /// The angle between the two bodies is constant.
     RelativeOrientation,
-    /// Wheels of the first two bodies, seen from the third, whose radii have this ratio.
+    /// Wheels of the first two bodies on the third, with this ratio of radii.
     Wheels(Mesh, ExprId),
-    /// A wheel of this radius about the mark beside the line rolls on it.
+    /// A wheel of this radius about the mark beside the line rolls on the line.
     Pinion(ExprId),
     /// The first mark's body touches the curve.
     Contact(Follower),
-    /// What an equation says of its marks has no sign.
+    /// An equation, which has no symbol.
     Written,
 }
 
-/// How two wheels move one another.
+/// Connection of two wheels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mesh {
-    /// By teeth outside.
+    /// External teeth.
     External,
-    /// By teeth, one inside the other.
+    /// Internal and external teeth.
     Internal,
-    /// By a belt.
+    /// Open belt.
     Belt,
-    /// By a belt that crosses itself.
+    /// Crossed belt.
     CrossedBelt,
 }
 
-/// With what a body touches a curve.
+/// Part of a body that touches a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Follower {
     /// The mark itself.

@@ -4,8 +4,10 @@ use super::geometry::{dot, perpendicular, subtract};
 use super::{Contact, Feature, Follower, Kind, Operands, Quantity, Resolved, Row, Value};
 use crate::expr::Graph;
 
-/// (R_j v)ᵀ (r_i + R_i p(s) − r_j − R_j s_A) = 0 and (R_j v)ᵀ R_i p'(s) = 0, with v across the face, fixed in body j: the touched
-/// point lies on the face, and the tangent there along it (Nikravesh 1988, section 4.2.4).
+/// (R_j v)ᵀ (r_i + R_i p(s) − r_j − R_j s_A) = 0 and (R_j v)ᵀ R_i p'(s) = 0, with v normal to the face, fixed in body j
+/// (Nikravesh 1988, section 4.2.4).
+///
+/// The contact point lies on the face, and the tangent there is parallel to the face.
 pub struct Flat;
 
 impl Kind for Flat {
@@ -37,7 +39,7 @@ impl Kind for Flat {
         let [across, turned] =
             [face.direction, face.turned].map(|along| perpendicular(along, graph));
         let touched = curve.position(curve.point, graph);
-        // The arm s_A needs no rotation, since it and v are fixed in the same frame.
+        // The local vector s_A needs no rotation, since s_A and v are fixed in the same frame.
         let reach = subtract(touched, begin.frame.origin, graph);
         let height = dot(turned, reach, graph);
         let start = dot(across, begin.local, graph);
@@ -59,7 +61,7 @@ impl Kind for Flat {
         ]
     }
 
-    /// A face touches a curve from outside, so the curve must not be hollow anywhere.
+    /// Returns the contact; a face touches from outside, so the curve must not be concave anywhere.
     fn contact(&self, operands: &Resolved, graph: &mut Graph) -> Option<Contact> {
         let (face, curve) = (operands.axis?, operands.curve?);
         Some(Contact {

@@ -1,24 +1,25 @@
-//! Gears and belts: the angles of two bodies, seen from a carrier, keep a ratio.
+//! Gears and belts: the angles of two bodies relative to a carrier keep a ratio.
 
 use super::{Feature, Kind, Mesh, Operands, Quantity, Refusal, Resolved, Row, Value};
 use crate::expr::{ExprId, Graph};
 
-/// (φ_j − φ_k − φ_j⁰) ± ratio (φ_i − φ_k − φ_i⁰) = 0 with the carrier k, the angles φ⁰ seen from it in the drawing, and
-/// ratio = r_i/r_j (Haug 1989, section 3.4, for any carrier).
+/// (φ_j − φ_k − φ_j⁰) ± ratio (φ_i − φ_k − φ_i⁰) = 0 with the carrier k and ratio = r_i/r_j (Haug 1989, section 3.4, for any
+/// carrier).
 ///
-/// The sign is plus where the two turn against one another.
+/// The angles φ⁰ are relative to the carrier in the design configuration. The sign is plus if the bodies rotate in opposite
+/// senses.
 pub struct Gear {
     keyword: &'static str,
     example: &'static str,
-    /// The kind to which a negative ratio belongs.
+    /// Kind that corresponds to a negative ratio.
     other: &'static str,
-    /// Whether the two turn against one another, seen from the carrier.
+    /// True if the two rotate in opposite senses relative to the carrier.
     opposite: bool,
-    /// What turns them.
+    /// Connection of the wheels.
     mesh: Mesh,
 }
 
-/// Two wheels with teeth outside: they turn against one another.
+/// Two wheels with external teeth, which rotate in opposite senses.
 pub static EXTERNAL_GEAR: Gear = Gear {
     keyword: "external_gear",
     example: "`external_gear (1, 2) = 20mm/40mm;`, with a carrier `external_gear (1, 2, 3) = 20/40;`, or with the force of the teeth `external_gear (1, 2) = 20/40 pressure_angle 20deg;`",
@@ -27,7 +28,7 @@ pub static EXTERNAL_GEAR: Gear = Gear {
     mesh: Mesh::External,
 };
 
-/// A wheel inside a ring: both turn in one sense.
+/// A wheel inside a ring, both rotating in one sense.
 pub static INTERNAL_GEAR: Gear = Gear {
     keyword: "internal_gear",
     example: "`internal_gear (1, 2) = 20mm/40mm;`, with a carrier `internal_gear (1, 2, 3) = 20/40;`, or with the force of the teeth `internal_gear (1, 2) = 20/40 pressure_angle 20deg;`",
@@ -36,7 +37,7 @@ pub static INTERNAL_GEAR: Gear = Gear {
     mesh: Mesh::Internal,
 };
 
-/// Two wheels in an open belt: both turn in one sense.
+/// Two wheels in an open belt, both rotating in one sense.
 pub static BELT: Gear = Gear {
     keyword: "belt",
     example: "`belt (1, 2) = 20mm/40mm;`, or with a carrier `belt (1, 2, 3) = 20/40;`",
@@ -45,7 +46,7 @@ pub static BELT: Gear = Gear {
     mesh: Mesh::Belt,
 };
 
-/// Two wheels in a crossed belt: they turn against one another.
+/// Two wheels in a crossed belt, which rotate in opposite senses.
 pub static CROSSED_BELT: Gear = Gear {
     keyword: "crossed_belt",
     example: "`crossed_belt (1, 2) = 20mm/40mm;`, or with a carrier `crossed_belt (1, 2, 3) = 20/40;`",
@@ -109,7 +110,7 @@ impl Kind for Gear {
         let Some(ratio) = operands.value else {
             return Vec::new();
         };
-        // How far each of the two has turned against the carrier since the drawing.
+        // Rotation of each wheel relative to the carrier since the design configuration.
         let [i, j] = [0, 1].map(|side| {
             let angles = [side, 2].map(|at| operands.marks[at].frame.angle);
             let drawn = [side, 2].map(|at| operands.drawn[at].frame.angle);

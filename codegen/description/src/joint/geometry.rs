@@ -1,8 +1,7 @@
-//! Frames and marked points → their global vectors.
+//! Computes global vectors of frames and marked points.
 //!
-//! A body's frame has the origin r = (x, y) and the rotation matrix R(φ); a mark is a point fixed in it. All vectors are
-//! pairs of expressions. Deliberately unknown here: whether a coordinate is a symbol or a constant, so the ground is a frame
-//! like any other.
+//! A body's frame has the origin r = (x, y) and the rotation matrix R(φ); a mark is a point fixed in it. All vectors are pairs
+//! of expressions, either symbols or constants, so the ground is a frame like any other.
 
 use crate::expr::{ExprId, Graph};
 
@@ -11,43 +10,43 @@ use crate::expr::{ExprId, Graph};
 pub struct BodyId(pub usize);
 
 impl BodyId {
-    /// The body that does not move.
+    /// Ground, the fixed body.
     pub const GROUND: BodyId = BodyId(0);
 }
 
 /// Components along x and y.
 pub type Vector = [ExprId; 2];
 
-/// The frame of one body.
+/// Frame of one body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BodyFrame {
-    /// Whose frame it is.
+    /// Body of the frame.
     pub body: BodyId,
-    /// Its origin, in m.
+    /// Origin, in m.
     pub origin: Vector,
-    /// Its angle, in rad, counterclockwise from the global x axis.
+    /// Angle in rad, counterclockwise from the global x axis.
     pub angle: ExprId,
 }
 
 /// A point fixed in a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mark {
-    /// The frame it is fixed in.
+    /// Frame in which the point is fixed.
     pub frame: BodyFrame,
-    /// Its coordinates in that frame, in m.
+    /// Coordinates in that frame, in m.
     pub local: Vector,
     /// R s: the local vector in global components.
     pub arm: Vector,
 }
 
 impl BodyFrame {
-    /// R(φ) v: the vector `v` of this frame in global components.
+    /// Returns R(φ) v: a vector of this frame in global components.
     pub fn rotate(&self, v: Vector, graph: &mut Graph) -> Vector {
         let (sine, cosine) = (graph.sin(self.angle), graph.cos(self.angle));
         tidied(turned(cosine, sine, v, graph), graph)
     }
 
-    /// Rᵀ(φ) v: the global vector `v` in the components of this frame.
+    /// Returns Rᵀ(φ) v: a global vector in the components of this frame.
     pub fn unrotate(&self, v: Vector, graph: &mut Graph) -> Vector {
         let opposite = BodyFrame {
             angle: graph.negate(self.angle),
@@ -58,62 +57,62 @@ impl BodyFrame {
 }
 
 impl Mark {
-    /// The point with these coordinates in a frame.
+    /// Creates the point with these coordinates in a frame.
     pub fn new(frame: BodyFrame, local: Vector, graph: &mut Graph) -> Mark {
         let arm = frame.rotate(local, graph);
         Mark { frame, local, arm }
     }
 
-    /// r + R s: where the point is.
+    /// Returns r + R s: the global position.
     pub fn position(&self, graph: &mut Graph) -> Vector {
         add(self.frame.origin, self.arm, graph)
     }
 }
 
-/// `v` turned by the angle with this cosine and sine.
+/// Rotates `v` by the angle with this cosine and sine.
 pub fn turned(cosine: ExprId, sine: ExprId, v: Vector, graph: &mut Graph) -> Vector {
     let [c0, s1] = [graph.multiply(cosine, v[0]), graph.multiply(sine, v[1])];
     let [s0, c1] = [graph.multiply(sine, v[0]), graph.multiply(cosine, v[1])];
     [graph.subtract(c0, s1), graph.add(s0, c1)]
 }
 
-/// a + b.
+/// Returns a + b.
 pub fn add(a: Vector, b: Vector, graph: &mut Graph) -> Vector {
     [graph.add(a[0], b[0]), graph.add(a[1], b[1])]
 }
 
-/// a − b.
+/// Returns a − b.
 pub fn subtract(a: Vector, b: Vector, graph: &mut Graph) -> Vector {
     [graph.subtract(a[0], b[0]), graph.subtract(a[1], b[1])]
 }
 
-/// `a` with the components that are constants in their shortest form.
+/// Returns `a` with constant components in their shortest form.
 pub fn tidied(a: Vector, graph: &mut Graph) -> Vector {
     a.map(|component| graph.tidied(component))
 }
 
-/// |a|.
+/// Returns |a|.
 pub fn length(a: Vector, graph: &mut Graph) -> ExprId {
     let square = dot(a, a, graph);
     let square = graph.tidied(square);
     graph.sqrt(square)
 }
 
-/// a · b.
+/// Returns a · b.
 pub fn dot(a: Vector, b: Vector, graph: &mut Graph) -> ExprId {
     let [first, second] = [graph.multiply(a[0], b[0]), graph.multiply(a[1], b[1])];
     graph.add(first, second)
 }
 
-/// `a` turned by a quarter turn counterclockwise.
+/// Returns `a` rotated counterclockwise by a right angle.
 pub fn perpendicular(a: Vector, graph: &mut Graph) -> Vector {
     [graph.negate(a[1]), a[0]]
 }
 
-/// The component along the unit vector `direction` of frame i, `turned` in global components, of the vector from mark i to
-/// mark j: (R_i u)ᵀ (r_j + R_j s_j − r_i) − uᵀ s_i.
+/// Returns (R_i u)ᵀ (r_j + R_j s_j − r_i) − uᵀ s_i: the component of the vector from mark i to mark j along the unit vector
+/// `direction` u of frame i. `turned` is R_i u.
 ///
-/// The arm s_i needs no rotation, since it and u are fixed in the same frame.
+/// The local vector s_i needs no rotation, since s_i and u are fixed in the same frame.
 pub fn offset_along(
     direction: Vector,
     turned: Vector,

@@ -6,7 +6,7 @@ use crate::expr::Graph;
 
 /// (R_i u)ᵀ (r_j + R_j s_j − r_i − R_i s_i) − f(t) = 0, with u along the line, fixed in body i (Haug 1989, section 3.5).
 ///
-/// The length has a sign: it is positive while Q lies in the direction that `along P -> Q` had in the drawing.
+/// The length is signed: positive while Q lies in the direction of `along P -> Q` in the design configuration.
 pub struct LengthDriver;
 
 impl Kind for LengthDriver {
@@ -43,7 +43,7 @@ impl Kind for LengthDriver {
         }]
     }
 
-    /// ℓ − f(t) = 0, with the displacement of the joint that is driven.
+    /// Returns the row ℓ − f(t), with the displacement of the driven joint.
     fn vector_rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
         let (Some(displacement), Some(value)) = (operands.auxiliaries.first(), operands.value)
         else {

@@ -1,13 +1,13 @@
-//! A length between two marks: what the kinds that keep a distance share.
+//! Shares the rows of kinds that keep a distance between two marks.
 //!
-//! The textbook states it squared. The vector form closes the loop with a link that has no body: from the first mark to the
-//! second leads ℓ (cos ψ, sin ψ), with the angle ψ of the link as an unknown.
+//! The textbook formulation states the square of the distance. The vector form closes the loop with a link without a body. The
+//! vector from the first mark to the second is ℓ (cos ψ, sin ψ), with the link angle ψ as an unknown.
 
 use super::geometry::{dot, subtract};
 use super::{Quantity, Refusal, Resolved, Row};
 use crate::expr::{ExprId, Graph};
 
-/// dᵀd − ℓ² with d from the first mark to the second, in m².
+/// Returns the row dᵀd − ℓ² in m², with d from the first mark to the second.
 pub(super) fn squared_row(operands: &Resolved, length: ExprId, graph: &mut Graph) -> Vec<Row> {
     let [i, j] = [0, 1].map(|side| operands.marks[side].position(graph));
     let gap = subtract(j, i, graph);
@@ -19,7 +19,7 @@ pub(super) fn squared_row(operands: &Resolved, length: ExprId, graph: &mut Graph
     }]
 }
 
-/// r_j + R_j s_j − r_i − R_i s_i − ℓ (cos ψ, sin ψ), with ψ as the first auxiliary unknown.
+/// Returns the rows r_j + R_j s_j − r_i − R_i s_i − ℓ (cos ψ, sin ψ), with ψ as the first auxiliary unknown.
 pub(super) fn link_rows(operands: &Resolved, length: ExprId, graph: &mut Graph) -> Vec<Row> {
     let [link, ..] = &operands.auxiliaries[..] else {
         return Vec::new();
@@ -36,10 +36,10 @@ pub(super) fn link_rows(operands: &Resolved, length: ExprId, graph: &mut Graph) 
     vec![row(open[0], "x"), row(open[1], "y")]
 }
 
-/// A length that is not positive: the square of the distance would be singular at zero, and has no sign.
+/// Rejects a length that is not positive: the squared distance is singular at zero, and has no sign.
 pub(super) fn refuse_length(length: ExprId, instead: &str, graph: &Graph) -> Option<Refusal> {
     let length = graph.constant_value(length)?;
-    // The square is what the equation is about.
+    // The equation uses the square, which must not underflow.
     if length > 0.0 && length * length >= f64::MIN_POSITIVE {
         return None;
     }
@@ -61,7 +61,7 @@ pub(super) fn refuse_length(length: ExprId, instead: &str, graph: &Graph) -> Opt
     };
     Some(Refusal { problem, help })
 }
-/// The distance of the marks in the drawing.
+/// Returns the distance of the marks in the design configuration.
 pub(super) fn drawn_length(operands: &Resolved, graph: &mut Graph) -> ExprId {
     let gap = operands.drawn_gap(graph);
     super::geometry::length(gap, graph)

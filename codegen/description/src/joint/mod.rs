@@ -1,10 +1,8 @@
-//! Operands of a joint or driver → its rows of Φ.
+//! Defines the kinds of joints and drivers with their rows of Φ.
 //!
-//! One file per kind, and one line in [`CONSTRAINTS`] or [`DRIVERS`]. A kind says how it is written and drawn and states its
-//! residuals; the Jacobian, Φ_t, γ, the printing and the diagnostics follow from these. Afterwards every row is a scalar
-//! expression of the coordinates and t that vanishes when the joint is satisfied.
-//!
-//! Deliberately unknown here: names, spans, other joints, and everything that happens to a row.
+//! Each kind is one file and one line in [`CONSTRAINTS`] or [`DRIVERS`]. A kind defines its syntax, its symbol and its
+//! residuals. The Jacobian, Φ_t, γ, the printing and the diagnostics follow from these. Every row is a scalar expression of the
+//! coordinates and t that vanishes if the joint is satisfied.
 
 mod absolute_angle;
 mod absolute_distance;
@@ -46,96 +44,100 @@ use geometry::{BodyFrame, Vector};
 /// One scalar constraint equation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Row {
-    /// The residual, zero when satisfied.
+    /// Residual, zero if the row is satisfied.
     pub residual: ExprId,
-    /// What the residual is measured in.
+    /// Quantity of the residual.
     pub quantity: Quantity,
-    /// Which row of the joint this is: `x`, `angle`, …; empty when it has only one.
+    /// Name of the row within the joint: `x`, `angle`, …; empty for a single row.
     pub component: &'static str,
 }
 
-/// Where a body touches a curve of another body.
+/// Contact of a body with a curve of another body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
-    /// The unit vector along which they press on one another, in global components.
+    /// Unit vector of the contact force, in global components.
     pub normal: Vector,
-    /// The frame of the body that is pushed.
+    /// Frame of the follower.
     pub follower: BodyFrame,
-    /// The point of that body whose motion the pressure angle is measured against.
+    /// Point of the follower whose velocity defines the pressure angle.
     pub place: Vector,
-    /// An expression of the curve's parameter that keeps its sign wherever the contact is possible, and what is wrong where
-    /// it does not.
+    /// Expression of the curve's parameter that keeps its sign wherever contact is possible, and the fault otherwise. `None` if
+    /// contact is always possible.
     pub fit: Option<(ExprId, &'static str)>,
 }
 
-/// Why operands make no joint of a kind.
+/// Reason why operands are invalid for a kind.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refusal {
-    /// What is wrong, as a sentence without a full stop.
+    /// Fault, as a sentence without a full stop.
     pub problem: String,
-    /// What to write instead.
+    /// Remedy.
     pub help: String,
 }
 
 /// A kind of joint or driver.
 pub trait Kind: Sync {
-    /// The word a statement begins with, or for a driver the driven quantity.
+    /// Returns the keyword of the statement, or for a driver the driven quantity.
     fn keyword(&self) -> &'static str;
-    /// What must stand in the parentheses.
+    /// Returns the form of the operands.
     fn operands(&self) -> Operands;
-    /// What stands right of `=`. A driver's value must, and may depend on t.
+    /// Returns the form of the value after `=`. A driver requires a value, which may depend on t.
     fn value(&self) -> Value;
-    /// Statements of this kind as they are written, for help lines.
+    /// Returns example statements for help lines.
     fn example(&self) -> &'static str;
-    /// What a drawing shows of it; `None` where its operands are not complete.
+    /// Returns the symbol in pictures; `None` if operands are missing.
     fn feature(&self, operands: &Resolved, graph: &mut Graph) -> Option<Feature>;
-    /// Whether the joint keeps its two marks at one place, so that they are one point of the mechanism.
+    /// True if the joint keeps its two marks coincident, so that they are one point of the mechanism.
     fn joins_points(&self) -> bool {
         false
     }
-    /// The joint that says what is left where this row of it, by its component, is not wanted.
+    /// Returns the keyword of the joint that remains without the row of this component; `None` if there is none.
     fn without(&self, _component: &str) -> Option<&'static str> {
         None
     }
-    /// Whether it speaks of the global origin or axes, so that it means something else where its bodies are drawn elsewhere;
-    /// `on_ground` says whether one of them is the ground.
+    /// True if the joint refers to the global origin or axes, so that moving its bodies in the design configuration changes its
+    /// meaning. `on_ground` is true if one of the bodies is the ground.
     fn is_global(&self, _on_ground: bool) -> bool {
         false
     }
-    /// True if its teeth have a pressure angle that may be written.
+    /// True if a pressure angle of its teeth may be written.
     fn has_pressure_angle(&self) -> bool {
         false
     }
-    /// The unknowns of its vector form beyond the coordinates.
+    /// Returns the auxiliary unknowns of the vector form.
     fn auxiliaries(&self) -> &'static [Auxiliary] {
         &[]
     }
-    /// Why these operands make no joint of this kind, where they do not: a length that is not positive, a ratio that is zero.
+    /// Checks the operands: returns, for example, the refusal of a length that is not positive or of a ratio that is zero;
+    /// `None` if they are valid.
     fn refusal(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Refusal> {
         None
     }
-    /// What must be positive for these operands to make a joint of this kind whatever the parameters are, and what it is called.
+    /// Returns an expression that must be positive for all values of the parameters, and its name; `None` without such a
+    /// condition.
     fn positive(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<(ExprId, &'static str)> {
         None
     }
-    /// The rows of the vector form: as many more as the kind has [auxiliaries](Kind::auxiliaries), and linear in the positions, the
-    /// turned vectors and their products with a displacement. The textbook's rows, where they are that already.
+    /// Returns the rows of the vector form: the textbook's number of rows plus that of the [auxiliaries](Kind::auxiliaries).
+    /// The rows are linear in positions, rotated local vectors and their products with a displacement. Textbook rows of this
+    /// form are returned unchanged.
     fn vector_rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
         self.rows(operands, graph)
     }
-    /// Where the bodies touch, for kinds that let them press on one another along a curve.
+    /// Returns the contact of a kind whose bodies touch along a curve; `None` for other kinds.
     fn contact(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Contact> {
         None
     }
-    /// True if the vector form with its auxiliaries says what is left where the textbook's rows that are `dropped` are not solved.
+    /// True if the vector form with its auxiliaries remains equivalent to the textbook's rows without the `dropped` ones.
     fn keeps_vector_rows(&self, dropped: &[bool]) -> bool {
         !dropped.contains(&true)
     }
-    /// The kind that states the same along and across an arm of a body that turns about another point, for joints that may be redundant.
+    /// Returns the equivalent kind along and across the line from a body's pivot to the joint, for joints that may be
+    /// redundant; `None` if there is none.
     fn on_arm(&self) -> Option<&'static dyn Kind> {
         None
     }
-    /// The rows, in the order of the textbook.
+    /// Returns the rows, in the order of the textbook.
     fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row>;
 }
 
@@ -145,7 +147,7 @@ impl std::fmt::Debug for dyn Kind {
     }
 }
 
-/// Every joint, in the order in which help lines list them.
+/// All kinds of joints, in the order of help lines.
 pub static CONSTRAINTS: &[&dyn Kind] = &[
     &revolute::Revolute,
     &translational::Translational,
@@ -171,10 +173,10 @@ pub static CONSTRAINTS: &[&dyn Kind] = &[
     &flat::Flat,
 ];
 
-/// The equation that a description writes out.
+/// Equation written by a description.
 pub static EQUATION: &dyn Kind = &equation::Equation;
 
-/// Every quantity that a `drive` statement can prescribe.
+/// All quantities of `drive` statements.
 pub static DRIVERS: &[&dyn Kind] = &[
     &angle_driver::AngleDriver,
     &length_driver::LengthDriver,

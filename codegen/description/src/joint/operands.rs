@@ -1,16 +1,16 @@
-//! How the operands of a kind are written, and what they are once resolved.
+//! Defines the written form of operands and their resolved values.
 
 use super::curve::Curve;
 use super::geometry::{BodyFrame, Mark, Vector, dot, perpendicular, subtract};
 use super::{Kind, Quantity};
 use crate::expr::{ExprId, Graph, SymbolId};
 
-/// What a statement of a kind must give beside its keyword: what stands in the parentheses, and its line.
+/// Operands of a kind: the slots in the parentheses, and the line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Operands {
-    /// What stands in the parentheses, in order.
+    /// Slots in the parentheses, in order.
     pub slots: &'static [Slot],
-    /// The line that the statement names.
+    /// Line of the statement.
     pub line: Line,
 }
 
@@ -19,32 +19,32 @@ pub struct Operands {
 pub enum Slot {
     /// A body, for its frame: `1`.
     Body,
-    /// A body or an angle, for how it is turned: `1`.
+    /// A body or an angle, for its orientation: `1`.
     Turning,
-    /// A body, for the point of it that lies in the drawing where the other operand is: `1`.
+    /// A body, for its point at the other operand in the design configuration: `1`.
     Counterpart,
     /// A point of a body, or a body for its origin: `1.P`, `1`.
     Point,
-    /// A point of a body, or a body for its point of the joint's name: `P(1, …)`, `(1.P, …)`.
+    /// A point of a body, or a body for its point with the joint's name: `P(1, …)`, `(1.P, …)`.
     Pin,
-    /// A point of the drawing, fixed to the ground: `A`.
+    /// A global point, fixed to the ground: `A`.
     GroundPoint,
-    /// A curve by its name, for the frame of the body that carries it: `rim`.
+    /// The name of a curve, for the frame of its body: `rim`.
     Curve,
-    /// A body at the end of the list that need not be written; the ground where it is not.
+    /// An optional body at the end of the list; the ground if omitted.
     Carrier,
 }
 
-/// The line that a statement names.
+/// Line of a statement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Line {
-    /// None.
+    /// No line.
     None,
     /// `along P -> Q`, with P on the first body and Q on the second.
     Between,
     /// `along P -> Q`, with both points on the body of this operand.
     On(usize),
-    /// The two operands name the line of a joint written before: `(P, Q)`.
+    /// The two operands name the line of an earlier joint: `(P, Q)`.
     Existing,
 }
 
@@ -55,11 +55,11 @@ impl Operands {
     pub const POINT: Operands = Operands::of(&[Slot::Point]);
     /// A point of each of two bodies, or bodies for their origins: `relative_x(1.P, 2)`.
     pub const POINTS: Operands = Operands::of(&[Slot::Point, Slot::Point]);
-    /// The same named point on two bodies, `P(1, 2)`, or a point of each, `(1.P, 2.Q)`.
+    /// A point name on two bodies, `P(1, 2)`, or a point of each, `(1.P, 2.Q)`.
     pub const PINS: Operands = Operands::of(&[Slot::Pin, Slot::Pin]);
     /// Two bodies or angles: `(1, 2)`.
     pub const ANGLES: Operands = Operands::of(&[Slot::Turning, Slot::Turning]);
-    /// Two bodies that turn on a third one, or on the ground: `(1, 2, 3)`, `(1, 2)`.
+    /// Two bodies that rotate on a third one, or on the ground: `(1, 2, 3)`, `(1, 2)`.
     pub const BODIES_ON_CARRIER: Operands = Operands::of(&[Slot::Body, Slot::Body, Slot::Carrier]);
     /// Two bodies and the line on which they slide: `(1, 2) along P -> Q`.
     pub const BODIES_ALONG: Operands = Operands {
@@ -73,13 +73,13 @@ impl Operands {
         slots: &[Slot::Body, Slot::Curve],
         line: Line::On(0),
     };
-    /// The two points of the line of a joint written before: `(P, Q)`.
+    /// The two points of the line of an earlier joint: `(P, Q)`.
     pub const LINE_OF_JOINT: Operands = Operands {
         slots: &[Slot::Point, Slot::Point],
         line: Line::Existing,
     };
 
-    /// Operands without a line.
+    /// Creates operands without a line.
     pub const fn of(slots: &'static [Slot]) -> Operands {
         Operands {
             slots,
@@ -87,31 +87,31 @@ impl Operands {
         }
     }
 
-    /// How many operands must be written at least.
+    /// Returns the minimum number of operands.
     pub fn fewest(&self) -> usize {
         let needed = |slot: &&Slot| **slot != Slot::Carrier;
         self.slots.iter().filter(needed).count()
     }
 
-    /// Whether `along P -> Q` must stand behind the parentheses.
+    /// True if `along P -> Q` is required after the parentheses.
     pub fn is_along(&self) -> bool {
         matches!(self.line, Line::Between | Line::On(_))
     }
 }
 
-/// What stands right of `=`.
+/// Value after `=`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Value {
-    /// Nothing may.
+    /// Not permitted.
     None,
-    /// A value of this quantity must.
+    /// Required, of this quantity.
     Required(Quantity),
-    /// A value of this quantity may; where it does not, the drawing says it.
+    /// Optional, of this quantity; the default follows from the design configuration.
     OrAsDrawn(Quantity),
 }
 
 impl Value {
-    /// What a value is measured in, where there may be one.
+    /// Returns the quantity of the value; `None` if a value is not permitted.
     pub fn quantity(self) -> Option<Quantity> {
         match self {
             Value::None => None,
@@ -120,21 +120,21 @@ impl Value {
     }
 }
 
-/// An unknown that a vector form has beyond the coordinates; no equation of the textbook knows it.
+/// An unknown of a vector form beyond the coordinates, absent from the textbook formulation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Auxiliary {
-    /// The signed distance ℓ, in m, from the mark on the body of the line to the other mark, along the line.
+    /// Signed distance ℓ, in m, from the mark on the body of the line to the other mark, along the line.
     Displacement,
-    /// How far the other mark lies to the left of the line, in m.
+    /// Offset of the other mark to the left of the line, in m.
     Offset,
-    /// The distance ℓ, in m, from the first mark to the second.
+    /// Distance ℓ, in m, from the first mark to the second.
     Distance,
-    /// The angle ψ, in rad, of the direction from the first mark to the second: that of a link without a body of its own.
+    /// Angle ψ, in rad, of the direction from the first mark to the second, as of a link without a body.
     LinkAngle,
 }
 
 impl Auxiliary {
-    /// What it is measured in.
+    /// Returns the quantity of the unknown.
     pub fn quantity(self) -> Quantity {
         match self {
             Auxiliary::Displacement | Auxiliary::Offset | Auxiliary::Distance => Quantity::Length,
@@ -143,83 +143,84 @@ impl Auxiliary {
     }
 }
 
-/// The operands of one joint, resolved: which fields are filled follows from the kind's [`Operands`].
+/// Resolved operands of one joint. The kind's [`Operands`] determine which fields are set.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Resolved {
-    /// The points concerned, one per slot; where the line lies on a body, that body's is the point at which it begins.
+    /// Points of the joint, one per slot. If the line lies on a body, the mark of that body is the start of the line.
     pub marks: Vec<Mark>,
-    /// Each of the marks in the drawing.
+    /// Each mark in the design configuration.
     pub drawn: Vec<Drawn>,
-    /// The line.
+    /// Line; `None` for kinds without a line.
     pub axis: Option<Axis>,
-    /// The curve that is touched.
+    /// Touched curve; `None` for kinds without a curve.
     pub curve: Option<Curve>,
-    /// The right-hand side; `None` where it was left to the drawing.
+    /// Value after `=`; `None` if it follows from the design configuration.
     pub value: Option<ExprId>,
-    /// The unknowns of the vector form, as the kind lists them; those of the joint whose line this is, where it names one.
+    /// Unknowns of the vector form, in the order of the kind. If the operands name the line of another joint, the unknowns of
+    /// that joint.
     pub auxiliaries: Vec<AuxiliaryUnknown>,
-    /// The formula of an equation that the description writes out.
+    /// Formula of an equation of the description; `None` for other kinds.
     pub formula: Option<Formula>,
 }
 
 impl Resolved {
-    /// The length of a rod that an equation holds.
+    /// Returns the length of a rod; `None` for other joints.
     pub fn length(&self) -> Option<ExprId> {
         self.formula.as_ref().and(self.value)
     }
 }
 
-/// An equation as a description writes it, with both sides on the left.
+/// An equation of the description, with both sides on the left.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Formula {
-    /// The residual, of coordinates, t and the symbols of `arms`.
+    /// Residual in coordinates, t and the symbols of `arms`.
     pub residual: ExprId,
-    /// For each of the marks the symbols that stand for the components of its arm R s; `None` where nothing mentions the arm.
+    /// For each mark, the symbols of the components of its rotated local vector R s; `None` if they do not occur.
     pub arms: Vec<Option<[SymbolId; 2]>>,
-    /// What the residual is measured in.
+    /// Quantity of the residual.
     pub quantity: Quantity,
 }
 
-/// A mark in the drawing: constants.
+/// A mark in the design configuration, as constants.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drawn {
-    /// The frame it is fixed in.
+    /// Frame in which the mark is fixed.
     pub frame: BodyFrame,
-    /// Where it is, in m.
+    /// Global position, in m.
     pub position: Vector,
 }
 
-/// The line that a joint is along.
+/// Line of a joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axis {
-    /// The mark that the line is fixed with and begins at: an index.
+    /// Index of the mark at which the line begins, and to whose body it is fixed.
     pub owner: usize,
-    /// The mark of the other body: an index.
+    /// Index of the mark of the other body.
     pub other: usize,
     /// Unit vector u along the line, in the frame of its body.
     pub direction: Vector,
-    /// R u: the same in global components.
+    /// R u: the unit vector in global components.
     pub turned: Vector,
-    /// The angle of the line's body less that of the other body, in the drawing.
+    /// Angle of the line's body relative to the other body, in the design configuration.
     pub relative_angle: ExprId,
 }
 
 /// An auxiliary unknown of one joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AuxiliaryUnknown {
-    /// Which it is.
+    /// Kind of the unknown.
     pub kind: Auxiliary,
-    /// The unknown itself.
+    /// Symbol of the unknown.
     pub value: ExprId,
-    /// For a link angle ψ the unit vector (cos ψ, sin ψ), otherwise zero.
+    /// Unit vector (cos ψ, sin ψ) of a link angle ψ; zero for other unknowns.
     pub turned: Vector,
 }
 
 impl AuxiliaryUnknown {
-    /// Symbols for the unknowns that the vector form of the joint with this number has beyond the coordinates.
+    /// Creates symbols for the auxiliary unknowns of the joint with this number.
     pub fn of(kind: &dyn Kind, joint: usize, graph: &mut Graph) -> Vec<AuxiliaryUnknown> {
         let unknown = |(number, &kind): (usize, &Auxiliary)| {
-            // No coordinate can have such a name: it begins with a digit.
+            // The name begins with a digit, so it differs from all coordinates.
             let name = match number {
                 0 => format!("{joint} displacement"),
                 _ => format!("{joint} displacement {number}"),
@@ -243,20 +244,20 @@ impl AuxiliaryUnknown {
 }
 
 impl Resolved {
-    /// How far the other mark lies along the line in the drawing.
+    /// Returns the position of the other mark along the line in the design configuration; `None` without a line.
     pub fn along_in_drawing(&self, graph: &mut Graph) -> Option<ExprId> {
         let (direction, gap) = self.line_in_drawing(graph)?;
         Some(dot(direction, gap, graph))
     }
 
-    /// How far the other mark lies to the left of the line in the drawing.
+    /// Returns the offset of the other mark to the left of the line in the design configuration; `None` without a line.
     pub fn across_in_drawing(&self, graph: &mut Graph) -> Option<ExprId> {
         let (direction, gap) = self.line_in_drawing(graph)?;
         let across = perpendicular(direction, graph);
         Some(dot(across, gap, graph))
     }
 
-    /// The line's direction in the drawing, and the vector to the other mark.
+    /// Returns the line's direction and the vector to the other mark in the design configuration; `None` without a line.
     fn line_in_drawing(&self, graph: &mut Graph) -> Option<(Vector, Vector)> {
         let axis = self.axis?;
         let [line, other] = [axis.owner, axis.other].map(|side| self.drawn[side]);
@@ -264,12 +265,12 @@ impl Resolved {
         Some((direction, subtract(other.position, line.position, graph)))
     }
 
-    /// The vector from the first mark to the second in the drawing.
+    /// Returns the vector from the first mark to the second in the design configuration.
     pub fn drawn_gap(&self, graph: &mut Graph) -> Vector {
         subtract(self.drawn[1].position, self.drawn[0].position, graph)
     }
 
-    /// The line, the mark that it is fixed with, and the other one.
+    /// Returns the line, the mark at its start, and the other mark; `None` without a line.
     pub fn along(&self) -> Option<(Axis, Mark, Mark)> {
         let axis = self.axis?;
         Some((axis, self.marks[axis.owner], self.marks[axis.other]))

@@ -1,14 +1,16 @@
-//! Revolute joint of a body that turns about another of its points: the same two conditions along and across the arm between both.
+//! Revolute joint of a body that rotates about another of its points, stated along and across the line from that point to the
+//! pin.
 //!
-//! Across the arm the gap depends on the body's angle with the arm's length in every pose, so that this row alone determines the angle.
+//! Across this line, the derivative of the gap by the body's angle is the length in every pose. This row alone therefore
+//! determines the angle.
 
 use super::geometry::{dot, offset_along, perpendicular, subtract};
 use super::point_on_line::slot_rows;
 use super::{Auxiliary, Feature, Kind, Operands, Quantity, Resolved, Row, Value};
 use crate::expr::Graph;
 
-/// (R_i v)ᵀ (r_j + R_j s_j − r_i − R_i s_C) = 0, with v across the arm u from C to the pin, fixed in body i; and the same along u, less
-/// the arm's length. The third mark is C.
+/// (R_i v)ᵀ (r_j + R_j s_j − r_i − R_i s_C) = 0, with v normal to the unit vector u from C to the pin, both fixed in body i.
+/// The second row has u for v, minus the distance from C to the pin. The third mark is C.
 pub struct PinOnArm;
 
 impl Kind for PinOnArm {
@@ -53,16 +55,16 @@ impl Kind for PinOnArm {
         let Some((axis, pivot, pin)) = operands.along() else {
             return Vec::new();
         };
-        let own = operands.marks[1 - axis.other];
+        let pin_on_body = operands.marks[1 - axis.other];
         let [across, turned] =
             [axis.direction, axis.turned].map(|along| perpendicular(along, graph));
         let lateral = offset_along(across, turned, &pivot, &pin, graph);
         let reached = offset_along(axis.direction, axis.turned, &pivot, &pin, graph);
-        let arm = subtract(own.local, pivot.local, graph);
+        let arm = subtract(pin_on_body.local, pivot.local, graph);
         let length = dot(axis.direction, arm, graph);
         let length = graph.tidied(length);
         let beyond = graph.subtract(reached, length);
-        // As in a revolute joint, the first point less the second.
+        // As in a revolute joint, the gap is the first point minus the second.
         let gap = match axis.other {
             0 => [lateral, beyond],
             _ => [lateral, beyond].map(|component| graph.negate(component)),

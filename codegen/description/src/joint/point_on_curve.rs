@@ -4,7 +4,7 @@ use super::geometry::subtract;
 use super::{Contact, Feature, Follower, Kind, Operands, Quantity, Resolved, Row, Value};
 use crate::expr::Graph;
 
-/// r_j + R_j s_j − r_i − R_i p(s) = 0, with s as a coordinate of its own (Nikravesh 1988, section 4.2.4).
+/// r_j + R_j s_j − r_i − R_i p(s) = 0, with s as a separate coordinate (Nikravesh 1988, section 4.2.4).
 pub struct PointOnCurve;
 
 impl Kind for PointOnCurve {

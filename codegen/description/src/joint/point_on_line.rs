@@ -1,4 +1,4 @@
-//! A point of one body stays on a line of another, or at a distance from it: a pin in a slot, and the massless slider.
+//! Point on a line of another body, or at an offset from it: a pin in a slot, and the massless slider.
 
 use super::geometry::{offset_along, perpendicular, subtract};
 use super::{Auxiliary, Feature, Kind, Line, Operands, Quantity, Resolved, Row, Slot, Value};
@@ -7,10 +7,11 @@ use crate::expr::{ExprId, Graph};
 /// (R_i v)ᵀ (r_j + R_j s_Q − r_i − R_i s_P) = 0, with v across the line through P, fixed in body i (Haug 1989, section 3.3).
 pub struct PointOnLine;
 
-/// The same less a distance: a link without a body of its own that slides on body i and turns about Q (Haug 1989, section 3.3).
+/// (R_i v)ᵀ (r_j + R_j s_Q − r_i − R_i s_P) − offset = 0: a link without a body that slides on body i and rotates about Q (Haug
+/// 1989, section 3.3).
 pub struct RevoluteTranslational;
 
-/// Where the point is across the line, by which unit vector in global components.
+/// Returns the row of the point across the line, along the unit normal in global components.
 fn lateral_row(operands: &Resolved, offset: ExprId, graph: &mut Graph) -> Vec<Row> {
     let Some((axis, i, j)) = operands.along() else {
         return Vec::new();
@@ -24,7 +25,7 @@ fn lateral_row(operands: &Resolved, offset: ExprId, graph: &mut Graph) -> Vec<Ro
     }]
 }
 
-/// r_j + R_j s_Q − r_i − R_i s_P − R_i (ℓ u + offset v) = 0.
+/// Returns the rows r_j + R_j s_Q − r_i − R_i s_P − R_i (ℓ u + offset v).
 pub(super) fn slot_rows(operands: &Resolved, offset: ExprId, graph: &mut Graph) -> Vec<Row> {
     let (Some((axis, i, j)), [displacement]) = (operands.along(), &operands.auxiliaries[..]) else {
         return Vec::new();
@@ -46,7 +47,7 @@ pub(super) fn slot_rows(operands: &Resolved, offset: ExprId, graph: &mut Graph) 
     vec![row(open[0], "x"), row(open[1], "y")]
 }
 
-/// The offset that is given, or else drawn; positive to the left of the line's direction.
+/// Returns the offset to the left of the line, as written or else from the design configuration.
 fn offset(operands: &Resolved, graph: &mut Graph) -> ExprId {
     match (operands.value, operands.across_in_drawing(graph)) {
         (Some(offset), _) | (None, Some(offset)) => offset,

@@ -1,18 +1,18 @@
-//! What a value or a residual is measured in.
+//! Defines quantities of values and residuals.
 
-/// What a value is measured in.
+/// Quantity of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
-    /// Metres.
+    /// Length in m.
     Length,
-    /// Radians.
+    /// Angle in rad.
     Angle,
-    /// Metres to a power other than one: 2 for squared distances, 0 for ratios.
+    /// Length to a power other than one: 2 for squared distances, 0 for ratios.
     Power(i32),
 }
 
 impl Quantity {
-    /// The power of the characteristic length that values of this quantity are judged against.
+    /// Returns the power of the characteristic length that scales tolerances of this quantity.
     pub fn power_of_length(self) -> i32 {
         match self {
             Quantity::Length => 1,

@@ -1,4 +1,4 @@
-//! Rack and pinion: a wheel rolls without slip on a line of another body; both bodies may move and turn.
+//! Rack and pinion: a wheel rolls without slip on a line of another body; both bodies may move and rotate.
 
 use super::geometry::{offset_along, perpendicular, subtract};
 use super::{
@@ -6,14 +6,15 @@ use super::{
 };
 use crate::expr::{ExprId, Graph};
 
-/// (R_k u)ᵀ (r_i + R_i s_C − r_k − R_k s_P) − ℓ⁰ ± radius (φ_i − φ_k − φ⁰) = 0: as far as the centre C of the pinion i has moved
-/// along the line of the rack k since the drawing, so far it has rolled (Haug 1989, section 3.4, with both bodies moving).
+/// (R_k u)ᵀ (r_i + R_i s_C − r_k − R_k s_P) − ℓ⁰ ± radius (φ_i − φ_k − φ⁰) = 0 (Haug 1989, section 3.4, with both bodies
+/// moving).
 ///
-/// The sign is plus where the centre lies to the left of the line's direction in the drawing, since a wheel that rolls forward
-/// there turns clockwise.
+/// The distance rolled since the design configuration equals the displacement of the centre C of the pinion i along the line of
+/// the rack k. The sign is plus if the centre lies to the left of the line's direction in the design configuration: a wheel
+/// that rolls forward there rotates clockwise.
 pub struct Rack;
 
-/// What has been rolled off, to be added to what the centre has moved: ± radius (φ_i − φ_k − φ⁰) − ℓ⁰.
+/// Returns the term to add to the displacement of the centre: ± radius (φ_i − φ_k − φ⁰) − ℓ⁰.
 fn rolled(operands: &Resolved, graph: &mut Graph) -> Option<ExprId> {
     let across = operands.across_in_drawing(graph)?;
     let along = operands.along_in_drawing(graph)?;
@@ -21,7 +22,7 @@ fn rolled(operands: &Resolved, graph: &mut Graph) -> Option<ExprId> {
     let radius = match (operands.value, right) {
         (Some(radius), true) => graph.negate(radius),
         (Some(radius), false) => radius,
-        // The drawn distance from the line has this sign already.
+        // The distance from the line in the design configuration already has this sign.
         (None, _) => across,
     };
     let angle = |side: usize| operands.marks[side].frame.angle;
@@ -84,7 +85,7 @@ impl Kind for Rack {
         let across = operands.across_in_drawing(graph)?;
         let along = operands.along_in_drawing(graph)?;
         let [across, along] = [across, along].map(|part| graph.constant_value(part));
-        // What rounding may leave of a distance of zero.
+        // Bound on the rounding error of a distance of zero.
         let least = f64::EPSILON * 8.0 * along?.abs().max(radius.unwrap_or(0.0));
         (across?.abs() <= least).then(|| Refusal {
             problem: "the centre of the pinion is drawn on the line of the rack".to_string(),
@@ -110,7 +111,7 @@ impl Kind for Rack {
         }]
     }
 
-    /// r_i + R_i s_C − r_k − R_k s_P − R_k (ℓ u + h v) = 0 and ℓ − ℓ⁰ ± radius (φ_i − φ_k − φ⁰) = 0.
+    /// Returns the rows r_i + R_i s_C − r_k − R_k s_P − R_k (ℓ u + h v) and ℓ − ℓ⁰ ± radius (φ_i − φ_k − φ⁰).
     fn vector_rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
         let (Some((axis, rack, pinion)), Some(rolled), [along, aside]) = (
             operands.along(),

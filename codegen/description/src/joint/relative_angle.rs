@@ -6,7 +6,7 @@ use crate::expr::{ExprId, Graph};
 /// φ_j − φ_i − C = 0 (Haug 1989, section 3.3); as a driver with f(t) for C (section 3.5).
 pub struct RelativeAngle;
 
-/// φ_j − φ_i − value, with the first two operands as i and j; the weld shares it.
+/// Returns the row φ_j − φ_i − value, with the first two operands as i and j; also used by the weld.
 pub(super) fn relative_angle_row(
     operands: &Resolved,
     value: ExprId,

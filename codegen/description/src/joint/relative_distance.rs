@@ -1,5 +1,5 @@
-//! Relative distance: a point of one body keeps its distance from a point of another. The massless link that does so, and the
-//! driver of the distance.
+//! Relative distance: a point of one body keeps its distance from a point of another. Also defines the massless link and the
+//! distance driver.
 
 use super::link::{drawn_length, link_rows, refuse_length, squared_row};
 use super::{Auxiliary, Feature, Kind, Operands, Quantity, Refusal, Resolved, Row, Value};
@@ -8,16 +8,17 @@ use crate::expr::{ExprId, Graph};
 /// dᵀd − L² = 0 with d = r_j + R_j s_j − r_i − R_i s_i (Haug 1989, section 3.3).
 pub struct RelativeDistance;
 
-/// The same as a link with a revolute joint at each end and no body of its own, as long as it is drawn (Haug 1989, section 3.3).
+/// dᵀd − L² = 0: a link without a body and with a revolute joint at each end; L defaults to the design configuration (Haug
+/// 1989, section 3.3).
 pub struct RevoluteRevolute;
 
 /// dᵀd − f(t)² = 0 (Haug 1989, section 3.5).
 pub struct DistanceDriver;
 
-/// What joins two points whose distance is zero.
+/// Joint of two points at zero distance.
 const PIN: &str = "`revolute (1.P, 2.Q);`";
 
-/// The length that is given, or else drawn.
+/// Returns the length as written, or else from the design configuration.
 fn length(operands: &Resolved, graph: &mut Graph) -> ExprId {
     match operands.value {
         Some(length) => length,
@@ -148,7 +149,7 @@ impl Kind for DistanceDriver {
         RelativeDistance.rows(operands, graph)
     }
 
-    /// The link's rows with its length ℓ as an unknown, and ℓ − f(t) = 0.
+    /// Returns the rows of the link with its length ℓ as an unknown, and ℓ − f(t).
     fn vector_rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
         let (Some(value), [_, distance]) = (operands.value, &operands.auxiliaries[..]) else {
             return Vec::new();

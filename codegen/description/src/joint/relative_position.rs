@@ -9,7 +9,7 @@ pub struct RelativeX;
 /// (r_j + R_j s_j − r_i − R_i s_i)_y − C = 0 (Haug 1989, section 3.3); as a driver with f(t) for C.
 pub struct RelativeY;
 
-/// The row that keeps component `axis` of the vector from the first mark to the second.
+/// Returns the row that keeps component `axis` of the vector from the first mark to the second.
 fn apart(operands: &Resolved, axis: usize, graph: &mut Graph) -> Vec<Row> {
     let Some(value) = operands.value else {
         return Vec::new();

@@ -6,13 +6,14 @@ use super::{
 };
 use crate::expr::{ExprId, Graph};
 
-/// r_j + R_j s_j − r_i − R_i (p(s) + ρ n(s)) = 0, with the radius ρ, and the unit normal n on the side on which the drawing
-/// has the roller (Norton 2009, Cam Design and Manufacturing Handbook: the pitch curve of a cam).
+/// r_j + R_j s_j − r_i − R_i (p(s) + ρ n(s)) = 0 with the radius ρ (Norton 2009, Cam Design and Manufacturing Handbook: the
+/// pitch curve of a cam).
 ///
-/// How the roller turns about its center is not asked for, so it needs no body.
+/// The unit normal n points to the side of the roller in the design configuration. The rotation of the roller about its center
+/// is not computed, so the roller needs no body.
 pub struct Roller;
 
-/// p + ρ n: the pitch curve, in the frame of the curve.
+/// Returns the pitch curve p + ρ n, in the frame of the curve.
 fn pitch(curve: &Curve, radius: ExprId, graph: &mut Graph) -> Vector {
     let normal = curve.normal(graph);
     let reach = normal.map(|component| graph.multiply(radius, component));
@@ -70,7 +71,7 @@ impl Kind for Roller {
         vec![row(gap[0], "x"), row(gap[1], "y")]
     }
 
-    /// The pitch curve turns back where 1 + ρ κ = 0: there the roller is larger than the hollow.
+    /// Returns the contact. The pitch curve has a cusp where 1 + ρ κ = 0: the roller is larger than the concave radius there.
     fn contact(&self, operands: &Resolved, graph: &mut Graph) -> Option<Contact> {
         let (curve, radius) = (operands.curve?, operands.value?);
         let normal = curve.normal(graph);

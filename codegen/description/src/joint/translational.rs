@@ -58,7 +58,7 @@ impl Kind for Translational {
         ]
     }
 
-    /// φ_i − φ_j − φ⁰ = 0 and r_j + R_j s_j − r_i − R_i s_i − ℓ R_i u = 0.
+    /// Returns the rows φ_i − φ_j − φ⁰ and r_j + R_j s_j − r_i − R_i s_i − ℓ R_i u.
     fn vector_rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
         let (Some(axis), [displacement]) = (operands.axis, &operands.auxiliaries[..]) else {
             return Vec::new();
@@ -82,7 +82,7 @@ impl Kind for Translational {
     }
 }
 
-/// φ_i − φ_j − φ⁰.
+/// Returns the row φ_i − φ_j − φ⁰.
 fn relative_angle(operands: &Resolved, drawn: ExprId, graph: &mut Graph) -> Row {
     let [i, j] = [0, 1].map(|side| operands.marks[side].frame.angle);
     let difference = graph.subtract(i, j);

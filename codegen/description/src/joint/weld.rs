@@ -1,12 +1,12 @@
-//! Weld: two bodies keep the relative pose in which they are drawn.
+//! Weld: two bodies keep their relative pose of the design configuration.
 
 use super::relative_angle::relative_angle_row;
 use super::revolute::Revolute;
 use super::{Feature, Kind, Operands, Resolved, Row, Slot, Value};
 use crate::expr::Graph;
 
-/// r_i + R_i s_i − r_j = 0 and φ_j − φ_i − φ⁰ = 0, with the origin of body j as body i carries it in the drawing (Nikravesh 1988,
-/// section 4.2: a revolute joint that cannot turn).
+/// r_i + R_i s_i − r_j = 0 and φ_j − φ_i − φ⁰ = 0, with s_i the origin of body j in the frame of body i in the design
+/// configuration (Nikravesh 1988, section 4.2: a revolute joint without rotation).
 pub struct Weld;
 
 impl Kind for Weld {

@@ -1,6 +1,6 @@
-//! `angle` statements → coordinates that need no body.
+//! Resolves `angle` statements into coordinates without a body.
 //!
-//! An angle stands among the bodies: it turns, and has neither place nor points. Deliberately unknown here: what formulas say of it.
+//! An angle is listed among the bodies: it rotates, and has neither a position nor points.
 
 use super::Body;
 use super::bodies::coordinate_names;
@@ -44,7 +44,7 @@ impl Resolver<'_> {
         );
     }
 
-    /// Whether nothing that a formula could mean has this name already; an error where it has.
+    /// True if the name has no other meaning in formulas; otherwise reports an error.
     fn names_angle_alone(&mut self, name: &Name) -> bool {
         let carried = self.linkage.carriers.first_carrier(&name.text);
         let taken = [
@@ -74,7 +74,7 @@ impl Resolver<'_> {
         false
     }
 
-    /// Reports a value or a point that is named like an angle above it.
+    /// True unless an earlier angle has the name of this value or point, which is reported.
     pub(super) fn is_no_angle(&mut self, name: &Name) -> bool {
         let Some(angle) = self.angle_named(&name.text) else {
             return true;
@@ -93,16 +93,16 @@ impl Resolver<'_> {
         false
     }
 
-    /// The angle of this name.
+    /// Returns the angle of this name.
     pub(super) fn angle_named(&self, name: &str) -> Option<BodyId> {
         let body = *self.declared.body_ids.get(name)?;
         self.linkage.bodies.get(body.0)?.is_angle().then_some(body)
     }
 
-    /// Whether a body has a place; an error for an angle.
+    /// True if a body has a position; reports an error for an angle.
     pub(super) fn has_place(&mut self, body: BodyId, name: &Name) -> bool {
-        let own = &self.linkage.bodies[body.0];
-        if !own.is_angle() {
+        let body_of_name = &self.linkage.bodies[body.0];
+        if !body_of_name.is_angle() {
             return true;
         }
         self.diagnostics.push(
@@ -112,7 +112,7 @@ impl Resolver<'_> {
                 format!("`{}` is an angle and has no place", name.text),
             )
             .label("a body is wanted here")
-            .also(own.span, "declared as an angle")
+            .also(body_of_name.span, "declared as an angle")
             .help("what holds an angle is an `equation` of it; what has points is a `body`"),
         );
         false

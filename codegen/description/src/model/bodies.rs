@@ -1,9 +1,9 @@
-//! Point and body statements → drawn points, and bodies with their frames and points.
+//! Resolves point and body statements into global points, and into bodies with their frames and points.
 
 use std::collections::HashMap;
 
 use super::declared::DrawnPoint;
-use super::lines::APART;
+use super::lines::DISTINCT_POINTS_HELP;
 use super::resolve::Resolver;
 use super::{Body, Dimension, NamedMark};
 use crate::diagnostic::{Code, Diagnostic};
@@ -11,7 +11,7 @@ use crate::expr::ExprId;
 use crate::joint::geometry::{BodyFrame, BodyId, Mark, Vector, subtract};
 use crate::syntax::{self, Name};
 
-/// `x1, y1, phi1` of body `1`; `x_c1, y_c1, phi_c1` of body `c1`.
+/// Returns the names of a body's coordinates: `x1, y1, phi1` of body `1`; `x_c1, y_c1, phi_c1` of body `c1`.
 pub(super) fn coordinate_names(body: &str) -> [String; 3] {
     let separator = if body.starts_with(|first: char| first.is_ascii_digit()) {
         ""
@@ -35,7 +35,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// A pair of lengths; an erroneous component counts as zero, so that the name it belongs to is still declared.
+    /// Resolves a pair of lengths. A component with an error becomes zero, so that its name is still declared.
     pub(super) fn pair(&mut self, pair: &syntax::Pair) -> Vector {
         let zero = self.graph.zero();
         let mut component = |written: &syntax::Expression| {
@@ -100,15 +100,15 @@ impl Resolver<'_> {
         );
     }
 
-    /// Takes in a body that [`Self::new_body`] has numbered. Only now its name can be used, so that nothing of it depends on itself.
+    /// Adds a body that [`Self::new_body`] has numbered. Its name can be used only from now on, so no body depends on itself.
     pub(super) fn finish_body(&mut self, name: &Name, body: Body) {
         self.declared.unfinished_body = None;
-        // `new_body` has refused a name that is declared already.
+        // `new_body` has rejected a declared name.
         let _ = self.declared.body_ids.declare(name, body.frame.body);
         self.linkage.push_body(body);
     }
 
-    /// The number of a body with this name; `None` after an error.
+    /// Returns the number for a body with this name; `None` after an error.
     pub(super) fn new_body(&mut self, name: &Name) -> Option<BodyId> {
         if name.text == "ground" {
             self.diagnostics.push(
@@ -133,7 +133,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// The pose in which a body is drawn.
+    /// Returns the pose of a body in the design configuration.
     fn drawn_pose(&mut self, body: &syntax::Body, id: BodyId) -> BodyFrame {
         let zero = self.graph.zero();
         let origin = match &body.origin {
@@ -154,16 +154,16 @@ impl Resolver<'_> {
         }
     }
 
-    /// The angle of the direction from one drawn point to another.
+    /// Returns the angle of the direction from one global point to another; `None` after an error.
     fn facing(&mut self, direction: &syntax::Direction) -> Option<ExprId> {
         let (from, to) = (
             self.drawn_point(&direction.from),
             self.drawn_point(&direction.to),
         );
         let (from, to) = (from?, to?);
-        let mut along = self.unit_direction(from, to, direction.span, APART)?;
+        let mut along = self.unit_direction(from, to, direction.span, DISTINCT_POINTS_HELP)?;
         if !along.iter().all(|&part| self.graph.is_constant(part)) {
-            // Of parameters the gap itself is the shorter expression, and has the same angle.
+            // For parameters, the unnormalized vector is a shorter expression, and has the same angle.
             along = subtract(to, from, &mut self.graph);
         }
         Some(self.graph.atan2(along[1], along[0]))

@@ -1,6 +1,6 @@
-//! A bound that a graph has passed → the error at the statement that passed it.
+//! Reports a passed bound of a graph at the statement that passed it.
 //!
-//! Work and size are counted by the graph; which statement they belong to is known to whoever carries the statements out.
+//! The graph counts work and size; the caller knows the current statement.
 
 use super::expression::Value;
 use super::resolve::Resolver;
@@ -8,10 +8,10 @@ use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::{DEEPEST, Excess};
 use crate::syntax::Expression;
 
-/// The deepest formula with the constants that it names: its derivatives are somewhat deeper.
-const DEEPEST_FORMULA: u32 = DEEPEST / 2;
+/// Maximum depth of a formula including its named constants; derivatives are somewhat deeper.
+const MAX_FORMULA_DEPTH: u32 = DEEPEST / 2;
 
-/// The error for a bound that was passed while `span` was worked on.
+/// Returns the error for a bound that was passed while processing `span`.
 pub fn beyond_bounds(excess: Excess, span: Span) -> Diagnostic {
     match excess {
         Excess::Depth => Diagnostic::error(
@@ -32,9 +32,9 @@ pub fn beyond_bounds(excess: Excess, span: Span) -> Diagnostic {
 }
 
 impl Resolver<'_> {
-    /// Passes a value on unless it is nested too deeply, by itself and by the constants that it names.
+    /// Returns the value unless the formula, including its named constants, is nested too deeply.
     pub(super) fn shallow(&mut self, value: Value, written: &Expression) -> Option<Value> {
-        if self.graph.depth(value.0) <= DEEPEST_FORMULA {
+        if self.graph.depth(value.0) <= MAX_FORMULA_DEPTH {
             return Some(value);
         }
         self.diagnostics.push(
@@ -42,7 +42,7 @@ impl Resolver<'_> {
                 Code::NestedTooDeeply,
                 written.span,
                 format!(
-                    "nested more than {DEEPEST_FORMULA} levels deep by the constants that it names"
+                    "nested more than {MAX_FORMULA_DEPTH} levels deep by the constants that it names"
                 ),
             )
             .help("build it from fewer formulas inside one another"),

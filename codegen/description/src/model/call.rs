@@ -1,6 +1,6 @@
-//! A call of a function → its value.
+//! Evaluates function calls.
 //!
-//! Laws of motion and tables are called like functions; their values are worked out in rooms of their own.
+//! Laws of motion and tables have the syntax of functions; their modules evaluate them.
 
 use super::dimension::Dimension;
 use super::expression::{Value, listed};
@@ -11,13 +11,13 @@ use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::joint::geometry::{length, subtract};
 use crate::syntax::{Expression, ExpressionKind, Name};
 
-/// The functions of the language, for help lines.
+/// Functions of the language, for help lines.
 pub const FUNCTIONS: &[&str] = &[
     "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "exp", "ln", "distance",
 ];
 
 impl Resolver<'_> {
-    /// The value of a call; errors are reported at the name, or at the argument that does not fit.
+    /// Evaluates a call. Errors are reported at the name, or at the argument that does not fit.
     pub(super) fn call(
         &mut self,
         function: &Name,
@@ -38,13 +38,13 @@ impl Resolver<'_> {
             self.report_unknown_function(function);
             return None;
         }
-        let wanted = if matches!(name, "atan2" | "distance") {
+        let count = if matches!(name, "atan2" | "distance") {
             2
         } else {
             1
         };
-        if arguments.len() != wanted {
-            self.report_count(name, wanted, arguments.len(), span);
+        if arguments.len() != count {
+            self.report_count(name, count, arguments.len(), span);
             return None;
         }
         if name == "distance" {
@@ -81,7 +81,7 @@ impl Resolver<'_> {
         self.elementary(name, values[0], &arguments[0])
     }
 
-    /// Says which functions there are.
+    /// Reports an unknown function with the known ones.
     fn report_unknown_function(&mut self, function: &Name) {
         let name = function.text.as_str();
         let tables = self
@@ -109,7 +109,7 @@ impl Resolver<'_> {
         );
     }
 
-    /// Says what a function takes.
+    /// Reports the number of arguments that a function requires.
     fn report_count(&mut self, name: &str, wanted: usize, given: usize, span: Span) {
         let noun = if wanted == 1 { "argument" } else { "arguments" };
         self.diagnostics.push(
@@ -127,7 +127,7 @@ impl Resolver<'_> {
         );
     }
 
-    /// The value of a function of an angle or a number.
+    /// Evaluates a function of an angle or a number.
     fn elementary(&mut self, name: &str, of: Value, written: &Expression) -> Option<Value> {
         let (x, dimension) = of;
         if !dimension.fits(Dimension::Angle) {
@@ -151,7 +151,7 @@ impl Resolver<'_> {
         })
     }
 
-    /// `distance(A, B)`: the length between two points in the drawing.
+    /// Evaluates `distance(A, B)`: the distance between two points in the design configuration.
     fn distance(&mut self, arguments: &[Expression]) -> Option<Value> {
         let points: Vec<_> = arguments
             .iter()

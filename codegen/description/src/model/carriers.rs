@@ -1,53 +1,53 @@
-//! Points as bodies carry them → which body carries a name, what lies at a place of a body, and which of them are one point.
+//! Indexes the points of bodies by name and position, and identifies equal points.
 //!
-//! Every question is answered from an index, so that a description of many points is read in time proportional to its text. Joints
-//! that keep two marks of one name together make them one point. Nothing here is iterated in an order of its own.
+//! All queries use an index, so the time for a description is proportional to its text. Joints that keep two marks of one name
+//! coincident make them one point. The order of hash maps is never used.
 
 use std::collections::{HashMap, HashSet};
 
 use crate::joint::geometry::{BodyId, Mark, Vector};
 
-/// One point of one body: the body, and the place among its marks.
+/// One point of one body: the body, and the index among its marks.
 pub(super) type Carried = (BodyId, usize);
 
-/// What all bodies carry so far.
+/// Index of the points of all bodies.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Carriers {
     all: Vec<Carried>,
-    /// The local vector of each.
+    /// Local vector of each point.
     places: Vec<Vector>,
-    /// Of each the earliest that is the same point, itself or on the way to it.
+    /// For each point, an earlier equal point or the point itself (union-find).
     same: Vec<usize>,
-    /// In written order.
+    /// Points by name, in source order.
     by_name: HashMap<String, Vec<usize>>,
     by_body: HashMap<BodyId, OfBody>,
-    /// The pairs of places that are joined already.
+    /// Pairs of positions that are joined already.
     joined: HashSet<[(BodyId, Vector); 2]>,
 }
 
-/// What one body carries.
+/// Points of one body.
 #[derive(Clone, Debug, Default)]
 struct OfBody {
     by_name: HashMap<String, usize>,
-    /// In written order.
+    /// Points by local vector, in source order.
     by_place: HashMap<Vector, Vec<(String, usize)>>,
 }
 
 impl Carriers {
-    /// Takes in the next point of a body, which has no other of its name.
+    /// Adds a point of a body, whose name must be new on this body.
     pub(super) fn add(&mut self, carried: Carried, name: &str, local: Vector) {
         let at = self.all.len();
         self.all.push(carried);
         self.places.push(local);
         self.same.push(at);
         self.by_name.entry(name.to_string()).or_default().push(at);
-        let own = self.by_body.entry(carried.0).or_default();
-        own.by_name.insert(name.to_string(), at);
-        let there = own.by_place.entry(local).or_default();
+        let of_body = self.by_body.entry(carried.0).or_default();
+        of_body.by_name.insert(name.to_string(), at);
+        let there = of_body.by_place.entry(local).or_default();
         there.push((name.to_string(), at));
     }
 
-    /// Makes the points of one name at two marks one point.
+    /// Identifies the equally named points at two marks.
     pub(super) fn join(&mut self, one: &Mark, other: &Mark) {
         let places = [one, other].map(|mark| (mark.frame.body, mark.local));
         if self.joined.contains(&places) {
@@ -70,7 +70,7 @@ impl Carriers {
         }
     }
 
-    /// The earliest that is the same point, with the way there made shorter.
+    /// Returns the earliest equal point, and compresses the path to it.
     fn first_of(&mut self, mut at: usize) -> usize {
         while self.same[at] != at {
             self.same[at] = self.same[self.same[at]];
@@ -79,32 +79,32 @@ impl Carriers {
         at
     }
 
-    /// The first body that carries a point of this name.
+    /// Returns the first body with a point of this name.
     pub(super) fn first_carrier(&self, name: &str) -> Option<Carried> {
         let first = self.by_name.get(name)?.first()?;
         Some(self.all[*first])
     }
 
-    /// All points of this name, in written order.
+    /// Returns all points of this name, in source order.
     pub(super) fn all_of(&self, name: &str) -> impl Iterator<Item = Carried> {
         let named = self.by_name.get(name).map_or(&[][..], Vec::as_slice);
         named.iter().map(|&at| self.all[at])
     }
 
-    /// The first carrier of every distinct point of this name, in written order.
+    /// Returns the first carrier of every distinct point of this name, in source order.
     pub(super) fn carriers_of(&self, name: &str) -> Vec<Carried> {
         let named = self.by_name.get(name).map_or(&[][..], Vec::as_slice);
         let firsts = named.iter().filter(|&&at| self.same[at] == at);
         firsts.map(|&at| self.all[at]).collect()
     }
 
-    /// The place of a name among the marks of a body.
+    /// Returns the index of a name among the marks of a body.
     pub(super) fn on_body(&self, body: BodyId, name: &str) -> Option<usize> {
         let at = self.by_body.get(&body)?.by_name.get(name)?;
         Some(self.all[*at].1)
     }
 
-    /// The first point of a body at this local vector, as a place among its marks.
+    /// Returns the index, among the marks of a body, of the first point with this local vector.
     pub(super) fn at_place(&self, body: BodyId, local: Vector) -> Option<usize> {
         let there = self.by_body.get(&body)?.by_place.get(&local)?;
         let (_, at) = there.first()?;

@@ -1,9 +1,9 @@
-//! `if … { … } else { … }` → a choice whose pieces join.
+//! Resolves `if … { … } else { … }` into a choice whose pieces join.
 //!
-//! A condition compares two values and changes its answer at one value of one variable, which is found where the condition
-//! is linear. There both pieces and their first two derivatives are compared exactly at the boundary: a jump in value is an
-//! error, since no mechanism can follow it; a jump in the rate or the acceleration is a warning. Parameters count with their
-//! defaults. A boundary that an outer condition excludes is not looked at.
+//! A condition compares two values, and changes at one value of one variable, which is found if the condition is linear. The
+//! pieces and their first two derivatives are compared exactly at this boundary. A jump of the value is an error, since no
+//! mechanism can follow it. A jump of the rate or the acceleration is a warning. Parameters have their defaults. A boundary
+//! excluded by an outer condition is ignored.
 
 use super::expression::Value;
 use super::resolve::Resolver;
@@ -11,17 +11,17 @@ use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::{ExprId, SymbolId};
 use crate::syntax::{Choice, Comparison};
 
-/// Larger differences than this share of the values are jumps; smaller ones are rounding.
+/// Relative difference below which two values are equal up to rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// Below this both values count as zero, in SI units.
-const NOTHING: f64 = 1e-12;
+/// Magnitude below which both values count as zero, in SI units.
+const ZERO_LIMIT: f64 = 1e-12;
 
-/// What jumps, by the order of the derivative.
+/// Names of jumps, by order of the derivative.
 const LEVELS: [&str; 3] = ["value", "first derivative", "second derivative"];
 
 impl Resolver<'_> {
-    /// The value of a choice.
+    /// Evaluates a choice.
     pub(super) fn choice(&mut self, written: &Choice) -> Option<Value> {
         let (left, right) = (self.value(&written.left), self.value(&written.right));
         let sides = match (left, right) {
@@ -31,7 +31,7 @@ impl Resolver<'_> {
             }
             _ => None,
         };
-        // The choice is between `condition < 0` and all else; `>` and `<=` are the same with the sides or the pieces exchanged.
+        // The choice is between `condition < 0` and the rest. For `>` and `<=`, the sides or the pieces are exchanged.
         let condition = sides.map(|(left, right)| match written.comparison {
             Comparison::Less | Comparison::GreaterOrEqual => self.graph.subtract(left, right),
             Comparison::Greater | Comparison::LessOrEqual => self.graph.subtract(right, left),
@@ -57,7 +57,7 @@ impl Resolver<'_> {
         Some((choice, holds.1.joined(otherwise.1)))
     }
 
-    /// Reads a piece that holds only where the condition is negative, or only elsewhere.
+    /// Resolves a piece that applies only where the condition is negative, or only elsewhere.
     fn within(
         &mut self,
         condition: Option<ExprId>,
@@ -83,7 +83,7 @@ impl Resolver<'_> {
             .filter(|&symbol| self.graph.nominal(symbol).is_none())
             .collect();
         let variable = match moving[..] {
-            // What never changes during a motion is never crossed.
+            // A condition that is constant during a motion has no boundary.
             [] => return Some(()),
             [variable] => variable,
             _ => {
@@ -119,7 +119,7 @@ impl Resolver<'_> {
                 return Some(());
             }
         }
-        // The pieces in the order in which a growing variable passes them.
+        // Pieces in the order of an increasing variable.
         let mut pieces = if direction > 0.0 {
             pieces
         } else {
@@ -150,7 +150,7 @@ impl Resolver<'_> {
                 return Some(());
             };
             let size = before.abs().max(after.abs());
-            if (before - after).abs() <= ROUNDING * size || size <= NOTHING {
+            if (before - after).abs() <= ROUNDING * size || size <= ZERO_LIMIT {
                 continue;
             }
             let message = format!(
@@ -174,7 +174,7 @@ impl Resolver<'_> {
                         "this is {shock} for the mechanism; a law such as `poly345` joins smoothly"
                     )),
             );
-            // What a jump of the rate does to the next derivative says nothing more.
+            // A jump of the rate makes the next derivative meaningless.
             return Some(());
         }
         Some(())
@@ -190,7 +190,7 @@ impl Resolver<'_> {
         );
     }
 
-    /// What a description calls a variable.
+    /// Returns the name of a variable in the description.
     fn variable_name(&self, variable: SymbolId) -> String {
         let name = self.graph.symbol_name(variable);
         let word = name.split(' ').next().unwrap_or(name);
@@ -198,9 +198,9 @@ impl Resolver<'_> {
     }
 }
 
-/// A number in six digits at most.
+/// Formats a number with at most six digits.
 fn shown(value: f64) -> String {
     let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
-    // Minus zero reads like a mistake.
+    // Avoids minus zero, which looks like a mistake.
     format!("{}", rounded + 0.0)
 }

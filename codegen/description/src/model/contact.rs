@@ -1,6 +1,6 @@
-//! A joint that touches a curve → where it touches it in the drawing, and what makes that impossible or doubtful.
+//! Finds the contact of a joint with its curve in the design configuration, and reports impossible or doubtful contacts.
 //!
-//! The place is the one at which the joint's own rows come nearest to zero in the drawn pose; nothing here depends on the kind.
+//! The contact minimizes the residuals of the joint's rows in the estimated pose, independently of the kind.
 
 use super::curve::{DrawnCurve, shown};
 use super::operands::WrittenJoint;
@@ -11,17 +11,17 @@ use crate::expr::{ExprId, Number, SymbolId};
 use crate::joint::{Curve, Resolved};
 use crate::syntax::Reference;
 
-/// What beside the best place counts as just as good, in shares of the size of the curve.
-const AS_GOOD: f64 = 1e-3;
+/// Tolerance on the residual for an equally good contact, relative to the size of the curve.
+const EQUIVALENCE_TOLERANCE: f64 = 1e-3;
 
-/// What is called far away, in shares of the size of the curve.
-const FAR: f64 = 0.25;
+/// Distance beyond which a contact is reported as far away, relative to the size of the curve.
+const DISTANCE_LIMIT: f64 = 0.25;
 
-/// Estimates are rounded to parts of this: eight decimals are more than an estimate needs, and the same on every machine.
+/// Inverse of the unit to which estimates are rounded. Eight decimals suffice, and are equal on every machine.
 const ESTIMATED_TO: f64 = 1e8;
 
 impl Resolver<'_> {
-    /// The curve of this name; `None` also where its own statement has an error.
+    /// Returns the curve of this name; `None` also if its statement has an error.
     pub(super) fn named_curve(&mut self, reference: &Reference) -> Option<DrawnCurve> {
         if let (None, Some(&curve)) = (
             &reference.body,
@@ -43,7 +43,7 @@ impl Resolver<'_> {
         None
     }
 
-    /// The curve with a parameter of its own for this joint; where it is touched is found by [`Resolver::touch`].
+    /// Returns the curve with a separate parameter for this joint; [`Resolver::touch`] finds the contact.
     pub(super) fn touched_curve(&mut self, drawn: &DrawnCurve, slug: &str) -> Curve {
         let base = format!("s_{slug}");
         let numbered = (2..).map(|number| format!("{base}_{number}"));
@@ -52,11 +52,11 @@ impl Resolver<'_> {
             .find(|name| self.graph.find_symbol(name).is_none());
         let parameter = self.graph.symbol(&free.unwrap_or(base));
         let frame = self.linkage.bodies[drawn.body.0].frame;
-        let own = self.graph.variable(parameter);
+        let variable = self.graph.variable(parameter);
         let (zero, one) = (self.graph.zero(), self.graph.one());
         let point = drawn
             .point
-            .map(|part| self.graph.substitute(part, &[(drawn.parameter, own)]));
+            .map(|part| self.graph.substitute(part, &[(drawn.parameter, variable)]));
         Curve {
             frame,
             axis: frame.rotate([one, zero], &mut self.graph),
@@ -69,7 +69,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// Finds where and on which side the joint touches its curve in the drawing. `None` after an error.
+    /// Finds position and side of the contact in the design configuration. `None` after an error.
     pub(super) fn touch(
         &mut self,
         given: &WrittenJoint<'_>,
@@ -84,7 +84,7 @@ impl Resolver<'_> {
             operands.curve = Some(Curve { side, ..curve });
             let rows = given.kind.rows(&operands, &mut self.graph);
             let rows: Vec<ExprId> = rows.iter().map(|row| row.residual).collect();
-            // A kind that does not tell the sides apart states the same rows for both.
+            // A kind that is independent of the side has equal rows for both.
             if !stated.contains(&rows) {
                 let mut along = self.along(&rows, curve.parameter);
                 searched.push((side, minima(drawn.range, |place| along.square(place))));
@@ -93,12 +93,12 @@ impl Resolver<'_> {
         }
         let mut along = self.along(&drawn.point, drawn.parameter);
         self.graph.spend(along.work());
-        // Half the larger side of the box around it, wherever that is in the frame of its body.
+        // Half the larger side of the bounding box, wherever the box is in the frame of the body.
         let size = [0, 1]
             .map(|axis| {
-                let found = minima(drawn.range, |place| along.at(place)[axis]);
-                let least = found.first().map_or(found.largest, |least| least.cost);
-                0.5 * (found.largest - least)
+                let extrema = minima(drawn.range, |place| along.at(place)[axis]);
+                let least = extrema.first().map_or(extrema.largest, |least| least.cost);
+                0.5 * (extrema.largest - least)
             })
             .into_iter()
             .fold(0.0, f64::max);
@@ -124,12 +124,13 @@ impl Resolver<'_> {
         let [x, y] = [along.at(place)[0], along.at(place)[1]];
         let rival = candidates.iter().find(|(other, minimum)| {
             let there = along.at(minimum.place);
-            let apart = (there[0] - x).hypot(there[1] - y) > AS_GOOD * size;
-            (apart || *other != side) && minimum.cost.sqrt() - distance <= AS_GOOD * size
+            let apart = (there[0] - x).hypot(there[1] - y) > EQUIVALENCE_TOLERANCE * size;
+            (apart || *other != side)
+                && minimum.cost.sqrt() - distance <= EQUIVALENCE_TOLERANCE * size
         });
         let is_even = searched
             .iter()
-            .any(|(_, minima)| minima.largest.sqrt() - distance <= AS_GOOD * size);
+            .any(|(_, minima)| minima.largest.sqrt() - distance <= EQUIVALENCE_TOLERANCE * size);
         let doubt = match rival {
             _ if is_even => Some("every point of it is as near".to_string()),
             Some((other, _)) if *other != side => Some(format!(
@@ -158,7 +159,7 @@ impl Resolver<'_> {
             );
             return None;
         }
-        if distance > FAR * size {
+        if distance > DISTANCE_LIMIT * size {
             let unit = self.formulas.reported().of("m");
             // Three digits.
             let away: f64 = format!("{:.2e}", unit.of_si(distance))
@@ -188,7 +189,7 @@ impl Resolver<'_> {
         Some(operands)
     }
 
-    /// Warns where the shape of the curve keeps the joint from touching it.
+    /// Warns if the shape of the curve prevents contact.
     fn warn_of_hollows(
         &mut self,
         given: &WrittenJoint<'_>,
@@ -219,7 +220,8 @@ impl Resolver<'_> {
         }
     }
 
-    /// Expressions along a parameter, with everything else as drawn. What looking for their minima costs is counted.
+    /// Returns expressions as functions of a parameter, with all other symbols at the design configuration. Counts the work of
+    /// a later search.
     pub(super) fn along(&mut self, parts: &[ExprId], parameter: SymbolId) -> Along {
         let along = Along::new(&self.graph, parts, parameter, |symbol| {
             self.drawn_value(symbol)
@@ -228,7 +230,7 @@ impl Resolver<'_> {
         along
     }
 
-    /// The value of a symbol in the drawing, at t = 0.
+    /// Returns the value of a symbol in the design configuration, at t = 0.
     pub(super) fn drawn_value(&self, symbol: SymbolId) -> f64 {
         let coordinate = self.linkage.coordinate_places.get(&symbol);
         let estimate = coordinate.map(|&(body, axis)| self.linkage.bodies[body.0].estimate()[axis]);

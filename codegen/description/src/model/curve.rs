@@ -1,6 +1,6 @@
-//! Curve statements → curves p(s) in the frame of a body.
+//! Resolves curve statements into curves p(s) in the frame of a body.
 //!
-//! Afterwards a curve is a pair of expressions of constants and of its own parameter, with the range in which it is drawn.
+//! A curve is a pair of expressions of constants and of its parameter, with its range in pictures.
 
 use super::Dimension;
 use super::resolve::Resolver;
@@ -11,21 +11,21 @@ use crate::joint::Quantity;
 use crate::joint::geometry::{BodyId, Vector};
 use crate::syntax::{self, BUILT_IN};
 
-/// The square of the share of the largest speed below which the point of a curve stops.
+/// Square of the speed, relative to its maximum, below which a curve has a cusp.
 const STANDSTILL: f64 = 1e-10;
 
-/// A curve as it is declared.
+/// A declared curve.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct DrawnCurve {
     pub body: BodyId,
-    /// What stands for the parameter; every contact puts its own in.
+    /// Symbol of the parameter, for which every contact substitutes its own.
     pub parameter: SymbolId,
     pub quantity: Quantity,
     pub point: Vector,
     pub range: Range,
 }
 
-/// The name that a curve gives its parameter while its formula is read.
+/// Parameter of a curve whose formula is being resolved.
 #[derive(Clone, Debug)]
 pub(super) struct Parameter {
     pub name: String,
@@ -34,7 +34,7 @@ pub(super) struct Parameter {
 }
 
 impl Resolver<'_> {
-    /// Declares a curve, also where something is wrong with it, so that its uses are not reported too.
+    /// Declares a curve, even with an error, so that its uses cause no further errors.
     pub(super) fn add_curve(&mut self, curve: &syntax::Curve) {
         let drawn = self.drawn_curve(curve);
         let duplicate = self.declared.curves.declare(&curve.name, drawn);
@@ -72,7 +72,7 @@ impl Resolver<'_> {
             Dimension::LENGTH => Quantity::Length,
             _ => Quantity::Power(0),
         };
-        // No coordinate can have this name: it begins with a digit.
+        // The name begins with a digit, so it differs from all coordinates.
         let count = self.graph.symbol_count();
         let parameter = self.graph.symbol(&format!("{count} parameter"));
         self.formulas.parameter = Some(Parameter {
@@ -119,7 +119,7 @@ impl Resolver<'_> {
         })
     }
 
-    /// `from A to B`, and what it measures.
+    /// Resolves `from A to B` and its quantity.
     fn range(
         &mut self,
         ends: &[syntax::Expression; 2],
@@ -172,7 +172,7 @@ impl Resolver<'_> {
         None
     }
 
-    /// Points where p' vanishes have no normal.
+    /// Warns of points with p' = 0, which have no normal.
     fn warn_of_cusps(&mut self, curve: &syntax::Curve, drawn: &DrawnCurve) {
         let tangent = drawn
             .point
@@ -199,7 +199,7 @@ impl Resolver<'_> {
     }
 }
 
-/// A parameter's value as messages write it.
+/// Formats a value of a parameter for messages.
 pub(super) fn shown(value: f64, quantity: Quantity) -> String {
     let rounded = |value: f64| {
         let text = format!("{value:.4}");

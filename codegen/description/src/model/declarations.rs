@@ -1,36 +1,34 @@
-//! *An error about what an expression measures → the same with the declarations that say so.*
-//!
-//! A name carries its unit from its declaration, which may stand far above. Deliberately unknown here: what is wrong.
+//! Adds declarations to errors about dimensions, as the declaration that determines a unit may be far above.
 
 use super::resolve::Resolver;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::syntax::{Expression, ExpressionKind, Name};
 
-/// How many declarations are shown; who mentions more has written a long formula.
-const SHOWN: usize = 3;
+/// Maximum number of declarations in a message; more would come from a long formula.
+const MAX_SHOWN_DECLARATIONS: usize = 3;
 
-/// The unit that is also written for the time.
+/// Unit of tonnes, whose symbol users also write for time.
 const TONNES: &str = "t";
 
 /// Functions of bodies and points.
 const OF_PLACES: &[&str] = &["distance", "x", "y", "phi"];
 
 impl Resolver<'_> {
-    /// Shows where the constants, parameters and inputs of these expressions are declared, as far as they have a unit, and what is read
-    /// as tonnes.
+    /// Adds the declarations of constants, parameters and inputs in these expressions, if they have a unit, and the numbers
+    /// read as tonnes.
     pub(super) fn with_declarations(
         &self,
         mut diagnostic: Diagnostic,
         expressions: &[&Expression],
     ) -> Diagnostic {
-        let mut shown: Vec<Span> = Vec::new();
+        let mut spans: Vec<Span> = Vec::new();
         for name in expressions.iter().flat_map(|written| names(written)) {
             let declared = self.declared.constants.declaration(&name.text);
             let Some((place, (_, dimension))) = declared.filter(|(_, it)| it.1.is_marked()) else {
                 continue;
             };
-            if shown.len() < SHOWN && !shown.contains(&place.span) {
-                shown.push(place.span);
+            if spans.len() < MAX_SHOWN_DECLARATIONS && !spans.contains(&place.span) {
+                spans.push(place.span);
                 let text = format!("`{}` is declared as {}", name.text, dimension.name());
                 diagnostic = diagnostic.also(place.span, text);
             }
@@ -44,7 +42,7 @@ impl Resolver<'_> {
     }
 }
 
-/// The digits of the first number in tonnes.
+/// Returns the digits of the first number in tonnes; `None` without one.
 fn tonnes(written: &Expression) -> Option<&str> {
     let (mut found, mut rest) = (None, vec![written]);
     while let Some(next) = rest.pop() {
@@ -59,20 +57,20 @@ fn tonnes(written: &Expression) -> Option<&str> {
     found
 }
 
-/// The names in an expression that stand for values, in written order.
+/// Returns the names of values in an expression, in source order.
 fn names(written: &Expression) -> Vec<&Name> {
-    let mut found = Vec::new();
+    let mut collected = Vec::new();
     let mut rest = vec![written];
     while let Some(next) = rest.pop() {
         if let ExpressionKind::Reference(reference) = &next.kind {
-            found.extend(reference.body.is_none().then_some(&reference.name));
+            collected.extend(reference.body.is_none().then_some(&reference.name));
         }
         rest.extend(inside(next).into_iter().rev());
     }
-    found
+    collected
 }
 
-/// The expressions that an expression is made of and that stand for values, in written order.
+/// Returns the operands of an expression that are values, in source order.
 fn inside(written: &Expression) -> Vec<&Expression> {
     match &written.kind {
         ExpressionKind::Reference(_)
@@ -82,7 +80,7 @@ fn inside(written: &Expression) -> Vec<&Expression> {
         ExpressionKind::Product(factors) => factors.iter().map(|(_, it)| it).collect(),
         ExpressionKind::Negative(inner) => vec![inner],
         ExpressionKind::Power(base, exponent) => vec![base, exponent],
-        // What bodies and points are named alike is no value.
+        // Arguments of these functions are bodies and points, not values.
         ExpressionKind::Call { function, .. } if OF_PLACES.contains(&function.text.as_str()) => {
             Vec::new()
         }

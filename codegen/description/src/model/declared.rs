@@ -1,6 +1,6 @@
-//! What has been declared so far, by name.
+//! Holds the declared names.
 //!
-//! Names may only be used below their declaration. What they stand for is known here; how formulas use them, and what moves, is not.
+//! Names may only be used below their declaration.
 
 use std::collections::HashMap;
 
@@ -14,48 +14,48 @@ use crate::expr::SymbolId;
 use crate::joint::geometry::{BodyId, Vector};
 use crate::syntax;
 
-/// A point of the drawing.
+/// A global point of the design configuration.
 #[derive(Clone, Debug)]
 pub(super) struct DrawnPoint {
     pub position: Vector,
     pub docs: Vec<String>,
 }
 
-/// The names of a description.
+/// Names of a description.
 pub(super) struct Declared<'a> {
     /// Constants, parameters and inputs.
     pub constants: Namespace<Value>,
     pub parameters: Vec<Parameter>,
     pub inputs: Vec<Input>,
-    /// The place of the input that a symbol is the value of; only looked up.
+    /// Index of the input with this symbol as its value; never iterated.
     pub input_places: HashMap<SymbolId, usize>,
     pub fields: Fields,
-    /// The name that first became this constant of a table; only looked up.
+    /// First name with this constant of a table in the output; never iterated.
     pub table_fields: HashMap<String, syntax::Name>,
-    /// Tables: places in the list below; nothing where the statement has an error.
+    /// Tables, as indices into `tables`; `None` for a statement with an error.
     pub table_names: Namespace<Option<usize>>,
     pub tables: Vec<Table>,
     pub drawn: Namespace<DrawnPoint>,
-    /// Curves; nothing where the statement has an error.
+    /// Curves; `None` for a statement with an error.
     pub curves: Namespace<Option<DrawnCurve>>,
-    /// The first body in the whole description that carries a point of each name, and where it lists it; only looked up.
+    /// For each point name, the first body of the whole description that lists it, and the location; never iterated.
     pub carried: HashMap<&'a str, (&'a str, Span)>,
     pub body_ids: Namespace<BodyId>,
-    /// The body whose statement is being read: its name stands for nothing before the end of the statement.
+    /// Body whose statement is being resolved; its name is undefined until the end of the statement.
     pub unfinished_body: Option<syntax::Name>,
-    /// The names that drivers were given.
+    /// Names of drivers.
     pub drivers: Namespace<()>,
-    /// The names that equations were given.
+    /// Names of equations.
     pub equations: Namespace<()>,
-    /// The names that springs and dampers were given.
+    /// Names of springs and dampers.
     pub elements: Namespace<()>,
-    /// The files that the description names.
+    /// Files that the description names.
     pub attachments: &'a [Attachment],
     suggestions: Suggestions,
 }
 
 impl Declared<'_> {
-    /// Nothing but the ground.
+    /// Creates the names with only the ground.
     pub fn new() -> Self {
         let mut declared = Declared {
             constants: Namespace::new("constant"),
@@ -81,12 +81,12 @@ impl Declared<'_> {
             text: "ground".to_string(),
             span: Span::default(),
         };
-        // The first declaration of a fresh name space cannot be a duplicate.
+        // The first declaration of a new name space cannot be a duplicate.
         let _ = declared.body_ids.declare(&ground, BodyId::GROUND);
         declared
     }
 
-    /// The known name that was probably meant.
+    /// Returns the known name that was probably meant; `None` if none is near.
     pub fn nearest_known<'n>(
         &self,
         word: &str,

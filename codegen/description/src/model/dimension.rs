@@ -1,21 +1,21 @@
-//! Units and dimensions: which quantities may be added, and what a suffix multiplies by.
+//! Computes with units and dimensions: permitted sums, and factors of suffixes.
 //!
-//! A number without a suffix is in SI units of whatever is expected where it stands alone, and a factor without a unit beside a
-//! quantity that has one: `2*5mm` is a length. `t` and its products fit everything, since the unit of what it is multiplied by is
-//! rarely written: `1.5*t` is meant as 1.5 1/s times t.
+//! A number without a suffix that stands alone is in the SI unit of the expected quantity. Beside a quantity with a unit, such
+//! a number is a plain factor: `2*5mm` is a length. `t` and its products fit every dimension, since the unit of their factor is
+//! rarely written: `1.5*t` means 1.5 1/s times t.
 
 use crate::expr::{ExprId, Graph};
 use crate::joint::Quantity;
 use crate::units::{Named, of_description};
 
-/// What a value measures, as far as units say.
+/// Dimension of a value, as far as units determine it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dimension {
-    /// Made of numbers without units: fits any quantity, and leaves its unit to what it is multiplied by.
+    /// Product of plain numbers: fits any quantity, and has the unit of its factor in a product.
     Number,
-    /// A product with `t`, whose unit is not known: fits any quantity.
+    /// Product with `t`, of unknown unit: fits any quantity.
     OfTime,
-    /// Given in a unit of angles, or by a function that gives an angle.
+    /// Value in a unit of angles, or of a function that returns an angle.
     Angle,
     /// Powers of meter, second and kilogram; all zero for ratios, which may be angles.
     Marked {
@@ -29,7 +29,7 @@ pub enum Dimension {
 }
 
 impl Dimension {
-    /// A length.
+    /// Dimension of a length.
     pub const LENGTH: Dimension = Dimension::marked(1, 0, 0);
     const RATIO: Dimension = Dimension::marked(0, 0, 0);
     const TIME: Dimension = Dimension::marked(0, 1, 0);
@@ -37,29 +37,29 @@ impl Dimension {
     const FREQUENCY: Dimension = Dimension::marked(0, -1, 0);
     const SPEED: Dimension = Dimension::marked(1, -1, 0);
     const AREA: Dimension = Dimension::marked(2, 0, 0);
-    /// An acceleration.
+    /// Dimension of an acceleration.
     pub const ACCELERATION: Dimension = Dimension::marked(1, -2, 0);
-    /// A mass.
+    /// Dimension of a mass.
     pub const MASS: Dimension = Dimension::marked(0, 0, 1);
-    /// A moment of inertia.
+    /// Dimension of a moment of inertia.
     pub const INERTIA: Dimension = Dimension::marked(2, 0, 1);
-    /// A force.
+    /// Dimension of a force.
     pub const FORCE: Dimension = Dimension::marked(1, -2, 1);
-    /// A torque; also the stiffness of a spring that turns, since an angle has no unit.
+    /// Dimension of a torque, and of a torsional stiffness, since an angle has no unit.
     pub const TORQUE: Dimension = Dimension::marked(2, -2, 1);
-    /// A force over a length.
+    /// Dimension of a force over a length.
     pub const STIFFNESS: Dimension = Dimension::marked(0, -2, 1);
-    /// A force over a speed.
+    /// Dimension of a force over a speed.
     pub const DAMPING: Dimension = Dimension::marked(0, -1, 1);
-    /// A torque over an angular velocity.
+    /// Dimension of a torque over an angular velocity.
     pub const ANGULAR_DAMPING: Dimension = Dimension::marked(2, -1, 1);
 
-    /// Powers of meter, second and kilogram.
+    /// Creates a dimension from powers of meter, second and kilogram.
     const fn marked(length: i32, time: i32, mass: i32) -> Dimension {
         Dimension::Marked { length, time, mass }
     }
 
-    /// The dimension of a quantity that a joint asks for.
+    /// Returns the dimension of a quantity of a joint.
     pub fn of(quantity: Quantity) -> Dimension {
         match quantity {
             Quantity::Length => Dimension::LENGTH,
@@ -68,7 +68,7 @@ impl Dimension {
         }
     }
 
-    /// The dimension of the rate of a quantity.
+    /// Returns the dimension of the rate of a quantity.
     pub fn of_rate(quantity: Quantity) -> Dimension {
         match quantity {
             Quantity::Length => Dimension::SPEED,
@@ -77,7 +77,7 @@ impl Dimension {
         }
     }
 
-    /// What a residual of this dimension is judged as.
+    /// Returns the quantity that scales tolerances of a residual of this dimension.
     pub fn quantity(self) -> Quantity {
         match self {
             Dimension::Angle => Quantity::Angle,
@@ -87,7 +87,7 @@ impl Dimension {
         }
     }
 
-    /// The powers of meter, second and kilogram, where units say what they are.
+    /// Returns the powers of meter, second and kilogram; `None` if units do not determine them.
     fn powers(self) -> Option<[i32; 3]> {
         match self {
             Dimension::Number | Dimension::OfTime => None,
@@ -96,17 +96,17 @@ impl Dimension {
         }
     }
 
-    /// What has these powers.
+    /// Returns the dimension with these powers.
     fn of_powers([length, time, mass]: [i32; 3]) -> Dimension {
         Dimension::Marked { length, time, mass }
     }
 
-    /// Whether units say what it is.
+    /// True if units determine the dimension.
     pub fn is_marked(self) -> bool {
         self.powers().is_some()
     }
 
-    /// Whether a value of this dimension can stand where `other` is expected.
+    /// True if a value of this dimension is accepted where `other` is expected.
     pub fn fits(self, other: Dimension) -> bool {
         match (self.powers(), other.powers()) {
             (Some(one), Some(other)) => one == other,
@@ -114,7 +114,7 @@ impl Dimension {
         }
     }
 
-    /// The dimension of a sum whose terms fit one another: what the term that says most about it says.
+    /// Returns the dimension of a sum whose terms fit: that of the most specific term.
     pub fn joined(self, other: Dimension) -> Dimension {
         let says = |dimension: Dimension| match dimension {
             Dimension::Number => 0,
@@ -129,7 +129,7 @@ impl Dimension {
         }
     }
 
-    /// The dimension of a product, or of a quotient with `sign` −1.
+    /// Returns the dimension of a product, or of a quotient for `sign` −1.
     pub fn times(self, other: Dimension, sign: i32) -> Dimension {
         if self == Dimension::OfTime || other == Dimension::OfTime {
             return Dimension::OfTime;
@@ -143,7 +143,7 @@ impl Dimension {
         let [own, others] = [self, other].map(|it| it.powers().unwrap_or([0; 3]));
         let powers =
             [0, 1, 2].map(|unit| own[unit].saturating_add(others[unit].saturating_mul(sign)));
-        // An angle times or by a ratio is one, and so is a ratio times an angle.
+        // The product or quotient of an angle and a ratio is an angle.
         let angles = (self == Dimension::Angle, other == Dimension::Angle);
         if powers == [0; 3] && matches!((angles, sign), ((true, false), _) | ((false, true), 1)) {
             return Dimension::Angle;
@@ -151,7 +151,8 @@ impl Dimension {
         Dimension::of_powers(powers)
     }
 
-    /// The dimension of a power with the exponent `numerator`/`denominator`; `None` where a unit would get a broken power.
+    /// Returns the dimension of a power with the exponent `numerator`/`denominator`; `None` if the power of a unit is not an
+    /// integer.
     pub fn power(self, numerator: i128, denominator: i128) -> Option<Dimension> {
         let Some([length, time, mass]) = self.powers() else {
             return Some(self);
@@ -175,7 +176,7 @@ impl Dimension {
         })
     }
 
-    /// The SI unit that a value of this dimension is given in, for documentation.
+    /// Returns the SI unit of a value of this dimension, for documentation.
     pub fn unit(self) -> String {
         match self {
             Dimension::Number | Dimension::OfTime => "SI units".to_string(),
@@ -201,7 +202,7 @@ impl Dimension {
         }
     }
 
-    /// How messages name it.
+    /// Returns the name in messages.
     pub fn name(self) -> String {
         match self {
             Dimension::Number => "a plain number".to_string(),
@@ -225,12 +226,12 @@ impl Dimension {
     }
 }
 
-/// A unit of descriptions: how many SI units it is, exactly, and its dimension.
+/// Returns the exact factor to SI units and the dimension of a unit of descriptions; `None` if it is unknown.
 pub fn unit(name: &str, graph: &mut Graph) -> Option<(ExprId, Dimension)> {
     of_description(name).map(|it| exact(it, graph))
 }
 
-/// The same of a unit of the table.
+/// Returns the exact factor to SI units and the dimension of a unit of the table.
 pub(super) fn exact(unit: &Named, graph: &mut Graph) -> (ExprId, Dimension) {
     let [numerator, denominator] = unit.factor;
     let mut factor = graph.rational(numerator, denominator);

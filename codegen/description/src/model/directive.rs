@@ -1,11 +1,11 @@
-//! Statements of one word → whether the mechanism has them.
+//! Resolves statements of one word.
 
 use super::resolve::Resolver;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::syntax::{DirectiveKind, Statement};
 
 impl Resolver<'_> {
-    /// Whether there is a statement of this kind; a second one is reported.
+    /// True if there is a statement of this kind; a second one is reported.
     pub(super) fn has(&mut self, wished: DirectiveKind, statements: &[&Statement]) -> bool {
         let spans = statements.iter().filter_map(|statement| match statement {
             Statement::Directive(wish) if wish.kind == wished => Some(wish.span),

@@ -1,4 +1,4 @@
-//! `spring` and `damper` statements → what acts between two bodies. What it is made of does not move.
+//! Resolves `spring` and `damper` statements into loads between two bodies, with constant coefficients.
 
 use std::sync::Arc;
 
@@ -11,7 +11,7 @@ use crate::force::{Damper, Element, Spring, TorsionDamper, TorsionSpring};
 use crate::joint::geometry::{Mark, length, subtract};
 use crate::syntax::{self, ElementKind};
 
-/// What a load is made of that turns bodies, or pulls points.
+/// Ends of an element that exerts a torque on bodies or a force on points.
 struct Ends {
     marks: [Mark; 2],
     turns: bool,
@@ -104,7 +104,7 @@ impl Resolver<'_> {
         self.push_load(element, label, written.span);
     }
 
-    /// The two ends of a spring or a damper, on two bodies.
+    /// Resolves the two ends of a spring or a damper, on two bodies.
     fn ends_of_element(&mut self, written: &syntax::Element, word: &str) -> Option<Ends> {
         let turns = written.about.is_some();
         let example = match turns {
@@ -136,7 +136,7 @@ impl Resolver<'_> {
         Some(Ends { marks, turns })
     }
 
-    /// The length or the angle between two ends in the drawing.
+    /// Returns the distance or the angle between two ends in the design configuration.
     fn drawn_free(&mut self, marks: [Mark; 2], turns: bool) -> ExprId {
         if turns {
             let angles = marks.map(|mark| self.linkage.bodies[mark.frame.body.0].drawn.angle);
@@ -147,7 +147,8 @@ impl Resolver<'_> {
         length(gap, &mut self.graph)
     }
 
-    /// Whether the ends are drawn apart, so that there is a line to pull along; an error where not.
+    /// True if the ends are apart in the design configuration, so that the line of force is defined; otherwise reports an
+    /// error.
     fn ends_apart(&mut self, marks: [Mark; 2], word: &str, span: Span) -> bool {
         let [from, to] = [self.drawn_mark(&marks[0]), self.drawn_mark(&marks[1])];
         if self.are_apart(from, to) {

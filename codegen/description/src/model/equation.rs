@@ -1,7 +1,6 @@
-//! `equation` statements → rows that the description writes out.
+//! Resolves `equation` statements into rows.
 //!
-//! Afterwards the equation is a joint like any other, whose marks are the bodies and points that it mentions. Deliberately
-//! unknown here: how a formula is read.
+//! An equation becomes a joint whose marks are the bodies and points in its formulas.
 
 use super::kinematic::KinematicTerms;
 use super::live_distance::{WrittenRod, written_rod};
@@ -13,11 +12,11 @@ use crate::joint::geometry::Mark;
 use crate::joint::{Drawn, EQUATION, Formula, Quantity, Refusal, Resolved};
 use crate::syntax::Equation;
 
-/// What an equation says.
+/// A resolved equation.
 struct Stated {
     residual: ExprId,
     quantity: Quantity,
-    /// The length of a rod that keeps it, and where it is written.
+    /// Length of an equivalent rod, with its location; `None` for other equations.
     length: Option<(ExprId, Span)>,
 }
 
@@ -86,7 +85,7 @@ impl Resolver<'_> {
             Some(name) => (format!("equation {}", name.text), name.text.clone()),
             None => (format!("equation {number}"), format!("equation_{number}")),
         };
-        // What depends on time or on an input moves the mechanism.
+        // An equation that depends on time or on an input is a driver.
         let role = match self.moving(residual) {
             Some(_) => Role::Driver,
             None => Role::Constraint,
@@ -106,9 +105,9 @@ impl Resolver<'_> {
         self.linkage.push_joint(joint, None);
     }
 
-    /// Left − right.
+    /// Returns left − right.
     fn sides(&mut self, equation: &Equation) -> Option<Stated> {
-        // Both sides are looked at even after an error, so that all errors are reported at once.
+        // Both sides are resolved even after an error, so that all errors are reported at once.
         let (left, right) = (self.value(&equation.left), self.value(&equation.right));
         let ((left, of_left), (right, of_right)) = (left?, right?);
         if !of_left.fits(of_right) {
@@ -122,14 +121,14 @@ impl Resolver<'_> {
         })
     }
 
-    /// The square of a distance less that of its length.
+    /// Returns the square of a distance minus the square of the length.
     fn rod(&mut self, rod: &WrittenRod<'_>) -> Option<Stated> {
         let square = self.square_of_distance(rod.ends);
         let length = self.quantity(rod.length, Dimension::LENGTH);
         let (square, length) = (square?, length?);
-        let wanted = self.graph.multiply(length, length);
+        let square_of_length = self.graph.multiply(length, length);
         Some(Stated {
-            residual: self.graph.subtract(square, wanted),
+            residual: self.graph.subtract(square, square_of_length),
             quantity: Quantity::Power(2),
             length: self
                 .graph
@@ -138,7 +137,8 @@ impl Resolver<'_> {
         })
     }
 
-    /// The marks of bodies that a residual still mentions, after what cancels, with their arms.
+    /// Returns the marks of bodies that remain in a residual after cancellation, with the symbols of their rotated local
+    /// vectors.
     fn mentioned_in(
         &self,
         residual: ExprId,
@@ -147,10 +147,10 @@ impl Resolver<'_> {
         let marks = kinematic.marks.into_iter().zip(kinematic.arms);
         marks
             .filter(|(mark, arm)| {
-                let own = self.linkage.bodies[mark.frame.body.0].coordinates;
-                let own = own.iter().flatten().map(|it| it.symbol);
-                let mut own = own.chain(arm.iter().flatten().copied());
-                own.any(|symbol| self.graph.depends_on(residual, symbol))
+                let symbols = self.linkage.bodies[mark.frame.body.0].coordinates;
+                let symbols = symbols.iter().flatten().map(|it| it.symbol);
+                let mut symbols = symbols.chain(arm.iter().flatten().copied());
+                symbols.any(|symbol| self.graph.depends_on(residual, symbol))
             })
             .unzip()
     }

@@ -1,7 +1,7 @@
-//! Written expressions → exact expressions in SI units, with their dimension.
+//! Resolves written expressions into exact expressions in SI units, with their dimension.
 //!
-//! Afterwards the expression holds only constants, parameters, inputs and t, and no number in it is infinite or undefined. Every error is reported
-//! at the smallest part that causes it.
+//! An expression contains only constants, parameters, inputs and t, and no number in it is infinite or undefined. Every error
+//! is reported at the smallest part that causes it.
 
 use super::dimension::{Dimension, unit};
 use super::resolve::Resolver;
@@ -11,11 +11,11 @@ use crate::expr::{ExprId, Node, Number, Rational};
 use crate::syntax::{BUILT_IN, Expression, ExpressionKind, Name, Operation, Reference, Sign};
 use crate::units::UNITS;
 
-/// A value and what it measures.
+/// A value with its dimension.
 pub(super) type Value = (ExprId, Dimension);
 
 impl Resolver<'_> {
-    /// An expression that must not move, by t or by an input, and must fit `expected`.
+    /// Resolves an expression that must be independent of t and of inputs, and must fit `expected`.
     pub(super) fn constant(&mut self, written: &Expression, expected: Dimension) -> Option<ExprId> {
         let value = self.quantity(written, expected)?;
         if let Some(cause) = self.moving(value) {
@@ -38,7 +38,7 @@ impl Resolver<'_> {
         Some(value)
     }
 
-    /// An expression of t and inputs that must fit `expected`.
+    /// Resolves an expression of t and inputs that must fit `expected`.
     pub(super) fn quantity(&mut self, written: &Expression, expected: Dimension) -> Option<ExprId> {
         let (value, found) = self.value(written)?;
         if !found.fits(expected) {
@@ -70,7 +70,7 @@ impl Resolver<'_> {
         Some(value)
     }
 
-    /// Counts the unit of SI that a plain number is in where a quantity is expected; zero is in any unit.
+    /// Counts the implied SI unit of a plain number; zero has no particular unit.
     fn count_plain(&mut self, value: ExprId, found: Dimension, expected: Dimension) {
         let is_plain = matches!(found, Dimension::Number | Dimension::OfTime);
         if is_plain && value != self.graph.zero() {
@@ -78,7 +78,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// Any expression.
+    /// Resolves any expression.
     pub(super) fn value(&mut self, written: &Expression) -> Option<Value> {
         let value = match &written.kind {
             ExpressionKind::Number { digits, unit } => {
@@ -138,10 +138,10 @@ impl Resolver<'_> {
         Some((self.graph.multiply(number, factor), dimension))
     }
 
-    /// What a unit multiplies by, and what it measures.
+    /// Returns factor and dimension of a unit; `None` after an error.
     pub(super) fn unit(&mut self, suffix: &Name) -> Option<Value> {
-        let found = unit(&suffix.text, &mut self.graph);
-        if found.is_none() {
+        let factor = unit(&suffix.text, &mut self.graph);
+        if factor.is_none() {
             let help = match meant_unit(&suffix.text) {
                 Some(meant) => format!("did you mean `{meant}`?"),
                 None => format!("the units are {}", listed(UNITS)),
@@ -156,7 +156,7 @@ impl Resolver<'_> {
                 .help(help),
             );
         }
-        found
+        factor
     }
 
     fn named_value(&mut self, reference: &Reference) -> Option<Value> {
@@ -209,7 +209,7 @@ impl Resolver<'_> {
     }
 
     fn sum(&mut self, terms: &[(Sign, Expression)]) -> Option<Value> {
-        // Every term is looked at even after an error, so that all errors are reported at once.
+        // Every term is resolved even after an error, so that all errors are reported at once.
         let values: Vec<Option<Value>> = terms.iter().map(|(_, term)| self.value(term)).collect();
         let mut signed = Vec::with_capacity(terms.len());
         let mut dimension = Dimension::Number;
@@ -262,7 +262,7 @@ impl Resolver<'_> {
                 continue;
             }
             if let Some(value) = self.named_quotient(factors, at) {
-                // Its denominator is a part of the unit.
+                // The denominator belongs to the unit.
                 values.extend([Some(value), Some((self.graph.one(), Dimension::Number))]);
                 continue;
             }
@@ -298,7 +298,7 @@ impl Resolver<'_> {
         ))
     }
 
-    /// Counts the unit of a number no longer that is the beginning of another one: the N of `220N/m`.
+    /// Removes the count of a unit that is only the first factor of another one: the N of `220N/m`.
     fn part_of_unit(&mut self, number: &Expression) {
         if let ExpressionKind::Number {
             unit: Some(unit), ..
@@ -308,7 +308,8 @@ impl Resolver<'_> {
         }
     }
 
-    /// `30U/min`: a number with a unit that is a quotient and has no unit as its numerator, written without blanks.
+    /// Resolves `30U/min`: a number with a named quotient of units, written without blanks, whose numerator alone is not a
+    /// unit.
     fn named_quotient(&mut self, factors: &[(Operation, Expression)], at: usize) -> Option<Value> {
         let [(_, first), (Operation::Over, second), ..] = &factors[at..] else {
             return None;
@@ -343,8 +344,8 @@ impl Resolver<'_> {
         Some((value, dimension))
     }
 
-    /// `s^2` in `9.81m/s^2`, and `m` in `220N/m`: a unit that follows a quantity and its `*` or `/` without a blank, unless a value is
-    /// declared by that name.
+    /// Resolves `s^2` in `9.81m/s^2` and `m` in `220N/m`: a unit after a quantity and its `*` or `/` without a blank. A
+    /// declared value of this name takes precedence.
     fn further_unit(&mut self, written: &Expression) -> Option<Value> {
         let (name, exponent) = match &written.kind {
             ExpressionKind::Power(base, exponent) => (base.as_ref(), Some(exponent.as_ref())),
@@ -421,7 +422,7 @@ impl Resolver<'_> {
     }
 }
 
-/// What stands behind a sign, and 1 or −1.
+/// Splits off the sign: returns 1 or −1, and the operand.
 fn unsigned(written: &Expression) -> (i32, &Expression) {
     match &written.kind {
         ExpressionKind::Negative(inner) => (-1, inner),
@@ -429,7 +430,7 @@ fn unsigned(written: &Expression) -> (i32, &Expression) {
     }
 }
 
-/// `a`, `b`, `c` in backticks.
+/// Returns `a`, `b`, `c` in backticks.
 pub(super) fn listed(words: &[&str]) -> String {
     let quoted: Vec<String> = words.iter().map(|word| format!("`{word}`")).collect();
     quoted.join(", ")

@@ -1,4 +1,4 @@
-//! What bodies weigh, what acts on them, and which of the forces that follow are wanted.
+//! Defines masses, loads and requested forces of a mechanism.
 
 use std::sync::Arc;
 
@@ -8,80 +8,80 @@ use crate::expr::ExprId;
 use crate::force::Element;
 use crate::joint::geometry::{Mark, Vector};
 
-/// The forces of a mechanism.
+/// Forces of a mechanism.
 #[derive(Clone, Debug, Default)]
 pub struct Forces {
-    /// The bodies that have a mass, in written order, each once.
+    /// Masses of bodies, in source order, without duplicates.
     pub masses: Vec<Mass>,
-    /// The acceleration of what falls, in m/s².
+    /// Acceleration of free fall, in m/s²; `None` without gravity.
     pub gravity: Option<Vector>,
-    /// Springs, dampers, forces and torques, in written order.
+    /// Springs, dampers, forces and torques, in source order.
     pub loads: Vec<Load>,
-    /// The gears whose bearings carry the force of the teeth, in written order.
+    /// Gears whose bearings carry the force of the teeth, in source order.
     pub teeth: Vec<Teeth>,
-    /// The coordinates that forces move, in written order.
+    /// Coordinates moved by forces, in source order.
     pub free: Vec<Free>,
-    /// Whether an `effort` statement asks what the drivers exert.
+    /// True if an `effort` statement requests the driving forces and torques.
     pub efforts: bool,
-    /// The joints whose reactions are asked for: indices into the joints, ascending, each once.
+    /// Indices of the joints whose reactions are requested, ascending, without duplicates.
     pub reactions: Vec<usize>,
-    /// Whether a `least_norm` statement says what redundant joints carry: of all that balances what acts, what is smallest.
+    /// True if a `least_norm` statement selects the reactions of least norm for redundant joints.
     pub least_norm: bool,
-    /// Whether rates and accelerations count as zero: what holds the mechanism where it is.
+    /// True if rates and accelerations count as zero, for static equilibrium.
     pub at_rest: bool,
-    /// Whether an `energy` statement asks for the work that is stored.
+    /// True if an `energy` statement requests the stored energy.
     pub energy: bool,
 }
 
-/// What a body weighs.
+/// Mass of a body.
 #[derive(Clone, Copy, Debug)]
 pub struct Mass {
-    /// An index into the bodies.
+    /// Index of the body.
     pub body: usize,
-    /// In kg.
+    /// Mass, in kg.
     pub mass: ExprId,
-    /// The center of mass.
+    /// Center of mass.
     pub center: Mark,
-    /// The moment of inertia about the center of mass, in kg·m².
+    /// Moment of inertia about the center of mass, in kg·m².
     pub inertia: ExprId,
-    /// The statement.
+    /// Location of the statement.
     pub span: Span,
 }
 
-/// A coordinate that forces move.
+/// A coordinate moved by forces.
 #[derive(Clone, Copy, Debug)]
 pub struct Free {
-    /// The driver that holds it: an index into the joints.
+    /// Index of the joint that is its driver.
     pub joint: usize,
-    /// The signal that the driver follows: an index into the inputs.
+    /// Index of the input that the driver follows.
     pub input: usize,
-    /// The statement.
+    /// Location of the statement.
     pub span: Span,
 }
 
-/// Something that acts on bodies.
+/// A load on bodies.
 #[derive(Clone, Debug)]
 pub struct Load {
-    /// What it is, and on what.
+    /// Element with its points.
     pub element: Arc<dyn Element>,
-    /// How messages name it: `spring main`, `force on 1.P`.
+    /// Label in messages: `spring main`, `force on 1.P`.
     pub label: String,
-    /// The statement.
+    /// Location of the statement.
     pub span: Span,
 }
 
 impl Forces {
-    /// Whether any force is wanted, so that what acts has to be known.
+    /// True if any force is requested, so that the loads must be evaluated.
     pub fn are_wanted(&self) -> bool {
         self.need_multipliers() || self.energy
     }
 
-    /// Whether what drivers exert or joints carry is wanted.
+    /// True if driving forces or reactions are requested.
     pub fn need_multipliers(&self) -> bool {
         self.need_efforts() || !self.reactions.is_empty()
     }
 
-    /// Whether the work along the values of drivers is wanted.
+    /// True if the generalized forces of the drivers are requested, or needed for free coordinates.
     pub fn need_efforts(&self) -> bool {
         self.efforts || !self.free.is_empty()
     }

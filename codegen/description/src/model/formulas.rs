@@ -1,6 +1,6 @@
-//! What the formula that is read stands in, and what formulas have mentioned.
+//! Holds the context of the formula being resolved, and the symbols that formulas mention.
 //!
-//! A choice, a curve or an equation around a formula changes what its names mean. Deliberately unknown here: what is declared.
+//! A choice, a curve or an equation around a formula changes the meaning of its names.
 
 use std::collections::HashSet;
 
@@ -9,25 +9,25 @@ use super::kinematic::KinematicTerms;
 use crate::expr::{ExprId, SymbolId};
 use crate::units::{OutputUnits, Tally};
 
-/// The surroundings of formulas.
+/// Context of formulas.
 pub(super) struct Formulas {
     pub time: SymbolId,
-    /// The choices around the formula that is read: each condition, and whether the formula stands where it is negative.
+    /// Conditions of the enclosing choices; true if the formula applies where the condition is negative.
     pub choices: Vec<(ExprId, bool)>,
-    /// The parameter of the curve whose formula is read.
+    /// Parameter of the curve being resolved; `None` outside curves.
     pub parameter: Option<curve::Parameter>,
-    /// What the equation that is being read mentions; `None` elsewhere, where nothing moves but by t.
+    /// Terms of the equation or load being resolved; `None` elsewhere, where only t moves.
     pub kinematic: Option<KinematicTerms>,
-    /// Every symbol that some expression mentions by the name of a constant, a parameter or an input; only looked up.
+    /// Symbols mentioned by the name of a constant, a parameter or an input; never iterated.
     pub mentioned: HashSet<SymbolId>,
-    /// Units of the numbers that have been read.
+    /// Units of the numbers read so far.
     pub written_units: Tally,
-    /// Units of output that the description or its reader requests.
+    /// Units of output requested by the description or its reader; `None` without a request.
     pub requested_units: Option<OutputUnits>,
 }
 
 impl Formulas {
-    /// No formula has been read.
+    /// Creates the context before any formula.
     pub fn new(time: SymbolId) -> Formulas {
         Formulas {
             time,
@@ -40,7 +40,7 @@ impl Formulas {
         }
     }
 
-    /// Units of messages, as far as they are known.
+    /// Returns the units of messages, as far as they are known.
     pub fn reported(&self) -> OutputUnits {
         let requested = self.requested_units.clone();
         requested.unwrap_or_else(|| self.written_units.most())

@@ -1,7 +1,7 @@
-//! `free` statements → drivers by a signal of their own, which forces move.
+//! Resolves `free` statements into drivers by a signal, for coordinates moved by forces.
 //!
-//! Whoever solves the mechanism supplies value, rate and acceleration of the coordinate, as of an input; so everything that is found of a
-//! driven mechanism is found of this one too. Deliberately unknown here: how the acceleration follows from the forces.
+//! The solver supplies value, rate and acceleration of the coordinate, as of an input. All analyses of a driven mechanism
+//! therefore apply.
 
 use super::dimension::Dimension;
 use super::forces::Free;
@@ -20,7 +20,7 @@ impl Resolver<'_> {
         };
         let input = self.add_signal(&start, Sort::Free);
         let joint = self.linkage.joints.len();
-        // A finding about the signal is one about where it starts.
+        // A finding about the signal refers to its initial value.
         let place = drive.value.span;
         let mut name = written.name.clone();
         name.span = place;
@@ -50,9 +50,9 @@ impl Resolver<'_> {
         };
         let time = self.graph.variable(self.formulas.time);
         let passed = self.graph.multiply(rate, time);
-        let own = &mut self.declared.inputs[input];
-        own.signal[0] = self.graph.add(own.initial, passed);
-        own.signal[1] = rate;
+        let supplied = &mut self.declared.inputs[input];
+        supplied.signal[0] = self.graph.add(supplied.initial, passed);
+        supplied.signal[1] = rate;
         self.forces.free.push(Free {
             joint,
             input,

@@ -1,4 +1,4 @@
-//! Joint and drive statements → joints with their kinds, labels and operands.
+//! Resolves joint and drive statements into joints with their kinds, labels and operands.
 
 use super::expression::listed;
 use super::operands::WrittenJoint;
@@ -36,7 +36,7 @@ impl Resolver<'_> {
             );
             return;
         };
-        let given = WrittenJoint {
+        let written = WrittenJoint {
             kind,
             role: Role::Constraint,
             is_free: false,
@@ -49,21 +49,21 @@ impl Resolver<'_> {
             placed: joint.placed,
             span: joint.span,
         };
-        self.add_rows_of(&given, joint.redundant, &joint.docs);
+        self.add_rows_of(&written, joint.redundant, &joint.docs);
     }
 
     pub(super) fn add_driver(&mut self, drive: &syntax::Drive) {
         self.add_driven(drive, &drive.value, false);
     }
 
-    /// A driver that takes `value`, of a quantity that is driven or free.
+    /// Adds a driver with `value` for a driven or free quantity.
     pub(super) fn add_driven(
         &mut self,
         drive: &syntax::Drive,
         value: &syntax::Expression,
         is_free: bool,
     ) {
-        // Joints are named after their points, which may join several pairs of bodies; the name of a driver is its own.
+        // Joint names are point names, which several pairs of bodies may share; driver names are unique.
         let duplicate = drive
             .name
             .as_ref()
@@ -101,7 +101,7 @@ impl Resolver<'_> {
                 *operand = carried;
             }
         }
-        let given = WrittenJoint {
+        let driver = WrittenJoint {
             kind,
             role: Role::Driver,
             is_free,
@@ -114,10 +114,11 @@ impl Resolver<'_> {
             placed: drive.placed,
             span: drive.span,
         };
-        self.add_rows_of(&given, None, &drive.docs);
+        self.add_rows_of(&driver, None, &drive.docs);
     }
 
-    /// The point K of `drive K.x` on the first body that carries it; a body, or a point of a body, as it is written.
+    /// Resolves the point K of `drive K.x` on the first body that has the point; leaves a body, or a point of a body, as
+    /// written.
     pub(super) fn on_its_carrier(
         &mut self,
         operand: &syntax::Reference,
@@ -153,7 +154,7 @@ impl Resolver<'_> {
         None
     }
 
-    /// Whether what `drive NAME = …` names is an angle; an error where not.
+    /// True if the name in `drive NAME = …` is an angle; otherwise reports an error.
     fn is_angle_alone(&mut self, named: &syntax::Reference) -> bool {
         let text = &named.name.text;
         if self.angle_named(text).is_some() {
@@ -188,7 +189,7 @@ impl Resolver<'_> {
             );
         }
         let operands = self.operands(given);
-        // It is looked at even after an error, so that all are reported at once.
+        // Resolved even after an error, so that all errors are reported at once.
         let pressure_angle = given
             .pressure_angle
             .and_then(|written| self.pressure_angle(given, written, operands.as_ref()));
@@ -214,7 +215,7 @@ impl Resolver<'_> {
     }
 }
 
-/// Whether a joint means something else where its bodies are drawn elsewhere.
+/// True if moving the bodies of a joint in the design configuration changes its meaning.
 fn is_global(given: &WrittenJoint<'_>) -> bool {
     let mut bodies = given
         .operands
@@ -227,7 +228,7 @@ fn kind_named(keyword: &str, kinds: &[&'static dyn Kind]) -> Option<&'static dyn
     kinds.iter().copied().find(|kind| kind.keyword() == keyword)
 }
 
-/// A statement as messages name it: `revolute P(1, 2)`, `drive length(N, M)`.
+/// Returns the label of a statement in messages: `revolute P(1, 2)`, `drive length(N, M)`.
 pub(super) fn label(given: &WrittenJoint<'_>) -> String {
     let reference = |reference: &syntax::Reference| match &reference.body {
         Some(body) => format!("{}.{}", body.text, reference.name.text),

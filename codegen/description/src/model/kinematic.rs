@@ -1,8 +1,7 @@
-//! What an equation mentions of bodies that move: points, and the symbols of their arms.
+//! Collects the points of moving bodies in an equation, with symbols for their rotated local vectors.
 //!
-//! Every point becomes a mark, and its arm R s a pair of symbols that stand for it, so that the equation can be stated with
-//! the arms of the textbook as well as with those of the vector form. The sine and the cosine of a body's angle are the arm
-//! of a unit vector.
+//! Every point becomes a mark, and the components of R s become symbols. The equation can thus be stated in the textbook
+//! formulation and in the vector form. Sine and cosine of a body's angle are components of a rotated unit vector.
 
 use std::collections::HashMap;
 
@@ -11,23 +10,23 @@ use crate::expr::{ExprId, SymbolId};
 use crate::joint::geometry::{BodyId, Mark, Vector, add};
 use crate::syntax::Reference;
 
-/// What the equation that is being read mentions so far.
+/// Terms of the equation being resolved.
 #[derive(Debug, Default)]
 pub(super) struct KinematicTerms {
-    /// Points of bodies that move, and their origins where coordinates are named.
+    /// Points of moving bodies, and origins of bodies whose coordinates are named.
     pub marks: Vec<Mark>,
-    /// What stands for the arm of each mark; `None` where nothing mentions it.
+    /// Symbols of the rotated local vector of each mark; `None` if they do not occur.
     pub arms: Vec<Option<[SymbolId; 2]>>,
-    /// Formulas whose rates it mentions.
+    /// Formulas whose rates occur.
     pub rated: Vec<ExprId>,
-    /// The place of each mark; only looked up.
+    /// Index of each mark; never iterated.
     places: HashMap<(BodyId, Vector), usize>,
-    /// The number of the load whose formula is read, which may mention rates; `None` for an equation.
+    /// Number of the load being resolved, which may contain rates; `None` for an equation.
     load: Option<usize>,
 }
 
 impl KinematicTerms {
-    /// Those of a force or a torque.
+    /// Creates the terms of a force or a torque.
     pub(super) fn of_load(number: usize) -> KinematicTerms {
         KinematicTerms {
             load: Some(number),
@@ -35,15 +34,15 @@ impl KinematicTerms {
         }
     }
 
-    /// Whether they are those of a force or a torque.
+    /// True for the terms of a force or a torque.
     pub(super) fn is_of_load(&self) -> bool {
         self.load.is_some()
     }
 }
 
 impl Resolver<'_> {
-    /// The mark of a point in an equation. One that is named without a body is, where it is drawn, a point of the first body
-    /// that carries it, or of the ground; and otherwise the one point that bodies give this name.
+    /// Returns the mark of a point in an equation. A point named without a body belongs to the first body that has it, or to
+    /// the ground, if it is a global point. Otherwise it is the one point with this name on bodies.
     pub(super) fn live_point(&mut self, reference: &Reference) -> Option<Mark> {
         let name = &reference.name;
         if reference.body.is_some() {
@@ -73,13 +72,13 @@ impl Resolver<'_> {
         }
     }
 
-    /// r + R s in terms of the symbols of the arm.
+    /// Returns r + R s, with the symbols of the rotated local vector.
     pub(super) fn live_position(&mut self, mark: Mark) -> Vector {
         let arm = self.live_arm(mark);
         add(mark.frame.origin, arm, &mut self.graph)
     }
 
-    /// The symbols that stand for the arm of a mark; the arm itself where it does not turn.
+    /// Returns the symbols of a mark's rotated local vector; the vector itself if it is constant.
     pub(super) fn live_arm(&mut self, mark: Mark) -> Vector {
         if mark.frame.body == BodyId::GROUND {
             self.linkage.named_on_ground.push(mark.local);
@@ -89,7 +88,7 @@ impl Resolver<'_> {
         if mark.local == [self.graph.zero(); 2] {
             return mark.arm;
         }
-        // No coordinate can have such a name: it begins with a digit.
+        // The name begins with a digit, so it differs from all coordinates.
         let load = self.formulas.kinematic.as_ref().and_then(|it| it.load);
         let name = match load {
             Some(load) => format!("{load} load arm {at}"),
@@ -102,7 +101,7 @@ impl Resolver<'_> {
         symbols.map(|symbol| self.graph.variable(symbol))
     }
 
-    /// Notes that the equation mentions a mark: its index.
+    /// Adds a mark to the equation and returns its index.
     pub(super) fn mention_mark(&mut self, mark: Mark) -> usize {
         let Some(kinematic) = &mut self.formulas.kinematic else {
             return 0;

@@ -1,6 +1,5 @@
-//! Lines that statements name → marks and axes.
-//!
-//! `(1, 2) along P -> Q` between two bodies, `(1, 2.Q) along P -> R` on one body, and `(P, Q)` of a joint written before.
+//! Resolves lines in statements into marks and axes: `(1, 2) along P -> Q` between two bodies, `(1, 2.Q) along P -> R` on one
+//! body, and `(P, Q)` of an earlier joint.
 
 use super::Joint;
 use super::operands::WrittenJoint;
@@ -11,16 +10,16 @@ use crate::joint::geometry::{Mark, Vector, length, subtract, tidied};
 use crate::joint::{AuxiliaryUnknown, Axis, Slot};
 use crate::syntax::{Direction, Reference};
 
-/// The marks, the line and the auxiliary unknowns of a joint written before.
+/// Marks, line and auxiliary unknowns of an earlier joint.
 pub(super) type LineOfJoint = (Vec<Mark>, Option<Axis>, Vec<AuxiliaryUnknown>);
 
-/// Places nearer to one another than this share of their coordinates are equal up to rounding.
+/// Relative difference of coordinates below which positions are equal up to rounding.
 const ROUNDING: f64 = 1e-14;
-/// What to do about two points that are one.
-pub(super) const APART: &str = "name two points that are apart in the drawing";
+/// Help for two coincident points.
+pub(super) const DISTINCT_POINTS_HELP: &str = "name two points that are apart in the drawing";
 
 impl Resolver<'_> {
-    /// `(1, 2) along P -> Q`: P on the first body, Q on the second, the line as drawn.
+    /// Resolves `(1, 2) along P -> Q`: P on the first body, Q on the second, the line of the design configuration.
     pub(super) fn sliding_pair(&mut self, given: &WrittenJoint<'_>) -> Option<(Vec<Mark>, Axis)> {
         let along = given.along?;
         let ends = [
@@ -69,7 +68,7 @@ impl Resolver<'_> {
         Some((marks, axis))
     }
 
-    /// `(1, 2.Q) along P -> R` with P and R on the body that the operand number `owner` names; P is its mark.
+    /// Resolves `(1, 2.Q) along P -> R` with P and R on the body of the operand number `owner`; P is its mark.
     pub(super) fn line_on_body(
         &mut self,
         slots: &[Slot],
@@ -103,7 +102,8 @@ impl Resolver<'_> {
             None
         });
         let [start, end] = [ends[0]?, ends[1]?];
-        let direction = self.unit_direction(start.local, end.local, along.span, APART)?;
+        let direction =
+            self.unit_direction(start.local, end.local, along.span, DISTINCT_POINTS_HELP)?;
         let turned = frame.rotate(direction, &mut self.graph);
         let drawn =
             [owner, 1 - owner].map(|side| self.linkage.bodies[marks[side].frame.body.0].drawn);
@@ -119,7 +119,7 @@ impl Resolver<'_> {
         Some((marks, axis))
     }
 
-    /// The unit vector from one drawn point to another; `help` says what to do where they are one.
+    /// Returns the unit vector from one global point to another; `help` applies if they coincide.
     pub(super) fn unit_direction(
         &mut self,
         from: Vector,
@@ -148,7 +148,7 @@ impl Resolver<'_> {
         None
     }
 
-    /// Whether two places of the drawing differ, by more than the rounding of their roots and sines.
+    /// True if two positions differ by more than the rounding of their roots and sines.
     pub(super) fn are_apart(&self, from: Vector, to: Vector) -> bool {
         let graph = &self.graph;
         let parts = from.into_iter().chain(to);
@@ -164,9 +164,9 @@ impl Resolver<'_> {
         gap > ROUNDING * size
     }
 
-    /// `(P, Q)`: the line of the one joint that was written `along P -> Q`, and its displacement.
+    /// Resolves `(P, Q)`: line and displacement of the one joint with `along P -> Q`.
     pub(super) fn existing_line(&mut self, given: &WrittenJoint<'_>) -> Option<LineOfJoint> {
-        let wanted = [&given.operands[0], &given.operands[1]];
+        let points = [&given.operands[0], &given.operands[1]];
         let same = |written: &Reference, end: &Reference| {
             let bodies = match (&written.body, &end.body) {
                 (Some(one), Some(other)) => one.text == other.text,
@@ -183,8 +183,8 @@ impl Resolver<'_> {
                 .filter(|&at| joints[at].1.as_ref().is_some_and(fits))
                 .collect()
         };
-        let found = matching(wanted[0], wanted[1], &self.linkage.joints);
-        if let [only] = found[..] {
+        let joints_along = matching(points[0], points[1], &self.linkage.joints);
+        if let [only] = joints_along[..] {
             let operands = &self.linkage.joints[only].0.operands;
             return Some((
                 operands.marks.clone(),
@@ -192,17 +192,17 @@ impl Resolver<'_> {
                 operands.auxiliaries.clone(),
             ));
         }
-        // Why there is no such joint has been said.
+        // The missing joint is explained by an earlier error.
         let is_broken = |along: &Direction| {
             let fits = |from, to| same(from, &along.from) && same(to, &along.to);
-            fits(wanted[0], wanted[1]) || fits(wanted[1], wanted[0])
+            fits(points[0], points[1]) || fits(points[1], points[0])
         };
         if self.linkage.broken_lines.iter().any(is_broken) {
             return None;
         }
-        let span = wanted[0].span.to(wanted[1].span);
-        let [p, q] = [&wanted[0].name.text, &wanted[1].name.text];
-        let diagnostic = if let Some(&first) = found.first() {
+        let span = points[0].span.to(points[1].span);
+        let [p, q] = [&points[0].name.text, &points[1].name.text];
+        let diagnostic = if let Some(&first) = joints_along.first() {
             Diagnostic::error(
                 Code::WrongForm,
                 span,
@@ -210,7 +210,7 @@ impl Resolver<'_> {
             )
             .also(self.linkage.joints[first].0.span, "one of them")
             .help("name the points with their bodies: `length(1.P, 2.Q)`")
-        } else if let Some(&reverse) = matching(wanted[1], wanted[0], &self.linkage.joints).first()
+        } else if let Some(&reverse) = matching(points[1], points[0], &self.linkage.joints).first()
         {
             Diagnostic::error(
                 Code::WrongForm,

@@ -1,6 +1,6 @@
-//! The bodies and joints of a description so far, with the points that they carry.
+//! Holds the bodies and joints declared so far, with the points of the bodies.
 //!
-//! Afterwards each joint has a slug of its own. Deliberately unknown here: names of anything else, and formulas.
+//! Each joint has a unique slug.
 
 use std::collections::HashMap;
 
@@ -13,28 +13,28 @@ use crate::expr::{Graph, SymbolId};
 use crate::joint::geometry::{BodyFrame, BodyId, Mark, Vector};
 use crate::syntax;
 
-/// What moves, and what holds it.
+/// Bodies and joints of a description.
 pub(super) struct Linkage {
     pub bodies: Vec<Body>,
-    /// The body and the axis of each coordinate; only looked up.
+    /// Body and axis of each coordinate; never iterated.
     pub coordinate_places: HashMap<SymbolId, (BodyId, usize)>,
-    /// The points that they carry.
+    /// Index of the points of bodies.
     pub carriers: Carriers,
-    /// Each with the direction it was written along, by which drivers find it.
+    /// Joints, each with the written direction by which drivers find it.
     pub joints: Vec<(Joint, Option<syntax::Direction>)>,
-    /// What their rows are named after.
+    /// Stems of row names.
     pub slugs: Slugs,
     pub naming: &'static Naming,
-    /// How many equations the description has written out.
+    /// Number of equations in the description.
     pub equation_count: usize,
-    /// The directions of joints that have an error.
+    /// Directions of joints with an error.
     pub broken_lines: Vec<syntax::Direction>,
-    /// Where the points of the ground are that equations name.
+    /// Positions of the ground points that equations name.
     pub named_on_ground: Vec<Vector>,
 }
 
 impl Linkage {
-    /// The ground alone.
+    /// Creates the linkage with only the ground.
     pub fn new(graph: &Graph, naming: &'static Naming) -> Linkage {
         let zero = graph.zero();
         let frame = BodyFrame {
@@ -63,7 +63,7 @@ impl Linkage {
         }
     }
 
-    /// The coordinates of the next body, with the places behind all so far.
+    /// Returns the coordinates of the next body, with indices after all previous ones.
     pub fn numbered(&self, symbols: [Option<SymbolId>; 3]) -> [Option<Coordinate>; 3] {
         let mut places = self.coordinate_places.len()..;
         symbols.map(|symbol| {
@@ -72,7 +72,7 @@ impl Linkage {
         })
     }
 
-    /// Takes in a body.
+    /// Adds a body.
     pub fn push_body(&mut self, body: Body) {
         let id = body.frame.body;
         for (axis, coordinate) in body.coordinates.iter().enumerate() {
@@ -86,7 +86,7 @@ impl Linkage {
         self.bodies.push(body);
     }
 
-    /// Takes in a joint, with the direction it was written along.
+    /// Adds a joint with its written direction.
     pub fn push_joint(&mut self, joint: Joint, along: Option<syntax::Direction>) {
         if let (true, [one, other]) = (joint.kind.joins_points(), &joint.operands.marks[..]) {
             self.carriers.join(one, other);
@@ -95,17 +95,17 @@ impl Linkage {
         self.joints.push((joint, along));
     }
 
-    /// The words as a lower-case identifier that no other joint's rows are named after.
+    /// Returns the words as a lower-case identifier that is unique among the stems of row names.
     pub fn unique_slug(&mut self, words: &str) -> String {
         let base = (self.naming.apart)(&words.to_lowercase(), "row");
         self.slugs.free(base)
     }
 
-    /// The largest coordinate of what joints hold and equations name, which lengths are scaled by; where all are zero, as where a body
-    /// turns about the origin, that of what `loaded` points have.
+    /// Returns the scale of lengths: the largest coordinate of points in joints and equations. If all are zero, as for a body
+    /// that rotates about the origin, the coordinates of `loaded` points are used.
     pub fn characteristic_length(&self, loaded: &[Mark], graph: &Graph) -> f64 {
         let joints = || self.joints.iter().map(|(joint, _)| joint);
-        // What an angle turns is a direction.
+        // The mark of an angle is a direction.
         let has_place = |mark: &&Mark| !self.bodies[mark.frame.body.0].is_angle();
         let marks = joints().flat_map(|joint| &joint.operands.marks);
         let marks = marks.filter(has_place).map(|mark| mark.local);

@@ -1,14 +1,14 @@
-//! Sums of angles of bodies → their cosine and sine, as arms of unit vectors.
+//! Expresses cosine and sine of sums of body angles by rotated unit vectors.
 //!
-//! cos(φ + δ) and sin(φ + δ) are the arm of the vector (cos δ, sin δ); further angles turn it on. So the closed forms that know arms know
-//! these functions. What else stands in the argument is left as it is.
+//! cos(φ + δ) and sin(φ + δ) are the components of R(φ) (cos δ, sin δ), and further angles rotate the result. Closed forms for
+//! rotated vectors therefore apply to these functions. Other arguments are left unchanged.
 
 use super::resolve::Resolver;
 use crate::expr::{ExprId, SymbolId};
 use crate::joint::geometry::{Mark, Vector, turned};
 
 impl Resolver<'_> {
-    /// The cosine and the sine of ±φ_1 ± φ_2 … + δ with a δ that does not move; `None` for anything else, and outside equations.
+    /// Returns cosine and sine of ±φ_1 ± φ_2 … + δ with a constant δ; `None` for other arguments, and outside equations.
     pub(super) fn live_direction(&mut self, argument: ExprId) -> Option<Vector> {
         self.formulas.kinematic.as_ref()?;
         let (zero, one) = (self.graph.zero(), self.graph.one());
@@ -35,7 +35,7 @@ impl Resolver<'_> {
         }
         let mut direction = [self.graph.cos(offset), self.graph.sin(offset)];
         for (turn, (body, _, is_backward)) in angles.into_iter().enumerate() {
-            // The first one turns what does not move: that is an arm.
+            // The first angle rotates a constant vector, which is a rotated local vector.
             let local = match (turn, is_backward) {
                 (0, false) => direction,
                 (0, true) => [direction[0], self.graph.negate(direction[1])],

@@ -1,7 +1,7 @@
-//! Distances as they move, between points of bodies and between places that formulas give.
+//! Resolves variable distances, between points of bodies and between positions given by formulas.
 //!
-//! `distance((X, Y, Z), (X, Y, Z)) = LENGTH` is a rod in space: one scalar equation, of squares as the textbook's distances are.
-//! Deliberately unknown here: what the places are formulas of.
+//! `distance((X, Y, Z), (X, Y, Z)) = LENGTH` is a rod in space: one scalar equation of squares, as for the distances of the
+//! textbook.
 
 use super::dimension::Dimension;
 use super::expression::Value;
@@ -10,13 +10,13 @@ use crate::diagnostic::{Code, Diagnostic};
 use crate::expr::{ExprId, Rational};
 use crate::syntax::{Equation, Expression, ExpressionKind, Name};
 
-/// What one side of an equation says of a rod.
+/// Rod on one side of an equation.
 pub(super) struct WrittenRod<'a> {
     pub ends: [&'a Expression; 2],
     pub length: &'a Expression,
 }
 
-/// The rod that an equation holds, where one side of it is the distance of a place that formulas give.
+/// Returns the rod of an equation; `None` unless one side is a distance with a position given by formulas.
 pub(super) fn written_rod(equation: &Equation) -> Option<WrittenRod<'_>> {
     let sides = [
         (&equation.left, &equation.right),
@@ -44,15 +44,15 @@ fn is_place(written: &Expression) -> bool {
 }
 
 impl Resolver<'_> {
-    /// The length between two points or places as they move.
+    /// Returns the variable distance between two points or positions.
     pub(super) fn live_distance(&mut self, ends: [&Expression; 2]) -> Option<Value> {
         let square = self.square_of_distance(ends)?;
         Some((self.graph.sqrt(square), Dimension::LENGTH))
     }
 
-    /// The square of that length.
+    /// Returns the square of the variable distance.
     pub(super) fn square_of_distance(&mut self, ends: [&Expression; 2]) -> Option<ExprId> {
-        // Both ends are looked at even after an error, so that all errors are reported at once.
+        // Both ends are resolved even after an error, so that all errors are reported at once.
         let [from, to] = ends.map(|end| self.live_place(end));
         let (from, to) = (from?, to?);
         if from.len() != to.len() {
@@ -80,7 +80,7 @@ impl Resolver<'_> {
         Some(self.graph.sum(&squares))
     }
 
-    /// The components of a place: two of a point, two or three that formulas give.
+    /// Returns the components of a position: two of a point, two or three of a tuple of formulas.
     fn live_place(&mut self, end: &Expression) -> Option<Vec<ExprId>> {
         let ExpressionKind::Components(components) = &end.kind else {
             let name = Name {

@@ -1,4 +1,4 @@
-//! What is written in an equation beside constants and t → its value: `x(1)`, `phi(1)`, `K.x` and names.
+//! Resolves names in equations besides constants and t: `x(1)`, `phi(1)`, `K.x` and names alone.
 
 use super::Dimension;
 use super::expression::Value;
@@ -7,7 +7,7 @@ use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::joint::geometry::{BodyId, Mark};
 use crate::syntax::{Expression, ExpressionKind, Name, Reference};
 
-/// What rates are called in other languages.
+/// Names of rates in other languages.
 const RATES: &[&str] = &[
     "velocity",
     "speed",
@@ -32,7 +32,7 @@ const RATES: &[&str] = &[
 ];
 
 impl Resolver<'_> {
-    /// A call that has a meaning in equations alone, or another one there; `None` for any other call.
+    /// Resolves a call that has a particular meaning in equations; `None` for any other call.
     pub(super) fn kinematic_call(
         &mut self,
         function: &Name,
@@ -51,14 +51,14 @@ impl Resolver<'_> {
         match (name, arguments) {
             ("x" | "y" | "phi", [of]) => Some(self.coordinate(function, of)),
             ("x" | "y" | "phi", _) => {
-                let given = arguments.len();
+                let count = arguments.len();
                 self.diagnostics.push(
                     Diagnostic::error(
                         Code::WrongArgumentCount,
                         span,
-                        format!("`{name}` takes 1 argument, not {given}"),
+                        format!("`{name}` takes 1 argument, not {count}"),
                     )
-                    .label(format!("{given} given"))
+                    .label(format!("{count} given"))
                     .help("write `x(1)`, `y(1)` or `phi(1)` with the name of one body"),
                 );
                 Some(None)
@@ -68,7 +68,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// `x(1)`, `y(1.P)`, `phi(1)`.
+    /// Resolves `x(1)`, `y(1.P)`, `phi(1)`.
     fn coordinate(&mut self, axis: &Name, of: &Expression) -> Option<Value> {
         let reference = self.written_place(axis, of)?;
         if axis.text == "phi" {
@@ -88,7 +88,7 @@ impl Resolver<'_> {
         Some((position[component], Dimension::LENGTH))
     }
 
-    /// A body named alone, whose angle is mentioned.
+    /// Resolves a body named alone, for its angle.
     fn turning_body(&mut self, reference: &Reference) -> Option<BodyId> {
         let mark = self.turning_mark(reference)?;
         self.moving_body(&reference.name)?;
@@ -96,7 +96,7 @@ impl Resolver<'_> {
         Some(mark.frame.body)
     }
 
-    /// The body or point that an argument names; a body may be named by an integer.
+    /// Returns the body or point in an argument; an integer may name a body.
     pub(super) fn written_place(
         &mut self,
         function: &Name,
@@ -136,7 +136,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// A name in an equation that is no constant: `K.x`, or an error.
+    /// Resolves a name in an equation that is not a constant: `K.x`; reports an error for others.
     pub(super) fn live_name(&mut self, reference: &Reference) -> Option<Value> {
         let name = &reference.name;
         if let Some(owner) = &reference.body {
@@ -154,7 +154,7 @@ impl Resolver<'_> {
                 let mark = self.origin_mark(&owner)?;
                 return self.axis(mark, name);
             }
-            // Says where the point is not on the body.
+            // Reports an error if the point is not on the body.
             self.mark_on(body, name)?;
         }
         if let (None, Some(body)) = (&reference.body, self.angle_named(&name.text)) {
@@ -211,7 +211,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// `K.x`, `1.P.y`: a component of the place where a point is.
+    /// Resolves `K.x`, `1.P.y`: a component of the position of a point.
     pub(super) fn component_of(
         &mut self,
         point: &Reference,
@@ -293,7 +293,7 @@ impl Resolver<'_> {
             || self.linkage.carriers.first_carrier(name).is_some()
     }
 
-    /// Whether there is a body of this name that carries a point of that name.
+    /// True if a body of this name has a point of that name.
     fn is_on_body(&self, body: &Name, point: &Name) -> bool {
         let body = self.declared.body_ids.get(&body.text);
         body.is_some_and(|&body| self.linkage.carriers.on_body(body, &point.text).is_some())

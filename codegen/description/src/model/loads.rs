@@ -1,5 +1,4 @@
-//! `force` and `torque` statements → what acts on bodies, which is a formula of t, inputs, coordinates and rates. Deliberately unknown here:
-//! which of the forces that follow are wanted.
+//! Resolves `force` and `torque` statements into loads, as formulas of t, inputs, coordinates and rates.
 
 use std::sync::Arc;
 
@@ -59,7 +58,7 @@ impl Resolver<'_> {
         self.push_load(Arc::new(element), label, written.span);
     }
 
-    /// Formulas of t, inputs, coordinates and rates, and the points that they mention.
+    /// Resolves formulas of t, inputs, coordinates and rates, with the points in them.
     fn moving_values<const COUNT: usize>(
         &mut self,
         written: [&Expression; COUNT],
@@ -76,7 +75,7 @@ impl Resolver<'_> {
         (values, terms)
     }
 
-    /// Whether a point is on a body that moves; an error where not.
+    /// True if a point is on a moving body; otherwise reports an error.
     fn can_be_pushed(&mut self, mark: &Mark, span: Span) -> bool {
         let moves = mark.frame.body != BodyId::GROUND;
         if !moves {
@@ -92,7 +91,7 @@ impl Resolver<'_> {
         moves
     }
 
-    /// Whether a value is not negative, at the defaults of the parameters; an error where it is.
+    /// True if a value is not negative at the defaults of the parameters; otherwise reports an error.
     pub(super) fn is_not_negative(
         &mut self,
         value: ExprId,
@@ -113,7 +112,7 @@ impl Resolver<'_> {
         !is_negative
     }
 
-    /// Keeps a load.
+    /// Adds a load.
     pub(super) fn push_load(&mut self, element: Arc<dyn Element>, label: String, span: Span) {
         self.forces.loads.push(Load {
             element,
@@ -123,7 +122,7 @@ impl Resolver<'_> {
     }
 }
 
-/// How a place is named in labels.
+/// Returns a reference as written in labels.
 pub(super) fn written_reference(reference: &syntax::Reference) -> String {
     match &reference.body {
         Some(body) => format!("{}.{}", body.text, reference.name.text),

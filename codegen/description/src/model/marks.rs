@@ -1,4 +1,4 @@
-//! References to bodies and points → marks: where on which body, and where in the drawing.
+//! Resolves references to bodies and points into marks and into global positions.
 
 use super::declared::DrawnPoint;
 use super::operands::WrittenJoint;
@@ -8,7 +8,7 @@ use crate::joint::geometry::{BodyId, Mark, Vector};
 use crate::syntax::{Name, Reference};
 
 impl Resolver<'_> {
-    /// The body of this name.
+    /// Returns the body of this name; `None` after an error.
     pub(super) fn body(&mut self, name: &Name) -> Option<BodyId> {
         if let Some(&body) = self.declared.body_ids.get(&name.text) {
             return Some(body);
@@ -38,7 +38,7 @@ impl Resolver<'_> {
         None
     }
 
-    /// The names of the bodies that carry a point of this name.
+    /// Returns the names of the bodies that have a point of this name.
     pub(super) fn names_of_carriers(&self, point: &str) -> Vec<&str> {
         let carriers = self.linkage.carriers.all_of(point);
         carriers
@@ -46,7 +46,7 @@ impl Resolver<'_> {
             .collect()
     }
 
-    /// The error for a point that bodies carry, named without one of them.
+    /// Reports a point of bodies that is named without a body.
     pub(super) fn report_without_body(&mut self, name: &Name) {
         let carriers = self.names_of_carriers(&name.text);
         let written: Vec<String> = carriers
@@ -72,14 +72,14 @@ impl Resolver<'_> {
         self.diagnostics.push(diagnostic);
     }
 
-    /// A body named alone, for its origin.
+    /// Resolves a body named alone, for its origin.
     pub(super) fn origin_mark(&mut self, reference: &Reference) -> Option<Mark> {
         let mark = self.turning_mark(reference)?;
         self.has_place(mark.frame.body, &reference.name)
             .then_some(mark)
     }
 
-    /// A body or an angle named alone, for its angle.
+    /// Resolves a body or an angle named alone, for its angle.
     pub(super) fn turning_mark(&mut self, reference: &Reference) -> Option<Mark> {
         if reference.body.is_some() {
             self.diagnostics.push(
@@ -101,7 +101,7 @@ impl Resolver<'_> {
         Some(Mark::new(frame, [zero, zero], &mut self.graph))
     }
 
-    /// `BODY` for its origin, `BODY.POINT`, or `POINT` for one that is drawn and that no body carries: the ground does.
+    /// Resolves `BODY` for its origin, `BODY.POINT`, or `POINT` for a global point that is on no body, and thus on the ground.
     pub(super) fn point_mark(&mut self, reference: &Reference) -> Option<Mark> {
         if let Some(body) = &reference.body {
             let body = self.body(body)?;
@@ -139,7 +139,7 @@ impl Resolver<'_> {
         None
     }
 
-    /// The point of this name on a body. The ground carries every drawn point.
+    /// Resolves a point of this name on a body. All global points are on the ground.
     pub(super) fn mark_on(&mut self, body: BodyId, name: &Name) -> Option<Mark> {
         let owner = Name {
             text: self.linkage.bodies[body.0].name.clone(),
@@ -192,7 +192,7 @@ impl Resolver<'_> {
         None
     }
 
-    /// A drawn point that no body carries, also none below.
+    /// Resolves a global point that is on no body, including later bodies.
     pub(super) fn mark_on_ground(&mut self, name: &Name) -> Option<Mark> {
         let Some(&(body, place)) = self.declared.carried.get(name.text.as_str()) else {
             return self.mark_on(BodyId::GROUND, name);
@@ -216,7 +216,7 @@ impl Resolver<'_> {
         None
     }
 
-    /// `P` or `ground.P`: a point of the drawing as the ground carries it.
+    /// Resolves `P` or `ground.P`: a global point, fixed to the ground.
     pub(super) fn ground_mark(&mut self, reference: &Reference) -> Option<Mark> {
         match &reference.body {
             None => self.mark_on(BodyId::GROUND, &reference.name),
@@ -235,7 +235,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// `1.P`, or `1` for the point of the joint's name on it.
+    /// Resolves `1.P`, or `1` for the body's point with the joint's name.
     pub(super) fn pin_mark(
         &mut self,
         operand: &Reference,
@@ -268,8 +268,8 @@ impl Resolver<'_> {
         }
     }
 
-    /// Where a mark is in the drawing. Turning the local vector of a point given there back again would give the same place in
-    /// longer terms.
+    /// Returns the position of a mark in the design configuration. A global point keeps its written position; rotating its
+    /// local vector back would give equal but longer terms.
     pub(super) fn drawn_mark(&mut self, mark: &Mark) -> Vector {
         let body = &self.linkage.bodies[mark.frame.body.0];
         if let Some(at) = self.linkage.carriers.at_place(mark.frame.body, mark.local) {
@@ -283,7 +283,7 @@ impl Resolver<'_> {
         Mark::new(frame, mark.local, &mut self.graph).position(&mut self.graph)
     }
 
-    /// A point named in an expression or direction, where it is in the drawing.
+    /// Returns the position, in the design configuration, of a point in an expression or direction.
     pub(super) fn drawn_point(&mut self, reference: &Reference) -> Option<Vector> {
         if reference.body.is_some() {
             let mark = self.point_mark(reference)?;
@@ -316,7 +316,7 @@ impl Resolver<'_> {
     }
 }
 
-/// A few of several things that can be written instead.
+/// Lists a few alternatives for help lines.
 fn alternatives(written: &[String]) -> String {
     match written {
         [rest @ .., last] if !rest.is_empty() && rest.len() < 3 => {

@@ -1,8 +1,7 @@
-//! Document → Mechanism, one for each of its motions.
+//! Resolves a document into one mechanism for each of its motions.
 //!
-//! Afterwards every name is an id, every number an exact expression in SI units, every point a local vector in the frame of
-//! its body, and every joint knows its operands. Deliberately unknown here: rows, derivatives, and whether the equations
-//! determine the motion.
+//! In a [`Mechanism`], every name is an id, every number an exact expression in SI units, and every point a local vector in its
+//! body's frame. Every joint has its operands.
 
 mod angles;
 mod bodies;
@@ -79,132 +78,132 @@ use crate::units::ReportUnits;
 /// A resolved mechanism.
 #[derive(Clone, Debug)]
 pub struct Mechanism {
-    /// Its name as written; an identifier in snake case by custom.
+    /// Name as written; snake case by convention.
     pub name: String,
-    /// Which of its motions this is, where it has several.
+    /// The motion, if the description has several; `None` otherwise.
     pub motion: Option<Motion>,
     /// Documentation lines of the file and of the mechanism.
     pub docs: Vec<String>,
-    /// Where the name stands.
+    /// Source location of the name.
     pub span: Span,
-    /// What names must be like.
+    /// Rules for names in the target language.
     pub naming: &'static Naming,
-    /// The arena of every expression below.
+    /// Arena of all expressions of this mechanism.
     pub graph: Graph,
-    /// The time t, in s.
+    /// Time t, in s.
     pub time: SymbolId,
-    /// The values that have a name, in written order.
+    /// Named values, in source order.
     pub constants: Vec<Constant>,
-    /// What can be changed at run time, in written order.
+    /// Values that can be changed at run time, in source order.
     pub parameters: Vec<Parameter>,
-    /// The signals that are supplied at run time, in written order.
+    /// Signals supplied at run time, in source order.
     pub inputs: Vec<Input>,
-    /// The tables, in written order.
+    /// Tables, in source order.
     pub tables: Vec<Table>,
-    /// The bodies; the first is the ground.
+    /// Bodies; the first is the ground.
     pub bodies: Vec<Body>,
-    /// Joints and drivers in written order.
+    /// Joints and drivers, in source order.
     pub joints: Vec<Joint>,
-    /// The declared points whose motion can be asked for, each once.
+    /// Declared points whose motion can be requested, without duplicates.
     pub points: Vec<Point>,
-    /// What the generated code is asked for; empty means everything.
+    /// Requested outputs; all quantities if empty.
     pub requests: Vec<Request>,
-    /// What the drivers move and how fast: the quantities of `transmission` statements, each once.
+    /// Quantities of `transmission` statements, without duplicates.
     pub transmissions: Vec<Requested>,
-    /// Along which parameters the motion is differentiated: indices into the parameters, each once, as `sensitivity` statements
-    /// name them.
+    /// Indices of the parameters of `sensitivity` statements, without duplicates: the motion is differentiated with respect to
+    /// them.
     pub sensitivities: Vec<usize>,
-    /// What bodies weigh, what acts on them, and which forces are wanted.
+    /// Masses, loads and requested forces.
     pub forces: Forces,
-    /// Whether a `monitor` statement asks how close every loop is to a singular pose.
+    /// True if a `monitor` statement requests the distance of every loop from a singular pose.
     pub monitor: bool,
-    /// Whether an `unguarded` statement leaves out what shows that frames lie on the path of the last one.
+    /// True if an `unguarded` statement omits the verification that frames stay on the path of the previous one.
     pub is_unguarded: bool,
-    /// Units in which values are printed and written; expressions are in SI units.
+    /// Units of printed and written values; expressions are in SI units.
     pub units: ReportUnits,
-    /// How names are written that are called otherwise.
+    /// Spellings in the source of names that differ from the resolved ones.
     pub spellings: Arc<Spellings>,
-    /// The largest coordinate of an origin or of a point that a joint holds, in m: what lengths are measured against. Never zero.
+    /// Largest coordinate of a body origin or of a point of a joint, in m: the scale of lengths. Never zero.
     pub characteristic_length: f64,
 }
 
-/// A value that has a name.
+/// A named value.
 #[derive(Clone, Debug)]
 pub struct Constant {
-    /// Its name as written.
+    /// Name as written.
     pub name: String,
-    /// What it is, of numbers and parameters, in SI units.
+    /// Value in numbers and parameters, in SI units.
     pub value: ExprId,
-    /// What it measures.
+    /// Dimension of the value.
     pub dimension: Dimension,
-    /// Where its name is declared.
+    /// Source location of the name.
     pub span: Span,
 }
 
-/// A value that stays changeable at run time.
+/// A value that can be changed at run time.
 #[derive(Clone, Debug)]
 pub struct Parameter {
     /// Name as written.
     pub name: String,
     /// Documentation lines.
     pub docs: Vec<String>,
-    /// What stands for it in expressions; the graph knows its default as the symbol's nominal value.
+    /// Symbol in expressions; its nominal value in the graph is the default.
     pub symbol: SymbolId,
-    /// Its default, a constant in SI units.
+    /// Default, a constant in SI units.
     pub nominal: ExprId,
-    /// What it measures.
+    /// Dimension of the value.
     pub dimension: Dimension,
-    /// Whether a statement mentions it.
+    /// True if a statement refers to the parameter.
     pub used: bool,
     /// Source location of the declaration.
     pub span: Span,
 }
 
-/// A signal that is supplied at run time with its rate and acceleration.
+/// A signal supplied at run time with its rate and acceleration.
 #[derive(Clone, Debug)]
 pub struct Input {
     /// Name as written.
     pub name: String,
     /// Documentation lines.
     pub docs: Vec<String>,
-    /// What stands for its value, its rate and its acceleration in expressions.
+    /// Symbols of value, rate and acceleration in expressions.
     pub symbols: [SymbolId; 3],
-    /// Its value at assembly unless another is given, a constant in SI units.
+    /// Default value at assembly, a constant in SI units.
     pub initial: ExprId,
-    /// What it does where nobody supplies it, as when a description is interpreted: its value, rate and acceleration as
-    /// expressions of t. At rest at its initial value unless it is set.
+    /// Value, rate and acceleration as expressions of t, used where no caller supplies the signal, as in the interpreter.
+    /// Constant at the initial value unless set.
     pub signal: [ExprId; 3],
-    /// What its value measures.
+    /// Dimension of the value.
     pub dimension: Dimension,
-    /// Whether a statement mentions it.
+    /// True if a statement refers to the input.
     pub used: bool,
     /// Source location of the declaration.
     pub span: Span,
 }
 
-/// A function through points.
+/// A function interpolated through points.
 #[derive(Clone, Debug)]
 pub struct Table {
     /// Name as written.
     pub name: String,
     /// Documentation lines.
     pub docs: Vec<String>,
-    /// Its pieces, in the graph.
+    /// Interpolating spline in the graph.
     pub spline: SplineId,
-    /// What its argument measures.
+    /// Dimension of the argument.
     pub argument: Dimension,
-    /// What its value measures.
+    /// Dimension of the value.
     pub value: Dimension,
-    /// Whether a statement mentions it.
+    /// True if a statement refers to the table.
     pub used: bool,
     /// Source location of the declaration.
     pub span: Span,
 }
 
-/// One way in which a mechanism is driven.
+/// One set of drivers of a mechanism.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Motion {
-    /// Its name as written: the name of its generated module.
+    /// Name as written, which is also the name of the generated module.
     pub name: String,
     /// Documentation lines.
     pub docs: Vec<String>,
@@ -215,47 +214,47 @@ pub struct Motion {
 /// A rigid body, or an angle without one.
 #[derive(Clone, Debug)]
 pub struct Body {
-    /// The name as written: an identifier or an integer.
+    /// Name as written: an identifier or an integer.
     pub name: String,
-    /// Its documentation lines.
+    /// Documentation lines.
     pub docs: Vec<String>,
-    /// Where its name is declared.
+    /// Source location of the name.
     pub span: Span,
-    /// Its frame in terms of its coordinates; constants for the ground.
+    /// Frame in terms of the coordinates; constants for the ground.
     pub frame: BodyFrame,
-    /// Its coordinates x, y, φ; none for the ground, and φ alone for an angle.
+    /// Coordinates x, y, φ; `None` for all of the ground, and for x and y of an angle.
     pub coordinates: [Option<Coordinate>; 3],
-    /// Its estimated pose (x, y, φ) in the drawing.
+    /// Estimated pose (x, y, φ) in the design configuration.
     pub drawn: BodyFrame,
-    /// The points it carries, in written order.
+    /// Points on this body, in source order.
     pub marks: Vec<NamedMark>,
 }
 
 /// A coordinate of a body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Coordinate {
-    /// What stands for it in expressions.
+    /// Symbol in expressions.
     pub symbol: SymbolId,
-    /// Its place in q.
+    /// Index in q.
     pub place: usize,
 }
 
-/// A point as one body carries it.
+/// A named point on one body.
 #[derive(Clone, Debug)]
 pub struct NamedMark {
     /// Name as written on the body.
     pub name: String,
     /// Documentation lines.
     pub docs: Vec<String>,
-    /// The body's frame and the local vector.
+    /// Body frame and local vector.
     pub mark: Mark,
-    /// Where it is in the drawing, in global components: for a point given there, as it was written.
+    /// Global coordinates in the design configuration; exactly as written for a point given in global coordinates.
     pub drawn: Vector,
-    /// Where it is declared on the body.
+    /// Source location of the declaration on the body.
     pub span: Span,
 }
 
-/// Whether a joint restricts the mechanism or moves it.
+/// Role of a joint: constraint or driver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
     /// Part of Φᴷ.
@@ -267,62 +266,62 @@ pub enum Role {
 /// A joint or driver of the mechanism.
 #[derive(Clone, Debug)]
 pub struct Joint {
-    /// What it is.
+    /// Kind of joint or driver.
     pub kind: &'static dyn Kind,
     /// Constraint or driver.
     pub role: Role,
-    /// The word `redundant` before it, which allows its rows to repeat what others say.
+    /// Source location of the word `redundant`, which permits dependent rows; `None` without it.
     pub redundant: Option<Span>,
-    /// The name behind its word, where it has one.
+    /// Name after the keyword; `None` if it has none.
     pub name: Option<String>,
-    /// How messages name it, as the description does: `revolute P(1, 2)`.
+    /// Label in messages: `revolute P(1, 2)`.
     pub label: String,
-    /// What its rows are named after in generated code: `p`, `drive_phi_1`; unique.
+    /// Stem of its row names in generated code: `p`, `drive_phi_1`; unique.
     pub slug: String,
-    /// Its documentation lines.
+    /// Documentation lines.
     pub docs: Vec<String>,
-    /// What it acts on.
+    /// Resolved operands.
     pub operands: Resolved,
-    /// The pressure angle of its teeth; `None` where bearings do not carry their force.
+    /// Pressure angle of the teeth; `None` if bearings do not carry their force.
     pub pressure_angle: Option<PressureAngle>,
-    /// Its statement.
+    /// Source location of the statement.
     pub span: Span,
 }
 
-/// A point whose motion can be asked for.
+/// A point whose motion can be requested.
 #[derive(Clone, Debug)]
 pub struct Point {
-    /// `K`, or `K_c1` where bodies carry different points of one name.
+    /// `K`, or `K_c1` if bodies have different points of one name.
     pub name: String,
     /// Documentation lines.
     pub docs: Vec<String>,
-    /// The first body that carries it.
+    /// Location on the first body that has the point.
     pub mark: Mark,
-    /// Where it is declared.
+    /// Source location of the declaration.
     pub span: Span,
 }
 
-/// One quantity that an `output` statement asks for.
+/// One quantity requested by an `output` statement.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Request {
-    /// What is wanted.
+    /// Requested quantity.
     pub quantity: Requested,
-    /// Up to which level: 0 position, 1 velocity, 2 acceleration.
+    /// Highest level: 0 position, 1 velocity, 2 acceleration.
     pub level: usize,
 }
 
-/// What an `output` or a `transmission` statement can name.
+/// Operand of an `output` or `transmission` statement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Requested {
-    /// The motion of a point: an index into the mechanism's points.
+    /// Motion of a point: an index into the mechanism's points.
     Point(usize),
-    /// A coordinate of a body: its place in q.
+    /// Coordinate of a body: its index in q.
     Coordinate(usize),
 }
 
 impl Mechanism {
-    /// How every symbol moves that no equation determines: t by one a second, an input by its rate, which moves by its
-    /// acceleration.
+    /// Returns the time derivatives of the symbols that no equation determines. The derivative of t is 1, of an input its rate,
+    /// and of the rate its acceleration.
     pub fn explicit_rates(&mut self) -> Vec<(SymbolId, ExprId)> {
         let mut rates = vec![(self.time, self.graph.one())];
         for input in &self.inputs {
@@ -333,12 +332,12 @@ impl Mechanism {
         rates
     }
 
-    /// Place of its name, or of that of its motion.
+    /// Returns the source location of the motion's name, or of the mechanism's without motions.
     pub fn place(&self) -> Span {
         self.motion.as_ref().map_or(self.span, |motion| motion.span)
     }
 
-    /// How a person names it: `excavator`, and of several motions `excavator, motion reach`.
+    /// Returns the title for messages: `excavator`, or `excavator, motion reach` if there are several motions.
     pub fn title(&self) -> String {
         match &self.motion {
             Some(motion) => format!("{}, motion {}", self.name, motion.name),
@@ -346,7 +345,7 @@ impl Mechanism {
         }
     }
 
-    /// How a person counts what moves: `4 bodies`, `1 body and 2 angles`.
+    /// Returns the number of moving bodies and angles as text: `4 bodies`, `1 body and 2 angles`.
     pub fn body_count_label(&self) -> String {
         let angles = self
             .moving_bodies()
@@ -366,28 +365,28 @@ impl Mechanism {
         }
     }
 
-    /// The moving bodies, in written order.
+    /// Returns the moving bodies, in source order.
     pub fn moving_bodies(&self) -> &[Body] {
         &self.bodies[1..]
     }
 }
 
 impl Body {
-    /// Its estimated pose as expressions x, y, φ.
+    /// Returns the estimated pose as expressions x, y, φ.
     pub fn estimate(&self) -> [ExprId; 3] {
         [self.drawn.origin[0], self.drawn.origin[1], self.drawn.angle]
     }
 
-    /// The places of its coordinates in q: three in a row, one for an angle, none for the ground.
+    /// Returns the indices of the coordinates in q: three for a body, one for an angle, none for the ground.
     pub fn places(&self) -> Range<usize> {
-        let own = || self.coordinates.iter().flatten();
-        match own().next() {
-            Some(first) => first.place..first.place + own().count(),
+        let coordinates = || self.coordinates.iter().flatten();
+        match coordinates().next() {
+            Some(first) => first.place..first.place + coordinates().count(),
             None => 0..0,
         }
     }
 
-    /// Whether it is an angle and no body.
+    /// True if this is an angle without a body.
     pub fn is_angle(&self) -> bool {
         matches!(self.coordinates, [None, _, Some(_)])
     }

@@ -1,20 +1,20 @@
-//! Names → what they stand for.
+//! Maps names to their meanings.
 //!
-//! Three separate name spaces: constants, drawn points, bodies. A name must be declared above its use. A declaration with an
-//! error in it still declares its name, so that one mistake is reported once.
+//! Constants, points and bodies have separate name spaces. A name must be declared above its use. A declaration with an error
+//! still declares its name, so that one mistake is reported once.
 
 use std::collections::HashMap;
 
 use crate::diagnostic::{Code, Diagnostic, Span, Suggestions};
 use crate::syntax::Name;
 
-/// Names of one sort in written order, with what they stand for.
+/// Names of one sort in source order, with their meanings.
 #[derive(Clone, Debug)]
 pub(super) struct Namespace<T> {
-    /// What messages call one of them: `point`, `body`.
+    /// Noun in messages: `point`, `body`.
     sort: &'static str,
     declared: Vec<(Name, T)>,
-    /// Only looked up, never iterated.
+    /// Index by name; never iterated.
     index: HashMap<String, usize>,
     suggestions: Suggestions,
 }
@@ -29,7 +29,7 @@ impl<T> Namespace<T> {
         }
     }
 
-    /// Declares a name. Where it is declared already the error is returned and the first declaration stays.
+    /// Declares a name. For a duplicate, returns the error and keeps the first declaration.
     pub(super) fn declare(&mut self, name: &Name, value: T) -> Option<Diagnostic> {
         let duplicate = self.duplicate(name);
         if duplicate.is_none() {
@@ -39,7 +39,7 @@ impl<T> Namespace<T> {
         duplicate
     }
 
-    /// The error for a name that is declared already.
+    /// Returns the error for a duplicate name; `None` if the name is free.
     pub(super) fn duplicate(&self, name: &Name) -> Option<Diagnostic> {
         let (earlier, _) = self.declaration(&name.text)?;
         let message = format!("the {} `{}` is declared twice", self.sort, name.text);
@@ -55,7 +55,7 @@ impl<T> Namespace<T> {
         self.index.get(text).map(|&at| &self.declared[at].1)
     }
 
-    /// Where a name is declared, and what it stands for.
+    /// Returns declaration and meaning of a name; `None` if it is not declared.
     pub(super) fn declaration(&self, text: &str) -> Option<(&Name, &T)> {
         let (name, value) = &self.declared[*self.index.get(text)?];
         Some((name, value))
@@ -65,7 +65,7 @@ impl<T> Namespace<T> {
         self.declared.iter().map(|(name, value)| (name, value))
     }
 
-    /// The error for a name that is not declared, with the nearest one that is.
+    /// Returns the error for an undeclared name, with the nearest declared one.
     pub(super) fn unknown(&self, text: &str, span: Span) -> Diagnostic {
         let message = format!("no {} is named `{text}`", self.sort);
         let diagnostic =

@@ -1,18 +1,18 @@
-//! What an output asks of the names of a description, as functions that the front end hands over.
+//! Defines the rules for names in an output language, as functions that the front end supplies.
 //!
-//! The model knows no output language. It asks for a finding where a name must not be used, and for a name that is not in use.
+//! The functions report names that are not permitted, and supply unused names.
 
 use crate::diagnostic::Diagnostic;
 use crate::syntax::Name;
 
-/// What names must be like for an output.
+/// Rules for names in an output language.
 #[derive(Clone, Copy, Debug)]
 pub struct Naming {
-    /// What is wrong with the name of a mechanism.
+    /// Checks the name of a mechanism; `None` if it is valid.
     pub mechanism: fn(&Name) -> Option<Diagnostic>,
-    /// What is wrong with the name of a motion.
+    /// Checks the name of a motion; `None` if it is valid.
     pub motion: fn(&Name) -> Option<Diagnostic>,
-    /// A name itself, or with this prefix and `_` where the output has something else of that name. Names that begin with the prefix
-    /// must not be in use for anything else.
+    /// Returns the name itself, or the name with this prefix and `_` if the output uses the name otherwise. Names with this
+    /// prefix must be unused for other purposes.
     pub apart: fn(name: &str, prefix: &str) -> String,
 }

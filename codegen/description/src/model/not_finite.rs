@@ -1,4 +1,4 @@
-//! An expression whose value is infinite or undefined → why: a division by zero, an argument outside a function's domain, or a
+//! Explains infinite and undefined values of expressions: a division by zero, an argument outside a function's domain, or a
 //! number that is too large.
 
 use super::expression::Value;
@@ -7,13 +7,13 @@ use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::ExprId;
 use crate::syntax::{Expression, ExpressionKind, Operation};
 
-/// The fourth power of a length is still a number: no closed form needs a higher one.
-const LARGEST_LENGTH: f64 = 1e75;
+/// Bound on lengths, in m: the fourth power must be finite, and no closed form needs a higher one.
+const MAX_LENGTH: f64 = 1e75;
 
-/// The tangent of an angle has no value where its cosine is smaller: no angle that is written is a right one to the last digit.
-const SMALLEST_COSINE: f64 = 1e-9;
+/// Bound on the cosine below which the tangent is undefined: no written angle is a right angle to the last digit.
+const MIN_COSINE: f64 = 1e-9;
 
-/// What is wrong, where, and what to do about it.
+/// Cause of an error, with its location and remedy.
 struct Cause {
     span: Span,
     message: String,
@@ -22,7 +22,7 @@ struct Cause {
 }
 
 impl Resolver<'_> {
-    /// Passes a value on unless it is infinite or undefined. All parts of the expression are finite.
+    /// Returns the value unless it is infinite or undefined. All parts of the expression must be finite.
     pub(super) fn finite(&mut self, value: Value, written: &Expression) -> Option<Value> {
         let evaluates = self
             .graph
@@ -31,7 +31,7 @@ impl Resolver<'_> {
         if evaluates && self.graph.is_finite(value.0) {
             return Some(value);
         }
-        // What is past a bound of the graph is told of its statement.
+        // A passed bound of the graph is reported at its statement.
         if self.graph.excess().is_some() {
             return None;
         }
@@ -58,10 +58,10 @@ impl Resolver<'_> {
         None
     }
 
-    /// Whether a length, as far as it is known, is one that products of lengths can be computed with; an error where not.
+    /// True if products of the length can be computed, as far as its value is known; otherwise reports an error.
     pub(super) fn is_measurable(&mut self, length: ExprId, span: Span) -> bool {
         let value = self.graph.constant_value(length).unwrap_or(0.0);
-        if value.abs() <= LARGEST_LENGTH {
+        if value.abs() <= MAX_LENGTH {
             return true;
         }
         self.diagnostics.push(
@@ -70,13 +70,13 @@ impl Resolver<'_> {
                 span,
                 format!("a length of {value:e} m is too large for products of lengths"),
             )
-            .label(format!("beyond {LARGEST_LENGTH:e} m"))
+            .label(format!("beyond {MAX_LENGTH:e} m"))
             .help("check the unit and the exponent"),
         );
         false
     }
 
-    /// The value of a part that has been read without an error.
+    /// Returns the value of a part that was resolved without an error.
     fn part(&mut self, written: &Expression) -> Option<f64> {
         let (value, _) = self.value(written)?;
         self.graph.constant_value(value)
@@ -120,7 +120,7 @@ impl Resolver<'_> {
             "sqrt" => (value < 0.0, "numbers that are not negative"),
             "ln" => (value <= 0.0, "positive numbers"),
             "tan" => (
-                value.cos().abs() < SMALLEST_COSINE,
+                value.cos().abs() < MIN_COSINE,
                 "angles other than 90deg, 270deg, …",
             ),
             "atan2" => (value == 0.0, "two numbers that are not both zero"),

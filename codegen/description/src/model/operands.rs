@@ -1,6 +1,6 @@
-//! Operands of joint and drive statements → what their kind is given.
+//! Resolves the operands of joint and drive statements.
 //!
-//! Every kind says which form of operands it takes; nothing here depends on the kind beyond that form.
+//! Every kind defines the form of its operands; nothing else here depends on the kind.
 
 use super::Role;
 use super::dimension::Dimension;
@@ -12,26 +12,26 @@ use crate::joint::{
 };
 use crate::syntax::{Direction, Expression, Name, Reference};
 
-/// What a joint or drive statement gives its kind.
+/// A joint or drive statement, as written.
 pub(super) struct WrittenJoint<'a> {
     pub kind: &'static dyn Kind,
     pub role: Role,
-    /// Whether forces move what it would drive.
+    /// True if the quantity is free, and thus moved by forces.
     pub is_free: bool,
     pub name: Option<&'a Name>,
     pub operands: &'a [Reference],
     pub along: Option<&'a Direction>,
     pub value: Option<&'a Expression>,
-    /// The pressure angle of teeth.
+    /// Pressure angle of the teeth; `None` if not written.
     pub pressure_angle: Option<&'a Expression>,
-    /// Whether it drives an angle that is named alone.
+    /// True if the operand is an angle that is named alone.
     pub is_bare: bool,
-    /// Where the part that it comes from is given a place.
+    /// Location where the part of this statement is placed; `None` outside parts.
     pub placed: Option<Span>,
     pub span: Span,
 }
 
-/// Whether a value stands where one must, and none where none may.
+/// True if a required value is present, and no value is present where none is permitted.
 fn value_fits(given: &WrittenJoint<'_>) -> bool {
     match given.kind.value() {
         Value::None => given.value.is_none(),
@@ -41,7 +41,7 @@ fn value_fits(given: &WrittenJoint<'_>) -> bool {
 }
 
 impl Resolver<'_> {
-    /// The operands in the form that the kind takes; `None` after an error.
+    /// Resolves the operands in the form of the kind; `None` after an error.
     pub(super) fn operands(&mut self, given: &WrittenJoint<'_>) -> Option<Resolved> {
         let form = given.kind.operands();
         let count = given.operands.len();
@@ -61,7 +61,7 @@ impl Resolver<'_> {
                 let is_length = expected == Dimension::LENGTH;
                 let value =
                     value.filter(|&value| !is_length || self.is_measurable(value, written.span));
-                // The operands are looked at even when the value is wrong, so that all errors are reported at once.
+                // The operands are resolved even with a wrong value, so that all errors are reported at once.
                 value.map(Some)
             }
             _ => Some(None),
@@ -122,7 +122,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// Whether the ends of a link are drawn apart, for kinds that have one; an error where not.
+    /// True if the ends of a link are apart in the design configuration, for kinds with a link; otherwise reports an error.
     fn link_has_direction(&mut self, given: &WrittenJoint<'_>, operands: &Resolved) -> bool {
         if !given.kind.auxiliaries().contains(&Auxiliary::LinkAngle) {
             return true;
@@ -143,7 +143,7 @@ impl Resolver<'_> {
         false
     }
 
-    /// The mark of every slot; the ground for a carrier that is not written.
+    /// Returns the mark of every slot; the ground for an omitted carrier.
     pub(super) fn listed_marks(
         &mut self,
         slots: &[Slot],
@@ -229,14 +229,14 @@ impl Resolver<'_> {
             .push(Diagnostic::error(Code::WrongForm, span, problem).help(help));
     }
 
-    /// Returns the help that completes a statement without its line, by points of its own bodies where these carry enough; `None` if a
+    /// Returns the help that completes a statement without its line, with points of its bodies if there are enough; `None` if a
     /// body is not declared.
     fn with_line(&self, given: &WrittenJoint<'_>) -> Option<String> {
         let carried = |at: usize| {
             let operand = given.operands.get(at)?;
             let name = operand.body.as_ref().unwrap_or(&operand.name);
-            let own = *self.declared.body_ids.get(&name.text)?;
-            let marks = self.linkage.bodies[own.0].marks.iter();
+            let body = *self.declared.body_ids.get(&name.text)?;
+            let marks = self.linkage.bodies[body.0].marks.iter();
             let points: Vec<&str> = marks.map(|it| it.name.as_str()).collect();
             Some((name.text.as_str(), points))
         };
@@ -265,7 +265,7 @@ impl Resolver<'_> {
         ))
     }
 
-    /// A body that moves must be among the operands.
+    /// Requires a moving body among the operands; `None` after an error.
     fn moves(&mut self, bodies: &[BodyId], given: &WrittenJoint<'_>) -> Option<()> {
         if bodies.iter().any(|body| *body != BodyId::GROUND) {
             return Some(());
@@ -281,7 +281,7 @@ impl Resolver<'_> {
         None
     }
 
-    /// No body may occur twice among the operands.
+    /// Requires different bodies as operands; `None` after an error.
     pub(super) fn different_bodies(
         &mut self,
         marks: &[Mark],

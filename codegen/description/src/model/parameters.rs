@@ -1,8 +1,7 @@
-//! `param` and `input` statements, and starts of `free` ones → symbols with a default.
+//! Resolves `param` and `input` statements, and initial values of `free` ones, into symbols with a default.
 //!
-//! A parameter is a fixed symbol: it may stand wherever a constant may, and questions about numbers are answered at its default.
-//! An input moves as t does: it may stand where t may. Both are named in the name space of the constants. Deliberately unknown
-//! here: what depends on them.
+//! A parameter is a fixed symbol, allowed wherever a constant is; checks of its value use the default. An input varies like t,
+//! and is allowed where t is. Both share the name space of the constants.
 
 use std::collections::HashMap;
 
@@ -14,16 +13,16 @@ use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::ExprId;
 use crate::syntax::{self, Name};
 
-/// What a statement declares, for messages.
+/// Noun for a declaration, in messages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Sort {
     Parameter,
     Input,
-    /// What forces move; as an input to whoever supplies it.
+    /// A free coordinate, which the solver supplies like an input.
     Free,
 }
 
-/// The name that first became a field of this sort; only looked up.
+/// First name that became this field of the sort; never iterated.
 pub(super) type Fields = HashMap<(Sort, String), Name>;
 
 impl Sort {
@@ -42,7 +41,7 @@ impl Resolver<'_> {
             return;
         };
         let name = &written.name;
-        // No coordinate can have this name, nor that of another parameter.
+        // The name differs from all coordinates and from other parameters.
         let symbol = self.graph.symbol(&format!("{} parameter", name.text));
         let value = self.graph.constant_value(nominal).unwrap_or(f64::NAN);
         self.graph.set_nominal(symbol, value);
@@ -66,7 +65,7 @@ impl Resolver<'_> {
         self.add_signal(written, Sort::Input);
     }
 
-    /// A signal with its value at assembly, at rest; `None` where its name cannot be.
+    /// Adds a signal with its value at assembly, at rest; `None` if the name is not permitted.
     pub(super) fn add_signal(&mut self, written: &syntax::Constant, sort: Sort) -> Option<usize> {
         let (initial, dimension) = self.default_of(written, sort)?;
         let name = &written.name;
@@ -93,8 +92,8 @@ impl Resolver<'_> {
         Some(self.declared.inputs.len() - 1)
     }
 
-    /// The value that a statement gives, a number. An erroneous one counts as one, so that the name is still declared; `None`
-    /// where the name cannot be.
+    /// Returns the number that a statement assigns. A number with an error becomes one, so that the name is still declared;
+    /// `None` if the name is not permitted.
     fn default_of(&mut self, written: &syntax::Constant, sort: Sort) -> Option<Value> {
         let name = &written.name;
         if !self.may_be_declared(name) {
@@ -144,7 +143,7 @@ impl Resolver<'_> {
         Some(one)
     }
 
-    /// Reports a name that is printed or generated like that of something else.
+    /// Reports a name that collides with another one in printed or generated names.
     fn tell_apart(&mut self, name: &Name, sort: Sort) {
         let noun = sort.noun();
         if self.graph.find_symbol(&name.text).is_some() {
@@ -159,7 +158,7 @@ impl Resolver<'_> {
             );
             return;
         }
-        // Both are fields of the same inputs.
+        // Both become fields of the same inputs.
         let sort = match sort {
             Sort::Free => Sort::Input,
             Sort::Parameter | Sort::Input => sort,
@@ -191,7 +190,7 @@ impl Resolver<'_> {
         self.diagnostics.push(finding);
     }
 
-    /// What in an expression changes with time, as messages name it: `t`, or an input.
+    /// Returns the variable part of an expression for messages, `t` or an input; `None` if there is none.
     pub(super) fn moving(&self, value: ExprId) -> Option<String> {
         if self.graph.depends_on(value, self.formulas.time) {
             return Some("`t`".to_string());
@@ -202,7 +201,7 @@ impl Resolver<'_> {
         Some(format!("the input `{}`", input.name))
     }
 
-    /// Notes which parameters and inputs are mentioned.
+    /// Notes the parameters and inputs in an expression.
     pub(super) fn mention(&mut self, value: ExprId) {
         let symbols = self.graph.symbols(value);
         let count = symbols.len();
@@ -210,7 +209,7 @@ impl Resolver<'_> {
         self.graph.spend(count / 4);
     }
 
-    /// Notes which parameters and inputs are used, once all statements have been read.
+    /// Marks the used parameters and inputs after all statements.
     pub(super) fn note_used(&mut self) {
         for parameter in &mut self.declared.parameters {
             parameter.used = self.formulas.mentioned.contains(&parameter.symbol);
@@ -221,7 +220,7 @@ impl Resolver<'_> {
     }
 }
 
-/// Warnings of the parameters, inputs and tables that no motion uses.
+/// Returns warnings of the parameters, inputs and tables that no motion uses.
 pub(super) fn unused(mechanisms: &[Mechanism]) -> Vec<Diagnostic> {
     let declared = |mechanism: &Mechanism| -> Vec<(&'static str, String, Span, bool)> {
         let parameters = mechanism
@@ -238,18 +237,18 @@ pub(super) fn unused(mechanisms: &[Mechanism]) -> Vec<Diagnostic> {
             .map(|own| ("table", own.name.clone(), own.span, own.used));
         parameters.chain(inputs).chain(tables).collect()
     };
-    let mut found: Vec<(&'static str, String, Span, bool)> = Vec::new();
+    let mut candidates: Vec<(&'static str, String, Span, bool)> = Vec::new();
     let mut places: HashMap<Span, usize> = HashMap::new();
     for (noun, name, span, used) in mechanisms.iter().flat_map(declared) {
         match places.get(&span) {
-            Some(&earlier) => found[earlier].3 |= used,
+            Some(&earlier) => candidates[earlier].3 |= used,
             None => {
-                places.insert(span, found.len());
-                found.push((noun, name, span, used));
+                places.insert(span, candidates.len());
+                candidates.push((noun, name, span, used));
             }
         }
     }
-    found
+    candidates
         .into_iter()
         .filter(|(.., used)| !used)
         .map(|(noun, name, span, _)| {
@@ -260,7 +259,7 @@ pub(super) fn unused(mechanisms: &[Mechanism]) -> Vec<Diagnostic> {
         .collect()
 }
 
-/// The field of the generated structure: the name in lower case.
+/// Returns the field of the generated structure: the name in lower case.
 pub fn field_name(name: &str) -> String {
     name.to_lowercase()
 }

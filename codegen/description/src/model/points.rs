@@ -1,7 +1,6 @@
-//! The points that bodies carry → the points whose motion can be asked for, each once.
+//! Lists the points whose motion can be requested, without duplicates.
 //!
-//! A joint point is carried by several bodies and is one point; bodies that carry different points of the same name give one
-//! point each, named `K_c1`, `K_c2`.
+//! Bodies share a joint point, which counts once. Different points of one name are listed per body, as `K_c1`, `K_c2`.
 
 use std::collections::{HashMap, HashSet};
 
@@ -14,7 +13,7 @@ use crate::joint::geometry::Mark;
 use crate::syntax::Name;
 
 impl Resolver<'_> {
-    /// Every point once: the drawn ones first, then those that only bodies declare, each sort in written order.
+    /// Returns every point once: global points first, then points declared only on bodies, each in source order.
     pub(super) fn output_points(&mut self) -> Vec<Point> {
         let drawn: Vec<(String, DrawnPoint, Span)> = self
             .declared
@@ -65,12 +64,12 @@ impl Resolver<'_> {
         points
     }
 
-    /// A point of a body.
+    /// Returns a point of a body.
     pub(super) fn carried(&self, (body, place): Carried) -> &NamedMark {
         &self.linkage.bodies[body.0].marks[place]
     }
 
-    /// Generated functions are named in lower case, so two points must not differ by case alone.
+    /// Reports points that differ only by case, since generated functions have lower-case names.
     fn reject_equal_lowercase(&mut self, points: &[Point]) {
         let mut earlier_by_name: HashMap<String, &Point> = HashMap::new();
         for point in points {
@@ -96,7 +95,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// Adds a drawn point.
+    /// Declares a global point.
     pub(super) fn declare_drawn(&mut self, name: &Name, point: DrawnPoint) {
         self.is_no_angle(name);
         if let Some(duplicate) = self.declared.drawn.declare(name, point) {

@@ -1,6 +1,6 @@
-//! `rate(FORMULA)` in forces and torques → the formula's rate.
+//! Differentiates `rate(FORMULA)` in forces and torques by the chain rule.
 //!
-//! Coordinates have rates of their own, arms turn with their bodies, inputs bring their rates along, t goes on by one a second.
+//! Coordinates and inputs have their own rates, local vectors rotate with their bodies, and the rate of t is 1.
 
 use super::Dimension;
 use super::expression::Value;
@@ -10,17 +10,17 @@ use crate::expr::{ExprId, SymbolId};
 use crate::syntax::Expression;
 
 impl Resolver<'_> {
-    /// The rate of the one argument.
+    /// Resolves the rate of the single argument.
     pub(super) fn rate_in_load(&mut self, arguments: &[Expression], span: Span) -> Option<Value> {
         let [argument] = arguments else {
-            let given = arguments.len();
+            let count = arguments.len();
             self.diagnostics.push(
                 Diagnostic::error(
                     Code::WrongArgumentCount,
                     span,
-                    format!("`rate` takes 1 argument, not {given}"),
+                    format!("`rate` takes 1 argument, not {count}"),
                 )
-                .label(format!("{given} given"))
+                .label(format!("{count} given"))
                 .help("write `rate(…)` with one formula, such as `rate(phi(1))`"),
             );
             return None;
@@ -50,11 +50,11 @@ impl Resolver<'_> {
         if let Some(kinematic) = &mut self.formulas.kinematic {
             kinematic.rated.push(value);
         }
-        // What multiplies a rate is seldom written with its unit, as what multiplies t is.
+        // The unit of a factor of a rate is rarely written, as with a factor of t.
         Some((self.graph.sum(&terms), Dimension::OfTime))
     }
 
-    /// The rate of what a formula mentions; `None` for a rate itself.
+    /// Returns the rate of a symbol in a formula; `None` for a symbol that is a rate itself.
     fn rate_of_symbol(&mut self, symbol: SymbolId) -> Option<ExprId> {
         if symbol == self.formulas.time {
             return Some(self.graph.one());
@@ -81,7 +81,7 @@ impl Resolver<'_> {
         })
     }
 
-    /// The symbol that the equations have for the rate of a coordinate.
+    /// Returns the symbol of the rate of a coordinate, as used in the equations.
     fn rate_of_coordinate(&mut self, coordinate: SymbolId) -> ExprId {
         let name = format!("{}'", self.graph.symbol_name(coordinate));
         let rate = self.graph.symbol(&name);

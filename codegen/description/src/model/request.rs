@@ -1,4 +1,4 @@
-//! `output` statements → the quantities that the generated code is asked for.
+//! Resolves `output` statements into requested quantities.
 
 use std::collections::HashMap;
 
@@ -8,12 +8,12 @@ use crate::diagnostic::{Code, Diagnostic};
 use crate::joint::geometry::{BodyId, Mark, Vector};
 use crate::syntax::{AXES, LEVELS, Name, Output, OutputItem, Reference};
 
-/// The points of a mechanism by what an item may call them; only looked up.
+/// Points of a mechanism by the names used in items; never iterated.
 pub(super) struct Named<'a> {
     pub points: &'a [Point],
     by_name: HashMap<&'a str, usize>,
     by_mark: HashMap<(BodyId, Vector), usize>,
-    /// By what stands before one of its underscores: the first such point.
+    /// First point for each prefix that ends before an underscore.
     by_start: HashMap<&'a str, usize>,
 }
 
@@ -37,7 +37,7 @@ impl<'a> Named<'a> {
         named
     }
 
-    /// A point of a body: itself, or the first that is named after it.
+    /// Returns a point of a body: the point itself, or the first point named after it.
     fn of_body(&self, mark: &Mark, name: &str) -> Option<usize> {
         let itself = self.by_mark.get(&(mark.frame.body, mark.local));
         let after = [&self.by_name, &self.by_start].map(|places| places.get(name));
@@ -46,7 +46,7 @@ impl<'a> Named<'a> {
 }
 
 impl Resolver<'_> {
-    /// What one statement asks for; items with an error are reported and left out.
+    /// Resolves the items of a statement; items with an error are reported and omitted.
     pub(super) fn requests(&mut self, output: &Output, points: &Named<'_>) -> Vec<Request> {
         let named = output
             .level
@@ -61,22 +61,22 @@ impl Resolver<'_> {
         requests
     }
 
-    /// A point, or a coordinate of a body that has some; `None` after an error.
+    /// Resolves a point, or a coordinate of a moving body; `None` after an error.
     pub(super) fn requested(&mut self, item: &OutputItem, points: &Named<'_>) -> Option<Requested> {
         let (axis, bodies, span) = match item {
             OutputItem::Point(reference) => {
                 let angle = self.angle_named(&reference.name.text);
                 let angle = angle.filter(|_| reference.body.is_none());
-                let own = angle.map(|it| self.linkage.bodies[it.0].coordinates);
-                return match own {
+                let coordinates = angle.map(|it| self.linkage.bodies[it.0].coordinates);
+                return match coordinates {
                     Some([_, _, Some(angle)]) => Some(Requested::Coordinate(angle.place)),
                     _ => self.requested_point(reference, points),
                 };
             }
             OutputItem::Coordinate { axis, bodies, span } => (axis, bodies, *span),
         };
-        let found = AXES.iter().position(|name| *name == axis.text);
-        match (found, bodies.as_slice()) {
+        let index = AXES.iter().position(|name| *name == axis.text);
+        match (index, bodies.as_slice()) {
             (
                 Some(axis),
                 [
@@ -99,7 +99,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// The number of a body that has coordinates.
+    /// Returns the number of a body with coordinates; `None` after an error.
     pub(super) fn moving_body(&mut self, name: &Name) -> Option<usize> {
         let body = self.body(name)?;
         if body.0 == 0 {
@@ -112,7 +112,7 @@ impl Resolver<'_> {
         Some(body.0)
     }
 
-    /// A point by its name, or by the body that carries it.
+    /// Resolves a point by its name, or by its name and body.
     fn requested_point(&mut self, reference: &Reference, points: &Named<'_>) -> Option<Requested> {
         let place = if reference.body.is_some() {
             let mark = self.point_mark(reference)?;

@@ -1,4 +1,4 @@
-//! The statements of a document, in written order → a mechanism.
+//! Resolves the statements of a document, in source order, into a mechanism.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -21,24 +21,24 @@ use crate::joint::geometry::{Mark, Vector};
 use crate::syntax::{self, BUILT_IN, DirectiveKind};
 use crate::units::ReportUnits;
 
-/// A description that is being read.
+/// State of the resolution of a description.
 pub(super) struct Resolver<'a> {
     pub graph: Graph,
     pub declared: Declared<'a>,
     pub formulas: Formulas,
     pub linkage: Linkage,
     pub forces: Forces,
-    /// The gravity, and where it is given.
+    /// Gravity with its location; `None` before its statement.
     pub gravity: Option<(Vector, Span)>,
-    /// Whether a bound of the graph has been passed and reported.
+    /// True if a bound of the graph has been passed and reported.
     exceeded: bool,
     pub diagnostics: &'a mut Diagnostics,
 }
 
-/// Resolves the mechanism that these statements of a document make, all of them or those of one motion.
+/// Resolves the mechanism of these statements: all of a document, or those of one motion.
 ///
-/// Names may only be used below their declaration. The coordinates are named `x1, y1, phi1` for the body `1` and
-/// `x_c1, y_c1, phi_c1` for the body `c1`.
+/// Names may only be used below their declaration. Coordinates are named `x1, y1, phi1` for the body `1`, and `x_c1, y_c1,
+/// phi_c1` for the body `c1`.
 pub(super) fn resolve_statements<'a>(
     document: &'a syntax::Document,
     statements: &[&'a syntax::Statement],
@@ -48,7 +48,7 @@ pub(super) fn resolve_statements<'a>(
 ) -> Mechanism {
     let mut graph = Graph::new();
     let item = &document.mechanism;
-    // Coordinates are numbered before t, so that they come first wherever symbols are ordered.
+    // Coordinates are numbered before t, so that they precede t in every order of symbols.
     let mut carried = HashMap::new();
     for statement in statements {
         let body = match statement {
@@ -74,7 +74,7 @@ pub(super) fn resolve_statements<'a>(
     let mut resolver = Resolver::new(graph, time, naming, diagnostics);
     resolver.declared.attachments = &document.attachments;
     resolver.declared.carried = carried;
-    // A name that is missing has been reported.
+    // A missing name has been reported.
     if !item.name.text.is_empty() {
         resolver.diagnostics.extend((naming.mechanism)(&item.name));
     }
@@ -163,7 +163,7 @@ pub(super) fn resolve_statements<'a>(
 }
 
 impl<'a> Resolver<'a> {
-    /// Nothing has been declared but the ground.
+    /// Creates the state with only the ground declared.
     pub(super) fn new(
         graph: Graph,
         time: SymbolId,
@@ -184,7 +184,7 @@ impl<'a> Resolver<'a> {
 }
 
 impl Resolver<'_> {
-    /// Carries out one statement.
+    /// Resolves one statement.
     fn add(&mut self, statement: &syntax::Statement) {
         let _work = work_at(statement.span());
         match statement {
@@ -205,19 +205,19 @@ impl Resolver<'_> {
             syntax::Statement::Element(element) => self.add_element(element),
             syntax::Statement::Force(force) => self.add_force(force),
             syntax::Statement::Torque(torque) => self.add_torque(torque),
-            // Points are known once all bodies are, and parameters may follow.
+            // Points are known after all bodies, and parameters may follow.
             syntax::Statement::Output(_)
             | syntax::Statement::Transmission(_)
             | syntax::Statement::Sensitivity(_)
             | syntax::Statement::Reaction(_)
             | syntax::Statement::Directive(_)
             | syntax::Statement::Units(_) => {}
-            // Its statements come by themselves.
+            // The statements of motions are passed separately.
             syntax::Statement::Motion(_) => {}
         }
     }
 
-    /// Where a bound of the graph has been passed, that is the one finding of the statement that did so.
+    /// Replaces the findings of a statement that passed a bound of the graph by one finding about the bound.
     fn note_excess(&mut self, before: usize, span: Span) {
         if let (Some(excess), false) = (self.graph.excess(), self.exceeded) {
             self.exceeded = true;
@@ -226,7 +226,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// What `const` statements have declared.
+    /// Returns the constants of `const` statements.
     fn constants(&self, statements: &[&syntax::Statement]) -> Vec<Constant> {
         let declared = statements.iter().filter_map(|statement| {
             let syntax::Statement::Constant(written) = statement else {
@@ -234,7 +234,7 @@ impl Resolver<'_> {
             };
             let (name, &(value, dimension)) =
                 self.declared.constants.declaration(&written.name.text)?;
-            // Another one of the name was declared before.
+            // Omits a duplicate: its name was declared earlier.
             (name.span == written.name.span).then(|| Constant {
                 name: name.text.clone(),
                 value,
@@ -270,7 +270,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// Reports a name that has a fixed meaning.
+    /// Reports a predefined name; true if the name may be declared.
     pub(super) fn may_be_declared(&mut self, name: &syntax::Name) -> bool {
         if !BUILT_IN.contains(&name.text.as_str()) {
             return self.is_no_angle(name);

@@ -1,21 +1,20 @@
-//! A cost that depends on one parameter → the places where it is lowest in a range.
+//! Finds the local minima of a cost that depends on one parameter in a range.
 //!
-//! The range is sampled evenly and every low sample refined by golden sections, so the result depends on the cost alone.
-//! Deliberately unknown here: what the cost measures.
+//! The range is sampled evenly, and every low sample refined by golden sections, so the result depends only on the cost.
 
 use crate::expr::{ExprId, Graph, SymbolId, Tape};
 
-/// Where the parameter of a curve is looked for.
+/// Range of the parameter of a curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Range {
     pub from: f64,
     pub to: f64,
-    /// Whether the end is the beginning again.
+    /// True if the end coincides with the beginning.
     pub is_closed: bool,
 }
 
 impl Range {
-    /// One turn.
+    /// One full turn.
     pub const TURN: Range = Range {
         from: 0.0,
         to: std::f64::consts::TAU,
@@ -30,7 +29,7 @@ pub(super) struct Minimum {
     pub cost: f64,
 }
 
-/// The local minima with the lowest first, and what the cost reaches elsewhere.
+/// Local minima, lowest first, with the largest sampled cost.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Minima {
     found: Vec<Minimum>,
@@ -42,19 +41,19 @@ impl Minima {
         self.found.first().copied()
     }
 
-    /// All of them, the lowest first.
+    /// Iterates over the minima, lowest first.
     pub fn iter(&self) -> impl Iterator<Item = &Minimum> {
         self.found.iter()
     }
 }
 
-/// How often the range is sampled: a feature of half a degree is seen.
+/// Number of samples of the range, fine enough for a feature of half a degree.
 const SAMPLES: usize = 720;
 
-/// Golden sections; each shortens the interval by 0.618.
+/// Number of golden sections; each shortens the interval by the factor 0.618.
 const SECTIONS: usize = 60;
 
-/// Expressions along the parameter.
+/// Expressions as functions of the parameter.
 pub(super) struct Along {
     tape: Tape,
     parameter: SymbolId,
@@ -64,7 +63,7 @@ pub(super) struct Along {
 }
 
 impl Along {
-    /// These expressions; `known` says the values of all symbols but the parameter.
+    /// Creates the functions; `known` has the values of all symbols except the parameter.
     pub fn new(
         graph: &Graph,
         parts: &[ExprId],
@@ -84,12 +83,12 @@ impl Along {
         }
     }
 
-    /// What looking for their minima costs, in terms that are added up.
+    /// Returns the work of a search for minima, in terms that are added.
     pub fn work(&self) -> usize {
         SAMPLES * self.tape.length() / 4 + self.symbols.len() / 64
     }
 
-    /// Their values at one place.
+    /// Returns the values at one parameter.
     pub fn at(&mut self, place: f64) -> &[f64] {
         self.symbols[self.parameter.index()] = place;
         self.tape
@@ -97,18 +96,18 @@ impl Along {
         &self.values
     }
 
-    /// The sum of their squares at one place.
+    /// Returns the sum of the squares at one parameter.
     pub fn square(&mut self, place: f64) -> f64 {
         self.at(place).iter().map(|value| value * value).sum()
     }
 }
 
-/// The local minima of a cost.
+/// Returns the local minima of a cost.
 pub(super) fn minima(range: Range, mut cost: impl FnMut(f64) -> f64) -> Minima {
     let mut cost = |place: f64| -> f64 {
-        let found = cost(place);
-        // Where the curve is not defined nothing touches it.
-        if found.is_finite() { found } else { f64::MAX }
+        let value = cost(place);
+        // The curve cannot be touched where it is undefined.
+        if value.is_finite() { value } else { f64::MAX }
     };
     let step = (range.to - range.from) / SAMPLES as f64;
     let place = |at: usize| range.from + step * at as f64;
@@ -118,9 +117,9 @@ pub(super) fn minima(range: Range, mut cost: impl FnMut(f64) -> f64) -> Minima {
         .copied()
         .filter(|&sample| sample < f64::MAX)
         .fold(f64::MIN, f64::max);
-    let mut found = Vec::new();
+    let mut minima = Vec::new();
     for at in 0..=SAMPLES {
-        // The last sample of a closed range is its first.
+        // The last sample of a closed range equals its first.
         if samples[at] == f64::MAX || (range.is_closed && at == SAMPLES) {
             continue;
         }
@@ -130,7 +129,7 @@ pub(super) fn minima(range: Range, mut cost: impl FnMut(f64) -> f64) -> Minima {
             _ => samples[at - 1],
         };
         let after = samples.get(at + 1).copied().unwrap_or(f64::MAX);
-        // Of equal neighbours the last counts.
+        // Of equal neighbors, the last counts.
         if samples[at] > before || samples[at] >= after {
             continue;
         }
@@ -138,13 +137,16 @@ pub(super) fn minima(range: Range, mut cost: impl FnMut(f64) -> f64) -> Minima {
         if !range.is_closed {
             (low, high) = (low.max(range.from), high.min(range.to));
         }
-        found.push(refined(low, high, &mut cost));
+        minima.push(refined(low, high, &mut cost));
     }
-    found.sort_by(|one, other| one.cost.total_cmp(&other.cost));
-    Minima { found, largest }
+    minima.sort_by(|one, other| one.cost.total_cmp(&other.cost));
+    Minima {
+        found: minima,
+        largest,
+    }
 }
 
-/// The lowest place between two others (Kiefer 1953).
+/// Returns the minimum between two parameters by golden sections (Kiefer 1953).
 fn refined(mut low: f64, mut high: f64, cost: &mut impl FnMut(f64) -> f64) -> Minimum {
     const RATIO: f64 = 0.618_033_988_749_894_9;
     for _ in 0..SECTIONS {
@@ -167,7 +169,7 @@ mod tests {
     use super::{Along, Range, minima};
     use crate::expr::Graph;
 
-    /// The distance from the point (2 cos c, 2 sin c) to the unit circle: lowest at c, also across the seam.
+    /// Checks the distance from the point (2 cos c, 2 sin c) to the unit circle, which is least at c, also across the seam.
     #[test]
     fn the_nearest_point_of_a_circle_is_found_on_both_sides_of_the_seam() {
         for nearest in [1.0_f64, 0.0, -0.001] {

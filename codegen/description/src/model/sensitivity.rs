@@ -1,7 +1,7 @@
-//! `sensitivity` statements → the parameters along which the motion is differentiated.
+//! Resolves `sensitivity` statements into the parameters with respect to which the motion is differentiated.
 //!
-//! Afterwards each is named once, and nothing that is generated for it is named like anything else. A parameter that nothing
-//! depends on is accepted: its sensitivity is zero, and that nothing uses it is a warning of its own.
+//! Each parameter is listed once, and generated names are unique. A parameter without influence is accepted: its sensitivity is
+//! zero, and a separate warning says that it is unused.
 
 use std::collections::{HashMap, HashSet};
 
@@ -10,20 +10,20 @@ use super::{Point, Requested, field_name};
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::syntax::{Name, Statement};
 
-/// What stands between the two names that make one.
+/// Infix of the names of sensitivities, between quantity and parameter.
 const BETWEEN: &str = "_sensitivity_";
 
-/// For a parameter what is called as the sensitivity of something to it would be, and where; only looked up.
+/// For a parameter, the name that equals a generated sensitivity, with its location; never iterated.
 type Taken = HashMap<String, (String, Option<Span>)>;
 
 impl Resolver<'_> {
-    /// What all `sensitivity` statements name, in written order; names with an error are reported and left out.
+    /// Resolves all `sensitivity` statements in source order; names with an error are reported and omitted.
     pub(super) fn sensitivities(
         &mut self,
         statements: &[&Statement],
         points: &[Point],
     ) -> Vec<usize> {
-        let mut found: Vec<usize> = Vec::new();
+        let mut indices: Vec<usize> = Vec::new();
         let mut spans: HashMap<usize, Span> = HashMap::new();
         let mut taken: Option<Taken> = None;
         let parameters = self.declared.parameters.iter().enumerate();
@@ -53,15 +53,15 @@ impl Resolver<'_> {
                         let taken = taken.get_or_insert_with(|| self.taken_names(points));
                         self.reject_generated_names(name, taken);
                         spans.insert(parameter, name.span);
-                        found.push(parameter);
+                        indices.push(parameter);
                     }
                 }
             }
         }
-        found
+        indices
     }
 
-    /// The parameter of this name; `None` after an error.
+    /// Returns the parameter of this name; `None` after an error.
     fn parameter_named(&mut self, name: &Name, places: &HashMap<String, usize>) -> Option<usize> {
         if let Some(&place) = places.get(&name.text) {
             return Some(place);
@@ -92,7 +92,7 @@ impl Resolver<'_> {
         None
     }
 
-    /// What points and coordinates are called that looks like the sensitivity of another one.
+    /// Returns the names of points and coordinates that look like a sensitivity of another quantity.
     fn taken_names(&self, points: &[Point]) -> Taken {
         let coordinates = self.linkage.bodies.iter().flat_map(|body| body.places());
         let coordinates = coordinates.map(Requested::Coordinate);
@@ -114,7 +114,7 @@ impl Resolver<'_> {
         taken
     }
 
-    /// Functions of a point or a coordinate and a parameter are named after both, so nothing else must have that name.
+    /// Reports names that equal a generated one, which consists of a point or a coordinate and a parameter.
     fn reject_generated_names(&mut self, parameter: &Name, taken: &Taken) {
         if let Some((name, span)) = taken.get(&field_name(&parameter.text)) {
             self.diagnostics.push(

@@ -1,8 +1,8 @@
-//! `NAME = EXPRESSION` from outside of a description → another value of a parameter, or the motion of an input.
+//! Sets a parameter, or the motion of an input, by `NAME = EXPRESSION` from outside a description.
 //!
-//! The expression is of the description's language, of numbers, units, functions and t; it knows no names of the description.
-//! Afterwards the parameter's nominal value, or the input's signal, is the one given. Rows and derivatives are not touched: they
-//! hold the parameter or the input by name.
+//! The expression may contain numbers, units, functions and t, but no names of the description. It replaces the parameter's
+//! nominal value or the input's signal. Rows and derivatives are unchanged, since they contain the parameter or the input as a
+//! symbol.
 
 use super::Mechanism;
 use super::resolve::Resolver;
@@ -10,17 +10,17 @@ use super::table::{Ends, spline};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 use crate::syntax::{self, Constant, Statement};
 
-/// Points whose polynomial gives the slope at an end of a measured input.
-const NEAR: usize = 4;
+/// Number of points of the polynomial that gives the slope at an end of a measured input.
+const SLOPE_POINT_COUNT: usize = 4;
 
-/// What is put around an assignment so that it is a description.
+/// Text before an assignment that makes it a description.
 const BEFORE: &str = "mechanism set { const\n";
 const AFTER: &str = "\n;}";
 
-/// Reads one assignment and carries it out.
+/// Resolves one assignment and applies it.
 ///
 /// # Errors
-/// What is wrong with it, rendered; nothing is changed then.
+/// Returns the rendered findings; the mechanism is then unchanged.
 pub fn set(mechanism: &mut Mechanism, assignment: &str) -> Result<(), String> {
     if assignment.contains(';') {
         return Err(FORM.to_string());
@@ -44,10 +44,10 @@ pub fn set(mechanism: &mut Mechanism, assignment: &str) -> Result<(), String> {
     Ok(())
 }
 
-/// How an assignment is written.
+/// Message with the form of an assignment.
 const FORM: &str = "error: `--set` takes one assignment, such as `--set L2=0.36m`\n";
 
-/// The refusal of `part.name = …` where a parameter or an input of a part is meant.
+/// Returns the error for `part.name = …` with a parameter or an input of a part; `None` for other assignments.
 fn joined(mechanism: &Mechanism, assignment: &str) -> Option<String> {
     let (name, value) = assignment.split_once('=')?;
     let (name, value) = (name.trim(), value.trim());
@@ -62,7 +62,7 @@ fn joined(mechanism: &Mechanism, assignment: &str) -> Option<String> {
     })
 }
 
-/// What is said of a description, and the same of an assignment.
+/// Phrases about a description, and their equivalents for an assignment.
 const WORDS: &[(&str, &str)] = &[
     ("found `;`", "found the end"),
     ("expected `;`", "expected the end"),
@@ -79,14 +79,14 @@ const WORDS: &[(&str, &str)] = &[
     ),
 ];
 
-/// The findings as they are about the assignment alone.
+/// Renders the findings as findings about the assignment alone.
 fn rendered(diagnostics: Diagnostics, assignment: &str) -> String {
     let end = assignment.len();
     let place = |offset: u32| (offset as usize).saturating_sub(BEFORE.len()).min(end);
     let moved = |span: Span| Span::new(place(span.start), place(span.end));
-    let mut own = Diagnostics::new();
+    let mut findings_of_assignment = Diagnostics::new();
     for mut finding in diagnostics {
-        // What is put around the assignment is nothing to be shown.
+        // The text around the assignment must not be shown.
         let is_own =
             |span: Span| (BEFORE.len()..=BEFORE.len() + end).contains(&(span.start as usize));
         finding.secondary.retain(|label| is_own(label.span));
@@ -100,9 +100,9 @@ fn rendered(diagnostics: Diagnostics, assignment: &str) -> String {
         for label in &mut finding.secondary {
             label.span = moved(label.span);
         }
-        own.push(finding);
+        findings_of_assignment.push(finding);
     }
-    own.render(&Source::new("--set", assignment))
+    findings_of_assignment.render(&Source::new("--set", assignment))
 }
 
 fn carry_out(mechanism: &mut Mechanism, written: &Constant, diagnostics: &mut Diagnostics) {
@@ -124,7 +124,7 @@ fn carry_out(mechanism: &mut Mechanism, written: &Constant, diagnostics: &mut Di
     mechanism.graph = graph;
     let Some(value) = value else { return };
     if let Some(at) = parameter {
-        let own = &mechanism.parameters[at];
+        let parameter = &mechanism.parameters[at];
         let Some(number) = mechanism.graph.constant_value(value) else {
             diagnostics.push(
                 Diagnostic::error(
@@ -137,7 +137,7 @@ fn carry_out(mechanism: &mut Mechanism, written: &Constant, diagnostics: &mut Di
             );
             return;
         };
-        mechanism.graph.set_nominal(own.symbol, number);
+        mechanism.graph.set_nominal(parameter.symbol, number);
     } else if let Some(at) = input {
         let (graph, time) = (&mut mechanism.graph, mechanism.time);
         let rate = graph.derivative(value, time);
@@ -146,10 +146,10 @@ fn carry_out(mechanism: &mut Mechanism, written: &Constant, diagnostics: &mut Di
     }
 }
 
-/// Lets an input follow the C² spline through points (t, value), at least two with increasing t. At both ends it has the slope of the
-/// polynomial through the nearest points, of degree 3 at most. Returns false if a coefficient is not finite.
+/// Makes an input follow the C² spline through points (t, value), at least two with increasing t. The slope at each end is that
+/// of the polynomial through the nearest points, of degree 3 at most. Returns false if a coefficient is not finite.
 pub fn follow_points(mechanism: &mut Mechanism, input: usize, points: &[[f64; 2]]) -> bool {
-    let near = points.len().min(NEAR);
+    let near = points.len().min(SLOPE_POINT_COUNT);
     let last = points.len() - near;
     let slopes = [
         slope_at(&points[..near], 0),
@@ -167,18 +167,18 @@ pub fn follow_points(mechanism: &mut Mechanism, input: usize, points: &[[f64; 2]
     true
 }
 
-/// The slope at one of the points of the polynomial through all of them.
+/// Returns the slope, at one of the points, of the polynomial through all points.
 fn slope_at(points: &[[f64; 2]], at: usize) -> f64 {
     let t = points[at][0];
     let others = || (0..points.len()).filter(|it| *it != at);
-    let own: f64 = others().map(|it| 1.0 / (t - points[it][0])).sum();
+    let sum_of_inverses: f64 = others().map(|it| 1.0 / (t - points[it][0])).sum();
     let rest = others().map(|it| {
         let [place, value] = points[it];
         let factors = others().filter(|other| *other != it);
         let factors = factors.map(|other| (t - points[other][0]) / (place - points[other][0]));
         value * factors.product::<f64>() / (place - t)
     });
-    own * points[at][1] + rest.sum::<f64>()
+    sum_of_inverses * points[at][1] + rest.sum::<f64>()
 }
 
 fn unknown(mechanism: &Mechanism, written: &Constant) -> Diagnostic {

@@ -1,7 +1,7 @@
-//! A joint or driver → what its rows are named after in generated code.
+//! Chooses stems for the row names of joints and drivers in generated code.
 //!
-//! Afterwards every slug differs from every other slug, and neither it nor what is appended to it (`_x`, `_2`) can be the name of
-//! something else in the generated functions. Deliberately unknown here: how many rows a joint has.
+//! Every slug is unique. Neither a slug nor a slug with a suffix (`_x`, `_2`) is the name of anything else in the generated
+//! functions.
 
 use std::collections::{HashMap, HashSet};
 
@@ -9,21 +9,21 @@ use super::Role;
 use super::operands::WrittenJoint;
 use super::resolve::Resolver;
 
-/// The slugs of all joints so far; only looked up.
+/// Slugs of all joints so far; never iterated.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Slugs {
     taken: HashSet<String>,
-    /// Of a base the number up to which all are taken.
+    /// For each base, the number up to which all slugs are taken.
     numbers: HashMap<String, usize>,
 }
 
 impl Slugs {
-    /// Takes the slug of a joint.
+    /// Reserves the slug of a joint.
     pub(super) fn take(&mut self, slug: &str) {
         self.taken.insert(slug.to_string());
     }
 
-    /// The base, or with the first number from 2 on that makes it free.
+    /// Returns the base, or the base with the least number from 2 that is free.
     pub(super) fn free(&mut self, base: String) -> String {
         if !self.taken.contains(&base) {
             return base;
@@ -40,7 +40,7 @@ impl Slugs {
 }
 
 impl Resolver<'_> {
-    /// A lower-case identifier for the rows of a joint.
+    /// Returns a lower-case identifier for the rows of a joint.
     pub(super) fn unique_slug(&mut self, given: &WrittenJoint<'_>) -> String {
         let mut words: Vec<String> = Vec::new();
         match given.name {

@@ -1,9 +1,9 @@
-//! Words of other languages and textbooks → the words of this one, for help lines.
+//! Translates words of other languages and textbooks, for help lines.
 
 use crate::diagnostic::nearest;
 use crate::units::{UNITS, of_column};
 
-/// What functions are called elsewhere.
+/// Names of functions in other languages.
 pub(super) const FUNCTIONS: &[(&str, &str)] = &[
     ("log", "ln"),
     ("arcsin", "asin"),
@@ -15,7 +15,7 @@ pub(super) const FUNCTIONS: &[(&str, &str)] = &[
     ("length", "distance"),
 ];
 
-/// What joints are called elsewhere.
+/// Names of joints in other programs and textbooks.
 pub(super) const JOINTS: &[(&str, &str)] = &[
     ("prismatic", "translational"),
     ("slider", "translational"),
@@ -39,7 +39,8 @@ pub(super) const JOINTS: &[(&str, &str)] = &[
     ("distance", "relative_distance"),
 ];
 
-/// The word that was meant: what `word` is called here, or else the nearest of the words that exist.
+/// Returns the word that was probably meant: the synonym of `word`, or else the nearest existing word; `None` if there is
+/// neither.
 pub(super) fn meant<'a>(
     word: &str,
     synonyms: &[(&str, &'a str)],
@@ -51,7 +52,8 @@ pub(super) fn meant<'a>(
         .or_else(|| nearest(word, words))
 }
 
-/// The unit that was meant: what columns call by this name, or else the nearest. Case tells units apart: `Mm` is no `mm`.
+/// Returns the unit that was probably meant: the unit with this name in columns, or else the nearest; `None` if there is
+/// neither. Case distinguishes units: `Mm` differs from `mm`.
 pub(super) fn meant_unit(word: &str) -> Option<&'static str> {
     let synonym = of_column(word).and_then(|it| it.names.first().copied());
     synonym.or_else(|| {

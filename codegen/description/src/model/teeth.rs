@@ -1,7 +1,7 @@
 //! Finds the axes of wheels whose `pressure_angle` is given, so that bearings can carry the force of their teeth.
 //!
-//! The axis of a wheel is its revolute on the carrier, or the one about which both turn on a third body: a point of the carrier in
-//! either case, so that the distance of two axes never changes while the mechanism moves.
+//! The axis of a wheel is its revolute joint on the carrier, or a joint about which both rotate on a third body. Either is a
+//! point of the carrier, so the distance of two axes is constant.
 
 use std::collections::HashMap;
 
@@ -18,42 +18,42 @@ use crate::syntax::Expression;
 /// The pressure angle of a gear.
 #[derive(Clone, Copy, Debug)]
 pub struct PressureAngle {
-    /// The angle between the line of action and the common tangent of the pitch circles, in rad.
+    /// Angle between the line of action and the common tangent of the pitch circles, in rad.
     pub value: ExprId,
-    /// The formula behind `pressure_angle`.
+    /// Location of the formula after `pressure_angle`.
     pub span: Span,
 }
 
-/// The teeth of two wheels that pass a force on.
+/// Teeth of two wheels that transmit a force.
 #[derive(Clone, Debug)]
 pub struct Teeth {
-    /// The gear: an index into the joints.
+    /// Index of the gear among the joints.
     pub gear: usize,
-    /// Its pressure angle, in rad.
+    /// Pressure angle, in rad.
     pub pressure_angle: ExprId,
-    /// The axes of both wheels, in the order of the gear's operands.
+    /// Axes of both wheels, in the order of the gear's operands.
     pub axes: [WheelAxis; 2],
 }
 
-/// The axis about which a wheel turns on its carrier.
+/// Axis about which a wheel rotates on its carrier.
 #[derive(Clone, Debug)]
 pub struct WheelAxis {
-    /// Its point on the carrier.
+    /// Point of the axis on the carrier.
     pub place: Mark,
-    /// The joints that pass a force on from the wheel to the carrier, in this order.
+    /// Joints that transmit a force from the wheel to the carrier, in this order.
     pub bearings: Vec<Bearing>,
 }
 
-/// A revolute between a wheel and its carrier.
+/// A revolute joint between a wheel and its carrier.
 #[derive(Clone, Copy, Debug)]
 pub struct Bearing {
-    /// An index into the joints.
+    /// Index of the joint.
     pub joint: usize,
     /// True if the second body of the joint is the one on the side of the wheel.
     pub is_wheel_second: bool,
 }
 
-/// Revolutes by the bodies that they join, in written order.
+/// Revolute joints by their bodies, in source order.
 struct Revolutes<'a> {
     joints: Vec<&'a Joint>,
     of_body: HashMap<BodyId, Vec<usize>>,
@@ -89,11 +89,11 @@ impl<'a> Revolutes<'a> {
     }
 
     fn joining(&self, one: BodyId, other: BodyId) -> &[usize] {
-        let found = self.between.get(&[one, other]);
-        found.map_or(&[], Vec::as_slice)
+        let joints = self.between.get(&[one, other]);
+        joints.map_or(&[], Vec::as_slice)
     }
 
-    /// The mark of a joint on a body, and the one on its other body.
+    /// Returns the mark of a joint on a body, and the mark on its other body.
     fn seen_from(&self, joint: usize, body: BodyId) -> Option<[Mark; 2]> {
         match self.joints[joint].operands.marks[..] {
             [one, other] if one.frame.body == body => Some([one, other]),
@@ -102,10 +102,11 @@ impl<'a> Revolutes<'a> {
         }
     }
 
-    /// The axis of a wheel on a carrier: of all that there are one whose bearings are not redundant, and of these the shortest.
+    /// Returns the axis of a wheel on a carrier with the fewest redundant bearings; a direct joint is preferred among equals.
+    /// `None` without an axis.
     fn axis(&self, wheel: BodyId, carrier: BodyId) -> Option<WheelAxis> {
         let direct = self.joining(wheel, carrier).iter().map(|&it| vec![it]);
-        // One of both may be the ground, to which many joints belong.
+        // One of the bodies may be the ground, to which many joints belong.
         let is_wheel_rarer = self.of(wheel).len() <= self.of(carrier).len();
         let (rarer, other) = match is_wheel_rarer {
             true => (wheel, carrier),
@@ -116,9 +117,10 @@ impl<'a> Revolutes<'a> {
             let third = third.filter(|it| it.frame.body != other);
             let far = third.map_or(&[][..], |it| self.joining(it.frame.body, other));
             let is_coaxial = move |far: &usize| {
-                let own = third.and_then(|it| self.seen_from(*far, it.frame.body));
-                own.zip(third)
-                    .is_some_and(|([own, _], it)| own.local == it.local)
+                let marks = third.and_then(|it| self.seen_from(*far, it.frame.body));
+                marks
+                    .zip(third)
+                    .is_some_and(|([mark, _], it)| mark.local == it.local)
             };
             let far = far.iter().copied().filter(is_coaxial);
             far.map(move |far| match is_wheel_rarer {
@@ -152,7 +154,7 @@ impl<'a> Revolutes<'a> {
 }
 
 impl Resolver<'_> {
-    /// The pressure angle that a joint is given; `None` after an error.
+    /// Resolves the pressure angle of a joint; `None` after an error.
     pub(super) fn pressure_angle(
         &mut self,
         given: &WrittenJoint<'_>,
@@ -219,15 +221,15 @@ impl Resolver<'_> {
         })
     }
 
-    /// The teeth of all gears whose pressure angle is given, in written order.
+    /// Returns the teeth of all gears with a pressure angle, in source order.
     pub(super) fn teeth(&mut self) -> Vec<Teeth> {
-        // Joints that were left out would be missed.
+        // Joints omitted after an error would be missing.
         if self.diagnostics.has_errors() {
             return Vec::new();
         }
         let joints: Vec<&Joint> = self.linkage.joints.iter().map(|(joint, _)| joint).collect();
         let revolutes = Revolutes::new(joints);
-        let mut found = Vec::new();
+        let mut teeth = Vec::new();
         let mut findings = Vec::new();
         for (gear, joint) in revolutes.joints.iter().enumerate() {
             let (Some(angle), [i, j, carrier]) = (joint.pressure_angle, &joint.operands.marks[..])
@@ -249,14 +251,14 @@ impl Resolver<'_> {
                 findings.push(self.coaxial(joint, angle.span, wheels, [&of_i, &of_j]));
                 continue;
             }
-            found.push(Teeth {
+            teeth.push(Teeth {
                 gear,
                 pressure_angle: angle.value,
                 axes: [of_i, of_j],
             });
         }
         self.diagnostics.extend(findings);
-        found
+        teeth
     }
 
     fn without_axis(

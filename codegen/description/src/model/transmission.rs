@@ -1,4 +1,4 @@
-//! `transmission` statements → the quantities whose rates are wanted per rate of each driver.
+//! Resolves `transmission` statements into the quantities whose rates are requested per rate of each driver.
 
 use std::collections::HashMap;
 
@@ -9,13 +9,13 @@ use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::syntax::{OutputItem, Statement, Transmission};
 
 impl Resolver<'_> {
-    /// What all `transmission` statements name, in written order; items with an error are reported and left out.
+    /// Resolves all `transmission` statements in source order; items with an error are reported and omitted.
     pub(super) fn transmissions(
         &mut self,
         statements: &[&Statement],
         points: &Named<'_>,
     ) -> Vec<Requested> {
-        let mut found: Vec<Requested> = Vec::new();
+        let mut quantities: Vec<Requested> = Vec::new();
         let mut spans: HashMap<Requested, Span> = HashMap::new();
         let mut names: HashMap<String, Span> = HashMap::new();
         for statement in statements {
@@ -43,15 +43,15 @@ impl Resolver<'_> {
                         self.reject_equal_names(&name, place(item), &names);
                         names.entry(name).or_insert(place(item));
                         spans.insert(quantity, place(item));
-                        found.push(quantity);
+                        quantities.push(quantity);
                     }
                 }
             }
         }
-        found
+        quantities
     }
 
-    /// The functions of a point and of a coordinate are named alike, so a point must not be called like a coordinate beside it.
+    /// Reports a point with the name of a coordinate in the same statements, as their functions would have equal names.
     fn reject_equal_names(&mut self, name: &str, span: Span, earlier: &HashMap<String, Span>) {
         if let Some(&other) = earlier.get(name) {
             self.diagnostics.push(
@@ -66,21 +66,22 @@ impl Resolver<'_> {
         }
     }
 
-    /// What functions of a quantity are named after: `k` of the point `K`, `phi_c1` of the angle of the body `c1`.
+    /// Returns the stem of the function names of a quantity: `k` of the point `K`, `phi_c1` of the angle of the body `c1`.
     pub(super) fn generated_name(&self, quantity: Requested, points: &[Point]) -> String {
         match quantity {
             Requested::Point(place) => points[place].name.to_lowercase(),
             Requested::Coordinate(place) => {
                 let bodies = self.linkage.bodies.iter();
                 let mut coordinates = bodies.flat_map(|body| body.coordinates).flatten();
-                let own = coordinates.find(|it| it.place == place);
-                own.map(|it| self.graph.symbol_name(it.symbol).to_string())
+                let coordinate = coordinates.find(|it| it.place == place);
+                coordinate
+                    .map(|it| self.graph.symbol_name(it.symbol).to_string())
                     .unwrap_or_default()
             }
         }
     }
 
-    /// A transmission has a column for each driver, so there must be one.
+    /// Requires a driver, since a transmission has a column for each driver.
     fn require_driver(&mut self, transmission: &Transmission) {
         let mut drivers = self
             .linkage
@@ -88,7 +89,7 @@ impl Resolver<'_> {
             .iter()
             .map(|(joint, _)| joint)
             .filter(|joint| joint.role == Role::Driver);
-        // An equation that moves with time has no value whose rate could be a column.
+        // A time-dependent equation has no value whose rate could define a column.
         if let Some(equation) = drivers.clone().find(|it| it.operands.value.is_none()) {
             self.diagnostics.push(
                 Diagnostic::error(
@@ -106,7 +107,7 @@ impl Resolver<'_> {
             return;
         }
         let driven = drivers.next().is_some();
-        // A driver that was not understood has been reported.
+        // A driver with an error has been reported.
         if driven || self.diagnostics.has_errors() {
             return;
         }
@@ -121,7 +122,7 @@ impl Resolver<'_> {
     }
 }
 
-/// Where an item stands.
+/// Returns the location of an item.
 fn place(item: &OutputItem) -> Span {
     match item {
         OutputItem::Point(reference) => reference.span,

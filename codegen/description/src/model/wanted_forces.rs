@@ -1,6 +1,5 @@
-//! `effort`, `reaction`, `reactions` and `energy` statements → which forces are wanted, and whether what is free is moved by any.
-//!
-//! Deliberately unknown here: how they are found.
+//! Resolves `effort`, `reaction`, `reactions` and `energy` statements into requested forces, and checks that forces act on free
+//! coordinates.
 
 use std::collections::BTreeMap;
 
@@ -11,7 +10,7 @@ use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::syntax::{DirectiveKind, Name, Statement};
 
 impl Resolver<'_> {
-    /// What bodies weigh, what acts on them, and what is wanted of it.
+    /// Returns masses, loads and requests.
     pub(super) fn wanted_forces(&mut self, statements: &[&Statement]) -> Forces {
         let mut forces = std::mem::take(&mut self.forces);
         forces.teeth = self.teeth();
@@ -30,8 +29,8 @@ impl Resolver<'_> {
         let every = self.has(DirectiveKind::Reactions, statements);
         forces.reactions = self.reactions(statements, every);
         forces.least_norm = self.has(DirectiveKind::LeastNorm, statements);
-        let asked = asking(statements);
-        if let Some((word, span)) = asked.first() {
+        let requests = asking(statements);
+        if let Some((word, span)) = requests.first() {
             let word = *word;
             let acts = !forces.masses.is_empty() || !forces.loads.is_empty();
             if !acts && !self.diagnostics.has_errors() {
@@ -65,28 +64,30 @@ impl Resolver<'_> {
                 .help(format!("say what the bodies weigh: `mass {body} = 2kg;`")),
             );
         }
-        if let Some((_, span)) = asked.iter().find(|(word, _)| *word == "effort") {
+        if let Some((_, span)) = requests.iter().find(|(word, _)| *word == "effort") {
             self.require_drivers_of_quantities(*span);
         }
-        let reaction = asked.iter().find(|(word, _)| word.starts_with("reaction"));
+        let reaction = requests
+            .iter()
+            .find(|(word, _)| word.starts_with("reaction"));
         if let Some((_, span)) = reaction
             && !forces.least_norm
         {
             self.refuse_redundant(*span);
         }
         if let Some(span) = least_norm(statements) {
-            self.require_redundant(span, &asked);
+            self.require_redundant(span, &requests);
         }
         forces
     }
 
-    /// The joints whose reactions are wanted.
+    /// Returns the joints whose reactions are requested.
     fn reactions(&mut self, statements: &[&Statement], every: bool) -> Vec<usize> {
         let joints = self.linkage.joints.iter().enumerate();
         let constraints = joints.filter(|(_, (joint, _))| joint.role == Role::Constraint);
         let constraints: Vec<usize> = constraints.map(|(place, _)| place).collect();
         let mut named: BTreeMap<String, Span> = BTreeMap::new();
-        let mut found: Vec<usize> = Vec::new();
+        let mut joints: Vec<usize> = Vec::new();
         for statement in statements {
             let Statement::Reaction(reaction) = statement else {
                 continue;
@@ -106,22 +107,22 @@ impl Resolver<'_> {
                     continue;
                 }
                 named.insert(name.text.clone(), name.span);
-                let own = constraints.iter().filter(|&&place| {
+                let matching = constraints.iter().filter(|&&place| {
                     self.linkage.joints[place].0.name.as_deref() == Some(name.text.as_str())
                 });
-                let own: Vec<usize> = own.copied().collect();
-                if own.is_empty() {
+                let matching: Vec<usize> = matching.copied().collect();
+                if matching.is_empty() {
                     self.report_unknown_joint(name, &constraints);
                 }
-                found.extend(own);
+                joints.extend(matching);
             }
         }
         if every {
             return constraints;
         }
-        found.sort_unstable();
-        found.dedup();
-        found
+        joints.sort_unstable();
+        joints.dedup();
+        joints
     }
 
     fn report_unknown_joint(&mut self, name: &Name, constraints: &[usize]) {
@@ -139,7 +140,7 @@ impl Resolver<'_> {
         self.diagnostics.push(finding);
     }
 
-    /// An effort belongs to a quantity that a driver prescribes.
+    /// Requires drivers of quantities, to which driving forces belong.
     fn require_drivers_of_quantities(&mut self, span: Span) {
         let joints = self.linkage.joints.iter().map(|(joint, _)| joint);
         let mut drivers = joints.filter(|joint| joint.role == Role::Driver);
@@ -171,7 +172,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// Where joints repeat one another, what each carries is not determined.
+    /// Rejects redundant joints, whose reactions are not unique.
     fn refuse_redundant(&mut self, span: Span) {
         let joints = self.linkage.joints.iter().map(|(joint, _)| joint);
         let redundant = joints.filter_map(|joint| Some((joint.redundant?, joint.label.clone())));
@@ -189,7 +190,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// What is smallest is a choice only where joints repeat one another and somebody asks what they carry.
+    /// Requires redundant joints and a request for reactions, since the least norm has no effect otherwise.
     fn require_redundant(&mut self, span: Span, asked: &[(&'static str, Span)]) {
         if self.diagnostics.has_errors() {
             return;
@@ -216,9 +217,9 @@ impl Resolver<'_> {
     }
 }
 
-/// The statements that ask for forces, each with its word.
+/// Returns the statements that request forces, each with its keyword.
 fn asking(statements: &[&Statement]) -> Vec<(&'static str, Span)> {
-    let asked = statements.iter().filter_map(|statement| match statement {
+    let requests = statements.iter().filter_map(|statement| match statement {
         Statement::Reaction(it) => Some(("reaction", it.span)),
         Statement::Directive(it) => match it.kind {
             DirectiveKind::Effort => Some(("effort", it.span)),
@@ -228,10 +229,10 @@ fn asking(statements: &[&Statement]) -> Vec<(&'static str, Span)> {
         },
         _ => None,
     });
-    asked.collect()
+    requests.collect()
 }
 
-/// Where the smallest reactions are asked for.
+/// Returns the location of the `least_norm` statement; `None` without one.
 fn least_norm(statements: &[&Statement]) -> Option<Span> {
     statements.iter().find_map(|statement| match statement {
         Statement::Directive(it) if it.kind == DirectiveKind::LeastNorm => Some(it.span),

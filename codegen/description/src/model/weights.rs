@@ -1,4 +1,4 @@
-//! `mass` and `gravity` statements → what bodies weigh.
+//! Resolves `mass` and `gravity` statements.
 
 use super::dimension::Dimension;
 use super::forces::Mass;

@@ -1,4 +1,4 @@
-//! *Tokens → a body statement.* `body NAME at PLACE [ANGLE] { members }`, or `;` instead of the braces.
+//! Parses a body statement: `body NAME at PLACE [ANGLE] { members }`, or `;` instead of the braces.
 
 use proc_macro2::Delimiter;
 
@@ -9,7 +9,7 @@ use super::reference::{body_name, direction, identifier, reference, separator};
 use super::tokens::Tokens;
 use crate::diagnostic::{Code, Diagnostic, Span};
 
-/// A body, after the word `body`, up to and with its braces or semicolon.
+/// Parses a body from the word `body` to its braces or semicolon.
 pub(super) fn body(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<Body> {
     let name = body_name(tokens, "the name of a body")?;
     if tokens.keyword("at").is_none() {
@@ -25,26 +25,26 @@ pub(super) fn body(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> O
             None,
         )
     };
-    let mut given = angle.map(|angle| (angle.span, Orientation::Angle(angle)));
+    let mut written = angle.map(|angle| (angle.span, Orientation::Angle(angle)));
     loop {
         let before = tokens.next_span();
         let Some(another) = orientation(tokens)? else {
             break;
         };
         let span = before.to(tokens.previous());
-        if let Some((first, _)) = given {
+        if let Some((first, _)) = written {
             let message = "the angle of a body is given twice";
             let finding = Diagnostic::error(Code::WrongForm, span, message)
                 .also(first, "first given here")
                 .help("keep one of them: `(X, Y, ANGLE)`, `turned ANGLE` or `facing A -> B`");
             return Err(Box::new(finding));
         }
-        given = Some((span, another));
+        written = Some((span, another));
     }
-    let orientation = given.map_or(Orientation::Aligned, |(_, orientation)| orientation);
+    let orientation = written.map_or(Orientation::Aligned, |(_, orientation)| orientation);
     let members = match tokens.group(Delimiter::Brace) {
         Some((inner, _)) => {
-            // A semicolon after the braces says nothing, and many are used to it.
+            // A semicolon after the braces is redundant but common.
             let _ = tokens.mark(';');
             members(inner)
         }
@@ -83,7 +83,7 @@ pub(super) fn body(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> O
     })
 }
 
-/// `turned ANGLE` or `facing A -> B`, if there is one.
+/// Parses `turned ANGLE` or `facing A -> B`; `None` if neither follows.
 fn orientation(tokens: &mut Tokens<'_>) -> Outcome<Option<Orientation>> {
     if tokens.keyword("turned").is_some() {
         return Ok(Some(Orientation::Angle(expression(tokens)?)));
@@ -94,7 +94,7 @@ fn orientation(tokens: &mut Tokens<'_>) -> Outcome<Option<Orientation>> {
     Ok(None)
 }
 
-/// The inside of a body's braces. Each member that fails is reported and left out.
+/// Parses the members between braces. Each malformed member is reported and skipped.
 pub(super) fn members(mut tokens: Tokens<'_>) -> Vec<Member> {
     let mut members = Vec::new();
     while !tokens.at_end() && !tokens.reader.is_full() {
@@ -106,7 +106,7 @@ pub(super) fn members(mut tokens: Tokens<'_>) -> Vec<Member> {
                 if tokens.mark(',').is_some() || tokens.at_end() {
                     continue;
                 }
-                // A member that follows without a comma is read all the same.
+                // A member that follows without a comma is still read.
                 let semicolon = tokens.mark(';');
                 let failure = match semicolon {
                     Some(semicolon) => Box::new(

@@ -1,8 +1,10 @@
-//! *Lexemes → balanced brackets.* Finds brackets that are never closed or close nothing, says where each was opened, and edits the
-//! text so that `syn` sees them balanced and never deeper than [`DEEPEST`].
+//! Balances brackets before `syn` reads the text.
 //!
-//! Where a bracket should have been closed is judged by the shape of the text: `;` and braces, other than those of an `if`, never stand in parentheses, and a
-//! line that [starts a statement](StatementStarts) does not stand inside the braces of a body.
+//! Unmatched brackets are reported with the location of their opening. Edits make the text balanced, and never deeper than
+//! [`DEEPEST`].
+//!
+//! The shape of the text tells where a bracket should have been closed. A `;`, or a brace other than that of an `if`, is never
+//! inside parentheses. A line that [starts a statement](StatementStarts) is not inside the braces of a body.
 
 use super::scan::{Fill, Kind, Scan};
 use super::statement_shapes::{
@@ -12,13 +14,13 @@ use super::statement_shapes::{
 use super::{DEEPEST, KEYWORDS};
 use crate::diagnostic::{Code, Diagnostic, Span};
 
-/// How many brackets left open are shown, the innermost first.
-const SHOWN: usize = 3;
+/// Maximum number of open brackets in a message, innermost first.
+const MAX_SHOWN_BRACKETS: usize = 3;
 
-/// So many missing brackets are written out.
-const LONGEST_CLOSING: usize = 8;
+/// Maximum number of missing brackets that a message writes out.
+const MAX_SHOWN_CLOSINGS: usize = 8;
 
-/// Offsets at which a line starts a statement, ascending.
+/// Offsets of lines that start a statement, ascending.
 pub(super) struct StatementStarts(Vec<usize>);
 
 impl StatementStarts {
@@ -27,19 +29,19 @@ impl StatementStarts {
     }
 }
 
-/// A bracket that waits for its other half.
+/// An open bracket.
 struct Opener {
     bracket: u8,
     at: usize,
-    /// The braces of a mechanism or a motion, in which statements stand.
+    /// True for the braces of a mechanism or a motion, which contain statements.
     holds_statements: bool,
-    /// The braces of a piece of a formula, after `if` or `else`.
+    /// True for braces after `if` or `else`, which contain a formula.
     holds_formula: bool,
-    /// Too deep: hidden from `syn`, and so will its other half be.
+    /// True if the bracket is nested too deeply; the pair is then hidden from `syn`.
     hidden: bool,
 }
 
-/// Balances the brackets of a scan, adding findings and edits to it.
+/// Balances the brackets of a scan; adds findings and edits to the scan.
 pub(super) fn balance(text: &str, scan: &mut Scan) -> StatementStarts {
     let lexemes = std::mem::take(&mut scan.lexemes);
     let mut balance = Balance {
@@ -54,7 +56,7 @@ pub(super) fn balance(text: &str, scan: &mut Scan) -> StatementStarts {
     for (index, lexeme) in lexemes.iter().enumerate() {
         let previous = index.checked_sub(1).map(|before| &lexemes[before]);
         let end_of_previous = previous.map_or(lexeme.start, |it| it.end);
-        // Inside a formula a call at the start of a line starts no statement.
+        // Within a formula, a call at the start of a line starts no statement.
         let in_formula =
             balance.formulas > 0 && word(text, lexeme).is_none_or(|word| !KEYWORDS.contains(&word));
         if !in_formula && looks_like_statement(text, &lexemes[index..]) {
@@ -62,7 +64,7 @@ pub(super) fn balance(text: &str, scan: &mut Scan) -> StatementStarts {
             if !continues {
                 starts.push(lexeme.start);
             }
-            // A motion inside a motion is no missing brace where all braces are closed further below.
+            // A motion in a motion means a missing brace only if some brace stays open.
             let next_motion =
                 word(text, lexeme) == Some("motion") && excess[index] < balance.braces;
             balance.before_statement(end_of_previous, continues, next_motion);
@@ -99,9 +101,9 @@ pub(super) fn balance(text: &str, scan: &mut Scan) -> StatementStarts {
 struct Balance<'a> {
     scan: &'a mut Scan,
     open: Vec<Opener>,
-    /// How many of them are braces.
+    /// Number of open braces.
     braces: isize,
-    /// How many of them hold formulas.
+    /// Number of open braces that contain formulas.
     formulas: usize,
     too_deep: bool,
 }
@@ -128,7 +130,7 @@ impl Balance<'_> {
         });
     }
 
-    /// The innermost opener, taken off where it is of this sort.
+    /// Removes and returns the innermost opener if it satisfies the predicate.
     fn take_if(&mut self, is_meant: impl FnOnce(&Opener) -> bool) -> Option<Opener> {
         let opener = self.open.pop_if(|opener| is_meant(opener))?;
         self.braces -= isize::from(opener.bracket == b'{');
@@ -136,14 +138,14 @@ impl Balance<'_> {
         Some(opener)
     }
 
-    /// Closes every parenthesis and square bracket that is open above the innermost brace.
+    /// Closes all parentheses and square brackets above the innermost brace.
     fn close_parentheses(&mut self, place: usize) {
         while let Some(opener) = self.take_if(|opener| opener.bracket != b'{') {
             self.insert(&opener, place);
         }
     }
 
-    /// Closes everything that is open inside of a formula.
+    /// Closes all brackets opened within a formula.
     fn close_formulas(&mut self, place: usize) {
         self.close_parentheses(place);
         while let Some(opener) = self.take_if(|opener| opener.holds_formula) {
@@ -152,8 +154,8 @@ impl Balance<'_> {
         }
     }
 
-    /// A line that starts a statement: what is still open inside the braces of the mechanism or of a motion was meant to be
-    /// closed before it, and a motion before the next one.
+    /// Closes what should have ended before a line that starts a statement: brackets within the braces of the mechanism or
+    /// motion, and a motion before the next motion.
     fn before_statement(&mut self, place: usize, continues: bool, next_motion: bool) {
         if !continues {
             self.close_formulas(place);
@@ -200,7 +202,7 @@ impl Balance<'_> {
         }
         let span = Span::new(at, at + 1);
         self.scan.damage.push(at);
-        // `(` closed by `]`: one mistake, not two.
+        // `(` closed by `]` is one mistake, not two.
         if let Some(opener) = self.take_if(|opener| opener.bracket != b'{' && bracket != b'}') {
             let (opening, wanted) = (opener.bracket as char, closing(opener.bracket));
             let fill = if opener.hidden {
@@ -237,7 +239,7 @@ impl Balance<'_> {
         self.scan.report(finding);
     }
 
-    /// The end of the file: one finding, however much is open.
+    /// Reports all brackets that are open at the end of the file in one finding.
     fn end(&mut self, text: &str) {
         let Some(innermost) = self.open.last() else {
             return;
@@ -254,16 +256,16 @@ impl Balance<'_> {
             "the file ends inside brackets",
         )
         .label(format!("expected `{bracket}`"));
-        for opener in self.open.iter().rev().take(SHOWN) {
+        for opener in self.open.iter().rev().take(MAX_SHOWN_BRACKETS) {
             let label = format!("`{}` opened here", opener.bracket as char);
             finding = finding.also(Span::new(opener.at, opener.at + 1), label);
         }
-        finding = finding.help(if missing.len() <= LONGEST_CLOSING {
+        finding = finding.help(if missing.len() <= MAX_SHOWN_CLOSINGS {
             format!("close what is open with `{missing}`")
         } else {
             "close each bracket where what it holds ends".to_string()
         });
-        // A comment left open has swallowed the brackets: that is said already.
+        // An unclosed comment has swallowed the brackets and is already reported.
         if self
             .scan
             .findings
@@ -277,7 +279,7 @@ impl Balance<'_> {
     }
 }
 
-/// The finding for anything nested too deeply.
+/// Returns the finding for excessive nesting.
 pub(super) fn too_deep(span: Span) -> Diagnostic {
     Diagnostic::error(
         Code::NestedTooDeeply,

@@ -1,4 +1,4 @@
-//! *Tokens → a curve fixed in a body:* `curve rim(s) on cam = (X, Y);`, `curve rim(a) on cam = polar R;`.
+//! Parses a curve fixed in a body: `curve rim(s) on cam = (X, Y);`, `curve rim(a) on cam = polar R;`.
 
 use proc_macro2::Delimiter;
 
@@ -10,10 +10,10 @@ use super::statement::{equals, semicolon};
 use super::tokens::Tokens;
 use crate::diagnostic::Span;
 
-/// How a curve is written, for help lines.
+/// Form of the statement, for help lines.
 const FORM: &str = "a curve is written `curve NAME(s) on BODY = (X, Y);` or `curve NAME(a) on BODY = polar RADIUS;`";
 
-/// The statement after its first word.
+/// Parses the statement after its first word.
 pub(super) fn curve(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<Statement> {
     let name = identifier(tokens, "the name of a curve")?;
     let Some((mut inner, _)) = tokens.group(Delimiter::Parenthesis) else {

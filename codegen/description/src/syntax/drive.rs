@@ -1,6 +1,7 @@
-//! *Tokens → what moves by itself:* `drive phi(1) = 2*t;`, `drive lift: K.x = 0.1*t;`, and `free swing: phi(1) = 0.2 rate 1.5;`, which forces move.
+//! Parses drivers and free coordinates: `drive phi(1) = 2*t;`, `drive lift: K.x = 0.1*t;`, `free swing: phi(1) = 0.2 rate
+//! 1.5;`.
 //!
-//! Which quantities exist is not known here.
+//! Any word is accepted as a quantity.
 
 use proc_macro2::Delimiter;
 
@@ -13,14 +14,14 @@ use super::statement::{equals, semicolon};
 use super::tokens::Tokens;
 use crate::diagnostic::Span;
 
-/// What is driven, or free.
+/// A driven or free quantity.
 struct Driven {
     quantity: Name,
     operands: Vec<Reference>,
     form: DrivenForm,
 }
 
-/// The statement after its first word.
+/// Parses a `drive` statement after its first word.
 pub(super) fn drive(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<Statement> {
     let name = name(tokens, "the name of a driver")?;
     let help = "a driver is written `drive phi(BODY) = FORMULA;`";
@@ -44,7 +45,7 @@ pub(super) fn drive(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> 
     }))
 }
 
-/// The statement after its first word.
+/// Parses a `free` statement after its first word.
 pub(super) fn free(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<Statement> {
     let help = "what is free is written `free NAME: phi(BODY) = START rate RATE;`";
     let Some(name) = name(tokens, "the name of what is free")? else {
@@ -78,7 +79,7 @@ pub(super) fn free(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> O
     }))
 }
 
-/// `NAME:`, where it is written.
+/// Parses `NAME:`; `None` if no name is written.
 fn name(tokens: &mut Tokens<'_>, wanted: &str) -> Outcome<Option<Name>> {
     let mut ahead = *tokens;
     let is_word = ahead.word().is_some();
@@ -93,7 +94,7 @@ fn name(tokens: &mut Tokens<'_>, wanted: &str) -> Outcome<Option<Name>> {
     }
 }
 
-/// `QUANTITY(OPERANDS)`, `POINT.COORDINATE` or `ANGLE`.
+/// Parses `QUANTITY(OPERANDS)`, `POINT.COORDINATE` or `ANGLE`.
 fn driven(tokens: &mut Tokens<'_>, wanted: &str, help: &str) -> Outcome<Driven> {
     if let Some((of, quantity)) = driven_coordinate(tokens)? {
         return Ok(Driven {

@@ -1,4 +1,4 @@
-//! *Tokens → an equation of the user's own:* `equation rope: A.x^2 + (K.y - 1)^2 = L^2;`.
+//! Parses an equation of the user: `equation rope: A.x^2 + (K.y - 1)^2 = L^2;`.
 
 use super::document::{Equation, Statement};
 use super::expression::expression;
@@ -9,7 +9,7 @@ use super::statement::{equals, semicolon};
 use super::tokens::Tokens;
 use crate::diagnostic::Span;
 
-/// The statement after its first word.
+/// Parses the statement after its first word.
 pub(super) fn equation(
     tokens: &mut Tokens<'_>,
     docs: Vec<String>,
@@ -31,7 +31,7 @@ pub(super) fn equation(
     }))
 }
 
-/// `NAME:`, where it is written.
+/// Parses `NAME:`; `None` if no name is written.
 fn name(tokens: &mut Tokens<'_>) -> Outcome<Option<Name>> {
     let mut ahead = *tokens;
     let is_named = ahead.word().is_some() || ahead.number().is_some();

@@ -1,9 +1,9 @@
-//! *Text → the files that it names.* Whoever reads a description asks for them before it is parsed.
+//! Lists the files that a text names. The caller loads them before the text is parsed.
 
 use super::scan::{self, Kind};
 
-/// The paths of the files that a description names, relative to it, each once in written order. What is no relative path is left
-/// out: it is reported where the table is resolved.
+/// Returns the paths that a description names, relative to it, without duplicates and in source order. Paths that are not
+/// relative are omitted; resolving the table reports them.
 pub fn named_files(text: &str) -> Vec<String> {
     let lexemes = scan::scan(text).lexemes;
     let texts = lexemes.iter().filter(|lexeme| lexeme.kind == Kind::Text);
@@ -17,19 +17,19 @@ pub fn named_files(text: &str) -> Vec<String> {
     paths
 }
 
-/// What stands between the quotes.
+/// Removes the quotes.
 pub(super) fn unquoted(text: &str) -> &str {
     let inside = text.strip_prefix('"').unwrap_or(text);
     inside.strip_suffix('"').unwrap_or(inside)
 }
 
-/// Whether a path means the same file wherever the description is copied together with it.
+/// True if a path is independent of the location of the description.
 pub(crate) fn is_relative(path: &str) -> bool {
     let is_refused = |it: char| matches!(it, '\\' | ':') || it.is_control();
     !path.is_empty() && !path.starts_with('/') && !path.contains(is_refused)
 }
 
-/// Whether a relative path leads out of the folder that it starts in.
+/// True if a relative path leaves its starting folder.
 pub(crate) fn leaves_folder(path: &str) -> bool {
     let mut depth = 0;
     path.split('/').any(|part| {

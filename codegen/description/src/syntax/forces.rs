@@ -1,7 +1,7 @@
-//! *Tokens → what bodies weigh and what acts on them:* `mass 1 = 2kg at S inertia 0.03;`, `gravity = (0, -9.81);`,
-//! `spring (1.P, 2.Q) = 4530 free 78mm;`, `force on 1.P = (0, -20N);`, `reaction P;`.
+//! Parses masses, loads and reactions: `mass 1 = 2kg at S inertia 0.03;`, `gravity = (0, -9.81);`, `spring (1.P, 2.Q) = 4530
+//! free 78mm;`, `force on 1.P = (0, -20N);`, `reaction P;`.
 //!
-//! Which points bodies carry, and which joints there are, is not known here.
+//! Names of points and joints are not resolved.
 
 use proc_macro2::Delimiter;
 
@@ -19,13 +19,13 @@ use crate::diagnostic::Span;
 pub struct Mass {
     /// The `///` lines above it.
     pub docs: Vec<String>,
-    /// The body.
+    /// Body with this mass.
     pub body: Name,
-    /// Its mass.
+    /// Mass.
     pub mass: Expression,
-    /// Its center of mass, where that is not the origin of its frame.
+    /// Center of mass; `None` if it is the origin of the body's frame.
     pub center: Option<Center>,
-    /// Its moment of inertia about the center of mass, where it has one.
+    /// Moment of inertia about the center of mass; `None` if not given.
     pub inertia: Option<Expression>,
     /// The whole statement with its semicolon.
     pub span: Span,
@@ -34,7 +34,7 @@ pub struct Mass {
 /// A center of mass.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Center {
-    /// A point that the body carries.
+    /// A point of the body.
     Point(Name),
     /// `(X, Y)` in the body's frame.
     Local(Pair),
@@ -45,13 +45,13 @@ pub enum Center {
 pub struct Gravity {
     /// The `///` lines above it.
     pub docs: Vec<String>,
-    /// The acceleration of what falls.
+    /// Acceleration of free fall.
     pub acceleration: Pair,
     /// The whole statement with its semicolon.
     pub span: Span,
 }
 
-/// Whether an element stores work or loses it.
+/// Kind of an element: it stores or dissipates energy.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ElementKind {
     /// `spring`.
@@ -66,19 +66,19 @@ pub enum ElementKind {
 pub struct Element {
     /// The `///` lines above it.
     pub docs: Vec<String>,
-    /// What it is.
+    /// Spring or damper.
     pub kind: ElementKind,
-    /// Its own name.
+    /// Name of the element; `None` if it has none.
     pub name: Option<Name>,
-    /// The word `about`, where it turns bodies instead of pulling points.
+    /// Location of the word `about` of a rotational element; `None` for a translational one.
     pub about: Option<Span>,
-    /// What stands in the parentheses.
+    /// Operands in the parentheses.
     pub operands: Vec<Reference>,
-    /// The stiffness of a spring, the damping of a damper.
+    /// Stiffness of a spring, or coefficient of a damper.
     pub value: Expression,
-    /// The length or the angle at which a spring without a preload rests.
+    /// Free length or angle of a spring; `None` if not written.
     pub free: Option<Expression>,
-    /// What a spring pulls with at that length or angle.
+    /// Force or torque at the free length or angle; `None` if not written.
     pub preload: Option<Expression>,
     /// The whole statement with its semicolon.
     pub span: Span,
@@ -89,11 +89,11 @@ pub struct Element {
 pub struct Force {
     /// The `///` lines above it.
     pub docs: Vec<String>,
-    /// Where it acts.
+    /// Point of application.
     pub point: Reference,
-    /// Its components.
+    /// Components of the force.
     pub components: Pair,
-    /// The body in whose frame these are; the global frame where none is named.
+    /// Body whose frame has these components; `None` for the global frame.
     pub frame: Option<Name>,
     /// The whole statement with its semicolon.
     pub span: Span,
@@ -104,9 +104,9 @@ pub struct Force {
 pub struct Torque {
     /// The `///` lines above it.
     pub docs: Vec<String>,
-    /// The body.
+    /// Body on which the torque acts.
     pub body: Name,
-    /// Its value, positive counterclockwise.
+    /// Torque, positive counterclockwise.
     pub value: Expression,
     /// The whole statement with its semicolon.
     pub span: Span,
@@ -117,13 +117,13 @@ pub struct Torque {
 pub struct Reaction {
     /// The `///` lines above it.
     pub docs: Vec<String>,
-    /// The names of joints; at least one.
+    /// Names of joints; at least one.
     pub names: Vec<Name>,
     /// The whole statement with its semicolon.
     pub span: Span,
 }
 
-/// The statement after its first word.
+/// Parses a `mass` statement after its first word.
 pub(super) fn mass(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<Statement> {
     let body = body_name(tokens, "the name of a body")?;
     equals(tokens)?;
@@ -150,7 +150,7 @@ pub(super) fn mass(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> O
     }))
 }
 
-/// The statement after its first word.
+/// Parses a `gravity` statement after its first word.
 pub(super) fn gravity(
     tokens: &mut Tokens<'_>,
     docs: Vec<String>,
@@ -168,7 +168,7 @@ pub(super) fn gravity(
 
 const SPRING: &str = "a spring has its free length, then its preload behind its stiffness: `spring (1.P, 2.Q) = 4kN/m free 20cm preload 5N;`";
 
-/// The statement after its first word.
+/// Parses a `spring` or `damper` statement after its first word.
 pub(super) fn element(
     tokens: &mut Tokens<'_>,
     docs: Vec<String>,
@@ -205,7 +205,7 @@ pub(super) fn element(
     }))
 }
 
-/// The statement after its first word.
+/// Parses a `force` statement after its first word.
 pub(super) fn force(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<Statement> {
     on(tokens, "a force acts on a point: `force on 1.P = (X, Y);`")?;
     let point = reference(tokens, "a point of a body")?;
@@ -225,7 +225,7 @@ pub(super) fn force(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> 
     }))
 }
 
-/// The statement after its first word.
+/// Parses a `torque` statement after its first word.
 pub(super) fn torque(
     tokens: &mut Tokens<'_>,
     docs: Vec<String>,
@@ -244,7 +244,7 @@ pub(super) fn torque(
     }))
 }
 
-/// The statement after its first word.
+/// Parses a `reaction` statement after its first word.
 pub(super) fn reaction(
     tokens: &mut Tokens<'_>,
     docs: Vec<String>,
@@ -261,7 +261,7 @@ pub(super) fn reaction(
     Ok(Statement::Reaction(Reaction { docs, names, span }))
 }
 
-/// The expression after a word, where that is written.
+/// Parses the expression after a keyword; `None` if the keyword is not written.
 pub(super) fn valued(tokens: &mut Tokens<'_>, word: &str) -> Outcome<Option<Expression>> {
     match tokens.keyword(word) {
         Some(_) => expression(tokens).map(Some),

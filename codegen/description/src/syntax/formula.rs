@@ -1,25 +1,25 @@
-//! *The formulas of a description, as written*, with the names and points that they mention.
+//! Represents formulas of a description, with the names and points that they mention.
 //!
-//! Chains of `+ -` and of `* /` are one node each, so a sum of a thousand terms is flat; the depth of a formula is bounded by
-//! [`DEEPEST`](super::DEEPEST), so it can be walked by recursion. The tree does not know quantities, functions or units.
+//! A chain of `+ -` or of `* /` is one node, so a sum of a thousand terms is flat. [`DEEPEST`](super::DEEPEST) bounds the
+//! depth, so recursive walks are safe. Quantities, functions and units are not resolved.
 
 use crate::diagnostic::Span;
 
 /// An identifier, or the integer that names a body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Name {
-    /// The characters as written.
+    /// Characters as written.
     pub text: String,
-    /// Its place.
+    /// Source location.
     pub span: Span,
 }
 
 /// `(X, Y)`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pair {
-    /// The first component.
+    /// First component.
     pub x: Expression,
-    /// The second component.
+    /// Second component.
     pub y: Expression,
     /// From the opening to the closing parenthesis.
     pub span: Span,
@@ -28,42 +28,42 @@ pub struct Pair {
 /// `NAME` or `BODY.NAME`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reference {
-    /// The body before the dot.
+    /// Body before the dot; `None` without a dot.
     pub body: Option<Name>,
-    /// The body, point or constant.
+    /// Body, point or constant.
     pub name: Name,
-    /// Both with the dot.
+    /// Location of both with the dot.
     pub span: Span,
 }
 
 /// `A -> B`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Direction {
-    /// Where the arrow starts.
+    /// Start of the arrow.
     pub from: Reference,
-    /// Where the arrow ends.
+    /// End of the arrow.
     pub to: Reference,
-    /// Both with the arrow.
+    /// Location of both with the arrow.
     pub span: Span,
 }
 
 /// A formula.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Expression {
-    /// What it is.
+    /// Kind and operands.
     pub kind: ExpressionKind,
-    /// Its place; for a formula in parentheses, with the parentheses.
+    /// Source location, including any parentheses around the formula.
     pub span: Span,
 }
 
-/// What a formula is made of.
+/// Kind of a formula, with its operands.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ExpressionKind {
     /// `30deg`: a decimal literal such as `12`, `0.05` or `1e-3`, and its unit.
     Number {
-        /// ASCII digits with at most one point and one exponent, without `_`: `f64` reads it, and so does an exact decimal.
+        /// ASCII digits with at most one point and one exponent, without `_`, as `f64` and exact decimals parse them.
         digits: String,
-        /// The suffix; whether such a unit exists is not checked here.
+        /// Suffix; not checked against the known units. `None` if there is none.
         unit: Option<Name>,
     },
     /// A constant, a point, a body's point or a point's component.
@@ -80,9 +80,9 @@ pub enum ExpressionKind {
     Power(Box<Expression>, Box<Expression>),
     /// `function(arguments)`.
     Call {
-        /// The name before the parentheses; whether such a function exists is not checked here.
+        /// Name before the parentheses, not checked against the known functions.
         function: Name,
-        /// The arguments in written order.
+        /// Arguments in source order.
         arguments: Vec<Expression>,
     },
     /// `(x, y)` or `(x, y, z)`, as an argument of a call only.
@@ -94,56 +94,56 @@ pub enum ExpressionKind {
 /// `if left < right { holds } else { otherwise }`; `else if` is a choice in `otherwise`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Choice {
-    /// Left of the comparison.
+    /// Left side of the comparison.
     pub left: Expression,
-    /// How both sides are compared.
+    /// Comparison operator.
     pub comparison: Comparison,
-    /// Right of the comparison.
+    /// Right side of the comparison.
     pub right: Expression,
-    /// The value where the comparison holds.
+    /// Value if the comparison holds.
     pub holds: Expression,
-    /// The value elsewhere.
+    /// Value otherwise.
     pub otherwise: Expression,
-    /// The comparison with both sides.
+    /// Location of the comparison with both sides.
     pub condition: Span,
 }
 
-/// The sign between both sides of a condition.
+/// Comparison operator of a condition.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Comparison {
-    /// `<`
+    /// Less than: `<`.
     Less,
-    /// `<=`
+    /// Less than or equal: `<=`.
     LessOrEqual,
-    /// `>`
+    /// Greater than: `>`.
     Greater,
-    /// `>=`
+    /// Greater than or equal: `>=`.
     GreaterOrEqual,
 }
 
 /// `BODY.POINT.COMPONENT`
 #[derive(Debug, Clone, PartialEq)]
 pub struct Component {
-    /// The point of a body.
+    /// Point of a body.
     pub point: Reference,
-    /// `x` or `y`, as far as the parser knows any word.
+    /// `x` or `y`; the parser accepts any word.
     pub axis: Name,
 }
 
-/// The sign before a term.
+/// Sign before a term.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sign {
-    /// `+`
+    /// Plus: `+`.
     Plus,
-    /// `-`
+    /// Minus: `-`.
     Minus,
 }
 
-/// The operation before a factor.
+/// Operation before a factor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Operation {
-    /// `*`
+    /// Multiplication: `*`.
     Times,
-    /// `/`
+    /// Division: `/`.
     Over,
 }

@@ -1,5 +1,6 @@
-//! *A name and what follows it* → *what it is called*: `rod[3]` is called `rod3`, `link2[3]` is `link2_3`, and `rod` of the part
-//! `stage[3]` is `stage3_rod`. And *a formula* → *a whole number*, which an index is.
+//! Resolves indexed and qualified names, and evaluates whole-number formulas for indices.
+//!
+//! `rod[3]` resolves to `rod3`, `link2[3]` to `link2_3`, and `rod` of the part `stage[3]` to `stage3_rod`.
 
 use proc_macro2::Delimiter;
 
@@ -11,10 +12,10 @@ use super::scope::inside;
 use super::tokens::Tokens;
 use crate::diagnostic::{Code, Diagnostic, Span};
 
-/// What a whole number is made of, for help lines.
+/// Elements of a whole-number formula, for help lines.
 const WHOLE: &str = "a whole number is made of digits, the indices of `repeat` statements and constants that are whole numbers, with `+ - * /`";
 
-/// The name with its indices, and with what follows where it is a part.
+/// Resolves a name with its indices and, for a part, with the names after the dots.
 pub(super) fn qualified(tokens: &mut Tokens<'_>, name: Name) -> Outcome<Name> {
     let name = indexed(tokens, name)?;
     if tokens
@@ -43,7 +44,7 @@ pub(super) fn qualified(tokens: &mut Tokens<'_>, name: Name) -> Outcome<Name> {
         reader.spelled(&inner.text)
     );
     tokens.reader.spell(&called, spelled)?;
-    // A part of the part.
+    // The next name may be a part of the part.
     match tokens
         .reader
         .known(|scope| scope.part(&called.text).is_some())
@@ -53,7 +54,7 @@ pub(super) fn qualified(tokens: &mut Tokens<'_>, name: Name) -> Outcome<Name> {
     }
 }
 
-/// The name with its indices.
+/// Resolves a name with its indices.
 pub(super) fn indexed(tokens: &mut Tokens<'_>, mut name: Name) -> Outcome<Name> {
     while let Some((mut inner, brackets)) = tokens.group(Delimiter::Bracket) {
         let index = whole_number(&mut inner)?;
@@ -82,7 +83,7 @@ pub(super) fn indexed(tokens: &mut Tokens<'_>, mut name: Name) -> Outcome<Name> 
     Ok(name)
 }
 
-/// A formula that is a whole number.
+/// Parses a formula that is a whole number.
 pub(super) fn whole_number(tokens: &mut Tokens<'_>) -> Outcome<i64> {
     let formula = expression(tokens)?;
     value(&formula, tokens.reader).ok_or_else(|| not_whole(formula.span))
@@ -93,7 +94,7 @@ fn not_whole(span: Span) -> Box<Diagnostic> {
     Box::new(Diagnostic::error(Code::NotConstant, span, message).help(WHOLE))
 }
 
-/// The value of a formula, where it is a whole number.
+/// Evaluates a formula; `None` if it is not a whole number.
 pub(super) fn value(formula: &Expression, reader: &Reader<'_>) -> Option<i64> {
     match &formula.kind {
         ExpressionKind::Number { digits, unit: None } => digits.parse().ok(),
@@ -126,7 +127,7 @@ pub(super) fn value(formula: &Expression, reader: &Reader<'_>) -> Option<i64> {
     }
 }
 
-/// The value of an index as a formula.
+/// Returns the value of an index as a formula.
 pub(super) fn number(value: i64, span: Span) -> Expression {
     let digits = Expression {
         kind: ExpressionKind::Number {

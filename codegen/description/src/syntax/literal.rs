@@ -1,10 +1,10 @@
-//! *A number as written → digits and unit.* `30deg` is 30 and `deg`, `2e3mm` is 2e3 and `mm`, `1e5` has no unit.
+//! Splits a number into digits and unit: `30deg` into 30 and `deg`, `2e3mm` into 2e3 and `mm`. `1e5` has no unit.
 
 use super::formula::{ExpressionKind, Name};
 use super::reader::Outcome;
 use crate::diagnostic::{Code, Diagnostic, Span};
 
-/// Splits a number. The digits that come out are read by `f64` and as an exact decimal alike.
+/// Splits a number. Its digits are valid for `f64` and for exact decimals.
 pub(super) fn number(written: &Name) -> Outcome<ExpressionKind> {
     let text = written.text.as_str();
     let bytes = text.as_bytes();
@@ -31,7 +31,7 @@ pub(super) fn number(written: &Name) -> Outcome<ExpressionKind> {
         return Err(Box::new(finding.help("write the number in decimal digits")));
     }
     let unit = &text[end..];
-    // `1e`, `1e_5`: no unit is called like this, so an exponent was begun.
+    // An exponent was begun in `1e` and `1e_5`, as no unit has such a name.
     let begun = unit
         .strip_prefix(['e', 'E'])
         .is_some_and(|rest| rest.is_empty() || rest.starts_with(['_', '+', '-']));
@@ -46,7 +46,7 @@ pub(super) fn number(written: &Name) -> Outcome<ExpressionKind> {
         return Err(Box::new(finding));
     }
     let place = written.span.range();
-    // A number that was repaired is longer or shorter than what was written, and its unit has no place of its own.
+    // A repaired number differs in length from the source, so its unit has no location of its own.
     let span = if place.len() == text.len() {
         Span::new(place.start + end, place.end)
     } else {

@@ -1,15 +1,14 @@
-//! *Source → Document.* The only room that parses.
+//! Parses source text into a document.
 //!
 //! ```text
 //! text ── scan ──> lexemes ── brackets ──> edits ── repair ──> text for syn ── tokens, statement, … ──> Document
 //! ```
-//! `syn` only says that tokenizing failed, so a scan of the text first finds unreadable characters and unbalanced
-//! brackets, and hides them from `syn`: the rest of the file is then parsed as if they had not been there, and all
-//! errors of a file are reported at once. `syn` lexes, pairs the brackets and holds the tokens; the grammar is in the files below,
-//! one per kind of node.
+//! If tokenizing fails, `syn` gives no details. A scan therefore first finds unreadable characters and unbalanced brackets, and
+//! hides them from `syn`. The rest of the file is parsed without them, so all errors of a file are reported at once. `syn`
+//! lexes, pairs the brackets and holds the tokens. The grammar is in the submodules, one per kind of node.
 //!
-//! Afterwards every node has its span in the written text, tokens are as written, and nothing nests deeper than [`DEEPEST`].
-//! This room does not know joint kinds, quantities, functions, units, or which names exist.
+//! In a document, every node has its span in the source text, and tokens are as written. Nothing nests deeper than [`DEEPEST`].
+//! Names, joint kinds, quantities, functions and units are not resolved.
 
 mod body;
 mod brackets;
@@ -64,10 +63,10 @@ use self::reader::Reader;
 use self::tokens::Tokens;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 
-/// The deepest nesting that is read: brackets, signs, powers and calls inside one another.
+/// Maximum nesting of brackets, signs, powers and calls.
 pub const DEEPEST: usize = 128;
 
-/// The words that start a statement. A statement that starts with any other word is a joint.
+/// Words that start a statement. A statement that starts with any other word is a joint.
 pub const KEYWORDS: [&str; 32] = [
     "const",
     "param",
@@ -103,13 +102,13 @@ pub const KEYWORDS: [&str; 32] = [
     "part",
 ];
 
-/// Names that have a fixed meaning in formulas.
+/// Predefined names in formulas.
 pub const BUILT_IN: &[&str] = &["t", "pi"];
 
-/// The coordinates of a body, as `output` and equations name them.
+/// Coordinates of a body in `output` and in equations.
 pub const AXES: [&str; 3] = ["x", "y", "phi"];
 
-/// The words inside statements, each with a meaning in its place alone.
+/// Words within statements; each is special only in its position.
 pub const CLAUSES: [&str; 18] = [
     "at",
     "turned",
@@ -131,9 +130,9 @@ pub const CLAUSES: [&str; 18] = [
     "pressure_angle",
 ];
 
-/// Reads a description. Never panics and never overflows the stack, whatever the text.
+/// Parses a description. Never panics and never overflows the stack, whatever the text.
 ///
-/// What could be read is returned even when there are errors in `diagnostics`; `None` means that no mechanism was found.
+/// Returns the readable statements even if there are errors in `diagnostics`; `None` if the text contains no mechanism.
 pub fn parse(source: &Source, diagnostics: &mut Diagnostics) -> Option<Document> {
     let text = source.text.as_str();
     if text.len() > Source::LARGEST {
@@ -174,7 +173,7 @@ pub fn parse(source: &Source, diagnostics: &mut Diagnostics) -> Option<Document>
         spellings: Arc::new(spellings),
         ..document
     });
-    // What a statement that failed was to say is no concern of the documentation.
+    // After errors, documentation of a malformed statement would be reported as misplaced.
     if !diagnostics.has_errors() {
         diagnostics.extend(idle_parts);
         diagnostics.extend(idle.into_iter().map(|span| {
@@ -189,7 +188,7 @@ pub fn parse(source: &Source, diagnostics: &mut Diagnostics) -> Option<Document>
     document
 }
 
-/// `mechanism NAME { … }` and nothing else, but for mechanisms that are parts of it above.
+/// Parses `mechanism NAME { … }`, preceded only by mechanisms that are its parts; `None` if there is none.
 fn file(mut tokens: Tokens<'_>, idle: &mut Vec<Diagnostic>) -> Option<Document> {
     let reader = tokens.reader;
     let mut start = tokens.next_span();
@@ -212,7 +211,7 @@ fn file(mut tokens: Tokens<'_>, idle: &mut Vec<Diagnostic>) -> Option<Document> 
         let mut ahead = tokens;
         match (&name, ahead.group(Delimiter::Brace)) {
             (Some(name), Some((inner, _))) if ahead.peek_word() == Some("mechanism") => {
-                // It is a part of what follows; what documents it is read with it.
+                // This mechanism is a part of the next one; its documentation is consumed with it.
                 reader.docs(inner.next_span().start, true);
                 above.push(Part::new(name.clone(), inner));
                 start = ahead.next_span();
@@ -227,7 +226,7 @@ fn file(mut tokens: Tokens<'_>, idle: &mut Vec<Diagnostic>) -> Option<Document> 
     }
     let mut tokens = tokens.with_parts(&above);
     let Some(name) = name else {
-        // Statements without a mechanism around them are worth reading for their errors; other text is not.
+        // Statements without a mechanism around them are read for their errors; other text is not.
         if tokens.at_statement() {
             recovery::statements(&mut tokens);
         }
@@ -239,7 +238,7 @@ fn file(mut tokens: Tokens<'_>, idle: &mut Vec<Diagnostic>) -> Option<Document> 
             let statements = recovery::statements(&mut inner);
             (statements, start.to(braces))
         }
-        // The file ends where the name should be: said already.
+        // The file ends instead of the name, which is already reported.
         None if tokens.at_end() && name.text.is_empty() => return None,
         None => {
             let finding = tokens.unexpected("`{`", "a file is `mechanism NAME { … }`");
@@ -271,7 +270,7 @@ fn file(mut tokens: Tokens<'_>, idle: &mut Vec<Diagnostic>) -> Option<Document> 
     })
 }
 
-/// `mechanism NAME`; reports what is wrong with it.
+/// Parses `mechanism NAME` and reports its errors.
 fn opening(tokens: &mut Tokens<'_>) -> Option<Name> {
     let (reader, start) = (tokens.reader, tokens.next_span());
     if tokens.keyword("mechanism").is_none() {
@@ -300,7 +299,7 @@ fn opening(tokens: &mut Tokens<'_>) -> Option<Name> {
             if tokens.peek_number() {
                 tokens.skip();
             }
-            // The statements are worth reading; the missing name stops the pipeline at the border.
+            // The statements are read for their errors; the missing name stops the pipeline after this stage.
             Some(Name {
                 text: String::new(),
                 span: Span {

@@ -1,6 +1,6 @@
-//! *Tokens → one of several motions of a mechanism:* `motion forward { drive phi(1) = t; output K; }`.
+//! Parses a motion of a mechanism: `motion forward { drive phi(1) = t; output K; }`.
 //!
-//! Whatever stands in a mechanism may stand in a motion, but for bodies and points, which all motions share, and for motions.
+//! A motion may contain all statements of a mechanism except for bodies and points, which all motions share, and for motions.
 
 use proc_macro2::Delimiter;
 
@@ -12,10 +12,10 @@ use super::reference::identifier;
 use super::tokens::Tokens;
 use crate::diagnostic::{Code, Diagnostic, Span};
 
-/// What to do where the braces are missing.
+/// Help for missing braces.
 const HELP: &str = "a motion is written `motion NAME { drive phi(BODY) = FORMULA; }`";
 
-/// The statement after its first word. Where only the name is wrong, the statements are read all the same.
+/// Parses the statement after its first word. If only the name is wrong, the statements are still read.
 pub(super) fn motion(
     tokens: &mut Tokens<'_>,
     mut docs: Vec<String>,
@@ -58,7 +58,7 @@ pub(super) fn motion(
     }))
 }
 
-/// What a statement that does not belong to one motion declares.
+/// Returns the kind of declaration that all motions share; `None` for other statements.
 fn shared(statement: &Statement) -> Option<&'static str> {
     match statement {
         Statement::Points(_) => Some("point"),

@@ -1,4 +1,5 @@
-//! *Tokens → what a mechanism is asked for:* `output K;`, `output velocity K, phi(c1);`, `transmission K;`, `sensitivity L;`, `monitor;`, `unguarded;`.
+//! Parses requests for results: `output K;`, `output velocity K, phi(c1);`, `transmission K;`, `sensitivity L;`, `monitor;`,
+//! `unguarded;`.
 
 use proc_macro2::Delimiter;
 
@@ -11,10 +12,10 @@ use super::statement::{semicolon, semicolon_after_operands};
 use super::tokens::Tokens;
 use crate::diagnostic::Span;
 
-/// The words that limit the level, in their order.
+/// Words for the highest level, in order of the derivatives.
 pub const LEVELS: [&str; 3] = ["position", "velocity", "acceleration"];
 
-/// The statement after its first word.
+/// Parses an `output` statement after its first word.
 pub(super) fn output(
     tokens: &mut Tokens<'_>,
     docs: Vec<String>,
@@ -22,7 +23,7 @@ pub(super) fn output(
 ) -> Outcome<Statement> {
     let level = match tokens.peek_word() {
         Some(word) if LEVELS.contains(&word) => {
-            // A point may be called like a level; then nothing that could be an item follows it.
+            // A point may have the name of a level; no item follows it then.
             let mut ahead = *tokens;
             let level = ahead.word();
             let item_follows = ahead.peek_word().is_some() || ahead.peek_number();
@@ -43,7 +44,7 @@ pub(super) fn output(
     }))
 }
 
-/// The statement after its first word.
+/// Parses a `transmission` statement after its first word.
 pub(super) fn transmission(
     tokens: &mut Tokens<'_>,
     docs: Vec<String>,
@@ -54,7 +55,7 @@ pub(super) fn transmission(
     Ok(Statement::Transmission(Transmission { docs, items, span }))
 }
 
-/// The statement after its first word.
+/// Parses a `sensitivity` statement after its first word.
 pub(super) fn sensitivity(
     tokens: &mut Tokens<'_>,
     docs: Vec<String>,
@@ -71,7 +72,7 @@ pub(super) fn sensitivity(
     Ok(Statement::Sensitivity(Sensitivity { docs, names, span }))
 }
 
-/// A statement of one word, after that word.
+/// Parses a statement of one word, after that word.
 pub(super) fn directive(
     tokens: &mut Tokens<'_>,
     docs: Vec<String>,
@@ -82,7 +83,7 @@ pub(super) fn directive(
     Ok(Statement::Directive(Directive { kind, docs, span }))
 }
 
-/// One or more quantities; a comma may follow the last one.
+/// Parses one or more quantities; a comma may follow the last one.
 fn items(tokens: &mut Tokens<'_>) -> Outcome<Vec<OutputItem>> {
     let mut items = vec![item(tokens)?];
     while tokens.mark(',').is_some() {
@@ -94,7 +95,7 @@ fn items(tokens: &mut Tokens<'_>) -> Outcome<Vec<OutputItem>> {
     Ok(items)
 }
 
-/// A point, or a coordinate of a body.
+/// Parses a point, or a coordinate of a body.
 fn item(tokens: &mut Tokens<'_>) -> Outcome<OutputItem> {
     let mut ahead = *tokens;
     if ahead.word().is_some() && ahead.peek_group(Delimiter::Parenthesis) {

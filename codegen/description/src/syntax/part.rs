@@ -1,7 +1,7 @@
-//! *Tokens → a mechanism as a part of another, written out:* `part leg[1] = leg(L2 = 41.5mm) at (0, 80mm) turned 10deg;`.
+//! Expands mechanisms that are parts of another: `part leg[1] = leg(L2 = 41.5mm) at (0, 80mm) turned 10deg;`.
 //!
-//! The mechanisms above the last one of a file are its parts. Wherever one is used its statements are read again, and everything in
-//! them is [called after the part](super::renamed) and [placed](super::placed).
+//! The mechanisms above the last one of a file are its parts. For each use, the statements of a part are parsed again. Its
+//! names are then [prefixed](super::renamed) and its geometry is [placed](super::placed).
 
 use std::cell::Cell;
 use std::collections::{HashMap, HashSet};
@@ -22,13 +22,13 @@ use super::statement::{equals, semicolon};
 use super::tokens::Tokens;
 use crate::diagnostic::{Code, Diagnostic, Span, nearest};
 
-/// How a part is written, for help lines.
+/// Form of the statement, for help lines.
 const FORM: &str = "a part is written `part NAME = MECHANISM(L = 50mm) at (X, Y) turned ANGLE;`, with what is needed of it";
 
-/// A mechanism that may be a part of those below it.
+/// A mechanism that may be used as a part below.
 pub(super) struct Part<'a> {
     pub name: Name,
-    /// What stands in its braces.
+    /// Tokens in the braces.
     inner: Tokens<'a>,
     is_sound: Cell<bool>,
     is_used: Cell<bool>,
@@ -44,7 +44,7 @@ impl<'a> Part<'a> {
         }
     }
 
-    /// Reads it once for its errors; `above` are the mechanisms above it.
+    /// Parses the mechanism once for its errors; `above` are the mechanisms above it.
     pub(super) fn check<'b>(&self, above: &'b [Part<'b>])
     where
         'a: 'b,
@@ -67,7 +67,7 @@ impl<'a> Part<'a> {
         self.is_sound.set(reader.count_of_findings() == before);
     }
 
-    /// The warning that nothing uses it.
+    /// Returns the warning for an unused part; `None` if it is used.
     pub(super) fn idle(&self) -> Option<Diagnostic> {
         let name = &self.name;
         let is_idle = !self.is_used.get() && !name.text.is_empty();
@@ -90,7 +90,7 @@ impl<'a> Part<'a> {
     }
 }
 
-/// What a statement says that only a whole mechanism can say.
+/// Returns the name of a statement that is allowed only in a whole mechanism; `None` for other statements.
 fn of_the_whole(statement: &Statement) -> Option<&'static str> {
     match statement {
         Statement::Motion(_) => Some("a motion"),
@@ -105,12 +105,12 @@ fn of_the_whole(statement: &Statement) -> Option<&'static str> {
 /// A use of a part, as written.
 struct Used {
     name: Name,
-    /// Values for its constants and parameters.
+    /// Arguments for its constants and parameters.
     given: Vec<(Name, Expression)>,
     place: Place,
 }
 
-/// The statements of the part, after the first word.
+/// Parses the statement after its first word, and appends the statements of the part.
 pub(super) fn part(
     tokens: &mut Tokens<'_>,
     start: Span,
@@ -124,35 +124,35 @@ pub(super) fn part(
     };
     let reader = tokens.reader;
     part.is_used.set(true);
-    let given: HashMap<String, Option<i64>> = used
+    let whole_numbers: HashMap<String, Option<i64>> = used
         .given
         .iter()
-        .map(|(name, given)| (name.text.clone(), value(given, reader)))
+        .map(|(name, argument)| (name.text.clone(), value(argument, reader)))
         .collect();
-    reader.learn(|scope| scope.enter(given));
-    let mut own = reader.again(!part.is_sound.get(), || part.statements(above));
-    let bodies: Vec<_> = own.iter().filter_map(points_of_body).collect();
+    reader.learn(|scope| scope.enter(whole_numbers));
+    let mut expanded = reader.again(!part.is_sound.get(), || part.statements(above));
+    let bodies: Vec<_> = expanded.iter().filter_map(points_of_body).collect();
     reader.learn(|scope| scope.leave(&used.name, bodies.clone()));
     let report = |finding: Box<Diagnostic>| {
         let span = finding.primary.span;
         reader.report(*finding, span.start, span.end);
     };
-    check_given(&used, part, &own).unwrap_or_else(report);
-    let mut renaming = Renaming::new(reader, &used.name.text, bodies, &own);
-    for statement in &mut own {
-        let given = given_for(&used, statement);
+    check_given(&used, part, &expanded).unwrap_or_else(report);
+    let mut renaming = Renaming::new(reader, &used.name.text, bodies, &expanded);
+    for statement in &mut expanded {
+        let argument = given_for(&used, statement);
         let placed = renaming.statement(statement).and_then(|global| {
-            if let Some(given) = given {
-                replace(statement, given);
+            if let Some(argument) = argument {
+                replace(statement, argument);
             }
             used.place.take(statement, global)
         });
         placed.unwrap_or_else(report);
     }
-    write_out(tokens, own, start, statements)
+    write_out(tokens, expanded, start, statements)
 }
 
-/// The statement after its first word, and the number of the mechanism among those above.
+/// Parses the statement after its first word; returns the index of the mechanism as well.
 fn used(tokens: &mut Tokens<'_>, start: Span) -> Outcome<(Used, usize)> {
     let Some(word) = tokens.word() else {
         return Err(tokens.unexpected("the name of the part", FORM));
@@ -185,7 +185,7 @@ fn used(tokens: &mut Tokens<'_>, start: Span) -> Outcome<(Used, usize)> {
         };
         return Err(Box::new(finding.help(help)));
     };
-    let given = match tokens.group(Delimiter::Parenthesis) {
+    let arguments = match tokens.group(Delimiter::Parenthesis) {
         Some((mut inner, _)) => given(&mut inner)?,
         None => Vec::new(),
     };
@@ -200,7 +200,7 @@ fn used(tokens: &mut Tokens<'_>, start: Span) -> Outcome<(Used, usize)> {
     let span = start.to(semicolon(tokens, start)?);
     let used = Used {
         name,
-        given,
+        given: arguments,
         place: Place {
             origin,
             angle,
@@ -210,27 +210,27 @@ fn used(tokens: &mut Tokens<'_>, start: Span) -> Outcome<(Used, usize)> {
     Ok((used, definition))
 }
 
-/// `L = 50mm, n = 3`
+/// Parses arguments: `L = 50mm, n = 3`.
 fn given(inner: &mut Tokens<'_>) -> Outcome<Vec<(Name, Expression)>> {
-    let mut given: Vec<(Name, Expression)> = Vec::new();
+    let mut arguments: Vec<(Name, Expression)> = Vec::new();
     while !inner.at_end() {
         let name = identifier(inner, "the name of a constant or a parameter")?;
-        if let Some((first, _)) = given.iter().find(|it| it.0.text == name.text) {
+        if let Some((first, _)) = arguments.iter().find(|it| it.0.text == name.text) {
             let message = format!("`{}` is given twice", name.text);
             let finding = Diagnostic::error(Code::DuplicateName, name.span, message)
                 .also(first.span, "first given here");
             return Err(Box::new(finding.help("keep one of them")));
         }
         equals(inner)?;
-        given.push((name, expression(inner)?));
+        arguments.push((name, expression(inner)?));
         if inner.mark(',').is_none() && !inner.at_end() {
             return Err(after_expression(inner, "an operation, `,` or `)`", FORM));
         }
     }
-    Ok(given)
+    Ok(arguments)
 }
 
-/// The name of a body and those of its points.
+/// Returns the name of a body and those of its points; `None` for other statements.
 fn points_of_body(statement: &Statement) -> Option<(String, HashSet<String>)> {
     let Statement::Body(Body { name, members, .. }) = statement else {
         return None;
@@ -248,7 +248,7 @@ fn valued(statement: &Statement) -> Option<&Constant> {
     }
 }
 
-/// What is given is a constant or a parameter of the part.
+/// Checks that each argument sets a constant or a parameter of the part.
 fn check_given(used: &Used, part: &Part<'_>, own: &[Statement]) -> Outcome<()> {
     let known = || {
         own.iter()
@@ -277,11 +277,11 @@ fn check_given(used: &Used, part: &Part<'_>, own: &[Statement]) -> Outcome<()> {
 
 fn given_for(used: &Used, statement: &Statement) -> Option<Expression> {
     let name = &valued(statement)?.name.text;
-    let given = used.given.iter().find(|it| it.0.text == *name)?;
-    Some(given.1.clone())
+    let argument = used.given.iter().find(|it| it.0.text == *name)?;
+    Some(argument.1.clone())
 }
 
-/// Gives a constant or a parameter a value, which it keeps.
+/// Replaces the value of a constant or a parameter.
 fn replace(statement: &mut Statement, given: Expression) {
     if let Some(constant) = valued(statement) {
         *statement = Statement::Constant(Constant {

@@ -1,6 +1,6 @@
-//! *A statement of a part → where the part is:* points and estimates are moved and turned with it.
+//! Moves points and estimates of a part to its position.
 //!
-//! What a statement says about the global axes cannot be turned with a part, and is refused.
+//! A statement that refers to the global axes cannot be rotated with a part, and is rejected.
 
 use super::document::{Curve, Orientation, Origin, Statement};
 use super::forces::Force;
@@ -8,21 +8,21 @@ use super::formula::{Expression, ExpressionKind, Name, Operation, Pair, Referenc
 use super::reader::Outcome;
 use crate::diagnostic::{Code, Diagnostic, Span};
 
-/// Where a part is; as it is written, where nothing is said.
+/// Position of a part; the default leaves it in place.
 pub(super) struct Place {
-    /// Where its origin is.
+    /// Origin of the part; `None` for no displacement.
     pub origin: Option<Pair>,
-    /// How it is turned about it.
+    /// Angle about the origin; `None` for no rotation.
     pub angle: Option<Expression>,
-    /// Where that is written.
+    /// Source location of the position.
     pub span: Span,
 }
 
 impl Place {
-    /// Places a statement that mentions something along a global axis at `global`.
+    /// Moves a statement; `global` is the location at which it refers to a global axis.
     ///
     /// # Errors
-    /// What it says would be something else there.
+    /// Returns an error if the rotation would change the meaning of the statement.
     pub(super) fn take(&self, statement: &mut Statement, global: Option<Span>) -> Outcome<()> {
         if self.origin.is_none() && self.angle.is_none() {
             return Ok(());
@@ -89,13 +89,13 @@ fn turned(orientation: Orientation, angle: &Expression) -> Orientation {
                 span,
             })
         }
-        // Its points are turned.
+        // The points of the direction are already rotated.
         Orientation::Facing(direction) => Orientation::Facing(direction),
     }
 }
 
 impl Place {
-    /// r + R(φ) s, with the place r, φ of the part.
+    /// Moves a point to r + R(φ) s, with the position r and the angle φ of the part.
     fn move_point(&self, point: &mut Pair) {
         let (x, y) = (point.x.clone(), point.y.clone());
         let [x_terms, y_terms] = match &self.angle {
@@ -120,7 +120,7 @@ impl Place {
     }
 }
 
-/// All terms, with the places of what is moved.
+/// Returns the sum of all terms, with the location of the moved point.
 fn sum(origin: Option<&Expression>, terms: Vec<(Sign, Expression)>, span: Span) -> Expression {
     let origin = origin.map(|it| (Sign::Plus, it.clone()));
     let mut terms: Vec<(Sign, Expression)> = origin.into_iter().chain(terms).collect();
@@ -136,7 +136,7 @@ fn sum(origin: Option<&Expression>, terms: Vec<(Sign, Expression)>, span: Span) 
     }
 }
 
-/// `function(angle)*of`
+/// Returns `function(angle)*of`.
 fn times(function: &str, angle: &Expression, of: &Expression) -> Expression {
     let turn = Expression {
         kind: ExpressionKind::Call {

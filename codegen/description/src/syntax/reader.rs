@@ -1,4 +1,4 @@
-//! What every rule may ask about the text: how it is written, what is documented and known by name, and what has been found.
+//! Holds the state shared by all grammar rules: the text, documentation, names in scope, and findings.
 
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
@@ -10,23 +10,23 @@ use super::scan::Documentation;
 use super::scope::{Scope, Spellings};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 
-/// What a rule gives: its node, or the one finding that stopped it.
+/// Result of a rule: its node, or the finding that stopped it.
 pub(super) type Outcome<T> = Result<T, Box<Diagnostic>>;
 
-/// What every rule may ask about the text.
+/// State shared by all grammar rules.
 pub(super) struct Reader<'a> {
     pub text: &'a str,
     pub repaired: &'a Repaired,
     pub starts: &'a StatementStarts,
     pub documentation: &'a [Documentation],
-    /// Offsets near which errors say nothing new, ascending.
+    /// Offsets at which an error follows from an earlier one, ascending.
     pub damage: &'a [usize],
-    /// The place after the last thing written.
+    /// Location after the last lexeme.
     end: Span,
     findings: RefCell<Vec<Diagnostic>>,
-    /// Whether what is read has been read before, and its findings are known.
+    /// True while text is parsed again, whose findings are known.
     is_muted: Cell<bool>,
-    /// Where documentation has been taken from.
+    /// Offsets before which documentation was consumed.
     documented: RefCell<BTreeSet<u32>>,
     scope: RefCell<Scope>,
 }
@@ -53,7 +53,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Keeps a finding, unless what was found by the scan explains it.
+    /// Adds a finding, unless a finding of the scan explains it.
     pub(super) fn report(&self, finding: Diagnostic, from: u32, to: u32) {
         let first = self.damage.partition_point(|place| *place < from as usize);
         let damaged = self
@@ -66,12 +66,12 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Whether so much was found that going on is pointless.
+    /// True if the limit of findings is reached, so that parsing can stop.
     pub(super) fn is_full(&self) -> bool {
         self.findings.borrow().len() >= Diagnostics::MOST
     }
 
-    /// Reads something again whose findings are known, where that is so.
+    /// Parses text again; its findings are dropped if `is_known`.
     pub(super) fn again<T>(&self, is_known: bool, read: impl FnOnce() -> T) -> T {
         let before = self.is_muted.replace(is_known || self.is_muted.get());
         let read = read();
@@ -83,7 +83,7 @@ impl<'a> Reader<'a> {
         self.findings.borrow().len()
     }
 
-    /// The findings, and how names are written.
+    /// Returns the findings and the spellings.
     pub(super) fn into_parts(self) -> (Vec<Diagnostic>, Spellings) {
         (
             self.findings.into_inner(),
@@ -91,25 +91,25 @@ impl<'a> Reader<'a> {
         )
     }
 
-    /// Asks what is known by name. The question reads nothing.
+    /// Reads from the scope, without parsing.
     pub(super) fn known<T>(&self, ask: impl FnOnce(&Scope) -> T) -> T {
         ask(&self.scope.borrow())
     }
 
-    /// Changes what is known by name, in the same manner.
+    /// Changes the scope, without parsing.
     pub(super) fn learn<T>(&self, change: impl FnOnce(&mut Scope) -> T) -> T {
         change(&mut self.scope.borrow_mut())
     }
 
-    /// How a name is written.
+    /// Returns the source spelling of a name.
     pub(super) fn spelled(&self, name: &str) -> String {
         self.known(|scope| scope.spelled(name).to_string())
     }
 
-    /// Keeps how a name is written.
+    /// Records the source spelling of a name.
     ///
     /// # Errors
-    /// Another one is called so.
+    /// Returns an error if another spelling resolves to the same name.
     pub(super) fn spell(&self, name: &Name, written: String) -> Outcome<()> {
         let known = self.learn(|scope| {
             let known = scope.spellings.entry(name.text.clone());
@@ -126,17 +126,17 @@ impl<'a> Reader<'a> {
         ))
     }
 
-    /// The text of a span.
+    /// Returns the text of a span.
     pub(super) fn written(&self, span: Span) -> &'a str {
         self.text.get(span.range()).unwrap_or("")
     }
 
-    /// The end of the last thing written.
+    /// Returns the location after the last lexeme.
     pub(super) fn end_of_text(&self) -> Span {
         self.end
     }
 
-    /// The lines of the documentation directly before an offset.
+    /// Returns the lines of documentation directly before an offset.
     pub(super) fn docs(&self, offset: u32, inner: bool) -> Vec<String> {
         let first = self
             .documentation
@@ -152,13 +152,13 @@ impl<'a> Reader<'a> {
             }
         }
         if lines.iter().all(String::is_empty) {
-            // Nothing is said.
+            // A comment without text is not documentation.
             lines.clear();
         }
         lines
     }
 
-    /// Documentation that no rule has asked for.
+    /// Returns the locations of documentation that no rule has consumed.
     pub(super) fn idle_documentation(&self) -> Vec<Span> {
         let documented = self.documented.borrow();
         let spans = self.documentation.iter().map(|it| it.span);

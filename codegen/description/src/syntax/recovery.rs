@@ -1,5 +1,5 @@
-//! *Tokens of a mechanism → its statements, whatever is wrong with some of them.* A statement that fails is reported and left out;
-//! reading goes on after its semicolon or braces, or where a line starts the next statement.
+//! Parses the statements of a mechanism, whatever errors some of them have. A malformed statement is reported and skipped.
+//! Parsing continues after its semicolon or braces, or at a line that starts the next statement.
 
 use proc_macro2::Delimiter;
 
@@ -10,7 +10,7 @@ use super::repeat::repeat;
 use super::statement::statement;
 use super::tokens::Tokens;
 
-/// All statements up to the end of the group.
+/// Parses all statements up to the end of the group.
 pub(super) fn statements(tokens: &mut Tokens<'_>) -> Vec<Statement> {
     let mut statements = Vec::new();
     while !tokens.at_end() && !tokens.reader.is_full() {
@@ -40,7 +40,7 @@ pub(super) fn statements(tokens: &mut Tokens<'_>) -> Vec<Statement> {
     statements
 }
 
-/// Passes a statement that could not be read. The members of a body are looked at all the same.
+/// Skips a malformed statement. The members of a body are still checked.
 fn pass(tokens: &mut Tokens<'_>) {
     let is_body = tokens.peek_word() == Some("body");
     let mut first = true;
@@ -53,7 +53,7 @@ fn pass(tokens: &mut Tokens<'_>) {
             if is_body {
                 body::members(inner);
             }
-            // Where braces do not belong, the statement still ends in a semicolon; `if … { … } else { … }` has two of them.
+            // A statement with misplaced braces still ends in a semicolon; `if … { … } else { … }` has two pairs.
             if tokens.mark(';').is_some() || tokens.peek_word() != Some("else") {
                 return;
             }

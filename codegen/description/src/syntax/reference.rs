@@ -1,4 +1,4 @@
-//! *Tokens → names, references and directions.* `A`, `c1.A`, `1.P`, `N -> M`, and lists of references in parentheses.
+//! Parses names, references and directions: `A`, `c1.A`, `1.P`, `N -> M`, and lists of references in parentheses.
 
 use proc_macro2::Delimiter;
 
@@ -8,10 +8,10 @@ use super::reader::Outcome;
 use super::tokens::Tokens;
 use crate::diagnostic::{Code, Diagnostic, Span};
 
-/// What to do where a name is wanted and something else stands.
+/// Help for a missing name.
 const NAME: &str = "a name is made of letters, digits and `_`, and begins with a letter";
 
-/// An identifier; `wanted` says what of.
+/// Parses an identifier; `wanted` names it in messages.
 pub(super) fn identifier(tokens: &mut Tokens<'_>, wanted: &str) -> Outcome<Name> {
     let mut ahead = *tokens;
     if let Some(number) = ahead.number() {
@@ -27,7 +27,7 @@ pub(super) fn identifier(tokens: &mut Tokens<'_>, wanted: &str) -> Outcome<Name>
     qualified(tokens, check_word(name)?)
 }
 
-/// An identifier, or an integer.
+/// Parses an identifier or an integer.
 pub(super) fn body_name(tokens: &mut Tokens<'_>, wanted: &str) -> Outcome<Name> {
     if let Some(name) = tokens.word() {
         return qualified(tokens, check_word(name)?);
@@ -38,7 +38,7 @@ pub(super) fn body_name(tokens: &mut Tokens<'_>, wanted: &str) -> Outcome<Name> 
     integer(name)
 }
 
-/// A name that is made of more than `_`.
+/// Rejects names that consist of `_` only.
 pub(super) fn check_word(name: Name) -> Outcome<Name> {
     if name.text.bytes().all(|byte| byte == b'_') {
         let finding = Diagnostic::error(
@@ -53,7 +53,7 @@ pub(super) fn check_word(name: Name) -> Outcome<Name> {
     Ok(name)
 }
 
-/// The integer that names a body: plain digits, so that one body has one name.
+/// Parses the integer that names a body. Only plain digits are allowed, so that a body has one name.
 fn integer(name: Name) -> Outcome<Name> {
     let plain = name.text.bytes().all(|byte| byte.is_ascii_digit());
     if plain && (name.text == "0" || !name.text.starts_with('0')) {
@@ -74,7 +74,7 @@ fn integer(name: Name) -> Outcome<Name> {
     Err(Box::new(finding.help(help)))
 }
 
-/// `NAME` or `BODY.NAME`; `wanted` says what of.
+/// Parses `NAME` or `BODY.NAME`; `wanted` names it in messages.
 pub(super) fn reference(tokens: &mut Tokens<'_>, wanted: &str) -> Outcome<Reference> {
     let reference = one_or_two_names(tokens, wanted)?;
     if reference.body.is_some() && tokens.peek_mark('.') {
@@ -83,7 +83,7 @@ pub(super) fn reference(tokens: &mut Tokens<'_>, wanted: &str) -> Outcome<Refere
     Ok(reference)
 }
 
-/// `NAME`, `BODY.NAME`, or `BODY.NAME.COMPONENT` with its component.
+/// Parses `NAME`, `BODY.NAME`, or `BODY.NAME.COMPONENT` with its component.
 pub(super) fn reference_or_component(
     tokens: &mut Tokens<'_>,
     wanted: &str,
@@ -141,7 +141,7 @@ fn member_of(tokens: &mut Tokens<'_>, body: Name) -> Outcome<Reference> {
     })
 }
 
-/// What a point of a body is called; the points of a part are called after it, too.
+/// Returns the resolved name of a point on a body; points of a part have its prefix, too.
 fn point_of(tokens: &Tokens<'_>, body: &Name, point: Name) -> Name {
     let called = tokens
         .reader
@@ -152,7 +152,7 @@ fn point_of(tokens: &Tokens<'_>, body: &Name, point: Name) -> Name {
     }
 }
 
-/// `K.x`, `c1.K.x`, `1.x`: what a coordinate belongs to, and which it is. `None` where there is no such thing, and nothing is read.
+/// Parses `K.x`, `c1.K.x` or `1.x` into the operand and its coordinate; `None` without consuming tokens if neither follows.
 pub(super) fn driven_coordinate(tokens: &mut Tokens<'_>) -> Outcome<Option<(Reference, Name)>> {
     let mut ahead = *tokens;
     let named = ahead.word().is_some() || ahead.number().is_some();
@@ -189,7 +189,7 @@ pub(super) fn driven_coordinate(tokens: &mut Tokens<'_>) -> Outcome<Option<(Refe
     Ok(Some((Reference { body, name, span }, coordinate)))
 }
 
-/// `A -> B`
+/// Parses `A -> B`.
 pub(super) fn direction(tokens: &mut Tokens<'_>) -> Outcome<Direction> {
     let from = reference(tokens, "a point")?;
     if tokens.arrow().is_none() {
@@ -200,7 +200,7 @@ pub(super) fn direction(tokens: &mut Tokens<'_>) -> Outcome<Direction> {
     Ok(Direction { from, to, span })
 }
 
-/// `(A, 1.P, …)`
+/// Parses `(A, 1.P, …)`.
 pub(super) fn operands(tokens: &mut Tokens<'_>) -> Outcome<Vec<Reference>> {
     let Some((mut inner, _)) = tokens.group(Delimiter::Parenthesis) else {
         return Err(tokens.unexpected("`(`", "what is joined stands in parentheses: `(1, 2)`"));
@@ -219,7 +219,7 @@ pub(super) fn operands(tokens: &mut Tokens<'_>) -> Outcome<Vec<Reference>> {
     Ok(operands)
 }
 
-/// The finding that two things of a list are not separated by a comma, or that no list goes on like this.
+/// Returns the finding for a missing comma between items, or for a token that does not continue the list.
 pub(super) fn separator(tokens: &Tokens<'_>, wanted: &str, help: &str) -> Box<Diagnostic> {
     if tokens.peek_word().is_none() && !tokens.peek_number() {
         return tokens.unexpected(wanted, help);

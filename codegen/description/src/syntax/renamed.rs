@@ -1,7 +1,6 @@
-//! *A statement of a part → the same, called after the part:* what the part calls `rod` is `stage3_rod` behind this room.
+//! Prefixes the names in statements of a part: `rod` becomes `stage3_rod`.
 //!
-//! Everything is renamed but what has a fixed meaning and the parameters of curves, so that a part knows nothing of what stands around
-//! it.
+//! All names are prefixed except for predefined ones and parameters of curves, so a part is independent of its surroundings.
 
 use std::cell::Cell;
 use std::collections::{HashMap, HashSet};
@@ -17,22 +16,22 @@ use super::scope::inside;
 use super::{AXES, BUILT_IN};
 use crate::diagnostic::Span;
 
-/// How the names of a part are changed.
+/// Renaming of the names of a part.
 pub(super) struct Renaming<'a> {
     reader: &'a Reader<'a>,
     part: &'a str,
-    /// The bodies of the part and their points.
+    /// Bodies of the part, with their points.
     bodies: HashMap<String, HashSet<String>>,
-    /// Its functions.
+    /// Functions of the part.
     tables: HashSet<String>,
-    /// The parameter of the curve that is being renamed.
+    /// Parameter of the curve being renamed.
     parameter: Option<String>,
-    /// Where the statement that is being renamed mentions a component along a global axis, or an angle to it.
+    /// Location of a component along a global axis, or of an angle to it, in the statement being renamed.
     global: Cell<Option<Span>>,
 }
 
 impl<'a> Renaming<'a> {
-    /// The renaming of a part with these bodies and statements.
+    /// Creates the renaming of a part with these bodies and statements.
     pub(super) fn new(
         reader: &'a Reader<'a>,
         part: &'a str,
@@ -53,10 +52,11 @@ impl<'a> Renaming<'a> {
         }
     }
 
-    /// Renames all that a statement mentions; gives the place of a component along a global axis, or of an angle to it, in a formula.
+    /// Renames all names in a statement. Returns the location of a component along a global axis, or of an angle to it, in a
+    /// formula.
     ///
     /// # Errors
-    /// Two names would become one.
+    /// Returns an error if two names would coincide.
     pub(super) fn statement(&mut self, statement: &mut Statement) -> Outcome<Option<Span>> {
         self.global.set(None);
         self.all_of(statement)?;
@@ -115,7 +115,7 @@ impl<'a> Renaming<'a> {
                 self.formula(&mut torque.value)
             }
             Statement::Reaction(reaction) => self.names(&mut reaction.names),
-            // Refused in a part.
+            // Not permitted in a part.
             Statement::Directive(_) | Statement::Units(_) | Statement::Motion(_) => Ok(()),
         }
     }
@@ -135,7 +135,7 @@ impl<'a> Renaming<'a> {
         names.into_iter().try_for_each(|it| self.name(it))
     }
 
-    /// The ground is the same everywhere.
+    /// Renames a body, except for the ground.
     fn body_name(&self, name: &mut Name) -> Outcome<()> {
         match name.text.as_str() {
             "ground" => Ok(()),
@@ -143,7 +143,7 @@ impl<'a> Renaming<'a> {
         }
     }
 
-    /// `NAME`, `BODY.POINT`, `POINT.x`, `BODY.x`.
+    /// Renames `NAME`, `BODY.POINT`, `POINT.x` or `BODY.x`.
     fn reference(&self, reference: &mut Reference) -> Outcome<()> {
         let is_component = self.is_component(reference);
         let Some(body) = &mut reference.body else {
@@ -156,7 +156,7 @@ impl<'a> Renaming<'a> {
         }
     }
 
-    /// Whether it is `POINT.x` or `BODY.x`, and not a point of a body.
+    /// True for `POINT.x` and `BODY.x`, and false for a point of a body.
     fn is_component(&self, reference: &Reference) -> bool {
         let Some(body) = &reference.body else {
             return false;

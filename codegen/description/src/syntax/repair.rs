@@ -1,27 +1,28 @@
-//! *Text and edits → ASCII text that `syn` tokenizes, and the way back.* Offsets of the repaired text are turned into offsets of
-//! the written text here and nowhere else.
+//! Applies edits to a text so that `syn` tokenizes it, and maps locations back.
+//!
+//! The repaired text is ASCII. Only this module converts its offsets into offsets of the source text.
 
 use super::scan::{Edit, Fill};
 use crate::diagnostic::Span;
 
-/// The text for `syn`.
+/// Repaired text with the map to the source text.
 pub(super) struct Repaired {
     pub text: String,
     pieces: Vec<Piece>,
-    /// Length of the written text.
+    /// Length of the source text.
     length: usize,
 }
 
-/// From here on the offsets differ by another amount, or the text was not written like this.
+/// Start of a piece with its own offset, or of inserted text.
 struct Piece {
     repaired: usize,
     written: usize,
     inserted: bool,
 }
 
-/// Applies the edits, which do not overlap, in the order of their places.
+/// Applies edits, which must not overlap, in order of position.
 pub(super) fn repair(text: &str, mut edits: Vec<Edit>) -> Repaired {
-    // The sort is stable: closing brackets that are missing at the same place stay in the order in which they close.
+    // The sort is stable: closing brackets inserted at one offset keep their order.
     edits.sort_by_key(|edit| (edit.start, edit.end));
     let mut repaired = String::with_capacity(text.len() + 16);
     let mut pieces = vec![Piece {
@@ -62,13 +63,13 @@ pub(super) fn repair(text: &str, mut edits: Vec<Edit>) -> Repaired {
 }
 
 impl Repaired {
-    /// Where a range of the repaired text was written. All of an inserted text is where it stands in for something.
+    /// Returns the source location of a range of the repaired text. Inserted text maps to all of the text that it replaces.
     pub(super) fn span(&self, range: std::ops::Range<usize>) -> Span {
         let start = self.written(range.start);
         let Some(last) = range.end.checked_sub(1).filter(|last| *last >= range.start) else {
             return Span::empty(start.min(self.length));
         };
-        // The end belongs to the last byte of the range: what is inserted directly after it is not part of it.
+        // The end belongs to the last byte of the range, which excludes text inserted directly after it.
         let next = self.next_piece(last);
         let end = match self.pieces.get(next) {
             Some(following) if self.pieces[next - 1].inserted => following.written,
@@ -89,7 +90,7 @@ impl Repaired {
         }
     }
 
-    /// The index after the piece an offset lies in. The first piece starts at 0, so there always is one.
+    /// Returns the index after the piece that contains an offset. A piece always contains it, as the first starts at 0.
     fn next_piece(&self, offset: usize) -> usize {
         self.pieces
             .partition_point(|piece| piece.repaired <= offset)

@@ -1,7 +1,7 @@
-//! *Tokens → statements written out:* `repeat i from 1 to 5 { revolute K[i](rod[i], rod[i + 1]); }`.
+//! Expands repetitions: `repeat i from 1 to 5 { revolute K[i](rod[i], rod[i + 1]); }`.
 //!
-//! The statements are read once for each value of the index, so that everything behind this room sees what a person would have
-//! written by hand, with the places of what was written.
+//! The statements are parsed once per value of the index. Later stages therefore see handwritten statements, with the locations
+//! of the repeated ones.
 
 use proc_macro2::Delimiter;
 
@@ -10,15 +10,15 @@ use super::formula::Name;
 use super::indexed::whole_number;
 use super::reader::Outcome;
 use super::recovery;
-use super::scope::MOST;
+use super::scope::MAX_EXPANDED;
 use super::tokens::Tokens;
 use super::{BUILT_IN, KEYWORDS};
 use crate::diagnostic::{Code, Diagnostic, Span};
 
-/// How a repetition is written, for help lines.
+/// Form of the statement, for help lines.
 const FORM: &str = "a repetition is written `repeat i from 1 to 5 { … }`";
 
-/// The statements of all repetitions, after the first word.
+/// Expands a repetition after its first word.
 pub(super) fn repeat(
     tokens: &mut Tokens<'_>,
     start: Span,
@@ -37,21 +37,21 @@ pub(super) fn repeat(
     let Some((inner, _)) = tokens.group(Delimiter::Brace) else {
         return Err(tokens.unexpected("an operation or `{`", FORM));
     };
-    // Without a repetition the statements are read for their errors.
+    // The statements of an empty repetition are read for their errors.
     let is_empty = last < first;
     let last = last.max(first);
     let before = reader.count_of_findings();
     for value in first..=last {
         let mut inner = inner;
         reader.learn(|scope| scope.set_index(&index.text, Some(value)));
-        // What is wrong with one is wrong with all.
+        // Each expansion has the same errors.
         let is_known = reader.count_of_findings() > before;
-        let own = reader.again(is_known, || recovery::statements(&mut inner));
+        let expanded = reader.again(is_known, || recovery::statements(&mut inner));
         reader.learn(|scope| scope.set_index(&index.text, None));
         if is_empty {
             continue;
         }
-        write_out(tokens, own, start, statements)?;
+        write_out(tokens, expanded, start, statements)?;
     }
     Ok(())
 }
@@ -75,10 +75,10 @@ fn index(tokens: &mut Tokens<'_>) -> Outcome<Name> {
     Ok(index)
 }
 
-/// Adds statements to those that are written out.
+/// Adds statements to the expanded ones.
 ///
 /// # Errors
-/// They are too many.
+/// Returns an error if there are too many statements.
 pub(super) fn write_out(
     tokens: &Tokens<'_>,
     own: Vec<Statement>,
@@ -93,15 +93,15 @@ pub(super) fn write_out(
     Ok(())
 }
 
-/// Refuses to go on once too much has been written out.
+/// Checks the bound on expanded statements and repetitions.
 ///
 /// # Errors
-/// It has.
+/// Returns an error if the bound is exceeded.
 pub(super) fn check_work(tokens: &Tokens<'_>, start: Span) -> Outcome<()> {
-    if tokens.reader.known(|scope| scope.written_out) > MOST {
+    if tokens.reader.known(|scope| scope.written_out) > MAX_EXPANDED {
         let message = "this writes out more statements than one description may have";
         let finding = Diagnostic::error(Code::TooMuchWork, start, message)
-            .label(format!("beyond {MOST} statements and repetitions"))
+            .label(format!("beyond {MAX_EXPANDED} statements and repetitions"))
             .help("repeat less often");
         return Err(Box::new(finding));
     }

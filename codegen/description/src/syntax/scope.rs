@@ -1,51 +1,51 @@
-//! What is known by name while a text is read: the indices of `repeat` statements, constants that are whole numbers, and parts.
+//! Holds the names that expansion needs: indices of `repeat` statements, whole-number constants, and parts.
 //!
-//! A part is read in a scope of its own: it sees neither the indices nor the constants of the mechanism that it is a part of. Afterwards
-//! only how names are written out is left of it. What constants and bodies are is not known here.
+//! A part has its own scope: the indices and constants of the enclosing mechanism are invisible in it. After a part, only the
+//! spellings of its names remain.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 
 use super::formula::Name;
 use crate::diagnostic::Span;
 
-/// The most statements and repetitions that are written out.
-pub(super) const MOST: usize = 50_000;
+/// Maximum number of expanded statements and repetitions.
+pub(super) const MAX_EXPANDED: usize = 50_000;
 
-/// Names that are written otherwise than they are called: `rod[3]` for `rod3`, by what they are called.
+/// Source spellings of resolved names, by resolved name: `rod[3]` for `rod3`.
 pub type Spellings = BTreeMap<String, String>;
 
-/// What is known by name.
+/// Names visible to the parser.
 #[derive(Debug, Default)]
 pub(super) struct Scope {
     levels: Vec<Level>,
     pub spellings: Spellings,
-    /// How many statements and repetitions have been written out.
+    /// Number of statements and repetitions expanded so far.
     pub written_out: usize,
 }
 
-/// What a mechanism, or a part of it, knows.
+/// Names of a mechanism or of one part.
 #[derive(Debug, Default)]
 struct Level {
-    /// Innermost last.
+    /// Indices, innermost last.
     indices: Vec<(String, i64)>,
     whole_numbers: HashMap<String, i64>,
-    /// What is given for constants of a part, as far as it is a whole number.
+    /// Arguments for constants of a part; `None` for values that are not whole numbers.
     given: HashMap<String, Option<i64>>,
     parts: HashMap<String, Span>,
     bodies: HashMap<String, BodyOfPart>,
 }
 
-/// A body that came with a part.
+/// A body of a part.
 #[derive(Debug)]
 struct BodyOfPart {
-    /// What its part puts before names.
+    /// Prefix of the names of the part.
     prefix: String,
-    /// What its points are called in the part.
+    /// Names of its points within the part.
     points: HashSet<String>,
 }
 
 impl Scope {
-    /// Nothing is known yet.
+    /// Creates an empty scope.
     pub(super) fn new() -> Scope {
         Scope {
             levels: vec![Level::default()],
@@ -57,7 +57,7 @@ impl Scope {
         self.levels.last()
     }
 
-    /// Enters a part, with what is given for its constants.
+    /// Enters a part with arguments for its constants.
     pub(super) fn enter(&mut self, given: HashMap<String, Option<i64>>) {
         self.levels.push(Level {
             given,
@@ -65,7 +65,7 @@ impl Scope {
         });
     }
 
-    /// Leaves it, and keeps what it is called and which bodies it has: those of its own parts, and `bodies` with their points.
+    /// Leaves a part and records its name and bodies: those of its own parts, and `bodies` with their points.
     pub(super) fn leave(&mut self, part: &Name, bodies: Vec<(String, HashSet<String>)>) {
         let left = self.levels.pop().unwrap_or_default();
         let Some(level) = self.levels.last_mut() else {
@@ -74,8 +74,8 @@ impl Scope {
         let name = |inner: &str| inside(&part.text, inner);
         for (body, points) in bodies {
             let prefix = inside(&part.text, "");
-            let own = BodyOfPart { prefix, points };
-            level.bodies.insert(name(&body), own);
+            let entry = BodyOfPart { prefix, points };
+            level.bodies.insert(name(&body), entry);
         }
         for (body, of) in left.bodies {
             let prefix = inside(&part.text, &of.prefix);
@@ -88,12 +88,12 @@ impl Scope {
         level.parts.insert(part.text.clone(), part.span);
     }
 
-    /// Leaves a part that was only looked at.
+    /// Leaves a part that is parsed only for its errors.
     pub(super) fn leave_unused(&mut self) {
         self.levels.pop();
     }
 
-    /// Sets an index for what is read next, or takes it away.
+    /// Sets an index, or removes it for `None`.
     pub(super) fn set_index(&mut self, name: &str, value: Option<i64>) {
         let Some(level) = self.levels.last_mut() else {
             return;
@@ -106,19 +106,19 @@ impl Scope {
         }
     }
 
-    /// The value of an index.
+    /// Returns the value of an index.
     pub(super) fn index(&self, name: &str) -> Option<i64> {
         let mut indices = self.level()?.indices.iter().rev();
         indices.find(|it| it.0 == name).map(|it| it.1)
     }
 
-    /// The value of an index or of a constant that is a whole number.
+    /// Returns the value of an index or of a whole-number constant.
     pub(super) fn whole_number(&self, name: &str) -> Option<i64> {
         let known = self.level()?.whole_numbers.get(name).copied();
         self.index(name).or(known)
     }
 
-    /// Keeps the value of a constant; what is given for it counts instead.
+    /// Records a constant, unless an argument of the part overrides it.
     pub(super) fn add_constant(&mut self, name: &str, value: Option<i64>) {
         let Some(level) = self.levels.last_mut() else {
             return;
@@ -129,25 +129,25 @@ impl Scope {
         }
     }
 
-    /// Where the part of this name is.
+    /// Returns the location of the part with this name.
     pub(super) fn part(&self, name: &str) -> Option<Span> {
         self.level()?.parts.get(name).copied()
     }
 
-    /// What a point of a body that came with a part is called.
+    /// Returns the resolved name of a point on a body of a part.
     pub(super) fn point_of_part(&self, body: &str, point: &str) -> Option<String> {
         let body = self.level()?.bodies.get(body)?;
         let has = body.points.contains(point);
         has.then(|| format!("{}{point}", body.prefix))
     }
 
-    /// How a name is written.
+    /// Returns the source spelling of a name.
     pub(super) fn spelled<'a>(&'a self, name: &'a str) -> &'a str {
         self.spellings.get(name).map_or(name, String::as_str)
     }
 }
 
-/// What `inner` of a part is called: `stage3_rod`.
+/// Returns the resolved name of `inner` in a part: `stage3_rod`.
 pub(super) fn inside(part: &str, inner: &str) -> String {
     format!("{part}_{inner}")
 }

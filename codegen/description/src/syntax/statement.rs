@@ -1,7 +1,7 @@
-//! *Tokens → statements.* Constants, points and joints with their semicolons; bodies and drivers have files of their own,
-//! [`super::body`] and [`super::drive`].
+//! Parses statements with their semicolons.
 //!
-//! Which joints and quantities exist is not known here: `word name? ( … )` is a joint, whatever the word.
+//! Bodies and drivers are in [`super::body`] and [`super::drive`]. Any `word name? ( … )` is a joint: kinds are not checked
+//! here.
 
 use proc_macro2::Delimiter;
 
@@ -24,7 +24,7 @@ use super::tokens::Tokens;
 use super::units::units;
 use crate::diagnostic::{Code, Diagnostic, Span, nearest};
 
-/// One statement with what ends it, but for those that are [written out](super::repeat).
+/// Parses one statement with its terminator; repetitions are [expanded](super::repeat) elsewhere.
 pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
     let docs = tokens.reader.docs(tokens.next_span().start, false);
     let Some(first) = tokens.word() else {
@@ -75,7 +75,7 @@ pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
     }
 }
 
-/// `NAME = EXPRESSION;` after the first word; `what` says what is declared.
+/// Parses `NAME = EXPRESSION;` after the first word; `what` names the declaration in messages.
 fn constant(
     tokens: &mut Tokens<'_>,
     docs: Vec<String>,
@@ -119,7 +119,7 @@ fn points(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<St
         let named = ahead.word().is_some();
         ahead.skip_indices();
         if !tokens.at_statement() && named && ahead.peek_mark('=') {
-            // `A = (1, 2) B = (3, 4)`: the next point is read all the same.
+            // In `A = (1, 2) B = (3, 4)`, the second point is still read.
             let failure = separator(tokens, "`,` or `;`", "points are separated with `,`");
             tokens
                 .reader
@@ -132,7 +132,7 @@ fn points(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<St
     Ok(Statement::Points(Points { docs, points, span }))
 }
 
-/// The joint or equation after the word `redundant`.
+/// Parses the joint or equation after the word `redundant`.
 fn redundant(tokens: &mut Tokens<'_>, docs: Vec<String>, mark: Span) -> Outcome<Statement> {
     let help = "`redundant` stands before a joint or an equation: `redundant revolute P(1, 2);`";
     match tokens.peek_word() {
@@ -239,14 +239,14 @@ pub(super) fn equals(tokens: &mut Tokens<'_>) -> Outcome<()> {
         .ok_or_else(|| tokens.unexpected("`=`", "the value stands behind `=`"))
 }
 
-/// The semicolon after a formula. A missing one is reported without giving up the statement, if it is clear where it ends.
+/// Parses the semicolon after a formula. A missing one is reported, and the statement kept if its end is clear.
 pub(super) fn semicolon(tokens: &mut Tokens<'_>, start: Span) -> Outcome<Span> {
     missing_semicolon(tokens, start).ok_or_else(|| {
         after_expression(tokens, "an operation or `;`", "end the statement with `;`")
     })
 }
 
-/// The semicolon after a joint without a value.
+/// Parses the semicolon after a joint without a value.
 pub(super) fn semicolon_after_operands(tokens: &mut Tokens<'_>, start: Span) -> Outcome<Span> {
     missing_semicolon(tokens, start)
         .ok_or_else(|| tokens.unexpected("`;`", "end the statement with `;`"))

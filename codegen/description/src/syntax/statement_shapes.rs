@@ -1,12 +1,12 @@
-//! *Lexemes* → *what they look like before their brackets are balanced*: where a line starts a statement, what a brace opens.
+//! Recognizes starts of statements and of formulas in braces, before brackets are balanced.
 
 use super::KEYWORDS;
 use super::scan::{Kind, Lexeme};
 
-/// Words that continue the head of a body, or a table, on a new line.
+/// Words that continue the head of a body or a table on a new line.
 const CONTINUATIONS: [&str; 5] = ["at", "facing", "turned", "along", "clamped"];
 
-/// For every lexeme and the end: how many more braces close than open from there on.
+/// Returns, for every lexeme and the end, the number of closing minus opening braces from there on.
 pub(super) fn excess_of_closing_braces(lexemes: &[Lexeme]) -> Vec<isize> {
     let mut excess = vec![0; lexemes.len() + 1];
     for (index, lexeme) in lexemes.iter().enumerate().rev() {
@@ -20,13 +20,13 @@ pub(super) fn excess_of_closing_braces(lexemes: &[Lexeme]) -> Vec<isize> {
     excess
 }
 
-/// What a lexeme says that is a word.
+/// Returns the text of a lexeme that is a word; `None` for other kinds.
 pub(super) fn word<'a>(text: &'a str, lexeme: &Lexeme) -> Option<&'a str> {
     (lexeme.kind == Kind::Word).then(|| &text[lexeme.start..lexeme.end])
 }
 
-/// Whether a brace after these lexemes opens a motion or a repetition: after `motion NAME`, after `motion` where the name was
-/// forgotten, and in a statement that begins with one of these words.
+/// True if a brace after these lexemes opens a motion or a repetition. It does after `motion NAME`, after `motion` without a
+/// name, and in a statement that begins with one of these words.
 pub(super) fn opens_statements(text: &str, before: &[Lexeme]) -> bool {
     let mut last = before.iter().rev().take(2);
     let is_motion = last.any(|lexeme| word(text, lexeme) == Some("motion"));
@@ -35,7 +35,7 @@ pub(super) fn opens_statements(text: &str, before: &[Lexeme]) -> bool {
     is_motion || matches!(first, Some("motion" | "repeat"))
 }
 
-/// Whether a statement, or what stands in braces, ends or begins with this lexeme.
+/// True if this lexeme delimits a statement or the contents of braces.
 fn ends_piece(kind: Kind) -> bool {
     matches!(
         kind,
@@ -43,13 +43,13 @@ fn ends_piece(kind: Kind) -> bool {
     )
 }
 
-/// Whether a brace after these lexemes opens a piece of a formula: after `else`, or after `if` and a condition.
+/// True if a brace after these lexemes opens a piece of a formula: after `else`, or after `if` and a condition.
 pub(super) fn opens_piece(text: &str, before: &[Lexeme]) -> bool {
     let mut condition = before.iter().rev().take_while(|it| !ends_piece(it.kind));
     condition.any(|lexeme| matches!(word(text, lexeme), Some("if" | "else")))
 }
 
-/// Whether a line starts here that reads like a statement: a keyword and a name, or `word name? (`.
+/// True if a line that looks like a statement starts here: a keyword and a name, or `word name? (`.
 pub(super) fn looks_like_statement(text: &str, lexemes: &[Lexeme]) -> bool {
     let [first, second, rest @ ..] = lexemes else {
         return false;
@@ -67,7 +67,7 @@ pub(super) fn looks_like_statement(text: &str, lexemes: &[Lexeme]) -> bool {
         || is_name(second) && behind_indices(rest).first().is_some_and(opens)
 }
 
-/// What follows the indices of a name.
+/// Returns the lexemes after the indices of a name.
 fn behind_indices(mut lexemes: &[Lexeme]) -> &[Lexeme] {
     while let [
         Lexeme {
@@ -83,7 +83,7 @@ fn behind_indices(mut lexemes: &[Lexeme]) -> &[Lexeme] {
     lexemes
 }
 
-/// Whether a line after this lexeme continues what stands before it.
+/// True if a line after this lexeme continues the previous line.
 pub(super) fn continues_after(kind: Kind) -> bool {
     match kind {
         Kind::Open(bracket) => bracket != b'{',

@@ -1,5 +1,5 @@
-//! *Tokens → a table:* `table lift = [(0deg, 0mm), (90deg, 12mm), (360deg, 0mm)] periodic;`, or with its
-//! points in a file: `table lift = "lift.csv" in (deg, mm) periodic;`.
+//! Parses a table with listed points or a file: `table lift = [(0deg, 0mm), (90deg, 12mm), (360deg, 0mm)] periodic;`, `table
+//! lift = "lift.csv" in (deg, mm) periodic;`.
 
 use proc_macro2::Delimiter;
 
@@ -12,20 +12,20 @@ use super::statement::{equals, semicolon_after_operands};
 use super::tokens::Tokens;
 use crate::diagnostic::Span;
 
-/// How a table is written, for help lines.
+/// Form of the statement, for help lines.
 const FORM: &str = "a table is written `table NAME = [(X, Y), (X, Y), …];` or `table NAME = \"FILE\" in (UNIT, UNIT);`";
 
-/// How the units of a file are written, for help lines.
+/// Form of the units of a file, for help lines.
 const UNITS: &str =
     "the units of both columns are written `in (deg, mm)`, with `1` for a plain number";
 
-/// How the columns of a file are chosen, for help lines.
+/// Form of the column selection, for help lines.
 const COLUMNS: &str = "the columns of a file are chosen by their names or their numbers: `columns (angle, lift)`, `columns (1, 3)`";
 
-/// How a table may end, for help lines.
+/// Forms of the ends of a table, for help lines.
 const ENDS: &str = "a table ends in `;`, `natural;`, `clamped(SLOPE, SLOPE);` or `periodic;`";
 
-/// The statement after its first word.
+/// Parses the statement after its first word.
 pub(super) fn table(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<Statement> {
     let name = identifier(tokens, "the name of a table")?;
     equals(tokens)?;
@@ -64,7 +64,7 @@ pub(super) fn table(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> 
     }))
 }
 
-/// `[(X, Y), (X, Y)]`
+/// Parses `[(X, Y), (X, Y)]`.
 fn listed(tokens: &mut Tokens<'_>) -> Outcome<(TablePoints, Span)> {
     let Some((mut inner, place)) = tokens.group(Delimiter::Bracket) else {
         return Err(tokens.unexpected("`[` or the name of a file in quotes", FORM));
@@ -80,7 +80,8 @@ fn listed(tokens: &mut Tokens<'_>) -> Outcome<(TablePoints, Span)> {
     Ok((TablePoints::Listed(points), place))
 }
 
-/// `(deg, mm)` behind `in`, `1` for a plain number; `(angle, lift)` behind `columns`, `2` for the second one.
+/// Parses a pair of names or numbers: `(deg, mm)` after `in`, with `1` for a plain number; `(angle, lift)` after `columns`,
+/// with `2` for the second column.
 fn pair(
     tokens: &mut Tokens<'_>,
     wanted: &str,
@@ -91,18 +92,18 @@ fn pair(
         return Err(tokens.unexpected(wanted, help));
     };
     let mut one = |ends: bool| {
-        let found = inner.word().or_else(|| inner.number());
-        let found = found.ok_or_else(|| inner.unexpected(noun, help))?;
+        let name = inner.word().or_else(|| inner.number());
+        let name = name.ok_or_else(|| inner.unexpected(noun, help))?;
         let closed = if ends {
             inner.at_end()
         } else {
             inner.mark(',').is_some()
         };
         if !closed {
-            let wanted = if ends { "`)`" } else { "`,`" };
-            return Err(inner.unexpected(wanted, help));
+            let expected = if ends { "`)`" } else { "`,`" };
+            return Err(inner.unexpected(expected, help));
         }
-        Ok(found)
+        Ok(name)
     };
     Ok([one(false)?, one(true)?])
 }

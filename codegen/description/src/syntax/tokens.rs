@@ -1,5 +1,7 @@
-//! *`syn`'s tokens → names, marks, numbers and groups with our spans.* The only place that touches a span of `syn`: those are bound
-//! to the thread, and at the end of the input they are empty and at offset 0. Here the end of a group is its closing bracket.
+//! Wraps tokens of `syn` as names, marks, numbers and groups with [`Span`]s.
+//!
+//! Only this module handles spans of `syn`, which are bound to the thread, and are empty and at offset 0 at the end of the
+//! input. Here the end of a group is its closing bracket.
 
 use proc_macro2::Delimiter;
 use syn::buffer::Cursor;
@@ -10,24 +12,24 @@ use super::part::Part;
 use super::reader::Reader;
 use crate::diagnostic::{Code, Diagnostic, Span};
 
-/// The most characters of a text that a message repeats.
-const LONGEST_REPEATED: usize = 40;
+/// Maximum number of characters that a message quotes.
+const MAX_QUOTED_CHARACTERS: usize = 40;
 
-/// A place between two tokens of one group. Copies are cheap: a rule that looks ahead works on a copy.
+/// A position between two tokens of one group. Copies are cheap, so look-ahead works on a copy.
 #[derive(Clone, Copy)]
 pub(super) struct Tokens<'a> {
     pub reader: &'a Reader<'a>,
-    /// The mechanisms that may be parts here.
+    /// Mechanisms that may be used as parts here.
     pub parts: &'a [Part<'a>],
     cursor: Cursor<'a>,
-    /// The bracket that closes the group, or the end of the file.
+    /// Closing bracket of the group, or the end of the file.
     close: Span,
-    /// The token before this place, or the opening bracket.
+    /// Token before this position, or the opening bracket.
     previous: Span,
 }
 
 impl<'a> Tokens<'a> {
-    /// All tokens of a file.
+    /// Returns all tokens of a file.
     pub(super) fn all(reader: &'a Reader<'a>, cursor: Cursor<'a>) -> Self {
         Self {
             reader,
@@ -38,7 +40,7 @@ impl<'a> Tokens<'a> {
         }
     }
 
-    /// The same place where these mechanisms may be parts.
+    /// Returns this position with other mechanisms as parts.
     pub(super) fn with_parts<'b>(self, parts: &'b [Part<'b>]) -> Tokens<'b>
     where
         'a: 'b,
@@ -50,7 +52,7 @@ impl<'a> Tokens<'a> {
         self.cursor.eof()
     }
 
-    /// The next token, the opening bracket of the next group, or what closes this group.
+    /// Returns the location of the next token, of the next opening bracket, or of the end of this group.
     pub(super) fn next_span(&self) -> Span {
         if self.at_end() {
             return self.close;
@@ -65,7 +67,7 @@ impl<'a> Tokens<'a> {
         self.previous
     }
 
-    /// Whether the next token is on another line than the previous one, or there is none.
+    /// True if the next token is on a new line, or there is none.
     pub(super) fn at_line_start(&self) -> bool {
         let between = Span {
             start: self.previous.end,
@@ -74,7 +76,7 @@ impl<'a> Tokens<'a> {
         self.at_end() || self.reader.written(between).contains('\n')
     }
 
-    /// Whether a statement starts here, judged by the shape of the line.
+    /// True if a statement starts here, judged by the shape of the line.
     pub(super) fn at_statement(&self) -> bool {
         !self.at_end() && self.reader.starts.contains(self.next_span().start as usize)
     }
@@ -84,7 +86,7 @@ impl<'a> Tokens<'a> {
         Some(self.reader.written(self.span(ident.span())))
     }
 
-    /// The word, if it is this one.
+    /// Consumes the next word if it is this one.
     pub(super) fn keyword(&mut self, word: &str) -> Option<Span> {
         if self.peek_word() != Some(word) {
             return None;
@@ -102,7 +104,7 @@ impl<'a> Tokens<'a> {
         })
     }
 
-    /// A number with its unit, as written or, where that is no number of this language, as it was repaired.
+    /// Consumes a number with its unit, as written, or as repaired if the written form is invalid.
     pub(super) fn number(&mut self) -> Option<Name> {
         let (literal, rest) = self.cursor.literal()?;
         let text = literal.to_string();
@@ -114,7 +116,7 @@ impl<'a> Tokens<'a> {
         Some(Name { text, span })
     }
 
-    /// What stands between quotes, as written; its place is that of the quotes.
+    /// Consumes quoted text, as written; its location includes the quotes.
     pub(super) fn text(&mut self) -> Option<Name> {
         let (literal, rest) = self.cursor.literal()?;
         let span = self.span(literal.span());
@@ -148,7 +150,7 @@ impl<'a> Tokens<'a> {
         Some(span)
     }
 
-    /// `->`
+    /// Consumes `->`.
     pub(super) fn arrow(&mut self) -> Option<Span> {
         let mut ahead = *self;
         let minus = ahead.mark('-')?;
@@ -163,7 +165,7 @@ impl<'a> Tokens<'a> {
         self.cursor.group(delimiter).is_some()
     }
 
-    /// The inside of a group, and its span with the brackets.
+    /// Consumes a group; returns its inside and its location with the brackets.
     pub(super) fn group(&mut self, delimiter: Delimiter) -> Option<(Tokens<'a>, Span)> {
         let (inside, brackets, rest) = self.cursor.group(delimiter)?;
         let (open, close) = (self.span(brackets.open()), self.span(brackets.close()));
@@ -178,14 +180,14 @@ impl<'a> Tokens<'a> {
         Some((inner, open.to(close)))
     }
 
-    /// Passes the indices of a name.
+    /// Skips the indices of a name.
     pub(super) fn skip_indices(&mut self) {
         while self.peek_group(Delimiter::Bracket) {
             self.skip();
         }
     }
 
-    /// Passes one token or group.
+    /// Skips one token or group.
     pub(super) fn skip(&mut self) {
         if let Some((tree, rest)) = self.cursor.token_tree() {
             let span = self.span(tree.span());
@@ -193,9 +195,9 @@ impl<'a> Tokens<'a> {
         }
     }
 
-    /// Our span.
+    /// Converts a span of `syn`.
     fn span(&self, span: proc_macro2::Span) -> Span {
-        // Brackets that are missing at the end of the file are inserted behind the last line break.
+        // Brackets missing at the end of the file are inserted after the last line break.
         let (span, end) = (
             self.reader.repaired.span(span.byte_range()),
             self.reader.end_of_text(),
@@ -208,17 +210,17 @@ impl<'a> Tokens<'a> {
         self.cursor = rest;
     }
 
-    /// What stands here, for a message.
+    /// Describes the next token for a message.
     pub(super) fn found(&self) -> String {
         let span = self.next_span();
         match self.reader.written(span) {
             "" => "the end of the file".to_string(),
-            written if written.chars().count() > LONGEST_REPEATED => "this".to_string(),
+            written if written.chars().count() > MAX_QUOTED_CHARACTERS => "this".to_string(),
             written => format!("`{written}`"),
         }
     }
 
-    /// The finding that something else is wanted here, and what to do about it.
+    /// Returns the finding for an unexpected token, with help.
     pub(super) fn unexpected(&self, wanted: &str, help: &str) -> Box<Diagnostic> {
         self.unexpected_with_code(Code::UnexpectedToken, wanted, help)
     }

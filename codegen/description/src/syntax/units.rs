@@ -13,7 +13,7 @@ const FORM: &str = "units of output are written `units mm, deg;`";
 /// Marks inside a unit: `N*mm`, `m/s^2`, `kg*m^-1`.
 const MARKS: [char; 4] = ['*', '/', '^', '-'];
 
-/// The statement after its first word.
+/// Parses the statement after its first word.
 pub(super) fn units(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<Statement> {
     let mut units = vec![unit(tokens)?];
     while tokens.mark(',').is_some() {
@@ -26,7 +26,7 @@ pub(super) fn units(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> 
     Ok(Statement::Units(Units { docs, units, span }))
 }
 
-/// Words and numbers with marks between them.
+/// Parses words and numbers with marks between them.
 fn unit(tokens: &mut Tokens<'_>) -> Outcome<Name> {
     let first = tokens
         .word()
@@ -36,7 +36,7 @@ fn unit(tokens: &mut Tokens<'_>) -> Outcome<Name> {
         let next = tokens.word().or_else(|| tokens.number());
         span = span.to(match next {
             Some(next) => next.span,
-            // A minus behind the mark of a power.
+            // A minus may follow `^`.
             None if MARKS.iter().any(|mark| tokens.peek_mark(*mark)) => continue,
             None => return Err(tokens.unexpected("a unit", FORM)),
         });

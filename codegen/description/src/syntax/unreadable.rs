@@ -1,16 +1,16 @@
-//! *A character that no token starts with → what to say about it, and what was probably meant.*
+//! Explains characters with which no token starts, and guesses the intended text.
 
-/// What the scan makes of unreadable text.
+/// Interpretation of unreadable text.
 pub(super) struct Reading {
-    /// Bytes it covers.
+    /// Number of bytes covered.
     pub length: usize,
     pub message: String,
     pub help: Option<String>,
-    /// What to read instead, when there is no doubt.
+    /// Replacement; `None` if the intention is unclear.
     pub meant: Option<String>,
 }
 
-/// Reads the beginning of `text`, which is `character`; `number` is the number that ends directly before it.
+/// Interprets the beginning of `text`, which is `character`; `number` is the number directly before it.
 pub(super) fn read(text: &str, character: char, number: Option<&str>) -> Reading {
     let run = |belongs: &dyn Fn(char) -> bool| text.find(|it| !belongs(it)).unwrap_or(text.len());
     if superscript(character).is_some() {
@@ -96,7 +96,7 @@ fn replaced_by_value(written: &str, meant: &'static str) -> (Option<String>, Opt
     (Some(format!("write `{written}`")), Some(meant))
 }
 
-/// The character itself when it can be seen, and its number when it is not ASCII.
+/// Returns the character if it is visible, and its code point if it is not ASCII.
 fn described(character: char) -> String {
     let number = format!("U+{:04X}", u32::from(character));
     let invisible = character.is_control()
@@ -122,7 +122,7 @@ fn superscript(character: char) -> Option<char> {
     })
 }
 
-/// The word with every Greek letter written out; `None` when a letter remains that is not ASCII.
+/// Returns the word with Greek letters written out; `None` if another letter is not ASCII.
 pub(super) fn ascii_spelling(word: &str) -> Option<String> {
     const GREEK: [&str; 25] = [
         "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa",
@@ -175,7 +175,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_was_meant() {
+    fn suggests_the_intended_text() {
         let meant = |text: &str, number| {
             let character = text.chars().next().unwrap_or(' ');
             let reading = read(text, character, number);

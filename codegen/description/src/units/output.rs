@@ -1,14 +1,14 @@
 //! Chooses the units in which values are printed and written.
 //!
-//! A chosen unit serves its quantity and, for lengths, angles, masses and forces, every quantity that is made of it: mm brings mm/s and
-//! N/mm. Torques, energies and powers are made of nothing: N*m stays beside mm until `N*mm` is chosen. Times are in s.
+//! A chosen unit applies to its quantity. Units of length, angle, mass and force also apply to derived quantities: mm implies
+//! mm/s and N/mm. Torques, energies and powers are independent: N*m remains beside mm until `N*mm` is chosen. Times are in s.
 
 use super::{ANGLE, ANGULAR_VELOCITY, FORCE, LENGTH, MASS, Powers, TORQUE, Unit};
 
-/// Quantities of which others are made, with their SI units.
+/// Base quantities with their SI units.
 const BASES: [(&str, Powers); 4] = [("m", LENGTH), ("rad", ANGLE), ("kg", MASS), ("N", FORCE)];
 
-/// Quantities that a unit may be chosen for.
+/// Quantities for which a unit can be chosen.
 const QUANTITIES: [Powers; 9] = [
     LENGTH,
     ANGLE,
@@ -21,10 +21,10 @@ const QUANTITIES: [Powers; 9] = [
     [0, -2, 0, 1],
 ];
 
-/// SI units of energy and power, which are never those of a torque.
+/// SI units of energy and power, which are never used for torques.
 const ENERGIES: [&str; 2] = ["J", "W"];
 
-/// Units that values are reported in because a description writes them. Nobody reads a position in turns or kilometers.
+/// Units adopted from descriptions. Positions in turns or kilometers would be unreadable.
 const WRITTEN: [&str; 15] = [
     "m", "cm", "mm", "inch", "ft", "rad", "deg", "kg", "g", "N", "kN", "mN", "Nm", "kNm", "mNm",
 ];
@@ -32,7 +32,7 @@ const WRITTEN: [&str; 15] = [
 /// Unit of a value that is printed or written.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OutputUnit {
-    /// Its name, `mm/s²`; empty for plain numbers.
+    /// Name, such as `mm/s²`; empty for plain numbers.
     pub name: String,
     unit: Unit,
 }
@@ -63,10 +63,11 @@ pub struct OutputUnits {
 }
 
 impl OutputUnits {
-    /// Chooses a unit by its text, `mm`, `N*mm`, `rpm`.
+    /// Chooses a unit by its text, such as `mm`, `N*mm`, `rpm`.
     ///
     /// # Errors
-    /// The message and the help of an error: the text is not a unit, it measures nothing that is reported, or its quantity has a unit.
+    /// Returns the message and the help of an error if the text is not a unit, if its quantity is not reported, or if the
+    /// quantity has a unit already.
     pub fn choose(&mut self, text: &str) -> Result<(), [String; 2]> {
         let Some(unit) = Unit::parse(text) else {
             return Err([
@@ -94,10 +95,10 @@ impl OutputUnits {
         Ok(())
     }
 
-    /// Chooses units from a list, `mm, deg`.
+    /// Chooses units from a list, such as `mm, deg`.
     ///
     /// # Errors
-    /// Those of [`OutputUnits::choose`]; the list is empty.
+    /// Returns the errors of [`OutputUnits::choose`], and an error for an empty list.
     pub fn listed(text: &str) -> Result<OutputUnits, [String; 2]> {
         let mut units = OutputUnits::default();
         for unit in text.split(',') {
@@ -106,14 +107,14 @@ impl OutputUnits {
         Ok(units)
     }
 
-    /// Returns the unit that is chosen for lengths; `None` without one.
+    /// Returns the unit chosen for lengths; `None` if none is chosen.
     pub fn of_lengths(&self) -> Option<&OutputUnit> {
         self.chosen.iter().find(|it| it.unit.powers == LENGTH)
     }
 
-    /// Returns the units with this one, if its quantity has none.
+    /// Returns the units with this one added, if its quantity has none.
     pub fn or(mut self, text: &str) -> OutputUnits {
-        // A refusal keeps the other unit of the quantity.
+        // On an error, the existing unit of the quantity is kept.
         let _ = self.choose(text);
         self
     }
@@ -142,7 +143,7 @@ impl OutputUnits {
         }
     }
 
-    /// Puts chosen units in the place of those of SI.
+    /// Replaces SI units by the chosen ones.
     fn made(&self, si: &str) -> String {
         let mut made = String::new();
         let mut rest = si;
@@ -186,7 +187,7 @@ impl Tally {
         }
     }
 
-    /// Counts a unit once less.
+    /// Removes one count of a unit.
     pub fn forget(&mut self, name: &str) {
         if let Some(count) = self.own(name) {
             *count = count.saturating_sub(1);
@@ -198,7 +199,7 @@ impl Tally {
         counts.find(|it| it.0 == name).map(|it| &mut it.1)
     }
 
-    /// Returns the most frequent unit of each quantity; of equally frequent ones the first.
+    /// Returns the most frequent unit of each quantity; the first among equally frequent ones.
     pub fn most(&self) -> OutputUnits {
         let mut units = OutputUnits::default();
         let mut counts = self.counts.clone();
@@ -210,12 +211,12 @@ impl Tally {
     }
 }
 
-/// Units that a mechanism is reported in.
+/// Units in which a mechanism is reported.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ReportUnits {
-    /// Those of a statement or an option; `None` without both.
+    /// Units of a statement or an option; `None` without both.
     pub requested: Option<OutputUnits>,
-    /// Those that the description mostly writes.
+    /// Most frequent units of the description.
     pub written: OutputUnits,
 }
 
@@ -225,7 +226,7 @@ impl ReportUnits {
         self.requested.clone().unwrap_or_default()
     }
 
-    /// Returns the units of messages and pages: the requested ones, otherwise those that the description mostly writes.
+    /// Returns the units of messages and pages: the requested ones, otherwise the most frequent units of the description.
     pub fn of_messages(&self) -> &OutputUnits {
         self.requested.as_ref().unwrap_or(&self.written)
     }

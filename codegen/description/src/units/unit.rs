@@ -7,7 +7,7 @@ use super::{Named, Powers, of_column};
 /// A unit of measurement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Unit {
-    /// What a number is multiplied by and divided by, so that `5 mm` is rounded once.
+    /// Multiplier and divisor of numbers, separate so that `5 mm` is rounded once.
     times: f64,
     over: f64,
     /// Powers of m, s, kg and rad.
@@ -16,14 +16,14 @@ pub struct Unit {
     counts: bool,
 }
 
-/// Relative difference of equal factors that are rounded differently, `N*mm` and `mN*m`.
-const SAME: f64 = 1e-14;
+/// Relative tolerance of equal factors with different rounding, such as `N*mm` and `mN*m`.
+const FACTOR_TOLERANCE: f64 = 1e-14;
 
-/// Powers of the rate of an angle, and of the rate of that.
+/// Powers of an angular velocity and of an angular acceleration.
 const RATES_OF_ANGLES: [Powers; 2] = [[0, -1, 0, 1], [0, -2, 0, 1]];
 
 impl Unit {
-    /// The unit of SI with these powers.
+    /// Returns the SI unit with these powers.
     pub fn coherent(powers: [i32; 4]) -> Unit {
         Unit {
             times: 1.0,
@@ -47,7 +47,7 @@ impl Unit {
         }
     }
 
-    /// `mm/s^2`, `deg/s²`, `m/s**2`, `m s-2`, `N*mm`, `U/min`; `None` where a part of it is no unit.
+    /// Parses a unit: `mm/s^2`, `deg/s²`, `m/s**2`, `m s-2`, `N*mm`, `U/min`; `None` if a factor is not a unit.
     pub fn parse(text: &str) -> Option<Unit> {
         if let Some(named) = of_column(text.trim()) {
             return Some(Unit::named(named));
@@ -84,17 +84,17 @@ impl Unit {
         (!text.is_empty()).then_some(unit)
     }
 
-    /// A value of this unit in SI units.
+    /// Converts a value from this unit into SI units.
     pub fn si(&self, value: f64) -> f64 {
         value * self.times / self.over
     }
 
-    /// A value in SI units in this unit.
+    /// Converts a value from SI units into this unit.
     pub fn of_si(&self, value: f64) -> f64 {
         value * self.over / self.times
     }
 
-    /// The product of two units, the second one to a power.
+    /// Returns the product with a power of another unit.
     pub fn times(self, other: Unit, power: i32) -> Unit {
         let (times, over) = match power < 0 {
             true => (other.over, other.times),
@@ -112,9 +112,9 @@ impl Unit {
         }
     }
 
-    /// The unit for values of what has these powers of m, s, kg and rad; `None` if it cannot measure that.
+    /// Returns the unit for a quantity with these powers of m, s, kg and rad; `None` if the unit does not fit.
     ///
-    /// Angles may be plain numbers of rad. The rate of an angle in `1/min` or `Hz` counts turns.
+    /// Angles may be plain numbers in rad. The rate of an angle in `1/min` or `Hz` counts turns.
     pub fn measuring(self, powers: Powers) -> Option<Unit> {
         if self.counts_turns_of(powers) {
             let turns = Unit {
@@ -129,17 +129,17 @@ impl Unit {
         fits.then_some(self)
     }
 
-    /// True if values of what has these powers count turns in this unit: the rate of an angle in `1/min` or `Hz`.
+    /// True if values with these powers count turns in this unit: the rate of an angle in `1/min` or `Hz`.
     pub fn counts_turns_of(&self, powers: Powers) -> bool {
         let [length, time, mass, angle] = self.powers;
         let plain = [length, time, mass, 1];
         self.counts && angle == 0 && plain == powers && RATES_OF_ANGLES.contains(&powers)
     }
 
-    /// True if numbers of both units are the same values.
+    /// True if both units have equal values for equal numbers.
     pub fn is_same(&self, other: &Unit) -> bool {
         let [one, two] = [self.times * other.over, other.times * self.over];
-        self.powers == other.powers && (one - two).abs() <= SAME * one.abs()
+        self.powers == other.powers && (one - two).abs() <= FACTOR_TOLERANCE * one.abs()
     }
 
     /// Multiplies by `s^2`, `s2` or `s`.

@@ -1,11 +1,11 @@
-//! What a graph bounds: the work of derivatives, the depth of walks, its room.
+//! Tests the bounds of graphs: work of derivatives, depth of walks, and size.
 
 use std::thread;
 
 use super::generator::Generator;
 use crate::expr::{DEEPEST, Excess, ExprId, Graph, Number, SymbolId, Tape};
 
-/// The product of n sums x + k, or of n sines of kx.
+/// Returns the product of n sums x + k, or of n sines of kx.
 fn product(graph: &mut Graph, x: ExprId, n: usize, sines: bool) -> ExprId {
     let factors: Vec<ExprId> = (1..=n as i64)
         .map(|k| {
@@ -21,7 +21,7 @@ fn product(graph: &mut Graph, x: ExprId, n: usize, sines: bool) -> ExprId {
     graph.product(&factors)
 }
 
-/// The terms and factors stored for two derivatives of such a product.
+/// Returns the number of terms and factors stored for two derivatives of such a product.
 fn store_of_derivatives(n: usize, sines: bool) -> usize {
     let mut graph = Graph::new();
     let symbol = graph.symbol("x");
@@ -57,7 +57,7 @@ fn a_halved_derivative_has_the_value_of_the_product_rule() {
                 true => ((k * at).sin(), k * (k * at).cos()),
                 false => (at + k, 1.0),
             };
-            // Value and derivative carried along.
+            // Value and derivative, propagated together.
             let pair = (1..=30).fold((1.0, 0.0), |(value, slope), k| {
                 let (factor, its_slope) = factor(f64::from(k));
                 (value * factor, slope * factor + value * its_slope)
@@ -67,21 +67,21 @@ fn a_halved_derivative_has_the_value_of_the_product_rule() {
         let derivative = graph.derivative(whole, symbols[0]);
         let tape = Tape::new(&graph, &[derivative]);
         for at in [0.1, 0.37, -0.21] {
-            let mut found = [0.0];
-            tape.evaluate(&[at, 0.6], &mut Vec::new(), &mut found);
+            let mut value = [0.0];
+            tape.evaluate(&[at, 0.6], &mut Vec::new(), &mut value);
             let expected = expected(at, 0.6);
             assert!(
-                (found[0] - expected).abs() <= 1e-11 * expected.abs(),
-                "{found:?} {expected}"
+                (value[0] - expected).abs() <= 1e-11 * expected.abs(),
+                "{value:?} {expected}"
             );
         }
     }
 }
 
-/// One more level around an expression.
+/// Wraps an expression in one more level.
 type Nest = fn(&mut Graph, ExprId) -> ExprId;
 
-/// Functions by which an expression is nested in itself, as deep as they go.
+/// Functions that nest an expression in itself to any depth.
 const NESTS: [(&str, Nest); 7] = [
     ("sin", Graph::sin),
     ("exp", |graph, x| {
@@ -135,14 +135,14 @@ fn deep_nests_are_walked_on_a_small_stack() {
             assert!(graph.written_length(derivative) > 0, "{name}");
         }
     };
-    // What a debug build needs for a recursion through all levels does not fit.
+    // The stack is too small for a recursion through all levels in a debug build.
     let builder = thread::Builder::new().stack_size(192 * 1024);
     let handle = builder.spawn(walk).expect("a thread");
     handle.join().expect("no overflow");
 }
 
 #[test]
-fn what_is_shared_is_written_out_in_thought_only() {
+fn measures_shared_parts_without_expansion() {
     let mut graph = Graph::new();
     let symbol = graph.symbol("p");
     let mut expr = graph.variable(symbol);
@@ -159,7 +159,7 @@ fn what_is_shared_is_written_out_in_thought_only() {
 }
 
 #[test]
-fn what_is_too_deep_is_undefined_and_said_so() {
+fn reports_excessive_depth() {
     let mut graph = Graph::new();
     let symbol = graph.symbol("x");
     let mut expr = graph.variable(symbol);
@@ -170,12 +170,12 @@ fn what_is_too_deep_is_undefined_and_said_so() {
     let deeper = graph.sin(expr);
     assert!(!graph.is_finite(deeper));
     assert_eq!(graph.excess(), Some(Excess::Depth));
-    // What was there before stays.
+    // Earlier expressions remain valid.
     assert!(graph.is_finite(expr));
 }
 
 #[test]
-fn what_finds_no_room_is_undefined_and_said_so() {
+fn reports_excessive_size() {
     let mut graph = Graph::new();
     graph.limit(1000, usize::MAX);
     let mut expr = graph.zero();
@@ -192,7 +192,7 @@ fn what_finds_no_room_is_undefined_and_said_so() {
     assert_eq!(graph.excess(), Some(Excess::Size));
 }
 
-/// What the derivatives of a sum of n terms by each of its n symbols cost together.
+/// Returns the total work of the derivatives of a sum of n terms by each of its n symbols.
 fn work_of_gradient(n: usize) -> usize {
     let mut graph = Graph::new();
     let symbols: Vec<SymbolId> = (0..n).map(|k| graph.symbol(&format!("x{k}"))).collect();
@@ -250,7 +250,7 @@ fn a_length_is_looked_at_up_to_its_limit() {
         within.push(graph.is_written_within(expr, 1000));
     }
     assert!(within[0] && !within[199]);
-    // By a name for what is inside it is short again.
+    // With a name for its operand, the expression is short again.
     let inner = graph.operands(expr)[0];
     assert!(graph.is_within_with_names(expr, 40, &|part| graph.operands(inner).contains(&part)));
 }

@@ -1,8 +1,8 @@
-//! Derivatives of quotients by roots far from zero, where both parts of the product rule are almost equal.
+//! Tests derivatives of quotients by roots far from zero, where the terms of the product rule almost cancel.
 
 use super::super::{ExprId, Graph, Rational, SymbolId, Tape};
 
-/// Largest error as a share of the value: some roundings.
+/// Maximum relative error: some roundings.
 const ROUNDINGS: f64 = 1e-14;
 
 fn value(graph: &Graph, expr: ExprId, values: &[f64]) -> f64 {
@@ -11,7 +11,7 @@ fn value(graph: &Graph, expr: ExprId, values: &[f64]) -> f64 {
     result[0]
 }
 
-/// b·(c + b^power)^(-1/power).
+/// Returns b·(c + b^power)^(-1/power).
 fn quotient(graph: &mut Graph, b: ExprId, c: ExprId, power: i64) -> ExprId {
     let power = Rational::integer(power);
     let raised = graph.power(b, power);
@@ -20,7 +20,7 @@ fn quotient(graph: &mut Graph, b: ExprId, c: ExprId, power: i64) -> ExprId {
     graph.multiply(b, root)
 }
 
-/// c·(c + x^n)^(-1 - 1/n) and its derivative, -(n + 1)·c·x^(n - 1)·(c + x^n)^(-2 - 1/n).
+/// Checks c·(c + x^n)^(-1 - 1/n) and its derivative, -(n + 1)·c·x^(n - 1)·(c + x^n)^(-2 - 1/n).
 #[test]
 fn rates_of_quotients_by_roots_keep_their_digits() {
     for power in [2, 3, 4] {
@@ -38,15 +38,15 @@ fn rates_of_quotients_by_roots_keep_their_digits() {
                 -(order + 1.0) * c * f64::powf(x, order - 1.0) * sum.powf(-2.0 - 1.0 / order),
             ];
             for (derivative, expected) in [first, second].into_iter().zip(expected) {
-                let found = value(&graph, derivative, &[x, c]);
-                let off = (found / expected - 1.0).abs();
-                assert!(off < ROUNDINGS, "{power}, {x}: {found} {expected}");
+                let computed = value(&graph, derivative, &[x, c]);
+                let off = (computed / expected - 1.0).abs();
+                assert!(off < ROUNDINGS, "{power}, {x}: {computed} {expected}");
             }
         }
     }
 }
 
-/// x·z/√(1 + x²·z²) of an inner formula z = sin x: (sin x + x·cos x)·(1 + x²·sin²x)^(-3/2).
+/// Checks x·z/√(1 + x²·z²) for an inner formula z = sin x: (sin x + x·cos x)·(1 + x²·sin²x)^(-3/2).
 #[test]
 fn the_numerator_may_be_a_product() {
     let mut graph = Graph::new();
@@ -60,10 +60,10 @@ fn the_numerator_may_be_a_product() {
     for x in [1e7_f64, 2e4, 0.3] {
         let product = x * x.sin();
         let expected = (x.sin() + x * x.cos()) * (1.0 + product * product).powf(-1.5);
-        let found = value(&graph, derivative, &[x]);
+        let computed = value(&graph, derivative, &[x]);
         assert!(
-            (found / expected - 1.0).abs() < ROUNDINGS,
-            "{x}: {found} {expected}"
+            (computed / expected - 1.0).abs() < ROUNDINGS,
+            "{x}: {computed} {expected}"
         );
     }
 }

@@ -1,4 +1,4 @@
-//! Equal expressions have equal ids.
+//! Tests that equal expressions have equal ids.
 
 use super::generator::Generator;
 use crate::expr::{ExprId, Graph, Number, Rational};
@@ -28,7 +28,7 @@ fn names(graph: &mut Graph) -> [ExprId; 3] {
     })
 }
 
-/// A random monomial c·√r·x^a·y^b, times nothing, sin²u or cos²u.
+/// Returns a random monomial c·√r·x^a·y^b, times 1, sin²u or cos²u.
 fn term(graph: &mut Graph, generator: &mut Generator) -> ExprId {
     let [x, y, u] = names(graph);
     let scale = graph.rational(generator.within(-2, 2), generator.within(1, 2));
@@ -102,8 +102,8 @@ fn a_product_does_not_depend_on_order_or_nesting() {
                 let exponents = [(1, 1), (2, 1), (-1, 1), (1, 2), (-1, 2), (1, 4), (3, 2)];
                 let (numerator, denominator) = exponents[generator.below(7) as usize];
                 let exponent = Rational::new(numerator, denominator).expect("a fraction");
-                // Roots of numbers that are not exact are outside what is promised: as a factor they are floats, whose
-                // rounding depends on the order, and as a content they stay under the root.
+                // Inexact roots of numbers are excluded: as factors they are floats, whose rounding depends on the order, and
+                // as contents they stay under the root.
                 let inexact = match denominator {
                     2 => matches!(kind, 2 | 3),
                     4 => !matches!(kind, 0 | 1 | 6),
@@ -179,7 +179,7 @@ fn squares_of_sine_and_cosine_are_reduced() {
     let mixed = graph.multiply(sine2, cosine2);
     let fourth = [sine2, cosine2].map(|square| graph.power(square, two));
     assert_eq!(graph.sum(&[fourth[0], mixed, mixed, fourth[1]]), one);
-    // Coefficients that say nothing about each other stay as written.
+    // Independent coefficients stay as written.
     let five = graph.integer(5);
     let plain = graph.add(five, sine2);
     let doubled = graph.scale(Number::integer(2), sine2);
@@ -218,7 +218,7 @@ fn angles_are_reduced_by_sign_and_quarter_turns() {
             let (sine, cosine) = (graph.sin(angle), graph.cos(angle));
             let mut turned = angle;
             let mut cycle = [sine, cosine];
-            // Beside a variable only whole half turns are taken out of a phase that is no multiple of a quarter turn.
+            // Beside a variable, only whole half turns are removed from a phase that is not a multiple of a quarter turn.
             let by_halves = phase != zero;
             let step = if by_halves { half_turn } else { quarter_turn };
             for _ in 0..9 {
@@ -273,7 +273,7 @@ fn powers_are_merged_where_that_is_valid() {
     assert_eq!(graph.negate(difference[0]), difference[1]);
     let squares = difference.map(|difference| graph.power(difference, two));
     assert_eq!(squares[0], squares[1]);
-    // (2x + 2y)^(1/4) keeps its content until the root of it is exact.
+    // (2x + 2y)^(1/4) keeps its content until the root of the content is exact.
     let fourth = graph.power(twice, Rational::new(1, 4).expect("a fraction"));
     let squared = graph.power(fourth, two);
     assert_eq!(graph.sqrt(twice), squared);

@@ -1,4 +1,4 @@
-//! Choices: what collapses, how they are differentiated, and how their conditions are written.
+//! Tests choices: their simplification, derivatives and printed conditions.
 
 use crate::expr::{Graph, Term};
 
@@ -14,12 +14,12 @@ fn choices_collapse_where_nothing_is_left_to_choose() {
     let negative = graph.negate(one);
     assert_eq!(graph.choose(negative, x_value, y_value), x_value);
     let choice = graph.choose(condition, x_value, y_value);
-    // The inner choice is made already.
+    // The inner choice is already decided.
     assert_eq!(graph.choose(condition, choice, one), {
         graph.choose(condition, x_value, one)
     });
     assert_eq!(graph.choose(condition, x_value, choice), choice);
-    // Both arms are differentiated; arms without the symbol leave nothing.
+    // Both arms are differentiated; arms without the symbol become zero.
     let (zero, derivative) = (graph.zero(), graph.derivative(choice, x));
     assert_eq!(derivative, graph.choose(condition, one, zero));
     let constant_arms = graph.choose(condition, one, two);
@@ -44,16 +44,16 @@ fn conditions_are_written_without_negative_terms() {
     let two = graph.integer(2);
     let sides = |graph: &Graph, condition| {
         let comparison = graph.comparison(condition);
-        let shown = |terms: &[Term]| -> Vec<(f64, usize)> {
+        let coefficients = |terms: &[Term]| -> Vec<(f64, usize)> {
             let pairs = terms
                 .iter()
                 .map(|it| (it.coefficient.to_f64(), it.expr.index()));
             pairs.collect()
         };
         (
-            shown(&comparison.left),
+            coefficients(&comparison.left),
             comparison.is_less,
-            shown(&comparison.right),
+            coefficients(&comparison.right),
         )
     };
     let (one, x_index, y_index) = (graph.one().index(), x.index(), y.index());

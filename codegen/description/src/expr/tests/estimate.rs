@@ -1,8 +1,8 @@
-//! Floats with a bound of their error, and pairs of value and derivative made of them.
+//! Computes with floats and a bound of their error, and with pairs of value and derivative.
 //!
-//! The bound is first order in the rounding errors with a margin; where it is not small against the value it becomes
-//! infinite, and the sample says nothing. So two computations of one quantity are compared by what rounding can do to
-//! each, not by a tolerance.
+//! The bound is first order in the rounding errors, with a margin. A bound that is not small relative to the value becomes
+//! infinite, and the sample is inconclusive. Two computations of one quantity are thus compared by their possible rounding
+//! errors, without a tolerance.
 
 /// Half a unit in the last place of 1, with a margin of two for second-order terms.
 const ROUNDING: f64 = f64::EPSILON;
@@ -18,16 +18,17 @@ impl Estimate {
         Estimate { value, error: 0.0 }
     }
 
-    /// A value rounded a few times.
+    /// Returns a value with a few roundings.
     pub(super) fn rounded(value: f64) -> Estimate {
         Estimate::exact(value).with(value, 0.0)
     }
 
-    /// A result with a propagated error and its own rounding.
+    /// Returns a result with a propagated error and its own rounding.
     fn with(self, value: f64, propagated: f64) -> Estimate {
-        // The smallest normal number covers what is lost below the range of floats.
+        // The smallest normal number covers underflow.
         let error = propagated + 4.0 * ROUNDING * value.abs() + f64::MIN_POSITIVE;
-        // Far from 1 an equal expression may overflow on its way, as x/√(1 + x²) does where sin(atan x) does not.
+        // Far from 1, an equal expression may overflow in an intermediate result, as x/√(1 + x²) does where sin(atan x) does
+        // not.
         let in_range = value == 0.0 || (1e-50..1e50).contains(&value.abs());
         let error = if in_range && !error.is_nan() {
             error
@@ -37,7 +38,7 @@ impl Estimate {
         Estimate { value, error }
     }
 
-    /// Whether the value is known well enough to be compared with.
+    /// True if the value is accurate enough for a comparison.
     pub(super) fn is_reliable(self) -> bool {
         self.value.is_finite() && self.error <= 1e-6 * (1.0 + self.value.abs())
     }
@@ -46,7 +47,7 @@ impl Estimate {
         (self.value - other.value).abs() <= self.error + other.error
     }
 
-    /// The relative error, infinite where first-order propagation is not to be trusted.
+    /// Returns the relative error; infinite if first-order propagation is invalid.
     fn relative(self) -> f64 {
         let relative = self.error / self.value.abs();
         if relative < 1e-3 {
@@ -56,7 +57,7 @@ impl Estimate {
         }
     }
 
-    /// What cannot be told.
+    /// Returns an inconclusive value.
     pub(super) fn unknown() -> Estimate {
         Estimate {
             value: 0.0,
@@ -64,12 +65,12 @@ impl Estimate {
         }
     }
 
-    /// Whether it is negative, where the error leaves no doubt.
+    /// True if the value is negative; `None` if the error leaves a doubt.
     pub(super) fn is_below_zero(self) -> Option<bool> {
         (self.value.abs() > self.error || self.error == 0.0).then_some(self.value < 0.0)
     }
 
-    /// The largest whole number that is not greater, where the error leaves no doubt.
+    /// Returns the greatest whole number that does not exceed the value; unknown if the error leaves a doubt.
     pub(super) fn floor(self) -> Estimate {
         let floor = self.value.floor();
         let gap = (self.value - floor).min(floor + 1.0 - self.value);
@@ -104,7 +105,7 @@ impl Estimate {
         self.with(value, 1.1 * value.abs() * self.relative())
     }
 
-    /// The power with a fraction as its exponent.
+    /// Returns the power with a rational exponent.
     pub(super) fn pow(self, numerator: i32, denominator: i32) -> Estimate {
         if numerator == 0 {
             return Estimate::exact(1.0);
@@ -163,7 +164,7 @@ impl Estimate {
     }
 }
 
-/// A value and its derivative in the direction of one symbol: differentiation without a difference quotient.
+/// A value with its derivative with respect to one symbol: differentiation without a difference quotient.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Dual {
     pub(super) value: Estimate,
@@ -227,7 +228,7 @@ impl Dual {
         }
     }
 
-    /// The arcsine by its own derivative, independent of the expression it is written with.
+    /// Returns the arcsine by its own derivative, independently of its expression.
     pub(super) fn asin(self) -> Dual {
         let value = self.value.value.asin();
         let across = Estimate::exact(1.0)

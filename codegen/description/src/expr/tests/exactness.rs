@@ -1,8 +1,8 @@
-//! Exact values, and what is undefined.
+//! Tests exact values and undefined expressions.
 
 use crate::expr::{ExprId, Graph, Number, Rational};
 
-/// `numerator/denominator · √radicand` for each entry, added.
+/// Returns the sum of `numerator/denominator · √radicand` over all entries.
 fn surds(graph: &mut Graph, parts: &[(i64, i64, i64)]) -> ExprId {
     let parts: Vec<ExprId> = parts
         .iter()
@@ -38,7 +38,7 @@ fn multiples_of_a_twelfth_of_pi_have_exact_sines_and_cosines() {
             (Graph::sin as fn(&mut Graph, ExprId) -> ExprId, 0),
             (Graph::cos, 6),
         ] {
-            // Folded into the first quadrant by hand: sin(π - u) = sin u and sin(u + π) = -sin u.
+            // Reduced to the first quadrant by hand: sin(π - u) = sin u and sin(u + π) = -sin u.
             let around = (twelfths + phase).rem_euclid(24);
             let half = around % 12;
             let magnitude = surds(&mut graph, table[half.min(12 - half) as usize]);
@@ -81,8 +81,8 @@ fn directions_of_constant_vectors_are_exact() {
             surds(&mut graph, &[(y, 2, y_under)]),
         );
         let expected = turn(&mut graph, twelfths);
-        let found = graph.atan2(y, x);
-        assert_eq!(found, expected, "{twelfths} π/12");
+        let angle = graph.atan2(y, x);
+        assert_eq!(angle, expected, "{twelfths} π/12");
     }
     let [three, four, six, eight] = [3, 4, 6, 8].map(|value| graph.integer(value));
     let direction = graph.atan2(three, four);
@@ -144,7 +144,7 @@ fn inverse_functions_have_exact_values() {
 }
 
 #[test]
-fn what_is_undefined_is_never_dropped() {
+fn keeps_undefined_expressions() {
     let mut graph = Graph::new();
     let symbol = graph.symbol("x");
     let x = graph.variable(symbol);
@@ -231,8 +231,11 @@ fn overflow_leaves_exactness_but_not_the_value() {
     }
     let value = (0..6).fold(1.0, |value, _| (value + 1.0) * i64::MAX as f64);
     let at_one = graph.substitute(expr, &[(symbol, graph.one())]);
-    let found = graph.constant_value(at_one).expect("a constant");
-    assert!((found - value).abs() <= 1e-13 * value, "{found} {value}");
+    let computed = graph.constant_value(at_one).expect("a constant");
+    assert!(
+        (computed - value).abs() <= 1e-13 * value,
+        "{computed} {value}"
+    );
     assert!(graph.is_finite(expr));
     let small = graph.number(Number::Float(1e-300));
     let squared = graph.multiply(small, small);
@@ -255,8 +258,8 @@ fn constants_are_known_as_such() {
     let constant = graph.multiply(root, pi);
     assert!(graph.is_constant(constant));
     let expected = (3f64.sqrt() + 0.5) * std::f64::consts::PI;
-    let found = graph.constant_value(constant).expect("a constant");
-    assert!((found - expected).abs() <= 4.0 * f64::EPSILON * expected);
+    let computed = graph.constant_value(constant).expect("a constant");
+    assert!((computed - expected).abs() <= 4.0 * f64::EPSILON * expected);
     let expr = graph.add(x, one);
     assert_eq!(graph.constant_value(expr), None);
     assert_eq!(graph.symbol("x"), symbol);

@@ -1,4 +1,4 @@
-//! A deterministic source of pseudo-random numbers (splitmix64; Steele, Lea and Flood 2014).
+//! Generates pseudo-random numbers deterministically (splitmix64; Steele, Lea and Flood 2014).
 
 pub(super) struct Generator {
     state: u64,
@@ -17,17 +17,17 @@ impl Generator {
         mixed ^ (mixed >> 31)
     }
 
-    /// A number from 0 to `bound - 1`.
+    /// Returns a number from 0 to `bound - 1`.
     pub(super) fn below(&mut self, bound: u64) -> u64 {
         self.next() % bound
     }
 
-    /// A whole number in the closed range.
+    /// Returns a whole number in the closed range.
     pub(super) fn within(&mut self, low: i64, high: i64) -> i64 {
         low + self.below((high - low + 1) as u64) as i64
     }
 
-    /// A float in the range.
+    /// Returns a float in the range.
     pub(super) fn uniform(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * (self.next() >> 11) as f64 / (1u64 << 53) as f64
     }

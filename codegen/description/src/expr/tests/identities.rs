@@ -1,5 +1,5 @@
-//! Random expressions: simplified value against the value as written, derivative against two independent ones, tape against
-//! recursion, substitution against evaluation.
+//! Tests random expressions: simplified against written value, derivative against two independent ones, tape against recursion,
+//! and substitution against evaluation.
 
 use super::generator::Generator;
 use super::tree::{SYMBOLS, Tree, evaluate_node};
@@ -113,8 +113,8 @@ fn a_derivative_equals_the_difference_quotient_to_its_truncation_error() {
         let [(coarse, _), (middle, _), (fine, rounding)] =
             [1.0 / 256.0, 1.0 / 512.0, 1.0 / 1024.0].map(quotient);
         let (first, second) = ((coarse - middle).abs(), (middle - fine).abs());
-        // The error of a central difference falls to a quarter where the step is halved; elsewhere there is a singularity
-        // within reach and the quotient says nothing.
+        // The error of a central difference falls to a quarter if the step is halved. Otherwise a singularity is near, and the
+        // quotient is inconclusive.
         let converges =
             second <= 0.3 * first + 4.0 * rounding && first <= 1e-2 * (1.0 + fine.abs());
         if !converges || !fine.is_finite() || rounding > 1e-6 * (1.0 + fine.abs()) {
@@ -177,7 +177,7 @@ fn a_tape_shares_symbols_and_scales_residuals_by_their_terms() {
     let difference = graph.subtract(x, y);
     let product = graph.multiply(x, y);
     let tape = Tape::new(&graph, &[sum, difference, product, sum]);
-    // Two additions, a subtraction and a product: symbols are there already, and the sum is there once.
+    // Two additions, a subtraction and a product: symbols are stored already, and the sum occurs once.
     assert_eq!(tape.length(), 4);
     let mut workspace = Vec::new();
     let mut results = [0.0; 4];

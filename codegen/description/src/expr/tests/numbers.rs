@@ -1,4 +1,4 @@
-//! Rationals and numbers: conversion, overflow, surds.
+//! Tests rationals and numbers: conversion, overflow, surds.
 
 use super::generator::Generator;
 use crate::expr::{Number, Rational};
@@ -137,7 +137,7 @@ fn halfway_cases_go_to_the_even_neighbor() {
     let one = 1i128 << 53;
     assert_eq!(fraction(one + 1, 1).to_f64(), one as f64);
     assert_eq!(fraction(one + 3, 1).to_f64(), (one + 4) as f64);
-    // A half, and a half with one part in 10^20 above and below it.
+    // One half, and one half with one part in 10^20 above and below it.
     let large = 10i128.pow(20);
     assert_eq!(
         fraction((one + 1) * large, large * 3).to_f64(),
@@ -186,7 +186,7 @@ fn square_roots_stay_exact() {
 }
 
 #[test]
-fn what_does_not_fit_becomes_a_float() {
+fn falls_back_to_floats() {
     let largest = Number::rational(fraction(i128::MAX, 1));
     let twice = 2.0 * i128::MAX as f64;
     assert_eq!(largest.add(largest), Some(Number::Float(twice)));

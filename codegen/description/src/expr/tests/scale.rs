@@ -1,8 +1,8 @@
-//! Large graphs: the work grows in proportion.
+//! Tests that the work for large graphs is proportional to their size.
 
 use crate::expr::{ExprId, Graph, Tape};
 
-/// The constraints of a chain of bodies joined end to end: two rows per joint, nine coordinates at most in each.
+/// Returns the constraints of a chain of bodies joined end to end: two rows per joint, at most nine coordinates in each.
 fn chain(graph: &mut Graph, bodies: usize) -> Vec<ExprId> {
     let mut rows = Vec::new();
     let coordinates: Vec<[ExprId; 3]> = (0..bodies)
@@ -44,7 +44,7 @@ fn a_chain_is_differentiated_twice_by_all_its_symbols() {
             }
         }
     }
-    // Per row two constants, two angles, and each angle's second derivative.
+    // Each row has two constants, two angles, and the second derivative of each angle.
     assert_eq!(entries.len(), 6 * 2 * (BODIES - 1));
     let tape = Tape::new(&graph, &entries);
     let values = vec![0.25; graph.symbol_count()];

@@ -1,10 +1,10 @@
-//! Shorter forms of constants: the same value, and zeros and ones where a drawing has them.
+//! Tests shorter forms of constants: equal values, with zeros and ones as in the design configuration.
 
 use super::generator::Generator;
 use super::tree::{SYMBOLS, Tree, evaluate_node};
 use crate::expr::{ExprId, Graph, Rational};
 
-/// Numbers that no rule reduces to one another.
+/// Returns numbers that no rule reduces to one another.
 fn constants(graph: &mut Graph) -> Vec<ExprId> {
     let angle = graph.rational(7, 10);
     let three = graph.integer(3);
@@ -35,14 +35,14 @@ fn a_shorter_form_has_the_same_value() {
         if !graph.is_finite(expr) || !graph.is_constant(expr) {
             continue;
         }
-        let found = graph.tidied(expr);
-        assert!(graph.written_length(found) <= graph.written_length(expr));
-        let [before, after] = [expr, found].map(|it| evaluate_node(&graph, it, &[]));
+        let short = graph.tidied(expr);
+        assert!(graph.written_length(short) <= graph.written_length(expr));
+        let [before, after] = [expr, short].map(|it| evaluate_node(&graph, it, &[]));
         if !before.is_reliable() || !after.is_reliable() {
             continue;
         }
         compared += 1;
-        shorter += usize::from(found != expr);
+        shorter += usize::from(short != expr);
         assert!(
             after.agrees(before),
             "round {round}: {tree:?}: {before:?} and {after:?}"
@@ -51,7 +51,7 @@ fn a_shorter_form_has_the_same_value() {
     assert!(compared > 1500 && shorter > 50, "{compared}, {shorter}");
 }
 
-/// (x, y) turned by an angle of which nothing is known exactly.
+/// Returns (x, y) rotated by an angle without an exact value.
 fn turned(graph: &mut Graph, x: (i64, i64), y: (i64, i64)) -> [ExprId; 2] {
     let angle = graph.rational(7, 10);
     let (sine, cosine) = (graph.sin(angle), graph.cos(angle));
@@ -96,7 +96,7 @@ fn lengths_and_products_of_turned_vectors_are_those_before_they_were_turned() {
 #[test]
 fn unit_vectors_have_the_length_one() {
     let mut graph = Graph::new();
-    // (0.15·cos 0.7, 0.3 + 0.15·sin 0.7): its length is no number that could be written shorter.
+    // (0.15·cos 0.7, 0.3 + 0.15·sin 0.7): the length has no shorter form.
     let angle = graph.rational(7, 10);
     let (sine, cosine) = (graph.sin(angle), graph.cos(angle));
     let share = graph.rational(3, 20);
@@ -126,7 +126,7 @@ fn unit_vectors_have_the_length_one() {
 }
 
 #[test]
-fn what_moves_or_is_short_stays_as_it_is() {
+fn keeps_moving_and_short_expressions() {
     let mut graph = Graph::new();
     let symbol = graph.symbol("x");
     let x = graph.variable(symbol);
@@ -134,7 +134,7 @@ fn what_moves_or_is_short_stays_as_it_is() {
     let sum = graph.add(x, one);
     let square = graph.power(sum, Rational::integer(2));
     assert_eq!(graph.tidied(square), square);
-    // (√2 + √3 + √5)·(√7 + √11 + √13) has nine terms when it is multiplied out.
+    // (√2 + √3 + √5)·(√7 + √11 + √13) has nine terms after expansion.
     let root = |graph: &mut Graph, value: i64| {
         let value = graph.integer(value);
         graph.sqrt(value)
@@ -143,7 +143,7 @@ fn what_moves_or_is_short_stays_as_it_is() {
     let sums = [graph.sum(&roots[..3]), graph.sum(&roots[3..])];
     let product = graph.multiply(sums[0], sums[1]);
     assert_eq!(graph.tidied(product), product);
-    // (1 + √3)² has two.
+    // (1 + √3)² has two terms.
     let sum = graph.add(one, roots[1]);
     let square = graph.power(sum, Rational::integer(2));
     let tidied = graph.tidied(square);

@@ -1,4 +1,4 @@
-//! Random expressions as they might be written, computed without any simplification.
+//! Represents random expressions as written, and evaluates them without simplification.
 
 use super::estimate::{Dual, Estimate};
 use super::generator::Generator;
@@ -16,7 +16,7 @@ pub(super) enum Tree {
     Unary(Function, Box<Tree>),
     Power(Box<Tree>, i32, i32),
     Binary(Operation, Box<Tree>, Box<Tree>),
-    /// The second where the first is negative, the third elsewhere.
+    /// The second operand if the first is negative, the third otherwise.
     Choose(Box<Tree>, Box<Tree>, Box<Tree>),
 }
 
@@ -115,7 +115,7 @@ impl Tree {
         }
     }
 
-    /// The tree with its symbols replaced.
+    /// Returns the tree with its symbols replaced.
     pub(super) fn with(&self, replacements: [&Tree; SYMBOLS]) -> Tree {
         let inner = |tree: &Tree| Box::new(tree.with(replacements));
         match self {
@@ -184,7 +184,7 @@ impl Tree {
         }
     }
 
-    /// The value and its derivative by the symbol at `direction`, operation by operation as written.
+    /// Returns the value and its derivative by the symbol at `direction`, operation by operation as written.
     pub(super) fn evaluate(&self, values: &[f64], direction: usize) -> Dual {
         let number = |value: f64| Dual::constant(Estimate::rounded(value));
         let one = Dual::constant(Estimate::exact(1.0));
@@ -228,7 +228,7 @@ impl Tree {
             Tree::Choose(condition, below, otherwise) => {
                 let [condition, below, otherwise] =
                     [condition, below, otherwise].map(|part| part.evaluate(values, direction));
-                // A choice has a value only where both arms have one.
+                // A choice has a value only if both arms have one.
                 let both = [below, otherwise]
                     .iter()
                     .all(|arm| arm.value.is_reliable() && arm.slope.is_reliable());
@@ -256,7 +256,7 @@ impl Tree {
     }
 }
 
-/// The value of a node by recursion, with its error bound: what a tape is compared with.
+/// Returns the value of a node by recursion, with its error bound, for comparison with a tape.
 pub(super) fn evaluate_node(graph: &Graph, expr: ExprId, values: &[f64]) -> Estimate {
     let at = |operand: ExprId| evaluate_node(graph, operand, values);
     let number = |value: &Number| Estimate::rounded(value.to_f64());
@@ -292,7 +292,7 @@ pub(super) fn evaluate_node(graph: &Graph, expr: ExprId, values: &[f64]) -> Esti
             Some(false) => at(*otherwise),
             None => Estimate::unknown(),
         },
-        // Random trees have none; their own tests compare them with closed forms.
+        // Random trees contain no splines; separate tests compare splines with closed forms.
         Node::Spline { .. } => Estimate::unknown(),
     }
 }

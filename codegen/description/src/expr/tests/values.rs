@@ -1,4 +1,4 @@
-//! Values of what does not move, and constants that are none.
+//! Tests values of fixed expressions, and undefined constants.
 
 use super::generator::Generator;
 use super::tree::{SYMBOLS, Tree};
@@ -67,7 +67,7 @@ fn constants_that_leave_the_range_of_numbers_are_undefined() {
     let inverse = graph.power(power, -Rational::ONE);
     let smaller = graph.product(&[inverse, inverse, x]);
     assert!(!graph.is_finite(smaller), "divided by infinity");
-    // Terms beside one that moves.
+    // Terms beside a moving one.
     let huge = number(&mut graph, 1.7e308);
     let root = graph.rational(3, 1);
     let root = graph.sqrt(root);
@@ -119,8 +119,8 @@ fn magnitudes_are_those_of_the_constants_as_they_are_written_out() {
         graph.multiply(x, sine),
     ];
     let sum = graph.sum(&parts);
-    let found = graph.magnitudes(&[sum]);
-    assert_eq!(found.least, 1e-30);
-    assert!((found.largest - 1e25 * 1.0_f64.cos()).abs() < 1e10);
+    let magnitudes = graph.magnitudes(&[sum]);
+    assert_eq!(magnitudes.least, 1e-30);
+    assert!((magnitudes.largest - 1e25 * 1.0_f64.cos()).abs() < 1e10);
     assert_eq!(graph.magnitudes(&[x]).largest, 0.0);
 }

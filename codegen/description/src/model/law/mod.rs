@@ -1,8 +1,7 @@
-//! A call of a law of motion → an expression of its argument.
+//! Evaluates laws of motion as expressions of their argument.
 //!
-//! A law is built from choices, polynomials and sines of any argument x: its derivatives of every order follow by
-//! differentiation. The arguments stand in the order of ADAMS. Deliberately unknown here: what is driven, and that x is
-//! mostly t.
+//! A law consists of choices, polynomials and sines of any argument x, mostly t. Its derivatives of every order follow by
+//! differentiation. The arguments are in the order of ADAMS.
 
 mod rise;
 mod sequence;
@@ -16,7 +15,7 @@ use crate::expr::ExprId;
 use crate::syntax::{Expression, Name};
 use rise::Rise;
 
-/// Every law of motion, for help lines: first the rises, which a sequence may be made of.
+/// Laws of motion, for help lines; the rises, which a sequence may use, come first.
 pub const LAWS: &[&str] = &[
     "step",
     "havsin",
@@ -33,7 +32,7 @@ pub const LAWS: &[&str] = &[
 ];
 
 impl Resolver<'_> {
-    /// The value of a law; its name is one of [`LAWS`].
+    /// Evaluates a law; its name must be one of [`LAWS`].
     pub(super) fn law(
         &mut self,
         law: &Name,
@@ -48,7 +47,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// Reports a call with too few or too many arguments; `form` says how the law is written.
+    /// Reports a call with too few or too many arguments; `form` is the form of the law.
     fn wrong_count(&mut self, law: &str, wanted: &str, given: usize, form: &str, span: Span) {
         self.diagnostics.push(
             Diagnostic::error(
@@ -61,7 +60,7 @@ impl Resolver<'_> {
         );
     }
 
-    /// The values of all arguments; every one is looked at even after an error.
+    /// Resolves all arguments, even after an error.
     fn all_values(&mut self, arguments: &[Expression]) -> Option<Vec<Value>> {
         let values: Vec<Option<Value>> = arguments
             .iter()
@@ -70,7 +69,7 @@ impl Resolver<'_> {
         values.into_iter().collect()
     }
 
-    /// Whether a value measures what `like` does; an error where not.
+    /// True if a value has the dimension of `like`; otherwise reports an error.
     pub(super) fn fits_like(
         &mut self,
         written: &Expression,
@@ -93,14 +92,14 @@ impl Resolver<'_> {
         false
     }
 
-    /// True if `later` is larger than `earlier`, or if one of them is not known.
+    /// True if `later` is greater than `earlier`, or if one of them is unknown.
     fn is_increase(&mut self, earlier: ExprId, later: ExprId) -> bool {
         let gap = self.graph.subtract(later, earlier);
         let known = self.graph.constant_value(gap);
         known.is_none_or(|gap| gap > 0.0)
     }
 
-    /// Whether `later` is larger than `earlier`, as far as both are known; an error where not.
+    /// True if `later` is greater than `earlier`, or if one of them is unknown; otherwise reports an error.
     fn increases(&mut self, earlier: (&Expression, ExprId), later: (&Expression, ExprId)) -> bool {
         if self.is_increase(earlier.1, later.1) {
             return true;

@@ -1,9 +1,11 @@
-//! The rises: *x, and where it begins and ends* → *a motion from h0 to h1 with the shape of the law*.
+//! Builds rises: motions from (x0, h0) to (x1, h1) with the shape of a law.
 //!
-//! A law is given by y(s), which goes from y(0) = 0 to y(1) = 1. The rise is h0 up to x0, h0 + (h1 − h0) y((x − x0)/(x1 −
-//! x0)) up to x1, and h1 from there on. Sources: MSC ADAMS, function reference (STEP, HAVSIN, STEP5); Norton, *Cam Design
-//! and Manufacturing Handbook*, chapters 2 and 3 (double harmonic and polynomial rises, and the family of sine, constant and
-//! cosine acceleration that the modified trapezoid and the modified sine belong to).
+//! A law is a function y(s) with y(0) = 0 and y(1) = 1. The rise is h0 up to x0, h0 + (h1 − h0) y((x − x0)/(x1 − x0)) up to x1,
+//! and h1 from there on.
+//!
+//! Sources: MSC ADAMS, function reference (STEP, HAVSIN, STEP5); Norton, *Cam Design and Manufacturing Handbook*, chapters 2
+//! and 3 (double harmonic and polynomial rises, and the family of sine, constant and cosine acceleration with the modified
+//! trapezoid and the modified sine).
 
 use super::super::expression::Value;
 use super::super::resolve::Resolver;
@@ -11,18 +13,18 @@ use crate::diagnostic::Span;
 use crate::expr::{ExprId, Graph, Rational};
 use crate::syntax::{Expression, Name};
 
-/// The shape of a rise.
+/// Shape of a rise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Rise {
-    /// 3s² − 2s³: no velocity at the ends; the acceleration jumps.
+    /// 3s² − 2s³: zero velocity at the ends; the acceleration jumps.
     Cubic,
-    /// 10s³ − 15s⁴ + 6s⁵: no velocity and no acceleration at the ends.
+    /// 10s³ − 15s⁴ + 6s⁵: zero velocity and acceleration at the ends.
     Poly345,
-    /// 35s⁴ − 84s⁵ + 70s⁶ − 20s⁷: no velocity, acceleration and jerk at the ends.
+    /// 35s⁴ − 84s⁵ + 70s⁶ − 20s⁷: zero velocity, acceleration and jerk at the ends.
     Poly4567,
-    /// (1 − cos πs)/2: no velocity at the ends; the acceleration jumps.
+    /// (1 − cos πs)/2: zero velocity at the ends; the acceleration jumps.
     SimpleHarmonic,
-    /// s − sin(2πs)/(2π): no velocity and no acceleration at the ends.
+    /// s − sin(2πs)/(2π): zero velocity and acceleration at the ends.
     Cycloidal,
     /// Constant acceleration joined by quarter sines.
     ModifiedTrapezoid,
@@ -30,17 +32,17 @@ pub(super) enum Rise {
     ModifiedSine,
 }
 
-/// A fraction of the way from x0 to x1.
+/// Fraction of the interval from x0 to x1.
 type Share = (i64, i64);
 
-/// y(s) up to a share.
+/// y(s) up to a fraction of the interval.
 type Piece = (Share, ExprId);
 
-/// A coefficient and what it multiplies.
+/// A coefficient with its factor.
 type Scaled = (ExprId, ExprId);
 
 impl Rise {
-    /// The rise that a law's name means.
+    /// Returns the rise of this name; `None` for other names.
     pub(super) fn named(name: &str) -> Option<Rise> {
         Some(match name {
             "step" => Rise::Cubic,
@@ -54,7 +56,7 @@ impl Rise {
         })
     }
 
-    /// y(s) piece by piece, each up to the s it holds to; the last one to 1.
+    /// Returns y(s) piece by piece, each with the s up to which it applies; the last one ends at 1.
     fn pieces(self, s: ExprId, graph: &mut Graph) -> Vec<Piece> {
         let whole = match self {
             Rise::Cubic => power_sum(s, &[(2, 3), (3, -2)], graph),
@@ -81,7 +83,7 @@ impl Rise {
         vec![((1, 1), whole)]
     }
 
-    /// y(s) for s in [0, 1].
+    /// Returns y(s) for s in [0, 1].
     pub(super) fn risen(self, s: ExprId, graph: &mut Graph) -> ExprId {
         let mut pieces = self.pieces(s, graph).into_iter().rev();
         let Some((_, mut risen)) = pieces.next() else {
@@ -95,7 +97,7 @@ impl Rise {
         risen
     }
 
-    /// The motion from (x0, h0) to (x1, h1), followed from x1 on by `after`. What holds before x0 is for the caller to say.
+    /// Returns the motion from (x0, h0) to (x1, h1), continued after x1 by `after`. The caller handles x before x0.
     pub(super) fn segment(
         self,
         x: ExprId,
@@ -120,7 +122,7 @@ impl Rise {
     }
 }
 
-/// Σ coefficient · s^exponent.
+/// Returns Σ coefficient · s^exponent.
 fn power_sum(s: ExprId, terms: &[(i64, i64)], graph: &mut Graph) -> ExprId {
     let parts: Vec<ExprId> = terms
         .iter()
@@ -133,13 +135,13 @@ fn power_sum(s: ExprId, terms: &[(i64, i64)], graph: &mut Graph) -> ExprId {
     graph.sum(&parts)
 }
 
-/// A fraction of π times an expression.
+/// Returns a fraction of π times an expression.
 fn pi_times((numerator, denominator): (i64, i64), expr: ExprId, graph: &mut Graph) -> ExprId {
     let (fraction, pi) = (graph.rational(numerator, denominator), graph.pi());
     graph.product(&[fraction, pi, expr])
 }
 
-/// Σ numerator/denominator · π^exponent.
+/// Returns Σ numerator/denominator · π^exponent.
 fn of_pi(parts: &[(i64, i64, i64)], graph: &mut Graph) -> ExprId {
     let parts: Vec<ExprId> = parts
         .iter()
@@ -152,7 +154,7 @@ fn of_pi(parts: &[(i64, i64, i64)], graph: &mut Graph) -> ExprId {
     graph.sum(&parts)
 }
 
-/// (Σ coefficient · part) / divisor.
+/// Returns (Σ coefficient · part) / divisor.
 fn combined(parts: &[Scaled], divisor: ExprId, graph: &mut Graph) -> ExprId {
     let parts: Vec<ExprId> = parts
         .iter()
@@ -162,8 +164,8 @@ fn combined(parts: &[Scaled], divisor: ExprId, graph: &mut Graph) -> ExprId {
     graph.divide(sum, divisor)
 }
 
-/// The acceleration is a quarter sine up to 1/8, 8π/(2 + π) up to 3/8, a half wave of a cosine up to 5/8, and so on in mirror
-/// image.
+/// Returns the modified trapezoid. Its acceleration is a quarter sine up to 1/8, 8π/(2 + π) up to 3/8, and half a cosine wave
+/// up to 5/8; the rest is the mirror image.
 fn modified_trapezoid(s: ExprId, graph: &mut Graph) -> Vec<Piece> {
     let (one, angle) = (graph.one(), pi_times((4, 1), s, graph));
     let (sine, square) = (graph.sin(angle), graph.multiply(s, s));
@@ -195,8 +197,8 @@ fn modified_trapezoid(s: ExprId, graph: &mut Graph) -> Vec<Piece> {
         .to_vec()
 }
 
-/// The acceleration is a quarter sine up to 1/8, a half wave of a cosine up to 7/8, and a quarter sine to the end; its peak is
-/// 4π²/(4 + π).
+/// Returns the modified sine. Its acceleration is a quarter sine up to 1/8, half a cosine wave up to 7/8, and a quarter sine up
+/// to 1; the maximum is 4π²/(4 + π).
 fn modified_sine(s: ExprId, graph: &mut Graph) -> Vec<Piece> {
     let one = graph.one();
     let angle = pi_times((4, 1), s, graph);
@@ -216,7 +218,7 @@ fn modified_sine(s: ExprId, graph: &mut Graph) -> Vec<Piece> {
 }
 
 impl Resolver<'_> {
-    /// `LAW(x, x0, h0, x1, h1)`.
+    /// Evaluates `LAW(x, x0, h0, x1, h1)`.
     pub(super) fn single_rise(
         &mut self,
         rise: Rise,

@@ -1,11 +1,11 @@
-//! Rises and dwells one after the other: *x, a law and its stations* → *the motion through all of them*.
+//! Builds sequences of rises and dwells through stations.
 //!
-//! Between two stations of one height the motion dwells, between two others it goes by the law. Before the first and after
-//! the last station it dwells too, unless it is periodic: then it is repeated for ever, and the first and the last station
-//! must have the same height.
+//! Between two stations of equal height the motion dwells; between others it follows the law. Before the first and after the
+//! last station it dwells, too, unless it is periodic. A periodic motion requires equal heights at the first and the last
+//! station.
 //!
-//! The share of the way s is chosen first, 0 in a dwell, and then the heights that the way goes between: so y(s) is one
-//! expression for all rises, and a dwell continues the rise after it, of which it has gone nothing.
+//! The fraction s of the interval is chosen first, 0 in a dwell, and then the heights. So y(s) is one expression for all rises,
+//! and a dwell is the start of the rise after it.
 
 use super::super::expression::{Value, listed};
 use super::super::resolve::Resolver;
@@ -17,27 +17,27 @@ use crate::syntax::{Expression, ExpressionKind};
 
 const FORM: &str = "sequence(x, cycloidal, (x0, h0), (x1, h1), …)";
 
-/// So many pieces are told apart one after the other, more of them by halves.
-const LONGEST_CHAIN: usize = 24;
+/// Maximum number of pieces that are distinguished sequentially; more are bisected.
+const MAX_CHAIN_LENGTH: usize = 24;
 
-/// One station: the place and the height, as written and as values.
+/// One station: position and height, as written and as values.
 type Station<'a> = [(&'a Expression, Value); 2];
 
 impl Resolver<'_> {
-    /// `sequence(x, LAW, (x0, h0), (x1, h1), …)`, with `periodic` as the last argument where it is repeated.
+    /// Evaluates `sequence(x, LAW, (x0, h0), (x1, h1), …)`; a last argument `periodic` repeats the motion.
     pub(super) fn sequence(&mut self, arguments: &[Expression], span: Span) -> Option<Value> {
         let is_periodic = arguments
             .last()
             .is_some_and(|last| word(last) == Some("periodic"));
         let arguments = &arguments[..arguments.len() - usize::from(is_periodic)];
         let [written_x, written_law, pairs @ ..] = arguments else {
-            let given = arguments.len();
-            self.wrong_count("sequence", "at least 4 arguments", given, FORM, span);
+            let count = arguments.len();
+            self.wrong_count("sequence", "at least 4 arguments", count, FORM, span);
             return None;
         };
         if pairs.len() < 2 {
-            let given = arguments.len();
-            self.wrong_count("sequence", "at least 4 arguments", given, FORM, span);
+            let count = arguments.len();
+            self.wrong_count("sequence", "at least 4 arguments", count, FORM, span);
             return None;
         }
         let law = word(written_law).and_then(Rise::named);
@@ -117,7 +117,7 @@ impl Resolver<'_> {
         Some([(place, values.0?), (height, values.1?)])
     }
 
-    /// True if a place lies beyond the place before it, as far as both are known; an error otherwise.
+    /// True if a position exceeds the previous one, or if one of them is unknown; otherwise reports an error.
     fn follows(&mut self, earlier: (&Expression, Value), later: (&Expression, Value)) -> bool {
         if self.is_increase(earlier.1.0, later.1.0) {
             return true;
@@ -137,7 +137,7 @@ impl Resolver<'_> {
         false
     }
 
-    /// Reports a periodic motion that does not end where it begins.
+    /// Reports a periodic motion whose end differs from its beginning.
     fn closes(&mut self, first: (&Expression, Value), last: (&Expression, Value)) -> Option<()> {
         let gap = self.graph.subtract(last.1.0, first.1.0);
         if gap == self.graph.zero() {
@@ -156,7 +156,7 @@ impl Resolver<'_> {
         None
     }
 
-    /// x less a whole number of periods, so that it is in [from, to).
+    /// Returns x minus a whole number of periods, so that the result is in [from, to).
     fn within_period(&mut self, x: ExprId, from: ExprId, to: ExprId) -> ExprId {
         let graph = &mut self.graph;
         let (gone, period) = (graph.subtract(x, from), graph.subtract(to, from));
@@ -167,15 +167,15 @@ impl Resolver<'_> {
     }
 }
 
-/// What holds up to a place.
+/// A phase of the motion, up to a position.
 struct Phase {
-    /// Where it ends; nobody asks at the last one.
+    /// End of the phase; unused for the last one.
     end: ExprId,
-    /// The height at its beginning.
+    /// Height at the beginning.
     start: ExprId,
-    /// The height that it gains; `None` where it stays, so that any will do.
+    /// Increase of the height; `None` for a dwell, where any value serves.
     gain: Option<ExprId>,
-    /// The share of the way gone.
+    /// Fraction of the interval.
     share: ExprId,
 }
 
@@ -204,9 +204,9 @@ impl Phase {
     }
 }
 
-/// The motion through all phases.
+/// Returns the motion through all phases.
 fn joined(law: Rise, x: ExprId, mut phases: Vec<Phase>, graph: &mut Graph) -> ExprId {
-    // A dwell takes the gain of the rise after it at the same height, and is one phase with it but for the share.
+    // A dwell takes the increase of the next rise from its height, and differs from that rise only in the fraction.
     for place in (1..phases.len()).rev() {
         let (start, gain) = (phases[place].start, phases[place].gain);
         let dwell = &mut phases[place - 1];
@@ -233,8 +233,7 @@ fn joined(law: Rise, x: ExprId, mut phases: Vec<Phase>, graph: &mut Graph) -> Ex
     chosen(x, &motions, graph)
 }
 
-/// The value of the first pair whose place x has not reached; that of the last pair beyond all. Neighbors of one value need no
-/// question between them.
+/// Returns the value of the first pair whose position exceeds x, or of the last pair. Neighbors of equal value are merged.
 fn chosen(x: ExprId, pairs: &[(ExprId, ExprId)], graph: &mut Graph) -> ExprId {
     let mut pieces: Vec<(ExprId, ExprId)> = Vec::with_capacity(pairs.len());
     for &(end, value) in pairs {
@@ -246,12 +245,13 @@ fn chosen(x: ExprId, pairs: &[(ExprId, ExprId)], graph: &mut Graph) -> ExprId {
     among(x, &pieces, graph)
 }
 
-/// The same by as few questions as can be, where there are many pieces; by one after the other where a person would write so.
+/// Returns the value at x. Many pieces are bisected with few comparisons; few are compared in sequence, as in a handwritten
+/// formula.
 fn among(x: ExprId, pieces: &[(ExprId, ExprId)], graph: &mut Graph) -> ExprId {
     match pieces {
         [] => graph.zero(),
         [(_, only)] => *only,
-        few if few.len() <= LONGEST_CHAIN => {
+        few if few.len() <= MAX_CHAIN_LENGTH => {
             let mut pieces = few.iter().rev();
             let last = pieces.next().map_or(graph.zero(), |last| last.1);
             pieces.fold(last, |value, &(end, own)| {
@@ -272,7 +272,7 @@ fn pair_of(stations: &[Station<'_>], component: usize) -> [ExprId; 2] {
     [0, 1].map(|place: usize| stations[place][component].1.0)
 }
 
-/// The bare word that an argument is, if it is one.
+/// Returns the argument if it is a bare word; `None` otherwise.
 fn word(written: &Expression) -> Option<&str> {
     match &written.kind {
         ExpressionKind::Reference(reference) if reference.body.is_none() => {

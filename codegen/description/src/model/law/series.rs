@@ -1,4 +1,4 @@
-//! Laws without pieces: *x and coefficients* → *a polynomial or a harmonic*.
+//! Builds laws without pieces: polynomials and harmonics.
 //!
 //! Source: MSC ADAMS, function reference (POLY and SHF).
 
@@ -10,7 +10,7 @@ use crate::expr::{ExprId, Rational};
 use crate::syntax::Expression;
 
 impl Resolver<'_> {
-    /// `polynomial(x, x0, a0, a1, …)`: a0 + a1 (x − x0) + a2 (x − x0)² + ….
+    /// Evaluates `polynomial(x, x0, a0, a1, …)`: a0 + a1 (x − x0) + a2 (x − x0)² + ….
     pub(super) fn polynomial(&mut self, arguments: &[Expression], span: Span) -> Option<Value> {
         let (given, form) = (arguments.len(), "polynomial(x, x0, a0, a1, …)");
         if given < 3 {
@@ -46,7 +46,7 @@ impl Resolver<'_> {
         Some((self.graph.sum(&terms), dimension))
     }
 
-    /// `harmonic(x, x0, amplitude, frequency, phase, offset)`: amplitude·sin(frequency·(x − x0) − phase) + offset.
+    /// Evaluates `harmonic(x, x0, amplitude, frequency, phase, offset)`: amplitude·sin(frequency·(x − x0) − phase) + offset.
     pub(super) fn harmonic(&mut self, arguments: &[Expression], span: Span) -> Option<Value> {
         let form = "harmonic(x, x0, amplitude, frequency, phase, offset)";
         if arguments.len() != 6 {

@@ -1,4 +1,4 @@
-//! How a table ends, as written → its end conditions.
+//! Resolves the ends of a table into end conditions.
 
 use super::super::dimension::Dimension;
 use super::super::resolve::Resolver;
@@ -6,15 +6,15 @@ use super::pieces::Ends;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::syntax::{self, Expression};
 
-/// How a table may end, for help lines.
+/// Forms of the ends, for help lines.
 const ENDS: &str =
     "a table ends in `;` or `natural;`, in `clamped(SLOPE, SLOPE);`, or in `periodic;`";
 
-/// The words with which a table may end.
+/// Keywords of the ends of tables.
 pub const ENDS_OF_TABLES: [&str; 3] = ["natural", "clamped", "periodic"];
 
 impl Resolver<'_> {
-    /// The end conditions; the slopes of clamped ends are checked where it is known what the columns measure.
+    /// Resolves the end conditions; the slopes of clamped ends are checked after the dimensions of the columns are known.
     pub(super) fn ends(
         &mut self,
         written: &syntax::Table,
@@ -33,7 +33,7 @@ impl Resolver<'_> {
                 return Some(Ends::Clamped([first?, last?]));
             }
             (word, slopes) if ENDS_OF_TABLES.contains(&word) => {
-                let wanted = if word == "clamped" {
+                let count = if word == "clamped" {
                     "two slopes"
                 } else {
                     "no slopes"
@@ -42,7 +42,7 @@ impl Resolver<'_> {
                     Diagnostic::error(
                         Code::WrongArgumentCount,
                         ends.span,
-                        format!("`{word}` takes {wanted}, not {}", slopes.len()),
+                        format!("`{word}` takes {count}, not {}", slopes.len()),
                     )
                     .label(format!("{} given", slopes.len()))
                     .help(ENDS),

@@ -1,4 +1,4 @@
-//! The file that a table names → its points, each column in its unit.
+//! Reads the points of a table from its file, each column in its unit.
 
 use super::super::dimension::{Dimension, exact};
 use super::super::resolve::Resolver;
@@ -10,7 +10,7 @@ use crate::syntax::{Name, is_relative, leaves_folder};
 use crate::units::of_column;
 
 impl Resolver<'_> {
-    /// The points of a file, each column in its unit.
+    /// Returns the points of a file in SI units; `None` after an error.
     pub(super) fn in_file(
         &mut self,
         path: &Name,
@@ -26,7 +26,7 @@ impl Resolver<'_> {
                 return None;
             }
         };
-        // One file may stand behind many tables.
+        // Many tables may name one file.
         self.graph.spend(bytes.len() / 16);
         if leaves_folder(&path.text) {
             let message = format!("`{}` leaves the folder of the description", path.text);
@@ -69,11 +69,11 @@ impl Resolver<'_> {
             let line = table.lines[row];
             let mut values = [0.0; 2];
             for (value, (column, unit)) in values.iter_mut().zip(chosen.into_iter().zip(units)) {
-                let own = &table.columns[column];
-                let Some(number) = own.values[row].and(table.written(own.spans[row])) else {
+                let column = &table.columns[column];
+                let Some(number) = column.values[row].and(table.written(column.spans[row])) else {
                     let message = format!(
                         "line {line} of `{}` has no number for `{}`",
-                        path.text, own.name
+                        path.text, column.name
                     );
                     self.report_file(path, message, "leave out the line, or write the number");
                     return None;
@@ -100,7 +100,7 @@ impl Resolver<'_> {
         })
     }
 
-    /// The places of both columns: those that are chosen, or the only two.
+    /// Returns the indices of both columns: the written ones, or the only two.
     fn chosen(
         &mut self,
         path: &Name,
@@ -121,7 +121,7 @@ impl Resolver<'_> {
             self.report_file(path, message, &help);
             return None;
         };
-        let found = [0, 1].map(|place| {
+        let indices = [0, 1].map(|place| {
             let name = &wanted[place];
             let number = name
                 .text
@@ -149,31 +149,33 @@ impl Resolver<'_> {
             );
             None
         });
-        let [x, y] = found;
+        let [x, y] = indices;
         Some([x?, y?])
     }
 
-    /// The units of both columns: those that the description says, otherwise those of the header, otherwise those of SI. What both say
-    /// is the same.
+    /// Returns the units of both columns: from the description, otherwise from the header, otherwise SI units. Units in both
+    /// places must agree.
     fn units(
         &mut self,
         said: Option<&[Name; 2]>,
         written: Option<&[Option<Name>; 2]>,
     ) -> Option<[(ExprId, Dimension); 2]> {
         let one = (self.graph.one(), Dimension::Number);
-        let found = [0, 1].map(|column| {
-            let said = said.map(|units| &units[column]);
+        let units_of_columns = [0, 1].map(|column| {
+            let units_written = said.map(|units| &units[column]);
             let written = written.and_then(|units| units[column].as_ref());
-            if let (Some(said), Some(written)) = (said, written) {
-                let units = [said, written].map(|it| Unit::parse(&it.text));
-                // A unit of this language that other programs do not know is believed.
+            if let (Some(units_written), Some(written)) = (units_written, written) {
+                let units = [units_written, written].map(|it| Unit::parse(&it.text));
+                // A unit of this language that is unknown in columns takes precedence.
                 if let [Some(said_unit), Some(written_unit)] = units
                     && said_unit != written_unit
                 {
-                    let message =
-                        format!("the file says `{}`, and not `{}`", written.text, said.text);
+                    let message = format!(
+                        "the file says `{}`, and not `{}`",
+                        written.text, units_written.text
+                    );
                     self.diagnostics.push(
-                        Diagnostic::error(Code::UnreadableTable, said.span, message)
+                        Diagnostic::error(Code::UnreadableTable, units_written.span, message)
                             .label("the unit of this column")
                             .also(written.span, "in the header of this file")
                             .help("write the unit of the file, or none"),
@@ -181,20 +183,20 @@ impl Resolver<'_> {
                     return None;
                 }
             }
-            match said.or(written) {
+            match units_written.or(written) {
                 None => Some(one),
                 Some(unit) if matches!(unit.text.as_str(), "1" | "-") => Some(one),
-                Some(unit) => match of_column(&unit.text).filter(|_| said.is_none()) {
+                Some(unit) => match of_column(&unit.text).filter(|_| units_written.is_none()) {
                     Some(named) => Some(exact(named, &mut self.graph)),
                     None => self.unit(unit),
                 },
             }
         });
-        let [x, y] = found;
+        let [x, y] = units_of_columns;
         Some([x?, y?])
     }
 
-    /// The number in a cell, in SI units, rounded once: the same that a listed point would have.
+    /// Returns the number of a cell in SI units, rounded once like that of a listed point.
     fn cell(&mut self, cell: &str, unit: ExprId) -> Option<f64> {
         let unsigned = cell.strip_prefix('-').unwrap_or(cell);
         let number = match unsigned.starts_with('.') {
@@ -217,7 +219,7 @@ impl Resolver<'_> {
     }
 }
 
-/// The bytes of the file that a table names, or what is wrong with it and what to do.
+/// Returns the bytes of the named file, or the message and the help of an error.
 fn file_of<'a>(
     attachments: &'a [Attachment],
     path: &Name,

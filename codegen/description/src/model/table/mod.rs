@@ -1,7 +1,7 @@
-//! `table` statements → splines, and calls of tables → expressions.
+//! Resolves `table` statements into splines, and calls of tables into expressions.
 //!
-//! A table is a function of any argument, twice continuously differentiable through its points. Its pieces are computed here,
-//! once; so its points are numbers: neither t nor a parameter moves them. Deliberately unknown here: what depends on it.
+//! A table is a function of any argument, twice continuously differentiable through its points. The pieces are computed once,
+//! so the points must be numbers, independent of t and of parameters.
 
 mod ends;
 mod file;
@@ -18,26 +18,26 @@ use super::{Table, field_name};
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::syntax::{self, Expression, Name, Pair, TablePoints};
 
-/// A number that is written in the description, and what it measures.
+/// A number of the description with its dimension.
 type Entry<'a> = (&'a Expression, f64, Dimension);
 
 /// A point of a table.
 struct Point {
     values: [f64; 2],
-    /// Where both are written; of a file, where it is named.
+    /// Locations of both numbers; for a file, the location of its name.
     spans: [Span; 2],
-    /// Of a file, its line.
+    /// Line in the file; `None` for a listed point.
     line: Option<usize>,
 }
 
-/// The points of a table with what both columns measure.
+/// Points of a table with the dimensions of both columns.
 struct Columns {
     points: Vec<Point>,
     dimensions: [Dimension; 2],
 }
 
 impl Resolver<'_> {
-    /// Declares a table, also where something is wrong with it, so that its uses are not reported too.
+    /// Declares a table, even with an error, so that its uses cause no further errors.
     pub(super) fn add_table(&mut self, written: &syntax::Table) {
         let name = &written.name;
         if !self.may_be_declared(name) || !self.may_name_table(name) {
@@ -51,7 +51,8 @@ impl Resolver<'_> {
         }
     }
 
-    /// Reports a name that another function has, or that becomes the same constant as that of another table.
+    /// Reports a name of another function, or a name that collides with the constant of another table; true if the name is
+    /// free.
     fn may_name_table(&mut self, name: &Name) -> bool {
         let text = name.text.as_str();
         let finding = |message: String| Diagnostic::error(Code::NameNotAllowed, name.span, message);
@@ -126,7 +127,7 @@ impl Resolver<'_> {
         })
     }
 
-    /// The points: numbers, each column of one dimension, the first one increasing.
+    /// Resolves the points: numbers, with one dimension per column and increasing arguments.
     fn columns(&mut self, written: &syntax::Table) -> Option<Columns> {
         let columns = match &written.points {
             TablePoints::Listed(pairs) => self.listed(pairs),
@@ -150,7 +151,7 @@ impl Resolver<'_> {
         sound.then_some(columns)
     }
 
-    /// The points that the description lists.
+    /// Resolves the points listed in the description.
     fn listed(&mut self, pairs: &[Pair]) -> Option<Columns> {
         let mut rows: Vec<[Entry<'_>; 2]> = Vec::new();
         let mut sound = true;
@@ -181,7 +182,7 @@ impl Resolver<'_> {
         sound.then_some(Columns { points, dimensions })
     }
 
-    /// Whether a point stands behind another one; an error where not.
+    /// True if the argument of a point exceeds that of the previous one; otherwise reports an error.
     fn increases_to(&mut self, before: &Point, point: &Point) -> bool {
         if point.values[0] > before.values[0] {
             return true;
@@ -202,7 +203,7 @@ impl Resolver<'_> {
         false
     }
 
-    /// A number that nothing changes.
+    /// Resolves a constant number.
     fn entry<'a>(&mut self, written: &'a Expression) -> Option<Entry<'a>> {
         let (value, dimension) = self.value(written)?;
         if self.graph.is_constant(value) {
@@ -223,7 +224,7 @@ impl Resolver<'_> {
         None
     }
 
-    /// Whether a periodic table ends at the value at which it begins; an error where not.
+    /// True if a periodic table ends at its initial value; otherwise reports an error.
     fn returns(&mut self, first: &Point, last: &Point) -> bool {
         if first.values[1] == last.values[1] {
             return true;
@@ -246,7 +247,7 @@ impl Resolver<'_> {
         false
     }
 
-    /// `lift(x)`: the value of a declared table.
+    /// Evaluates `lift(x)`: the value of a declared table.
     pub(super) fn look_up(
         &mut self,
         table: &Name,
@@ -259,14 +260,14 @@ impl Resolver<'_> {
             table.used = true;
         }
         let [written] = arguments else {
-            let given = arguments.len();
+            let count = arguments.len();
             self.diagnostics.push(
                 Diagnostic::error(
                     Code::WrongArgumentCount,
                     span,
-                    format!("the table `{name}` takes 1 argument, not {given}"),
+                    format!("the table `{name}` takes 1 argument, not {count}"),
                 )
-                .label(format!("{given} given"))
+                .label(format!("{count} given"))
                 .help(format!("write `{name}(…)` with one expression")),
             );
             return None;

@@ -1,25 +1,24 @@
-//! Points and end conditions → the cubic pieces of the C² spline through them.
+//! Computes the cubic pieces of the C² spline through given points.
 //!
-//! The second derivatives at the points solve a tridiagonal system, which for a periodic spline is closed to a ring by two more
-//! entries; these are put back by the Sherman-Morrison formula. Its rows are strictly diagonally dominant, so elimination
-//! without pivoting is stable. Source: de Boor, *A Practical Guide to Splines*, 2001, chapter IV. Deliberately unknown here:
-//! units, and where the points come from.
+//! The second derivatives at the points solve a tridiagonal system. For a periodic spline, two more entries close the system to
+//! a ring, and are handled by the Sherman-Morrison formula. The rows are strictly diagonally dominant, so elimination without
+//! pivoting is stable. Source: de Boor, *A Practical Guide to Splines*, 2001, chapter IV.
 
 use crate::expr::Spline;
 
-/// How a spline ends.
+/// End conditions of a spline.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in super::super) enum Ends {
-    /// Without curvature; it goes on straight.
+    /// Zero curvature; continued by straight lines.
     Natural,
-    /// With these slopes; it goes on straight, with a curvature that jumps.
+    /// Prescribed slopes; continued by straight lines, with a jump of the curvature.
     Clamped([f64; 2]),
-    /// As it begins; it is repeated.
+    /// Periodic continuation.
     Periodic,
 }
 
-/// The spline through the points (x, y), at least two of them, with x increasing; at least three if it is periodic. Some
-/// coefficient is not finite where points are too close together.
+/// Returns the spline through the points (x, y), with increasing x; at least two points, or three if periodic. A coefficient is
+/// not finite if points are too close together.
 pub(in super::super) fn spline(name: &str, points: &[[f64; 2]], ends: Ends) -> Spline {
     let widths: Vec<f64> = points.windows(2).map(|two| two[1][0] - two[0][0]).collect();
     let chords: Vec<f64> = points
@@ -46,11 +45,11 @@ pub(in super::super) fn spline(name: &str, points: &[[f64; 2]], ends: Ends) -> S
             [points[last + 1][1], slope, 0.0, 0.0]
         }
         Ends::Clamped([first, slope]) => {
-            // The very slope, not what is left of it after rounding.
+            // The prescribed slope itself, without rounding.
             pieces[0][1] = first;
             [points[last + 1][1], slope, 0.0, 0.0]
         }
-        // Only rounding gets here.
+        // Reached only by rounding.
         Ends::Periodic => pieces[0],
     };
     pieces.push(end);
@@ -64,7 +63,7 @@ pub(in super::super) fn spline(name: &str, points: &[[f64; 2]], ends: Ends) -> S
     }
 }
 
-/// The second derivatives at the points of a spline with two ends.
+/// Returns the second derivatives at the points of a spline with two ends.
 fn open(widths: &[f64], chords: &[f64], ends: Ends) -> Vec<f64> {
     let count = widths.len() + 1;
     let mut system = Tridiagonal::zero(count);
@@ -87,7 +86,7 @@ fn open(widths: &[f64], chords: &[f64], ends: Ends) -> Vec<f64> {
     system.solve()
 }
 
-/// The second derivatives at the points of a periodic spline, the first one once more at the end.
+/// Returns the second derivatives at the points of a periodic spline; the first is repeated at the end.
 fn ring(widths: &[f64], chords: &[f64]) -> Vec<f64> {
     let count = widths.len();
     let mut system = Tridiagonal::zero(count);
@@ -117,10 +116,10 @@ fn ring(widths: &[f64], chords: &[f64]) -> Vec<f64> {
 /// A tridiagonal system of equations.
 #[derive(Clone, Debug)]
 struct Tridiagonal {
-    /// Left of the diagonal; the first is outside.
+    /// Entries left of the diagonal; the first is unused.
     lower: Vec<f64>,
     diagonal: Vec<f64>,
-    /// Right of the diagonal; the last is outside.
+    /// Entries right of the diagonal; the last is unused.
     upper: Vec<f64>,
     right: Vec<f64>,
 }
@@ -136,7 +135,7 @@ impl Tridiagonal {
         }
     }
 
-    /// The slope does not jump at a point between two pieces.
+    /// Sets the row of a point between two pieces, where the slope is continuous.
     fn row(&mut self, place: usize, widths: &[f64], chords: &[f64], [before, after]: [usize; 2]) {
         self.lower[place] = widths[before];
         self.diagonal[place] = 2.0 * (widths[before] + widths[after]);
@@ -144,7 +143,7 @@ impl Tridiagonal {
         self.right[place] = 6.0 * (chords[after] - chords[before]);
     }
 
-    /// Elimination and substitution back.
+    /// Solves the system by elimination and back substitution.
     fn solve(mut self) -> Vec<f64> {
         let count = self.diagonal.len();
         for place in 1..count {
@@ -152,14 +151,14 @@ impl Tridiagonal {
             self.diagonal[place] -= factor * self.upper[place - 1];
             self.right[place] -= factor * self.right[place - 1];
         }
-        let mut found = self.right;
+        let mut solution = self.right;
         for place in (0..count).rev() {
-            let known = match found.get(place + 1) {
+            let known = match solution.get(place + 1) {
                 Some(next) => self.upper[place] * next,
                 None => 0.0,
             };
-            found[place] = (found[place] - known) / self.diagonal[place];
+            solution[place] = (solution[place] - known) / self.diagonal[place];
         }
-        found
+        solution
     }
 }

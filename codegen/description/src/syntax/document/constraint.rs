@@ -1,4 +1,4 @@
-//! Joints, drivers, `free` and `equation`, as written: what restricts a motion or gives it.
+//! Defines the syntax of joints, drivers, `free` and `equation`.
 
 use crate::diagnostic::Span;
 use crate::syntax::formula::{Direction, Expression, Name, Reference};
@@ -8,21 +8,21 @@ use crate::syntax::formula::{Direction, Expression, Name, Reference};
 pub struct Joint {
     /// The `///` lines above it.
     pub docs: Vec<String>,
-    /// The word `redundant`, where it is written.
+    /// Location of the word `redundant`; `None` if it is not written.
     pub redundant: Option<Span>,
-    /// The word it starts with; whether such a kind exists is not checked here.
+    /// First word of the statement, not checked against the known kinds.
     pub kind: Name,
-    /// The joint's own name, which for some kinds is that of a point.
+    /// Name of the joint, which for some kinds is that of a point; `None` if not written.
     pub name: Option<Name>,
-    /// What stands in the parentheses.
+    /// Operands in the parentheses.
     pub operands: Vec<Reference>,
-    /// The direction after `along`.
+    /// Direction after `along`; `None` if not written.
     pub along: Option<Direction>,
-    /// The value after `=`.
+    /// Value after `=`; `None` if not written.
     pub value: Option<Expression>,
-    /// The pressure angle of teeth, after `pressure_angle`; whether the kind has teeth is not checked here.
+    /// Pressure angle after `pressure_angle`, for any kind; `None` if not written.
     pub pressure_angle: Option<Expression>,
-    /// Where the part that it comes from is given a place.
+    /// Location where the part of this joint is placed; `None` outside parts.
     pub placed: Option<Span>,
     /// The whole statement with its semicolon.
     pub span: Span,
@@ -33,41 +33,41 @@ pub struct Joint {
 pub struct Drive {
     /// The `///` lines above it.
     pub docs: Vec<String>,
-    /// The driver's own name.
+    /// Name of the driver; `None` if not written.
     pub name: Option<Name>,
-    /// The driven quantity; whether such a quantity exists is not checked here. `phi` at the place of an angle that is named alone.
+    /// Driven quantity, not checked against the known quantities. It is `phi` for an angle that is written alone.
     pub quantity: Name,
-    /// What stands in the parentheses, or before the coordinate, or alone.
+    /// Operands: in the parentheses, before the coordinate, or alone.
     pub operands: Vec<Reference>,
-    /// How both are written.
+    /// Notation of the quantity and its operands.
     pub form: DrivenForm,
-    /// The prescribed motion, an expression of `t`.
+    /// Prescribed motion, an expression of `t`.
     pub value: Expression,
-    /// Where the part that it comes from is given a place.
+    /// Location where the part of this driver is placed; `None` outside parts.
     pub placed: Option<Span>,
     /// The whole statement with its semicolon.
     pub span: Span,
 }
 
-/// How a driven quantity is written.
+/// Notation of a driven quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DrivenForm {
-    /// `phi(BODY)`
+    /// Call: `phi(BODY)`.
     Called,
-    /// `K.x`
+    /// Coordinate: `K.x`.
     Dotted,
-    /// `ANGLE`
+    /// Name alone: `ANGLE`.
     Bare,
 }
 
 /// `free NAME: QUANTITY(OPERANDS) = START [rate RATE];`: a quantity that forces move.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Free {
-    /// Its own name.
+    /// Name of the free coordinate.
     pub name: Name,
-    /// What would drive it: its value is where the quantity starts.
+    /// Equivalent driver; its value is the initial value.
     pub drive: Drive,
-    /// How fast it starts, where that is written.
+    /// Initial rate; `None` if not written.
     pub rate: Option<Expression>,
 }
 
@@ -76,13 +76,13 @@ pub struct Free {
 pub struct Equation {
     /// The `///` lines above it.
     pub docs: Vec<String>,
-    /// The word `redundant`, where it is written.
+    /// Location of the word `redundant`; `None` if it is not written.
     pub redundant: Option<Span>,
-    /// The equation's own name.
+    /// Name of the equation; `None` if not written.
     pub name: Option<Name>,
-    /// What stands left of `=`.
+    /// Left side.
     pub left: Expression,
-    /// What stands right of `=`.
+    /// Right side.
     pub right: Expression,
     /// The whole statement with its semicolon.
     pub span: Span,

@@ -1,14 +1,14 @@
-//! `point`, `curve` and `body`, as written: what the drawing shows.
+//! Defines the syntax of `point`, `curve` and `body`.
 
 use crate::diagnostic::Span;
 use crate::syntax::formula::{Direction, Expression, Name, Pair, Reference};
 
-/// `point A = (X, Y), B = (X, Y);`: points in the global frame, as drawn.
+/// `point A = (X, Y), B = (X, Y);`: points in the global frame, in the design configuration.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Points {
     /// The `///` lines above it.
     pub docs: Vec<String>,
-    /// The points in written order; at least one.
+    /// Points in source order; at least one.
     pub points: Vec<DrawnPoint>,
     /// The whole statement with its semicolon.
     pub span: Span,
@@ -17,9 +17,9 @@ pub struct Points {
 /// One point of a `point` statement.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DrawnPoint {
-    /// Its name.
+    /// Name of the point.
     pub name: Name,
-    /// Its global position as drawn.
+    /// Global position in the design configuration.
     pub position: Pair,
 }
 
@@ -28,21 +28,21 @@ pub struct DrawnPoint {
 pub struct Curve {
     /// The `///` lines above it.
     pub docs: Vec<String>,
-    /// Its name.
+    /// Name of the curve.
     pub name: Name,
-    /// What runs along it.
+    /// Parameter of the curve.
     pub parameter: Name,
-    /// From where to where it is drawn, where that is written: `(s from 0 to 200mm)`.
+    /// Range of the parameter in pictures: `(s from 0 to 200mm)`; `None` if not written.
     pub range: Option<[Expression; 2]>,
-    /// The body that carries it.
+    /// Body to which the curve is fixed.
     pub body: Name,
-    /// Its points.
+    /// Coordinates of the curve.
     pub shape: Shape,
     /// The whole statement with its semicolon.
     pub span: Span,
 }
 
-/// The points of a curve in terms of its parameter.
+/// Coordinates of a curve in terms of its parameter.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Shape {
     /// `(X, Y)` in the frame of the body.
@@ -56,19 +56,19 @@ pub enum Shape {
 pub struct Body {
     /// The `///` lines above it.
     pub docs: Vec<String>,
-    /// An identifier or an integer.
+    /// Name: an identifier or an integer.
     pub name: Name,
-    /// Where the body's frame is estimated to be.
+    /// Estimated origin of the body's frame.
     pub origin: Origin,
-    /// How the body's frame is estimated to be turned.
+    /// Estimated orientation of the body's frame.
     pub orientation: Orientation,
-    /// The points it carries, in written order.
+    /// Points of the body, in source order.
     pub members: Vec<Member>,
     /// The whole statement.
     pub span: Span,
 }
 
-/// The place of a body's frame.
+/// Origin of a body's frame.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Origin {
     /// `at (X, Y)`, or the first two of `at (X, Y, ANGLE)`.
@@ -77,14 +77,14 @@ pub enum Origin {
     Point(Reference),
 }
 
-/// The angle of a body's frame.
+/// Orientation of a body's frame.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Orientation {
-    /// Nothing written: parallel to the global frame.
+    /// Not written: parallel to the global frame.
     Aligned,
     /// `at (X, Y, ANGLE)` or `turned ANGLE`.
     Angle(Expression),
-    /// `facing A -> B`: the x axis points from `A` to `B` as drawn.
+    /// `facing A -> B`: the x axis points from `A` to `B` in the design configuration.
     Facing(Direction),
 }
 
@@ -95,16 +95,16 @@ pub enum Member {
     Local {
         /// The `///` lines above it.
         docs: Vec<String>,
-        /// Its name.
+        /// Name of the point.
         name: Name,
-        /// Its position in the body's frame.
+        /// Position in the body's frame.
         position: Pair,
     },
-    /// `A`: the body carries the point drawn globally under this name.
+    /// `A`: the global point of this name, fixed to the body.
     Carried {
         /// The `///` lines above it.
         docs: Vec<String>,
-        /// The name of the drawn point.
+        /// Name of the global point.
         name: Name,
     },
 }

@@ -1,6 +1,6 @@
-//! *What was written, as written.* The tree of a description: every node has its place, nothing is resolved or computed.
+//! Defines the syntax tree of a description.
 //!
-//! The tree does not know joint kinds, quantities, functions or units. Its formulas are those of [`super::formula`].
+//! Every node has its source location. Nothing is resolved or computed. Formulas are in [`super::formula`].
 
 mod constraint;
 mod drawn;
@@ -22,42 +22,42 @@ use super::scope::Spellings;
 use crate::diagnostic::{Attachment, Span};
 use crate::units::OutputUnits;
 
-/// A file: its inner documentation and its mechanism.
+/// A file: inner documentation and a mechanism.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Document {
-    /// The `//!` lines at the top of the file, without the slashes.
+    /// Lines of `//!` at the top of the file, without the slashes.
     pub docs: Vec<String>,
-    /// The files that it names, as far as they could be read.
+    /// Attached files, read as far as possible.
     pub attachments: Vec<Attachment>,
-    /// Units in which values are reported, whatever the statements say; `None` if these decide.
+    /// Units of reported values, which override the statements; `None` if the statements decide.
     pub units: Option<OutputUnits>,
-    /// The mechanism that the file describes, its last one; its parts are written out.
+    /// Described mechanism, the last of the file, with expanded parts.
     pub mechanism: MechanismItem,
-    /// How names are written that are called otherwise; shared by all motions.
+    /// Source spellings of resolved names; shared by all motions.
     pub spellings: Arc<Spellings>,
 }
 
 /// `mechanism NAME { statements }`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MechanismItem {
-    /// The `///` lines above it, and the `//!` lines at the top of its braces.
+    /// Lines of `///` above the mechanism, and of `//!` at the top of its braces.
     pub docs: Vec<String>,
-    /// Its name.
+    /// Name of the mechanism.
     pub name: Name,
-    /// The statements in written order.
+    /// Statements in source order.
     pub statements: Vec<Statement>,
     /// From the word `mechanism` to the closing brace.
     pub span: Span,
 }
 
-/// One statement of a mechanism.
+/// A statement of a mechanism.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Statement {
     /// `const NAME = EXPRESSION;`
     Constant(Constant),
     /// `param NAME = EXPRESSION;`: a constant that can be changed at run time.
     Parameter(Constant),
-    /// `input NAME = EXPRESSION;`: a signal that is supplied at run time, with its value at assembly.
+    /// `input NAME = EXPRESSION;`: a signal supplied at run time, with its value at assembly.
     Input(Constant),
     /// `table NAME = [(X, Y), (X, Y)];`
     Table(Table),
@@ -65,9 +65,9 @@ pub enum Statement {
     Points(Points),
     /// `body NAME at (X, Y, ANGLE) { members }`
     Body(Body),
-    /// `angle NAME = EXPRESSION;`: an angle that needs no body, as drawn.
+    /// `angle NAME = EXPRESSION;`: an angle without a body, as estimated in the design configuration.
     Angle(Constant),
-    /// `revolute P(1, 2);` and every other constraint that does not depend on time.
+    /// `revolute P(1, 2);` and all other constraints that are independent of time.
     Joint(Joint),
     /// `drive phi(1) = EXPRESSION;`, `drive K.x = EXPRESSION;`
     Drive(Drive),
@@ -104,7 +104,7 @@ pub enum Statement {
 }
 
 impl MechanismItem {
-    /// The motions in written order.
+    /// Returns the motions in source order.
     pub fn motions(&self) -> impl Iterator<Item = &Motion> {
         self.statements
             .iter()
@@ -116,7 +116,7 @@ impl MechanismItem {
 }
 
 impl Statement {
-    /// Its place, from the first word to the semicolon or the closing brace.
+    /// Returns the location from the first word to the semicolon or the closing brace.
     pub fn span(&self) -> Span {
         match self {
             Statement::Constant(statement)
@@ -147,14 +147,14 @@ impl Statement {
     }
 }
 
-/// `motion NAME { statements }`: one of several ways in which the mechanism is driven.
+/// `motion NAME { statements }`: one set of drivers of the mechanism.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Motion {
-    /// The `///` lines above it, and the `//!` lines at the top of its braces.
+    /// Lines of `///` above the motion, and of `//!` at the top of its braces.
     pub docs: Vec<String>,
-    /// Its name; empty where it is missing, which has been reported.
+    /// Name of the motion; empty if missing, which has been reported.
     pub name: Name,
-    /// The statements in written order: no bodies, no points and no motions.
+    /// Statements in source order, without bodies, points and motions.
     pub statements: Vec<Statement>,
     /// From the word `motion` to the closing brace.
     pub span: Span,
@@ -165,9 +165,9 @@ pub struct Motion {
 pub struct Constant {
     /// The `///` lines above it.
     pub docs: Vec<String>,
-    /// Its name.
+    /// Name of the constant.
     pub name: Name,
-    /// Its value.
+    /// Value of the constant.
     pub value: Expression,
     /// The whole statement with its semicolon.
     pub span: Span,

@@ -1,4 +1,4 @@
-//! `table NAME = …`, as written: a function through points that are listed or stand in a file.
+//! Defines the syntax of `table`: a function through points that are listed or in a file.
 
 use crate::diagnostic::Span;
 use crate::syntax::formula::{Expression, Name, Pair};
@@ -8,41 +8,41 @@ use crate::syntax::formula::{Expression, Name, Pair};
 pub struct Table {
     /// The `///` lines above it.
     pub docs: Vec<String>,
-    /// Its name.
+    /// Name of the table.
     pub name: Name,
-    /// Its points.
+    /// Interpolated points.
     pub points: TablePoints,
-    /// Where these are written.
+    /// Location of the points.
     pub place: Span,
-    /// How it ends, where that is written.
+    /// End conditions; `None` if not written.
     pub ends: Option<Ends>,
     /// The whole statement with its semicolon.
     pub span: Span,
 }
 
-/// Where the points of a table are.
+/// Points of a table.
 #[derive(Debug, Clone, PartialEq)]
 pub enum TablePoints {
-    /// `[(X, Y), (X, Y)]`: here, in written order.
+    /// `[(X, Y), (X, Y)]`: listed, in source order.
     Listed(Vec<Pair>),
     /// `"FILE" columns (X, Y) in (UNIT, UNIT)`: in a file.
     InFile {
-        /// The path between the quotes.
+        /// Path between the quotes.
         path: Name,
-        /// The columns, by their names or their numbers from 1, where they are chosen.
+        /// Columns by name or number, counted from 1; `None` if not written.
         columns: Option<[Name; 2]>,
-        /// The units of both columns, where they are written; whether such units exist is not checked here.
+        /// Units of both columns, not checked against the known units; `None` if not written.
         units: Option<[Name; 2]>,
     },
 }
 
-/// `periodic`, `clamped(SLOPE, SLOPE)`: how a table ends.
+/// `periodic`, `clamped(SLOPE, SLOPE)`: end conditions of a table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ends {
-    /// The word; whether it has a meaning is not checked here.
+    /// Keyword; any word is accepted.
     pub word: Name,
-    /// What stands in the parentheses.
+    /// Arguments in the parentheses.
     pub slopes: Vec<Expression>,
-    /// Both.
+    /// Location of the keyword with its arguments.
     pub span: Span,
 }

@@ -1,4 +1,4 @@
-//! `units`, as written: the units in which values are reported.
+//! Defines the syntax of `units`: the units of reported values.
 
 use crate::diagnostic::Span;
 use crate::syntax::formula::Name;
@@ -8,7 +8,7 @@ use crate::syntax::formula::Name;
 pub struct Units {
     /// The `///` lines above it.
     pub docs: Vec<String>,
-    /// The units, at least one; the text is without blanks. Their meaning is not checked here.
+    /// Units, at least one; the text is without blanks. They are not checked.
     pub units: Vec<Name>,
     /// The whole statement with its semicolon.
     pub span: Span,

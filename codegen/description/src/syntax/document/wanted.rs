@@ -1,38 +1,38 @@
-//! `output`, `transmission`, `sensitivity` and statements of one word, as written: what the generated code is asked for.
+//! Defines the syntax of `output`, `transmission`, `sensitivity` and statements of one word.
 
 use crate::diagnostic::Span;
 use crate::syntax::formula::{Name, Reference};
 
-/// `output velocity K, phi(1);`: what the generated code is asked for.
+/// `output velocity K, phi(1);`: quantities for the generated code to return.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Output {
     /// The `///` lines above it.
     pub docs: Vec<String>,
-    /// Up to which level, if not all: one of [`LEVELS`](crate::syntax::LEVELS).
+    /// Highest level, one of [`LEVELS`](crate::syntax::LEVELS); `None` for all levels.
     pub level: Option<Name>,
-    /// What is wanted; at least one.
+    /// Requested quantities; at least one.
     pub items: Vec<OutputItem>,
     /// The whole statement with its semicolon.
     pub span: Span,
 }
 
-/// `transmission K, phi(1);`: what the drivers move, and how fast.
+/// `transmission K, phi(1);`: quantities whose rates per driver are requested.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Transmission {
     /// The `///` lines above it.
     pub docs: Vec<String>,
-    /// What is moved; at least one.
+    /// Quantities; at least one.
     pub items: Vec<OutputItem>,
     /// The whole statement with its semicolon.
     pub span: Span,
 }
 
-/// `sensitivity L2, L3;`: the parameters along which the motion is differentiated.
+/// `sensitivity L2, L3;`: parameters with respect to which the motion is differentiated.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sensitivity {
     /// The `///` lines above it.
     pub docs: Vec<String>,
-    /// The parameters; at least one.
+    /// Parameters; at least one.
     pub names: Vec<Name>,
     /// The whole statement with its semicolon.
     pub span: Span,
@@ -52,32 +52,32 @@ pub struct Directive {
 /// Kinds of statements of one word.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DirectiveKind {
-    /// `monitor`: every frame says how close the mechanism is to a singular pose.
+    /// `monitor`: every frame reports the distance from a singular pose.
     Monitor,
-    /// `unguarded`: no frame is shown to lie on the path of the last one.
+    /// `unguarded`: frames are not verified to stay on the path of the previous one.
     Unguarded,
-    /// `effort`: every frame says what the drivers exert.
+    /// `effort`: every frame reports the driving forces and torques.
     Effort,
-    /// `reactions`: every frame says what every joint carries.
+    /// `reactions`: every frame reports the reactions of all joints.
     Reactions,
-    /// `least_norm`: where joints repeat one another, they carry what is smallest.
+    /// `least_norm`: redundant joints have the reactions of least norm.
     LeastNorm,
-    /// `energy`: every frame says how much work is stored.
+    /// `energy`: every frame reports the stored energy.
     Energy,
 }
 
-/// One wanted quantity.
+/// One requested quantity.
 #[derive(Debug, Clone, PartialEq)]
 pub enum OutputItem {
-    /// The motion of a point.
+    /// Motion of a point.
     Point(Reference),
     /// `phi(1)`: a coordinate of a body.
     Coordinate {
-        /// `x`, `y` or `phi`, as far as the parser knows any word.
+        /// `x`, `y` or `phi`; the parser accepts any word.
         axis: Name,
-        /// What stands in the parentheses: one body, if it is right.
+        /// Operands in the parentheses; one body if valid.
         bodies: Vec<Reference>,
-        /// The whole item.
+        /// Location of the whole item.
         span: Span,
     },
 }

@@ -1,4 +1,4 @@
-//! `if … { … } else { … }` → a choice between formulas.
+//! Parses choices between formulas: `if … { … } else { … }`.
 
 use proc_macro2::Delimiter;
 
@@ -10,11 +10,11 @@ use crate::syntax::formula::{Choice, Comparison, Expression, ExpressionKind};
 use crate::syntax::reader::Outcome;
 use crate::syntax::tokens::Tokens;
 
-/// How a choice is written.
+/// Form of a choice, for help lines.
 const CHOICE: &str =
     "a choice is written `if t < 2s { … } else { … }`, with `<`, `<=`, `>` or `>=`";
 
-/// `if left < right { holds } else { otherwise }`, or another choice after `else`.
+/// Parses `if left < right { holds } else { otherwise }`; another choice may follow `else`.
 pub(super) fn choice(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
     if depth >= DEEPEST {
         return Err(Box::new(too_deep(tokens.next_span())));
@@ -25,8 +25,8 @@ pub(super) fn choice(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expressio
     let left = sum(tokens, depth + 1)?;
     let comparison = match (tokens.mark('<'), tokens.mark('>')) {
         (None, None) => {
-            let wanted = "`<`, `<=`, `>` or `>=`";
-            return Err(tokens.unexpected_with_code(Code::OutsideGrammar, wanted, CHOICE));
+            let expected = "`<`, `<=`, `>` or `>=`";
+            return Err(tokens.unexpected_with_code(Code::OutsideGrammar, expected, CHOICE));
         }
         (Some(_), None) if tokens.mark('=').is_some() => Comparison::LessOrEqual,
         (Some(_), None) => Comparison::Less,
@@ -63,7 +63,7 @@ pub(super) fn choice(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expressio
     })
 }
 
-/// A formula in braces.
+/// Parses a formula in braces.
 fn piece(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
     let Some((mut inner, span)) = tokens.group(Delimiter::Brace) else {
         return Err(after_expression(tokens, "an operation or `{`", CHOICE));

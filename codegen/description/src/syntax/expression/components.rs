@@ -1,4 +1,4 @@
-//! Values in parentheses with commas between them → the components of an argument or of a place.
+//! Parses coordinates of arguments and positions: values in parentheses, separated by commas.
 
 use proc_macro2::Delimiter;
 
@@ -8,7 +8,7 @@ use crate::syntax::formula::{Expression, ExpressionKind, Pair};
 use crate::syntax::reader::Outcome;
 use crate::syntax::tokens::Tokens;
 
-/// An argument of a call: a formula, or two or three of them in parentheses.
+/// Parses an argument of a call: a formula, or two or three of them in parentheses.
 pub(super) fn argument(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
     let mut ahead = *tokens;
     let Some((mut inner, span)) = ahead.group(Delimiter::Parenthesis) else {
@@ -46,18 +46,18 @@ pub(super) fn argument(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Express
     })
 }
 
-/// `(X, Y)` with two to `most` components; those after the second are returned beside the pair.
+/// Parses `(X, Y)` with two to `most` components; returns those after the second beside the pair.
 pub(in crate::syntax) fn coordinates(
     tokens: &mut Tokens<'_>,
     most: usize,
 ) -> Outcome<(Pair, Option<Expression>)> {
-    let wanted = if most == 2 {
+    let expected = if most == 2 {
         "`(X, Y)`"
     } else {
         "`(X, Y)` or `(X, Y, ANGLE)`"
     };
     let Some((mut inner, span)) = tokens.group(Delimiter::Parenthesis) else {
-        return Err(tokens.unexpected(wanted, &format!("write {wanted} in parentheses")));
+        return Err(tokens.unexpected(expected, &format!("write {expected} in parentheses")));
     };
     let mut components = Vec::new();
     while !inner.at_end() {
@@ -76,11 +76,11 @@ pub(in crate::syntax) fn coordinates(
         (Some(x), Some(y)) if count <= most => Ok((Pair { x, y, span }, components.next())),
         _ => {
             let message = format!(
-                "expected {wanted}, found {count} {}",
+                "expected {expected}, found {count} {}",
                 if count == 1 { "value" } else { "values" }
             );
             let finding = Diagnostic::error(Code::WrongForm, span, message);
-            Err(Box::new(finding.help(format!("write {wanted}"))))
+            Err(Box::new(finding.help(format!("write {expected}"))))
         }
     }
 }

@@ -1,7 +1,8 @@
-//! *Tokens → formulas.* From weak to strong: `+ -`, `* /`, the sign, `^` (grouped from the right), and what stands in brackets.
+//! Parses formulas. Operators from weak to strong: `+ -`, `* /`, the sign, `^` (grouped from the right), and brackets.
 //!
-//! Rust's own expressions are of no use here: its `^` is weaker than `+`, and its grammar is far wider. A chain of one strength
-//! becomes one node; what nests is counted, so that neither this parser nor whoever walks its tree overflows the stack.
+//! Rust's own expressions are unsuitable: their `^` is weaker than `+`, and their grammar is far wider. A chain of operators of
+//! equal precedence becomes one node. Nesting is bounded, so neither this parser nor recursive walks of its tree overflow the
+//! stack.
 
 mod choice;
 mod components;
@@ -20,14 +21,14 @@ use crate::diagnostic::{Code, Diagnostic};
 use choice::choice;
 use components::argument;
 
-/// What to do where a formula is wanted and something else stands.
+/// Help for a missing formula.
 const FORMULA: &str =
     "a formula is made of numbers, names, `( )`, `+ - * / ^` and functions such as `sin(t)`";
 
-/// Words of programs that some will try here.
+/// Keywords of programming languages that users may try here.
 const CONTROL: [&str; 5] = ["else", "match", "for", "while", "let"];
 
-/// A formula up to the first token that cannot continue it. What may follow is for the caller to say.
+/// Parses a formula up to the first token that cannot continue it. The caller checks that token.
 pub(super) fn expression(tokens: &mut Tokens<'_>) -> Outcome<Expression> {
     sum(tokens, 0)
 }
@@ -74,7 +75,7 @@ fn product(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
     Ok(chain(factors, ExpressionKind::Product))
 }
 
-/// A chain of one is that one; a longer chain is one node.
+/// Returns a chain as one node; a single operand remains itself.
 fn chain<T>(
     mut parts: Vec<(T, Expression)>,
     node: fn(Vec<(T, Expression)>) -> ExpressionKind,
@@ -95,7 +96,7 @@ fn chain<T>(
     }
 }
 
-/// `-x` and `+x`, weaker than a power.
+/// Parses `-x` and `+x`, which are weaker than a power.
 fn signed(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
     let mut start = None;
     let mut signs = 0;
@@ -127,7 +128,7 @@ fn signed(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
     Ok(result)
 }
 
-/// `base ^ exponent`; the exponent may have a sign, and takes further powers with it.
+/// Parses `base ^ exponent`; the exponent may have a sign, and includes further powers.
 fn power(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
     let base = atom(tokens, depth)?;
     let Some(caret) = tokens.mark('^') else {
@@ -202,7 +203,7 @@ fn number(tokens: &mut Tokens<'_>) -> Outcome<Expression> {
     })
 }
 
-/// What one, two or three names with dots between them stand for.
+/// Returns the expression for one, two or three names separated by dots.
 fn named_value(reference: Reference, axis: Option<Name>) -> Expression {
     let span = reference.span;
     match axis {
@@ -220,7 +221,7 @@ fn named_value(reference: Reference, axis: Option<Name>) -> Expression {
     }
 }
 
-/// A constant, a point of a body or its component, or a call.
+/// Parses a constant, a point of a body or its component, or a call.
 fn named(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
     if tokens.peek_word() == Some("if") {
         return choice(tokens, depth);
@@ -239,7 +240,7 @@ fn named(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
     if let (Some(value), None, None) = (index, &reference.body, &axis) {
         return Ok(indexed::number(value, reference.span));
     }
-    // A bracket on the next line starts something else: a semicolon is missing.
+    // A bracket on the next line starts something else, as a semicolon is missing.
     if axis.is_some() || !tokens.peek_group(Delimiter::Parenthesis) || tokens.at_line_start() {
         return Ok(named_value(reference, axis));
     }
@@ -273,8 +274,8 @@ fn named(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
     })
 }
 
-/// The finding that a formula is followed by something that does not continue it; `wanted` says what may follow, and `help` what to
-/// do where nothing better is known.
+/// Returns the finding for a token that does not continue a formula. `wanted` lists the permitted tokens, and `help` is the
+/// default help.
 pub(super) fn after_expression(tokens: &Tokens<'_>, wanted: &str, help: &str) -> Box<Diagnostic> {
     let previous = tokens.reader.written(tokens.previous());
     let value_follows = tokens.peek_word().is_some()

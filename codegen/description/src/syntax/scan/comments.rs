@@ -1,4 +1,4 @@
-//! Comments → documentation, and nothing that `syn` sees.
+//! Scans comments: keeps documentation and hides the rest from `syn`.
 
 use super::{Documentation, Scanner};
 use crate::diagnostic::{Code, Diagnostic, Span};
@@ -64,7 +64,7 @@ impl Scanner<'_> {
     }
 }
 
-/// The length of a block comment with the comments nested in it; `None` when it is not closed.
+/// Returns the length of a block comment with nested comments; `None` if it is not closed.
 pub(crate) fn block_comment_length(text: &str) -> Option<usize> {
     let bytes = text.as_bytes();
     let mut depth = 0_usize;

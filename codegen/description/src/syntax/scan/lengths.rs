@@ -1,6 +1,6 @@
-//! The start of a text → how long the word or the number is that it starts with, as Rust's lexer would cut it.
+//! Measures the word or number at the start of a text, by the rules of Rust's lexer.
 
-/// Letters, with two exceptions that look like a degree sign or a power.
+/// True for letters, with two exceptions that look like a degree sign or a power.
 pub(super) fn starts_word(character: char) -> bool {
     character == '_' || character.is_alphabetic() && !matches!(character, 'º' | 'ª')
 }
@@ -13,7 +13,7 @@ pub(super) fn word_length(text: &str) -> usize {
     text.find(|it| !continues_word(it)).unwrap_or(text.len())
 }
 
-/// The length of a number with its unit, as Rust's lexer would cut it: `1.P` is the number `1`, `1e-3mm` is one number.
+/// Returns the length of a number with its unit by the rules of Rust's lexer: `1.P` is the number `1`, `1e-3mm` one number.
 pub(super) fn number_length(text: &str) -> usize {
     let bytes = text.as_bytes();
     let digits = |from: usize| {

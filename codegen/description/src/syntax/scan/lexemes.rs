@@ -1,4 +1,4 @@
-//! Words, numbers, texts and characters that nobody reads → lexemes, and what `syn` is to see of them.
+//! Scans words, numbers, quoted texts and unreadable characters, and edits them for `syn`.
 
 use super::lengths::{number_length, word_length};
 use super::{Fill, Kind, Scanner};
@@ -23,7 +23,7 @@ impl Scanner<'_> {
         self.lexeme(Kind::Word, length);
     }
 
-    /// Whether `table NAME =` stands before: nothing else is written with a text.
+    /// True if `table NAME =` precedes; a quoted text is allowed only there.
     pub(super) fn names_a_file(&self) -> bool {
         let [.., table, name, equals] = &self.scan.lexemes[..] else {
             return false;
@@ -57,7 +57,7 @@ impl Scanner<'_> {
         };
         let end = start + length + 2;
         if inside[..length].contains('\\') {
-            // Rust's lexer would read an escape; the path is refused where the table is resolved.
+            // Rust's lexer would read an escape; resolving the table rejects the path.
             self.scan.edit(start + 1, end - 1, Fill::Underscores);
         }
         self.lexeme(Kind::Text, length + 2);
@@ -121,7 +121,7 @@ impl Scanner<'_> {
     }
 }
 
-/// How to write a name or unit that is not ASCII.
+/// Suggests an ASCII spelling of a name or unit.
 fn spelling(word: &str) -> String {
     match unreadable::ascii_spelling(word) {
         Some(spelled) => format!("write `{spelled}`"),

@@ -1,8 +1,8 @@
-//! *Text → words, numbers, marks and brackets with their places.* What `syn` cannot say: which character stopped it, where a
-//! comment or a bracket is left open, and what the documentation comments were.
+//! Scans a text into words, numbers, marks and brackets with their locations.
 //!
-//! Afterwards every byte of the text belongs to a lexeme, to white space, or to an [`Edit`] that takes it out of `syn`'s sight, and
-//! the [findings](Scan::findings) name every character that nobody reads. The scan knows no statement and no expression.
+//! The scan finds what `syn` does not report: unreadable characters, unclosed comments and brackets, and documentation
+//! comments. Every byte of the text belongs to a lexeme, to white space, or to an [`Edit`] that hides it from `syn`. The
+//! [findings](Scan::findings) name every unreadable character. Statements and expressions are not recognized here.
 
 mod comments;
 mod lengths;
@@ -13,14 +13,14 @@ pub(crate) use comments::block_comment_length;
 use crate::diagnostic::{Diagnostic, Diagnostics, Span};
 use lengths::starts_word;
 
-/// What a lexeme is. Brackets and marks are ASCII characters.
+/// Kind of a lexeme. Brackets and marks are ASCII characters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// A name or a keyword.
     Word,
     /// A number with its unit.
     Number,
-    /// A text in quotes, with them.
+    /// A text with its quotes.
     Text,
     /// An opening bracket.
     Open(u8),
@@ -33,28 +33,28 @@ pub enum Kind {
 /// One word, number, mark or bracket.
 #[derive(Debug, Clone, Copy)]
 pub struct Lexeme {
-    /// What it is.
+    /// Kind of the lexeme.
     pub kind: Kind,
-    /// Offset of its first byte.
+    /// Offset of the first byte.
     pub start: usize,
-    /// Offset after its last byte.
+    /// Offset after the last byte.
     pub end: usize,
-    /// Whether only white space and comments stand before it on its line.
+    /// True if only white space and comments precede it on its line.
     pub first_on_line: bool,
 }
 
 /// A documentation comment.
 #[derive(Debug, Clone)]
 pub(super) struct Documentation {
-    /// Whether it documents what it stands in (`//!`), not what follows (`///`).
+    /// True for documentation of the enclosing item (`//!`), false for that of the next one (`///`).
     pub inner: bool,
     pub lines: Vec<String>,
     pub span: Span,
-    /// Where the next lexeme starts.
+    /// Offset of the next lexeme.
     pub before: usize,
 }
 
-/// A place where `syn` is to see other text than was written.
+/// A range of the text that `syn` sees differently.
 #[derive(Debug, Clone)]
 pub(super) struct Edit {
     pub start: usize,
@@ -62,7 +62,7 @@ pub(super) struct Edit {
     pub fill: Fill,
 }
 
-/// What `syn` is to see instead. The first three keep the length in bytes.
+/// Replacement seen by `syn`. The first three keep the length in bytes.
 #[derive(Debug, Clone)]
 pub(super) enum Fill {
     Blank,
@@ -71,15 +71,15 @@ pub(super) enum Fill {
     Text(String),
 }
 
-/// What the scan of a text gives.
+/// Result of a scan.
 #[derive(Debug, Default)]
 pub(super) struct Scan {
     pub lexemes: Vec<Lexeme>,
     pub documentation: Vec<Documentation>,
-    /// In the order of their places, without overlaps, once [sorted](super::repair).
+    /// Edits by position, without overlaps, once [sorted](super::repair).
     pub edits: Vec<Edit>,
     pub findings: Vec<Diagnostic>,
-    /// Offsets at which `syn` sees something that does not mean what was written, so that errors nearby say nothing new.
+    /// Offsets at which an edit changes the meaning, so that errors nearby follow from it.
     pub damage: Vec<usize>,
 }
 
@@ -95,7 +95,7 @@ impl Scan {
     }
 }
 
-/// The words, numbers, marks and brackets of a text that is read without an error: between two of them stand white space and comments.
+/// Returns the words, numbers, marks and brackets of a text without errors. Only white space and comments separate them.
 pub fn lexemes(text: &str) -> Vec<Lexeme> {
     scan(text).lexemes
 }
@@ -116,9 +116,9 @@ pub(super) fn scan(text: &str) -> Scan {
 struct Scanner<'a> {
     text: &'a str,
     at: usize,
-    /// Whether only white space and comments have been seen on this line.
+    /// True if only white space and comments were scanned on this line.
     fresh_line: bool,
-    /// The first documentation comment whose following lexeme is not known yet.
+    /// Index of the first documentation comment without a following lexeme.
     pending_documentation: usize,
     scan: Scan,
 }
@@ -126,7 +126,7 @@ struct Scanner<'a> {
 impl Scanner<'_> {
     fn run(&mut self) {
         if self.text.starts_with('\u{feff}') {
-            // A byte order mark is no part of the text.
+            // A byte order mark is not part of the text.
             self.skip(3);
         }
         while let Some(next) = self.rest().chars().next() {
@@ -158,7 +158,7 @@ impl Scanner<'_> {
         &self.text[self.at..]
     }
 
-    /// Takes bytes out of `syn`'s sight.
+    /// Hides bytes from `syn`.
     fn skip(&mut self, length: usize) {
         self.scan.edit(self.at, self.at + length, Fill::Blank);
         self.at += length;

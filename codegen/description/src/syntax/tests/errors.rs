@@ -343,10 +343,10 @@ error: 2 errors in bad.mech
     for formula in [
         "2 t", "2(3)", "1e", "0x10", "(a)[1]", "(1, 2)", "{1}", "a = b", "f(a b)", "(a b)",
     ] {
-        let found = codes(&inside(&format!("const a = {formula};")));
+        let codes_of_formula = codes(&inside(&format!("const a = {formula};")));
         assert!(
-            found.len() == 1 && found[0].starts_with("K08"),
-            "{formula}: {found:?}"
+            codes_of_formula.len() == 1 && codes_of_formula[0].starts_with("K08"),
+            "{formula}: {codes_of_formula:?}"
         );
     }
 }
@@ -401,16 +401,16 @@ error: 2 errors in bad.mech
 
 #[test]
 fn too_large_a_file() {
-    let mut found = Diagnostics::new();
+    let mut findings = Diagnostics::new();
     assert!(
         parse(
             &Source::new("big.mech", " ".repeat(Source::LARGEST + 1)),
-            &mut found
+            &mut findings
         )
         .is_none()
     );
     assert_eq!(
-        found.iter().map(|it| it.code).collect::<Vec<_>>(),
+        findings.iter().map(|it| it.code).collect::<Vec<_>>(),
         vec![Code::UnreadableFile]
     );
 }
@@ -421,10 +421,10 @@ fn a_comment_that_documents_nothing_is_a_warning() {
         "a.mech",
         "mechanism m {\n    const a = /// here\n        1;\n    /// there\n}\n",
     );
-    let mut found = Diagnostics::new();
-    let document = parse(&source, &mut found);
-    assert!(document.is_some() && !found.has_errors());
-    let lines: Vec<_> = found
+    let mut findings = Diagnostics::new();
+    let document = parse(&source, &mut findings);
+    assert!(document.is_some() && !findings.has_errors());
+    let lines: Vec<_> = findings
         .iter()
         .map(|it| (it.severity, source.position(it.primary.span.start).line))
         .collect();
@@ -432,15 +432,15 @@ fn a_comment_that_documents_nothing_is_a_warning() {
 }
 
 #[test]
-fn what_can_be_read_is_returned_with_the_errors() {
+fn returns_readable_statements_with_errors() {
     let source = Source::new(
         "a.mech",
         inside(
             "const a = ;\n    const b = 2\n    body c at (0, 0) { A: 2, B }\n    revolute B(c, ground);",
         ),
     );
-    let mut found = Diagnostics::new();
-    let document = parse(&source, &mut found).expect("a document with errors");
-    assert_eq!(found.into_sorted().len(), 3);
+    let mut findings = Diagnostics::new();
+    let document = parse(&source, &mut findings).expect("a document with errors");
+    assert_eq!(findings.into_sorted().len(), 3);
     assert_eq!(document.mechanism.statements.len(), 3);
 }

@@ -3,7 +3,7 @@
 use super::super::*;
 use super::{EXCAVATOR, TWO_BODY, good};
 
-/// A formula with every node in parentheses, `{…}` around chains.
+/// Returns a formula with every node in parentheses and chains in `{…}`.
 fn shape(expression: &Expression) -> String {
     match &expression.kind {
         ExpressionKind::Number { digits, unit } => {

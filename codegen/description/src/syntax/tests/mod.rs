@@ -1,4 +1,4 @@
-//! The room as a whole: text in, tree or findings out.
+//! Tests parsing as a whole, from text to tree or findings.
 
 mod errors;
 mod forms;
@@ -9,7 +9,7 @@ mod robustness;
 use super::{Document, parse};
 use crate::diagnostic::{Diagnostics, Source};
 
-/// The first seed mechanism as sketched in the design.
+/// First seed mechanism, as sketched in the design.
 pub(super) const TWO_BODY: &str = "\
 //! ME 451 midterm, problem B.
 mechanism two_body {
@@ -23,7 +23,7 @@ mechanism two_body {
 }
 ";
 
-/// The second one, with the statements that the first does not have.
+/// Second seed mechanism, with the statements that the first does not have.
 pub(super) const EXCAVATOR: &str = "\
 mechanism excavator {
     point A = (-1, 0.2);  point N = (0.4, -0.2);  // global, as drawn
@@ -42,31 +42,31 @@ mechanism excavator {
 }
 ";
 
-/// Parses text that must be right.
+/// Parses valid text.
 fn good(text: &str) -> Document {
     let source = Source::new("good.mech", text);
-    let mut found = Diagnostics::new();
-    let document = parse(&source, &mut found);
-    assert!(found.is_empty(), "{}", found.render(&source));
+    let mut findings = Diagnostics::new();
+    let document = parse(&source, &mut findings);
+    assert!(findings.is_empty(), "{}", findings.render(&source));
     document.expect("a document without findings")
 }
 
-/// The rendered findings of text that must be wrong.
+/// Returns the rendered findings of invalid text.
 fn bad(text: &str) -> String {
     let source = Source::new("bad.mech", text);
-    let mut found = Diagnostics::new();
-    parse(&source, &mut found);
-    assert!(found.has_errors(), "no error in {text}");
-    found.render(&source)
+    let mut findings = Diagnostics::new();
+    parse(&source, &mut findings);
+    assert!(findings.has_errors(), "no error in {text}");
+    findings.render(&source)
 }
 
-/// The codes and positions of the findings, as `K02 3:14`.
+/// Returns codes and positions of the findings, as `K02 3:14`.
 fn codes(text: &str) -> Vec<String> {
     let source = Source::new("bad.mech", text);
-    let mut found = Diagnostics::new();
-    parse(&source, &mut found);
+    let mut findings = Diagnostics::new();
+    parse(&source, &mut findings);
     let place = |it: &crate::diagnostic::Diagnostic| source.position(it.primary.span.start);
-    found
+    findings
         .into_sorted()
         .iter()
         .map(|it| format!("{} {}:{}", it.code, place(it).line, place(it).column))

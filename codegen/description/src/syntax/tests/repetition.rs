@@ -1,9 +1,9 @@
-//! What is written out: repetitions, indices and parts.
+//! Tests expansion: repetitions, indices and parts.
 
 use super::super::*;
 use super::{codes, good};
 
-/// The names that statements declare, in their order.
+/// Returns the names that statements declare, in order.
 fn declared(document: &Document) -> Vec<&str> {
     let mut names: Vec<&str> = Vec::new();
     for statement in &document.mechanism.statements {
@@ -126,8 +126,8 @@ fn a_part_is_called_after_its_name() {
 }
 
 #[test]
-fn what_is_wrong_is_found_in_the_text_that_was_written() {
-    // Once, although it is repeated, and although a part is used twice.
+fn locates_errors_in_the_source_text() {
+    // One finding, although the statement is repeated and a part is used twice.
     let text = "mechanism cell {
         body rod at (0, 0) { P: (1) }
     }
@@ -140,7 +140,7 @@ fn what_is_wrong_is_found_in_the_text_that_was_written() {
         point A = (0, 0);
     }";
     assert_eq!(codes(text), ["K30 2:33", "K30 7:38", "K04 9:27"]);
-    // A part cannot be a part of itself, nor of what stands above it.
+    // A part can be a part neither of itself nor of a mechanism above it.
     let text =
         "mechanism a { part b = b; } mechanism b { part b = b; } mechanism m { part x = b; }";
     assert_eq!(codes(text), ["K11 1:24", "K11 1:52"]);

@@ -7,18 +7,18 @@ use crate::diagnostic::{Code, Diagnostics, Source};
 /// Parses and renders; a text without a document has an error.
 fn survives(text: &str) {
     let source = Source::new("any.mech", text);
-    let mut found = Diagnostics::new();
-    let document = parse(&source, &mut found);
+    let mut findings = Diagnostics::new();
+    let document = parse(&source, &mut findings);
     assert!(
-        document.is_some() || found.has_errors(),
+        document.is_some() || findings.has_errors(),
         "silence about {text:?}"
     );
-    for finding in found.iter() {
+    for finding in findings.iter() {
         assert!(
             finding.code < Code::UnknownName || finding.code == Code::WrongForm,
             "{finding:?}"
         );
-        // The scan leaves nothing that `syn` cannot tokenize.
+        // The scan leaves only text that `syn` can tokenize.
         assert_ne!(finding.message, "unreadable text", "{text:?}");
         for label in finding.secondary.iter().chain([&finding.primary]) {
             let (start, end) = (label.span.start as usize, label.span.end as usize);
@@ -28,9 +28,9 @@ fn survives(text: &str) {
             );
         }
     }
-    let rendered = found.render(&source);
+    let rendered = findings.render(&source);
     assert_eq!(
-        found.has_errors(),
+        findings.has_errors(),
         rendered.ends_with("in any.mech\n"),
         "{rendered}"
     );
@@ -103,7 +103,7 @@ fn long_chains_are_flat_and_deep_nesting_is_an_error() {
     );
 }
 
-/// The time is linear in the length: these took minutes when it was not.
+/// Checks that the time is linear in the length; these texts would take minutes otherwise.
 #[test]
 fn large_texts() {
     for piece in [
@@ -135,7 +135,7 @@ fn the_seeds_with_other_line_breaks() {
     }
 }
 
-/// Mutations of the seeds: every part deleted, doubled or replaced, in a fixed pseudo-random order.
+/// Checks mutations of the seeds: every part deleted, doubled or replaced, in a fixed pseudo-random order.
 #[test]
 fn mutated_seeds() {
     let mut state: u64 = 0x2545_f491_4f6c_dd1d;
