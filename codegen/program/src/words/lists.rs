@@ -1,4 +1,4 @@
-//! Lists and numbers as words.
+//! Writes lists and numbers as words.
 
 use super::phrase::Phrase;
 
