@@ -1,6 +1,6 @@
 //! Isolates all common zeros of two functions of two unknowns in a range, and lists undecided boxes.
 //!
-//! A box contains no zero if bounds of a function exclude zero, if the mean-value form excludes one, or if Krawczyk's operator
+//! A box contains no zero if bounds of a function, or the mean-value form, exclude zero. The same holds if Krawczyk's operator
 //! maps the box outside itself. If this operator maps a box into itself, the box has exactly one zero (Krawczyk,
 //! Newton-Algorithmen zur Bestimmung von Nullstellen mit Fehlerschranken, Computing 4 (1969); Moore, Kearfott and Cloud,
 //! Introduction to Interval Analysis, 2009, chapter 8). Around each zero of Newton-Raphson, the largest box without other zeros

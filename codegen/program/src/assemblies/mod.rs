@@ -1,4 +1,4 @@
-//! Finds all poses in which a block of Newton-Raphson can be assembled, with a proof that there are no others.
+//! Finds all poses in which a block of Newton-Raphson can be assembled, with a proof of completeness.
 //!
 //! The poses of a block are the zeros of one or two functions over a turn of each argument. Bounds of these functions over
 //! intervals isolate all zeros and exclude all other poses.

@@ -1,8 +1,7 @@
 //! Finds all assemblies of a mechanism at t = 0, with nominal parameters and initial values of inputs.
 //!
 //! Every block contributes both signs of its closed forms and all poses of Newton-Raphson. Generated code starts from these
-//! assemblies. So they are stored only if it is proven that there are no others, and if their letters agree with `linkwright
-//! check`.
+//! assemblies. So they are stored only if they are proven complete, and if their letters agree with `linkwright check`.
 
 use super::enclosed::Enclosing;
 use super::interval::Interval;
@@ -45,7 +44,7 @@ pub struct StoredAssembly {
     pub values: Vec<f64>,
 }
 
-/// Returns all assemblies of a mechanism that needs Newton-Raphson; `None` if there is no such block, or if some may be missing.
+/// Returns all assemblies of a mechanism that needs Newton-Raphson; `None` without such a block, or if some may be missing.
 pub fn stored(system: &System, program: &Program) -> Option<StoredAssemblies> {
     let iterated = program.blocks.iter();
     let iterated: Vec<&NewtonBlock> = iterated.filter_map(|it| it.newton.as_ref()).collect();

@@ -1,6 +1,6 @@
 //! Decomposes a square system into irreducible blocks in solve order.
 //!
-//! Blocks are the strongly connected components of a graph in which an equation depends on the equations of its other unknowns
+//! In a graph, each equation depends on the equations of its other unknowns; the blocks are its strongly connected components
 //! (Tarjan, Depth-first search and linear graph algorithms, SIAM J. Comput. 1 (1972); Duff, Erisman and Reid, Direct Methods for
 //! Sparse Matrices, chapter 6). The blocks do not depend on the choice of the perfect matching. Independent blocks are in the
 //! order of their first equations.

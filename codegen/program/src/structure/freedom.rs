@@ -21,7 +21,7 @@ pub struct Freedom {
 
 impl Freedom {
     /// Counts degrees of freedom at poses near the design configuration in which the equations hold. Counts equations only if
-    /// there are no such poses, or too many coordinates for a numerical rank.
+    /// such poses do not exist, or if there are too many coordinates for a numerical rank.
     pub fn of(system: &System) -> Freedom {
         let incidence = Incidence::of(system);
         let matching = maximum_matching(&incidence);

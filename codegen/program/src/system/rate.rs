@@ -1,7 +1,7 @@
 //! Differentiates expressions of the vector form in time.
 //!
-//! d/dt f = Σ ∂f/∂s ṡ over all symbols that move. Squares and products of sums are differentiated factor by factor, so that Σ u²
-//! gives 2 Σ u u̇ and not a term for each symbol.
+//! d/dt f = Σ ∂f/∂s ṡ over all symbols that move. Squares and products of sums are differentiated factor by factor: Σ u² gives 2
+//! Σ u u̇ and not a term for each symbol.
 
 use super::VectorForm;
 use crate::expr::{ExprId, Factor, Graph, Node, Rational};

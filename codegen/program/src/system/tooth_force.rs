@@ -1,9 +1,9 @@
 //! Derives the force of teeth at the pitch point from the multiplier of their gear.
 //!
 //! Let C_i and C_j be the axes of the wheels and d = C_j − C_i. Let κ = −r_i/r_j for an external pair and r_i/r_j for an internal
-//! one. The pitch point is C_j − d/(1 − κ) = C_i − κ d/(1 − κ). The gear's row applies the moments −λ and κ λ. A force F on the
-//! second wheel at the pitch point and −F on the first wheel have these moments if the component of F across d is λ (1 − κ)
-//! d⊥/d².
+//! one. The pitch point is C_j − d/(1 − κ) = C_i − κ d/(1 − κ). The gear's row applies the moments −λ and κ λ. At the pitch
+//! point, a force F acts on the second wheel and −F on the first. They have these moments if the component of F across d is λ (1
+//! − κ) d⊥/d².
 //!
 //! The component along d is tan α times as large. It points from the pitch point into the wheel with outer teeth, whichever flank
 //! is loaded: along d on the second wheel of an external pair, against d on that of an internal pair.

@@ -1,7 +1,7 @@
 //! Names bodies and links that rotate with an angle, and finds their ends.
 //!
-//! An angle rotates a body, a body with those that slide on it or keep an angle to it, or a link of joints without a body. Two
-//! such links that meet in a point may be collinear; others may only be parallel.
+//! An angle rotates a body, with all bodies that slide on it or keep an angle to it, or a link of joints without a body. Two such
+//! links that meet in a point may be collinear; others may only be parallel.
 
 use super::known::Known;
 use super::phrase::{Phrase, Piece, phrase};
@@ -123,8 +123,8 @@ impl Known {
         spans.try_into().ok()
     }
 
-    /// Returns pin and body if a vector in the orientation of an angle joins a known pin of a body to the body's origin, in
-    /// either direction.
+    /// Returns pin and body if a vector in the orientation of an angle joins a known pin of a body to the body's origin. The
+    /// direction is arbitrary.
     pub(super) fn pin_opposite_origin(
         &self,
         angle: usize,

@@ -257,7 +257,7 @@ impl Known {
                 measured.push((arm.local, slopes));
             }
         }
-        // If slopes contain the angle itself or functions of other angles, there is no fixed direction.
+        // If slopes contain the angle itself or functions of other angles, a fixed direction does not exist.
         let describes = system.vector_form.unknowns[angle].describes;
         let is_angle = describes
             .body()

@@ -1,8 +1,8 @@
 //! Computes the forces of `effort`, `reaction` and `energy` statements in a last block.
 //!
-//! Φ_qᵀ λ = Q − M q̈ is solved block by block in reverse order. Each subsystem of the plan has its own transposed Jacobian, and
-//! the force of an equation acts on the blocks before it (Haug 1989, section 11.2; the blocks are those of the block triangular
-//! form, transposed). Unrequested forces are pruned like all other values.
+//! Φ_qᵀ λ = Q − M q̈ is solved block by block in reverse order. Each subsystem of the plan has its own transposed Jacobian. The
+//! force of an equation acts on the blocks before it (Haug 1989, section 11.2; the blocks are those of the block triangular form,
+//! transposed). Unrequested forces are pruned like all other values.
 
 mod free_bodies;
 mod least_norm;

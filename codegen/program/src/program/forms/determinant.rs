@@ -4,8 +4,8 @@
 //! Rotated vectors are expanded, so that expressions have only unknowns and inputs. The sign depends on the order of equations
 //! and has no meaning by itself.
 //!
-//! Since Φ_q becomes block triangular in solve order (Duff, Erisman and Reid, Direct Methods for Sparse Matrices), its
-//! determinant is the product of those of all subsystems, up to a nonzero factor.
+//! Φ_q becomes block triangular in solve order (Duff, Erisman and Reid, Direct Methods for Sparse Matrices). So its determinant
+//! is the product of those of all subsystems, up to a nonzero factor.
 
 use crate::expr::{ExprId, Graph};
 use crate::joint::geometry::{Vector, dot};

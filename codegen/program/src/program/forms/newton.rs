@@ -1,7 +1,7 @@
-//! Solves all equations of a subsystem at once by Newton-Raphson, if there is no closed form.
+//! Solves all equations of a subsystem at once by Newton-Raphson, in the absence of a closed form.
 //!
-//! The runtime finds the unknowns with their rates and accelerations from the residuals g of the block, their Jacobian, and their
-//! first and second rates at constant unknowns. All four are functions of the unknowns and of earlier results.
+//! The runtime finds the unknowns with their rates and accelerations. It needs the residuals g of the block, their Jacobian, and
+//! their first and second rates at constant unknowns. All four are functions of the unknowns and of earlier results.
 
 use super::determinant::LARGEST_WRITTEN_OUT;
 use super::drawn_mode::{DrawnMode, drawn_mode};
@@ -164,7 +164,7 @@ impl Newton {
         }
     }
 
-    /// Describes why there is no closed form, and prints the residuals.
+    /// Explains the lack of a closed form, and prints the residuals.
     fn open(&self, builder: &mut Builder<'_>) {
         let names = self.unknowns.iter().map(|&it| Piece::Unknown(it).into());
         let names: Vec<Phrase> = names.collect();

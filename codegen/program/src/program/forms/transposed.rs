@@ -1,6 +1,6 @@
 //! Solves Jᵀ λ = f for the multipliers of a closed form, by Cramer's rule with the determinant of its position.
 //!
-//! For two rotating links, [Ω w_a, Ω w_b], the forces f are the moments about their pins, and λ is the force in the pin between
+//! For two rotating links, [Ω w_a, Ω w_b], the forces f are the moments about their pins. Then λ is the force in the pin between
 //! them, with the lever arms of both moment equations.
 
 use crate::expr::ExprId;

@@ -24,7 +24,7 @@ pub(super) struct Stated {
     pub transmissions: Vec<Transmission>,
     pub sensitivities: Vec<Sensitivity>,
     pub forces: Forces,
-    /// Requested fields, without the coordinates that are kept if there are no outputs.
+    /// Requested fields, without the coordinates that are kept in the absence of outputs.
     asked: IdSet<SymbolId>,
 }
 

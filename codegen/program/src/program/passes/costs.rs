@@ -49,7 +49,7 @@ impl AddAssign for Operations {
 }
 
 impl std::fmt::Display for Operations {
-    /// Writes `12 additions, 1 square root`; `none` if there are no operations.
+    /// Writes `12 additions, 1 square root`; `none` if all numbers are zero.
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let counts = [
             (self.additions, "addition", "additions"),

@@ -2,8 +2,8 @@
 //!
 //! Function calls have a name, and so have values of several uses, right before their first use. In a block, functions of t,
 //! inputs and parameters serve all levels. Rotated vectors and closed forms need no more: their sines and cosines are symbols
-//! already. If equations contain the path of a curve or a law of an unknown, or if a value is very long, all its parts are
-//! shared: code then grows with the graph of expressions, and not with the expanded tree.
+//! already. If equations contain the path of a curve or a law of an unknown, all their parts are shared, and so are those of very
+//! long values: code then grows with the graph of expressions, and not with the expanded tree.
 
 use std::collections::HashMap;
 

@@ -16,7 +16,7 @@ pub(super) struct Order {
     pub columns: Vec<usize>,
 }
 
-/// Returns the order of a chain, from the end that its equations mention first; `None` if there is no chain.
+/// Returns the order of a chain, from the end that its equations mention first; `None` for other structures.
 pub(super) fn order(size: usize, places: impl Iterator<Item = [usize; 2]>) -> Option<Order> {
     if size < MIN_UNKNOWNS || !size.is_multiple_of(2) {
         return None;

@@ -1,8 +1,8 @@
 //! Finds a pose near a given one in which rows hold.
 //!
-//! Levenberg-Marquardt with a damping that decreases with the residual converges quadratically even if solutions are not isolated
-//! or rows repeat one another (Yamashita and Fukushima, On the rate of convergence of the Levenberg-Marquardt method, Computing
-//! Suppl. 15 (2001)). For inconsistent rows, the pose is a local minimum of the residual.
+//! Levenberg-Marquardt steps have a damping that decreases with the residual. They converge quadratically even if solutions are
+//! not isolated or rows repeat one another (Yamashita and Fukushima, On the rate of convergence of the Levenberg-Marquardt
+//! method, Computing Suppl. 15 (2001)). For inconsistent rows, the pose is a local minimum of the residual.
 
 use super::functions::{Functions, Pose, spread};
 use super::independence::norm;

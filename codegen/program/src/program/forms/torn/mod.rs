@@ -1,8 +1,8 @@
 //! Solves equations by a sequence of closed forms after iterating a few unknowns, the tearing variables.
 //!
 //! For given tearing variables z, all other unknowns follow, and as many equations g(z) = 0 remain as there are tearing
-//! variables. Newton-Raphson iterates these alone. The derivative dg/dz is exact, as each closed form is differentiated in the
-//! direction of each tearing variable (Elmqvist and Otter, Methods for tearing systems of equations in object-oriented modeling,
+//! variables. Newton-Raphson iterates these alone. Each closed form is differentiated in the direction of each tearing variable,
+//! so the derivative dg/dz is exact (Elmqvist and Otter, Methods for tearing systems of equations in object-oriented modeling,
 //! 1994).
 //!
 //! The same matrix gives the rates: first those at constant tearing variables, then those of the tearing variables, then the

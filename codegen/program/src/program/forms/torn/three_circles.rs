@@ -83,8 +83,9 @@ impl ThreeCircles {
         (c[0] * d[1] - c[1] * d[0]) / (c[0].hypot(c[1]) * d[0].hypot(d[1]))
     }
 
-    /// Returns the tearing residual times the squared determinant of both linear equations, which is zero wherever the links can
-    /// be assembled, even if these equations are singular; and its derivative in the angle from which both loops follow.
+    /// Returns the tearing residual times the squared determinant of both linear equations, and its derivative in the angle from
+    /// which both loops follow. The product is zero wherever the links can be assembled, even if the linear equations are
+    /// singular.
     pub(super) fn proof(&self, tear: usize, builder: &mut Builder<'_>) -> [ExprId; 2] {
         let [c, d] = self.closures;
         let squares = self.links.map(|link| builder.dot(link, link));
