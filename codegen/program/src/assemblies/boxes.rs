@@ -31,7 +31,7 @@ const NARROWEST: f64 = 1e-9;
 /// Largest distance outside of the range at which a zero counts as on its border, for rounding.
 const BORDER: f64 = 1e-9;
 
-/// Fraction of a box beyond which a contraction is too small, so that the box is divided at once.
+/// Ratio of areas above which a contracted box is divided at once.
 const SHRUNK: f64 = 0.7;
 
 /// Box: two intervals.

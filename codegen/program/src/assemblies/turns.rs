@@ -109,7 +109,7 @@ fn mentions(expr: ExprId, tainted: &HashSet<SymbolId>, graph: &Graph) -> bool {
     symbols.any(|symbol| tainted.contains(symbol))
 }
 
-/// True if an expression changes with the number of turns of an angle.
+/// True if an expression may change with one more turn of an angle.
 fn winds(expr: ExprId, angle: SymbolId, tainted: &HashSet<SymbolId>, graph: &Graph) -> bool {
     if !mentions(expr, tainted, graph) {
         return false;
@@ -123,7 +123,7 @@ fn winds(expr: ExprId, angle: SymbolId, tainted: &HashSet<SymbolId>, graph: &Gra
     }
 }
 
-/// True if an expression changes by integer turns while an angle changes by one turn.
+/// True if an expression changes by whole turns while an angle changes by one turn.
 fn turns_wholly(expr: ExprId, angle: SymbolId, tainted: &HashSet<SymbolId>, graph: &Graph) -> bool {
     match graph.node(expr) {
         Node::Symbol(symbol) => *symbol == angle || !tainted.contains(symbol),

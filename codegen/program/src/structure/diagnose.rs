@@ -27,7 +27,7 @@ pub(super) fn report(system: &System, parts: &CoarseDecomposition, diagnostics: 
     }
 }
 
-/// `1 equation`, `2 equations`.
+/// Writes a number with its noun: `1 equation`, `2 equations`.
 pub(super) fn count(number: usize, one: &str, several: &str) -> String {
     format!("{number} {}", if number == 1 { one } else { several })
 }

@@ -137,7 +137,8 @@ pub fn plan_of_motion(system: &mut System) -> Option<SolvedPlan> {
     Some(SolvedPlan { blocks, additions })
 }
 
-/// Makes each subsystem a block of its own, so that later ones know its results and rates. Assignments belong to the last block.
+/// Makes each subsystem a block of its own, so that its results and rates are known to later ones. Assignments belong to the last
+/// block.
 fn taken_apart(mut block: SolvedBlock, form: &VectorForm) -> Vec<SolvedBlock> {
     let Some(last) = block.parts.pop() else {
         return vec![block];

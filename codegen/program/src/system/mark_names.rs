@@ -1,4 +1,4 @@
-//! Names marks after the points of bodies and of the drawing at the position of the mark.
+//! Names marks after the points of bodies and of the mechanism at the position of the mark.
 //!
 //! Of several names of one position, the first written counts. Maps are not iterated.
 

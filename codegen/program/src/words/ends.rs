@@ -1,6 +1,6 @@
 //! Names bodies and links that rotate with an angle, and finds their ends.
 //!
-//! An angle rotates a body, with all bodies that slide on it or keep an angle to it, or a link of joints without a body. Two such
+//! An angle rotates a link of joints without a body, or a body with all bodies that slide on it or keep an angle to it. Two such
 //! links that meet in a point may be collinear; others may only be parallel.
 
 use super::known::Known;

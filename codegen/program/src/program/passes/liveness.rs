@@ -56,7 +56,7 @@ fn needed(
     graph: &Graph,
 ) -> Vec<Statement> {
     let mut needed: Vec<Statement> = Vec::with_capacity(statements.len());
-    // True if a statement remains behind this one, and if one remains before the next remark.
+    // True if a later statement remains, and if one remains before the next remark.
     let (mut remains, mut followed) = (false, false);
     for mut statement in statements.into_iter().rev() {
         let is_needed = |symbol: SymbolId| live.contains(&symbol) || kept(symbol);

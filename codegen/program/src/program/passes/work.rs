@@ -87,7 +87,7 @@ pub struct Work {
 pub struct Looks {
     /// Operations of one examination of a window.
     pub look: Operations,
-    /// Additional operations of the last examination, which factorizes a chain of cells as a whole.
+    /// Additional operations of the last examination, which inverts the Jacobian of a chain as a whole.
     pub last: Operations,
 }
 

@@ -1,6 +1,6 @@
 //! Approximates angles by parabolas through both frames, with bounds on the deviation, for long series of pairs.
 //!
-//! Bounds of bounds grow from pair to pair by more than the bounded values. So signs are kept as far as frames know them. The
+//! Bounds of bounds grow from pair to pair by more than the bounded values, so signs are kept as far as frames know them. The
 //! parabola of an angle follows from those of the angles before it; the remainder is multiplied by the transmission ratio, which
 //! is extrapolated over the window too. The unit of time is the length of the window from the second frame. The letters are those
 //! of the [module](super); the guide (`theory.md`) has the argument.

@@ -106,7 +106,7 @@ impl Builder<'_> {
             .unwrap_or(0)
     }
 
-    /// Bounds the results of a subsystem; false if they are constant.
+    /// Bounds the results of a subsystem. Returns false if they are constant; `None` if the subsystem is not a pair of links.
     fn bound_part(&mut self, part: &Subsystem, block: usize, known: &mut Known) -> Option<bool> {
         let equations = part.equations.iter();
         let residuals: Vec<ExprId> = equations.map(|it| self.in_short(it.residual)).collect();
