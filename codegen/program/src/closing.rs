@@ -1,7 +1,7 @@
-//! Finds loops of fixed links that cannot close, or close only where they are singular.
+//! Finds loops of fixed links that cannot close, or close only in a singular pose.
 //!
-//! Such a loop has the same links and the same ends in every pose: constants and parameters make them. The generator computes its closing
-//! ahead, and would find the root of a negative number there.
+//! Such a loop has constant links and ends, from constants and parameters, in every pose. The generator precomputes its closing,
+//! and would take the root of a negative number.
 
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
 use crate::expr::ExprId;
@@ -15,10 +15,10 @@ const ROUNDING: f64 = 16.0;
 /// Number of digits of a length in a message.
 const DIGITS: usize = 4;
 
-/// Values between which plain decimals are short.
-const PLAIN: [f64; 2] = [1e-4, 1e6];
+/// Range in which plain decimals are short.
+const PLAIN_RANGE: [f64; 2] = [1e-4, 1e6];
 
-/// Lengths of a fixed loop (m).
+/// Lengths of a fixed loop, in m.
 struct Ends {
     distance: f64,
     longest: f64,
@@ -27,19 +27,19 @@ struct Ends {
 
 /// Returns one error for each block whose fixed links do not close.
 pub fn of_blocks(system: &System, blocks: &[Block]) -> Diagnostics {
-    let mut found = Diagnostics::new();
+    let mut findings = Diagnostics::new();
     for block in blocks {
         let statements = block.function.statements.iter();
-        found.extend(
+        findings.extend(
             statements
                 .filter_map(|it| refusal(it, block, system))
                 .take(1),
         );
     }
-    found
+    findings
 }
 
-/// `None` where the closing moves, or where its links reach.
+/// Returns the error; `None` if the closing moves, or if its links reach.
 fn refusal(statement: &Statement, block: &Block, system: &System) -> Option<Diagnostic> {
     let Statement::Reach {
         excess,
@@ -117,11 +117,11 @@ impl Ends {
     }
 }
 
-/// Returns a length in a unit with few digits, in plain notation where that is short.
+/// Returns a length in a unit with few digits, in plain notation if that is short.
 fn rounded(length: f64, unit: &OutputUnit) -> String {
     let value = unit.of_si(length);
     let rounded: f64 = format!("{value:.*e}", DIGITS - 1).parse().unwrap_or(value);
-    if (PLAIN[0]..PLAIN[1]).contains(&rounded) || rounded == 0.0 {
+    if (PLAIN_RANGE[0]..PLAIN_RANGE[1]).contains(&rounded) || rounded == 0.0 {
         format!("{rounded} {}", unit.name)
     } else {
         format!("{rounded:e} {}", unit.name)

@@ -1,10 +1,9 @@
-//! A system, and the program that solves it → what in them is infinite, undefined, or past a bound, with its place.
+//! Finds infinite, undefined or excessive values in a system and its program, with their statements.
 //!
-//! The front end refuses such numbers where they are written. What is derived from the description multiplies and divides what it
-//! wrote: the square of a length may be too large although the length is not, and a distance that is zero may be divided by.
-//! [Graphs](crate::expr::Graph) let no such number into an expression, but make the whole expression undefined; so every expression
-//! that is to be written is looked at once, and afterwards every constant of the program is a number of its scalar. Deliberately
-//! unknown here: how an expression became undefined.
+//! The front end rejects such numbers in a description. Derived expressions multiply and divide these numbers: the square of a
+//! length may overflow although the length does not, and a divisor may be zero. [Graphs](crate::expr::Graph) make the whole
+//! expression undefined in such cases. So each expression is examined once; then every constant of the program is a number of its
+//! scalar type.
 
 use crate::closing;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
@@ -14,44 +13,44 @@ use crate::program::{Block, Found, Function, Program, Sensitivity};
 use crate::structure::LARGEST_TOGETHER;
 use crate::system::{Bound, Exceeded, System};
 
-/// How many places a finding points at.
-const SHOWN: usize = 6;
+/// Largest number of statements that a finding points at.
+const MAX_LISTED: usize = 6;
 
-/// What scalars hold: magnitudes from the least but zero to the largest.
+/// Range of a scalar type: magnitudes from the smallest normal number to the largest number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Range {
-    /// The least with all its digits.
+    /// Smallest magnitude with all digits.
     pub least: f64,
-    /// The largest.
+    /// Largest magnitude.
     pub largest: f64,
 }
 
-/// Expressions and where they come from.
+/// Expressions and their statements.
 struct Part {
-    /// What a message calls them.
+    /// Subject in messages.
     subject: String,
-    /// The statements, never none.
+    /// Statements; never empty.
     spans: Vec<Span>,
     exprs: Vec<ExprId>,
 }
 
-/// What is infinite or undefined in the equations of a system.
+/// Finds infinite or undefined values in the equations of a system.
 pub fn of_system(system: &System) -> Diagnostics {
-    let mut found = Diagnostics::new();
+    let mut findings = Diagnostics::new();
     match passed(system) {
-        Some(passed) => found.push(passed),
-        None => found.extend(undefined(&of_equations(system), system)),
+        Some(passed) => findings.push(passed),
+        None => findings.extend(undefined(&of_equations(system), system)),
     }
-    found
+    findings
 }
 
-/// What is infinite or undefined in the program of a system, or no number of its scalar. Without a program only the bound that
-/// was passed is looked for.
+/// Finds infinite, undefined or unrepresentable values in the program of a system. Without a program, only an exceeded limit is
+/// reported.
 pub fn of_program(system: &System, program: Option<&Program>, range: Range) -> Diagnostics {
-    let mut found = Diagnostics::new();
+    let mut findings = Diagnostics::new();
     let Some(program) = program else {
-        found.extend(passed(system));
-        return found;
+        findings.extend(passed(system));
+        return findings;
     };
     let open = closing::of_blocks(system, &program.blocks);
     if passed(system).is_none() && open.has_errors() {
@@ -65,31 +64,31 @@ pub fn of_program(system: &System, program: Option<&Program>, range: Range) -> D
     let blocks = program.blocks.iter().map(|block| of_block(block, system));
     let blocks: Vec<Part> = blocks.chain(path).collect();
     let (is_within, of_blocks) = of_parts(&blocks, system);
-    found.extend(of_blocks);
+    findings.extend(of_blocks);
     if !is_within {
-        return found;
+        return findings;
     }
     for sensitivity in &program.sensitivities {
-        found.extend(undefined_sensitivity(sensitivity, system));
+        findings.extend(undefined_sensitivity(sensitivity, system));
     }
     let constants = program.constants.list().iter();
     let are_finite = constants.clone().all(|constant| constant.value.is_finite());
     if range != Range::F64 {
         let parts = blocks.into_iter().chain(of_equations(system));
-        found.extend(parts.filter_map(|part| out_of_range(&part, system, range)));
+        findings.extend(parts.filter_map(|part| out_of_range(&part, system, range)));
     }
-    if !are_finite && !found.has_errors() {
+    if !are_finite && !findings.has_errors() {
         let message = "a number that follows from the drawing is infinite or undefined";
-        found.push(Diagnostic::error(
+        findings.push(Diagnostic::error(
             Code::NotFinite,
             system.mechanism.span,
             message,
         ));
     }
-    found
+    findings
 }
 
-/// The same of blocks alone.
+/// Finds infinite or undefined values in blocks alone.
 pub fn of_blocks(system: &System, blocks: &[Block]) -> Diagnostics {
     let open = closing::of_blocks(system, blocks);
     if passed(system).is_none() && open.has_errors() {
@@ -99,31 +98,31 @@ pub fn of_blocks(system: &System, blocks: &[Block]) -> Diagnostics {
     of_parts(&parts.collect::<Vec<_>>(), system).1
 }
 
-/// Whether the bounds have been kept, and the one that was passed or else what is undefined in the parts of a program.
+/// True if no limit is exceeded, with the exceeded limit or else the undefined values in parts of a program.
 fn of_parts(parts: &[Part], system: &System) -> (bool, Diagnostics) {
     let undefined: Vec<Diagnostic> = undefined(parts, system).collect();
     let first = undefined.first().map(|first| first.primary.span);
     let in_program = system.mechanism.graph.excess();
     let in_program =
         in_program.map(|excess| beyond_bounds(excess, first.unwrap_or(system.mechanism.span)));
-    let mut found = Diagnostics::new();
+    let mut findings = Diagnostics::new();
     match passed(system).or(in_program) {
         Some(passed) => {
-            found.push(passed);
-            (false, found)
+            findings.push(passed);
+            (false, findings)
         }
         None => {
             let cause = coaxial(system).filter(|_| !undefined.is_empty());
             match cause {
-                Some(cause) => found.push(cause),
-                None => found.extend(undefined),
+                Some(cause) => findings.push(cause),
+                None => findings.extend(undefined),
             }
-            (true, found)
+            (true, findings)
         }
     }
 }
 
-/// The first gear whose axes parameters bring to one place, which leaves its pitch radii undefined.
+/// Reports the first gear whose axes coincide by parameters, which leaves its pitch radii undefined.
 fn coaxial(system: &System) -> Option<Diagnostic> {
     let mechanism = &system.mechanism;
     mechanism.forces.teeth.iter().find_map(|teeth| {
@@ -143,19 +142,19 @@ fn coaxial(system: &System) -> Option<Diagnostic> {
 }
 
 impl Range {
-    /// Of `f64`: what an expression holds is one.
+    /// Range of `f64`.
     pub const F64: Range = Range {
         least: 0.0,
         largest: f64::MAX,
     };
-    /// Of `f32`.
+    /// Range of `f32`.
     pub const F32: Range = Range {
         least: f32::MIN_POSITIVE as f64,
         largest: f32::MAX as f64,
     };
 }
 
-/// The bound that the equations or their plan passed.
+/// Reports the limit that the equations or their plan exceeded.
 fn passed(system: &System) -> Option<Diagnostic> {
     let Exceeded { at, bound } = (*system.exceeded)?;
     Some(match bound {
@@ -172,7 +171,7 @@ fn passed(system: &System) -> Option<Diagnostic> {
     })
 }
 
-/// The equations of every joint, the drawing of every body and the motion of every point.
+/// Returns the equations of every joint, the design pose of every body and the motion of every point.
 fn of_equations(system: &System) -> Vec<Part> {
     let mechanism = &system.mechanism;
     let part = |subject: String, span: Span, exprs: Vec<ExprId>| Part {
@@ -199,16 +198,16 @@ fn of_equations(system: &System) -> Vec<Part> {
     }));
     for row in system.rows.iter().chain(&system.monitored) {
         let entries = row.jacobian.iter().map(|entry| entry.value);
-        let own = &mut parts[row.joint].exprs;
-        own.extend([row.residual, row.time_derivative, row.gamma]);
-        own.extend(entries);
+        let exprs = &mut parts[row.joint].exprs;
+        exprs.extend([row.residual, row.time_derivative, row.gamma]);
+        exprs.extend(entries);
     }
     for row in &system.vector_form.rows {
         parts[row.joint].exprs.push(row.residual);
     }
     for it in &system.pressures {
-        let own = &mut parts[it.joint].exprs;
-        own.extend([it.along, it.across, it.sliding]);
+        let exprs = &mut parts[it.joint].exprs;
+        exprs.extend([it.along, it.across, it.sliding]);
     }
     for direction in &system.directions {
         for column in [&direction.column, &direction.rate_column] {
@@ -218,8 +217,8 @@ fn of_equations(system: &System) -> Vec<Part> {
         }
     }
     for (row, entries) in system.rows.iter().zip(&system.rate_jacobian) {
-        let own = &mut parts[row.joint].exprs;
-        own.extend(entries.iter().map(|entry| entry.value));
+        let exprs = &mut parts[row.joint].exprs;
+        exprs.extend(entries.iter().map(|entry| entry.value));
     }
     parts.extend(mechanism.moving_bodies().iter().map(|body| {
         let subject = format!("the drawing of body `{}`", body.name);
@@ -245,31 +244,34 @@ fn of_equations(system: &System) -> Vec<Part> {
     parts
 }
 
-/// What a block computes.
+/// Returns the expressions of a block.
 fn of_block(block: &Block, system: &System) -> Part {
     let exprs: Vec<ExprId> = block.functions().flat_map(Function::values).collect();
     let joints = &system.mechanism.joints;
-    let own: Vec<_> = block.joints.iter().map(|&joint| &joints[joint]).collect();
-    let Some(first) = own.first() else {
+    let joints_of_block: Vec<_> = block.joints.iter().map(|&joint| &joints[joint]).collect();
+    let Some(first) = joints_of_block.first() else {
         return Part {
             subject: "what follows from the pose".to_string(),
             spans: vec![system.mechanism.span],
             exprs,
         };
     };
-    let subject = match own.len() {
+    let subject = match joints_of_block.len() {
         1 => format!("what solves `{}`", first.label),
-        2 => format!("what solves `{}` and `{}`", first.label, own[1].label),
+        2 => format!(
+            "what solves `{}` and `{}`",
+            first.label, joints_of_block[1].label
+        ),
         more => format!("what solves `{}` and {} more", first.label, more - 1),
     };
     Part {
         subject,
-        spans: own.iter().map(|joint| joint.span).collect(),
+        spans: joints_of_block.iter().map(|joint| joint.span).collect(),
         exprs,
     }
 }
 
-/// The parts with a number that is none.
+/// Reports parts with an undefined expression.
 fn undefined(parts: &[Part], system: &System) -> impl Iterator<Item = Diagnostic> {
     let graph = &system.mechanism.graph;
     let undefined = |part: &Part| {
@@ -303,46 +305,49 @@ fn undefined_at_value(part: &Part, expr: ExprId, system: &System) -> Option<Diag
     }
     let symbols = graph.symbols(cause);
     let mut parameters = system.mechanism.parameters.iter();
-    let own = parameters.find(|it| symbols.contains(&it.symbol))?;
-    let value = graph.nominal(own.symbol)?;
-    // Such a value is zero, or far from what is read without an exponent.
+    let parameter = parameters.find(|it| symbols.contains(&it.symbol))?;
+    let value = graph.nominal(parameter.symbol)?;
+    // Such a value is zero, or too large or small for plain notation.
     let value = match value == 0.0 {
         true => value.to_string(),
         false => format!("{value:e}"),
     };
     let message = format!(
         "a number in {} is infinite or undefined with `{}` = {value}",
-        part.subject, own.name
+        part.subject, parameter.name
     );
     Some(
-        Diagnostic::error(Code::NotFinite, own.span, message)
+        Diagnostic::error(Code::NotFinite, parameter.span, message)
             .label(format!("its value is {value} here"))
             .help("give it a value that is not zero, and of which the square is neither beyond 1.8e308 nor below 5e-324"),
     )
 }
 
-/// A sensitivity that is a number, but none.
+/// Reports a sensitivity that is infinite or undefined; otherwise `None`.
 fn undefined_sensitivity(sensitivity: &Sensitivity, system: &System) -> Option<Diagnostic> {
     let coordinates = sensitivity.coordinates.iter().flatten().flatten();
     let quantities = sensitivity.quantities.iter().flat_map(|it| &it.levels);
     let mut all = coordinates.chain(quantities.flatten());
     let is_none = |found: &Found| matches!(found, Found::Constant(it) if !it.is_finite());
-    let own = &system.mechanism.parameters[sensitivity.parameter];
+    let parameter = &system.mechanism.parameters[sensitivity.parameter];
     all.any(is_none).then(|| {
-        let message = format!("a sensitivity to `{}` is infinite or undefined", own.name);
-        Diagnostic::error(Code::NotFinite, own.span, message)
+        let message = format!(
+            "a sensitivity to `{}` is infinite or undefined",
+            parameter.name
+        );
+        Diagnostic::error(Code::NotFinite, parameter.span, message)
             .label("at this default")
             .help("what depends on it has no slope there; choose another default")
     })
 }
 
-/// A part with a number that the scalar does not hold.
+/// Reports a part with a number that the scalar type cannot represent.
 fn out_of_range(part: &Part, system: &System, range: Range) -> Option<Diagnostic> {
-    let found = system.mechanism.graph.magnitudes(&part.exprs);
-    let beyond = if found.largest > range.largest {
-        found.largest
-    } else if found.least < range.least {
-        found.least
+    let magnitudes = system.mechanism.graph.magnitudes(&part.exprs);
+    let beyond = if magnitudes.largest > range.largest {
+        magnitudes.largest
+    } else if magnitudes.least < range.least {
+        magnitudes.least
     } else {
         return None;
     };
@@ -356,6 +361,6 @@ fn out_of_range(part: &Part, system: &System, range: Range) -> Option<Diagnostic
 
 fn finding(part: &Part, message: String) -> Diagnostic {
     let error = Diagnostic::error(Code::NotFinite, part.spans[0], message);
-    let others = part.spans.iter().skip(1).take(SHOWN - 1);
+    let others = part.spans.iter().skip(1).take(MAX_LISTED - 1);
     others.fold(error, |error, &span| error.also(span, "together with this"))
 }

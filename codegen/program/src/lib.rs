@@ -1,7 +1,8 @@
-//! Derives the constraint equations of described mechanisms and plans how they are solved.
+//! Derives the constraint equations of described mechanisms and plans their solution.
 //!
-//! Each module imports only those named before it: `system`, `structure`, `words`, `program`, `assemblies`, `closing`, `finiteness`, `modes`.
-//! A [`program::Program`] defines every value before a statement uses it; no module contains an output language.
+//! Each module imports only those named before it: `system`, `structure`, `words`, `program`, `assemblies`, `closing`,
+//! `finiteness`, `modes`. A [`program::Program`] defines every value before a statement uses the value. Modules are independent
+//! of output languages.
 //!
 //! This is an internal package of `linkwright-codegen`; its items may change with every release.
 

@@ -1,55 +1,55 @@
-//! *Bounds of two functions of two unknowns, and of their Jacobian* → *all of their common zeros in a range, one by one, and what stays
-//! undecided*.
+//! Isolates all common zeros of two functions of two unknowns in a range, and lists undecided boxes.
 //!
-//! A box in whose bounds one of the functions has no zero holds none; neither does one that the mean-value form excludes, nor one that
-//! Krawczyk's operator leads out of. Where this operator leads a box into itself, it holds exactly one zero (Krawczyk, Newton-Algorithmen
-//! zur Bestimmung von Nullstellen mit Fehlerschranken, Computing 4 (1969); Moore, Kearfott and Cloud, Introduction to Interval Analysis,
-//! 2009, chapter 8). Around a zero that Newton-Raphson finds, the largest box is looked for that is known to hold no other: boxes within
-//! it need not be looked at. Everything else is divided, until boxes are smaller than [`SMALLEST_BOX`] or there have been too many.
+//! A box contains no zero if bounds of a function, or the mean-value form, exclude zero. The same holds if Krawczyk's operator
+//! maps the box outside itself. If this operator maps a box into itself, the box has exactly one zero (Krawczyk,
+//! Newton-Algorithmen zur Bestimmung von Nullstellen mit Fehlerschranken, Computing 4 (1969); Moore, Kearfott and Cloud,
+//! Introduction to Interval Analysis, 2009, chapter 8). Around each zero of Newton-Raphson, the largest box without other zeros
+//! is searched; boxes within it are skipped. Other boxes are divided until they are smaller than [`SMALLEST_BOX`] or their number
+//! exceeds the limit.
 
 use std::collections::VecDeque;
 
 use super::interval::Interval;
 
-/// The width of a box that is not divided any more, in the scale of the range.
+/// Width of a box that is not divided any more, in the scale of the range.
 const SMALLEST_BOX: f64 = 1e-7;
 
-/// Where a box is divided: not in the middle, so that zeros that a person would choose do not lie on a border.
+/// Fraction at which a box is divided. It differs from 1/2, so that zeros at simple values do not lie on a border.
 const DIVISION: f64 = 127.0 / 256.0;
 
-/// The widest box from which Newton-Raphson is tried.
+/// Widest box in which Newton-Raphson is tried.
 const WIDEST_TRIED: f64 = 0.5;
 
-/// Steps of Newton-Raphson from the middle of a box, and the length of the last one.
+/// Steps of Newton-Raphson from the center of a box, and the length of the last one.
 const STEPS: usize = 12;
 const CONVERGED: f64 = 1e-13;
 
-/// The half width of the largest box around a zero that is tried, and of the smallest one; each is half as wide as the one before.
+/// Half widths of the largest and the smallest box that are tried around a zero; each box is half as wide as the one before.
 const WIDEST: f64 = 0.5;
 const NARROWEST: f64 = 1e-9;
 
-/// How far outside of the range a zero may seem to be by rounding.
+/// Largest distance outside of the range at which a zero counts as on its border, for rounding.
 const BORDER: f64 = 1e-9;
 
-/// A box without its middle that is left by less than this part is divided at once.
+/// Ratio of areas above which a contracted box is divided at once.
 const SHRUNK: f64 = 0.7;
 
-/// Two intervals.
+/// Box: two intervals.
 pub(super) type Box2 = [Interval; 2];
 
-/// Both functions, and their Jacobian row by row.
+/// Bounds of both functions, and of their Jacobian row by row.
 pub(super) type Bounds2 = ([Interval; 2], [[Interval; 2]; 2]);
 
-/// The common zeros of two functions in a range.
+/// Common zeros of two functions in a range.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct CommonZeros {
-    /// One zero each.
+    /// Zeros, one per entry.
     pub found: Vec<[f64; 2]>,
-    /// Where it is not known whether there are zeros.
+    /// Boxes that may have zeros.
     pub undecided: Vec<[[f64; 2]; 2]>,
 }
 
-/// The zeros of two functions of which these are the bounds. So many boxes are looked at, and taken off.
+/// Isolates the zeros of two functions by their bounds. Decreases `boxes` by the number of examined boxes, and stops at zero.
 pub(super) fn isolate_common(
     range: [[f64; 2]; 2],
     boxes: &mut usize,
@@ -60,7 +60,7 @@ pub(super) fn isolate_common(
         alone: Vec::new(),
         zeros: CommonZeros::default(),
     };
-    // The largest first, so that what is left when there have been too many is small.
+    // Large boxes come first, so that boxes left at the limit are small.
     let mut open = VecDeque::from([range.map(|[low, high]| Interval::new(low, high))]);
     while let Some(whole) = open.pop_front() {
         if *boxes == 0 {
@@ -83,7 +83,7 @@ pub(super) fn isolate_common(
             }
         }
     }
-    // A box around a zero may reach out of the range; a zero on its border counts.
+    // A box around a zero may reach out of the range; a zero on the border counts.
     let inside = |zero: &[f64; 2]| {
         let both = zero.iter().zip(&range);
         both.into_iter()
@@ -95,29 +95,33 @@ pub(super) fn isolate_common(
 
 enum Look {
     Decided,
-    /// Zeros may be in this part.
+    /// Part that may have zeros.
     Open(Box2),
 }
 
-/// A box about its middle.
+/// Box about its center.
 struct Center {
     middle: [f64; 2],
-    /// The values in the middle.
+    /// Values at the center.
     at: [Interval; 2],
-    /// The box as seen from there.
+    /// Box relative to the center.
     from: Box2,
 }
 
 struct Search<F> {
     bounds: F,
-    /// Boxes that hold one zero each, and no other.
+    /// Boxes that have exactly one zero each.
     alone: Vec<Box2>,
     zeros: CommonZeros,
 }
 
 impl<F: FnMut(Box2) -> Bounds2> Search<F> {
     fn look(&mut self, whole: Box2) -> Look {
-        if self.alone.iter().any(|own| is_within(&whole, own)) {
+        if self
+            .alone
+            .iter()
+            .any(|isolated| is_within(&whole, isolated))
+        {
             return Look::Decided;
         }
         let (values, jacobian) = (self.bounds)(whole);
@@ -163,7 +167,7 @@ impl<F: FnMut(Box2) -> Bounds2> Search<F> {
         Center { middle, at, from }
     }
 
-    /// Notes the zero of a box that holds one alone, and which lies in a part of it.
+    /// Records the zero of a box that has exactly one, and the part of the box in which it lies.
     fn found(&mut self, alone: Box2, mut part: Box2) {
         for _ in 0..STEPS {
             let (_, jacobian) = (self.bounds)(part);
@@ -176,16 +180,16 @@ impl<F: FnMut(Box2) -> Bounds2> Search<F> {
             }
             part = next;
         }
-        // The same zero, which has been found in another box that it shares with this one.
-        if !self.alone.iter().any(|own| is_within(&part, own)) {
+        // The zero may be known from another box that contains it.
+        if !self.alone.iter().any(|isolated| is_within(&part, isolated)) {
             self.alone.push(alone);
             self.zeros.found.push(part.map(|side| side.middle()));
         }
     }
 
-    /// Looks for the largest box around a zero that holds no other.
+    /// Searches the largest box around a zero without other zeros.
     fn surround(&mut self, zero: [f64; 2]) {
-        let holds = |own: &Box2| (0..2).all(|axis| own[axis].holds(zero[axis]));
+        let holds = |candidate: &Box2| (0..2).all(|axis| candidate[axis].holds(zero[axis]));
         if self.alone.iter().any(holds) {
             return;
         }
@@ -205,7 +209,7 @@ impl<F: FnMut(Box2) -> Bounds2> Search<F> {
         }
     }
 
-    /// A zero near a place, where Newton-Raphson converges to one.
+    /// Returns the zero to which Newton-Raphson converges from a point; `None` if it does not converge.
     fn newton(&mut self, mut at: [f64; 2]) -> Option<[f64; 2]> {
         for _ in 0..STEPS {
             let (values, jacobian) = (self.bounds)(at.map(Interval::point));
@@ -232,7 +236,7 @@ impl<F: FnMut(Box2) -> Bounds2> Search<F> {
     }
 }
 
-/// m − C F(m) + (1 − C J)(X − m), with the inverse C of the middle of J.
+/// Returns m − C F(m) + (1 − C J)(X − m), with the inverse C of J's center.
 fn krawczyk(center: &Center, jacobian: [[Interval; 2]; 2]) -> Option<Box2> {
     let Center { middle, at, from } = center;
     let inverse = inverse(jacobian.map(|row| row.map(|entry| entry.middle())))?;
@@ -271,7 +275,7 @@ fn width(side: Interval) -> f64 {
     side.high - side.low
 }
 
-/// Two parts of a box, divided across its longer side.
+/// Divides a box across its longer side.
 fn divided(whole: Box2) -> [Box2; 2] {
     let axis = usize::from(width(whole[1]) > width(whole[0]));
     let side = whole[axis];
@@ -291,7 +295,7 @@ mod tests {
         Interval::point(value)
     }
 
-    /// x² + y² = 4 and x y = 1: x² is 2 ± √3.
+    /// Bounds x² + y² = 4 and x y = 1: x² is 2 ± √3.
     fn circle_and_hyperbola([x, y]: Box2) -> Bounds2 {
         let twice = |side: Interval| side.times(number(2.0));
         let circle = x.power(2).plus(y.power(2)).minus(number(4.0));
@@ -304,8 +308,8 @@ mod tests {
         let range = [[-3.0, 3.1], [-3.0, 3.1]];
         let zeros = isolate_common(range, &mut 10_000, circle_and_hyperbola);
         assert_eq!(zeros.undecided, Vec::<[[f64; 2]; 2]>::new());
-        let mut found = zeros.found;
-        found.sort_by(|one, other| one[0].total_cmp(&other[0]));
+        let mut isolated = zeros.found;
+        isolated.sort_by(|one, other| one[0].total_cmp(&other[0]));
         let (large, small) = ((2.0 + 3.0_f64.sqrt()).sqrt(), (2.0 - 3.0_f64.sqrt()).sqrt());
         let known = [
             [-large, -small],
@@ -313,13 +317,13 @@ mod tests {
             [small, large],
             [large, small],
         ];
-        assert_eq!(found.len(), known.len());
-        for (found, known) in found.iter().flatten().zip(known.iter().flatten()) {
-            assert!((found - known).abs() < 1e-14, "{found} {known}");
+        assert_eq!(isolated.len(), known.len());
+        for (isolated, known) in isolated.iter().flatten().zip(known.iter().flatten()) {
+            assert!((isolated - known).abs() < 1e-14, "{isolated} {known}");
         }
     }
 
-    /// x² + y² = 2 and x y = 1 touch at (1, 1) and (−1, −1).
+    /// Bounds x² + y² = 2 and x y = 1, which touch at (1, 1) and (−1, −1).
     #[test]
     fn where_both_touch_stays_undecided() {
         let touching = |sides: Box2| {
@@ -343,7 +347,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_not_looked_at_is_undecided() {
+    fn unexamined_boxes_are_undecided() {
         let zeros = isolate_common([[-3.0, 3.1], [-3.0, 3.1]], &mut 0, circle_and_hyperbola);
         assert_eq!(zeros.undecided, [[[-3.0, 3.1], [-3.0, 3.1]]]);
     }

@@ -1,6 +1,6 @@
-//! *Bounds of numbers* → *bounds of their sines, angles, exponentials and logarithms*.
+//! Bounds sines, angles, exponentials and logarithms of intervals.
 //!
-//! The elementary functions that are used here are within stated bounds of the exact ones, which are added.
+//! Computed elementary functions are within stated errors of the exact ones; these errors are added.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -8,29 +8,30 @@ use linkwright_math::double;
 
 use super::interval::Interval;
 
-/// By how much a computed sine or cosine may be off.
+/// Error bound of a computed sine or cosine.
 pub const SINE: f64 = 4.0 * f64::EPSILON;
 
-/// By how much a computed angle of a vector may be off, in rad: it is at most half a turn.
+/// Error bound of a computed angle of a vector, in rad, for angles of at most half a turn.
 pub const ANGLE: f64 = 8.0 * f64::EPSILON;
 
-/// By how much of an angle its place among the quarter turns may be off: more than rounding of angles of some turns leaves.
+/// Error bound of an angle's quarter turn, which exceeds rounding for angles of a few turns.
 const PLACE: f64 = 1e-9;
 
 impl Interval {
-    /// The sine of an angle.
+    /// Bounds the sine of an angle.
     #[must_use]
     pub fn sine(self) -> Interval {
         self.wave(0.0, |angle| double::sin_cos(angle).0)
     }
 
-    /// The cosine of an angle.
+    /// Bounds the cosine of an angle.
     #[must_use]
     pub fn cosine(self) -> Interval {
         self.wave(FRAC_PI_2, |angle| double::sin_cos(angle).1)
     }
 
-    /// The angle of a vector, in (-π, π]; every number where the vector may point along -x, where it jumps.
+    /// Bounds the angle of a vector, in (-π, π]. If the vector may point along -x, where the angle jumps, the bounds are
+    /// infinite.
     #[must_use]
     pub fn angle(y: Interval, x: Interval) -> Interval {
         if y.is_empty() || x.is_empty() {
@@ -51,13 +52,13 @@ impl Interval {
         Interval::outward(low, high, y.defined && x.defined)
     }
 
-    /// The exponential function.
+    /// Bounds the exponential function.
     #[must_use]
     pub fn exponential(self) -> Interval {
         self.rising(double::exp)
     }
 
-    /// The natural logarithm.
+    /// Bounds the natural logarithm.
     #[must_use]
     pub fn logarithm(self) -> Interval {
         match self.low > 0.0 {
@@ -67,7 +68,7 @@ impl Interval {
         }
     }
 
-    /// A function that rises everywhere, of which values are computed to some roundings.
+    /// Bounds an increasing function whose values have a few roundings.
     fn rising(self, value: impl Fn(f64) -> f64) -> Interval {
         if self.is_empty() {
             return self;
@@ -76,13 +77,13 @@ impl Interval {
         Interval::outward(low.low, high.high, self.defined)
     }
 
-    /// A sine that is `ahead`, which is 1 at a quarter turn less that.
+    /// Bounds a sine with lead `ahead`, whose maximum 1 lies at a quarter turn less the lead.
     fn wave(self, ahead: f64, value: impl Fn(f64) -> f64) -> Interval {
         if self.is_empty() {
             return self;
         }
         let width = self.high - self.low;
-        // Written so that NaN and infinite bounds give every value.
+        // NaN and infinite bounds must give unlimited bounds, hence this comparison.
         let is_narrow = width < TAU;
         if !is_narrow {
             return Interval {

@@ -1,7 +1,7 @@
-//! *Expressions, and bounds of some of their symbols* → *bounds of the expressions as functions of a few other symbols, the arguments*.
+//! Bounds expressions as functions of a few symbols, the arguments.
 //!
-//! What does not depend on the arguments is computed once. Lookups of tables and whatever else is not in the list of operations here
-//! are bounded by every number, so that nothing is proven of them.
+//! Values that do not depend on the arguments are computed once. Table lookups and all operations that are not listed here have
+//! infinite bounds, so that nothing is proven of them.
 
 use std::collections::HashMap;
 
@@ -16,49 +16,49 @@ pub struct Enclosed {
     results: Vec<Place>,
 }
 
-/// Where bounds are found.
+/// Location of bounds.
 #[derive(Clone, Copy, Debug)]
 pub enum Place {
-    /// They are known, whatever the arguments are.
+    /// Known bounds, whatever the arguments are.
     Known(Interval),
-    /// An argument, from 0.
+    /// Argument, from 0.
     Argument(usize),
-    /// The result of an operation, from 0.
+    /// Result of an operation, from 0.
     Found(usize),
 }
 
 #[derive(Clone, Debug)]
 enum Operation {
-    /// Each term with its coefficient.
+    /// Sum: terms with their coefficients.
     Sum(Vec<(Interval, Place)>),
-    /// Each factor with the numerator and the denominator of its exponent.
+    /// Product: factors, each with numerator and denominator of its exponent.
     Product(Vec<(Place, [i128; 2])>),
     Sine(Place),
     Cosine(Place),
-    /// Of y and x.
+    /// Angle of a vector, from y and x.
     Angle([Place; 2]),
     Exponential(Place),
     Logarithm(Place),
-    /// The second where the first is negative, or else the third.
+    /// Choice: the second value if the first is negative, otherwise the third.
     Choose([Place; 3]),
-    /// What is no larger than this, either way.
+    /// Value whose magnitude is at most this limit.
     Within(Place, f64),
 }
 
-/// Writes functions down.
+/// Records functions as operations.
 #[derive(Clone)]
 pub struct Enclosing<'a> {
     graph: &'a Graph,
     symbols: HashMap<SymbolId, Place>,
-    // Only looked up.
+    // Bounds of expressions; only looked up.
     values: HashMap<ExprId, Place>,
-    /// The largest magnitudes of some symbols. Only looked up.
+    /// Largest magnitudes of some symbols; only looked up.
     limits: HashMap<SymbolId, f64>,
     operations: Vec<Operation>,
 }
 
 impl Enclosed {
-    /// The bounds of all results; `registers` is room to work in.
+    /// Returns the bounds of all results; `registers` is workspace.
     pub fn at(&self, arguments: &[Interval], registers: &mut Vec<Interval>) -> Vec<Interval> {
         registers.clear();
         for operation in &self.operations {
@@ -109,7 +109,7 @@ impl Operation {
                     _ if !condition.defined => Interval::undefined(),
                     (true, _) => of(*below),
                     (_, true) => of(*otherwise),
-                    // It may jump.
+                    // The value may jump.
                     _ => Interval {
                         defined: false,
                         ..of(*below).hull(of(*otherwise))
@@ -126,7 +126,7 @@ impl Operation {
         }
     }
 
-    /// Calls `visit` with everything that it is made of.
+    /// Calls `visit` with every operand.
     fn each_operand(&self, mut visit: impl FnMut(Place)) {
         match self {
             Operation::Sum(terms) => terms.iter().for_each(|(_, term)| visit(*term)),
@@ -142,7 +142,7 @@ impl Operation {
     }
 }
 
-/// A power whose exponent is a whole number or half of one.
+/// Bounds a power whose exponent is a multiple of one half.
 fn raised(base: Interval, [numerator, denominator]: [i128; 2]) -> Interval {
     let base = match denominator {
         1 => base,
@@ -158,7 +158,7 @@ fn raised(base: Interval, [numerator, denominator]: [i128; 2]) -> Interval {
     }
 }
 
-/// Bounds of an exact number, which may lie between two of the machine.
+/// Bounds an exact number, which may lie between two machine numbers.
 fn number(number: Number) -> Interval {
     let value = number.to_f64();
     match value.fract() == 0.0 && number.is_rational() && value.abs() < f64::from(1_u32 << 31) {
@@ -168,7 +168,7 @@ fn number(number: Number) -> Interval {
 }
 
 impl<'a> Enclosing<'a> {
-    /// With these symbols as arguments.
+    /// Starts with these symbols as arguments.
     pub fn new(graph: &'a Graph, arguments: &[SymbolId]) -> Enclosing<'a> {
         let arguments = arguments.iter().enumerate();
         Enclosing {
@@ -182,31 +182,31 @@ impl<'a> Enclosing<'a> {
         }
     }
 
-    /// What is known of a symbol.
+    /// Sets the bounds of a symbol.
     pub fn know(&mut self, symbol: SymbolId, value: Interval) {
         self.symbols.insert(symbol, Place::Known(value));
     }
 
-    /// Lets a symbol stand for what is found at a place.
+    /// Equates a symbol with the bounds at a place.
     pub fn bind(&mut self, symbol: SymbolId, place: Place) {
         self.symbols.insert(symbol, place);
     }
 
-    /// Says that a symbol is a component of a vector whose length has this square, where that is known.
+    /// Limits a symbol that is a component of a vector, by the square of the vector's length if that is known.
     pub fn limit(&mut self, symbol: SymbolId, square: ExprId) {
         if let Place::Known(square) = self.value(square) {
             self.limits.insert(symbol, square.root().high);
         }
     }
 
-    /// Goes through the statements of a function. What they would fail with is in the bounds.
+    /// Records the statements of a function. Conditions of failures do not affect the bounds.
     pub fn statements(&mut self, function: &Function) {
         for statement in &function.statements {
             self.statement(statement);
         }
     }
 
-    /// Goes through one statement.
+    /// Records one statement.
     pub fn statement(&mut self, statement: &Statement) {
         match *statement {
             Statement::Let { target, value, .. } => {
@@ -230,24 +230,24 @@ impl<'a> Enclosing<'a> {
         }
     }
 
-    /// The bounds of a sine.
+    /// Returns the bounds of a sine.
     pub fn sine(&mut self, angle: Place) -> Place {
         self.written(Operation::Sine(angle))
     }
 
-    /// The bounds of a cosine.
+    /// Returns the bounds of a cosine.
     pub fn cosine(&mut self, angle: Place) -> Place {
         self.written(Operation::Cosine(angle))
     }
 
-    /// The bounds of the results of a function, after its statements.
+    /// Returns the bounds of the results of a function, after its statements.
     pub fn results(&mut self, function: &Function) -> Vec<Place> {
         self.statements(function);
         let results = function.results.iter();
         results.map(|result| self.value(result.expr)).collect()
     }
 
-    /// These results as functions of the arguments.
+    /// Returns these results as functions of the arguments.
     pub fn finish(self, results: Vec<Place>) -> Enclosed {
         Enclosed {
             operations: self.operations,
@@ -255,7 +255,7 @@ impl<'a> Enclosing<'a> {
         }
     }
 
-    /// The bounds of an expression that does not depend on arguments.
+    /// Returns the bounds of an expression that does not depend on arguments; otherwise `None`.
     pub fn known(&mut self, expr: ExprId) -> Option<Interval> {
         match self.value(expr) {
             Place::Known(value) => Some(value),
@@ -263,7 +263,7 @@ impl<'a> Enclosing<'a> {
         }
     }
 
-    /// The bounds of a symbol that does not depend on arguments, where it has been found.
+    /// Returns the bounds of a symbol that does not depend on arguments; `None` if they are not known.
     pub fn known_symbol(&self, symbol: SymbolId) -> Option<Interval> {
         match self.symbols.get(&symbol) {
             Some(Place::Known(value)) => Some(*value),
@@ -271,10 +271,10 @@ impl<'a> Enclosing<'a> {
         }
     }
 
-    /// The bounds of an expression; of what is not known here every number.
+    /// Returns the bounds of an expression; infinite for unknown values.
     pub fn value(&mut self, expr: ExprId) -> Place {
         if let Node::Symbol(symbol) = self.graph.node(expr) {
-            // A symbol may be found after an expression that holds it was asked for elsewhere.
+            // The symbol may have been bound after an expression that contains it was recorded.
             let known = self.symbols.get(symbol).copied();
             return known.unwrap_or(Place::Known(Interval::undefined()));
         }
@@ -310,12 +310,12 @@ impl<'a> Enclosing<'a> {
             } => Operation::Choose([*condition, *below, *otherwise].map(|part| self.value(part))),
             _ => return Place::Known(Interval::undefined()),
         };
-        let found = self.written(operation);
-        self.values.insert(expr, found);
-        found
+        let place = self.written(operation);
+        self.values.insert(expr, place);
+        place
     }
 
-    /// An operation, or what it gives where that is known.
+    /// Records an operation, or evaluates it if all operands are known.
     fn written(&mut self, operation: Operation) -> Place {
         let mut is_known = true;
         operation.each_operand(|place| is_known &= matches!(place, Place::Known(_)));

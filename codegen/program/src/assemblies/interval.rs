@@ -1,30 +1,30 @@
-//! *Numbers that are known to lie between two bounds* → *bounds of what is computed with them*.
+//! Computes with intervals.
 //!
-//! Every operation of IEEE 754 is rounded to the nearest number, so the next number outwards bounds it. Whatever is not defined on the
-//! whole of an interval is marked: then the bounds hold where it is defined (Moore, Kearfott and Cloud, Introduction to Interval
-//! Analysis, 2009). The module does not know expressions.
+//! IEEE 754 rounds every operation to the nearest number, so the next number outwards is a bound. Results that are not defined on
+//! the whole interval are marked; the bounds then hold on the domain of definition (Moore, Kearfott and Cloud, Introduction to
+//! Interval Analysis, 2009).
 
-/// By which part of itself a computed exponential or logarithm, or a constant that is no ratio of small numbers, may be off.
+/// Relative error of a computed exponential or logarithm, or of a constant that is not a ratio of small integers.
 pub const ROUNDED: f64 = 4.0 * f64::EPSILON;
 
-/// All numbers from one to another.
+/// Closed interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
-    /// The least.
+    /// Lower bound.
     pub low: f64,
-    /// The greatest.
+    /// Upper bound.
     pub high: f64,
-    /// Whether what was computed is defined everywhere.
+    /// True if the value is defined on the whole interval.
     pub defined: bool,
 }
 
 impl Interval {
-    /// One number.
+    /// Returns the interval of one number.
     pub fn point(value: f64) -> Interval {
         Interval::new(value, value)
     }
 
-    /// All numbers between two.
+    /// Returns the interval between two numbers.
     pub fn new(low: f64, high: f64) -> Interval {
         Interval {
             low,
@@ -33,7 +33,7 @@ impl Interval {
         }
     }
 
-    /// Every number, of something that is not defined everywhere.
+    /// Returns the interval of all numbers, for a value that is not defined everywhere.
     pub fn undefined() -> Interval {
         Interval {
             low: f64::NEG_INFINITY,
@@ -42,25 +42,25 @@ impl Interval {
         }
     }
 
-    /// No number: what is computed is defined nowhere.
+    /// Interval without numbers: a value that is defined nowhere.
     pub const EMPTY: Interval = Interval {
         low: f64::INFINITY,
         high: f64::NEG_INFINITY,
         defined: false,
     };
 
-    /// A number that is known to a few roundings.
+    /// Returns the interval of a number that is known to a few roundings.
     pub fn about(value: f64) -> Interval {
         let off = ROUNDED * value.abs();
         Interval::outward(value - off, value + off, true)
     }
 
-    /// Whether it holds no number.
+    /// True if the interval has no number.
     pub fn is_empty(&self) -> bool {
         self.low > self.high
     }
 
-    /// Bounds that were rounded to the nearest number, moved outwards.
+    /// Moves bounds that were rounded to nearest outwards.
     pub(super) fn outward(low: f64, high: f64, defined: bool) -> Interval {
         match low.is_nan() || high.is_nan() {
             true => Interval::undefined(),
@@ -72,22 +72,22 @@ impl Interval {
         }
     }
 
-    /// Whether a number lies in it.
+    /// True if a number lies in the interval.
     pub fn holds(&self, value: f64) -> bool {
         self.low <= value && value <= self.high
     }
 
-    /// Something in the middle of it.
+    /// Returns a number near the middle.
     pub fn middle(&self) -> f64 {
         self.low + 0.5 * (self.high - self.low)
     }
 
-    /// Whether all of it lies within another, off its ends.
+    /// True if the interval lies in the interior of another one.
     pub fn is_inside(self, other: Interval) -> bool {
         other.low < self.low && self.high < other.high
     }
 
-    /// What both hold.
+    /// Returns the intersection.
     #[must_use]
     pub fn intersection(self, other: Interval) -> Interval {
         let (low, high) = (self.low.max(other.low), self.high.min(other.high));
@@ -98,7 +98,7 @@ impl Interval {
         }
     }
 
-    /// The smallest interval that holds both.
+    /// Returns the smallest interval that contains both.
     #[must_use]
     pub fn hull(self, other: Interval) -> Interval {
         Interval {
@@ -108,7 +108,7 @@ impl Interval {
         }
     }
 
-    /// The same with the opposite sign.
+    /// Returns the interval with opposite sign.
     #[must_use]
     pub fn negated(self) -> Interval {
         Interval {
@@ -118,13 +118,13 @@ impl Interval {
         }
     }
 
-    /// The difference.
+    /// Returns the difference.
     #[must_use]
     pub fn minus(self, other: Interval) -> Interval {
         self.plus(other.negated())
     }
 
-    /// The sum.
+    /// Returns the sum.
     #[must_use]
     pub fn plus(self, other: Interval) -> Interval {
         if self.is_empty() || other.is_empty() {
@@ -134,7 +134,7 @@ impl Interval {
         Interval::outward(self.low + other.low, self.high + other.high, defined)
     }
 
-    /// The product.
+    /// Returns the product.
     #[must_use]
     pub fn times(self, other: Interval) -> Interval {
         if self.is_empty() || other.is_empty() {
@@ -155,7 +155,7 @@ impl Interval {
         Interval::outward(low, high, defined)
     }
 
-    /// 1 by it.
+    /// Returns the reciprocal.
     #[must_use]
     pub fn reciprocal(self) -> Interval {
         match self.holds(0.0) {
@@ -165,7 +165,7 @@ impl Interval {
         }
     }
 
-    /// The square root, of what is not negative.
+    /// Returns the square root, of the nonnegative part.
     #[must_use]
     pub fn root(self) -> Interval {
         if self.is_empty() || self.high < 0.0 {
@@ -179,7 +179,7 @@ impl Interval {
         }
     }
 
-    /// A whole power.
+    /// Returns an integer power.
     #[must_use]
     pub fn power(self, exponent: u32) -> Interval {
         if self.is_empty() {
@@ -197,7 +197,7 @@ impl Interval {
                 defined: self.defined,
             };
         }
-        // A power does not change its direction on one side of zero.
+        // A power is monotonic on one side of zero.
         let end = |value: f64| {
             (0..exponent).fold(Interval::point(1.0), |product, _| {
                 product.times(Interval::point(value))
@@ -217,7 +217,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_not_defined_everywhere_says_so() {
+    fn partly_undefined_results_are_marked() {
         assert!(!Interval::new(-1.0, 1.0).reciprocal().defined);
         assert!(!Interval::new(-1.0, 1.0).root().defined);
         assert!(Interval::new(0.5, 1.0).root().defined);
@@ -226,7 +226,7 @@ mod tests {
         assert!(Interval::new(-2.0, -1.0).power(3).holds(-8.0));
     }
 
-    /// 0.1 is no number of the machine, and neither is the sum of three of them 0.3.
+    /// Checks that rounding moves outwards: 0.1 is not a machine number, nor is three times its value 0.3.
     #[test]
     fn rounding_leads_outwards() {
         let tenth = Interval::point(0.1);

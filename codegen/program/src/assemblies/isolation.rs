@@ -1,40 +1,41 @@
-//! *Bounds of a function and of its derivative* → *all of its zeros in a range, one by one, and what stays undecided*.
+//! Isolates all zeros of a function in a range, from bounds of the function and its derivative, and lists undecided cells.
 //!
-//! A cell in whose bounds zero is not holds none. Neither does one in which the mean-value form excludes it. Where the derivative is
-//! not zero anywhere, there is at most one zero, and the signs at the ends say whether there is. Everything else is divided, until cells
-//! are smaller than [`SMALLEST`] or there have been too many: these ranges stay undecided, and no zero is anywhere else (Moore, Kearfott and
-//! Cloud, Introduction to Interval Analysis, 2009, chapter 8).
+//! A cell has no zero if its bounds, or those of the mean-value form, exclude zero. If the derivative has no zero in a cell,
+//! signs at the ends decide between one zero and none. Other cells are divided until they are smaller than [`MIN_WIDTH`] or their
+//! number exceeds the limit. These cells stay undecided, and no zero lies outside of all cells (Moore, Kearfott and Cloud,
+//! Introduction to Interval Analysis, 2009, chapter 8).
 
 use std::collections::VecDeque;
 
 use super::interval::Interval;
 
-/// The width of a cell that is not divided any more.
-const SMALLEST: f64 = 1e-9;
+/// Width of a cell that is not divided any more.
+const MIN_WIDTH: f64 = 1e-9;
 
-/// Where a cell is divided: not in the middle, so that zeros that a person would choose do not lie on a border.
+/// Fraction at which a cell is divided. It differs from 1/2, so that zeros at simple values do not lie on a border.
 const DIVISION: f64 = 127.0 / 256.0;
 
-/// How often a zero is bisected: all digits.
+/// Number of bisections of a zero, enough for all digits.
 const BISECTIONS: usize = 64;
 
-/// The zeros of a function in a range.
+/// Zeros of a function in a range.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Zeros {
-    /// One zero each.
+    /// Zeros, one per entry.
     pub found: Vec<f64>,
-    /// Where it is not known whether there are zeros.
+    /// Cells that may have zeros.
     pub undecided: Vec<[f64; 2]>,
 }
 
-/// The zeros of a function of which these are the bounds, with those of its derivative. So many cells are looked at, and taken off.
+/// Isolates the zeros of a function by bounds of the function and its derivative. Decreases `cells` by the number of examined
+/// cells, and stops at zero.
 pub(super) fn isolate(
     range: [f64; 2],
     cells: &mut usize,
     mut bounds: impl FnMut(Interval) -> [Interval; 2],
 ) -> Zeros {
     let mut zeros = Zeros::default();
-    // The largest first, so that what is left when there have been too many is small.
+    // Large cells come first, so that cells left at the limit are small.
     let mut open = VecDeque::from([range]);
     while let Some([low, high]) = open.pop_front() {
         if *cells == 0 {
@@ -73,7 +74,7 @@ pub(super) fn isolate(
                 }
             }
         }
-        if high - low <= SMALLEST {
+        if high - low <= MIN_WIDTH {
             zeros.undecided.push([low, high]);
             continue;
         }
@@ -83,7 +84,7 @@ pub(super) fn isolate(
     zeros
 }
 
-/// The zero between two places, at the first of which the function has this sign.
+/// Returns the zero between two points by bisection; `first` is the sign at the lower one.
 fn bisected(
     [mut low, mut high]: [f64; 2],
     first: bool,
@@ -94,7 +95,7 @@ fn bisected(
         match sign(middle) {
             Some(own) if own == first => low = middle,
             Some(_) => high = middle,
-            // Rounding decides no more.
+            // Rounding hides further digits.
             None => return middle,
         }
     }
@@ -105,7 +106,7 @@ fn bisected(
 mod tests {
     use super::*;
 
-    /// (x − 1)(x + 2) = x² + x − 2.
+    /// Isolates the zeros of (x − 1)(x + 2) = x² + x − 2.
     #[test]
     fn all_zeros_are_found_and_no_other() {
         let square = |x: Interval| {
@@ -115,13 +116,13 @@ mod tests {
         };
         let zeros = isolate([-10.0, 10.0], &mut 1000, square);
         assert_eq!(zeros.undecided, Vec::<[f64; 2]>::new());
-        let mut found = zeros.found;
-        found.sort_by(f64::total_cmp);
-        assert_eq!(found.len(), 2);
-        assert!((found[0] + 2.0).abs() < 1e-14 && (found[1] - 1.0).abs() < 1e-14);
+        let mut isolated = zeros.found;
+        isolated.sort_by(f64::total_cmp);
+        assert_eq!(isolated.len(), 2);
+        assert!((isolated[0] + 2.0).abs() < 1e-14 && (isolated[1] - 1.0).abs() < 1e-14);
     }
 
-    /// x² has its zero where its derivative has one.
+    /// Bounds x², whose zero is a zero of the derivative too.
     #[test]
     fn a_double_zero_stays_undecided() {
         let zeros = isolate([-1.0, 2.0], &mut 1000, |x| {
@@ -135,7 +136,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_not_looked_at_is_undecided() {
+    fn unexamined_cells_are_undecided() {
         let zeros = isolate([-10.0, 10.0], &mut 0, |x| [x, Interval::point(1.0)]);
         assert_eq!(zeros.undecided, [[-10.0, 10.0]]);
     }

@@ -1,8 +1,8 @@
-//! *A program of closed forms, and what drivers can do* → *the blocks whose two modes never meet*.
+//! Proves that the two modes of a block never meet, for closed forms and ranges of their drivers.
 //!
-//! The modes of two links meet where the links are in line, so that the square of their half chord vanishes. Angles and
-//! lengths that drivers prescribe are taken for any that their laws can have, and modes for either; what parameters or inputs change has no
-//! bounds beyond a turn, and nothing is shown of it. Deliberately unknown here: which motion a mechanism makes.
+//! The modes of two links meet if the links are collinear, so that the square of their half chord vanishes. Angles and lengths of
+//! drivers may have any value of their laws, and modes either sign. Angles that parameters or inputs change range over a turn,
+//! other such values are unbounded, and nothing is proven of these.
 
 use std::collections::HashSet;
 use std::f64::consts::TAU;
@@ -14,30 +14,31 @@ use crate::joint::Quantity;
 use crate::program::{Program, Statement};
 use crate::system::{SymbolRole, System};
 
-/// The least square of a half chord, relative to the links, that keeps modes apart: links then enclose more than a hundredth of a radian.
+/// Smallest square of a half chord, relative to the links, that separates modes: the links then enclose more than a hundredth of
+/// a radian.
 const LEAST_CHORD: f64 = 1e-4;
 
-/// The largest number of modes of earlier blocks that may be either.
+/// Largest number of modes of earlier blocks that may have either sign.
 const MOST_SIGNS: usize = 4;
 
-/// The largest number of boxes of arguments that are examined.
+/// Largest number of examined boxes of arguments.
 const BOXES: usize = 1024;
 
-/// Goes through the blocks of a program.
+/// Traversal of the blocks of a program.
 struct Walk<'a> {
     system: &'a System,
     enclosing: Enclosing<'a>,
-    /// The symbols that change in time other than by arguments. Only looked up.
+    /// Symbols that change in time other than by arguments; only looked up.
     moving: HashSet<SymbolId>,
-    /// The ranges of the arguments: what is driven, in order.
+    /// Ranges of the arguments, the driven quantities, in order.
     driven: Vec<[f64; 2]>,
-    /// The number of them at the last half chord: later ones are those of rates.
+    /// Number of arguments at the last half chord; later ones belong to rates.
     at_chord: usize,
-    /// The blocks of the plan whose modes the first arguments are.
+    /// Blocks of the plan whose modes are the first arguments.
     signs: Vec<usize>,
 }
 
-/// For each block of a program, true if it has been shown that its modes never meet.
+/// Returns, for each block of a program, true if its modes are proven never to meet.
 pub fn never_meet(system: &System, program: &Program) -> Vec<bool> {
     let mut walk = Walk::new(system, program);
     let blocks = program.blocks.iter();
@@ -77,13 +78,13 @@ impl<'a> Walk<'a> {
         symbols.iter().any(|symbol| self.moving.contains(symbol))
     }
 
-    /// The bounds of what moves, where it has any.
+    /// Returns the bounds of a moving value; `None` if it has none.
     fn range(&mut self, expr: ExprId) -> Option<[f64; 2]> {
         let range = self.enclosing.known(expr)?;
         (range.defined && (range.high - range.low).is_finite()).then_some([range.low, range.high])
     }
 
-    /// A new argument with this range.
+    /// Adds an argument with this range.
     fn argument(&mut self, range: [f64; 2]) -> Place {
         self.driven.push(range);
         Place::Argument(self.signs.len() + self.driven.len() - 1)
@@ -103,7 +104,7 @@ impl<'a> Walk<'a> {
                         let argument = self.argument(range);
                         self.enclosing.bind(target, argument);
                     }
-                    // What is geared to an angle turns by other ones: each is bounded by itself.
+                    // Angles that gears tie to an angle rotate by other amounts: each is bounded by itself.
                     _ => {
                         self.moving.insert(target);
                         self.enclosing.statement(statement);
@@ -134,7 +135,7 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// True if the links of a block are never in line.
+    /// True if the links of a block are never collinear.
     fn are_apart(&self, chords: &[[Place; 2]], block: Option<usize>) -> bool {
         let signs = self.signs.iter().enumerate();
         let before: Vec<usize> = signs
@@ -153,7 +154,7 @@ impl<'a> Walk<'a> {
                 }
             }
             for (place, &[low, high]) in self.driven.iter().enumerate() {
-                // Nothing that is looked at depends on the others.
+                // Arguments behind `at_chord` do not affect the chords.
                 let is_used = place < self.at_chord;
                 arguments.push(Interval::new(low, if is_used { high } else { low }));
             }
@@ -162,7 +163,7 @@ impl<'a> Walk<'a> {
     }
 }
 
-/// True if all half chords stay above the least one, by halving boxes of arguments.
+/// True if all half chords stay above the smallest one; bisects boxes of arguments.
 fn is_apart(enclosed: &Enclosed, whole: Vec<Interval>) -> bool {
     let mut registers = Vec::new();
     let mut open = vec![whole];
@@ -172,8 +173,8 @@ fn is_apart(enclosed: &Enclosed, whole: Vec<Interval>) -> bool {
         if looked_at > BOXES {
             return false;
         }
-        let found = enclosed.at(&arguments, &mut registers);
-        let mut chords = found.chunks_exact(2);
+        let bounds = enclosed.at(&arguments, &mut registers);
+        let mut chords = bounds.chunks_exact(2);
         if chords.all(|it| it[0].defined && it[1].defined && it[0].low > LEAST_CHORD * it[1].high) {
             continue;
         }

@@ -1,9 +1,7 @@
-//! *A block that Newton-Raphson solves, and what is known before it* → *every pose in which it can be assembled, with a proof that there
-//! are no others*.
+//! Finds all poses in which a block of Newton-Raphson can be assembled, with a proof of completeness.
 //!
-//! The poses of a block are the zeros of one or two functions over a turn of each of their arguments. Bounds of these functions over
-//! intervals isolate all zeros, and exclude everything else. Deliberately unknown here: what came before the block, whether a pose
-//! can be reached, and how it is written.
+//! The poses of a block are the zeros of one or two functions over a turn of each argument. Bounds of these functions over
+//! intervals isolate all zeros and exclude all other poses.
 
 mod boxes;
 mod elementary;

@@ -1,6 +1,6 @@
-//! *A block without a closed form, and what is known before it* → *all of its poses, and what is not decided*.
+//! Finds all poses of a block without a closed form, and the undecided ranges.
 //!
-//! No pose is anywhere but among those that are found and in the parts that stay undecided; each that is found is one alone.
+//! Every pose is among the poses found or in an undecided range; each pose found is isolated.
 
 use std::f64::consts::TAU;
 
@@ -15,52 +15,52 @@ use crate::joint::Quantity;
 use crate::program::NewtonBlock;
 use crate::system::System;
 
-/// Where the range of an angle begins: not at zero or half a turn, where a person would draw a link.
+/// Start of the range of an angle, in rad. It differs from zero and half a turn, the likely angles of drawn links.
 const BEGINNING: f64 = -3.0;
 
-/// How near to the same direction two angles at both ends of their range are one.
+/// Largest difference at which angles at both ends of their range are one direction, in rad.
 const SAME_DIRECTION: f64 = 1e-8;
 
-/// Angles and lengths that differ by less do not order poses, in rad or m: they may differ by rounding alone.
+/// Smallest difference that orders poses, in rad or m; smaller ones may be rounding.
 const SAME_VALUE: f64 = 1e-8;
 
-/// How many parts are looked at for one that touches.
+/// Number of earlier parts that are searched for one that touches.
 const LOOKED_BACK: usize = 256;
 
-/// How much larger a part may be than those that it is made of.
+/// Largest size of a merged part, relative to its pieces.
 const LOOSE: f64 = 1.5;
 
-/// The side of a part that is made of any that touch, in rad: nobody looks into it.
+/// Side below which touching parts are merged in any case, in rad: such parts are not resolved.
 const TINY: f64 = 1e-4;
 
-/// Parts that stay undecided and are nearer to one another than this are one, in rad.
+/// Distance below which undecided parts are merged, in rad.
 const MERGED: f64 = 1e-6;
 
-/// A range of each angle that was sought.
+/// Range of each angle that is searched.
 pub type Part = Vec<[f64; 2]>;
 
 /// All poses of a block.
 #[derive(Clone, Debug)]
 pub struct Poses {
-    /// Ascending in what was sought.
+    /// Poses, ascending in the searched unknowns.
     pub found: Vec<Pose>,
-    /// Which of the block's unknowns were sought, from 0.
+    /// Searched unknowns of the block: indices from 0.
     pub sought: Vec<usize>,
-    /// Where it is not known whether there are poses.
+    /// Parts that may have poses.
     pub undecided: Vec<Part>,
-    /// Which part of all that could be is decided, at most 1.
+    /// Fraction of the search range that is decided, at most 1.
     pub decided: f64,
 }
 
-/// One pose of a block.
+/// Pose of a block.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pose {
-    /// The values of its unknowns; an angle within half a turn, or what was sought in the turn that begins at −3.
+    /// Values of its unknowns. Angles are within half a turn; searched angles are in the turn that begins at −3.
     pub unknowns: Vec<f64>,
 }
 
-/// The poses of a block, where at most so many parts are looked at. `None` where they are not the zeros of functions of one or two
-/// angles, or not all numbers that they need are known.
+/// Finds the poses of a block and examines at most `parts` parts. `None` if the poses are not zeros of functions of one or two
+/// angles, or if a number that they need is unknown.
 pub fn poses(
     newton: &NewtonBlock,
     system: &System,
@@ -72,7 +72,7 @@ pub fn poses(
     let range = [BEGINNING, (BEGINNING + TAU).next_up()];
     let choices = 1_usize << sought.signs;
     let mut registers = Vec::new();
-    let mut found: Vec<(Vec<f64>, usize)> = Vec::new();
+    let mut zeros_found: Vec<(Vec<f64>, usize)> = Vec::new();
     let mut undecided: Vec<Part> = Vec::new();
     for choice in 0..choices {
         let mut left = parts / choices;
@@ -81,7 +81,7 @@ pub fn poses(
                 let values = sought.remaining(&[cell], choice, &mut registers);
                 [values[0], values[1]]
             });
-            found.extend(zeros.found.into_iter().map(|zero| (vec![zero], choice)));
+            zeros_found.extend(zeros.found.into_iter().map(|zero| (vec![zero], choice)));
             undecided.extend(zeros.undecided.into_iter().map(|it| vec![it]));
         } else {
             let zeros = isolate_common([range, range], &mut left, |part| {
@@ -89,15 +89,15 @@ pub fn poses(
                 let [a, b, c, d, e, f] = [0, 1, 2, 3, 4, 5].map(|place| values[place]);
                 ([a, b], [[c, d], [e, f]])
             });
-            found.extend(zeros.found.into_iter().map(|it| (it.to_vec(), choice)));
+            zeros_found.extend(zeros.found.into_iter().map(|it| (it.to_vec(), choice)));
             undecided.extend(zeros.undecided.into_iter().map(|it| it.to_vec()));
         }
     }
     let whole = choices as f64 * TAU.powi(i32::try_from(count).unwrap_or(1));
     let decided = 1.0 - undecided.iter().map(size).sum::<f64>() / whole;
-    without_doubles(&mut found);
+    without_doubles(&mut zeros_found);
     let mut poses: Vec<Pose> = Vec::new();
-    for (at, choice) in found {
+    for (at, choice) in zeros_found {
         match pose(newton, system, &sought, &at, choice) {
             Some(pose) => poses.push(pose),
             None => undecided.push(at.iter().map(|&value| [value, value]).collect()),
@@ -116,7 +116,7 @@ pub fn poses(
     })
 }
 
-/// What poses of a block ascend in: what was sought, and then everything else, angles in one turn and without rounding.
+/// Returns the sort key of a pose: the searched unknowns, then all others, with angles in one turn and without rounding.
 pub fn order(unknowns: &[f64], is_angle: impl Fn(usize) -> bool, sought: &[usize]) -> Vec<i64> {
     let all = sought.iter().copied().chain(0..unknowns.len());
     let values = all.map(|place| match is_angle(place) {
@@ -134,7 +134,7 @@ fn ascending(one: &[f64], other: &[f64]) -> std::cmp::Ordering {
     differs.unwrap_or(std::cmp::Ordering::Equal)
 }
 
-/// What lies at both ends of the range is one. Poses beside one another stay two, however near they are: each is one alone.
+/// Removes poses that occur at both ends of the range. Adjacent poses stay separate, however close, as each is isolated.
 fn without_doubles(found: &mut Vec<(Vec<f64>, usize)>) {
     let is_again = |one: &(Vec<f64>, usize), other: &(Vec<f64>, usize)| {
         let mut pairs = one.0.iter().zip(&other.0);
@@ -160,7 +160,7 @@ fn without_doubles(found: &mut Vec<(Vec<f64>, usize)>) {
     }
 }
 
-/// The unknowns of a block where what is sought is found; `None` where closed forms do not reach to it.
+/// Returns the unknowns of a block for given searched values; `None` if a closed form has no solution there.
 fn pose(
     newton: &NewtonBlock,
     system: &System,
@@ -173,9 +173,9 @@ fn pose(
     let mut unknowns = Vec::with_capacity(cosines.len());
     for (place, (cosine, sine)) in cosines.iter().zip(sines).enumerate() {
         let quantity = system.vector_form.unknowns[newton.unknowns[place]].quantity;
-        let own = sought.places.iter().position(|&it| it == place);
-        unknowns.push(match own {
-            Some(own) => at[own],
+        let position = sought.places.iter().position(|&it| it == place);
+        unknowns.push(match position {
+            Some(position) => at[position],
             None if quantity == Quantity::Angle => double::atan2(sine.middle(), cosine.middle()),
             None => cosine.middle(),
         });
@@ -184,7 +184,7 @@ fn pose(
     finite.then_some(Pose { unknowns })
 }
 
-/// Parts that touch as one where that is hardly larger, ascending.
+/// Merges touching parts if the result is hardly larger, ascending.
 fn merged(parts: Vec<Part>) -> Vec<Part> {
     let touch = |one: &Part, other: &Part| {
         let mut sides = one.iter().zip(other);
@@ -197,22 +197,22 @@ fn merged(parts: Vec<Part>) -> Vec<Part> {
             .collect()
     };
     let lows = |part: &Part| part.iter().map(|it| it[0]).collect::<Vec<f64>>();
-    // Each with the size of what it is made of.
+    // Each part with the size of its pieces.
     let parts = parts.into_iter().map(|part| (size(&part), part));
     let mut parts: Vec<(f64, Part)> = parts.collect();
-    // Until nothing touches any more: a merged part may touch one that came before.
+    // A merged part may touch an earlier one, so merging repeats.
     loop {
         parts.sort_by(|(_, one), (_, other)| ascending(&lows(one), &lows(other)));
         let before = parts.len();
         let mut whole: Vec<(f64, Part)> = Vec::new();
         for (filled, part) in parts {
             let mut near = whole.iter_mut().rev().take(LOOKED_BACK);
-            let own = near.find(|(own_filled, own)| {
+            let partner = near.find(|(own_filled, own)| {
                 let both = hull(own, &part);
                 let is_tiny = both.iter().all(|it| it[1] - it[0] <= TINY);
                 touch(own, &part) && (is_tiny || size(&both) <= LOOSE * (*own_filled + filled))
             });
-            match own {
+            match partner {
                 Some((own_filled, own)) => {
                     *own_filled += filled;
                     *own = hull(own, &part);
@@ -238,12 +238,12 @@ mod tests {
     #[test]
     fn only_what_lies_at_both_ends_is_one() {
         let [low, high] = [BEGINNING, BEGINNING + TAU];
-        let mut found = vec![(vec![low], 0), (vec![high], 0), (vec![high], 1)];
-        without_doubles(&mut found);
-        assert_eq!(found, [(vec![low], 0), (vec![high], 1)]);
+        let mut poses = vec![(vec![low], 0), (vec![high], 0), (vec![high], 1)];
+        without_doubles(&mut poses);
+        assert_eq!(poses, [(vec![low], 0), (vec![high], 1)]);
         let near = vec![(vec![0.5], 0), (vec![0.5 + 5e-9], 0)];
-        let mut found = near.clone();
-        without_doubles(&mut found);
-        assert_eq!(found, near);
+        let mut poses = near.clone();
+        without_doubles(&mut poses);
+        assert_eq!(poses, near);
     }
 }

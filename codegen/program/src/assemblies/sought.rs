@@ -1,7 +1,8 @@
-//! *A block without a closed form, and what is known before it* → *the functions of one or two of its unknowns whose zeros are its poses*.
+//! Reduces a block without a closed form to functions of one or two unknowns whose zeros are its poses.
 //!
-//! Of a torn block these are its tears, with the signs of the closed forms that find everything else; of another one its unknowns,
-//! where there are so few. They are angles, and all equations are the same a turn further: then every pose has them in one turn.
+//! For a torn block, these unknowns are its tearing variables, with the signs of the closed forms for all others; for another
+//! block, all unknowns if there are at most two. The unknowns are angles, and all equations are periodic in them: so every pose
+//! lies in one turn.
 
 use super::enclosed::{Enclosed, Enclosing, Place};
 use super::interval::Interval;
@@ -11,24 +12,24 @@ use crate::joint::Quantity;
 use crate::program::{Function, NewtonBlock};
 use crate::system::System;
 
-/// The most signs of closed forms whose choices are all tried.
+/// Largest number of signs of closed forms with all combinations tried.
 const MOST_SIGNS: usize = 8;
 
-/// The functions of what is sought in a block.
+/// Functions of the searched unknowns of a block.
 #[derive(Clone, Debug)]
 pub(super) struct Sought {
-    /// Which of the block's unknowns are sought, from 0.
+    /// Searched unknowns of the block: indices from 0.
     pub places: Vec<usize>,
-    /// How many signs the closed forms have that find the others.
+    /// Number of signs of the closed forms for the other unknowns.
     pub signs: usize,
-    /// What remains, then its derivatives by what is sought, row by row.
+    /// Residuals, then their derivatives in the searched unknowns, row by row.
     functions: Enclosed,
-    /// The cosines of all unknowns of the block, and then their sines; of a length itself, and zero.
+    /// Cosines of all unknowns of the block, then their sines; for a length, the length and zero.
     whole: Enclosed,
 }
 
 impl Sought {
-    /// What is sought in a block; `None` where more than two unknowns would be, or turns make a difference.
+    /// Returns the functions of a block; `None` if they have more than two unknowns or are not periodic.
     pub fn of(
         newton: &NewtonBlock,
         system: &System,
@@ -48,8 +49,9 @@ impl Sought {
             .map(|&it| &system.vector_form.unknowns[it])
             .collect();
         let is_sought = |&place: &usize| {
-            let own = unknowns[place];
-            own.quantity == Quantity::Angle && is_periodic(&newton.residual, own.position, graph)
+            let unknown = unknowns[place];
+            unknown.quantity == Quantity::Angle
+                && is_periodic(&newton.residual, unknown.position, graph)
         };
         if !places.iter().all(is_sought) {
             return None;
@@ -94,7 +96,7 @@ impl Sought {
         })
     }
 
-    /// What remains and its derivatives, over a part of what is sought.
+    /// Returns residuals and derivatives over a part of the search range.
     pub fn remaining(
         &self,
         part: &[Interval],
@@ -104,7 +106,7 @@ impl Sought {
         self.functions.at(&self.arguments(part, choice), registers)
     }
 
-    /// The cosines and sines of all unknowns of the block, or the unknown itself and zero.
+    /// Returns the cosines and sines of all unknowns of the block; for a length, the length and zero.
     pub fn whole(&self, at: &[f64], choice: usize) -> Vec<Interval> {
         let at: Vec<Interval> = at.iter().map(|&value| Interval::point(value)).collect();
         self.whole.at(&self.arguments(&at, choice), &mut Vec::new())
@@ -121,7 +123,7 @@ impl Sought {
     }
 }
 
-/// The symbols that the functions of a block read.
+/// Returns the symbols that the functions of a block read.
 pub fn read(newton: &NewtonBlock, graph: &Graph) -> Vec<SymbolId> {
     let tearing = newton.tearing.iter();
     let torn = tearing.flat_map(|it| [&it.evaluate, &it.complete, &it.proof.function]);

@@ -1,8 +1,7 @@
-//! *A mechanism as it is described* → *all ways in which it can be assembled at t = 0, with its nominal parameters and the initial values of
-//! its inputs*.
+//! Finds all assemblies of a mechanism at t = 0, with nominal parameters and initial values of inputs.
 //!
-//! Block by block both signs of every closed form are tried, and all poses of what Newton-Raphson solves. Generated code starts from
-//! them, so they are stored only where it is proven that there are no others, and where a letter of one is that of `linkwright check`.
+//! Every block contributes both signs of its closed forms and all poses of Newton-Raphson. Generated code starts from these
+//! assemblies. So they are stored only if they are proven complete, and if their letters agree with `linkwright check`.
 
 use super::enclosed::Enclosing;
 use super::interval::Interval;
@@ -13,38 +12,39 @@ use crate::joint::Quantity;
 use crate::program::{Block, Level, NewtonBlock, Program, Statement, TornFields, sign_of};
 use crate::system::System;
 
-/// How many parts of what could be a pose are looked at in each block.
+/// Largest number of examined parts of each block.
 const MOST_PARTS: usize = 20_000;
 
-/// How many assemblies are stored at most.
+/// Largest number of stored assemblies.
 const MOST_STORED: usize = 64;
 
-/// How many combinations of signs and poses are tried at most.
+/// Largest number of tried combinations of signs and poses.
 const MOST_TRIED: usize = 512;
 
-/// Which unknowns assemblies are found by, and all assemblies.
+/// All assemblies, and the unknowns that give them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StoredAssemblies {
-    /// Unknowns of the vector form: those of every block that Newton-Raphson solves, block by block.
+    /// Unknowns of the vector form: those of every block of Newton-Raphson, block by block.
     pub unknowns: Vec<usize>,
-    /// In the order in which they are found: positive signs first, then ascending in what was sought.
+    /// Assemblies: positive signs first, then ascending in the searched unknowns.
     pub all: Vec<StoredAssembly>,
 }
 
-/// One way of putting a mechanism together.
+/// Assembly of a mechanism.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StoredAssembly {
-    /// `+-b`, as `linkwright check` calls it: a sign for each closed form, and a letter for each block without one.
+    /// Label as in `linkwright check`: `+-b`, a sign for each closed form and a letter for each block without one.
     pub label: String,
-    /// Whether each closed form's sign is positive, by its place among the program's branches.
+    /// True for each closed form with a positive sign, in the order of the program's branches.
     pub signs: Vec<bool>,
-    /// The sign of the determinant of each block without a closed form, where it is not nearly zero.
+    /// Sign of the determinant of each block without a closed form; `None` if it is nearly zero.
     pub determinants: Vec<Option<bool>>,
-    /// The values of the unknowns to ten digits, from which Newton-Raphson finds the others; angles within half a turn of the drawing.
+    /// Values of the unknowns to ten digits, the start of Newton-Raphson. Angles are within half a turn of the design
+    /// configuration.
     pub values: Vec<f64>,
 }
 
-/// All assemblies of a mechanism that needs Newton-Raphson; `None` where there is no such block, or not all are known.
+/// Returns all assemblies of a mechanism that needs Newton-Raphson; `None` without such a block, or if some may be missing.
 pub fn stored(system: &System, program: &Program) -> Option<StoredAssemblies> {
     let iterated = program.blocks.iter();
     let iterated: Vec<&NewtonBlock> = iterated.filter_map(|it| it.newton.as_ref()).collect();
@@ -65,24 +65,24 @@ pub fn stored(system: &System, program: &Program) -> Option<StoredAssemblies> {
         values: Vec::new(),
     };
     search.below(0, way)?;
-    let own = iterated.iter().flat_map(|it| it.unknowns.iter().copied());
+    let unknowns = iterated.iter().flat_map(|it| it.unknowns.iter().copied());
     (!search.all.is_empty()).then(|| StoredAssemblies {
-        unknowns: own.collect(),
+        unknowns: unknowns.collect(),
         all: search.all,
     })
 }
 
-/// A value to ten digits: of a radian, or of the value itself.
+/// Rounds a value to ten digits: of a radian, or of the value itself.
 fn rounded(value: f64, quantity: Quantity) -> f64 {
     let text = match quantity {
         Quantity::Angle => format!("{value:.10}"),
         _ => format!("{value:.9e}"),
     };
-    // Without the sign of what is rounded to zero.
+    // Adding 0.0 removes the sign of a zero.
     text.parse().map_or(value, |rounded: f64| rounded + 0.0)
 }
 
-/// What is known before the first block.
+/// Returns the bounds of all symbols before the first block.
 fn given(system: &System) -> Enclosing<'_> {
     let mechanism = &system.mechanism;
     let graph = &mechanism.graph;
@@ -102,7 +102,7 @@ fn given(system: &System) -> Enclosing<'_> {
     enclosing
 }
 
-/// What has been decided and found so far.
+/// Choices and results so far.
 #[derive(Clone)]
 struct Way<'a> {
     enclosing: Enclosing<'a>,
@@ -120,7 +120,7 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    /// Tries all signs and poses of this block and those after it; `None` where not everything is decided.
+    /// Tries all signs and poses of this block and later ones; `None` if something stays undecided.
     fn below(&mut self, index: usize, way: Way<'a>) -> Option<()> {
         let Some(block) = self.program.blocks.get(index) else {
             let signs = way.signs.iter().map(|&it| if it { '+' } else { '-' });
@@ -133,18 +133,18 @@ impl<'a> Search<'a> {
             return (self.all.len() <= MOST_STORED).then_some(());
         };
         let branches = self.program.branches.iter().enumerate();
-        let own: Vec<usize> = branches
+        let branches_of_block: Vec<usize> = branches
             .filter(|(_, branch)| Some(branch.block) == block.place)
             .map(|(place, _)| place)
             .collect();
-        // Positive signs first, the first of them changing fastest.
-        for choice in 0..1_usize << own.len().min(MOST_TRIED.ilog2() as usize) {
+        // Positive signs come first; the first sign changes fastest.
+        for choice in 0..1_usize << branches_of_block.len().min(MOST_TRIED.ilog2() as usize) {
             self.tried += 1;
             if self.tried > MOST_TRIED {
                 return None;
             }
             let mut way = way.clone();
-            for (bit, &place) in own.iter().enumerate() {
+            for (bit, &place) in branches_of_block.iter().enumerate() {
                 let is_positive = choice >> bit & 1 == 0;
                 way.signs[place] = is_positive;
                 let value = Interval::point(if is_positive { 1.0 } else { -1.0 });
@@ -156,7 +156,7 @@ impl<'a> Search<'a> {
         Some(())
     }
 
-    /// Goes through the statements of a block from one of them on.
+    /// Evaluates the statements of a block from one of them on.
     fn through(
         &mut self,
         index: usize,
@@ -201,7 +201,7 @@ impl<'a> Search<'a> {
         self.below(index + 1, way)
     }
 
-    /// The poses of a block, where it is proven that there are no others.
+    /// Returns the poses of a block; `None` if others are not excluded.
     fn poses(&self, newton: &NewtonBlock, way: &Way<'a>) -> Option<Vec<Vec<f64>>> {
         let known = |symbol: SymbolId| way.enclosing.known_symbol(symbol);
         let Poses {
@@ -212,7 +212,7 @@ impl<'a> Search<'a> {
             .then(|| found.into_iter().map(|pose| pose.unknowns).collect())
     }
 
-    /// The way with a block in one of its poses.
+    /// Returns the state after a block in one of its poses.
     fn posed(
         &self,
         newton: &NewtonBlock,
@@ -250,10 +250,10 @@ impl<'a> Search<'a> {
         Some(way)
     }
 
-    /// The angle of a vector that is nearest to the drawing's.
+    /// Returns the angle of a vector nearest to the design configuration.
     fn near_drawing(&self, target: SymbolId, y: Interval, x: Interval) -> Option<Interval> {
         let drawn = self.system.drawn_symbol(target);
-        // Away from where angles jump.
+        // This branch avoids the jump of angles.
         let forwards = Interval::angle(y, x);
         let angle = match forwards.defined {
             true => forwards,

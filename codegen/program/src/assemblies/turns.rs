@@ -1,7 +1,7 @@
-//! *Equations and an angle* → *whether the angle a turn further is the same pose*.
+//! Determines whether equations are periodic in an angle.
 //!
-//! Closed forms and proofs find directions of links. That is all that there is to know where angles occur in sines and cosines alone; but
-//! where a gear, a rack or an equation of one's own counts turns, what follows from a direction depends on how often it has gone round.
+//! Closed forms and proofs find directions of links, which suffices if angles only occur in sines and cosines. Gears, racks or
+//! user equations may count turns, so that results depend on the number of turns too.
 
 use std::collections::{BTreeSet, HashSet};
 
@@ -11,8 +11,8 @@ use crate::program::{Function, Program, Statement};
 use crate::system::System;
 use crate::words::Singular;
 
-/// Whether some equation of a mechanism counts the turns of an angle of which the others find the direction alone: then there are poses
-/// that differ by turns of it.
+/// True if an equation counts the turns of an angle of which the others only find the direction: poses then exist that differ by
+/// turns of this angle.
 pub fn counts_turns(system: &System, program: &Program) -> bool {
     let form = &system.vector_form;
     let graph = &system.mechanism.graph;
@@ -23,7 +23,7 @@ pub fn counts_turns(system: &System, program: &Program) -> bool {
     let mut directed: BTreeSet<usize> = directed.filter(is_angle).collect();
     let symbol = |unknown: usize| form.unknowns[unknown].position;
     let mut rows: Vec<ExprId> = form.rows.iter().map(|row| row.residual).collect();
-    // What a whole number of turns follows from turns wholly itself.
+    // Angles that follow from an integer number of turns are periodic too.
     loop {
         let before = rows.len();
         let mut left = Vec::new();
@@ -37,10 +37,10 @@ pub fn counts_turns(system: &System, program: &Program) -> bool {
                 left.push(row);
                 continue;
             }
-            let own = graph.symbols(row).iter();
+            let symbols = graph.symbols(row).iter();
             let others = (0..form.unknowns.len())
                 .filter(|it| is_angle(it) && !directed.contains(it))
-                .filter(|&it| own.clone().any(|own| *own == symbol(it)));
+                .filter(|&it| symbols.clone().any(|own| *own == symbol(it)));
             let [other] = others.collect::<Vec<usize>>()[..] else {
                 return true;
             };
@@ -63,21 +63,21 @@ pub fn counts_turns(system: &System, program: &Program) -> bool {
     }
 }
 
-/// The number that an angle is multiplied by in a sum that is linear in it.
+/// Returns the coefficient of an angle in a sum that is linear in the angle.
 fn coefficient(sum: ExprId, angle: SymbolId, graph: &Graph) -> Option<f64> {
     let Node::Sum(terms) = graph.node(sum) else {
         return None;
     };
     let is_it = |expr: ExprId| matches!(graph.node(expr), Node::Symbol(own) if *own == angle);
-    let own = terms.iter().find(|term| is_it(term.expr))?;
+    let matching_term = terms.iter().find(|term| is_it(term.expr))?;
     let tainted = HashSet::from([angle]);
     let mut others = terms.iter().filter(|term| !is_it(term.expr));
     others
         .all(|term| !winds(term.expr, angle, &tainted, graph))
-        .then(|| own.coefficient.to_f64())
+        .then(|| matching_term.coefficient.to_f64())
 }
 
-/// Whether a function is the same where an angle is a turn further: it occurs in sines and cosines alone, as often as a whole number says.
+/// True if a function is periodic in an angle: the angle occurs only in sines and cosines, with integer factors.
 pub(super) fn is_periodic(function: &Function, angle: SymbolId, graph: &Graph) -> bool {
     let mut tainted = HashSet::from([angle]);
     for statement in &function.statements {
@@ -109,7 +109,7 @@ fn mentions(expr: ExprId, tainted: &HashSet<SymbolId>, graph: &Graph) -> bool {
     symbols.any(|symbol| tainted.contains(symbol))
 }
 
-/// Whether an expression is another one a turn further.
+/// True if an expression may change with one more turn of an angle.
 fn winds(expr: ExprId, angle: SymbolId, tainted: &HashSet<SymbolId>, graph: &Graph) -> bool {
     if !mentions(expr, tainted, graph) {
         return false;
@@ -123,7 +123,7 @@ fn winds(expr: ExprId, angle: SymbolId, tainted: &HashSet<SymbolId>, graph: &Gra
     }
 }
 
-/// Whether an angle is the same direction where another one is a turn further.
+/// True if an expression changes by whole turns while an angle changes by one turn.
 fn turns_wholly(expr: ExprId, angle: SymbolId, tainted: &HashSet<SymbolId>, graph: &Graph) -> bool {
     match graph.node(expr) {
         Node::Symbol(symbol) => *symbol == angle || !tainted.contains(symbol),
@@ -147,7 +147,7 @@ mod tests {
     use crate::expr::Number;
 
     #[test]
-    fn what_counts_turns_is_not_periodic() {
+    fn counting_turns_is_not_periodic() {
         let mut graph = Graph::new();
         let [phi, other] = ["phi", "other"].map(|name| graph.symbol(name));
         let [angle, free] = [phi, other].map(|symbol| graph.variable(symbol));

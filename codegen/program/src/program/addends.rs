@@ -1,35 +1,35 @@
-//! An expression → the additions, multiplications and divisions that compute it.
+//! Splits expressions into the additions, multiplications and divisions that compute them.
 //!
-//! What has a name of its own is not taken apart again.
+//! A named expression is used by its name and not split again.
 
 use super::passes::constants::ConstantPart;
 use crate::expr::{Comparison, ExprId, Factor, Graph, Node, Number, Rational, Term};
 use crate::system::WrittenOrder;
 
-/// One term of a sum as it is computed.
+/// Term of a sum as it is computed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Addend {
-    /// Whether it is subtracted.
+    /// True if the term is subtracted.
     pub negative: bool,
-    /// The constant factor, or the whole of a constant term.
+    /// Constant factor, or the whole of a constant term.
     pub constant: Option<ConstantPart>,
-    /// What is multiplied.
+    /// Factors of the numerator.
     pub factors: Vec<Power>,
-    /// What is divided by.
+    /// Factors of the denominator.
     pub divisors: Vec<Power>,
 }
 
-/// A positive power of an expression.
+/// Positive power of an expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Power {
-    /// What is raised.
+    /// Base of the power.
     pub base: ExprId,
-    /// To which power.
+    /// Exponent.
     pub exponent: Rational,
 }
 
-/// The addends of an expression in written order. `named` tells which expressions have a name; the expression itself is
-/// always taken apart.
+/// Returns the addends of an expression in written order. `named` is true for named expressions; the expression itself is always
+/// split.
 pub fn addends(
     expr: ExprId,
     graph: &Graph,
@@ -47,22 +47,22 @@ pub fn addends(
             expr,
         }],
     };
-    // Only the expression itself is taken apart although it has a name.
+    // Only the expression itself is split although it has a name.
     addends_of(&terms, graph, order, &|term| term != expr && named(term))
 }
 
-/// A condition as it is computed: two sides, of which the second may be empty for 0.
+/// Condition as it is computed: two sides, of which the second may be empty for 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Compared {
-    /// The left side.
+    /// Left side.
     pub left: Vec<Addend>,
-    /// Whether the sign is `<`, and not `>`.
+    /// True if the sign is `<`, and not `>`.
     pub is_less: bool,
-    /// The right side.
+    /// Right side.
     pub right: Vec<Addend>,
 }
 
-/// The two sides of `condition < 0` in written order.
+/// Returns both sides of `condition < 0` in written order.
 pub fn compared(
     condition: ExprId,
     graph: &Graph,
@@ -83,7 +83,7 @@ pub fn compared(
     }
 }
 
-/// The addends of terms in their order, all constant ones as one.
+/// Returns the addends of terms in their order, with all constant terms in one.
 fn addends_of(
     terms: &[Term],
     graph: &Graph,
@@ -108,7 +108,7 @@ fn addends_of(
     addends
 }
 
-/// What the powers of these addends raise.
+/// Returns the bases of the powers in these addends.
 pub(super) fn bases(parts: &[Addend]) -> impl Iterator<Item = ExprId> {
     let powers = parts
         .iter()
@@ -116,7 +116,7 @@ pub(super) fn bases(parts: &[Addend]) -> impl Iterator<Item = ExprId> {
     powers.map(|power| power.base)
 }
 
-/// All constant terms of a sum as one.
+/// Returns all constant terms of a sum as one.
 fn constant_addend(terms: &[Term]) -> Addend {
     let negative = terms[0].coefficient.is_negative();
     let signed = |term: &Term| Term {

@@ -1,199 +1,201 @@
-//! Straight-line code: what every function of a mechanism is made of.
+//! Functions as straight-line code.
+//!
+//! Each statement defines its targets before their first use.
 
 use super::tearing::TornFields;
 use crate::expr::{ExprId, IdMap, SplineId, SymbolId};
 use crate::words::Phrase;
 
-/// Statements, each of which defines something before its first use, and results.
+/// Statements in the order of evaluation, and results.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Function {
-    /// In order.
+    /// Statements, in order of evaluation.
     pub statements: Vec<Statement>,
-    /// What it returns; nothing where it assigns to a frame.
+    /// Values that the function returns; empty if it assigns to a frame.
     pub results: Vec<Written>,
-    /// Expressions that a statement has computed, and what they are called from then on; only looked up.
+    /// Names of expressions that a statement has computed; only looked up.
     pub(super) named: IdMap<ExprId, SymbolId>,
 }
 
-/// A result, and the bodies in whose order its terms are written.
+/// A result, and the bodies whose order its terms follow.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Written {
-    /// The result.
+    /// Value of the result.
     pub expr: ExprId,
-    /// Indices of bodies; may be empty.
+    /// Indices of the bodies; may be empty.
     pub bodies: Vec<usize>,
 }
 
-/// Position, velocity, acceleration, or what the pose does along a direction.
+/// Group of statements: pose, rates, accelerations, derivatives along a direction, or forces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Level {
     /// The pose.
     Position,
-    /// First rates.
+    /// Rates.
     Velocity,
-    /// Second rates.
+    /// Accelerations.
     Acceleration,
-    /// Derivatives of the pose along a direction: an index into the system's directions.
+    /// Derivatives of the pose along a direction; the value is an index into the system's directions.
     Response(usize),
-    /// The rates of these derivatives, which are the derivatives of the rates; of parameters alone.
+    /// Rates of these derivatives, which equal the derivatives of the rates; for parameters only.
     ResponseRate(usize),
-    /// What drivers exert and joints carry, and the work that is stored.
+    /// Driving forces and torques, reactions, and stored energy.
     Forces,
 }
 
-/// One statement.
+/// A statement.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Statement {
-    /// What follows belongs to this level.
+    /// Level of the statements that follow.
     Section(Level),
-    /// What follows finds, and from what.
+    /// Heading: the results of the statements that follow, and their inputs.
     Heading(Phrase),
-    /// What a person says before what follows. In generated code it stands where values need an explanation.
+    /// Note on the statements that follow. Generated code prints the note where values need an explanation.
     Note(Phrase),
-    /// An equation that a person writes, and nobody computes.
+    /// Equation that is printed and not computed.
     Shown {
-        /// What stands left of the sign.
+        /// Left side.
         left: Phrase,
-        /// What stands right of it.
+        /// Right side.
         right: Phrase,
-        /// Where it comes from; may be empty.
+        /// Origin of the equation; may be empty.
         remark: Phrase,
     },
-    /// target = value.
+    /// Assignment of a value to a target.
     Let {
-        /// A local value, a field or an unknown.
+        /// Local value, field or unknown.
         target: SymbolId,
-        /// What it is.
+        /// Value of the target.
         value: ExprId,
-        /// What a person says beside it; may be empty.
+        /// Remark beside the assignment; may be empty.
         remark: Phrase,
     },
-    /// The sine and cosine of an angle, together.
+    /// Sine and cosine of one angle.
     SineCosine {
-        /// The sine.
+        /// Target of the sine.
         sine: SymbolId,
-        /// The cosine.
+        /// Target of the cosine.
         cosine: SymbolId,
-        /// The angle.
+        /// Angle, in rad.
         angle: ExprId,
     },
-    /// Two or more of a table's value and its derivatives at one place, together.
+    /// Value of a table and its derivatives at one argument; two or more of them.
     Lookup {
-        /// By the order of the derivative; none for what is not needed.
+        /// Targets by order of the derivative; `None` if a derivative is not needed.
         targets: [Option<SymbolId>; 4],
-        /// The table.
+        /// Table.
         spline: SplineId,
-        /// The place.
+        /// Argument of the table.
         argument: ExprId,
     },
-    /// The angle with this sine and cosine that is nearest to the last one.
+    /// Angle with a given sine and cosine, nearest to the angle of the last frame.
     Angle {
-        /// The angle.
+        /// Target of the angle.
         target: SymbolId,
-        /// Its sine, or a positive multiple of it.
+        /// Sine of the angle, or a positive multiple of the sine.
         sine: ExprId,
-        /// Its cosine, or the same multiple.
+        /// Cosine of the angle, or the cosine times that multiple.
         cosine: ExprId,
     },
-    /// Fails where `excess` is not positive beside `scale`: a circle is out of reach or just touched.
+    /// Check that `excess` is positive relative to `scale`. Otherwise a circle is out of reach or tangent.
     Reach {
-        /// The square of the half chord, times `scale` over a length squared.
+        /// Square of the half chord, times `scale` over a length squared.
         excess: ExprId,
-        /// What the excess is scaled by.
+        /// Scale of the excess.
         scale: ExprId,
-        /// The distance to be bridged, in m.
+        /// Distance between the ends of the links, in m.
         distance: ExprId,
-        /// The longest distance that the links bridge, in m.
+        /// Longest distance that the links can span, in m.
         longest: ExprId,
-        /// The shortest distance that the links bridge, in m.
+        /// Shortest distance that the links can span, in m.
         shortest: ExprId,
     },
-    /// Fails where a divisor vanishes beside `scale`.
+    /// Check that a divisor does not vanish relative to `scale`.
     Nonzero {
-        /// The divisor.
+        /// Divisor.
         value: ExprId,
-        /// What it is scaled by.
+        /// Scale of the divisor.
         scale: ExprId,
     },
-    /// Fails where a driven length is not positive.
+    /// Check that a driven length is positive.
     Positive {
-        /// The length.
+        /// Length, in m.
         length: ExprId,
-        /// The joint that is driven so.
+        /// Index of the driven joint.
         joint: usize,
     },
-    /// Runs the block's Newton-Raphson, which finds the tears with their rates and accelerations.
+    /// Newton-Raphson iteration of the block, for the tearing variables with their rates and accelerations.
     Newton {
-        /// The tears with their rates and accelerations.
+        /// Tearing variables with their rates and accelerations.
         found: Vec<[SymbolId; 3]>,
-        /// The determinant and the reciprocal condition, where they are asked for.
+        /// Determinant and reciprocal condition number; `None` if not requested.
         measure: Option<[SymbolId; 2]>,
-        /// What else is found where the block is torn.
+        /// Fields of a torn block; `None` if the block is not torn.
         torn: Option<TornFields>,
     },
-    /// The bounds of an input, its radius and its deviation: how far it goes between the frames and beyond.
+    /// Bounds on an input between the frames: its largest change (radius) and its deviation from the chord.
     Signal {
-        /// An index into the mechanism's inputs.
+        /// Index into the mechanism's inputs.
         input: usize,
-        /// Its radius and its deviation.
+        /// Radius and deviation.
         found: [SymbolId; 2],
     },
-    /// Fails where a value is negative on which bounds rely.
+    /// Check that a value on which bounds rely is not negative.
     Require {
-        /// What must not be negative.
+        /// Value that must not be negative.
         value: ExprId,
-        /// The place in the plan of the block that is blamed.
+        /// Position in the plan of the block that a failure names.
         block: usize,
     },
-    /// Fails where unknowns cannot be shown to have stayed on their path; finds how far they may be from a straight line.
+    /// Check that unknowns stay on their path; bounds their deviations from the chord.
     Isolate {
-        /// Whether each equation but the last two links two unknowns to the next two, and all columns turn.
+        /// True if each equation but the last two links two unknowns to the next two, and all columns rotate.
         is_chain: bool,
-        /// The place in the plan of each equation's block.
+        /// Position in the plan of each equation's block.
         blocks: Vec<usize>,
-        /// One deviation an unknown.
+        /// Deviations, one per unknown.
         found: Vec<SymbolId>,
-        /// How far each equation is from zero on the line, beside what follows from its curvature and from columns that turn.
+        /// Bound on each residual on the chord, except for the effects of curvature and of rotating columns.
         bounds: Vec<ExprId>,
-        /// The second derivative of each equation over the span, where that is known with its sign.
+        /// Second derivative of each equation over the window, as far as its value and sign are known.
         curvatures: Vec<ExprId>,
-        /// How far each unknown goes along the line.
+        /// Change of each unknown along the chord.
         changes: Vec<ExprId>,
-        /// How large each unknown is: 1 for angles, and lengths as they are.
+        /// Magnitude of each unknown: 1 for angles, the length itself for lengths.
         sizes: Vec<ExprId>,
-        /// The entries of the Jacobian in this frame that are not zero, with their rows and columns.
+        /// Nonzero entries of the Jacobian in this frame, with their rows and columns.
         jacobian: Vec<([usize; 2], ExprId)>,
-        /// Which of its columns turn with their angle.
+        /// True for each column that rotates with its angle.
         turns: Vec<bool>,
-        /// The derivatives of their entries.
+        /// Derivatives of the entries of these columns.
         turning: Vec<([usize; 2], ExprId)>,
-        /// The rows and columns of the other entries that change.
+        /// Rows and columns of the other entries that change.
         varied: Vec<[usize; 2]>,
-        /// How far these may change, as a function of the deviations.
+        /// Bound on the variation of these entries, as a function of the deviations.
         variation: Box<Function>,
     },
-    /// Solves Jᵀ λ = f for the multipliers of a part that has no closed form.
+    /// Solution of Jᵀ λ = f for the multipliers of a subsystem without a closed form.
     Multipliers {
-        /// What is found: one symbol an equation, none where nothing needs it.
+        /// Multipliers, one per equation; `None` if a multiplier is not needed.
         targets: Vec<Option<SymbolId>>,
         /// J, row by row.
         jacobian: Vec<ExprId>,
-        /// f: one expression an unknown.
+        /// f, one expression per unknown.
         forces: Vec<ExprId>,
     },
-    /// Factorizes the block's Jacobian at the tears that Newton-Raphson found.
+    /// Factorization of the block's Jacobian at the solution of Newton-Raphson.
     Factorize,
-    /// Solves with the factorized Jacobian.
+    /// Solution of a linear system with the factorized Jacobian.
     Solve {
-        /// What is found: one symbol a tear, none where nothing needs it.
+        /// Solution, one symbol per tearing variable; `None` if a symbol is not needed.
         targets: Vec<Option<SymbolId>>,
-        /// The right-hand side: one expression a row.
+        /// Right-hand side, one expression per row.
         right_hand_side: Vec<ExprId>,
     },
 }
 
 impl Statement {
-    /// target = value, without a remark.
+    /// Returns the assignment of a value to a target, without a remark.
     pub fn assignment(target: SymbolId, value: ExprId) -> Statement {
         Statement::Let {
             target,
@@ -202,7 +204,7 @@ impl Statement {
         }
     }
 
-    /// The expressions that it evaluates.
+    /// Returns the expressions that the statement evaluates, in order.
     pub fn values(&self) -> Vec<ExprId> {
         match self {
             Statement::Let { value, .. } => vec![*value],
@@ -248,7 +250,7 @@ impl Statement {
         }
     }
 
-    /// Changes the expressions that it evaluates.
+    /// Replaces the expressions that the statement evaluates.
     pub(super) fn change_values(&mut self, change: &mut dyn FnMut(ExprId) -> ExprId) {
         let values: Vec<&mut ExprId> = match self {
             Statement::Let { value, .. } => vec![value],
@@ -298,7 +300,7 @@ impl Statement {
         }
     }
 
-    /// The symbols that it defines.
+    /// Returns the symbols that the statement defines.
     pub fn targets(&self) -> Vec<SymbolId> {
         match self {
             Statement::Let { target, .. } | Statement::Angle { target, .. } => vec![*target],
@@ -316,9 +318,9 @@ impl Statement {
                 measure,
                 torn,
             } => {
-                let found = found.iter().flatten().copied();
-                let found = found.chain(measure.iter().flatten().copied());
-                found
+                let symbols = found.iter().flatten().copied();
+                let symbols = symbols.chain(measure.iter().flatten().copied());
+                symbols
                     .chain(torn.iter().flat_map(TornFields::targets))
                     .collect()
             }
@@ -334,7 +336,7 @@ impl Statement {
         }
     }
 
-    /// A function of what it finds, which is evaluated again and again.
+    /// Returns the function that the statement evaluates repeatedly; `None` if there is none.
     pub fn inner(&self) -> Option<&Function> {
         match self {
             Statement::Isolate { variation, .. } => Some(variation),
@@ -342,7 +344,7 @@ impl Statement {
         }
     }
 
-    /// The same, to be changed.
+    /// Returns that function for changes.
     pub(super) fn inner_mut(&mut self) -> Option<&mut Function> {
         match self {
             Statement::Isolate { variation, .. } => Some(variation),
@@ -350,7 +352,7 @@ impl Statement {
         }
     }
 
-    /// Whether it only says something.
+    /// True if the statement is text and computes nothing.
     pub fn is_said(&self) -> bool {
         matches!(
             self,
@@ -363,7 +365,7 @@ impl Statement {
 }
 
 impl Function {
-    /// The results alone, nothing computed before them.
+    /// Returns a function of results without statements.
     pub fn of_results(results: impl IntoIterator<Item = ExprId>) -> Function {
         let written = |expr| Written {
             expr,
@@ -375,25 +377,25 @@ impl Function {
         }
     }
 
-    /// What an expression is called that was computed before.
+    /// Returns the name of an expression that a statement has computed; `None` if none has.
     pub fn name_of(&self, expr: ExprId) -> Option<SymbolId> {
         self.named.get(&expr).copied()
     }
 
-    /// Everything that it evaluates.
+    /// Returns all expressions that the function evaluates, except for inner functions.
     pub fn values(&self) -> impl Iterator<Item = ExprId> {
         let statements = self.statements.iter().flat_map(Statement::values);
         statements.chain(self.results.iter().map(|result| result.expr))
     }
 
-    /// Everything that it evaluates, inner functions included.
+    /// Returns all expressions that the function evaluates, including inner functions.
     pub fn all_values(&self) -> impl Iterator<Item = ExprId> {
         let inner = self.statements.iter().filter_map(Statement::inner);
         let inner = inner.flat_map(|it| it.values().collect::<Vec<_>>());
         self.values().chain(inner)
     }
 
-    /// Everything that it defines.
+    /// Returns all symbols that the function defines.
     pub fn targets(&self) -> impl Iterator<Item = SymbolId> {
         self.statements.iter().flat_map(Statement::targets)
     }

@@ -1,7 +1,7 @@
-//! Equations → the lengths that say how large their mechanism is, which lengths are scaled by.
+//! Finds the lengths whose maximum scales all lengths of some equations.
 //!
-//! Only what the equations contain counts: the arms of their links, the amplitudes of their sines, the lengths added to them.
-//! What is drawn elsewhere changes nothing. The module does not know what is decided with the scaled lengths.
+//! These lengths are in the equations: vectors of links, amplitudes of sines, added lengths. Other parts of the design
+//! configuration have no effect.
 
 use std::collections::HashSet;
 
@@ -11,17 +11,17 @@ use crate::expr::{ExprId, Graph, Node, Rational};
 use crate::joint::Quantity;
 use crate::system::{SymbolRole, System};
 
-/// Lengths, in m, the largest of which others are scaled by.
+/// Lengths, in m; the largest is the scale.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lengths {
-    /// The largest at the nominal values of the parameters, positive.
+    /// Largest length at the nominal values of the parameters, positive.
     pub nominal: f64,
-    /// The largest that no parameter changes, where there is one, and all that parameters change; none where they change none.
+    /// Largest constant length, if any, and all lengths that depend on parameters; `None` if no length does.
     pub following: Option<Function>,
 }
 
 impl Lengths {
-    /// Those of the whole mechanism, which the textbook view is scaled by.
+    /// Returns the lengths of the whole mechanism, which scale the textbook formulation.
     pub(super) fn of_system(system: &mut System) -> Lengths {
         let nominal = system.characteristic_length();
         let following = system.lengths.to_vec();
@@ -31,31 +31,31 @@ impl Lengths {
         }
     }
 
-    /// Those by which the residuals and the unknowns of a block are scaled.
+    /// Returns the lengths that scale the residuals and the unknowns of a block.
     ///
-    /// Unknowns change by parts of the arms. Residuals are rounded as their largest terms are, which is more where a loop is
-    /// closed far from the origin.
+    /// Unknowns change by fractions of the links. Rounding of residuals is proportional to their largest terms, which are larger
+    /// in loops far from the origin.
     pub fn of_block(
         residuals: &[ExprId],
         quantities: &[Quantity],
         system: &mut System,
     ) -> [Lengths; 2] {
-        let mut found = Collected::default();
+        let mut collected = Collected::default();
         for (&residual, quantity) in residuals.iter().zip(quantities) {
             let one = system.mechanism.graph.one();
             match quantity.power_of_length() {
-                1 => found.collect(residual, one, false, system),
+                1 => collected.collect(residual, one, false, system),
                 2 => {
                     let mut areas = Collected::default();
                     areas.collect(residual, one, false, system);
                     let graph = &mut system.mechanism.graph;
                     let sides = areas.added.iter().filter_map(|&area| side(area, graph));
-                    found.added.extend(sides);
+                    collected.added.extend(sides);
                 }
                 _ => {}
             }
         }
-        let Collected { arms, added } = found;
+        let Collected { arms, added } = collected;
         let graph = &system.mechanism.graph;
         let mut columns = Largest::of(&arms, graph);
         if columns.nominal(graph) == 0.0 {
@@ -63,15 +63,15 @@ impl Lengths {
         }
         let every: Vec<ExprId> = arms.iter().chain(&added).copied().collect();
         let rows = Largest::of(&every, graph);
-        // An estimate may stay behind when parameters change.
+        // An estimate may not follow a change of parameters.
         let place = match rows.following.is_empty() {
             true => largest_drawn(residuals, system),
             false => 0.0,
         };
         let otherwise = system.characteristic_length();
         [(rows, place), (columns, 0.0)].map(|(lengths, place)| {
-            let found = lengths.nominal(&system.mechanism.graph).max(place);
-            let nominal = if found > 0.0 { found } else { otherwise };
+            let largest = lengths.nominal(&system.mechanism.graph).max(place);
+            let nominal = if largest > 0.0 { largest } else { otherwise };
             let following = match lengths.following.is_empty() {
                 true => None,
                 false => Some(shared(lengths.all(), system)),
@@ -80,36 +80,36 @@ impl Lengths {
         })
     }
 
-    /// What values of a quantity are scaled by, at the nominal values of the parameters.
+    /// Returns the scale of a quantity, at the nominal values of the parameters.
     pub fn scale(&self, quantity: Quantity) -> f64 {
         self.nominal.powi(quantity.power_of_length())
     }
 }
 
-/// The lengths in equations.
+/// Lengths of equations.
 #[derive(Default)]
 struct Collected {
-    /// What is turned, and the amplitudes of sines.
+    /// Rotated lengths, and amplitudes of sines.
     arms: Vec<ExprId>,
-    /// What is added and neither turns nor swings.
+    /// Added lengths that neither rotate nor oscillate.
     added: Vec<ExprId>,
 }
 
-/// What a factor is.
+/// Kind of a factor.
 enum Part {
-    /// A number or a parameter.
+    /// Number or parameter.
     Fixed(ExprId),
-    /// A sine or a cosine, at most 1.
+    /// Sine or cosine, at most 1.
     Wave,
-    /// A component of an arm, an index into the vector form.
+    /// Component of a rotated vector, an index into the vector form.
     Arm(usize),
-    /// A sum.
+    /// Sum.
     Sum(ExprId),
     Other,
 }
 
 impl Collected {
-    /// Collects from `factor` times an expression, which swings where it is multiplied by a sine.
+    /// Collects lengths from `factor` times an expression; `swings` is true if the factor has a sine.
     fn collect(&mut self, expr: ExprId, factor: ExprId, swings: bool, system: &mut System) {
         match part(expr, system) {
             Part::Fixed(value) => {
@@ -140,7 +140,7 @@ impl Collected {
         }
     }
 
-    /// Collects from a product of sines and of one arm or sum at most. What else is multiplied need not be a length.
+    /// Collects lengths from a product of sines and at most one vector component or sum. Other products need not be lengths.
     fn collect_product(&mut self, expr: ExprId, factor: ExprId, swings: bool, system: &mut System) {
         let Node::Product(factors) = system.mechanism.graph.node(expr) else {
             return;
@@ -185,7 +185,7 @@ fn part(expr: ExprId, system: &System) -> Part {
     }
 }
 
-/// The side of a square of this area; `None` where parameters decide whether there is one.
+/// Returns the side of a square of this area; `None` if parameters decide whether the area is positive.
 fn side(area: ExprId, graph: &mut Graph) -> Option<ExprId> {
     let value = graph.constant_value(area)?;
     let area = if value < 0.0 {
@@ -197,7 +197,7 @@ fn side(area: ExprId, graph: &mut Graph) -> Option<ExprId> {
     graph.is_finite(side).then_some(side)
 }
 
-/// How far from the origin the drawing places what expressions hold.
+/// Returns the largest distance from the origin of the expressions' points in the design configuration.
 fn largest_drawn(expressions: &[ExprId], system: &System) -> f64 {
     let graph = &system.mechanism.graph;
     let symbols = expressions.iter().flat_map(|&it| graph.symbols(it));
@@ -213,7 +213,7 @@ fn largest_drawn(expressions: &[ExprId], system: &System) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// The largest constant of some lengths, and those that follow parameters, each once.
+/// Largest constant length, and each length that depends on parameters once.
 struct Largest {
     constant: Option<ExprId>,
     following: Vec<ExprId>,

@@ -1,6 +1,6 @@
-//! Evaluates the loads that may become infinite, so that a failure names the first that has.
+//! Evaluates the loads that may become infinite, so that a failure names the first one.
 //!
-//! No frame computes these values: they are evaluated once a frame has been refused.
+//! Frames do not compute these values: they are evaluated after a frame has been rejected.
 
 use super::Program;
 use super::function::Function;
@@ -8,20 +8,20 @@ use super::lower::shared;
 use crate::expr::{ExprId, Graph, IdSet, Node, SymbolId};
 use crate::system::{Forces, SymbolRole, System};
 
-/// Loads among which the cause of a refused frame is found.
+/// Loads that may be the cause of a rejected frame.
 #[derive(Clone, Debug)]
 pub struct Loads {
-    /// One number for each load: the sum of the magnitudes of its components, finite while they are.
+    /// Sum of the magnitudes of each load's components, finite if the components are.
     pub function: Function,
     /// Symbols of the frame that the function reads, each once.
     pub read: Vec<SymbolId>,
     /// Labels of the loads, as the description writes them.
     pub labels: Vec<String>,
-    /// Number of the block that uses them.
+    /// Number of the block that uses the loads.
     pub block: u16,
 }
 
-/// Returns the loads that may become infinite and that follow from frames; `None` if there are none.
+/// Returns the loads that may become infinite and that depend on frames only; `None` if there are none.
 pub(super) fn loads(system: &mut System, program: &Program) -> Option<Loads> {
     let fields = program.forces.fields();
     let mut blocks = program.blocks.iter();
@@ -75,8 +75,8 @@ fn sum(components: &[ExprId], forces: &Forces, system: &mut System) -> ExprId {
     })
 }
 
-/// True if expressions divide, take a root or a logarithm, or raise e to a power. Lengths of springs are not zero where forces are
-/// computed.
+/// True if an expression divides, takes a root or a logarithm, or raises e to a power. Lengths of springs are nonzero wherever
+/// forces are computed.
 fn may_be_infinite(components: &[ExprId], forces: &Forces, graph: &Graph) -> bool {
     let is_length = |base: ExprId| {
         let mut lengths = forces.lengths.iter();
@@ -102,7 +102,7 @@ fn may_be_infinite(components: &[ExprId], forces: &Forces, graph: &Graph) -> boo
     false
 }
 
-/// True if every symbol of an expression is given to a frame or kept by it.
+/// True if each symbol of an expression is an input of a frame or kept by the frame.
 fn is_held(expr: ExprId, program: &Program, system: &System) -> bool {
     let mut symbols = system.mechanism.graph.symbols(expr).iter();
     symbols.all(|&symbol| {
@@ -111,7 +111,7 @@ fn is_held(expr: ExprId, program: &Program, system: &System) -> bool {
     })
 }
 
-/// True of time, parameters and inputs.
+/// True if a symbol is time, a parameter or an input.
 fn is_given(symbol: SymbolId, system: &System) -> bool {
     use SymbolRole::{Input, Parameter, Time};
     matches!(

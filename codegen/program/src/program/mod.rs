@@ -1,10 +1,10 @@
-//! System and SolvedPlan → Program.
+//! Lowers a solved plan to functions of statements.
 //!
-//! Everything that is computed is a [`Function`]: Φ and what is derived from it, the blocks of the solution, the equations of their
-//! Newton-Raphson, points, responses. [`forms`] say how the parts of a block are solved; [`passes`] share, prune, name and count what
-//! they state, whatever it is. Afterwards everything is defined before it is used, nothing is computed that nobody asks for, every
-//! angle has one sine and one cosine, and what is known to be zero is not multiplied. Deliberately unknown here: any output
-//! language, and what the results mean.
+//! Functions compute Φ and its derivatives, the blocks of the solution, the equations of their Newton-Raphson, points and
+//! responses. [`forms`] has the solution methods of subsystems. [`passes`] share, prune, name and count statements of any kind.
+//!
+//! In a [`Program`], every symbol is defined before its use, and every computed value is requested. Every angle has one sine and
+//! one cosine. No statement multiplies by a known zero.
 
 mod addends;
 mod arithmetic;
@@ -56,51 +56,51 @@ use std::sync::Arc;
 use crate::expr::{IdMap, IdSet, SymbolId};
 use forms::Form;
 
-/// What is emitted for a mechanism.
+/// Everything that is emitted for a mechanism.
 #[derive(Clone, Debug)]
 pub struct Program {
-    /// The functions of the solved view, in solve order.
+    /// Functions of the solved formulation, in solve order.
     pub blocks: Vec<Block>,
-    /// How the parts of each block of the plan are solved, whether or not the block is kept.
+    /// Solution methods of the subsystems of each block of the plan, including blocks that are not kept.
     pub forms: Vec<Vec<Arc<dyn Form>>>,
-    /// Values that more than one block uses, in order of definition; coordinates of a frame that holds all of them apart.
+    /// Values that several blocks use, in order of definition; without coordinates if the frame holds all coordinates separately.
     pub fields: Vec<SymbolId>,
-    /// The assembly modes of all closed forms that have one.
+    /// Assembly modes of all closed forms that have one.
     pub branches: Vec<Branch>,
-    /// What is asked for; `None` where everything is.
+    /// Requested outputs; `None` if all are requested.
     pub outputs: Option<Vec<Output>>,
-    /// What the drivers transmit, in written order.
+    /// Transmissions of the drivers, in written order.
     pub transmissions: Vec<Transmission>,
-    /// How the motion depends on parameters, in written order.
+    /// Sensitivities of the motion to parameters, in written order.
     pub sensitivities: Vec<Sensitivity>,
-    /// What drivers exert, what joints carry, and what is stored, as far as it is asked for.
+    /// Driving forces, reactions and stored energy, as far as they are requested.
     pub forces: Forces,
-    /// What was kept and left out.
+    /// Kept and omitted calculations, with their costs.
     pub report: Report,
-    /// The constants of all functions that are no short decimals, each once.
+    /// Constants of all functions, each once, except for short decimals.
     pub constants: Constants,
-    /// The functions of the textbook view; left out of mechanisms whose dense matrices fit no stack.
+    /// Functions of the textbook formulation; `None` if its dense matrices exceed the stack.
     pub textbook: Option<Textbook>,
-    /// The drawing's value of every unknown of the vector form, where parameters change it.
+    /// Design value of every unknown of the vector form; `None` if no parameter changes them.
     pub drawn: Option<Function>,
-    /// The motion of each point: position, velocity, acceleration, x and y each. Empty where single outputs are asked for.
+    /// Motion of each point: position, velocity, acceleration, x and y each. Empty if single outputs are requested.
     pub points: Vec<Function>,
-    /// What each pressure angle follows from: the velocity along and across the normal, and the square of the sliding speed.
-    /// Empty where single outputs are asked for.
+    /// Terms of each pressure angle: velocity along and across the normal, and the squared sliding speed. Empty if single outputs
+    /// are requested.
     pub pressures: Vec<Function>,
-    /// Loads among which the cause of a refused frame is found; `None` if none may become infinite.
+    /// Loads that may cause a rejected frame; `None` if none can become infinite.
     pub loads: Option<Loads>,
-    /// What parameters must leave positive; `None` where none can do else.
+    /// Expressions of parameters that must be positive; `None` if all always are.
     pub requirements: Option<Requirements>,
-    /// What shows that frames lie on their path; `None` where nobody asks.
+    /// Verification that frames stay on their path; `None` if it is not requested.
     pub path: Option<Path>,
-    // The fields and branches by symbol; only looked up.
+    // Symbols of fields and branches; only looked up.
     field_set: IdSet<SymbolId>,
     branch_places: IdMap<SymbolId, usize>,
 }
 
 impl Program {
-    /// The number of the block that solves this one of the plan.
+    /// Returns the number of the block that solves the given block of the plan.
     pub fn number_of(&self, place: usize) -> u16 {
         let number = self
             .blocks
@@ -109,17 +109,17 @@ impl Program {
         number.map_or(0, |number| u16::try_from(number).unwrap_or(u16::MAX))
     }
 
-    /// What shows that frames lie on their path where all blocks are closed forms.
+    /// Returns the path verification if all blocks are closed forms; otherwise `None`.
     pub fn closed_path(&self) -> Option<&Function> {
         self.path.as_ref()?.closed.as_ref()
     }
 
-    /// Whether a value that is no coordinate is kept in the frame.
+    /// True if the frame keeps a value that is not a coordinate.
     pub fn is_field(&self, symbol: SymbolId) -> bool {
         self.field_set.contains(&symbol)
     }
 
-    /// The assembly mode whose sign a symbol stands for.
+    /// Returns the assembly mode whose sign the symbol is; `None` if the symbol is not a sign.
     pub fn branch_of(&self, symbol: SymbolId) -> Option<&Branch> {
         self.branch_places
             .get(&symbol)
@@ -127,27 +127,27 @@ impl Program {
     }
 }
 
-/// What the solved view computes.
+/// Calculations of the solved formulation, with their costs.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Report {
-    /// The blocks that are kept, in solve order.
+    /// Names of the blocks that are kept, in solve order.
     pub kept: Vec<String>,
-    /// The blocks that nothing asks for.
+    /// Names of the blocks that no output requires.
     pub left_out: Vec<String>,
-    /// Angles whose sine and cosine suffice.
+    /// Angles of which only sine and cosine are computed.
     pub angles_left_out: Vec<String>,
-    /// The operations of each level: position, velocity, acceleration. Those inside Newton-Raphson are not counted.
+    /// Operations of position, velocity and acceleration. Operations inside Newton-Raphson are not counted.
     pub operations: [Operations; 3],
-    /// The same with nothing left out.
+    /// Operations of these levels if nothing is omitted.
     pub all_operations: [Operations; 3],
-    /// What Newton-Raphson takes in blocks without a closed form.
+    /// Operations of Newton-Raphson in blocks without a closed form.
     pub iterations: Vec<Iterations>,
-    /// What the transmissions take beside the pose; `None` where there are none.
+    /// Operations of transmissions besides the pose; `None` if there are none.
     pub transmission: Option<Operations>,
-    /// What the sensitivities take beside pose and rates; `None` where there are none.
+    /// Operations of sensitivities besides pose and rates; `None` if there are none.
     pub sensitivity: Option<Operations>,
-    /// What the forces take beside pose, rates and accelerations; `None` where none is asked for.
+    /// Operations of forces besides pose, rates and accelerations; `None` if none is requested.
     pub forces: Option<Operations>,
-    /// What one call of `advance` takes at most.
+    /// Largest work of one call of `advance`.
     pub work: Work,
 }

@@ -1,4 +1,4 @@
-//! What `output` statements ask for → a last block that computes it.
+//! Computes the quantities of `output` statements in a last block.
 
 use super::block::Block;
 use super::function::{Level, Statement};
@@ -7,29 +7,29 @@ use crate::joint::Quantity;
 use crate::model::{Request, Requested};
 use crate::system::System;
 
-/// A quantity that the frame offers.
+/// Quantity that the frame offers.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Output {
-    /// A point, with the fields of its position, velocity and acceleration as far as they are wanted.
+    /// Point, with fields up to the requested level of position, velocity and acceleration.
     Point {
         /// Name of the point.
         name: String,
-        /// x and y of each level.
+        /// Fields of x and y, by level.
         fields: Vec<[SymbolId; 2]>,
     },
-    /// A coordinate with its rate and acceleration as far as they are wanted.
+    /// Coordinate, with fields up to the requested level of rate and acceleration.
     Coordinate {
         /// Name of the coordinate.
         name: String,
-        /// What it is.
+        /// Quantity of the coordinate.
         quantity: Quantity,
-        /// One field a level.
+        /// Fields, one per level.
         fields: Vec<SymbolId>,
     },
 }
 
 impl Output {
-    /// The fields of all levels.
+    /// Returns the fields of all levels.
     pub fn fields(&self) -> Vec<SymbolId> {
         match self {
             Output::Point { fields, .. } => fields.concat(),
@@ -38,13 +38,13 @@ impl Output {
     }
 }
 
-/// The outputs that are asked for, and the block that computes those of points; nothing where everything is wanted.
+/// Returns the requested outputs, and the block that computes those of points; `None` if everything is requested.
 pub(super) fn outputs(system: &mut System) -> Option<(Vec<Output>, Block)> {
     if system.mechanism.requests.is_empty() {
         return None;
     }
     let mut sections: [Vec<Statement>; 3] = [const { Vec::new() }; 3];
-    let mut found: Vec<Output> = Vec::new();
+    let mut outputs: Vec<Output> = Vec::new();
     for request in highest_levels(&system.mechanism.requests) {
         let output = match request.quantity {
             Requested::Coordinate(place) => {
@@ -77,7 +77,7 @@ pub(super) fn outputs(system: &mut System) -> Option<(Vec<Output>, Block)> {
                 Output::Point { name, fields }
             }
         };
-        found.push(output);
+        outputs.push(output);
     }
     let levels = [Level::Position, Level::Velocity, Level::Acceleration];
     let mut statements = Vec::new();
@@ -88,10 +88,10 @@ pub(super) fn outputs(system: &mut System) -> Option<(Vec<Output>, Block)> {
         }
     }
     let block = Block::following("outputs", "What is asked for.", statements);
-    Some((found, block))
+    Some((outputs, block))
 }
 
-/// Each quantity once, up to the highest level that is asked for, in order of the first mention.
+/// Returns each quantity once, up to the highest requested level, in order of first mention.
 pub(super) fn highest_levels(requests: &[Request]) -> Vec<Request> {
     let mut highest: Vec<Request> = Vec::new();
     for request in requests {

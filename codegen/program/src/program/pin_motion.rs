@@ -1,6 +1,6 @@
-//! Vectors between pins, and what frames hold → how far they go over a window, and how large what they are computed from is.
+//! Bounds the motion of vectors between pins over a window, and the magnitudes that determine rounding.
 //!
-//! What turns with one angle goes together, and a definition stands for what it defines. Deliberately unknown here: what is shown by it.
+//! Terms that one angle rotates are bounded together, and definitions replace the unknowns that they define.
 
 use std::collections::{HashMap, HashSet};
 
@@ -13,33 +13,33 @@ use crate::joint::geometry::Vector;
 use crate::structure::Definition;
 use crate::system::SymbolRole;
 
-/// How much longer an arc may be than its chord where it is no more than the largest turn: 1.5/(2 sin 0.75) is 1.1003.
+/// Bound on arc over chord, for arcs up to the largest turn: 1.5/(2 sin 0.75) is 1.1003.
 const ARC: (i64, i64) = (9, 8);
 
-/// What is known of values beside how far they go.
+/// Knowledge of values besides their bounds.
 #[derive(Default)]
 pub(super) struct Known {
-    /// How large what unknowns are computed from is, of those that follow from arms and constants.
+    /// Magnitudes of the terms of unknowns that follow from rotated vectors and constants.
     pub sizes: HashMap<SymbolId, ExprId>,
-    /// How far the end of an arm of length 1 is from a straight line, by the angle that turns it.
+    /// Deviation from the chord of the end of a vector of length 1, by the angle that rotates it.
     pub arm_deviations: HashMap<usize, ExprId>,
-    /// The unknowns that links move.
+    /// Unknowns that links move.
     pub linked: HashSet<usize>,
-    /// True if so many pairs stand in a row that courses are followed.
+    /// True if enough pairs are in series for following courses.
     pub is_row: bool,
-    /// How angles run over the window, where courses are followed.
+    /// Courses of angles over the window, if courses are followed.
     pub courses: HashMap<usize, Course>,
 }
 
 impl Builder<'_> {
-    /// Whether links move an expression.
+    /// True if links move an expression.
     pub(super) fn is_linked(&self, expr: ExprId, known: &Known) -> bool {
         let symbols = self.system.mechanism.graph.symbols(expr).iter();
         let mut moving = symbols.filter_map(|&symbol| self.moving(symbol));
         moving.any(|unknown| known.linked.contains(&unknown))
     }
 
-    /// How far a value that frames hold goes along the line.
+    /// Bounds the change, along the chord, of a value that frames keep.
     pub(super) fn change_of(&mut self, value: ExprId) -> ExprId {
         let last = self.system.in_last_frame(value);
         let moved = self.graph().subtract(value, last);
@@ -49,7 +49,7 @@ impl Builder<'_> {
         self.graph().multiply(stretch, moved)
     }
 
-    /// The same of an angle that is found by its cosine and its sine, and rounding.
+    /// Bounds the change of an angle that follows from its cosine and sine, with rounding.
     pub(super) fn change_of_angle(&mut self, angle: usize) -> ExprId {
         let rounding = self.paths.window.rounding;
         let rounding = self.graph().variable(rounding);
@@ -70,7 +70,7 @@ impl Builder<'_> {
         self.graph().add(arc, rounding)
     }
 
-    /// A name for a bound.
+    /// Names a bound.
     pub(super) fn bounded(&mut self, name: &str, value: ExprId) -> ExprId {
         let graph = &self.system.mechanism.graph;
         if graph.is_constant(value) || matches!(graph.node(value), Node::Symbol(_)) {
@@ -82,7 +82,7 @@ impl Builder<'_> {
         self.graph().variable(symbol)
     }
 
-    /// How far a vector goes: what turns with one angle together, and the rest.
+    /// Bounds the change of a vector: terms of one angle together, then all others.
     pub(super) fn motion_of(&mut self, vector: Vector, known: &mut Known) -> Enclosure {
         let angles = self.angles_in(vector);
         let remainder = self.paths.window.remainder;
@@ -131,7 +131,7 @@ impl Builder<'_> {
         }
     }
 
-    /// The angles that turn arms in a vector.
+    /// Returns the angles that rotate terms of a vector.
     pub(super) fn angles_in(&self, vector: Vector) -> Vec<usize> {
         let mut angles: Vec<usize> = Vec::new();
         for part in vector {
@@ -146,7 +146,7 @@ impl Builder<'_> {
         angles
     }
 
-    /// How far a vector goes at most, component by component.
+    /// Bounds the change of a vector by components.
     pub(super) fn components(&mut self, vector: Vector) -> Enclosure {
         let [x, y] = vector.map(|part| self.enclosure(part));
         Enclosure {
@@ -155,7 +155,7 @@ impl Builder<'_> {
         }
     }
 
-    /// |v|.
+    /// Returns |v|.
     pub(super) fn length_of(&mut self, vector: Vector) -> ExprId {
         let zero = self.graph().zero();
         match vector {
@@ -168,10 +168,10 @@ impl Builder<'_> {
         }
     }
 
-    /// Notes how large what an unknown is computed from is, where that is known without looking.
+    /// Records the magnitude of the terms of an unknown, if its definition shows the magnitude.
     pub(super) fn note_size(&mut self, definition: &Definition, known: &mut Known) {
-        let own = &self.system.vector_form.unknowns[definition.unknown];
-        let (quantity, symbol) = (own.quantity, own.position);
+        let unknown = &self.system.vector_form.unknowns[definition.unknown];
+        let (quantity, symbol) = (unknown.quantity, unknown.position);
         let symbols = self.system.mechanism.graph.symbols(definition.value);
         let mut roles = symbols.iter().map(|it| self.system.roles[it.index()]);
         let is_driven =
@@ -183,7 +183,7 @@ impl Builder<'_> {
         }
     }
 
-    /// An expression without what only derivatives need of drivers.
+    /// Returns an expression without driver terms that only derivatives need.
     pub(super) fn undriven(&mut self, expr: ExprId) -> ExprId {
         match &self.derivatives.shifts()[..] {
             [] => expr,
@@ -191,11 +191,11 @@ impl Builder<'_> {
         }
     }
 
-    /// How large the values are that an expression is computed from, one after another, together.
+    /// Returns the sum of the magnitudes of all values from which an expression is computed.
     pub(super) fn size_of(&mut self, expr: ExprId, known: &mut Known) -> ExprId {
         let graph = &mut self.system.mechanism.graph;
         if graph.is_constant(expr) {
-            // The next power of two reads well, and who rounds may be generous.
+            // The next power of two is short, and a rounding bound may be generous.
             let value = graph.constant_value(expr).unwrap_or(f64::NAN).abs();
             let value = if value > 0.0 {
                 value.log2().ceil().exp2()

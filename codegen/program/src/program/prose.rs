@@ -1,4 +1,4 @@
-//! What forms say of the equations and lengths that they solve for.
+//! Describes the equations and lengths of solution methods.
 
 use super::builder::Builder;
 use crate::expr::ExprId;
@@ -8,7 +8,7 @@ use crate::system::SymbolRole;
 use crate::words::{Phrase, Piece, phrase};
 
 impl Builder<'_> {
-    /// R(φ) v written as sines and cosines of an unknown.
+    /// Returns R(φ) v with sines and cosines of an unknown expanded.
     pub fn turned_by(&mut self, angle: usize, v: Vector) -> Vector {
         let angle = self.position(angle);
         let graph = self.graph();
@@ -16,7 +16,7 @@ impl Builder<'_> {
         turned(cosine, sine, v, graph)
     }
 
-    /// A closed loop as vectors and by components.
+    /// Returns a closed loop as vectors and by components.
     pub fn closed_loop(&self, vectors: Phrase, whole: Vector) -> Vec<[Phrase; 3]> {
         let mut equations = vec![[vectors, "0".into(), "".into()]];
         for (part, axis) in whole.into_iter().zip(["x", "y"]) {
@@ -25,7 +25,7 @@ impl Builder<'_> {
         equations
     }
 
-    /// The cosine or the sine of an angle as a local value.
+    /// Returns the cosine or the sine of an angle as a local value.
     pub fn angle_function(
         &mut self,
         unknown: usize,
@@ -42,7 +42,7 @@ impl Builder<'_> {
         named
     }
 
-    /// A row as part of a sentence, `the x row of revolute P(1, 2)`, where it mentions nothing unknown but these.
+    /// Describes a row, `the x row of revolute P(1, 2)`; `None` if it mentions other unknowns than `sought`.
     pub fn row_words(&self, row: usize, sought: &[usize]) -> Option<Phrase> {
         let graph = &self.system.mechanism.graph;
         let row = &self.system.vector_form.rows[row];
@@ -61,19 +61,20 @@ impl Builder<'_> {
         })
     }
 
-    /// The vector equation of the joint that a row belongs to, where its rows are the components of one.
+    /// Returns the vector equation of the joint of a row; `None` if the rows are not the components of one.
     pub fn vector_equation(&mut self, row: usize) -> Option<Vector> {
         let rows = &self.system.vector_form.rows;
         let joint = rows[row].joint;
-        let own = rows.iter().filter(|it| it.joint == joint);
-        let lengths: Vec<ExprId> = own.map(|it| it.residual).collect();
+        let rows_of_joint = rows.iter().filter(|it| it.joint == joint);
+        let lengths: Vec<ExprId> = rows_of_joint.map(|it| it.residual).collect();
         let (&[x, y] | &[_, x, y]) = &lengths[..] else {
             return None;
         };
         self.system.vector_sum([x, y]).map(|_| [x, y])
     }
 
-    /// The length of a link, why it is known, and whether a driver says it; `None` where it is no number and no displacement.
+    /// Returns the length of a link, its source, and true if a driver gives the length; `None` if it is not a number or a
+    /// displacement.
     pub fn known_length(&mut self, local: Vector) -> Option<(Phrase, Phrase, bool)> {
         let square = self.dot(local, local);
         let graph = self.graph();

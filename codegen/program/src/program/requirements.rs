@@ -1,7 +1,7 @@
-//! The joints, masses and loads of a mechanism → what must be positive whatever its parameters are, and whatever drives it.
+//! Lists the values of joints, masses and loads that must be positive for all parameters and drivers.
 //!
-//! What a description may not say of a length, a ratio or a mass is refused when it is read where it is a constant, and by the runtime
-//! where parameters change it. Lengths that t or inputs change are looked at by the blocks that find them, in every instant.
+//! Invalid constant lengths, ratios and masses are rejected in the description; values that depend on parameters are checked by
+//! the runtime. Lengths that depend on t or inputs are checked at every instant by the blocks that compute them.
 
 use super::function::Function;
 use super::passes::sharing::share_all;
@@ -14,37 +14,37 @@ use crate::system::{SymbolRole, System};
 /// Values that must be positive.
 #[derive(Clone, Debug)]
 pub struct Requirements {
-    /// The values that are functions of parameters alone.
+    /// Values that depend on parameters alone.
     pub function: Function,
-    /// Whose each value is, and what it is called: first those of the function, then those of the joints that are driven.
+    /// Owner and name of each value: first the values of the function, then the driven lengths of joints.
     pub names: Vec<(String, &'static str)>,
-    /// The joints whose lengths t or inputs change.
+    /// Joints whose lengths depend on t or inputs.
     driven: Vec<usize>,
 }
 
 impl Requirements {
-    /// True if parameters alone can break one.
+    /// True if parameters alone can violate a requirement.
     pub fn limit_parameters(&self) -> bool {
         !self.function.results.is_empty()
     }
 
-    /// The place of a driven joint's length.
+    /// Returns the index of a driven joint's length.
     pub fn place_of(&self, joint: usize) -> usize {
         let driven = self.driven.iter().position(|&it| it == joint);
         self.function.results.len() + driven.unwrap_or_default()
     }
 }
 
-/// A value that must be positive.
+/// Value that must be positive.
 struct Required {
-    /// Whose it is.
+    /// Owner of the value.
     owner: String,
-    /// What it is called.
+    /// Name of the value.
     what: &'static str,
     value: ExprId,
 }
 
-/// The requirements of all statements; `None` where nothing can break one.
+/// Returns the requirements of all statements; `None` if none can be violated.
 pub(super) fn requirements(system: &mut System) -> Option<Requirements> {
     let mut names = Vec::new();
     let mut values = Vec::new();
@@ -81,7 +81,7 @@ pub(super) fn requirements(system: &mut System) -> Option<Requirements> {
     })
 }
 
-/// The length of a joint that t or inputs change, and what it is called; `None` for other joints.
+/// Returns the length of a joint that depends on t or inputs, and its name; `None` for other joints.
 pub(super) fn driven_length(
     joint: usize,
     mechanism: &mut Mechanism,
@@ -113,7 +113,7 @@ fn of_joints(mechanism: &mut Mechanism) -> Vec<Required> {
     required.collect()
 }
 
-/// Finds the distances that the pitch radii of gears divide, and their pressure angles.
+/// Returns the center distances by which pitch radii of gears are divided, and their pressure angles.
 fn of_teeth(mechanism: &mut Mechanism) -> Vec<Required> {
     let Mechanism {
         joints,
@@ -176,7 +176,7 @@ fn of_forces(mechanism: &mut Mechanism) -> Vec<Required> {
     required
 }
 
-/// A body without a mass has no moment of inertia.
+/// Returns the requirements of a mass. A body without a mass has no moment of inertia.
 fn of_mass(weighed: &Mass, owner: &str, graph: &mut Graph) -> Vec<Required> {
     let &Mass { mass, inertia, .. } = weighed;
     let required = |what, value| Required {
@@ -203,7 +203,7 @@ fn of_mass(weighed: &Mass, owner: &str, graph: &mut Graph) -> Vec<Required> {
     all
 }
 
-/// The value where it is negative, and 1 elsewhere.
+/// Returns the value if it is negative, otherwise 1.
 fn positive_unless_zero(value: ExprId, graph: &mut Graph) -> ExprId {
     let one = graph.one();
     graph.choose(value, value, one)

@@ -1,7 +1,7 @@
-//! What `sensitivity` statements ask for → a last block that computes what of it belongs to no other block.
+//! Computes derivatives of `sensitivity` statements in a last block, as far as no other block does.
 //!
-//! The derivatives of unknowns are found where the unknowns are; those of points follow from them here. Where `output`
-//! statements say what is wanted, nothing else is differentiated.
+//! Blocks find the derivatives of their unknowns; those of points follow from them here. If `output` statements exist, only their
+//! quantities are differentiated.
 
 use super::block::Block;
 use super::directional_derivatives::DirectionalDerivatives;
@@ -13,43 +13,43 @@ use crate::joint::Quantity;
 use crate::model::{Request, Requested};
 use crate::system::{Cause, System};
 
-/// A derivative along a parameter.
+/// Derivative along a parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Found {
-    /// A field of the frame.
+    /// Field of the frame.
     Field(SymbolId),
-    /// A number: what is always the same.
+    /// Constant derivative.
     Constant(f64),
 }
 
-/// How the motion depends on one parameter.
+/// Sensitivity of the motion to one parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sensitivity {
-    /// An index into the mechanism's parameters.
+    /// Index into the mechanism's parameters.
     pub parameter: usize,
-    /// What it is called in generated code: `l2`.
+    /// Name in generated code: `l2`.
     pub name: String,
-    /// The derivatives of every coordinate and its rate; nothing where `output` says what is wanted.
+    /// Derivatives of every coordinate and its rate; `None` if there are `output` statements.
     pub coordinates: Option<Vec<[Found; 2]>>,
-    /// Those of points, and of the coordinates that `output` names.
+    /// Derivatives of points, and of the coordinates of `output` statements.
     pub quantities: Vec<SensitiveQuantity>,
 }
 
-/// A point or a coordinate with its derivatives.
+/// Point or coordinate with its derivatives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SensitiveQuantity {
-    /// `k`, `phi_c1`: what its functions are named after.
+    /// Base of function names: `k`, `phi_c1`.
     pub name: String,
-    /// `the point K`, `the coordinate phi_c1`.
+    /// Description: `the point K`, `the coordinate phi_c1`.
     pub what: String,
-    /// What its components are measured in: x and y of a point, or the coordinate itself.
+    /// Quantities of the components: x and y of a point, or the coordinate itself.
     pub components: Vec<Quantity>,
-    /// By level, position and velocity as far as they are wanted, then by component.
+    /// Derivatives by level, position and velocity as far as requested, then by component.
     pub levels: Vec<Vec<Found>>,
 }
 
 impl Sensitivity {
-    /// The fields of all derivatives.
+    /// Returns the fields of all derivatives.
     pub fn fields(&self) -> Vec<SymbolId> {
         let coordinates = self.coordinates.iter().flatten().flatten();
         let quantities = self.quantities.iter().flat_map(|it| &it.levels).flatten();
@@ -63,7 +63,7 @@ impl Sensitivity {
     }
 }
 
-/// The sensitivities that are asked for, and the block that computes those of points; `None` where there are none.
+/// Returns the requested sensitivities, and the block that computes those of points; `None` if there are none.
 pub(super) fn sensitivities(
     system: &mut System,
     derivatives: &mut DirectionalDerivatives,
@@ -81,7 +81,7 @@ pub(super) fn sensitivities(
         highest_levels(&system.mechanism.requests)
     };
     let mut statements = Vec::new();
-    let mut found = Vec::new();
+    let mut all = Vec::new();
     for direction in 0..system.directions.len() {
         let Cause::Parameter(parameter) = system.directions[direction].cause else {
             continue;
@@ -149,7 +149,7 @@ pub(super) fn sensitivities(
                 quantity.levels.push(components.collect());
             }
         }
-        found.push(Sensitivity {
+        all.push(Sensitivity {
             parameter,
             name: system.directions[direction].name.clone(),
             coordinates,
@@ -158,10 +158,10 @@ pub(super) fn sensitivities(
     }
     let title = "How what is asked for depends on parameters.";
     let block = Block::following("sensitivity", title, statements);
-    Some((found, block))
+    Some((all, block))
 }
 
-/// The derivatives of an unknown and of its rate: symbols or constants.
+/// Returns the derivatives of an unknown and of its rate: symbols or constants.
 fn of_unknown(
     unknown: usize,
     direction: usize,
@@ -174,7 +174,7 @@ fn of_unknown(
     ]
 }
 
-/// A value as the frame keeps it; what has no name yet becomes a field of its own.
+/// Returns a value as the frame keeps it; an unnamed value becomes a new field.
 fn kept(
     value: ExprId,
     what: &str,

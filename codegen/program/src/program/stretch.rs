@@ -1,29 +1,31 @@
-//! A turned link that changes its length while it turns: what moves it beside its angle.
+//! Relative velocity and acceleration in a link of variable length.
 //!
-//! w = R(φ) p moves by φ̇ Ω w + R ṗ. The second part, R ṗ, and its own rate, R p̈, are values of their own, found with the rates.
+//! The rotated vector w = R(φ) p has the rate φ̇ Ω w + R ṗ. The relative term R ṗ and its counterpart R p̈ are local values,
+//! computed with the rates.
 
 use super::builder::{Builder, Direction};
 use super::function::Level;
 use crate::expr::{ExprId, Node, SymbolId};
 use crate::joint::geometry::Vector;
 
-/// The parts of a turned vector's motion that come from its own change.
+/// Relative motion of a rotated vector.
 #[derive(Clone, Copy, Debug)]
 pub struct Stretch {
-    /// The unknown that turns it.
+    /// Unknown angle that rotates the vector.
     angle: usize,
-    /// The vector in the orientation that turns.
+    /// Vector in the rotating orientation.
     p: Vector,
-    /// The turned vector.
+    /// Rotated vector.
     w: Vector,
-    /// What turns it.
+    /// Direction of the angle.
     direction: Direction,
-    /// R ṗ and R p̈: the symbols, and their values.
+    /// Symbols and values of R ṗ and R p̈.
     changes: [([SymbolId; 2], Vector); 2],
 }
 
 impl Builder<'_> {
-    /// States that the symbols of a turned vector move as R(φ) p does. Nothing where p does not move: then an arm says so.
+    /// Records the rates of the symbols of R(φ) p. Returns `None` if p is constant: a rotated vector of the vector form then has
+    /// them.
     pub fn moving_link(
         &mut self,
         angle: usize,
@@ -38,7 +40,7 @@ impl Builder<'_> {
         let turning = self.rate_of(angle);
         let first = p.map(|part| self.rate(part));
         let second = first.map(|part| self.rate(part));
-        // All of a block are needed at once, so their names must be told apart.
+        // A block needs all of them at once, so their names must differ.
         self.stretched += 1;
         let number = match self.stretched {
             1 => String::new(),
@@ -62,13 +64,13 @@ impl Builder<'_> {
         })
     }
 
-    /// d(w)/dt = φ̇ Ω w + extra.
+    /// Records d(w)/dt = φ̇ Ω w + extra.
     fn turn_rule(&mut self, w: Vector, turning: ExprId, extra: [SymbolId; 2]) {
         let extra = extra.map(|symbol| self.graph().variable(symbol));
         self.rate_rule(w, w, turning, extra);
     }
 
-    /// d(v)/dt = φ̇ Ω w + extra.
+    /// Records d(v)/dt = φ̇ Ω w + extra.
     fn rate_rule(&mut self, v: Vector, w: Vector, turning: ExprId, extra: Vector) {
         let graph = self.graph();
         let [forward, backward] = [graph.multiply(turning, w[0]), graph.multiply(turning, w[1])];
@@ -85,7 +87,7 @@ impl Builder<'_> {
 }
 
 impl Stretch {
-    /// States what a level needs of it.
+    /// States the values that a level needs.
     pub(super) fn at(&self, level: Level, builder: &mut Builder<'_>) {
         match level {
             Level::Position | Level::Forces => {}
@@ -104,14 +106,14 @@ impl Stretch {
         }
     }
 
-    /// What changes the vector along a direction beside its angle, as local values: R ∂p/∂δ.
+    /// States the relative change R ∂p/∂δ along a direction, as local values.
     fn respond(&self, direction: usize, builder: &mut Builder<'_>) {
         let change = self.p.map(|part| builder.along(part, direction));
         if change == [builder.graph().zero(); 2] {
             return;
         }
         let turned = builder.turn(self.direction, change);
-        // What changes the vector with time may be needed beside it, so the names must be told apart.
+        // Relative velocities may be needed at the same time, so the names must differ.
         let name = builder.derivatives.name("relative_change", direction);
         let values = builder.vector(&name, turned);
         for (component, value) in self.w.into_iter().zip(values) {
@@ -121,15 +123,16 @@ impl Stretch {
         }
     }
 
-    /// How the same moves with time: the rate of R ∂p/∂δ is φ̇ Ω R ∂p/∂δ + R d(∂p/∂δ)/dt.
+    /// States the rate of R ∂p/∂δ, which is φ̇ Ω R ∂p/∂δ + R d(∂p/∂δ)/dt.
     fn respond_rate(&self, direction: usize, builder: &mut Builder<'_>) {
-        let found = self.w.map(
-            |component| match *builder.system.mechanism.graph.node(component) {
-                Node::Symbol(symbol) => builder.derivatives.stretch_of(symbol, direction),
-                _ => None,
-            },
-        );
-        let [Some(x), Some(y)] = found else {
+        let responses =
+            self.w.map(
+                |component| match *builder.system.mechanism.graph.node(component) {
+                    Node::Symbol(symbol) => builder.derivatives.stretch_of(symbol, direction),
+                    _ => None,
+                },
+            );
+        let [Some(x), Some(y)] = responses else {
             return;
         };
         let change = self.p.map(|part| builder.along(part, direction));

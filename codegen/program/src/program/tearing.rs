@@ -1,7 +1,7 @@
-//! How the unknowns of a block follow one after another from some of them, its tears.
+//! Solves a block explicitly from some of its unknowns, the tearing variables.
 //!
-//! With the tears given, closed forms find the other unknowns, and as many equations remain as there are tears. That is a shortcut
-//! of Newton-Raphson on all equations, which decides wherever it does not lead through.
+//! For given tearing variables, closed forms give the other unknowns, and as many residuals remain as there are tearing
+//! variables. Tearing only saves work: Newton-Raphson on all equations decides wherever tearing fails.
 
 use std::collections::HashSet;
 
@@ -9,57 +9,58 @@ use super::function::{Function, Statement};
 use super::passes::liveness;
 use crate::expr::{ExprId, Graph, SymbolId};
 
-/// The most tears for which the remaining equations are solved by Cramer's rule.
+/// Largest number of tearing variables with a solution of the residuals by Cramer's rule.
 pub const MOST_TEARS: usize = 2;
 
-/// A torn block as functions of its tears and of what is known before it.
+/// Torn block as functions of its tearing variables and of earlier results.
 #[derive(Clone, Debug)]
 pub struct Tearing {
-    /// Which of the block's unknowns are tears, from 0.
+    /// Tearing variables: indices into the block's unknowns, from 0.
     pub tears: Vec<usize>,
-    /// How many of the other unknowns are angles.
+    /// Number of angles among the other unknowns.
     pub angles: usize,
-    /// The signs of the closed forms, one symbol each.
+    /// Signs of the closed forms, one symbol each.
     pub signs: Vec<SymbolId>,
-    /// What `evaluate` finds and `complete` needs, in order.
+    /// Results of `evaluate` that `complete` needs, in order.
     pub carried: Vec<SymbolId>,
-    /// The row of the block that says how large each residual is, where it is multiplied by the result of `scales`.
+    /// Row of the block that scales each residual, with the factor of `scales`.
     pub rows: Vec<usize>,
-    /// One factor a residual.
+    /// Factors, one per residual.
     pub scales: Function,
-    /// How large the terms of each residual are in the drawing, in scales, and at least 1: rounding is a part of them.
+    /// Magnitude of each residual's terms in the design configuration, in scales, and at least 1; rounding is proportional to it.
     pub terms: Vec<f64>,
-    /// The residuals, the inverse of their Jacobian in the tears row by row, and its determinant; fails where closed forms do.
+    /// Residuals, the inverse of their Jacobian in the tearing variables row by row, and its determinant; fails if a closed form
+    /// fails.
     pub evaluate: Function,
-    /// Of each unknown its cosine, or itself where it is a length; then their sines, rates and accelerations; then all residuals of the
-    /// block; then how the unknowns respond to the tears, in scales.
+    /// Cosine of each unknown, or the unknown itself if it is a length; then their sines, rates and accelerations; then all
+    /// residuals of the block; then the responses of the unknowns to the tearing variables, in scales.
     pub complete: Function,
-    /// What poses are proven with.
+    /// Functions that prove poses.
     pub proof: Proof,
-    /// What has the signs of the closed forms at a pose: a function of all unknowns.
+    /// Values with the signs of the closed forms at a pose: a function of all unknowns.
     pub sign_values: Function,
 }
 
-/// Functions of the tears and signs that vanish where what remains does, as they were stated.
+/// Functions of the tearing variables and signs that vanish with the tearing residuals, before simplification.
 #[derive(Clone, Debug)]
 pub struct Proof {
-    /// One result for each residual, and then their derivatives by the tears row by row.
+    /// One result for each residual, and then their derivatives in the tearing variables row by row.
     pub function: Function,
-    /// Components of vectors that turn, which closed forms find, with the squares of these vectors' lengths.
+    /// Components of rotated vectors that closed forms find, with the squared lengths of these vectors.
     pub turned: Vec<(SymbolId, ExprId)>,
 }
 
-/// What a frame keeps of a torn block beside its unknowns, and what a pose is computed from.
+/// Fields of a torn block besides its unknowns.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TornFields {
-    /// The sine and the cosine of each unknown that is an angle.
+    /// Sine and cosine of each unknown; `None` if the unknown is a length.
     pub directions: Vec<Option<[SymbolId; 2]>>,
-    /// The determinant, and the signs of the closed forms.
+    /// Determinant, and signs of the closed forms.
     pub memory: Vec<SymbolId>,
 }
 
 impl TornFields {
-    /// All that it defines.
+    /// Returns the symbols of all fields.
     pub fn targets(&self) -> impl Iterator<Item = SymbolId> {
         let directions = self.directions.iter().flatten().flatten();
         directions.chain(&self.memory).copied()
@@ -67,7 +68,7 @@ impl TornFields {
 }
 
 impl Tearing {
-    /// Its functions.
+    /// Returns the functions of the torn block.
     pub fn functions(&self) -> [&Function; 4] {
         [
             &self.scales,
@@ -77,20 +78,20 @@ impl Tearing {
         ]
     }
 
-    /// Everything that `evaluate` and `complete` define or are given beside the tears, so that what both mention has one name.
+    /// Returns all statements and results of `evaluate` and `complete` in one function, so that shared values have one name.
     pub fn named(&self) -> Function {
         let results = self.evaluate.results.first();
-        let given = self.signs.iter().zip(results.into_iter().cycle());
-        let given = given.map(|(&sign, result)| Statement::assignment(sign, result.expr));
+        let assigned = self.signs.iter().zip(results.into_iter().cycle());
+        let assigned = assigned.map(|(&sign, result)| Statement::assignment(sign, result.expr));
         let parts = [&self.evaluate, &self.complete];
-        let found = parts.into_iter().flat_map(|part| part.statements.clone());
+        let statements = parts.into_iter().flat_map(|part| part.statements.clone());
         Function {
-            statements: given.chain(found).collect(),
+            statements: assigned.chain(statements).collect(),
             ..Function::default()
         }
     }
 
-    /// The same, to be changed.
+    /// Returns the functions for changes.
     pub(super) fn functions_mut(&mut self) -> [&mut Function; 4] {
         [
             &mut self.scales,
@@ -101,7 +102,7 @@ impl Tearing {
     }
 }
 
-/// The statements that results need.
+/// Returns the function of results with the statements that they need.
 pub(super) fn needed(statements: Vec<Statement>, results: Vec<ExprId>, graph: &Graph) -> Function {
     let function = Function {
         statements,
@@ -110,8 +111,8 @@ pub(super) fn needed(statements: Vec<Statement>, results: Vec<ExprId>, graph: &G
     liveness::for_results(function, graph)
 }
 
-/// Parts statements into those that the first results need, and those that the others need beside them; and says what is carried
-/// from the first to the others.
+/// Splits statements into those for `evaluated` and the additional ones for `completed`; returns the values passed from the first
+/// to the second too.
 pub(super) fn parted(
     statements: &[Statement],
     evaluated: Vec<ExprId>,
@@ -120,11 +121,11 @@ pub(super) fn parted(
     graph: &Graph,
 ) -> (Function, Function, Vec<SymbolId>) {
     let evaluate = needed(statements.to_vec(), evaluated, graph);
-    let found: HashSet<SymbolId> = evaluate.targets().collect();
+    let defined: HashSet<SymbolId> = evaluate.targets().collect();
     let mut complete = needed([statements, later].concat(), completed, graph);
     complete.statements.retain(|statement| {
         let targets = statement.targets();
-        !targets.is_empty() && !targets.iter().all(|target| found.contains(target))
+        !targets.is_empty() && !targets.iter().all(|target| defined.contains(target))
     });
     let read: HashSet<SymbolId> = complete
         .values()

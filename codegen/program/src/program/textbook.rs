@@ -1,4 +1,4 @@
-//! The functions of the textbook view.
+//! Makes the functions of the textbook formulation.
 
 use super::function::{Function, Written};
 use super::lengths::Lengths;
@@ -6,28 +6,28 @@ use super::passes::sharing::share_all;
 use crate::expr::ExprId;
 use crate::system::{Row, System};
 
-/// Φ, Φ_q, Φ_t and γ.
+/// Functions for Φ, Φ_q, Φ_t and γ.
 #[derive(Clone, Debug)]
 pub struct Textbook {
-    /// Φ: one result a row.
+    /// Φ, one result per row.
     pub residual: Function,
-    /// Φ_q: one result for each entry that is not identically zero, row by row.
+    /// Φ_q, one result per entry that is not identically zero, row by row.
     pub jacobian: Function,
-    /// Φ_t: one result a row.
+    /// Φ_t, one result per row.
     pub time_derivative: Function,
-    /// γ: one result a row.
+    /// γ, one result per row.
     pub gamma: Function,
-    /// The residuals of the rows that are monitored instead of solved, where there are any.
+    /// Residuals of the monitored rows; `None` if there are none.
     pub monitored: Option<Function>,
-    /// What lengths are scaled by.
+    /// Lengths that scale residuals.
     pub scaled_by: Lengths,
 }
 
-/// More coordinates than these make a dense Φ_q of over 175 kB, which no firmware and few threads have room for.
+/// Largest number of coordinates with a dense Φ_q, of about 175 kB: most firmware and thread stacks have no room for more.
 pub const LARGEST_TEXTBOOK: usize = 150;
 
 impl Textbook {
-    /// The functions of a system of moderate size.
+    /// Returns the functions of a system; `None` if the system is too large.
     pub(super) fn of(system: &mut System) -> Option<Textbook> {
         if system.coordinates.len() > LARGEST_TEXTBOOK {
             return None;
@@ -67,7 +67,7 @@ impl Textbook {
         Some(textbook)
     }
 
-    /// All of them.
+    /// Returns all functions.
     pub fn functions(&self) -> impl Iterator<Item = &Function> {
         let derived = [&self.jacobian, &self.time_derivative, &self.gamma];
         [&self.residual]

@@ -1,4 +1,4 @@
-//! What `transmission` statements ask for → a last block that computes it.
+//! Computes the transmission ratios of `transmission` statements in a last block.
 
 use super::block::Block;
 use super::directional_derivatives::DirectionalDerivatives;
@@ -8,27 +8,27 @@ use crate::joint::Quantity;
 use crate::model::Requested;
 use crate::system::System;
 
-/// The rates of a point or a coordinate per rate of each driver.
+/// Rates of a point or a coordinate per rate of each driver.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Transmission {
-    /// `k`, `phi_c1`: what its functions are named after.
+    /// Base of function names: `k`, `phi_c1`.
     pub name: String,
-    /// `the point K`, `the coordinate phi_c1`.
+    /// Description: `the point K`, `the coordinate phi_c1`.
     pub what: String,
-    /// What the rows are measured in: of a point x and y, of a coordinate itself.
+    /// Quantities of the rows: x and y of a point, or the coordinate itself.
     pub rows: Vec<Quantity>,
-    /// The fields of each column: a driver each, in written order.
+    /// Fields of each column, one column per driver, in written order.
     pub columns: Vec<Vec<SymbolId>>,
 }
 
 impl Transmission {
-    /// The fields of all columns.
+    /// Returns the fields of all columns.
     pub fn fields(&self) -> Vec<SymbolId> {
         self.columns.concat()
     }
 }
 
-/// The transmissions that are asked for, and the block that computes them; `None` where there are none.
+/// Returns the requested transmissions, and the block that computes them; `None` if there are none.
 pub(super) fn transmissions(
     system: &mut System,
     derivatives: &mut DirectionalDerivatives,
@@ -37,7 +37,7 @@ pub(super) fn transmissions(
     if requested.is_empty() {
         return None;
     }
-    let mut found: Vec<Transmission> = requested
+    let mut transmissions: Vec<Transmission> = requested
         .iter()
         .map(|quantity| described(*quantity, system))
         .collect();
@@ -45,7 +45,7 @@ pub(super) fn transmissions(
     let driven: Vec<usize> = system.driven().map(|(place, ..)| place).collect();
     for direction in driven {
         statements.push(Statement::Section(Level::Response(direction)));
-        for (quantity, transmission) in requested.iter().zip(&mut found) {
+        for (quantity, transmission) in requested.iter().zip(&mut transmissions) {
             let (components, values) = match *quantity {
                 Requested::Point(place) => {
                     let position = system.vector_form.points[place];
@@ -69,7 +69,7 @@ pub(super) fn transmissions(
         }
     }
     let block = Block::following("transmission", "What the drivers transmit.", statements);
-    Some((found, block))
+    Some((transmissions, block))
 }
 
 pub(super) fn described(quantity: Requested, system: &System) -> Transmission {

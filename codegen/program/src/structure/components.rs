@@ -1,22 +1,22 @@
-//! A square system → its irreducible blocks in solve order.
+//! Decomposes a square system into irreducible blocks in solve order.
 //!
-//! The strongly connected components of the graph in which an equation waits for those that determine its other unknowns
+//! In a graph, each equation depends on the equations of its other unknowns; the blocks are its strongly connected components
 //! (Tarjan, Depth-first search and linear graph algorithms, SIAM J. Comput. 1 (1972); Duff, Erisman and Reid, Direct Methods for
-//! Sparse Matrices, chapter 6). The blocks do not depend on which perfect matching is given. Blocks that do not wait for one
-//! another are in the order of their first equations.
+//! Sparse Matrices, chapter 6). The blocks do not depend on the choice of the perfect matching. Independent blocks are in the
+//! order of their first equations.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use super::{Incidence, Matching};
 
-/// The rows of each block, ascending, in solve order. Rows without a pair are left out.
+/// Returns the rows of each block, ascending, in solve order, without unmatched rows.
 pub fn components(incidence: &Incidence, matching: &Matching) -> Vec<Vec<usize>> {
     let successors = |row: usize| -> Vec<usize> {
-        let own = matching.column_of[row];
+        let matched = matching.column_of[row];
         let others = incidence.rows[row]
             .iter()
-            .filter(|&&column| Some(column) != own);
+            .filter(|&&column| Some(column) != matched);
         others
             .filter_map(|&column| matching.row_of[column])
             .collect()
@@ -37,7 +37,7 @@ pub fn components(incidence: &Incidence, matching: &Matching) -> Vec<Vec<usize>>
     in_solve_order(rows, &graph, &component_of)
 }
 
-/// The component of each vertex, by Tarjan's algorithm with its own stack.
+/// Returns the component of each vertex, by Tarjan's algorithm with an explicit stack.
 fn strongly_connected(graph: &[Vec<usize>]) -> Vec<usize> {
     const UNSEEN: usize = usize::MAX;
     let size = graph.len();
@@ -81,7 +81,7 @@ fn strongly_connected(graph: &[Vec<usize>]) -> Vec<usize> {
     component_of
 }
 
-/// Kahn's algorithm: of the blocks that wait for nothing more, the one with the earliest equation comes first.
+/// Sorts blocks by Kahn's algorithm: of the blocks that are ready, the one with the earliest equation comes first.
 fn in_solve_order(
     rows: Vec<Vec<usize>>,
     graph: &[Vec<usize>],
@@ -90,11 +90,11 @@ fn in_solve_order(
     let mut waiting = vec![0; rows.len()];
     let mut dependents: Vec<Vec<usize>> = vec![Vec::new(); rows.len()];
     for (vertex, successors) in graph.iter().enumerate() {
-        let own = component_of[vertex];
+        let component = component_of[vertex];
         for &needed in successors {
-            if component_of[needed] != own {
-                waiting[own] += 1;
-                dependents[component_of[needed]].push(own);
+            if component_of[needed] != component {
+                waiting[component] += 1;
+                dependents[component_of[needed]].push(component);
             }
         }
     }
@@ -131,7 +131,7 @@ mod tests {
 
     #[test]
     fn a_triangular_system_is_solved_from_its_single_unknown_on() {
-        // x2 alone, then x1 from x1 + x2, then x0 from all three.
+        // Solves x2, then x1 from x1 + x2, then x0 from all three.
         assert_eq!(blocks(&[&[0, 1, 2], &[1, 2], &[2]], 3), [[2], [1], [0]]);
     }
 

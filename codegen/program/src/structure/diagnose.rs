@@ -1,4 +1,4 @@
-//! Parts that are not square → messages that name bodies and joints.
+//! Reports subsystems that are not square, by their bodies and joints.
 
 use std::collections::HashSet;
 
@@ -9,11 +9,11 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 use crate::model::{Joint, Role};
 use crate::system::{Described, System};
 
-/// How many places a message points at before it says how many more there are.
-pub(super) const SHOWN: usize = 6;
+/// Largest number of positions or names that a message lists.
+pub(super) const MAX_LISTED: usize = 6;
 
 pub(super) fn report(system: &System, parts: &CoarseDecomposition, diagnostics: &mut Diagnostics) {
-    // What the numbers say besides: nothing where the equations do not hold together near the drawing.
+    // Ranks are numerical; `None` if the equations cannot be satisfied near the design configuration.
     let survey = Survey::of(system);
     if !parts.free_columns.is_empty() {
         let mut diagnostic = too_few(system, parts);
@@ -27,20 +27,23 @@ pub(super) fn report(system: &System, parts: &CoarseDecomposition, diagnostics: 
     }
 }
 
-/// `1 equation`, `2 equations`.
+/// Writes a number with its noun: `1 equation`, `2 equations`.
 pub(super) fn count(number: usize, one: &str, several: &str) -> String {
     format!("{number} {}", if number == 1 { one } else { several })
 }
 
-/// The names in backticks, at most [`SHOWN`] of them.
+/// Joins names in backticks, at most [`MAX_LISTED`] of them.
 fn listed<'a>(names: impl ExactSizeIterator<Item = &'a str>) -> String {
-    let more = names.len().saturating_sub(SHOWN);
-    let shown: Vec<String> = names.take(SHOWN).map(|name| format!("`{name}`")).collect();
-    let shown = shown.join(", ");
+    let more = names.len().saturating_sub(MAX_LISTED);
+    let listed: Vec<String> = names
+        .take(MAX_LISTED)
+        .map(|name| format!("`{name}`"))
+        .collect();
+    let listed = listed.join(", ");
     if more == 0 {
-        shown
+        listed
     } else {
-        format!("{shown} and {more} more")
+        format!("{listed} and {more} more")
     }
 }
 
@@ -87,7 +90,7 @@ fn too_few(system: &System, parts: &CoarseDecomposition) -> Diagnostic {
         ),
     )
     .label("can still move");
-    for body in bodies.iter().skip(1).take(SHOWN - 1) {
+    for body in bodies.iter().skip(1).take(MAX_LISTED - 1) {
         diagnostic = diagnostic.also(body.span, "can still move");
     }
     diagnostic
@@ -99,7 +102,7 @@ fn too_few(system: &System, parts: &CoarseDecomposition) -> Diagnostic {
         .note(balance(system))
 }
 
-/// All bodies are held, but nothing says where a joint touches its curve.
+/// Reports the contact point of a joint that is undetermined while all bodies are determined.
 fn undetermined_contact(system: &System, parts: &CoarseDecomposition) -> Diagnostic {
     let joints = parts.under_columns.iter().filter_map(|&column| {
         match system.coordinates[column].describes {
@@ -120,7 +123,7 @@ fn undetermined_contact(system: &System, parts: &CoarseDecomposition) -> Diagnos
     .note(balance(system))
 }
 
-/// What to add so that everything is determined.
+/// Returns the addition that makes the system determined.
 fn remedy(system: &System, parts: &CoarseDecomposition) -> String {
     let held: HashSet<usize> = system
         .rows
@@ -139,7 +142,7 @@ fn remedy(system: &System, parts: &CoarseDecomposition) -> String {
             format!("bodies {names} have no joint: join them to other bodies or to the `ground`")
         };
     }
-    // A driver can only help where an angle is among what is free.
+    // A driver only helps if an angle is among the free coordinates.
     let angle =
         parts
             .under_columns
@@ -162,7 +165,7 @@ fn remedy(system: &System, parts: &CoarseDecomposition) -> String {
     }
 }
 
-/// The coordinates of the under-determined part in backticks.
+/// Returns the coordinates of the under-determined part, in backticks.
 fn free_coordinates(system: &System, parts: &CoarseDecomposition) -> String {
     let names = parts
         .under_columns
@@ -194,7 +197,7 @@ fn too_many(system: &System, parts: &CoarseDecomposition, survey: Option<&Survey
     );
     let noun = if bodies.len() == 1 { "body" } else { "bodies" };
     let joint = |at: usize| -> &Joint { &system.mechanism.joints[at] };
-    // Where they hold together all the same, what repeats the others can be said.
+    // If the equations agree nevertheless, the repeated ones are known.
     let mut repeating: Vec<(usize, Vec<&Dependence>)> = Vec::new();
     for found in survey.iter().flat_map(|survey| &survey.dependences) {
         let at = system.row(found.row).joint;
@@ -222,7 +225,11 @@ fn too_many(system: &System, parts: &CoarseDecomposition, survey: Option<&Survey
             joint(first).label
         ),
     });
-    for &other in joints.iter().filter(|&&other| other != first).take(SHOWN) {
+    for &other in joints
+        .iter()
+        .filter(|&&other| other != first)
+        .take(MAX_LISTED)
+    {
         diagnostic = diagnostic.also(
             joint(other).span,
             match repeats(other) {
@@ -241,7 +248,7 @@ fn too_many(system: &System, parts: &CoarseDecomposition, survey: Option<&Survey
         }
     }
     if let Some(survey) = survey.filter(|survey| !survey.dependences.is_empty()) {
-        // What can still move is said where equations are too few.
+        // Free motions are reported with missing equations.
         if parts.free_columns.is_empty() {
             diagnostic = with_freedom(diagnostic, system, survey);
         }

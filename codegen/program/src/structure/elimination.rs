@@ -1,9 +1,10 @@
-//! The equations of a block → explicit definitions and the equations that remain for the tears.
+//! Reduces a block to explicit assignments and the equations of its tearing variables.
 //!
-//! An unknown whose coefficient is a constant wherever it occurs is eliminated: one equation defines it, the definition is
-//! put into the others. What remains mentions only angles and displacements (Elmqvist and Otter, Methods for tearing systems of
-//! equations in object-oriented modeling, 1994). The definitions stay as they were written, not with all others put in, so
-//! that each is one short sum.
+//! An unknown with a constant coefficient in every occurrence is eliminated: one equation defines the unknown, and its definition
+//! is substituted in the others. The remaining equations mention only angles and displacements (Elmqvist and Otter, Methods for
+//! tearing systems of equations in object-oriented modeling, 1994).
+//!
+//! Definitions stay as written, without substitution of each other, so that each is a short sum.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -11,43 +12,43 @@ use crate::expr::{ExprId, Graph, Node};
 use crate::joint::Quantity;
 use crate::system::VectorForm;
 
-/// One eliminated unknown.
+/// Explicit assignment of an eliminated unknown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Definition {
     /// Index into the unknowns of the vector form.
     pub unknown: usize,
-    /// Its value in terms of what is solved before it.
+    /// Value in terms of unknowns that are solved earlier.
     pub value: ExprId,
-    /// The row of the vector form that says so.
+    /// Row of the vector form that gives the assignment.
     pub row: usize,
 }
 
-/// One equation of a block.
+/// Equation of a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BlockEquation {
-    /// Zero when satisfied.
+    /// Residual, zero if the equation is satisfied.
     pub residual: ExprId,
-    /// The row of the vector form that it was before anything was put in.
+    /// Row of the vector form before substitution.
     pub row: usize,
-    /// What it is measured in.
+    /// Quantity of the residual.
     pub quantity: Quantity,
 }
 
-/// A block after elimination.
+/// Block after elimination.
 #[derive(Clone, Debug)]
 pub(super) struct Eliminated {
-    /// In the order in which they can be computed, once the tears are known.
+    /// Assignments in the order of evaluation, from the tearing variables.
     pub definitions: Vec<Definition>,
-    /// The equations that are left.
+    /// Equations that remain.
     pub residuals: Vec<BlockEquation>,
-    /// The unknowns that are left.
+    /// Tearing variables, the unknowns that remain.
     pub tears: Vec<usize>,
 }
 
 /// Eliminates all unknowns that can be.
 ///
-/// As by hand, an equation with only one such unknown left defines it, so that positions follow from one another along the
-/// links. Only where a loop has no beginning the first unknown is taken from the first equation that mentions it.
+/// As by hand, an equation that has only one such unknown defines it, so that positions follow from one another along the links.
+/// Only in a closed loop is the first unknown taken from the first equation that mentions it.
 pub(super) fn eliminate(
     residuals: Vec<BlockEquation>,
     unknowns: &[usize],
@@ -69,7 +70,7 @@ pub(super) fn eliminate(
         let alone = open.first_alone();
         let first = || Some((open.first_with(earliest)?, earliest));
         let Some((at, unknown)) = alone.or_else(first) else {
-            // Its equations have defined others: it is a tear after all.
+            // All equations of the unknown define others: the unknown is a tearing variable after all.
             stuck.push(earliest);
             eliminable.remove(&earliest);
             open.mentioning.remove(&earliest);
@@ -81,8 +82,8 @@ pub(super) fn eliminate(
         };
         let value = solve_linear(row.reduced, symbol, graph);
         if alone.is_some() {
-            // The equation as written names unknowns that are defined by now, so it stays short; but not where it leads, by what was
-            // taken out of a loop, to an unknown that is not: that one may be defined by this one.
+            // The equation as written names defined unknowns, so its solution is short. It must not lead through an unknown of an
+            // opened loop to an undefined one, which may depend on this definition.
             let mut short = value;
             if graph.depends_on(row.written, symbol) {
                 let written = solve_linear(row.written, symbol, graph);
@@ -106,7 +107,7 @@ pub(super) fn eliminate(
         eliminable.remove(&unknown);
         open.put_in(unknown, value, form, graph);
     }
-    // What was taken out of a loop mentions unknowns that were defined after it.
+    // Unknowns of opened loops mention unknowns that were defined after them.
     backward.reverse();
     let definitions = in_order([forward, backward].concat(), form, graph);
     let mut tears = [tears, stuck].concat();
@@ -125,7 +126,7 @@ pub(super) fn eliminate(
     }
 }
 
-/// An equation as it was written, and with the definitions so far put in.
+/// Equation as written, and with all definitions so far substituted.
 #[derive(Clone, Copy, Debug)]
 struct ReducedEquation {
     written: ExprId,
@@ -134,15 +135,15 @@ struct ReducedEquation {
     quantity: Quantity,
 }
 
-/// The equations that define nothing yet, and which of them mention which unknown that is to be eliminated.
+/// Equations that define nothing yet, with the unknowns to be eliminated that they mention.
 struct OpenEquations {
-    /// In their order; nothing where one has been taken.
+    /// Equations in their order; `None` if an equation has been taken.
     rows: Vec<Option<ReducedEquation>>,
-    /// The unknowns that each mentions.
+    /// Unknowns that each equation mentions.
     mentioned: Vec<BTreeSet<usize>>,
-    /// The equations that mention each unknown.
+    /// Equations that mention each unknown.
     mentioning: BTreeMap<usize, BTreeSet<usize>>,
-    /// The equations that mention one only.
+    /// Equations that mention a single unknown.
     alone: BTreeSet<usize>,
 }
 
@@ -165,43 +166,43 @@ impl OpenEquations {
         open
     }
 
-    /// Notes what an equation mentions by now.
+    /// Records the unknowns that an equation mentions now.
     fn note(&mut self, at: usize, form: &VectorForm, graph: &Graph) {
         let Some(row) = self.rows[at] else { return };
         let symbols = graph.symbols(row.reduced).iter();
         let unknowns = symbols.filter_map(|&symbol| form.place_of_unknown(symbol));
-        let own: BTreeSet<usize> = unknowns
+        let mentioned: BTreeSet<usize> = unknowns
             .filter(|unknown| self.mentioning.contains_key(unknown))
             .collect();
-        for gone in self.mentioned[at].difference(&own) {
+        for gone in self.mentioned[at].difference(&mentioned) {
             if let Some(rows) = self.mentioning.get_mut(gone) {
                 rows.remove(&at);
             }
         }
-        for new in own.difference(&self.mentioned[at]) {
+        for new in mentioned.difference(&self.mentioned[at]) {
             if let Some(rows) = self.mentioning.get_mut(new) {
                 rows.insert(at);
             }
         }
-        self.mentioned[at] = own;
+        self.mentioned[at] = mentioned;
         match self.mentioned[at].len() {
             1 => self.alone.insert(at),
             _ => self.alone.remove(&at),
         };
     }
 
-    /// The first equation that mentions one unknown only, and that.
+    /// Returns the first equation that mentions a single unknown, and this unknown.
     fn first_alone(&self) -> Option<(usize, usize)> {
         let at = *self.alone.first()?;
         Some((at, *self.mentioned[at].first()?))
     }
 
-    /// The first equation that mentions an unknown.
+    /// Returns the first equation that mentions an unknown.
     fn first_with(&self, unknown: usize) -> Option<usize> {
         self.mentioning.get(&unknown)?.first().copied()
     }
 
-    /// Takes out an equation.
+    /// Removes an equation.
     fn take(&mut self, at: usize) -> Option<ReducedEquation> {
         for unknown in std::mem::take(&mut self.mentioned[at]) {
             if let Some(rows) = self.mentioning.get_mut(&unknown) {
@@ -212,7 +213,7 @@ impl OpenEquations {
         self.rows[at].take()
     }
 
-    /// Puts the value of an unknown into the equations that mention it.
+    /// Substitutes the value of an unknown in the equations that mention it.
     fn put_in(&mut self, unknown: usize, value: ExprId, form: &VectorForm, graph: &mut Graph) {
         let symbol = form.unknowns[unknown].position;
         for at in self.mentioning.remove(&unknown).unwrap_or_default() {
@@ -225,7 +226,7 @@ impl OpenEquations {
     }
 }
 
-/// Whether a value mentions one of these unknowns, itself or through these definitions.
+/// True if a value mentions one of these unknowns, directly or through these definitions.
 fn leads_to(
     value: ExprId,
     unknowns: &BTreeSet<usize>,
@@ -251,7 +252,7 @@ fn leads_to(
     false
 }
 
-/// The unknowns that are multiplied by a number wherever they occur and turn nothing, and the others.
+/// Splits unknowns into those with a number as coefficient everywhere that rotate nothing, and the others.
 fn partitioned(
     unknowns: &[usize],
     residuals: &[BlockEquation],
@@ -285,14 +286,14 @@ fn partitioned(
     (eliminable.into_iter().collect(), tears)
 }
 
-/// All definitions such that each mentions only those before it; of those that could be next, the first.
+/// Sorts definitions so that each mentions only earlier ones; ties keep the given order.
 pub(super) fn in_order(all: Vec<Definition>, form: &VectorForm, graph: &Graph) -> Vec<Definition> {
     let place_of: BTreeMap<usize, usize> = all
         .iter()
         .enumerate()
         .map(|(at, it)| (it.unknown, at))
         .collect();
-    // How many each waits for, and who waits for it.
+    // Counts of missing definitions, and the definitions that wait for each.
     let (mut missing, mut waiting) = (vec![0; all.len()], vec![Vec::new(); all.len()]);
     for (at, definition) in all.iter().enumerate() {
         let symbols = graph.symbols(definition.value).iter();
@@ -305,7 +306,7 @@ pub(super) fn in_order(all: Vec<Definition>, form: &VectorForm, graph: &Graph) -
     let mut left: BTreeSet<usize> = (0..all.len()).collect();
     let mut ready: BTreeSet<usize> = (0..all.len()).filter(|&at| missing[at] == 0).collect();
     let mut ordered = Vec::with_capacity(all.len());
-    // Definitions were solved one after another, so they never wait for one another in a circle.
+    // Definitions were solved one after another, so they do not form a cycle.
     while let Some(next) = ready.pop_first().or_else(|| left.first().copied()) {
         left.remove(&next);
         ordered.push(all[next]);
@@ -319,7 +320,7 @@ pub(super) fn in_order(all: Vec<Definition>, form: &VectorForm, graph: &Graph) -
     ordered
 }
 
-/// The value of a symbol that occurs linearly in residual = 0.
+/// Returns the value of a symbol that occurs linearly in residual = 0.
 fn solve_linear(residual: ExprId, symbol: crate::expr::SymbolId, graph: &mut Graph) -> ExprId {
     let slope = graph.derivative(residual, symbol);
     let zero = graph.zero();

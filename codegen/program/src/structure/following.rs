@@ -1,9 +1,10 @@
-//! Angles that follow another angle of their block → that angle alone.
+//! Eliminates angles that follow another angle of their block.
 //!
-//! Where an equation of a block says φ_j = ±φ_i + g with a known g, a function of time or of what is solved before, the vectors
-//! that φ_j turns are those that φ_i turns, turned on by g: R(φ_j) s = R(g) R(φ_i) s, and mirrored where the sign is minus. So the
-//! equation defines φ_j, and the others do not mention it any more. Deliberately not done: φ_j = 2 φ_i, whose sine and cosine are
-//! no longer linear in those of φ_i.
+//! Let an equation say φ_j = ±φ_i + g, where g depends only on time or on earlier results. The vectors of φ_j are those of φ_i
+//! rotated by g, R(φ_j) s = R(g) R(φ_i) s, and mirrored if the sign is minus. So the equation defines φ_j, and the other
+//! equations do not mention φ_j any more.
+//!
+//! Relations such as φ_j = 2 φ_i are excluded: sine and cosine of φ_j are not linear in those of φ_i.
 
 use super::elimination::{BlockEquation, Definition};
 use crate::expr::{ExprId, Graph, Node};
@@ -11,18 +12,18 @@ use crate::joint::Quantity;
 use crate::joint::geometry::turned;
 use crate::system::VectorForm;
 
-/// A block after the angles that follow others are defined.
+/// Block after elimination of angles that follow others.
 #[derive(Clone, Debug)]
 pub(super) struct Followed {
-    /// The angles that follow, in terms of the unknowns that are left.
+    /// Assignments of these angles in terms of the remaining unknowns.
     pub definitions: Vec<Definition>,
-    /// The equations that are left.
+    /// Equations that remain.
     pub residuals: Vec<BlockEquation>,
-    /// The unknowns that are left.
+    /// Unknowns that remain.
     pub unknowns: Vec<usize>,
 }
 
-/// φ_follower = ±φ_leader + g.
+/// Relation φ_follower = ±φ_leader + g.
 #[derive(Clone, Copy, Debug)]
 struct Relation {
     leader: usize,
@@ -31,7 +32,7 @@ struct Relation {
     offset: ExprId,
 }
 
-/// Takes all angles out of a block that follow another one of it.
+/// Eliminates all angles of a block that follow another angle of the block.
 pub(super) fn follow(
     mut residuals: Vec<BlockEquation>,
     unknowns: &[usize],
@@ -41,13 +42,13 @@ pub(super) fn follow(
     let mut unknowns = unknowns.to_vec();
     let mut definitions = Vec::new();
     loop {
-        let found = (0..residuals.len()).find_map(|at| {
+        let candidate = (0..residuals.len()).find_map(|at| {
             Some((
                 at,
                 relation(residuals[at].residual, &unknowns, form, graph)?,
             ))
         });
-        let Some((at, relation)) = found else {
+        let Some((at, relation)) = candidate else {
             break;
         };
         let row = residuals.remove(at).row;
@@ -93,7 +94,7 @@ pub(super) fn follow(
             row,
         });
     }
-    // What was defined first may follow what was defined after it.
+    // An assignment may follow an angle that was eliminated later.
     definitions.reverse();
     Followed {
         definitions,
@@ -102,7 +103,7 @@ pub(super) fn follow(
     }
 }
 
-/// The relation that an equation states between two angles of a block, where it states nothing else.
+/// Returns the relation that an equation states between two angles of a block; `None` if the equation states anything else.
 fn relation(
     residual: ExprId,
     unknowns: &[usize],

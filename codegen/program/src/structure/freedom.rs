@@ -1,27 +1,27 @@
-//! A system → its degrees of freedom as the exam counts them, and what moves in words.
+//! Counts degrees of freedom, and describes the motion that remains.
 
 use super::rank::{FreeMotion, Moves, Survey, singular};
 use super::{Incidence, coarse_decomposition, maximum_matching};
 use crate::model::Role;
 use crate::system::System;
 
-/// A direction is called that of an axis where its other component is smaller.
+/// Largest second component of a unit vector that is named as an axis.
 const ON_AXIS: f64 = 1e-6;
 
-/// The degrees of freedom of a mechanism.
+/// Degrees of freedom of a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Freedom {
-    /// KDOF: the coordinates less the independent equations of joints.
+    /// KDOF: the number of coordinates less that of independent joint equations.
     pub kinematic: usize,
-    /// NDOF: what the drivers leave of it.
+    /// NDOF: KDOF less the number of independent driver equations.
     pub net: usize,
-    /// How many equations repeat others.
+    /// Number of equations that repeat others.
     pub redundant: usize,
 }
 
 impl Freedom {
-    /// Counted at poses near the drawing in which the equations hold. By the number of equations alone where no such poses are
-    /// found, or where there are too many coordinates to look at all of them at once.
+    /// Counts degrees of freedom at poses near the design configuration in which the equations hold. Counts equations only if
+    /// such poses do not exist, or if there are too many coordinates for a numerical rank.
     pub fn of(system: &System) -> Freedom {
         let incidence = Incidence::of(system);
         let matching = maximum_matching(&incidence);
@@ -52,7 +52,7 @@ impl Freedom {
 }
 
 impl FreeMotion {
-    /// A sentence without a full stop: "`c6` can still turn about `D`, and `c7` moves with it".
+    /// Describes the motion in a sentence without a full stop: "`c6` can still turn about `D`, and `c7` moves with it".
     pub fn sentence(&self, system: &System) -> String {
         let name = |body: usize| format!("`{}`", system.mechanism.bodies[body].name);
         let Some(leader) = self.leader else {
@@ -81,10 +81,15 @@ impl FreeMotion {
             }
             Moves::Contact(_) => "move along its curve".to_string(),
         };
-        const SHOWN: usize = 6;
-        let more = self.others.len().saturating_sub(SHOWN);
-        let shown: Vec<String> = self.others.iter().take(SHOWN).map(|&it| name(it)).collect();
-        match (shown.as_slice(), more) {
+        const MAX_LISTED: usize = 6;
+        let more = self.others.len().saturating_sub(MAX_LISTED);
+        let listed: Vec<String> = self
+            .others
+            .iter()
+            .take(MAX_LISTED)
+            .map(|&it| name(it))
+            .collect();
+        match (listed.as_slice(), more) {
             ([], _) => format!("{leader} can still {moves}"),
             ([only], _) => format!("{leader} can still {moves}, and {only} moves with it"),
             (several, 0) => {

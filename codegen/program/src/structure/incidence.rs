@@ -1,18 +1,18 @@
-//! Which equation mentions which unknown.
+//! Records the unknowns that each equation mentions.
 
 use crate::system::System;
 
-/// The pattern of a matrix: for every row its columns, ascending.
+/// Sparsity pattern of a matrix: the columns of every row, ascending.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Incidence {
-    /// The columns of each row.
+    /// Columns of each row.
     pub rows: Vec<Vec<usize>>,
-    /// How many columns there are.
+    /// Number of columns.
     pub columns: usize,
 }
 
 impl Incidence {
-    /// The pattern of Φ_q.
+    /// Returns the pattern of Φ_q.
     pub fn of(system: &System) -> Incidence {
         let pattern =
             |row: &crate::system::Row| row.jacobian.iter().map(|entry| entry.coordinate).collect();
@@ -22,7 +22,7 @@ impl Incidence {
         }
     }
 
-    /// The rows of each column, ascending.
+    /// Returns the rows of each column, ascending.
     pub fn transposed(&self) -> Vec<Vec<usize>> {
         let mut columns = vec![Vec::new(); self.columns];
         for (row, pattern) in self.rows.iter().enumerate() {

@@ -1,29 +1,29 @@
-//! A maximum matching of equations and unknowns.
+//! Finds a maximum matching of equations and unknowns.
 //!
 //! Hopcroft and Karp, An n^{5/2} algorithm for maximum matchings in bipartite graphs, SIAM J. Comput. 2 (1973). Ties are broken
-//! by written order: an earlier row and an earlier column go first.
+//! by written order: earlier rows and columns come first.
 
 use std::collections::VecDeque;
 
 use super::Incidence;
 
-/// Pairs of a row and a column, no row and no column in two pairs.
+/// Pairs of a row and a column; each row and each column is in at most one pair.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Matching {
-    /// The column of each row.
+    /// Column of each row; `None` if the row is unmatched.
     pub column_of: Vec<Option<usize>>,
-    /// The row of each column.
+    /// Row of each column; `None` if the column is unmatched.
     pub row_of: Vec<Option<usize>>,
 }
 
-/// The matching with the most pairs.
+/// Returns a matching with the most pairs.
 pub fn maximum_matching(incidence: &Incidence) -> Matching {
     let row_count = incidence.rows.len();
     let mut matching = Matching {
         column_of: vec![None; row_count],
         row_of: vec![None; incidence.columns],
     };
-    // Most rows find a free column at once; the phases below repair the rest.
+    // Most rows find a free column at once; the phases below repair the others.
     for (row, pattern) in incidence.rows.iter().enumerate() {
         if let Some(&column) = pattern
             .iter()
@@ -54,7 +54,7 @@ impl Matching {
     }
 }
 
-/// The length of the shortest alternating path from a free row to each row.
+/// Returns the length of the shortest alternating path from a free row to each row.
 fn layers(incidence: &Incidence, matching: &Matching) -> Vec<Option<usize>> {
     let mut layers = vec![None; incidence.rows.len()];
     let mut queue = VecDeque::new();
@@ -77,8 +77,8 @@ fn layers(incidence: &Incidence, matching: &Matching) -> Vec<Option<usize>> {
     layers
 }
 
-/// Finds a path that ends in a free column and descends one layer a step, and flips it. The walk keeps its own stack: paths
-/// are as long as a chain has bodies.
+/// Finds a path that descends one layer per step to a free column, and flips the path. The stack is explicit, as paths are as
+/// long as a chain has bodies.
 fn augment(
     start: usize,
     incidence: &Incidence,
@@ -95,7 +95,7 @@ fn augment(
         next_edge[row] += 1;
         match matching.row_of[column] {
             None => {
-                // Each row of the path takes the column that it was left by; its old column goes to the row before it.
+                // Each row of the path takes the column of its step; its old column goes to the previous row.
                 let mut column = column;
                 for &row in path.iter().rev() {
                     let old = matching.column_of[row];
@@ -152,7 +152,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_matched_stays_free() {
+    fn unmatched_columns_stay_free() {
         assert_eq!(matched(&[&[0], &[0]], 2), [Some(0), None]);
         assert_eq!(matched(&[&[], &[1]], 2), [None, Some(1)]);
     }

@@ -1,8 +1,7 @@
-//! System → SolvedPlan.
+//! Orders a system into blocks and plans their solution.
 //!
-//! Afterwards every coordinate is solved for exactly once and every equation is used exactly once. A system that is not square
-//! in every part stops here, with the bodies and joints concerned. The algorithms see integers only: which equation mentions
-//! which unknown.
+//! Every coordinate is solved for exactly once, and every equation is used exactly once. A system with a subsystem that is not
+//! square is rejected; findings name its bodies and joints. Structural algorithms use only the sparsity pattern.
 
 mod components;
 mod diagnose;
@@ -30,21 +29,21 @@ pub use shortening::Addition;
 use crate::diagnostic::Diagnostics;
 use crate::system::System;
 
-/// Whether the equations determine the motion; what is missing, too much, or repeated is otherwise in `diagnostics`.
+/// True if the equations determine the motion; otherwise `diagnostics` has the missing, surplus or repeated equations.
 pub fn analyze(system: &System, diagnostics: &mut Diagnostics) -> bool {
     let incidence = Incidence::of(system);
     let matching = maximum_matching(&incidence);
     let parts = coarse_decomposition(&incidence, &matching);
-    let mut found = Diagnostics::new();
-    repetition::report_marks(system, &mut found);
+    let mut findings = Diagnostics::new();
+    repetition::report_marks(system, &mut findings);
     if !parts.is_square() {
-        diagnose::report(system, &parts, &mut found);
-    } else if !found.has_errors()
+        diagnose::report(system, &parts, &mut findings);
+    } else if !findings.has_errors()
         && let Some(singular) = rank::singular(system, &incidence, &matching)
     {
-        repetition::report(system, &singular, &mut found);
+        repetition::report(system, &singular, &mut findings);
     }
-    let is_determined = !found.has_errors();
-    diagnostics.extend(found);
+    let is_determined = !findings.has_errors();
+    diagnostics.extend(findings);
     is_determined
 }

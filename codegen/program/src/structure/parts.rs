@@ -1,32 +1,32 @@
-//! The over-determined, square and under-determined parts of a system.
+//! Decomposes a system into its over-determined, square and under-determined parts.
 //!
-//! Dulmage and Mendelsohn, Coverings of bipartite graphs, Canad. J. Math. 10 (1958): rows that alternating paths reach from a
-//! free row have too few unknowns; columns that they reach from a free column have too few equations. Which row of a part
-//! stays free is a matter of the matching; the parts themselves are not.
+//! Dulmage and Mendelsohn, Coverings of bipartite graphs, Canad. J. Math. 10 (1958): alternating paths from an unmatched row
+//! reach rows with too few unknowns. Paths from an unmatched column reach columns with too few equations. The choice of the
+//! unmatched row depends on the matching, the parts do not.
 
 use super::{Incidence, Matching};
 
-/// The coarse decomposition.
+/// Coarse decomposition of Dulmage and Mendelsohn.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CoarseDecomposition {
-    /// Rows that belong to no pair, ascending: as many equations are too many.
+    /// Unmatched rows, ascending: one per surplus equation.
     pub free_rows: Vec<usize>,
-    /// Columns that belong to no pair, ascending: as many degrees of freedom are left.
+    /// Unmatched columns, ascending: one per remaining degree of freedom.
     pub free_columns: Vec<usize>,
-    /// The rows of the over-determined part, ascending.
+    /// Rows of the over-determined part, ascending.
     pub over_rows: Vec<usize>,
-    /// The columns of the under-determined part, ascending.
+    /// Columns of the under-determined part, ascending.
     pub under_columns: Vec<usize>,
 }
 
 impl CoarseDecomposition {
-    /// Whether every row and every column has its pair.
+    /// True if every row and every column is matched.
     pub fn is_square(&self) -> bool {
         self.free_rows.is_empty() && self.free_columns.is_empty()
     }
 }
 
-/// The parts that a maximum matching shows.
+/// Returns the parts that follow from a maximum matching.
 pub fn coarse_decomposition(incidence: &Incidence, matching: &Matching) -> CoarseDecomposition {
     let free = |pairs: &[Option<usize>]| -> Vec<usize> {
         (0..pairs.len()).filter(|&at| pairs[at].is_none()).collect()
@@ -42,7 +42,7 @@ pub fn coarse_decomposition(incidence: &Incidence, matching: &Matching) -> Coars
     }
 }
 
-/// What alternating paths reach from `starts` on its own side: along any edge to the other side, back along its pair.
+/// Returns the vertices that alternating paths from `starts` reach on their side: along any edge, and back along a pair.
 fn reached(starts: &[usize], edges: &[Vec<usize>], pair_of_other: &[Option<usize>]) -> Vec<usize> {
     let mut seen = vec![false; edges.len()];
     let mut stack = starts.to_vec();
@@ -83,10 +83,10 @@ mod tests {
     #[test]
     fn one_part_can_be_over_and_another_underdetermined() {
         // Rows 0 and 1 share column 0; column 2 and 3 share row 2.
-        let found = parts(&[&[0], &[0], &[2, 3], &[1]], 4);
-        assert_eq!(found.free_rows, [1]);
-        assert_eq!(found.over_rows, [0, 1]);
-        assert_eq!(found.free_columns, [3]);
-        assert_eq!(found.under_columns, [2, 3]);
+        let decomposition = parts(&[&[0], &[0], &[2, 3], &[1]], 4);
+        assert_eq!(decomposition.free_rows, [1]);
+        assert_eq!(decomposition.over_rows, [0, 1]);
+        assert_eq!(decomposition.free_columns, [3]);
+        assert_eq!(decomposition.under_columns, [2, 3]);
     }
 }

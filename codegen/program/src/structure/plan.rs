@@ -1,6 +1,4 @@
-//! The vector form → blocks in solve order, each with the part that its tears are found from.
-//!
-//! Deliberately unknown here: how a part is solved.
+//! Orders the vector form into blocks in solve order, each with the subsystem of its tearing variables.
 
 use std::collections::{BTreeSet, HashMap};
 
@@ -11,48 +9,49 @@ use super::{Incidence, components, maximum_matching};
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::system::{Bound, Exceeded, System, VectorForm};
 
-/// The most unknowns that Newton-Raphson finds together: their dense Jacobian has a million entries.
+/// Largest number of unknowns that Newton-Raphson solves simultaneously: their dense Jacobian has a million entries.
 pub const LARGEST_TOGETHER: usize = 1000;
 
-/// How the unknowns are found, block by block.
+/// Plan of the solution, block by block.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SolvedPlan {
-    /// In solve order.
+    /// Blocks, in solve order.
     pub blocks: Vec<SolvedBlock>,
-    /// What was added to the equations of parts, in order.
+    /// Equations that were added to others, in order.
     pub additions: Vec<Addition>,
 }
 
-/// Unknowns that have to be found together.
+/// Unknowns that are solved simultaneously.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SolvedBlock {
-    /// The joints whose equations it uses, in written order.
+    /// Joints whose equations the block uses, in written order.
     pub joints: Vec<usize>,
-    /// What the tears are found from: one part, or none where everything is explicit.
+    /// Subsystem of the tearing variables: one, or none if all unknowns are explicit.
     pub parts: Vec<Subsystem>,
-    /// What follows from the tears, in the order in which it can be computed.
+    /// Explicit assignments from the tearing variables, in the order of evaluation.
     pub definitions: Vec<Definition>,
 }
 
-/// Equations of a block that cannot be taken apart any further, and as many unknowns. Everything else in them is known before.
+/// Irreducible equations of a block and as many unknowns; all other values in them are known earlier.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Subsystem {
-    /// The equations.
+    /// Equations of the subsystem.
     pub equations: Vec<BlockEquation>,
-    /// The tears: indices into the unknowns of the vector form, ascending.
+    /// Tearing variables: indices into the unknowns of the vector form, ascending.
     pub unknowns: Vec<usize>,
-    /// Whether some equation has lost its unknown by elimination, so that the part is singular in every pose.
+    /// True if elimination has removed all unknowns from an equation, so that the subsystem is singular in every pose.
     pub is_singular: bool,
 }
 
-/// The plan of the solved view, with the values of the drivers shifted where the system has directions. `None` where the
-/// vector form is not structurally square, and where a bound is passed: [`System::exceeded`] says which, and with which joint.
+/// Plans the solved formulation, with shifted driver values if the system has directions. `None` if the vector form is not
+/// structurally square, or if a limit is exceeded: [`System::exceeded`] then has the limit and the joint.
 pub fn plan(system: &mut System) -> Option<SolvedPlan> {
     system.shift_drivers();
     plan_of_motion(system)
 }
 
-/// The same for the motion alone, as a person writes it down; efforts are the work along the values of drivers, which are shifted for them.
+/// Plans the solution of the motion alone, as by hand. Efforts are derived from work along driver values, which are shifted for
+/// them.
 pub fn plan_of_motion(system: &mut System) -> Option<SolvedPlan> {
     if system.mechanism.forces.need_efforts() {
         system.shift_drivers();
@@ -69,7 +68,7 @@ pub fn plan_of_motion(system: &mut System) -> Option<SolvedPlan> {
     {
         return None;
     }
-    // The first block holds what follows from t, inputs, parameters and constants alone.
+    // The first block has assignments from t, inputs, parameters and constants alone.
     let mut blocks = vec![SolvedBlock {
         joints: Vec::new(),
         parts: Vec::new(),
@@ -77,7 +76,7 @@ pub fn plan_of_motion(system: &mut System) -> Option<SolvedPlan> {
     }];
     let mut additions = Vec::new();
     let mut home = vec![0; form.unknowns.len()];
-    // Unknowns that turned out not to move, which later equations need not carry along.
+    // Unknowns that turned out to be constant; later equations need not mention them.
     let mut constants: HashMap<SymbolId, ExprId> = HashMap::new();
     for rows in components(&incidence, &matching) {
         let mut unknowns: Vec<usize> = rows
@@ -113,7 +112,7 @@ pub fn plan_of_motion(system: &mut System) -> Option<SolvedPlan> {
                 constants.insert(form.unknowns[definition.unknown].position, definition.value);
             }
         }
-        // What follows without a step belongs to the block that it follows from, as a person would write it down.
+        // Explicit assignments belong to the block that they depend on, as by hand.
         let place = if block.parts.is_empty() {
             let place = latest.unwrap_or(0);
             blocks[place].joints.append(&mut block.joints);
@@ -138,7 +137,8 @@ pub fn plan_of_motion(system: &mut System) -> Option<SolvedPlan> {
     Some(SolvedPlan { blocks, additions })
 }
 
-/// Each part as a block of its own: what is found in it is known with its rates to those after it. What follows belongs to the last.
+/// Makes each subsystem a block of its own, so that its results and rates are known to later ones. Assignments belong to the last
+/// block.
 fn taken_apart(mut block: SolvedBlock, form: &VectorForm) -> Vec<SolvedBlock> {
     let Some(last) = block.parts.pop() else {
         return vec![block];
@@ -153,19 +153,19 @@ fn taken_apart(mut block: SolvedBlock, form: &VectorForm) -> Vec<SolvedBlock> {
         definitions: Vec::new(),
     });
     let mut blocks: Vec<SolvedBlock> = earlier.collect();
-    let mut own = joints_of(&last);
+    let mut joints = joints_of(&last);
     let definitions = block.definitions.iter();
-    own.extend(definitions.map(|it| form.rows[it.row].joint));
+    joints.extend(definitions.map(|it| form.rows[it.row].joint));
     let elsewhere: BTreeSet<usize> = blocks.iter().flat_map(|it| &it.joints).copied().collect();
     block
         .joints
-        .retain(|it| own.contains(it) || !elsewhere.contains(it));
+        .retain(|it| joints.contains(it) || !elsewhere.contains(it));
     block.parts.push(last);
     blocks.push(block);
     blocks
 }
 
-/// The bound that a block passes.
+/// Returns the limit that a block exceeds, if any.
 fn passed(block: &SolvedBlock, graph: &Graph) -> Option<Bound> {
     let sizes = block.parts.iter().map(|part| part.unknowns.len());
     let largest = sizes.max().filter(|&size| size > LARGEST_TOGETHER);
@@ -173,25 +173,25 @@ fn passed(block: &SolvedBlock, graph: &Graph) -> Option<Bound> {
     of_graph.or(largest.map(Bound::Together))
 }
 
-/// An equation with the unknowns that do not move put in.
+/// Returns an equation with constant unknowns substituted.
 fn with_constants(
     residual: ExprId,
     constants: &HashMap<SymbolId, ExprId>,
     graph: &mut Graph,
 ) -> ExprId {
-    let found: Vec<(SymbolId, ExprId)> = graph
+    let constant_symbols: Vec<(SymbolId, ExprId)> = graph
         .symbols(residual)
         .iter()
         .filter_map(|symbol| Some((*symbol, *constants.get(symbol)?)))
         .collect();
-    if found.is_empty() {
+    if constant_symbols.is_empty() {
         residual
     } else {
-        graph.substitute(residual, &found)
+        graph.substitute(residual, &constant_symbols)
     }
 }
 
-/// Which row mentions which unknown, through arms or directly.
+/// Returns the incidence of rows and unknowns, directly or through rotated vectors.
 fn incidence(form: &VectorForm, graph: &Graph) -> Incidence {
     let rows = form.rows.iter();
     Incidence {
@@ -202,7 +202,7 @@ fn incidence(form: &VectorForm, graph: &Graph) -> Incidence {
     }
 }
 
-/// Eliminates what can be, shortens what is left, and takes it apart once more.
+/// Eliminates unknowns, shortens the remaining equations, and decomposes them again.
 fn block(
     residuals: Vec<BlockEquation>,
     unknowns: &[usize],
@@ -235,15 +235,15 @@ fn block(
         });
     } else {
         for rows in components(&incidence, &matching) {
-            let mut found: Vec<usize> = rows
+            let mut part_unknowns: Vec<usize> = rows
                 .iter()
                 .filter_map(|&row| matching.column_of[row])
                 .map(|column| tears[column])
                 .collect();
-            found.sort_unstable();
+            part_unknowns.sort_unstable();
             parts.push(Subsystem {
                 equations: rows.iter().map(|&row| residuals[row]).collect(),
-                unknowns: found,
+                unknowns: part_unknowns,
                 is_singular: false,
             });
         }
@@ -251,7 +251,7 @@ fn block(
     let block = SolvedBlock {
         joints,
         parts,
-        // What an angle follows may have been eliminated itself.
+        // The leader of an angle may have been eliminated itself.
         definitions: in_order(
             [followed.definitions, eliminated.definitions].concat(),
             form,

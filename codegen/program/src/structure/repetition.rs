@@ -1,6 +1,6 @@
-//! Equations that repeat one another → messages that name the joints and say what to change.
+//! Reports equations that repeat one another, with the joints and a remedy.
 
-use super::diagnose::{SHOWN, balance, count};
+use super::diagnose::{MAX_LISTED, balance, count};
 use super::rank::{self, Dependence, Singular, Survey};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
 use crate::joint::Quantity;
@@ -8,7 +8,7 @@ use crate::model::{Joint, Role};
 use crate::system::{Row, System};
 use crate::units::OutputUnits;
 
-/// What is wrong with joints marked `redundant`: those that repeat nothing, those that fit nothing.
+/// Reports joints marked `redundant` that repeat nothing or contradict others.
 pub(super) fn report_marks(system: &System, diagnostics: &mut Diagnostics) {
     let joints = &system.mechanism.joints;
     if let Some((line, user)) = rank::shared_line(system) {
@@ -80,7 +80,7 @@ pub(super) fn report_marks(system: &System, diagnostics: &mut Diagnostics) {
     }
 }
 
-/// A residual with its unit.
+/// Returns a residual with its unit.
 fn size(value: f64, row: &Row, units: &OutputUnits) -> String {
     let unit = units.of(&match row.quantity {
         Quantity::Length => "m".to_string(),
@@ -92,7 +92,7 @@ fn size(value: f64, row: &Row, units: &OutputUnits) -> String {
     text.trim_end().to_string()
 }
 
-/// What is wrong with a structurally square system whose equations repeat one another.
+/// Reports a structurally square system whose equations repeat one another.
 pub(super) fn report(system: &System, singular: &Singular, diagnostics: &mut Diagnostics) {
     match singular {
         Singular::Repeating(rows) => repeating(system, rows, diagnostics),
@@ -113,7 +113,7 @@ pub(super) fn report(system: &System, singular: &Singular, diagnostics: &mut Dia
 fn repeating(system: &System, rows: &[usize], diagnostics: &mut Diagnostics) {
     let survey = Survey::of(system).filter(|survey| !survey.dependences.is_empty());
     let Some(survey) = survey else {
-        // Too large to say which: the block is named.
+        // The block is too large for a numerical rank, so the message names the block.
         let first = &system.mechanism.joints[system.rows[rows[0]].joint];
         let mut diagnostic = Diagnostic::error(
             Code::DependentEquations,
@@ -138,12 +138,12 @@ fn repeating(system: &System, rows: &[usize], diagnostics: &mut Diagnostics) {
         .collect();
     of_joints.dedup();
     for (at, joint) in of_joints.into_iter().enumerate() {
-        let own: Vec<&Dependence> = survey
+        let of_block: Vec<&Dependence> = survey
             .dependences
             .iter()
             .filter(|found| system.row(found.row).joint == joint)
             .collect();
-        let mut diagnostic = dependent(system, joint, &own);
+        let mut diagnostic = dependent(system, joint, &of_block);
         if at == 0 {
             diagnostic = with_freedom(diagnostic, system, &survey);
         }
@@ -151,9 +151,9 @@ fn repeating(system: &System, rows: &[usize], diagnostics: &mut Diagnostics) {
     }
 }
 
-/// The joint whose equations follow from others.
+/// Reports a joint whose equations follow from others.
 fn dependent(system: &System, joint: usize, dependences: &[&Dependence]) -> Diagnostic {
-    let own = &system.mechanism.joints[joint];
+    let declared = &system.mechanism.joints[joint];
     let names: Vec<String> = dependences
         .iter()
         .map(|found| format!("`{}`", system.row(found.row).name))
@@ -170,8 +170,8 @@ fn dependent(system: &System, joint: usize, dependences: &[&Dependence]) -> Diag
     };
     let mut diagnostic = Diagnostic::error(
         Code::DependentEquations,
-        own.span,
-        format!("`{}` repeats what other joints say", own.label),
+        declared.span,
+        format!("`{}` repeats what other joints say", declared.label),
     )
     .label(format!(
         "its {equations} {} {follow} from the others in every pose",
@@ -181,22 +181,22 @@ fn dependent(system: &System, joint: usize, dependences: &[&Dependence]) -> Diag
         .iter()
         .flat_map(|found| found.repeats.iter().copied());
     let others = joints_of(system, repeated, Some(joint));
-    for &other in others.iter().take(SHOWN) {
+    for &other in others.iter().take(MAX_LISTED) {
         diagnostic = diagnostic.also(
             system.mechanism.joints[other].span,
             "without this it would say something",
         );
     }
-    if others.len() > SHOWN {
-        diagnostic = diagnostic.note(format!("and {} more take part", others.len() - SHOWN));
+    if others.len() > MAX_LISTED {
+        diagnostic = diagnostic.note(format!("and {} more take part", others.len() - MAX_LISTED));
     }
-    for help in advice(system, own, dependences) {
+    for help in advice(system, declared, dependences) {
         diagnostic = diagnostic.help(help);
     }
     diagnostic
 }
 
-/// What to change about a joint whose equations, or some of them, follow from others.
+/// Returns remedies for a joint some of whose equations follow from others.
 pub(super) fn advice(system: &System, joint: &Joint, dependences: &[&Dependence]) -> Vec<String> {
     if joint.role == Role::Driver {
         return vec!["remove the driver, or free what it moves".to_string()];
@@ -223,29 +223,29 @@ pub(super) fn advice(system: &System, joint: &Joint, dependences: &[&Dependence]
     }
 }
 
-/// Equations that repeat one another wherever the bodies are, but do not agree.
+/// Reports equations that repeat one another in every pose but contradict each other.
 fn contradicting(system: &System, dependence: &Dependence, misfit: f64) -> Diagnostic {
     let row = system.row(dependence.row);
-    let own = &system.mechanism.joints[row.joint];
+    let declared = &system.mechanism.joints[row.joint];
     let mut diagnostic = Diagnostic::error(
         Code::ContradictingEquations,
-        own.span,
+        declared.span,
         format!(
             "`{}` contradicts what other joints say by {}",
-            own.label,
+            declared.label,
             size(misfit, row, system.mechanism.units.of_messages())
         ),
     )
     .label(format!("`{}` cannot hold", row.name));
     let others = joints_of(system, dependence.repeats.iter().copied(), Some(row.joint));
-    for &other in others.iter().take(SHOWN) {
+    for &other in others.iter().take(MAX_LISTED) {
         let span = system.mechanism.joints[other].span;
         diagnostic = diagnostic.also(span, "says the same, but for the value");
     }
     diagnostic.help("remove one of these joints")
 }
 
-/// The joints of these rows in written order, but for one.
+/// Returns the joints of these rows in written order, except for one.
 fn joints_of(system: &System, rows: impl Iterator<Item = usize>, but: Option<usize>) -> Vec<usize> {
     let mut joints: Vec<usize> = rows.map(|row| system.row(row).joint).collect();
     joints.sort_unstable();
@@ -254,14 +254,14 @@ fn joints_of(system: &System, rows: impl Iterator<Item = usize>, but: Option<usi
     joints
 }
 
-/// Adds the degrees of freedom and what can still move.
+/// Adds the degrees of freedom and the free motions.
 pub(super) fn with_freedom(
     mut diagnostic: Diagnostic,
     system: &System,
     survey: &Survey,
 ) -> Diagnostic {
-    const MOST: usize = 8;
-    for motion in survey.motions.iter().take(MOST) {
+    const MAX_EXPLAINED: usize = 8;
+    for motion in survey.motions.iter().take(MAX_EXPLAINED) {
         diagnostic = diagnostic.note(motion.sentence(system));
     }
     let redundant = match survey.dependences.len() {

@@ -1,8 +1,8 @@
-//! The equations of a block → as many that say the same and mention fewer unknowns each.
+//! Replaces the equations of a block by equivalent ones that mention fewer unknowns.
 //!
-//! Positions follow from one another along the joints as they are written, and an equation remains for each loop that these leave. In
-//! another order than that of the links such a loop goes a long way round; the sum or the difference of two of them is then a short
-//! one. Deliberately unknown here: how equations are solved.
+//! Positions follow from one another along the joints in written order, and one equation remains for each loop. If the written
+//! order differs from that of the links, such a loop is longer than necessary. The sum or the difference of two loops is then
+//! short.
 
 use std::collections::BTreeSet;
 
@@ -10,42 +10,42 @@ use super::elimination::BlockEquation;
 use crate::expr::{ExprId, Graph};
 use crate::system::VectorForm;
 
-/// The fewest equations that are looked at. Of fewer no loop is long.
-const FEWEST: usize = 12;
+/// Smallest number of equations that are shortened; loops of fewer equations are short.
+const MIN_EQUATIONS: usize = 12;
 
-/// An equation that another one was added to.
+/// Addition of an equation to another one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Addition {
-    /// The row of the vector form whose equation has changed.
+    /// Row of the vector form whose equation has changed.
     pub to: usize,
-    /// The row whose equation was added, as it was then.
+    /// Row whose equation was added, in its state at that time.
     pub added: usize,
-    /// Whether it was subtracted instead.
+    /// True if the equation was subtracted instead.
     pub is_subtracted: bool,
 }
 
-/// Adds equations to one another, or subtracts them, as long as one mentions fewer unknowns then. Says in order what was done.
+/// Adds or subtracts equations while one of them then mentions fewer unknowns. Returns the additions in order.
 pub(super) fn shorten(
     equations: &mut [BlockEquation],
     form: &VectorForm,
     graph: &mut Graph,
 ) -> Vec<Addition> {
     let mut additions = Vec::new();
-    if equations.len() < FEWEST {
+    if equations.len() < MIN_EQUATIONS {
         return additions;
     }
     let mentioned = |residual: ExprId, graph: &Graph| -> BTreeSet<usize> {
         form.mentioned(residual, graph).into_iter().collect()
     };
-    let own = equations.iter().map(|it| mentioned(it.residual, graph));
-    let mut own: Vec<BTreeSet<usize>> = own.collect();
+    let unknowns_of = equations.iter().map(|it| mentioned(it.residual, graph));
+    let mut unknowns_of: Vec<BTreeSet<usize>> = unknowns_of.collect();
     let mut waiting: BTreeSet<usize> = (0..equations.len()).collect();
     while let Some(at) = waiting.pop_first() {
         for other in 0..equations.len() {
-            let shared = own[at].intersection(&own[other]).count();
+            let shared = unknowns_of[at].intersection(&unknowns_of[other]).count();
             let are_alike = equations[at].quantity == equations[other].quantity;
-            // What both mention is all that can vanish.
-            if other == at || !are_alike || 2 * shared <= own[other].len() {
+            // Only shared unknowns can cancel.
+            if other == at || !are_alike || 2 * shared <= unknowns_of[other].len() {
                 continue;
             }
             let [first, second] = [at, other].map(|it| equations[it].residual);
@@ -60,7 +60,7 @@ pub(super) fn shorten(
                 .into_iter()
                 .min_by_key(|(unknowns, ..)| unknowns.len());
             if let Some((unknowns, residual, is_subtracted)) = shortest
-                && unknowns.len() < own[at].len()
+                && unknowns.len() < unknowns_of[at].len()
             {
                 additions.push(Addition {
                     to: equations[at].row,
@@ -68,8 +68,8 @@ pub(super) fn shorten(
                     is_subtracted,
                 });
                 equations[at].residual = residual;
-                own[at] = unknowns;
-                // It may shorten others now, and be shortened again.
+                unknowns_of[at] = unknowns;
+                // The new equation may shorten others, and may become shorter itself.
                 waiting = (0..equations.len()).collect();
             }
         }

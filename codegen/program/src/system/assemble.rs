@@ -1,4 +1,4 @@
-//! The rows of every joint, and their derivatives.
+//! Assembles the rows of every joint and differentiates them.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -18,16 +18,16 @@ use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::{self, Quantity};
 use crate::model::{Body, Mechanism};
 
-/// States Φ row by row in written order and differentiates it.
+/// Assembles a mechanism's Φ row by row in written order, with its derivatives.
 pub fn assemble(mechanism: Mechanism) -> System {
     assemble_without(mechanism, &[])
 }
 
-/// The same with some of the rows monitored instead of solved: their places in the written order, ascending.
+/// Assembles a mechanism with some rows monitored instead of solved: their numbers in written order, ascending.
 pub fn assemble_without(mut mechanism: Mechanism, monitored_rows: &[usize]) -> System {
     let coordinates = coordinates(&mut mechanism);
     let explicit = mechanism.explicit_rates();
-    // The poses come first; then what only one joint has.
+    // Poses come first, then the unknowns of single joints.
     let of_bodies: Vec<Range<usize>> = mechanism.bodies.iter().map(Body::places).collect();
     let of_body = |body: usize| of_bodies[body].clone();
     let mut contacts = HashMap::new();
@@ -38,7 +38,7 @@ pub fn assemble_without(mut mechanism: Mechanism, monitored_rows: &[usize]) -> S
     }
     let mut watch = Watch::default();
     let (mut rows, mut monitored, mut place) = (Vec::new(), Vec::new(), 0);
-    // Of each joint, which of its rows are not solved.
+    // For each joint, true for each row that is not solved.
     let mut dropped: Vec<Vec<bool>> = Vec::with_capacity(mechanism.joints.len());
     let mut row_names = RowNames::default();
     let Mechanism {
@@ -67,7 +67,7 @@ pub fn assemble_without(mut mechanism: Mechanism, monitored_rows: &[usize]) -> S
             involved.iter().map(|&at| (at, &coordinates[at])).collect();
         let stated = joint.kind.rows(&joint.operands, graph);
         let names = row_names.of(joint, &stated);
-        let mut own = Vec::with_capacity(stated.len());
+        let mut dropped_of_joint = Vec::with_capacity(stated.len());
         for (stated, name) in stated.into_iter().zip(names) {
             let row = differentiate(stated, index, name, &bodies, &involved, &explicit, graph);
             let is_dropped = monitored_rows.binary_search(&place).is_ok();
@@ -76,10 +76,10 @@ pub fn assemble_without(mut mechanism: Mechanism, monitored_rows: &[usize]) -> S
             } else {
                 rows.push(row);
             }
-            own.push(is_dropped);
+            dropped_of_joint.push(is_dropped);
             place += 1;
         }
-        dropped.push(own);
+        dropped.push(dropped_of_joint);
         if watch.is_beyond(graph, joint.span) {
             break;
         }
@@ -128,14 +128,14 @@ pub fn assemble_without(mut mechanism: Mechanism, monitored_rows: &[usize]) -> S
     }
 }
 
-/// Watches the bounds of the graph from statement to statement.
+/// Watch on the limits of the graph from statement to statement.
 #[derive(Debug, Default)]
 pub(super) struct Watch {
     exceeded: Option<Exceeded>,
 }
 
 impl Watch {
-    /// Whether a bound has been passed; if only now, then with this statement.
+    /// True if a limit has been exceeded; the first excess is recorded with this statement.
     pub(super) fn is_beyond(&mut self, graph: &Graph, at: Span) -> bool {
         if let Some(excess) = graph.excess() {
             let bound = Bound::Graph(excess);
@@ -213,7 +213,7 @@ fn coordinates(mechanism: &mut Mechanism) -> Vec<Unknown> {
     coordinates
 }
 
-/// Φ_q, Φ_t and γ of one row, from its residual alone.
+/// Returns Φ_q, Φ_t and γ of one row, from its residual alone.
 fn differentiate(
     stated: joint::Row,
     joint: usize,
@@ -273,7 +273,7 @@ fn differentiate(
     }
 }
 
-/// d/dt of an expression with the coordinates and their rates held: what t and the inputs do.
+/// Returns d/dt of an expression at constant coordinates and rates, from t and the inputs.
 fn explicit_rate(expr: ExprId, explicit: &[(SymbolId, ExprId)], graph: &mut Graph) -> ExprId {
     let terms: Vec<ExprId> = explicit
         .iter()
@@ -285,7 +285,7 @@ fn explicit_rate(expr: ExprId, explicit: &[(SymbolId, ExprId)], graph: &mut Grap
     graph.sum(&terms)
 }
 
-/// d/dt of an expression of the coordinates and rates in `moving`.
+/// Returns d/dt of an expression of the coordinates and rates in `moving`.
 fn rate(expr: ExprId, moving: &[&Unknown], graph: &mut Graph) -> ExprId {
     let mut terms = Vec::with_capacity(2 * moving.len());
     for coordinate in moving {

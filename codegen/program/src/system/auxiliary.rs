@@ -1,7 +1,6 @@
-//! The unknowns that the vector form of a joint has beyond the coordinates: displacements, and the angles of links without a body.
+//! Adds the auxiliary unknowns of a joint's vector form: displacements, and angles of links without a body.
 //!
-//! Afterwards each has a name after the points that it lies between, and its value in the drawing. Deliberately unknown here: which
-//! kind of joint asks for which of them.
+//! Each unknown is named after the points between which it lies, and has its design value.
 
 use super::orientation::as_symbol;
 use super::{Described, SymbolRole, Unknown, VectorForm};
@@ -11,15 +10,15 @@ use crate::joint::{Auxiliary, AuxiliaryUnknown, Resolved};
 use crate::model::{Body, Joint};
 
 impl VectorForm {
-    /// The auxiliary unknowns of one joint, named after the points that it concerns.
+    /// Adds the auxiliary unknowns of one joint, named after the joint's points.
     pub(super) fn add_auxiliaries(&mut self, joint: &Joint, bodies: &[Body], graph: &mut Graph) {
-        // A driver on the line of another joint has that joint's unknowns, and none of its own.
-        let own = joint.kind.auxiliaries().len();
-        for auxiliary in joint.operands.auxiliaries.iter().take(own) {
+        // A driver on the line of another joint uses that joint's unknowns and has none itself.
+        let count = joint.kind.auxiliaries().len();
+        for auxiliary in joint.operands.auxiliaries.iter().take(count) {
             let Some(position) = as_symbol(auxiliary.value, graph) else {
                 continue;
             };
-            // A length is named from the line's own point to the other one.
+            // A length is named from the line's point to the other point.
             let line = joint.operands.axis;
             let ends = line.map_or([0, 1], |axis| [axis.owner, axis.other]);
             let ends = ends.map(|side| {
@@ -29,7 +28,7 @@ impl VectorForm {
                     Some(name) => Some(name),
                     // A displacement against the ground is named after its joint.
                     None if auxiliary.kind == Auxiliary::Displacement => None,
-                    // The ground lists no points: those it alone carries are points of the mechanism, others have their name from there.
+                    // The ground lists no points: points that only the ground carries are named as points of the mechanism.
                     None => self.mark_names.elsewhere(mark, drawn.position),
                 };
                 name.map(|name| name.to_lowercase())
@@ -66,7 +65,7 @@ impl VectorForm {
         }
     }
 
-    /// An auxiliary unknown with symbols for the vector that it turns.
+    /// Returns an auxiliary unknown with symbols for the vector that it rotates.
     pub(super) fn auxiliary_with_arm(
         &mut self,
         auxiliary: &AuxiliaryUnknown,
@@ -89,7 +88,7 @@ impl VectorForm {
     }
 }
 
-/// The value of an auxiliary unknown in the drawing.
+/// Returns the design value of an auxiliary unknown.
 fn in_drawing(
     auxiliary: Auxiliary,
     operands: &Resolved,

@@ -1,41 +1,41 @@
-//! What joints can carry, and what is said of it.
+//! Describes the reactions that joints can carry.
 
 use crate::expr::ExprId;
 use crate::joint::geometry::Vector;
 
-/// What a joint can carry.
+/// Reaction that a joint can carry.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Carried {
-    /// A force through a point.
+    /// Force through a point.
     Force,
-    /// A force and a moment.
+    /// Force and moment.
     ForceAndMoment,
-    /// A force along this unit vector, across a line, and a moment.
+    /// Force along this unit vector, across a line, and moment.
     NormalAndMoment(Vector),
-    /// A force along this unit vector alone, across a line.
+    /// Force along this unit vector, across a line, without moment.
     Normal(Vector),
-    /// A force along this unit vector, with which a link pulls.
+    /// Tension of a link along this unit vector.
     Tension(Vector),
-    /// A force of so much per multiplier, with which a rod between places that formulas give pulls them together.
+    /// Tension of a rod between points that formulas give; the value is the force per unit of the multiplier.
     Rod(ExprId),
-    /// A force along this unit vector, which teeth pass on.
+    /// Force of teeth along this unit vector.
     Tooth(Vector),
-    /// A force along this unit vector, with which bodies press on one another.
+    /// Contact force along this unit vector.
     Pressure(Vector),
-    /// A force along x (0) or y (1).
+    /// Force along x (0) or y (1).
     Component(usize),
-    /// A moment.
+    /// Moment.
     Moment,
-    /// The moment with which a wheel turns another.
+    /// Moment of a wheel on another wheel.
     WheelMoment,
-    /// The force of teeth, and its moment about the axis of the wheel.
+    /// Force of teeth, and its moment about the axis of the wheel.
     Teeth,
-    /// The multiplier of an equation: what is conjugate to its residual.
+    /// Multiplier of an equation, conjugate to its residual.
     Multiplier,
 }
 
 impl Carried {
-    /// What is said of it, component by component.
+    /// Returns the components of the reaction, in the order of the outputs.
     pub fn components(self) -> &'static [Component] {
         match self {
             Carried::Force => &[Component::X, Component::Y],
@@ -54,12 +54,12 @@ impl Carried {
         }
     }
 
-    /// True if it is the moment with which a wheel turns another, which its multiplier balances wherever the wheels are.
+    /// True if the reaction is the moment on a wheel, which its multiplier balances wherever the wheels are.
     pub fn turns_wheel(self) -> bool {
         matches!(self, Carried::WheelMoment | Carried::Teeth)
     }
 
-    /// The direction of the force that is said.
+    /// Returns the direction of the force; `None` if it has no fixed direction.
     pub fn direction(self) -> Option<Vector> {
         match self {
             Carried::NormalAndMoment(direction)
@@ -72,29 +72,29 @@ impl Carried {
     }
 }
 
-/// A component of a reaction.
+/// Component of a reaction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Component {
-    /// The force along x, in N.
+    /// Force along x, in N.
     X,
-    /// The force along y, in N.
+    /// Force along y, in N.
     Y,
-    /// The force to the left of the joint's line, in N.
+    /// Force to the left of the joint's line, in N.
     Normal,
-    /// The force with which a link pulls the points together, in N.
+    /// Tension of a link between the points, in N.
     Tension,
-    /// The force that teeth pass on along their line, in N.
+    /// Force of teeth along their line of action, in N.
     Tooth,
-    /// The force with which bodies press on one another, in N: where it is negative they would have to pull.
+    /// Contact force between bodies, in N; negative if the bodies would have to pull.
     Pressure,
-    /// The moment, in N·m.
+    /// Moment, in N·m.
     Moment,
-    /// The multiplier of an equation, in J per unit of its residual.
+    /// Multiplier of an equation, in J per unit of its residual.
     Multiplier,
 }
 
 impl Component {
-    /// What follows the name of the joint: `x`, `moment`; empty where it is all that the joint carries.
+    /// Returns the suffix after the joint's name: `x`, `moment`; empty if the joint carries nothing else.
     pub fn suffix(self) -> &'static str {
         match self {
             Component::X => "x",
@@ -108,7 +108,7 @@ impl Component {
         }
     }
 
-    /// Its unit.
+    /// Returns the unit of the component.
     pub fn unit(self) -> &'static str {
         match self {
             Component::Moment => "N*m",

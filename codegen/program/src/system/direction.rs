@@ -1,9 +1,10 @@
-//! What the pose can be moved along besides time: the value of each driver, and parameters.
+//! Derives the directions of motion besides time: values of drivers, and parameters.
 //!
-//! A driver says quantity = f(t). With f(t) + δ in its place the pose depends on δ too, and Φ_q ∂q/∂δ = −∂Φ/∂δ at δ = 0 says how
-//! (implicit function theorem; Haug 1989, section 3.6, has the same with t in place of δ). Afterwards every direction has its
-//! symbol δ and its column ∂Φ/∂δ. The textbook's rows themselves do not mention δ. A parameter p is a symbol of the rows already, and
-//! moves the rates too: (Φ_q q̇ + Φ_t) = 0 has its own column.
+//! A driver says quantity = f(t). With f(t) + δ in its place, the pose depends on δ too. At δ = 0, Φ_q ∂q/∂δ = −∂Φ/∂δ gives the
+//! response (implicit function theorem; Haug 1989, section 3.6, has this equation in t). Each direction has its symbol δ and its
+//! column ∂Φ/∂δ; the rows of the textbook formulation do not mention δ.
+//!
+//! A parameter p is a symbol of the rows already. It changes the rates too, so (Φ_q q̇ + Φ_t) = 0 has a column of its own.
 
 use std::collections::HashMap;
 
@@ -13,40 +14,40 @@ use crate::expr::{ExprId, SymbolId};
 use crate::joint::{Quantity, Resolved};
 use crate::model::{Mechanism, Role, field_name};
 
-/// What an entry of a column costs, in terms: what every block makes of it counts here too.
+/// Cost of an entry of a column, in terms, including what every block derives from it.
 const COLUMN_ENTRY: usize = 50;
 
-/// A direction in which the pose can be moved.
+/// Direction in which the pose can be moved.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Direction {
-    /// What is moved.
+    /// Cause of the motion.
     pub cause: Cause,
-    /// What is added to the driver's value, or the parameter itself.
+    /// Shift of the driver's value, or the parameter itself.
     pub symbol: SymbolId,
-    /// What it is called in generated code: `drive_phi_crank`, `l2`.
+    /// Name in generated code: `drive_phi_crank`, `l2`.
     pub name: String,
-    /// ∂Φ/∂δ at δ = 0, or ∂Φ/∂p: one expression a row.
+    /// ∂Φ/∂δ at δ = 0, or ∂Φ/∂p, one expression per row.
     pub column: Vec<ExprId>,
-    /// (Φ_q q̇ + Φ_t)_p with the rates held: one expression a row; of parameters alone.
+    /// (Φ_q q̇ + Φ_t)_p at constant rates, one expression per row; for parameters only.
     pub rate_column: Vec<ExprId>,
 }
 
-/// What moves the pose.
+/// Cause of a motion besides time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cause {
-    /// The value of a driver.
+    /// Value of a driver.
     Driver {
-        /// An index into the mechanism's joints.
+        /// Index into the mechanism's joints.
         joint: usize,
-        /// What the driven quantity is measured in.
+        /// Quantity that is driven.
         quantity: Quantity,
     },
-    /// A parameter: an index into the mechanism's parameters.
+    /// Parameter: an index into the mechanism's parameters.
     Parameter(usize),
 }
 
-/// The directions that the mechanism's statements ask for: those of all drivers in written order, where there is a transmission,
-/// or an effort, then those of the parameters of its sensitivities.
+/// Returns the requested directions: all drivers in written order if a transmission or an effort is requested, then the
+/// parameters of sensitivities.
 pub(super) fn directions(
     mechanism: &mut Mechanism,
     rows: &[Row],
@@ -69,7 +70,7 @@ fn rate(row: &Row, mechanism: &mut Mechanism, coordinates: &[Unknown]) -> ExprId
     graph.sum(&terms)
 }
 
-/// (Φ_q q̇ + Φ_t)_q row by row, entries that are not identically zero; nothing where no sensitivity is asked for.
+/// Returns (Φ_q q̇ + Φ_t)_q row by row, without entries that are identically zero; empty if no sensitivity is requested.
 pub(super) fn rate_jacobian(
     mechanism: &mut Mechanism,
     rows: &[Row],
@@ -103,7 +104,7 @@ pub(super) fn rate_jacobian(
     entries
 }
 
-/// The directions of the parameters of all sensitivities.
+/// Returns the directions of the parameters of all sensitivities.
 fn parameters(
     mechanism: &mut Mechanism,
     rows: &[Row],
@@ -112,11 +113,11 @@ fn parameters(
 ) -> Vec<Direction> {
     let mut directions = Vec::new();
     for parameter in mechanism.sensitivities.clone() {
-        let own = &mechanism.parameters[parameter];
-        let (symbol, name) = (own.symbol, field_name(&own.name));
+        let declared = &mechanism.parameters[parameter];
+        let (symbol, name) = (declared.symbol, field_name(&declared.name));
         let mut column = Vec::with_capacity(rows.len());
         let mut rate_column = Vec::with_capacity(rows.len());
-        let span = own.span;
+        let span = declared.span;
         mechanism.graph.spend(COLUMN_ENTRY * rows.len());
         if watch.is_beyond(&mechanism.graph, span) {
             break;
@@ -137,7 +138,7 @@ fn parameters(
     directions
 }
 
-/// The directions of all drivers, where there is a transmission, an effort, or a coordinate that forces move.
+/// Returns the directions of all drivers; empty without transmissions, efforts and coordinates that forces move.
 fn drivers(mechanism: &mut Mechanism, rows: &[Row], watch: &mut Watch) -> Vec<Direction> {
     if mechanism.transmissions.is_empty() && !mechanism.forces.need_efforts() {
         return Vec::new();
@@ -159,17 +160,21 @@ fn drivers(mechanism: &mut Mechanism, rows: &[Row], watch: &mut Watch) -> Vec<Di
             value: Some(graph.add(value, shift)),
             ..joint.operands.clone()
         };
-        // A column is as long as the system, whatever is in it.
+        // A column has the length of the system, whatever its entries.
         graph.spend(COLUMN_ENTRY * rows.len());
         if watch.is_beyond(graph, joint.span) {
             break;
         }
         let zero = graph.zero();
         let shifted_rows = joint.kind.rows(&shifted, graph);
-        let mut own = shifted_rows.iter();
+        let mut pending = shifted_rows.iter();
         let mut column = Vec::with_capacity(rows.len());
         for row in rows {
-            let shifted = if row.joint == index { own.next() } else { None };
+            let shifted = if row.joint == index {
+                pending.next()
+            } else {
+                None
+            };
             column.push(match shifted {
                 Some(shifted) => {
                     let slope = graph.derivative(shifted.residual, symbol);
@@ -193,14 +198,14 @@ fn drivers(mechanism: &mut Mechanism, rows: &[Row], watch: &mut Watch) -> Vec<Di
 }
 
 impl Direction {
-    /// Whether it moves a parameter.
+    /// True if the direction is a parameter.
     pub fn is_parameter(&self) -> bool {
         matches!(self.cause, Cause::Parameter(_))
     }
 }
 
 impl System {
-    /// The joints and quantities of the drivers among the directions, with the place of each.
+    /// Returns joint and quantity of each driver among the directions, with the index of the direction.
     pub fn driven(&self) -> impl Iterator<Item = (usize, usize, Quantity)> {
         let directions = self.directions.iter().enumerate();
         directions.filter_map(|(place, direction)| match direction.cause {
@@ -209,7 +214,7 @@ impl System {
         })
     }
 
-    /// Adds δ to the value of every driver that the pose is to be moved along, in the vector form.
+    /// Adds δ in the vector form to the value of every driver that is a direction.
     pub fn shift_drivers(&mut self) {
         let System {
             mechanism,

@@ -1,7 +1,8 @@
-//! An expression of the vector form → its value in the drawing.
+//! Evaluates expressions of the vector form in the design configuration.
 //!
-//! The drawing says where every body is, so it gives every unknown and every arm a value, whatever the drivers ask for at any time.
-//! What is supplied at run time has its default, and t is zero: neither says anything about the drawing.
+//! The design configuration gives every body's pose, and so a value to every unknown and every rotated vector, whatever the
+//! drivers require at any time. Parameters and inputs have their defaults, and t is zero; neither affects the design
+//! configuration.
 
 use linkwright_math::double;
 
@@ -10,30 +11,30 @@ use crate::expr::{ExprId, SymbolId, evaluate_by};
 use crate::joint::geometry::{Mark, Vector};
 
 impl System {
-    /// The value of an expression of unknowns and arms in the drawing.
+    /// Returns the design value of an expression of unknowns and rotated vectors.
     pub fn drawn_value(&self, expr: ExprId) -> f64 {
         let graph = &self.mechanism.graph;
-        // Most do not move.
+        // Most expressions are constant.
         if let Some(value) = graph.constant_value(expr) {
             return value;
         }
         evaluate_by(graph, expr, |symbol| self.drawn_symbol(symbol))
     }
 
-    /// R(φ) v with the drawing's angle φ.
+    /// Returns R(φ) v with the design value of φ.
     pub fn drawn_turn(&self, angle: usize, v: Vector) -> [f64; 2] {
         let (sine, cosine) = double::sin_cos(self.drawn_unknown(angle));
         let [x, y] = v.map(|part| self.drawn_value(part));
         [cosine * x - sine * y, sine * x + cosine * y]
     }
 
-    /// The value of an unknown in the drawing.
+    /// Returns the design value of an unknown.
     pub fn drawn_unknown(&self, unknown: usize) -> f64 {
         let estimate = self.vector_form.unknowns[unknown].estimate;
         self.mechanism.graph.constant_value(estimate).unwrap_or(0.0)
     }
 
-    /// Where a mark is in the drawing.
+    /// Returns the design position of a mark.
     pub fn drawn_position(&mut self, mark: Mark) -> [f64; 2] {
         let drawn = self.mechanism.bodies[mark.frame.body.0].drawn;
         let graph = &mut self.mechanism.graph;
@@ -41,7 +42,7 @@ impl System {
         position.map(|part| self.drawn_value(part))
     }
 
-    /// The value of a symbol in the drawing; 0 of what the drawing does not show.
+    /// Returns the design value of a symbol; 0 if the design configuration does not determine the symbol.
     pub fn drawn_symbol(&self, symbol: SymbolId) -> f64 {
         let graph = &self.mechanism.graph;
         match self.roles.get(symbol.index()) {

@@ -1,9 +1,10 @@
-//! What bodies weigh and what acts on them → generalized forces, energies, and how joints pass forces on.
+//! Derives generalized forces, energies and the transfer of forces through joints.
 //!
-//! With the mass matrix M and the generalized forces Q of everything but joints and drivers, Q − M q̈ is what joints and drivers hold:
-//! Φ_qᵀ λ = Q − M q̈ (Haug 1989, section 11.2), for every body about the origin of its frame. Everything is in terms of the vector
-//! form, whose arms the solved view has anyway. Afterwards every load is a sum over bodies; nothing is solved here. Where no force is
-//! wanted, nothing is stated.
+//! With the mass matrix M and the generalized forces Q of everything but joints and drivers, joints and drivers balance Q − M q̈:
+//! Φ_qᵀ λ = Q − M q̈ (Haug 1989, section 11.2). The equations of every body are about the origin of its frame.
+//!
+//! Everything is in terms of the vector form, whose rotated vectors the solved formulation has anyway. Every load is a sum over
+//! bodies; equations are not solved here. If no force is requested, the result is empty.
 
 use std::collections::BTreeMap;
 
@@ -15,64 +16,64 @@ use crate::joint::Feature;
 use crate::joint::geometry::{BodyId, Mark, Vector, add, dot, length, perpendicular, subtract};
 use crate::model::Mechanism;
 
-/// The forces of a mechanism in terms of its vector form.
+/// Forces of a mechanism in terms of its vector form.
 #[derive(Clone, Debug)]
 pub struct Forces {
     /// Q − M q̈ of every coordinate of a pose, in N and N·m.
     pub loads: Vec<ExprId>,
-    /// The bodies that have a mass.
+    /// Bodies that have a mass.
     pub weights: Vec<Weight>,
-    /// In J.
+    /// Kinetic energy, in J.
     pub kinetic: ExprId,
-    /// Of gravity and springs, in J.
+    /// Potential energy of gravity and springs, in J.
     pub potential: ExprId,
-    /// What dampers, forces and torques add, in W.
+    /// Power of dampers, forces and torques, in W.
     pub added: ExprId,
-    /// The lengths of springs and dampers, which must not vanish, in m: what stands for each in all of this, and what it is.
+    /// Symbols and values of the lengths of springs and dampers, in m. These lengths must not vanish.
     pub lengths: Vec<(SymbolId, ExprId)>,
-    /// Places of the loads with these lengths, in their order.
+    /// Indices of the loads with these lengths, in the order of `lengths`.
     pub sprung: Vec<usize>,
-    /// Formulas whose rates decide what loads exert.
+    /// Formulas whose rates enter loads.
     pub rated: Vec<Rated>,
     /// Components of the forces and torques of each load, in the order of the loads.
     pub exerted: Vec<Vec<ExprId>>,
 }
 
-/// A body that has a mass.
+/// Body that has a mass.
 #[derive(Clone, Copy, Debug)]
 pub struct Weight {
-    /// An index into the bodies.
+    /// Index into the bodies.
     pub body: usize,
-    /// The unknowns x, y and φ of its frame.
+    /// Unknowns x, y and φ of its frame.
     pub unknowns: [usize; 3],
-    /// In kg.
+    /// Mass, in kg.
     pub mass: ExprId,
-    /// About the center of mass, in kg·m².
+    /// Moment of inertia about the center of mass, in kg·m².
     pub inertia: ExprId,
-    /// About the origin of the frame, in kg·m².
+    /// Moment of inertia about the origin of the frame, in kg·m².
     pub about_origin: ExprId,
-    /// The vector from the origin of the frame to the center of mass.
+    /// Vector from the origin of the frame to the center of mass.
     pub arm: Vector,
 }
 
-/// What a joint passes on to the bodies that it joins.
+/// Forces that a joint transmits to the bodies that it joins.
 #[derive(Clone, Debug)]
 pub struct Passing {
-    /// Of each of its rows of the vector form the derivatives in unknowns, every body turning by itself.
+    /// Derivatives of each of the joint's rows of the vector form in the unknowns; every body rotates independently.
     pub rows: Vec<(usize, BTreeMap<usize, ExprId>)>,
-    /// The same of its rows that are monitored, by their places among those.
+    /// Derivatives of the joint's monitored rows, by their index among the monitored rows.
     pub monitored: Vec<(usize, BTreeMap<usize, ExprId>)>,
-    /// The body on which the joint's force is taken: the second one, or the first where the second is the ground.
+    /// Body on which the joint's force acts: the second body, or the first body if the second is the ground.
     pub body: BodyId,
-    /// Whether the second body is the ground, so that the reaction is opposite to what acts on `body`.
+    /// True if the second body is the ground, so that the reaction is opposite to the force on `body`.
     pub is_opposite: bool,
-    /// The vector from the origin of the body's frame to where moments are taken.
+    /// Vector from the origin of the body's frame to the point about which moments are taken.
     pub arm: Vector,
-    /// What is said of the force.
+    /// Meaning of the force.
     pub carried: Carried,
 }
 
-/// The loads and energies, where they are wanted.
+/// Derives the loads and energies; `None` if they are not requested.
 pub(super) fn forces(mechanism: &mut Mechanism, form: &mut VectorForm) -> Option<Forces> {
     if !mechanism.forces.are_wanted() {
         return None;
@@ -138,8 +139,8 @@ pub(super) fn forces(mechanism: &mut Mechanism, form: &mut VectorForm) -> Option
         let moving = graph.multiply(mass.mass, moving);
         let spinning = graph.multiply(inertia, square);
         let twice = graph.add(moving, spinning);
-        let own = graph.scale(half, twice);
-        kinetic = graph.add(kinetic, own);
+        let energy = graph.scale(half, twice);
+        kinetic = graph.add(kinetic, energy);
         if let Some(gravity) = gravity {
             let place = center.position(graph);
             let height = dot(gravity, place, graph);
@@ -159,7 +160,7 @@ pub(super) fn forces(mechanism: &mut Mechanism, form: &mut VectorForm) -> Option
                 placed(mark, form, mechanism)
             })
             .collect();
-        // What follows the space only tells equal names apart.
+        // Text after the space only distinguishes equal names.
         let symbol = mechanism
             .graph
             .symbol(&format!("distance of load {number}"));
@@ -225,7 +226,7 @@ fn placed(mark: Mark, form: &VectorForm, mechanism: &mut Mechanism) -> Place {
 }
 
 impl System {
-    /// Has forces computed as if the mechanism rested at every instant: with rates and accelerations that are zero.
+    /// Computes forces for a mechanism at rest at every instant, with zero rates and accelerations.
     pub fn rest(&mut self) {
         self.mechanism.forces.at_rest = true;
         let Some(forces) = &mut self.forces else {
@@ -247,7 +248,7 @@ impl System {
         }
     }
 
-    /// What a joint or driver passes on, in terms of the vector form.
+    /// Returns the forces that a joint or driver transmits, in terms of the vector form.
     pub fn passing(&mut self, joint: usize) -> Passing {
         let System {
             mechanism,
@@ -265,10 +266,10 @@ impl System {
             false => form.monitored_columns(joint, mechanism),
         };
         let monitored = places.into_iter().zip(monitored).collect();
-        let own = &mechanism.joints[joint];
-        let operands = form.with_arms(&own.operands, &mechanism.bodies, &mut mechanism.graph);
+        let declared = &mechanism.joints[joint];
+        let operands = form.with_arms(&declared.operands, &mechanism.bodies, &mut mechanism.graph);
         let graph = &mut mechanism.graph;
-        let feature = own.kind.feature(&own.operands, graph);
+        let feature = declared.kind.feature(&declared.operands, graph);
         let marks = &operands.marks;
         let across = |graph: &mut crate::expr::Graph| {
             let turned = operands.axis.map(|axis| axis.turned);
@@ -289,7 +290,7 @@ impl System {
             Some(Feature::Slot(_)) => across(graph).map_or(Carried::Force, Carried::Normal),
             Some(Feature::Coordinate(axis) | Feature::Offset(axis)) => Carried::Component(axis),
             Some(Feature::Orientation | Feature::RelativeOrientation) => Carried::Moment,
-            Some(Feature::Wheels(..)) => match own.pressure_angle {
+            Some(Feature::Wheels(..)) => match declared.pressure_angle {
                 Some(_) => Carried::Teeth,
                 None => Carried::WheelMoment,
             },
@@ -301,7 +302,7 @@ impl System {
                 let normal = curve.normal(graph);
                 Carried::Pressure(curve.rotate(normal, graph))
             }),
-            // The equation is about squares: a distance that grows by δ changes it by 2 ℓ δ.
+            // The equation is in squares of lengths: a distance that grows by δ changes it by 2 ℓ δ.
             Some(Feature::Written) | None => match operands.length() {
                 Some(length) => {
                     let two = graph.integer(2);
@@ -310,7 +311,7 @@ impl System {
                 None => Carried::Multiplier,
             },
         };
-        // What presses on a curve is what the curve carries; everywhere else the second body is meant.
+        // A force that presses on a curve acts on the curve's body; all others act on the second body.
         let [first, second] = match (&marks[..], carried) {
             ([], _) => [None; 2],
             ([only], _) => [None, Some(*only)],

@@ -1,9 +1,9 @@
-//! *Mechanism and its rows* → *the lengths whose largest is what lengths are judged against*, where parameters change one.
+//! Lists the lengths whose maximum is the characteristic length, if a parameter changes one of them.
 //!
-//! These are the components of the points that joints hold, in their bodies, and the known lengths that equations are made
-//! of: what says how large a mechanism is and how far off the origin it stands. Where bodies are drawn does not count, as an
-//! estimate may stay behind when parameters change. Constants are represented by the largest. The list is empty where no
-//! parameter occurs: then the drawing's largest coordinate serves. The module does not know what is judged.
+//! The list has the components of joint points in their bodies and the constant lengths of the equations. These lengths give the
+//! size of a mechanism and its distance from the origin. Estimated poses of bodies do not count, as an estimate may not follow a
+//! change of parameters. The largest constant length represents all constant ones. The list is empty if no parameter occurs; the
+//! largest design coordinate then is the characteristic length.
 
 use std::collections::HashSet;
 
@@ -13,7 +13,7 @@ use crate::model::Mechanism;
 
 use super::{Row, System};
 
-/// The lengths that follow parameters, each once and in written order, and before them the largest constant one.
+/// Returns the lengths that depend on parameters, each once and in written order, after the largest constant length.
 pub(super) fn lengths(mechanism: &mut Mechanism, rows: &[Row]) -> Vec<ExprId> {
     if mechanism.parameters.is_empty() {
         return Vec::new();
@@ -25,10 +25,10 @@ pub(super) fn lengths(mechanism: &mut Mechanism, rows: &[Row]) -> Vec<ExprId> {
         ..
     } = mechanism;
     let marks = joints.iter().flat_map(|it| &it.operands.marks);
-    // What an angle turns is a direction.
+    // Vectors on a body that is only an angle are directions.
     let marks = marks.filter(|mark| !bodies[mark.frame.body.0].is_angle());
-    let mut found: Vec<ExprId> = marks.flat_map(|mark| mark.local).collect();
-    found.extend(joints.iter().filter_map(|it| it.operands.length()));
+    let mut lengths: Vec<ExprId> = marks.flat_map(|mark| mark.local).collect();
+    lengths.extend(joints.iter().filter_map(|it| it.operands.length()));
     for row in rows.iter().filter(|row| row.quantity == Quantity::Length) {
         let Node::Sum(terms) = graph.node(row.residual) else {
             continue;
@@ -37,7 +37,7 @@ pub(super) fn lengths(mechanism: &mut Mechanism, rows: &[Row]) -> Vec<ExprId> {
         let known = terms.iter().filter(|term| graph.is_fixed(term.expr));
         let known: Vec<_> = known.copied().collect();
         // Only magnitudes count.
-        found.extend(known.iter().map(|it| match it.coefficient.to_f64().abs() {
+        lengths.extend(known.iter().map(|it| match it.coefficient.to_f64().abs() {
             1.0 => it.expr,
             _ => graph.scale(it.coefficient, it.expr),
         }));
@@ -47,7 +47,7 @@ pub(super) fn lengths(mechanism: &mut Mechanism, rows: &[Row]) -> Vec<ExprId> {
     let mut largest: Option<ExprId> = None;
     let mut following: Vec<ExprId> = Vec::new();
     let mut known: HashSet<ExprId> = HashSet::new();
-    for expr in found {
+    for expr in lengths {
         if !graph.is_fixed(expr) {
             continue;
         }
@@ -66,7 +66,7 @@ pub(super) fn lengths(mechanism: &mut Mechanism, rows: &[Row]) -> Vec<ExprId> {
 }
 
 impl System {
-    /// What lengths are judged against, in m, at the nominal values of the parameters.
+    /// Returns the characteristic length, in m, at the nominal values of the parameters.
     pub fn characteristic_length(&self) -> f64 {
         let graph = &self.mechanism.graph;
         let values = self.lengths.iter();
@@ -80,7 +80,7 @@ impl System {
         }
     }
 
-    /// What values of a quantity are judged against: the characteristic length to the power of metres, 1 rad for angles.
+    /// Returns the scale of a quantity: a power of the characteristic length by its exponent of metres, 1 rad for angles.
     pub fn scale(&self, quantity: Quantity) -> f64 {
         self.characteristic_length()
             .powi(quantity.power_of_length())

@@ -1,13 +1,13 @@
-//! The points of bodies and of the drawing → what a mark is called, found by where it is.
+//! Names marks after the points of bodies and of the mechanism at the position of the mark.
 //!
-//! Of several names for one place the first one written counts. Nothing here is iterated.
+//! Of several names of one position, the first written counts. Maps are not iterated.
 
 use std::collections::HashMap;
 
 use crate::joint::geometry::{BodyId, Mark, Vector};
 use crate::model::{Body, Point};
 
-/// The names of all places that have one.
+/// Names of all named positions.
 #[derive(Clone, Debug, Default)]
 pub(super) struct MarkNames {
     on_body: HashMap<(BodyId, Vector), String>,
@@ -30,13 +30,13 @@ impl MarkNames {
         names
     }
 
-    /// What the body of a mark calls it.
+    /// Returns the name of a mark on its own body; `None` if the body lists no such point.
     pub(super) fn on_body(&self, mark: &Mark) -> Option<&String> {
         self.on_body.get(&place(mark))
     }
 
-    /// What a mark is called that its body does not list, at this place of the drawing: as a point of the mechanism, or as the first
-    /// body calls it that carries a point there.
+    /// Returns the name of a mark that its body does not list: the mechanism's point at this design position, or the name on the
+    /// first body that has a point there.
     pub(super) fn elsewhere(&self, mark: &Mark, drawn: Vector) -> Option<&String> {
         let free = self.free.get(&place(mark));
         free.or_else(|| self.in_drawing.get(&drawn))

@@ -1,10 +1,8 @@
-//! Mechanism → System.
+//! Derives the equations of a mechanism in the textbook formulation.
 //!
-//! The textbook view: Φ(q, t) in absolute coordinates, rows in written order, with Φ_q, Φ_t and γ by differentiation alone.
-//! Afterwards the Jacobian lists exactly the entries that are not identically zero, row by row, and every point has its
-//! position, velocity and acceleration as expressions of q, q̇, q̈; every direction that a statement asks for has its column
-//! ∂Φ/∂δ; where forces are wanted, every coordinate has its load. Deliberately unknown here: joint kinds, and how the equations are
-//! solved.
+//! Φ(q, t) is in absolute coordinates, with rows in written order; Φ_q, Φ_t and γ come from differentiation alone. The Jacobian
+//! lists the entries that are not identically zero, row by row. Points have position, velocity and acceleration in terms of q,
+//! q̇, q̈. Each requested direction has its column ∂Φ/∂δ. If forces are requested, each coordinate has its load.
 
 mod assemble;
 mod auxiliary;
@@ -44,76 +42,76 @@ use crate::joint::Quantity;
 use crate::joint::geometry::Vector;
 use crate::model::Mechanism;
 
-/// The equations of a mechanism.
+/// Equations of a mechanism.
 #[derive(Clone, Debug)]
 pub struct System {
-    /// The mechanism; its graph holds every expression below.
+    /// Mechanism; its graph holds every expression below.
     pub mechanism: Mechanism,
     /// q: x, y, φ of every moving body in written order, then the contact parameters of the joints in written order.
     pub coordinates: Settled<Vec<Unknown>>,
-    /// Φ and what is derived from it, a row per scalar equation, in written order.
+    /// Φ and its derivatives, one row per scalar equation, in written order.
     pub rows: Settled<Vec<Row>>,
-    /// Rows of joints marked `redundant` that repeat what `rows` say: not solved, but watched. In written order.
+    /// Rows of joints marked `redundant` that repeat `rows`, in written order. These rows are monitored and not solved.
     pub monitored: Settled<Vec<Row>>,
-    /// The motion of every declared point.
+    /// Motion of every declared point.
     pub outputs: Settled<Vec<Output>>,
-    /// What the pose is moved along besides time, where a statement asks for it.
+    /// Requested directions of motion besides time.
     pub directions: Settled<Vec<Direction>>,
-    /// (Φ_q q̇ + Φ_t)_q row by row, where a sensitivity is asked for.
+    /// (Φ_q q̇ + Φ_t)_q row by row; empty if no sensitivity is requested.
     pub rate_jacobian: Settled<Vec<Vec<Entry>>>,
-    /// The pressure angles of cams and their followers.
+    /// Pressure angles of cams and their followers.
     pub pressures: Settled<Vec<Pressure>>,
-    /// What acts on the bodies, where forces are wanted.
+    /// Loads and energies; `None` if no forces are requested.
     pub forces: Option<Forces>,
-    /// The same constraints in vector form.
+    /// Constraints in vector form.
     pub vector_form: VectorForm,
-    /// The lengths whose largest is what lengths are judged against, where parameters change one of them; else none, and it is
-    /// the drawing's largest coordinate.
+    /// Lengths whose maximum is the scale of lengths. Empty if no parameter changes them; the scale is then the largest design
+    /// coordinate.
     pub lengths: Settled<Vec<ExprId>>,
-    /// What each symbol of the graph is, by [`SymbolId::index`].
+    /// Role of each symbol of the graph, by [`SymbolId::index`].
     pub roles: Settled<Vec<SymbolRole>>,
-    /// The bound that the equations or their solution passed, where they did: what is behind it is not derived.
+    /// Limit that the derivation exceeded, if any: expressions behind that statement are not derived.
     pub exceeded: Settled<Option<Exceeded>>,
 }
 
-/// A bound that was passed.
+/// Limit that was exceeded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Exceeded {
-    /// The statement with which it was.
+    /// Statement that exceeded the limit.
     pub at: Span,
-    /// Which one.
+    /// Exceeded limit.
     pub bound: Bound,
 }
 
-/// What bounds a system.
+/// Limits on a system.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bound {
-    /// The room and the work of the graph.
+    /// Limit on memory or work of the graph.
     Graph(Excess),
-    /// How many unknowns may have to be found at once: so many would have to be.
+    /// Limit on unknowns that are solved simultaneously; the value is their number in this system.
     Together(usize),
 }
 
-/// What a symbol stands for.
+/// Role of a symbol.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum SymbolRole {
-    /// The coordinate q_k; the auxiliary unknowns of the vector form are numbered after the coordinates.
+    /// Coordinate q_k; the auxiliary unknowns of the vector form are numbered after the coordinates.
     Position(usize),
-    /// The rate q̇_k.
+    /// Rate q̇_k.
     Rate(usize),
-    /// The acceleration q̈_k.
+    /// Acceleration q̈_k.
     Acceleration(usize),
-    /// A component of an arm of the vector form.
+    /// Component of a rotated local vector of the vector form.
     Arm(usize),
-    /// A value that is computed on the way.
+    /// Intermediate value.
     Intermediate,
-    /// What a symbol was in the last frame.
+    /// Value of a symbol in the last frame.
     Last(SymbolId),
-    /// The time t.
+    /// Time t.
     Time,
-    /// A parameter of the mechanism.
+    /// Parameter of the mechanism.
     Parameter(usize),
-    /// An input of the mechanism: its value at level 0, its rate at level 1, its acceleration at level 2.
+    /// Input of the mechanism.
     Input {
         /// Index into the mechanism's inputs.
         input: usize,
@@ -122,27 +120,27 @@ pub enum SymbolRole {
     },
 }
 
-/// What an unknown says.
+/// Meaning of an unknown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Described {
-    /// Where a body is, or how it is turned.
+    /// Position or orientation of a body.
     Pose {
-        /// An index into the mechanism's bodies.
+        /// Index into the mechanism's bodies.
         body: usize,
         /// 0 for x, 1 for y, 2 for φ.
         axis: usize,
     },
-    /// Where a joint touches its curve: an artificial coordinate (Nikravesh 1988, section 4.2.4).
+    /// Contact point of a joint on its curve: an artificial coordinate (Nikravesh 1988, section 4.2.4).
     Contact {
-        /// An index into the mechanism's joints.
+        /// Index into the mechanism's joints.
         joint: usize,
     },
-    /// What the vector form of a joint has beside the coordinates.
+    /// Auxiliary unknown of a joint's vector form.
     Auxiliary,
 }
 
 impl Described {
-    /// The body whose pose it belongs to.
+    /// Returns the body whose pose the unknown describes; `None` if the unknown is not of a pose.
     pub fn body(self) -> Option<usize> {
         match self {
             Described::Pose { body, .. } => Some(body),
@@ -151,47 +149,47 @@ impl Described {
     }
 }
 
-/// What is solved for, with its derivatives: a coordinate, or what the vector form has beside them.
+/// Unknown with its derivatives: a coordinate, or an auxiliary unknown of the vector form.
 #[derive(Clone, Debug)]
 pub struct Unknown {
-    /// `x1`, `phi_c1`, `length_n_m`.
+    /// Name such as `x1`, `phi_c1` or `length_n_m`.
     pub name: String,
-    /// The unknown q_k.
+    /// Unknown q_k.
     pub position: SymbolId,
-    /// Its rate q̇_k.
+    /// Rate q̇_k.
     pub rate: SymbolId,
-    /// Its acceleration q̈_k.
+    /// Acceleration q̈_k.
     pub acceleration: SymbolId,
-    /// What it says.
+    /// Meaning of the unknown.
     pub describes: Described,
-    /// Whether it is a length (x, y, ℓ) or an angle (φ); a contact parameter is what the description measures it in.
+    /// Length (x, y, ℓ) or angle (φ); a contact parameter has the quantity of its description.
     pub quantity: Quantity,
-    /// Its value in the drawing.
+    /// Value in the design configuration.
     pub estimate: ExprId,
 }
 
-/// One scalar equation Φ_i(q, t) = 0.
+/// Scalar equation Φ_i(q, t) = 0.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// The joint or driver it comes from: an index into the mechanism's joints.
+    /// Joint or driver of the equation: an index into the mechanism's joints.
     pub joint: usize,
-    /// A unique name in lower case: `p_x`, `drive_phi_1`.
+    /// Unique name in lower case: `p_x`, `drive_phi_1`.
     pub name: String,
-    /// What the residual is measured in.
+    /// Quantity of the residual.
     pub quantity: Quantity,
     /// Φ_i.
     pub residual: ExprId,
-    /// The entries ∂Φ_i/∂q_k that are not identically zero, by ascending coordinate.
+    /// Entries ∂Φ_i/∂q_k that are not identically zero, by ascending coordinate.
     pub jacobian: Vec<Entry>,
-    /// ∂Φ_i/∂t, and what the rates of inputs add: the rate of Φ_i with the coordinates held.
+    /// ∂Φ_i/∂t with the rates of inputs: the rate of Φ_i while the coordinates are constant.
     pub time_derivative: ExprId,
     /// γ_i = −((Φ_q q̇)_q q̇ + 2 Φ_qt q̇ + Φ_tt)_i (Haug 1989, eq. 3.6.11); inputs count as functions of t.
     pub gamma: ExprId,
-    /// The bodies it mentions in the order in which the joint names them; printing follows it.
+    /// Bodies of the equation in the order in which the joint names them; printed terms follow this order.
     pub bodies: Vec<usize>,
 }
 
-/// One entry of Φ_q.
+/// Entry of Φ_q.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Entry {
     /// Index into the coordinates.
@@ -200,21 +198,21 @@ pub struct Entry {
     pub value: ExprId,
 }
 
-/// The motion of a point in terms of q, q̇, q̈.
+/// Motion of a point in terms of q, q̇, q̈.
 #[derive(Clone, Debug)]
 pub struct Output {
     /// Name of the point.
     pub name: String,
     /// r + R s, in m.
     pub position: [ExprId; 2],
-    /// Its rate, in m/s.
+    /// Velocity, in m/s.
     pub velocity: [ExprId; 2],
-    /// Its second rate, in m/s².
+    /// Acceleration, in m/s².
     pub acceleration: [ExprId; 2],
 }
 
 impl System {
-    /// A row by its number: the solved ones first, then the monitored ones.
+    /// Returns a row by its number: solved rows first, then monitored rows.
     pub fn row(&self, index: usize) -> &Row {
         match index.checked_sub(self.rows.len()) {
             None => &self.rows[index],
@@ -222,12 +220,12 @@ impl System {
         }
     }
 
-    /// Notes that a bound is passed; the first one that is counts.
+    /// Records an exceeded limit; the first one is kept.
     pub fn exceed(&mut self, exceeded: Exceeded) {
         self.exceeded.write().get_or_insert(exceeded);
     }
 
-    /// What arms are that were made for angles that follow others.
+    /// Records roles of rotated local vectors that were made for angles that follow others.
     pub fn note_arms(&mut self) {
         let roles = self.roles.write();
         roles.resize(
@@ -237,7 +235,7 @@ impl System {
         self.vector_form.note_roles(roles, self.coordinates.len());
     }
 
-    /// A new symbol for a value that is computed on the way. Equal names are told apart by what follows the space.
+    /// Returns a new symbol for an intermediate value. Text after a space in `name` only distinguishes equal names.
     pub fn intermediate(&mut self, name: &str) -> SymbolId {
         let number = self.mechanism.graph.symbol_count();
         let symbol = self.mechanism.graph.symbol(&format!("{name} {number}"));
@@ -247,7 +245,7 @@ impl System {
         symbol
     }
 
-    /// What a symbol was in the last frame; what keeps its value is what it was.
+    /// Returns the symbol of a value in the last frame; constant values keep their symbol.
     pub fn last(&mut self, symbol: SymbolId) -> SymbolId {
         let graph = &mut self.mechanism.graph;
         if graph.nominal(symbol).is_some() {
@@ -264,7 +262,7 @@ impl System {
         last
     }
 
-    /// What an expression was in the last frame.
+    /// Returns an expression with the values of the last frame.
     pub fn in_last_frame(&mut self, expr: ExprId) -> ExprId {
         let symbols = self.mechanism.graph.symbols(expr).to_vec();
         let replaced: Vec<(SymbolId, ExprId)> = symbols
@@ -277,7 +275,7 @@ impl System {
         self.mechanism.graph.substitute(expr, &replaced)
     }
 
-    /// The arm R(φ) s of a local vector in the orientation of the unknown `angle`, and what its symbols are.
+    /// Returns the rotated local vector R(φ) s in the orientation of the unknown `angle`, and records the roles of its symbols.
     pub fn arm(&mut self, angle: usize, local: Vector, name: &str) -> Vector {
         let graph = &mut self.mechanism.graph;
         let arm = self.vector_form.arm(angle, local, name, graph);
@@ -294,12 +292,12 @@ impl System {
         arm
     }
 
-    /// The name of an unknown: a coordinate, or an auxiliary unknown of the vector form.
+    /// Returns the name of an unknown: a coordinate, or an auxiliary unknown of the vector form.
     pub fn unknown_name(&self, unknown: usize) -> &str {
         &self.vector_form.unknowns[unknown].name
     }
 
-    /// Whether a symbol is a coordinate, its rate or its acceleration.
+    /// True if a symbol is a coordinate, a rate or an acceleration.
     pub fn is_coordinate(&self, symbol: SymbolId) -> bool {
         match self.roles[symbol.index()] {
             SymbolRole::Position(unknown)
@@ -309,7 +307,7 @@ impl System {
         }
     }
 
-    /// The plain name of a symbol: `phi_c3`, `phi_c3_rate`, `l_c3_x`.
+    /// Returns the plain name of a symbol: `phi_c3`, `phi_c3_rate`, `l_c3_x`.
     pub fn symbol_name(&self, symbol: SymbolId) -> String {
         match self.roles[symbol.index()] {
             SymbolRole::Position(unknown) => self.unknown_name(unknown).to_string(),
@@ -326,8 +324,8 @@ impl System {
         }
     }
 
-    /// The name of a symbol that is no coordinate and no time: an arm, a parameter, an input or a value computed on the way.
-    /// What follows a space only tells equal names apart.
+    /// Returns the name of an arm, a parameter, an input or an intermediate value. Text after a space only distinguishes equal
+    /// names.
     pub fn local_name(&self, symbol: SymbolId) -> &str {
         let name = self.mechanism.graph.symbol_name(symbol);
         name.split(' ').next().unwrap_or(name)

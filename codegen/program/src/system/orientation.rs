@@ -1,7 +1,7 @@
-//! Which bodies keep a constant angle to one another.
+//! Finds bodies that keep a constant angle to one another.
 //!
-//! A translational joint, or an absolute angle, ties the angle of one body to that of another up to a constant. Such bodies share
-//! one sine and one cosine: that of their leader, the body that the joint names first.
+//! A translational joint or an absolute angle ties the angle of one body to that of another, except for a constant. Tied bodies
+//! share the sine and cosine of their leader, the body that the joint names first.
 
 use std::collections::HashMap;
 
@@ -9,29 +9,29 @@ use crate::expr::{ExprId, Graph, Node, SymbolId};
 use crate::joint::Row;
 use crate::joint::geometry::BodyId;
 
-/// How the angle of each body follows from that of its leader.
+/// Leader of each body and constant angle between them.
 #[derive(Clone, Debug)]
 pub struct Orientations {
-    /// For each body its leader and φ − φ of the leader, a constant. A leader follows itself by zero. Until all are settled, a body
-    /// on the way to its leader may stand for it.
+    /// For each body its leader and the constant φ − φ of the leader. A leader follows itself by zero. Before `settle`, another
+    /// tied body may take the place of the leader.
     leaders: Vec<(usize, ExprId)>,
 }
 
 impl Orientations {
-    /// Every body is its own leader.
+    /// Makes every body its own leader.
     pub(super) fn new(bodies: usize, graph: &Graph) -> Orientations {
         Orientations {
             leaders: (0..bodies).map(|body| (body, graph.zero())).collect(),
         }
     }
 
-    /// The leader of a body and the constant φ − φ of the leader.
+    /// Returns the leader of a body and the constant φ − φ of the leader.
     pub fn leader(&self, body: BodyId) -> (BodyId, ExprId) {
         let (leader, offset) = self.leaders[body.0];
         (BodyId(leader), offset)
     }
 
-    /// The leader that a body leads to, with the way there made as short as can be.
+    /// Finds the leader of a body and shortens the chain of bodies that leads to it.
     fn find(&mut self, body: usize, graph: &mut Graph) -> (usize, ExprId) {
         let mut way = vec![body];
         let mut at = body;
@@ -39,7 +39,7 @@ impl Orientations {
             at = self.leaders[at].0;
             way.push(at);
         }
-        // From the leader back, so that each finds the next one settled.
+        // Runs back from the leader, so that the predecessor of each body is settled.
         for &body in way.iter().rev() {
             let (next, offset) = self.leaders[body];
             let (leader, further) = self.leaders[next];
@@ -50,21 +50,21 @@ impl Orientations {
         self.leaders[body]
     }
 
-    /// Gives every body its leader, once all are tied.
+    /// Gives every body its leader, after all ties.
     pub(super) fn settle(&mut self, graph: &mut Graph) {
         for body in 0..self.leaders.len() {
             self.find(body, graph);
         }
     }
 
-    /// Ties two bodies where a row says φ_i − φ_j + constant = 0, or φ_i + constant = 0. `angles` finds the body of an angle.
+    /// Ties two bodies if a row says φ_i − φ_j + constant = 0, or φ_i + constant = 0. `angles` maps angles to bodies.
     pub(super) fn tie(&mut self, row: &Row, angles: &HashMap<SymbolId, usize>, graph: &mut Graph) {
         let Some((i, j, constant)) = constant_difference(row.residual, angles, graph) else {
             return;
         };
         let (leader, i_offset) = self.find(i, graph);
         let (follower, j_offset) = self.find(j, graph);
-        // The ground's angle is known, so it leads whatever is tied to it.
+        // The angle of the ground is constant, so the ground leads all bodies tied to it.
         let (leader, follower, offset) = if follower == 0 {
             // φ_leader = φ_follower + j_offset − i_offset − constant, with the ground as follower.
             let known = graph.subtract(j_offset, i_offset);
@@ -80,7 +80,7 @@ impl Orientations {
     }
 }
 
-/// `(i, j, c)` of φ_i − φ_j + c, with the ground as j of φ_i + c.
+/// Returns `(i, j, c)` of φ_i − φ_j + c, with the ground as j of φ_i + c.
 fn constant_difference(
     residual: ExprId,
     angles: &HashMap<SymbolId, usize>,
@@ -89,7 +89,7 @@ fn constant_difference(
     let symbols = graph.symbols(residual).to_vec();
     let mut signed = [0, 0];
     let mut constant = residual;
-    // Parameters are part of the constant.
+    // Parameters belong to the constant.
     let moving = symbols
         .into_iter()
         .filter(|&symbol| graph.nominal(symbol).is_none())
@@ -114,12 +114,12 @@ fn constant_difference(
     match signed {
         [0, 0] => None,
         [i, j] if i != 0 => Some((i, j, constant)),
-        // −φ_j + c = 0 says φ_j − c = 0.
+        // −φ_j + c = 0 is equivalent to φ_j − c = 0.
         [_, j] => Some((j, 0, graph.negate(constant))),
     }
 }
 
-/// Whether an expression is a single symbol.
+/// Returns the symbol that an expression consists of; `None` if the expression is not a symbol.
 pub(super) fn as_symbol(expr: ExprId, graph: &Graph) -> Option<SymbolId> {
     match graph.node(expr) {
         Node::Symbol(symbol) => Some(*symbol),

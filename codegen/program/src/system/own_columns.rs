@@ -1,7 +1,7 @@
-//! A joint → the derivatives of its rows of the vector form, every body turning by itself.
+//! Differentiates a joint's rows of the vector form while every body rotates independently.
 //!
-//! The vector form lets bodies that keep their angle share the sine and cosine of one of them; what a joint passes to each of them
-//! asks how its rows change when that body alone turns. Everything is still in terms of the shared arms.
+//! In the vector form, bodies of constant relative angle share one sine and cosine. A joint's action on one of them needs the
+//! change of its rows while that body alone rotates. Derivatives are in terms of the shared rotated vectors.
 
 use std::collections::BTreeMap;
 
@@ -12,29 +12,29 @@ use crate::joint::geometry::{Vector, perpendicular};
 use crate::joint::{Auxiliary, AuxiliaryUnknown, Axis, Curve, Resolved};
 use crate::model::Mechanism;
 
-/// What turns by itself.
+/// Rotating body or link.
 #[derive(Clone, Copy, PartialEq)]
 enum Turning {
-    /// A body.
+    /// Body, by its index.
     Body(usize),
-    /// A link without a body: the place of its angle among the joint's auxiliary unknowns.
+    /// Link without a body: the index of its angle among the joint's auxiliary unknowns.
     Link(usize),
 }
 
-/// The derivatives of a row in unknowns.
+/// Derivatives of a row in unknowns.
 pub(super) type Columns = BTreeMap<usize, ExprId>;
 
 impl VectorForm {
-    /// The rows of a joint by their places among all, and their derivatives in unknowns that are not identically zero.
+    /// Returns the joint's rows by their indices among all rows, with derivatives in unknowns that are not identically zero.
     pub(super) fn own_columns(
         &mut self,
         joint: usize,
         mechanism: &mut Mechanism,
     ) -> Vec<(usize, Columns)> {
-        let own = self.rows.iter().enumerate();
-        let own = own.filter(|(_, row)| row.joint == joint);
+        let rows = self.rows.iter().enumerate();
+        let rows = rows.filter(|(_, row)| row.joint == joint);
         let (places, residuals): (Vec<usize>, Vec<ExprId>) =
-            own.map(|(place, row)| (place, row.residual)).unzip();
+            rows.map(|(place, row)| (place, row.residual)).unzip();
         let dropped = self.dropped[joint].clone();
         let kind = mechanism.joints[joint].kind;
         let state = |operands: &Resolved, graph: &mut Graph| {
@@ -45,7 +45,7 @@ impl VectorForm {
         places.into_iter().zip(columns).collect()
     }
 
-    /// The same of the rows of a joint that are monitored.
+    /// Returns the derivatives of the joint's monitored rows.
     pub(super) fn monitored_columns(
         &mut self,
         joint: usize,
@@ -70,7 +70,7 @@ impl VectorForm {
         self.columns(joint, residuals, state, mechanism)
     }
 
-    /// The derivatives of rows that operands state.
+    /// Returns the derivatives of rows that `state` makes of operands.
     fn columns(
         &mut self,
         joint: usize,
@@ -127,7 +127,7 @@ impl VectorForm {
     }
 }
 
-/// The operands with the vectors of one body, or of one link, turned on by a small angle.
+/// Returns the operands with the vectors of one body or link rotated by a small angle.
 fn turned(operands: &Resolved, turning: Turning, step: SymbolId, graph: &mut Graph) -> Resolved {
     let mut further = |vector: Vector| -> Vector {
         let step = graph.variable(step);

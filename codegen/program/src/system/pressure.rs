@@ -1,4 +1,4 @@
-//! Joints that let bodies press on one another → how the follower moves there against the normal.
+//! Derives the terms of pressure angles: velocities of the follower along and across the contact normal.
 
 use std::collections::HashMap;
 
@@ -7,24 +7,23 @@ use crate::expr::{ExprId, Graph};
 use crate::joint::geometry::{Vector, dot, perpendicular};
 use crate::model::Mechanism;
 
-/// What the pressure angle of one joint follows from, as expressions of q and q̇.
+/// Terms of the pressure angle of one joint, as expressions of q and q̇.
 ///
-/// The velocity is that of the follower's point at the contact: of the center of a roller, and of the point of a face that
-/// just touches.
+/// The velocity is that of the follower's point at the contact: the center of a roller, or the touching point of a face.
 #[derive(Clone, Debug)]
 pub struct Pressure {
-    /// An index into the mechanism's joints.
+    /// Index into the mechanism's joints.
     pub joint: usize,
-    /// The velocity along the common normal, in m/s.
+    /// Velocity along the common normal, in m/s.
     pub along: ExprId,
-    /// The velocity across it, in m/s.
+    /// Velocity across the common normal, in m/s.
     pub across: ExprId,
-    /// The square of the speed with which the contact runs along the curve, in m²/s².
+    /// Square of the speed of the contact along the curve, in m²/s².
     pub sliding: ExprId,
 }
 
-/// Of every joint between two moving bodies that touch. Where the curve or the follower is fixed to the ground, nothing is
-/// pushed by the curve.
+/// Returns the terms of every contact between two moving bodies. A curve on the ground pushes nothing, and a follower on the
+/// ground is not pushed.
 pub(super) fn pressures(
     mechanism: &mut Mechanism,
     coordinates: &[Unknown],
@@ -36,7 +35,7 @@ pub(super) fn pressures(
         bodies,
         ..
     } = mechanism;
-    let mut found = Vec::new();
+    let mut pressures = Vec::new();
     for (index, joint) in joints.iter().enumerate() {
         let (Some(curve), Some(contact)) = (
             joint.operands.curve,
@@ -61,14 +60,14 @@ pub(super) fn pressures(
         let velocity = [graph.add(x, turning[0]), graph.add(y, turning[1])];
         let left = perpendicular(contact.normal, graph);
         let tangent = curve.tangent(graph);
-        found.push(Pressure {
+        pressures.push(Pressure {
             joint: index,
             along: dot(velocity, contact.normal, graph),
             across: dot(velocity, left, graph),
             sliding: square_of_speed(tangent, s, graph),
         });
     }
-    found
+    pressures
 }
 
 /// (p' ṡ)².

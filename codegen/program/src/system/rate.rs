@@ -1,13 +1,13 @@
-//! Expressions of the vector form → their rates.
+//! Differentiates expressions of the vector form in time.
 //!
-//! d/dt f = Σ ∂f/∂s ṡ over what moves. Squares and products of sums are differentiated factor by factor, so that Σ u² gives 2 Σ u u̇ and
-//! not a term for each symbol.
+//! d/dt f = Σ ∂f/∂s ṡ over all symbols that move. Squares and products of sums are differentiated factor by factor: Σ u² gives 2
+//! Σ u u̇ and not a term for each symbol.
 
 use super::VectorForm;
 use crate::expr::{ExprId, Factor, Graph, Node, Rational};
 
 impl VectorForm {
-    /// d/dt of an expression of unknowns, rates, arms, parameters, inputs and t.
+    /// Returns d/dt of an expression of unknowns, rates, rotated vectors, parameters, inputs and t.
     pub fn rate(&self, expr: ExprId, graph: &mut Graph) -> ExprId {
         let Node::Sum(terms) = graph.node(expr) else {
             return match factors_of(expr, graph) {
@@ -50,7 +50,7 @@ impl VectorForm {
         graph.sum(&terms)
     }
 
-    /// Σ n uⁿ⁻¹ u̇ times the other factors.
+    /// Returns Σ n uⁿ⁻¹ u̇ times the other factors.
     fn rate_of_product(&self, factors: &[Factor], graph: &mut Graph) -> ExprId {
         let mut terms = Vec::with_capacity(factors.len());
         for (at, factor) in factors.iter().enumerate() {
@@ -74,12 +74,12 @@ impl VectorForm {
     }
 }
 
-/// The factors of a product of whole powers that is a square of a sum, or holds two sums.
+/// Returns the factors of a product of integer powers that is a square of a sum, or has two sums; otherwise `None`.
 fn factors_of(expr: ExprId, graph: &Graph) -> Option<Vec<Factor>> {
-    /// Of higher powers the rule by symbols is as short.
+    /// Differentiating higher powers by symbols is as short.
     const HIGHEST: i128 = 3;
-    /// What is longer is written out of many parts anyway.
-    const LONGEST: usize = 8;
+    /// Longer products are expanded into many terms anyway.
+    const MAX_FACTORS: usize = 8;
     let Node::Product(factors) = graph.node(expr) else {
         return None;
     };
@@ -89,6 +89,6 @@ fn factors_of(expr: ExprId, graph: &Graph) -> Option<Vec<Factor>> {
         .iter()
         .filter(|it| matches!(graph.node(it.base), Node::Sum(_)))
         .map(|it| it.exponent.numerator());
-    let is_short = factors.len() <= LONGEST && (2..=4).contains(&sums.sum::<i128>());
+    let is_short = factors.len() <= MAX_FACTORS && (2..=4).contains(&sums.sum::<i128>());
     (is_short && factors.iter().all(is_whole)).then(|| factors.to_vec())
 }

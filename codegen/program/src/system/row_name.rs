@@ -5,15 +5,15 @@ use std::collections::HashSet;
 use crate::joint::Row;
 use crate::model::Joint;
 
-/// The names of the rows so far.
+/// Names of the rows so far.
 #[derive(Debug, Default)]
 pub(super) struct RowNames {
     taken: HashSet<String>,
 }
 
 impl RowNames {
-    /// `p_x` for the row x of joint P; the joint's own name where it has only one row. Where one of the names is taken already, by
-    /// a joint `p_x` for example, all rows of the joint are numbered: `p_2_x`.
+    /// Returns `p_x` for the row x of joint P, or the joint's name if it has only one row. If one of these names is taken, by a
+    /// joint `p_x` for example, all rows of the joint are numbered: `p_2_x`.
     pub(super) fn of(&mut self, joint: &Joint, rows: &[Row]) -> Vec<String> {
         let named = |base: &str| -> Vec<String> {
             let name = |row: &Row| match row.component {

@@ -1,11 +1,11 @@
-//! *What the equations say* → *the same, to be read by everyone and written in this room alone*.
+//! Guards values that only the module `system` may change.
 //!
-//! The rooms behind `system` read [`Settled`] values like what they hold. Only the arena of expressions grows there, and what the
-//! methods of this room add for it: symbols with their roles, arms, rates.
+//! Later stages read [`Settled`] values like the values inside. Afterwards only the arena of expressions grows, with the symbols,
+//! roles, rotated vectors and rates that methods of `system` add.
 
 use std::ops::Deref;
 
-/// A value that only the room of equations writes.
+/// Value that only the module `system` writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Settled<T>(T);
 
@@ -14,7 +14,7 @@ impl<T> Settled<T> {
         Settled(value)
     }
 
-    /// The value, to be written.
+    /// Returns the value for changes.
     pub(in crate::system) fn write(&mut self) -> &mut T {
         &mut self.0
     }

@@ -1,29 +1,34 @@
 //! Derives the force of teeth at the pitch point from the multiplier of their gear.
 //!
-//! With the axes C_i and C_j of both wheels, d = C_j − C_i, and κ = −r_i/r_j for an external pair and r_i/r_j for an internal one, the
-//! pitch point is C_j − d/(1 − κ) = C_i − κ d/(1 − κ). A force F on the second wheel there and −F on the first one have the moments
-//! that the gear's row exerts, −λ and κ λ, if the part of F across d is λ (1 − κ) d⊥/d². The part along d is tan α times as large. It
-//! points from the pitch point into the wheel with outer teeth, whichever flank is loaded: along d on the second wheel of an external
-//! pair, against d on that of an internal one. Seen from the carrier the wheels are at rest against one another at the pitch point, so F
-//! does no work, and the multipliers of all rows stay what they are: with F at both axes in place of a moment on the carrier, only the
-//! bearings between the wheels and the carrier carry more.
+//! Let C_i and C_j be the axes of the wheels and d = C_j − C_i. Let κ = −r_i/r_j for an external pair and r_i/r_j for an internal
+//! one. The pitch point is C_j − d/(1 − κ) = C_i − κ d/(1 − κ). The gear's row applies the moments −λ and κ λ. At the pitch
+//! point, a force F acts on the second wheel and −F on the first. They have these moments if the component of F across d is λ (1
+//! − κ) d⊥/d².
+//!
+//! The component along d is tan α times as large. It points from the pitch point into the wheel with outer teeth, whichever flank
+//! is loaded: along d on the second wheel of an external pair, against d on that of an internal pair.
+//!
+//! Relative to the carrier, the wheels have no sliding velocity at the pitch point. So F does no work, and the multipliers of all
+//! rows stay unchanged. With F at both axes in place of a moment on the carrier, only the bearings between wheels and carrier
+//! carry more.
 
 use super::{SymbolRole, System};
 use crate::expr::{ExprId, Graph};
 use crate::joint::geometry::{Vector, dot, perpendicular, subtract};
 use crate::joint::{Feature, Mesh};
 
-/// The force of teeth on the second wheel: the sum of a part for the multiplier of the gear's row and a part for its magnitude.
+/// Force of teeth on the second wheel: one term for the multiplier of the gear's row and one for its magnitude.
 #[derive(Clone, Copy, Debug)]
 pub struct ToothForce {
     /// Factor of the multiplier: the force across the line of the axes.
     pub of_multiplier: Vector,
-    /// Factor of its magnitude: the force along the line of the axes.
+    /// Factor of the multiplier's magnitude: the force along the line of the axes.
     pub of_magnitude: Vector,
 }
 
 impl System {
-    /// The force of teeth, by their place among all teeth of the mechanism, in terms of the vector form; `None` for what is no gear.
+    /// Returns the force of teeth in terms of the vector form, by their index among all teeth; `None` if the teeth are not a
+    /// gear.
     pub fn tooth_force(&mut self, place: usize) -> Option<ToothForce> {
         let System {
             mechanism,
@@ -41,7 +46,7 @@ impl System {
         let [from, to] = axes.map(|it| form.mark_with_arm(&it, &mechanism.bodies, graph).arm);
         let apart = subtract(to, from, graph);
         let across = perpendicular(apart, graph);
-        // Both lie on the carrier, so that their distance is that in its frame.
+        // Both axes lie on the carrier, so their distance is the distance in its frame.
         let local = subtract(axes[1].local, axes[0].local, graph);
         let square = dot(local, local, graph);
         let one = graph.one();
@@ -73,25 +78,26 @@ impl System {
         })
     }
 
-    /// The teeth whose force is part of what a joint passes to its second body: their places, and true if it is the opposite force.
+    /// Returns the teeth whose force belongs to a joint's action on its second body: their indices, and true if the force is
+    /// reversed.
     pub fn teeth_of(&self, joint: usize) -> Vec<(usize, bool)> {
-        let mut found = Vec::new();
+        let mut joint_teeth = Vec::new();
         for (place, teeth) in self.mechanism.forces.teeth.iter().enumerate() {
             if teeth.gear == joint {
-                found.push((place, false));
+                joint_teeth.push((place, false));
             }
             for (wheel, axis) in teeth.axes.iter().enumerate() {
-                let own = axis.bearings.iter().filter(|it| it.joint == joint);
-                // The bearing of the second wheel holds it against the force, that of the first one against the opposite.
-                found.extend(own.map(|it| (place, (wheel == 1) == it.is_wheel_second)));
+                let bearings = axis.bearings.iter().filter(|it| it.joint == joint);
+                // The bearing of the second wheel balances the force; the bearing of the first balances the opposite force.
+                joint_teeth.extend(bearings.map(|it| (place, (wheel == 1) == it.is_wheel_second)));
             }
         }
-        found
+        joint_teeth
     }
 }
 
 impl ToothForce {
-    /// The force for a multiplier.
+    /// Returns the force for a multiplier.
     pub fn at(&self, multiplier: ExprId, graph: &mut Graph) -> Vector {
         let magnitude = graph.magnitude(multiplier);
         [0, 1].map(|axis| {

@@ -1,41 +1,41 @@
-//! Residuals → what they are as functions of one angle: a cos φ + b sin φ + rest, or a turned vector.
+//! Writes residuals as functions of one angle: a cos φ + b sin φ + rest, or a rotated vector.
 
 use super::{Arm, VectorForm};
 use crate::expr::{Circle, ExprId, Factor, Graph, Node, Rational, Term};
 use crate::joint::geometry::{Vector, dot, perpendicular, turned};
 
-/// α cos φ + β sin φ + rest.
+/// Function α cos φ + β sin φ + rest.
 #[derive(Clone, Copy, Debug)]
 pub struct Turned {
-    /// α.
+    /// Coefficient α.
     pub cosine: ExprId,
-    /// β.
+    /// Coefficient β.
     pub sine: ExprId,
-    /// What the angle does not turn.
+    /// Terms that do not depend on the angle.
     pub rest: ExprId,
 }
 
 impl VectorForm {
-    /// Whether an equation mentions an unknown, itself or through an arm that it turns.
+    /// True if an equation mentions an unknown, directly or through a vector that the unknown rotates.
     pub fn mentions(&self, residual: ExprId, unknown: usize, graph: &Graph) -> bool {
         graph.depends_on(residual, self.unknowns[unknown].position)
             || self.is_turned_by(residual, unknown, graph)
     }
 
-    /// Whether an equation holds an arm that the unknown turns.
+    /// True if an equation mentions a vector that the unknown rotates.
     pub fn is_turned_by(&self, residual: ExprId, unknown: usize, graph: &Graph) -> bool {
         !self.arms_in(residual, unknown, graph).is_empty()
     }
 
-    /// The places of the arms in an equation that an unknown turns: ascending.
+    /// Returns the indices of vectors in an equation that an unknown rotates, ascending.
     fn arms_in(&self, residual: ExprId, unknown: usize, graph: &Graph) -> Vec<usize> {
-        let mut own = self.arms_mentioned(residual, graph);
-        own.retain(|&place| self.arms[place].angle == unknown);
-        own
+        let mut arms = self.arms_mentioned(residual, graph);
+        arms.retain(|&place| self.arms[place].angle == unknown);
+        arms
     }
 
-    /// A residual by the arms of one angle, with squares that the angle does not change multiplied out; `None` where it is not
-    /// linear in them then or mentions the angle otherwise.
+    /// Splits a residual by the rotated vectors of one angle, with squares that the angle does not change expanded. `None` if the
+    /// result is not linear in these vectors or mentions the angle otherwise.
     pub fn split(&self, residual: ExprId, unknown: usize, graph: &mut Graph) -> Option<Turned> {
         self.split_linear(residual, unknown, graph)
             .or_else(|| self.split_squares(residual, unknown, graph))
@@ -73,8 +73,8 @@ impl VectorForm {
         linear.then_some(turned)
     }
 
-    /// Of squares of α cos φ + β sin φ + ρ, whose α² cos² φ + β² sin² φ + 2 α β sin φ cos φ add up to a constant: the length of a
-    /// vector does not change where it is turned.
+    /// Splits squares of α cos φ + β sin φ + ρ whose α² cos² φ + β² sin² φ + 2 α β sin φ cos φ sum to a constant: rotation
+    /// preserves the length of a vector.
     fn split_squares(&self, residual: ExprId, unknown: usize, graph: &mut Graph) -> Option<Turned> {
         let Node::Sum(terms) = graph.node(residual).clone() else {
             return None;
@@ -85,21 +85,21 @@ impl VectorForm {
         for term in terms.iter() {
             let Some((factor, base)) = self.squared(term, unknown, graph) else {
                 let whole = graph.scale(term.coefficient, term.expr);
-                let own = self.split_linear(whole, unknown, graph)?;
-                cosine.push(own.cosine);
-                sine.push(own.sine);
-                rest.push(own.rest);
+                let linear = self.split_linear(whole, unknown, graph)?;
+                cosine.push(linear.cosine);
+                sine.push(linear.sine);
+                rest.push(linear.rest);
                 continue;
             };
-            let own = self.split_linear(base, unknown, graph)?;
-            let twice = graph.multiply(two, own.rest);
-            for (parts, function) in [(&mut cosine, own.cosine), (&mut sine, own.sine)] {
+            let linear = self.split_linear(base, unknown, graph)?;
+            let twice = graph.multiply(two, linear.rest);
+            for (parts, function) in [(&mut cosine, linear.cosine), (&mut sine, linear.sine)] {
                 parts.push(graph.product(&[factor, function, twice]));
             }
-            rest.push(graph.product(&[factor, own.rest, own.rest]));
-            of_cosine.push(graph.product(&[factor, own.cosine, own.cosine]));
-            of_sine.push(graph.product(&[factor, own.sine, own.sine]));
-            mixed.push(graph.product(&[factor, own.cosine, own.sine]));
+            rest.push(graph.product(&[factor, linear.rest, linear.rest]));
+            of_cosine.push(graph.product(&[factor, linear.cosine, linear.cosine]));
+            of_sine.push(graph.product(&[factor, linear.sine, linear.sine]));
+            mixed.push(graph.product(&[factor, linear.cosine, linear.sine]));
         }
         let [of_cosine, of_sine, mixed] =
             [of_cosine, of_sine, mixed].map(|parts| graph.sum(&parts));
@@ -110,7 +110,7 @@ impl VectorForm {
                 return None;
             }
         }
-        // The shorter one; a constant, where it is one.
+        // Chooses the shorter expression; a constant, if one is constant.
         let normal = self.on_circles(of_cosine, graph)?;
         let is_shorter = graph.written_length(normal) <= graph.written_length(of_cosine);
         rest.push(match is_shorter || graph.is_fixed(normal) {
@@ -121,7 +121,7 @@ impl VectorForm {
         Some(Turned { cosine, sine, rest })
     }
 
-    /// `(factor, base)` of a term factor · base², whose base alone is turned by the angle.
+    /// Returns `(factor, base)` of a term factor · base² in which the angle rotates only the base.
     fn squared(&self, term: &Term, unknown: usize, graph: &mut Graph) -> Option<(ExprId, ExprId)> {
         let Node::Product(factors) = graph.node(term.expr).clone() else {
             return None;
@@ -143,7 +143,7 @@ impl VectorForm {
         Some((graph.scale(term.coefficient, others), base))
     }
 
-    /// An expression in normal form, with every arm of an angle in terms of its first one.
+    /// Returns an expression in normal form, with all rotated vectors of an angle in terms of the first one.
     fn on_circles(&self, expr: ExprId, graph: &mut Graph) -> Option<ExprId> {
         let mut circles: Vec<(usize, Circle)> = Vec::new();
         let mut replacements = Vec::new();
@@ -164,7 +164,7 @@ impl VectorForm {
                 ));
                 continue;
             };
-            // The other arm is the first one turned by a constant angle, and longer or shorter.
+            // The other vector is the first one rotated by a constant angle and scaled.
             let symbols = [first.cosine, first.sine];
             let along = self.arms[self.place_of_symbol(first.cosine)?].local;
             let left = perpendicular(along, graph);
@@ -181,7 +181,7 @@ impl VectorForm {
         graph.on_circles(expr, &circles)
     }
 
-    /// `(p, rest)` of R(φ) p + rest, where the two residuals are the components of such a vector.
+    /// Returns `(p, rest)` of R(φ) p + rest; `None` if the residuals are not the components of such a vector.
     pub fn turned_vector(
         &self,
         residuals: [ExprId; 2],

@@ -1,4 +1,4 @@
-//! Two components → a sum of vectors: positions of origins, turned local vectors, constants.
+//! Writes pairs of components as a sum of vectors: positions of origins, rotated local vectors, constants.
 
 use std::collections::BTreeSet;
 
@@ -6,23 +6,23 @@ use super::System;
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::geometry::Vector;
 
-/// A term of a sum of vectors, with what it is multiplied by.
+/// Term of a sum of vectors, with its factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum VectorTerm {
-    /// The origin of a body: an index into the mechanism's bodies.
+    /// Origin of a body: an index into the mechanism's bodies.
     Origin(usize, ExprId),
     /// R(φ) s of an unknown φ.
     Turned(usize, Vector, ExprId),
-    /// What does not move.
+    /// Constant vector.
     Constant(Vector),
 }
 
 impl System {
-    /// The two expressions as one vector; `None` where they are not the components of such a sum. Never empty.
+    /// Returns two expressions as one sum of vectors, never empty; `None` if they are not the components of such a sum.
     pub fn vector_sum(&mut self, pair: Vector) -> Option<Vec<VectorTerm>> {
         let mut terms = Vec::new();
         let mut rest = pair;
-        // Nothing else can be a term: what is taken out leaves no more than there was.
+        // Terms come from these unknowns only: removing a term adds no unknown.
         let [x, y] = pair.map(|part| self.vector_form.mentioned(part, &self.mechanism.graph));
         let mentioned: BTreeSet<usize> = x.into_iter().chain(y).collect();
         let mut bodies = BTreeSet::new();
@@ -55,7 +55,7 @@ impl System {
         Some(terms)
     }
 
-    /// Takes the vectors that an angle turns out of a sum.
+    /// Moves the vectors that an angle rotates out of a sum.
     fn take_arms(&mut self, angle: usize, rest: &mut Vector, terms: &mut Vec<VectorTerm>) {
         for arm in self.vector_form.arms_of(angle) {
             if let Some(factor) = take_factor(rest, arm.symbols, &mut self.mechanism.graph) {
@@ -65,8 +65,7 @@ impl System {
     }
 }
 
-/// Takes a vector whose components are these symbols out of a sum and returns its factor, where it is the same in both
-/// components.
+/// Moves a vector with these symbols as components out of a sum. Returns its factor if both components have the same factor.
 fn take_factor(rest: &mut Vector, symbols: [SymbolId; 2], graph: &mut Graph) -> Option<ExprId> {
     if !symbols
         .iter()
@@ -76,11 +75,11 @@ fn take_factor(rest: &mut Vector, symbols: [SymbolId; 2], graph: &mut Graph) -> 
         return None;
     }
     let zero = graph.zero();
-    let own = [0, 1].map(|axis| graph.derivative(rest[axis], symbols[axis]));
+    let factors = [0, 1].map(|axis| graph.derivative(rest[axis], symbols[axis]));
     let other = [0, 1].map(|axis| graph.derivative(rest[axis], symbols[1 - axis]));
-    if own[0] != own[1] || own[0] == zero || other != [zero, zero] {
+    if factors[0] != factors[1] || factors[0] == zero || other != [zero, zero] {
         return None;
     }
     *rest = rest.map(|part| graph.substitute(part, &symbols.map(|it| (it, zero))));
-    Some(own[0])
+    Some(factors[0])
 }

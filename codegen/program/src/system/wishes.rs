@@ -1,12 +1,12 @@
-//! A system → the same motion with less asked for.
+//! Derives systems of the same motion with other requests.
 //!
-//! What is asked for is no part of the equations, so others may ask for less of them: for everything, so that nothing is left out, or for the
+//! Requests are not part of the equations. So a system may be asked for everything, with no calculation omitted, or for the
 //! motion alone.
 
 use super::System;
 
 impl System {
-    /// The same with nothing left out: without what `output` and `monitor` statements ask for.
+    /// Returns the system without the effect of `output` and `monitor` statements, so that nothing is omitted.
     pub fn in_full(&self) -> System {
         let mut system = self.clone();
         system.mechanism.requests.clear();
@@ -14,7 +14,7 @@ impl System {
         system
     }
 
-    /// The same without what is derived along directions, and with nothing left out.
+    /// Returns the system without derivatives along directions and without omissions.
     pub fn without_directions(&self) -> System {
         let mut system = self.clone();
         system.mechanism.requests.clear();

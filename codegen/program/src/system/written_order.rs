@@ -1,24 +1,24 @@
-//! In which order the terms of a sum and the factors of a product are written.
+//! Orders the terms of sums and the factors of products as they are printed.
 //!
-//! The arena sorts operands by id, so that equal expressions are one node. A person writes the coordinates of the first body of
-//! a joint before those of the second, constants after them, and functions of time last.
+//! The arena sorts operands by id, so that equal expressions are one node. Printed formulas have the coordinates of a joint's
+//! first body first, then those of the second, then constants and functions of time.
 
 use super::{Described, SymbolRole, System};
 use crate::expr::{ExprId, Factor, Graph, Node, SymbolId, Term};
 
-/// The written order of one formula.
+/// Written order of one formula.
 #[derive(Clone, Copy, Debug)]
 pub struct WrittenOrder<'a> {
     system: &'a System,
-    /// The bodies in the order in which the formula should mention them.
+    /// Bodies in the order in which the formula should mention them.
     bodies: &'a [usize],
 }
 
-/// Sorts first by class, then by the first symbol, then as the arena does.
+/// Key of the sort: class, then first symbol, then order of the arena.
 type Key = (u8, usize, ExprId);
 
 impl<'a> WrittenOrder<'a> {
-    /// The order in which a joint between these bodies is written.
+    /// Returns the written order of a joint between these bodies.
     pub fn new(system: &'a System, bodies: &'a [usize]) -> WrittenOrder<'a> {
         WrittenOrder { system, bodies }
     }
@@ -27,13 +27,14 @@ impl<'a> WrittenOrder<'a> {
         &self.system.mechanism.graph
     }
 
-    /// A smaller number for what is written earlier; none for parameters, which are written as constants are.
+    /// Returns the rank of a symbol, smaller for symbols that are written earlier; `None` for parameters, which are written as
+    /// constants.
     fn rank(&self, symbol: SymbolId) -> Option<usize> {
         let (unknown, level) = match self.system.roles[symbol.index()] {
             SymbolRole::Position(unknown) => (unknown, 0),
             SymbolRole::Rate(unknown) => (unknown, 1),
             SymbolRole::Acceleration(unknown) => (unknown, 2),
-            // An arm stands where the angle that turns it would stand.
+            // A rotated vector has the rank of its angle.
             SymbolRole::Arm(arm) => {
                 let form = &self.system.vector_form;
                 (form.arms[arm].angle, 0)
@@ -64,7 +65,7 @@ impl<'a> WrittenOrder<'a> {
         symbols.iter().filter_map(|&symbol| self.rank(symbol)).min()
     }
 
-    /// Where an expression that does not move stands among its like: numbers first, then parameters as they are declared.
+    /// Returns the rank of a constant expression: numbers first, then parameters as they are declared.
     fn fixed_rank(&self, expr: ExprId) -> usize {
         let parameters = self.graph().symbols(expr).iter();
         let place = |symbol: &SymbolId| match self.system.roles[symbol.index()] {
@@ -83,7 +84,7 @@ impl<'a> WrittenOrder<'a> {
     }
 
     fn factor_key(&self, expr: ExprId) -> Key {
-        // Constants and parameters first, then what is short, then sums in parentheses.
+        // Constants and parameters come first, then short factors, then sums in parentheses.
         match self.first_symbol(expr) {
             None => (0, self.fixed_rank(expr), expr),
             Some(rank) => match self.graph().node(expr) {
@@ -93,7 +94,7 @@ impl<'a> WrittenOrder<'a> {
         }
     }
 
-    /// The terms as they are written: a sum does not begin with a minus where it can be avoided.
+    /// Returns the terms in written order, without a leading minus if possible.
     pub fn terms(&self, terms: &[Term]) -> Vec<Term> {
         let mut sorted = terms.to_vec();
         sorted.sort_by_cached_key(|term| self.term_key(term.expr));
@@ -106,7 +107,7 @@ impl<'a> WrittenOrder<'a> {
         sorted
     }
 
-    /// The factors as they are written.
+    /// Returns the factors in written order.
     pub fn factors(&self, factors: &[Factor]) -> Vec<Factor> {
         let mut sorted = factors.to_vec();
         sorted.sort_by_cached_key(|factor| self.factor_key(factor.base));

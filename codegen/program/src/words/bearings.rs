@@ -1,11 +1,11 @@
-//! Says which forces of wheels the reactions leave out.
+//! Names the forces of wheels that the reactions exclude.
 
 use super::lists::enumerated;
 use super::phrase::{Phrase, Piece, phrase};
 use crate::joint::{Feature, Mesh};
 use crate::model::Mechanism;
 
-/// The forces of gears and belts that no bearing carries, as sentences.
+/// Returns a sentence for each gear or belt whose forces are not carried by a bearing.
 pub fn not_carried(mechanism: &mut Mechanism) -> Vec<Phrase> {
     let (mut gears, mut belts) = (Vec::new(), Vec::new());
     let Mechanism { joints, graph, .. } = mechanism;

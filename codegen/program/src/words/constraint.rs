@@ -1,6 +1,6 @@
-//! A joint or driver → what it asks for, in a sentence without its full stop.
+//! Describes the constraint of a joint or driver, as a sentence without a full stop.
 //!
-//! The words follow from the sign that a drawing has for the joint, so that every kind has its own.
+//! The words follow the joint's sign in pictures, so that every kind has its own.
 
 use super::phrase::{Phrase, Piece, phrase};
 use crate::expr::ExprId;
@@ -8,29 +8,31 @@ use crate::joint::geometry::Mark;
 use crate::joint::{Feature, Follower, Mesh};
 use crate::model::{Mechanism, Role};
 
-/// What a joint asks for, by its index; its statement alone where its operands are not complete.
+/// Describes the constraint of a joint, given by index; returns its statement if operands are incomplete.
 pub fn constraint(mechanism: &mut Mechanism, joint: usize) -> Phrase {
-    let own = mechanism.joints[joint].clone();
-    let marks = &own.operands.marks;
-    let feature = own.kind.feature(&own.operands, &mut mechanism.graph);
-    let written = || phrase![Piece::Name(own.label.clone())];
+    let declared = mechanism.joints[joint].clone();
+    let marks = &declared.operands.marks;
+    let feature = declared
+        .kind
+        .feature(&declared.operands, &mut mechanism.graph);
+    let written = || phrase![Piece::Name(declared.label.clone())];
     let (Some(feature), Some(first)) = (feature, marks.first()) else {
         return written();
     };
     let second = marks.get(1).unwrap_or(first);
     let mechanism = &*mechanism;
-    let value = match own.operands.value {
+    let value = match declared.operands.value {
         Some(value) => Phrase::from(Piece::Formula(value)),
         None => "what the drawing says".into(),
     };
-    let is = match own.role {
+    let is = match declared.role {
         Role::Driver => " is driven as ",
         Role::Constraint => " is always ",
     };
     let [a, b] = [first, second].map(|mark| point(mechanism, mark));
     let [body, other] = [first, second].map(|mark| body(mechanism, mark));
-    let axis_owner = own.operands.axis.map_or(0, |axis| axis.owner);
-    // On whose line, and which point or body is on it.
+    let axis_owner = declared.operands.axis.map_or(0, |axis| axis.owner);
+    // The owner of the line, and the point or body on the line.
     let (guide, rider, rider_body) = match axis_owner {
         0 => (body.clone(), b.clone(), other.clone()),
         _ => (other.clone(), a.clone(), body.clone()),
@@ -46,7 +48,7 @@ pub fn constraint(mechanism: &mut Mechanism, joint: usize) -> Phrase {
             " does not turn against ",
             body
         ],
-        Feature::Slide if own.role == Role::Driver => {
+        Feature::Slide if declared.role == Role::Driver => {
             phrase![
                 "the displacement from ",
                 a,
@@ -82,7 +84,7 @@ pub fn constraint(mechanism: &mut Mechanism, joint: usize) -> Phrase {
         }
         Feature::Wheels(mesh, ratio) => {
             let carrier = marks.get(2).map(|mark| self::body(mechanism, mark));
-            let angle = own.pressure_angle.map(|it| it.value);
+            let angle = declared.pressure_angle.map(|it| it.value);
             wheels([body, other], carrier, mesh, ratio, angle)
         }
         Feature::Pinion(radius) => phrase![
@@ -94,7 +96,7 @@ pub fn constraint(mechanism: &mut Mechanism, joint: usize) -> Phrase {
             guide
         ],
         Feature::Contact(follower) => {
-            let curve = own.operands.curve.map(|it| it.frame.body.0);
+            let curve = declared.operands.curve.map(|it| it.frame.body.0);
             let of = curve.map_or(Phrase::default(), |it| {
                 phrase![" of ", named(mechanism, it)]
             });
@@ -104,7 +106,7 @@ pub fn constraint(mechanism: &mut Mechanism, joint: usize) -> Phrase {
     }
 }
 
-/// How two wheels turn each other.
+/// Describes the ratio between two wheels.
 fn wheels(
     [body, other]: [Phrase; 2],
     carrier: Option<Phrase>,
@@ -134,7 +136,7 @@ fn wheels(
     ]
 }
 
-/// How a point or a body touches a curve of a body.
+/// Describes the contact of a point or a body with a curve of a body.
 fn touch(follower: Follower, [a, body]: [Phrase; 2], of: Phrase) -> Phrase {
     match follower {
         Follower::Point => phrase![a, " stays on the curve", of],
@@ -150,14 +152,14 @@ fn touch(follower: Follower, [a, body]: [Phrase; 2], of: Phrase) -> Phrase {
     }
 }
 
-/// A point as its body calls it.
+/// Returns a point by its name on the body.
 fn point(mechanism: &Mechanism, mark: &Mark) -> Phrase {
     let carried = &mechanism.bodies[mark.frame.body.0].marks;
-    let own = carried.iter().find(|it| it.mark.local == mark.local);
+    let named = carried.iter().find(|it| it.mark.local == mark.local);
     let of = body(mechanism, mark);
     let zero = mechanism.graph.zero();
-    match own {
-        Some(own) => phrase![Piece::Name(own.name.clone()), " of ", of],
+    match named {
+        Some(named) => phrase![Piece::Name(named.name.clone()), " of ", of],
         None if mark.local == [zero; 2] => phrase!["the origin of ", of],
         None => {
             let [x, y] = mark.local.map(Piece::Formula);
@@ -174,9 +176,13 @@ fn named(mechanism: &Mechanism, body: usize) -> Phrase {
     match body {
         0 => "the ground".into(),
         _ => {
-            let own = &mechanism.bodies[body];
-            let kind = if own.is_angle() { "angle " } else { "body " };
-            phrase![kind, Piece::Name(own.name.clone())]
+            let declared = &mechanism.bodies[body];
+            let kind = if declared.is_angle() {
+                "angle "
+            } else {
+                "body "
+            };
+            phrase![kind, Piece::Name(declared.name.clone())]
         }
     }
 }

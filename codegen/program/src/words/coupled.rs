@@ -1,8 +1,8 @@
-//! The unknowns of a block without a closed form → what it is like where its determinant is zero.
+//! Describes the singular poses of blocks without a closed form.
 //!
-//! A platform on three links that transmit forces along their lines alone is singular where these lines meet in one point or are
-//! parallel: there it can turn about that point, or shift across the lines (Gosselin and Angeles 1990). Of anything else the
-//! bodies and pins are named, since no shorter condition is known.
+//! A platform on three links that transmit only axial forces is singular if the lines of the links meet in one point or are
+//! parallel. The platform can then rotate about that point, or move across the lines (Gosselin and Angeles 1990). Other blocks
+//! are described by their bodies and pins, since no shorter condition is known.
 
 use super::ends::{End, movable};
 use super::known::Known;
@@ -12,10 +12,10 @@ use super::singular::SingularWords;
 use crate::structure::SolvedBlock;
 use crate::system::System;
 
-/// How many bodies, and how many pins, a sentence lists.
-const LISTED: usize = 8;
+/// Largest number of bodies, and of pins, in a sentence.
+const MAX_LISTED: usize = 8;
 
-/// How many links hold a platform.
+/// Number of links of a platform.
 const LEGS: usize = 3;
 
 impl Known {
@@ -64,7 +64,7 @@ impl Known {
         }
     }
 
-    /// The ends of what turns with one unknown that are known or turn with another one.
+    /// Returns the ends of the link or body of one unknown that are known or rotate with another unknown.
     fn coupled_ends(
         &self,
         unknown: usize,
@@ -81,7 +81,7 @@ impl Known {
         ends
     }
 
-    /// The names of the two ends of each leg, where one body stands on three of them and nothing else moves.
+    /// Returns the names of both ends of each leg if one body stands on three legs and nothing else moves; otherwise `None`.
     fn legs(
         &self,
         unknowns: &[usize],
@@ -109,10 +109,10 @@ impl Known {
     }
 }
 
-/// A list, cut where it becomes too long to be read.
+/// Returns a list, cut at a readable length.
 fn shortened(mut parts: Vec<Phrase>) -> Phrase {
-    if let Some(more) = parts.len().checked_sub(LISTED).filter(|it| *it > 1) {
-        parts.truncate(LISTED);
+    if let Some(more) = parts.len().checked_sub(MAX_LISTED).filter(|it| *it > 1) {
+        parts.truncate(MAX_LISTED);
         parts.push(format!("{more} more").into());
     }
     enumerated(&parts)

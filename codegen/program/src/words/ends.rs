@@ -1,8 +1,7 @@
-//! What turns with an angle → the points at which it ends, and what a person calls it.
+//! Names bodies and links that rotate with an angle, and finds their ends.
 //!
-//! An angle turns a body, a body with those that slide on it or are held at an angle to it, or a link that joints make without
-//! a body. Whether two such links meet in a point decides what can be said of them: in line, or parallel only. The module does
-//! not know where a step is singular.
+//! An angle rotates a link of joints without a body, or a body with all bodies that slide on it or keep an angle to it. Two such
+//! links that meet in a point may be collinear; others may only be parallel.
 
 use super::known::Known;
 use super::phrase::{Phrase, Piece, phrase};
@@ -12,35 +11,35 @@ use crate::model::Joint;
 use crate::structure::SolvedBlock;
 use crate::system::{Described, System};
 
-/// A point at which what turns with an angle is connected to something else.
+/// Connection of a rotating body or link to something else.
 #[derive(Clone, Debug)]
 pub(super) struct End {
-    /// As the description writes it.
+    /// Name in the description.
     pub name: String,
-    /// The body that carries it and turns; `None` for a link without a body.
+    /// Body of the rotating link at this end; `None` for a link without a body.
     here: Option<BodyId>,
-    /// The body on the other side.
+    /// Body on the other side.
     pub beyond: BodyId,
 }
 
 impl End {
-    /// Whether what is on the other side turns with an angle.
+    /// True if the body on the other side rotates with an angle.
     pub fn is_beyond_on(&self, angle: usize, block: &SolvedBlock, system: &mut System) -> bool {
         turns_with(self.beyond, angle, block, system)
     }
 }
 
-/// Where a link starts that is known, and where it meets the other one.
+/// Link from a known end to its apex with another link.
 #[derive(Clone, Debug)]
 pub(super) struct Span {
-    /// The outer end.
+    /// Outer end.
     pub outer: End,
-    /// The point between both links.
+    /// Point between both links.
     pub apex: End,
 }
 
 impl Known {
-    /// The ends of what turns with an angle.
+    /// Returns the ends of the body or link of an angle.
     pub(super) fn ends(&self, angle: usize, block: &SolvedBlock, system: &mut System) -> Vec<End> {
         if let Some(marks) = bare_link(angle, system) {
             let named = marks.into_iter().filter_map(|mark| {
@@ -70,8 +69,8 @@ impl Known {
         ends
     }
 
-    /// Both links from their outer ends to the point in which they meet; `None` where they do not, or where it is not clear
-    /// between which points they lie.
+    /// Returns both links from their outer ends to their common point. `None` if they do not meet, or if their ends are
+    /// ambiguous.
     pub(super) fn meeting(
         &self,
         angles: [usize; 2],
@@ -88,7 +87,7 @@ impl Known {
             }
         }
         match &apexes[..] {
-            // A link without a body ends on the other one, which has no end of its own there.
+            // A link without a body ends on the other link, which has no end of its own there.
             [(side, apex)] => {
                 let mut across = apex.clone();
                 (across.here, across.beyond) =
@@ -124,7 +123,8 @@ impl Known {
         spans.try_into().ok()
     }
 
-    /// Whether a vector in the orientation of an angle leads from a known pin of its body to the body's origin, or back.
+    /// Returns pin and body if a vector in the orientation of an angle joins a known pin of a body to the body's origin. The
+    /// direction is arbitrary.
     pub(super) fn pin_opposite_origin(
         &self,
         angle: usize,
@@ -137,14 +137,14 @@ impl Known {
             let graph = &mut system.mechanism.graph;
             let backward = here.local.map(|part| graph.negate(part));
             let (leader, _) = system.vector_form.orientations.leader(here.frame.body);
-            let own = leader == here.frame.body;
-            (own && (local == here.local || local == backward))
+            let is_own = leader == here.frame.body;
+            (is_own && (local == here.local || local == backward))
                 .then_some((pin.name, here.frame.body))
         })
     }
 }
 
-/// Whether a body turns as much as an angle does, by its orientation or as the block defines its angle.
+/// True if a body rotates as much as an angle does, by its orientation or by the definition of its angle.
 fn turns_with(body: BodyId, angle: usize, block: &SolvedBlock, system: &mut System) -> bool {
     if body == BodyId::GROUND {
         return false;
@@ -154,47 +154,48 @@ fn turns_with(body: BodyId, angle: usize, block: &SolvedBlock, system: &mut Syst
     if leader == BodyId::GROUND {
         return false;
     }
-    let own = form.angle_of(leader.0);
-    if own == angle {
+    let body_angle = form.angle_of(leader.0);
+    if body_angle == angle {
         return true;
     }
     let position = form.unknowns[angle].position;
     let mut definitions = block.definitions.iter();
-    let Some(definition) = definitions.find(|it| it.unknown == own) else {
+    let Some(definition) = definitions.find(|it| it.unknown == body_angle) else {
         return false;
     };
     let graph = &mut system.mechanism.graph;
     graph.derivative(definition.value, position) == graph.one()
 }
 
-/// The points between which a link without a body lies, where an angle is that of one.
+/// Returns the points of a link without a body; `None` if the angle is not that of such a link.
 fn bare_link(angle: usize, system: &System) -> Option<[Mark; 2]> {
     let marks = &joint_of(angle, system)?.operands.marks;
     (marks.len() == 2).then(|| [marks[0], marks[1]])
 }
 
-/// The joint whose own unknown this is, other than a coordinate.
+/// Returns the joint whose auxiliary unknown this is; `None` for a coordinate.
 fn joint_of(unknown: usize, system: &System) -> Option<&Joint> {
     let symbol = system.vector_form.unknowns[unknown].position;
     let graph = &system.mechanism.graph;
     let mut joints = system.mechanism.joints.iter();
     joints.find(|joint| {
-        let mut own = joint.operands.auxiliaries.iter();
-        own.any(|it| graph.symbols(it.value).contains(&symbol))
+        let mut auxiliaries = joint.operands.auxiliaries.iter();
+        auxiliaries.any(|it| graph.symbols(it.value).contains(&symbol))
     })
 }
 
-/// What the description calls a point of a body, or of the ground.
+/// Returns the name of a point of a body or of the ground, as in the description.
 pub(super) fn mark_name(mark: &Mark, system: &System) -> Option<String> {
     let mechanism = &system.mechanism;
     let body = &mechanism.bodies[mark.frame.body.0];
-    let own = body.marks.iter().find(|it| it.mark.local == mark.local);
+    let named = body.marks.iter().find(|it| it.mark.local == mark.local);
     let point = || mechanism.points.iter().find(|it| it.mark == *mark);
-    own.map(|it| it.name.clone())
+    named
+        .map(|it| it.name.clone())
         .or_else(|| point().map(|it| it.name.clone()))
 }
 
-/// `coupler`, `the actuator c8-c7`, `the link U-S`, `A-C`: a link from one end to the other.
+/// Names a link from one end to the other: `coupler`, `the actuator c8-c7`, `the link U-S`, `A-C`.
 pub(super) fn span_words(angle: usize, span: &Span, system: &System) -> Phrase {
     let [outer, apex] = [&span.outer, &span.apex];
     match (outer.here, apex.here) {
@@ -212,7 +213,7 @@ pub(super) fn span_words(angle: usize, span: &Span, system: &System) -> Phrase {
     }
 }
 
-/// What turns with an angle: a body, or a link without one.
+/// Names the body or link that rotates with an angle.
 pub(super) fn turning_words(angle: usize, system: &System) -> Phrase {
     let Some(joint) = joint_of(angle, system) else {
         return match system.vector_form.unknowns[angle].describes.body() {
@@ -243,7 +244,7 @@ pub(super) fn turning_words(angle: usize, system: &System) -> Phrase {
     }
 }
 
-/// `the line G-S`: along which a displacement is measured.
+/// Names the line along which a displacement is measured: `the line G-S`.
 pub(super) fn line_words(slide: usize, system: &System) -> Phrase {
     match line_name(slide, system) {
         Some(line) => phrase!["the line ", line],
@@ -251,7 +252,7 @@ pub(super) fn line_words(slide: usize, system: &System) -> Phrase {
     }
 }
 
-/// `G-S`, or the joint whose line it is.
+/// Names a line: `G-S`, or the joint of the line.
 pub(super) fn line_name(slide: usize, system: &System) -> Option<Phrase> {
     let joint = joint_of(slide, system)?;
     let line = joint.label.split_once(" along ");
@@ -262,14 +263,14 @@ pub(super) fn line_name(slide: usize, system: &System) -> Option<Phrase> {
     })
 }
 
-/// The two points of the joint that a displacement is measured between, that on the line first.
+/// Returns the points of the joint between which a displacement is measured; the point on the line comes first.
 pub(super) fn measured_points(slide: usize, system: &System) -> Option<[Mark; 2]> {
     let joint = joint_of(slide, system)?;
     let (_, line, other) = joint.operands.along()?;
     Some([line, other])
 }
 
-/// Whether a joint keeps two bodies on a common line.
+/// True if a joint keeps two bodies on a common line.
 fn slide_on_one_another(one: BodyId, other: BodyId, system: &System) -> bool {
     system.mechanism.joints.iter().any(|joint| {
         let marks = &joint.operands.marks;
@@ -278,7 +279,7 @@ fn slide_on_one_another(one: BodyId, other: BodyId, system: &System) -> bool {
     })
 }
 
-/// `c2`, `body 2`.
+/// Names a body: `c2`, `body 2`.
 pub(super) fn body_words(body: BodyId, system: &System) -> Phrase {
     let numbered = |first: char| first.is_ascii_digit();
     let name = &system.mechanism.bodies[body.0].name;
@@ -292,12 +293,12 @@ fn body_name(body: BodyId, system: &System) -> Piece {
     Piece::Name(system.mechanism.bodies[body.0].name.clone())
 }
 
-/// What can move where an unknown is free: a body, a link, a slide, a point of contact.
+/// Names the body, link, slide or contact point that a free unknown moves.
 pub(super) fn movable(unknown: usize, system: &System) -> Phrase {
     match system.vector_form.unknowns[unknown].describes {
         Described::Contact { joint } => {
             let label = &system.mechanism.joints[joint].label;
-            // `roller (2.P, rim)`: the curve is the last operand.
+            // In `roller (2.P, rim)`, the curve is the last operand.
             let operands = label
                 .rsplit_once('(')
                 .and_then(|(_, it)| it.split_once(')'));

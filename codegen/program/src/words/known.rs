@@ -1,4 +1,4 @@
-//! How far a solution has come → what is known by then, and where a known point is.
+//! Tracks the progress of a solution: known unknowns, and positions of known points in words.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -8,18 +8,18 @@ use super::pins::{Pin, pins};
 use crate::joint::geometry::{BodyId, Mark};
 use crate::system::System;
 
-/// The unknowns that have been found, and the pins of the mechanism.
+/// Unknowns that are solved so far, and the pins of the mechanism.
 #[derive(Clone, Debug)]
 pub struct Known {
     pins: Arc<[Pin]>,
-    /// The places of the pins on what turns with an angle, ascending; only looked up.
+    /// Indices of the pins on bodies of an angle, ascending; only looked up.
     turning: Arc<HashMap<usize, Vec<usize>>>,
-    /// The block that finds each unknown, from 0; `None` while it is not found yet.
+    /// Block that solves each unknown, from 0; `None` if none has so far.
     found_in: Vec<Option<usize>>,
 }
 
 impl Known {
-    /// Nothing has been found.
+    /// Returns the state before the first block.
     pub fn nothing(system: &System) -> Known {
         let pins = pins(&system.mechanism);
         let form = &system.vector_form;
@@ -29,9 +29,9 @@ impl Known {
                 .marks
                 .map(|mark| form.orientations.leader(mark.frame.body).0);
             for leader in leaders.into_iter().filter(|it| *it != BodyId::GROUND) {
-                let own = turning.entry(form.angle_of(leader.0)).or_default();
-                if own.last() != Some(&place) {
-                    own.push(place);
+                let of_angle = turning.entry(form.angle_of(leader.0)).or_default();
+                if of_angle.last() != Some(&place) {
+                    of_angle.push(place);
                 }
             }
         }
@@ -42,23 +42,23 @@ impl Known {
         }
     }
 
-    /// Notes that a block, counted from 0, finds an unknown.
+    /// Records the block, counted from 0, that solves an unknown.
     pub fn find(&mut self, unknown: usize, block: usize) {
         self.found_in[unknown] = Some(block);
     }
 
-    /// The block that finds an unknown, from 0.
+    /// Returns the block that solves an unknown, from 0; `None` if none has so far.
     pub fn block_of(&self, unknown: usize) -> Option<usize> {
         self.found_in[unknown]
     }
 
-    /// Whether the pose of a body is known.
+    /// True if the pose of a body is known.
     pub(super) fn is_known(&self, body: BodyId, system: &System) -> bool {
         let mut places = system.mechanism.bodies[body.0].places();
         places.all(|unknown| self.found_in[unknown].is_some())
     }
 
-    /// The pins on bodies whose leaders turn with one of these angles, in written order.
+    /// Returns the pins on bodies whose leaders rotate with one of these angles, in written order.
     pub(super) fn pins_on(&self, angles: &[usize]) -> impl Iterator<Item = &Pin> + use<'_> {
         let places = angles.iter().filter_map(|angle| self.turning.get(angle));
         let mut places: Vec<usize> = places.flatten().copied().collect();
@@ -67,7 +67,7 @@ impl Known {
         places.into_iter().map(|place| &self.pins[place])
     }
 
-    /// The pins on a body that turns with this angle, with what is on their other side: the mark here, the mark there.
+    /// Returns the pins on a body that rotates with this angle, each with the mark here and the mark on the other side.
     pub(super) fn pins_turning(&self, angle: usize, system: &System) -> Vec<(Pin, Mark, Mark)> {
         let turns = |mark: &Mark| system.vector_form.turns(mark.frame.body, angle);
         let turning = self.pins_on(&[angle]).filter_map(|pin| {
@@ -81,7 +81,7 @@ impl Known {
         turning.collect()
     }
 
-    /// The pins that connect what turns with this angle to bodies that are known, each with the mark of the known body.
+    /// Returns the pins between bodies of this angle and known bodies, each with the mark of the known body.
     pub(crate) fn known_pins(&self, angle: usize, system: &System) -> Vec<(Pin, Mark)> {
         self.pins_turning(angle, system)
             .into_iter()
@@ -90,7 +90,7 @@ impl Known {
             .collect()
     }
 
-    /// Where a known point is, in words: `on the ground`, `led by the drivers`, `on c3 (block 2)`.
+    /// Describes the position of a known point: `on the ground`, `led by the drivers`, `on c3 (block 2)`.
     pub(crate) fn whereabouts(&self, mark: &Mark, system: &System) -> Phrase {
         let body = mark.frame.body.0;
         if body == 0 {

@@ -1,36 +1,36 @@
-//! The links of a step → the pins at their ends, by name.
+//! Finds links by name: the pins at their ends.
 
 use super::known::Known;
 use super::pins::Pin;
 use crate::joint::geometry::{BodyFrame, BodyId, Mark, Vector};
 use crate::system::System;
 
-/// A link between two pins that turns with one angle.
+/// Link between two pins that rotates with one angle.
 #[derive(Clone, Debug)]
 pub(crate) struct Link {
-    /// Where its vector begins, a known pin.
+    /// Known pin at the start of its vector.
     pub from: Pin,
-    /// The mark of the known body there.
+    /// Mark of the known body at this pin.
     pub held: Mark,
-    /// Where it ends.
+    /// Pin at the end of its vector.
     pub to: Pin,
-    /// Whether the vector of the plan leads this way, and not back.
+    /// True if the vector of the plan has this direction, and not the opposite one.
     pub forward: bool,
 }
 
-/// Two known pins and the sought one.
+/// Two known pins and the pin between them.
 #[derive(Clone, Debug)]
 pub(crate) struct Triangle {
-    /// The known pins at the beginning of the first link and the end of the second, each with the mark of the known body.
+    /// Known pins at the start of the first link and at the end of the second, each with the mark of the known body.
     pub outer: [(Pin, Mark); 2],
-    /// The pin between the links.
+    /// Pin between the links.
     pub apex: Pin,
-    /// Whether the first vector leads from the first outer pin to the apex, and not back.
+    /// True if the first vector leads from the first outer pin to the apex, and not in the opposite direction.
     pub forward: bool,
 }
 
 impl Known {
-    /// The link from a known pin whose vector in the body is `local`, or against it. `to` says which bodies it may end at.
+    /// Returns the link from a known pin with vector `local` in its body, in either direction. `to` accepts the body at its end.
     pub(crate) fn link(
         &self,
         angle: usize,
@@ -60,7 +60,7 @@ impl Known {
         None
     }
 
-    /// The pins of the triangle that two links make with the known vector between their outer ends.
+    /// Returns the pins of the triangle of two links and the known vector between their outer ends.
     pub(crate) fn triangle(
         &self,
         angles: [usize; 2],
@@ -72,7 +72,7 @@ impl Known {
         };
         let first = self.link(angles[0], links[0], turns(angles[1]), system)?;
         let second = self.link(angles[1], links[1], turns(angles[0]), system)?;
-        // The second vector leads from the apex to its known pin where the first leads to the apex.
+        // The second vector leads from the apex to its known pin if the first leads to the apex.
         let closes = first.to.name == second.to.name && first.forward != second.forward;
         closes.then_some(Triangle {
             outer: [(first.from, first.held), (second.from, second.held)],
@@ -82,8 +82,9 @@ impl Known {
     }
 }
 
-/// Whether a vector in the orientation of `angle` leads from one mark to another, `true` for forwards. Marks on one body are
-/// compared exactly; between bodies that slide along one another the vector must hold a displacement.
+/// Returns `true` if a vector in the orientation of `angle` leads from one mark to another, `false` if it leads back, otherwise
+/// `None`. Marks on one body are compared exactly. Between bodies that slide along one another, the vector must contain a
+/// displacement.
 fn spans(from: Mark, to: Mark, angle: usize, local: Vector, system: &mut System) -> Option<bool> {
     let (_, offset) = system.vector_form.orientations.leader(from.frame.body);
     let graph = &mut system.mechanism.graph;

@@ -1,8 +1,8 @@
-//! Lists and numbers as words.
+//! Writes lists and numbers as words.
 
 use super::phrase::Phrase;
 
-/// `a`, `a and b`, `a, b and c`.
+/// Joins phrases to a list: `a`, `a and b`, `a, b and c`.
 pub fn enumerated(parts: &[Phrase]) -> Phrase {
     let mut whole = Phrase::default();
     for (place, part) in parts.iter().enumerate() {
@@ -16,7 +16,7 @@ pub fn enumerated(parts: &[Phrase]) -> Phrase {
     whole
 }
 
-/// `1 angle`, `2 angles`.
+/// Writes a number with its noun: `1 angle`, `2 angles`.
 pub fn counted(number: usize, one: &str, several: &str) -> String {
     format!("{number} {}", if number == 1 { one } else { several })
 }

@@ -1,17 +1,17 @@
-//! A block of the plan → what a person calls it.
+//! Names the blocks of a plan.
 
 use std::collections::HashSet;
 
 use crate::structure::{Definition, SolvedBlock};
 use crate::system::System;
 
-/// How many statements a name lists.
-const LISTED: usize = 3;
+/// Largest number of statements in a name.
+const MAX_LISTED: usize = 3;
 
-/// How many pins a name lists.
+/// Largest number of pins in a name.
 const PINS: usize = 6;
 
-/// `loop F-N-M`: the pins that are closed, or else the statements of all joints.
+/// Returns the name of a block: its closed pins (`loop F-N-M`), or the statements of its joints.
 pub fn loop_name(block: &SolvedBlock, system: &System) -> String {
     let joints = closing_joints(block, system);
     let joints = || joints.iter().map(|&joint| &system.mechanism.joints[joint]);
@@ -23,20 +23,20 @@ pub fn loop_name(block: &SolvedBlock, system: &System) -> String {
         })
         .collect();
     pins.dedup();
-    // A joint of two points with names of their own has none itself.
+    // A joint of two named points has no pin name.
     let are_named = pins.iter().all(|pin| !pin.is_empty());
     if pins.len() > 1 && are_named && !block.parts.is_empty() {
         return format!("loop {}", pins[..pins.len().min(PINS)].join("-"));
     }
     let labels: Vec<&str> = joints().map(|joint| joint.label.as_str()).collect();
-    match labels.len().checked_sub(LISTED) {
+    match labels.len().checked_sub(MAX_LISTED) {
         None | Some(0 | 1) => labels.join(", "),
-        Some(more) => format!("{} and {more} more", labels[..LISTED].join(", ")),
+        Some(more) => format!("{} and {more} more", labels[..MAX_LISTED].join(", ")),
     }
 }
 
-/// Returns the joints on which the parts of a block depend, in written order; where everything is explicit, all of them. What only follows
-/// from the parts closes nothing.
+/// Returns the joints of the block's subsystems, in written order; all joints if every unknown is explicit. Explicit assignments
+/// close no loop.
 fn closing_joints(block: &SolvedBlock, system: &System) -> Vec<usize> {
     let form = &system.vector_form;
     let graph = &system.mechanism.graph;

@@ -1,9 +1,9 @@
-//! System and SolvedPlan → what a person calls the parts of a mechanism.
+//! Names links, blocks and singular poses.
 //!
-//! Links are called by the bodies and pins that they lie between, blocks by the pins of their loops, and a singular pose by what
-//! is in line there. The same words stand in messages, documentation, derivations and generated code. Afterwards a text is a
-//! [`Phrase`]: names and formulas keep their places until somebody prints it. Deliberately unknown here: how formulas look, and
-//! any output language.
+//! Links are named by their bodies and pins, blocks by the pins of their loops, and singular poses by collinear links. Messages,
+//! documentation, derivations and generated code use the same names.
+//!
+//! A text is a [`Phrase`], in which names and formulas stay symbolic until the text is printed.
 
 mod bearings;
 mod constraint;

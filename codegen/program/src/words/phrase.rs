@@ -1,76 +1,76 @@
-//! Words with the places of names and formulas between them.
+//! Represents text with symbolic names and formulas.
 
 use crate::expr::ExprId;
 use crate::joint::geometry::Vector;
 
-/// A text whose names and formulas are not spelled yet.
+/// Text whose names and formulas are not spelled yet.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Phrase(Vec<Piece>);
 
-/// A part of a phrase.
+/// Piece of a phrase.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Piece {
     /// Words.
     Text(String),
-    /// A name or a label as the description writes it.
+    /// Name or label, as in the description.
     Name(String),
-    /// An unknown of the vector form.
+    /// Unknown of the vector form.
     Unknown(usize),
-    /// The rate of an unknown.
+    /// Rate of an unknown.
     Rate(usize),
-    /// The acceleration of an unknown.
+    /// Acceleration of an unknown.
     Acceleration(usize),
-    /// An expression.
+    /// Expression.
     Formula(ExprId),
-    /// The components of a constant vector.
+    /// Components of a constant vector.
     Pair(Vector),
-    /// R(φ) v for the unknown φ.
+    /// Vector R(φ) v of the unknown φ.
     Turned(usize, Vector),
-    /// Two expressions as a sum of origins, turned vectors and constants.
+    /// Two expressions as a sum of origins, rotated vectors and constants.
     Sum(Vector),
-    /// A local value of a block by its name: `k`, `AB_x`.
+    /// Local value of a block by its name: `k`, `AB_x`.
     Local(String),
-    /// A vector by its name: `AB`.
+    /// Vector by its name: `AB`.
     Vector(String),
-    /// The length of a vector: `|AB|`.
+    /// Length of a vector: `|AB|`.
     Length(String),
-    /// The square of its length.
+    /// Square of a vector's length.
     Square(String),
-    /// A vector turned by a quarter turn counterclockwise.
+    /// Vector rotated by a quarter turn counterclockwise.
     Across(String),
-    /// The scalar product of two vectors.
+    /// Scalar product of two vectors.
     Dot(String, String),
-    /// The plane cross product of two vectors.
+    /// Plane cross product of two vectors.
     Cross(String, String),
-    /// A matrix by its name, with an index.
+    /// Matrix by its name, with an index.
     Matrix(&'static str, &'static str),
-    /// A symbol with a number.
+    /// Symbol with a number.
     Numbered(&'static str, usize),
-    /// A multiplication sign before something that is no number.
+    /// Multiplication sign before a factor that is not a number.
     Times,
-    /// A minus sign between two terms.
+    /// Minus sign between two terms.
     Minus,
-    /// A minus sign before a term.
+    /// Minus sign before a term.
     Opposite,
 }
 
 impl Phrase {
-    /// Adds to the end.
+    /// Appends text, a piece or a phrase.
     pub fn push(&mut self, part: impl Into<Phrase>) {
         self.0.extend(part.into().0);
     }
 
-    /// What it is made of.
+    /// Returns the pieces, in order.
     pub fn pieces(&self) -> &[Piece] {
         &self.0
     }
 
-    /// Whether nothing is said.
+    /// True if the phrase has no text.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
-    /// The text, every piece but words and names spelled by `spell`.
+    /// Returns the text, with all pieces except for words and names spelled by `spell`.
     pub fn text(&self, mut spell: impl FnMut(&Piece) -> String) -> String {
         let spelled = self.0.iter().map(|piece| match piece {
             Piece::Text(text) | Piece::Name(text) => text.clone(),
@@ -107,7 +107,7 @@ impl From<&Phrase> for Phrase {
     }
 }
 
-/// A phrase from its parts in order: texts, pieces and phrases.
+/// Joins texts, pieces and phrases in order.
 macro_rules! phrase {
     ($($part:expr),* $(,)?) => {{
         let mut whole = $crate::words::Phrase::default();

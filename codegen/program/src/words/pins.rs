@@ -1,18 +1,18 @@
-//! A mechanism → its pins: points that two bodies share.
+//! Finds the pins of a mechanism: points that two bodies share.
 
 use crate::joint::geometry::Mark;
 use crate::model::Mechanism;
 
-/// A point that two bodies share.
+/// Point that two bodies share.
 #[derive(Clone, Debug)]
 pub struct Pin {
-    /// As the description writes it.
+    /// Name in the description.
     pub name: String,
-    /// The point as each of the two carries it.
+    /// Mark of the point on each of the two bodies.
     pub marks: [Mark; 2],
 }
 
-/// The pins of a mechanism: points that a joint keeps together, and points that are held on the ground.
+/// Returns the pins of a mechanism: points that a joint keeps together, and points on the ground.
 pub(super) fn pins(mechanism: &Mechanism) -> Vec<Pin> {
     let joints = &mechanism.joints;
     let mut pins = Vec::new();
@@ -21,7 +21,7 @@ pub(super) fn pins(mechanism: &Mechanism) -> Vec<Pin> {
         if joint.kind.joins_points() && marks.len() == 2 {
             pins.extend(pin(mechanism, [marks[0], marks[1]]));
         }
-        // x and y of one point are two statements; together they hold it, or lead it.
+        // The x and y of one point are two statements; together they fix or drive the point.
         let partner = |keywords: [&str; 2]| {
             joints.iter().any(|other| {
                 keywords.contains(&other.kind.keyword())
@@ -42,7 +42,7 @@ pub(super) fn pins(mechanism: &Mechanism) -> Vec<Pin> {
     pins
 }
 
-/// The pin of two marks, where one of them has a name.
+/// Returns the pin of two marks; `None` if neither has a name.
 pub fn pin(mechanism: &Mechanism, marks: [Mark; 2]) -> Option<Pin> {
     let name = marks.iter().find_map(|mark| {
         let body = &mechanism.bodies[mark.frame.body.0];

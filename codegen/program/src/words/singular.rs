@@ -1,8 +1,8 @@
-//! What a form says of its singular poses → words, said of points and said of bodies.
+//! Describes singular poses in words, by points and by bodies.
 //!
-//! The words are the equation det = 0 of the form: two links are in line, a link is parallel to what it is measured along, a line
-//! is perpendicular to the vector that its slide closes. Points are said where the description names them, since a link is a line
-//! between two of its points whatever the shape of its body. Which of these poses a motion comes to is not known here.
+//! The words state the equation det = 0 of a solution method: two links are collinear, a link is parallel to its measured line,
+//! or a line is perpendicular to the vector that its slide closes. Points are preferred if they have names, since a link is a
+//! line between two of its points, whatever its body's shape. A singular pose need not occur in the motion.
 
 use super::ends::{
     Span, line_name, line_words, mark_name, measured_points, movable, span_words, turning_words,
@@ -14,61 +14,61 @@ use crate::joint::geometry::Vector;
 use crate::structure::SolvedBlock;
 use crate::system::{Arm, System};
 
-/// What vanishes where a form is singular. Angles and displacements are unknowns of the vector form; vectors are constant in the
-/// orientation of their angle.
+/// Function that vanishes in the singular poses of a solution method. Angles and displacements are unknowns of the vector form;
+/// vectors are constant in the orientation of their angle.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Singular {
-    /// The coefficient of an unknown in its equation.
+    /// Coefficient of an unknown in its equation.
     Coefficient(usize),
-    /// The derivative of an equation in its one angle.
+    /// Derivative of an equation in its one angle.
     Slope {
-        /// The angle.
+        /// Angle.
         angle: usize,
-        /// The equation, in arms.
+        /// Equation in terms of rotated vectors.
         equation: ExprId,
     },
-    /// The cross product of two turned links.
+    /// Cross product of two rotated links.
     Links {
-        /// What turns them.
+        /// Angles of the links.
         angles: [usize; 2],
-        /// The links.
+        /// Vectors of the links.
         links: [Vector; 2],
     },
-    /// The scalar product of a turned link and a line.
+    /// Scalar product of a rotated link and a line.
     LinkAlongLine {
-        /// What turns the link.
+        /// Angle of the link.
         angle: usize,
-        /// What is measured along the line.
+        /// Displacement along the line.
         slide: usize,
-        /// The link.
+        /// Vector of the link.
         link: Vector,
     },
-    /// The part of a known vector along a line that turns.
+    /// Component of a known vector along a rotating line.
     TurningLine {
-        /// What turns the line.
+        /// Angle of the line.
         angle: usize,
-        /// What is measured along it.
+        /// Displacement along the line.
         slide: usize,
-        /// Where it begins.
+        /// Start of the line.
         start: Vector,
-        /// Its direction.
+        /// Direction of the line.
         direction: Vector,
     },
-    /// The cross product of two lines.
+    /// Cross product of two lines.
     Lines {
-        /// What is measured along them.
+        /// Displacements along the lines.
         slides: [usize; 2],
     },
-    /// The determinant of several equations.
+    /// Determinant of several equations.
     Jacobian(Vec<usize>),
 }
 
-/// What is said of a singular pose.
+/// Description of a singular pose.
 #[derive(Clone, Debug)]
 pub struct SingularWords {
-    /// `A-B and B-C are in line`.
+    /// Description by points: `A-B and B-C are in line`.
     pub points: Phrase,
-    /// `crank and coupler are in line`.
+    /// Description by bodies: `crank and coupler are in line`.
     pub bodies: Phrase,
 }
 
@@ -82,7 +82,7 @@ impl SingularWords {
 }
 
 impl Known {
-    /// What a form of this block is like where its determinant is zero.
+    /// Describes the poses of this block in which the determinant of a solution method is zero.
     pub fn singular_words(
         &self,
         singular: &Singular,
@@ -142,7 +142,7 @@ impl Known {
             None => angles.map(|angle| turning_words(angle, system)),
         };
         let Some(names) = points else {
-            // Two vectors of a closed sum, which need not have a point in common.
+            // Two vectors of a closed sum need not have a common point.
             return SingularWords::both(phrase![one, " and ", other, " are parallel"]);
         };
         let [a, apex, b] = names.map(|name| Phrase::from(Piece::Name(name)));
@@ -152,8 +152,8 @@ impl Known {
         }
     }
 
-    /// The outer end of the first link, the point in which both meet, and the outer end of the second one; `None` where one of
-    /// these has no name.
+    /// Returns the outer end of the first link, the common point of both, and the outer end of the second. `None` if one of these
+    /// has no name.
     fn corners(
         &self,
         angles: [usize; 2],
@@ -161,7 +161,7 @@ impl Known {
         meeting: Option<&[Span; 2]>,
         system: &mut System,
     ) -> Option<[String; 3]> {
-        // The vectors of the plan are those between the pins, where these are known exactly.
+        // Vectors of the plan lie between the pins if these are known exactly.
         match (self.triangle(angles, links, system), meeting) {
             (Some(triangle), _) => {
                 let [a, b] = [0, 1].map(|side| triangle.outer[side].0.name.clone());
@@ -175,7 +175,7 @@ impl Known {
         }
     }
 
-    /// Names of the pins of the loop that two turned links close, from one end to the other; `None` for other forms.
+    /// Returns the pins of the loop of two rotated links, from one end to the other; `None` for other solution methods.
     pub fn loop_pins(
         &self,
         singular: &Singular,
@@ -189,7 +189,7 @@ impl Known {
         self.corners(*angles, *links, meeting.as_ref(), system)
     }
 
-    /// The line begins at p and has the direction u, in the orientation of the angle.
+    /// Describes a line that begins at p with the direction u, in the orientation of the angle.
     fn of_turning_line(
         &self,
         angle: usize,
@@ -199,7 +199,7 @@ impl Known {
     ) -> Phrase {
         let zero = system.mechanism.graph.zero();
         let measured = measured_points(slide, system);
-        // The turning point is where the line begins.
+        // The line begins at the center of rotation.
         if p == [zero, zero] {
             let names = measured.map(|marks| marks.map(|mark| mark_name(&mark, system)));
             return match names {
@@ -213,7 +213,7 @@ impl Known {
                 ],
             };
         }
-        // The vector that the turning line closes lies between the two points of it that are known.
+        // The vector that the rotating line closes lies between the two known points.
         let pins = self.known_pins(angle, system).into_iter();
         let mut known: Vec<String> = pins.map(|(pin, _)| pin.name).collect();
         for mark in measured.into_iter().flatten() {
@@ -232,7 +232,7 @@ impl Known {
         match &known[..] {
             [from, to] => {
                 let [from, to] = [from, to].map(|name| Piece::Name(name.clone()));
-                // On a line through both points they can only come together.
+                // If the line runs through both points, they can only coincide.
                 match offset == zero {
                     true => phrase![from, " and ", to, " coincide"],
                     false => phrase![from, "-", to, " is perpendicular to ", line],
@@ -245,7 +245,7 @@ impl Known {
         }
     }
 
-    /// An equation measures a turned vector along one direction; it is stationary where both are parallel.
+    /// An equation measures a rotated vector along one direction, and is stationary if both are parallel.
     fn of_slope(&self, angle: usize, equation: ExprId, system: &mut System) -> SingularWords {
         let arms: Vec<Arm> = system.vector_form.arms_of(angle).cloned().collect();
         let zero = system.mechanism.graph.zero();
@@ -257,16 +257,19 @@ impl Known {
                 measured.push((arm.local, slopes));
             }
         }
-        // Where the angle itself, or a formula of others, is in the slopes there is no direction to speak of.
+        // If slopes contain the angle itself or functions of other angles, a fixed direction does not exist.
         let describes = system.vector_form.unknowns[angle].describes;
         let is_angle = describes
             .body()
             .is_some_and(|it| system.mechanism.bodies[it].is_angle());
-        let own = |slope: &ExprId| {
+        let mentions_angle = |slope: &ExprId| {
             let graph = &system.mechanism.graph;
             system.vector_form.mentions(*slope, angle, graph) || is_angle && !graph.is_fixed(*slope)
         };
-        if measured.iter().any(|(_, slopes)| slopes.iter().any(own)) {
+        if measured
+            .iter()
+            .any(|(_, slopes)| slopes.iter().any(mentions_angle))
+        {
             measured.clear();
         }
         let &[(local, slopes)] = &measured[..] else {
@@ -286,7 +289,7 @@ impl Known {
         SingularWords { points, bodies }
     }
 
-    /// `K-L` and `K-L of rod`, or what turns with the angle where the ends have no names.
+    /// Returns `K-L` and `K-L of rod`, or the name of the body or link if its ends have no names.
     fn link_words(&self, angle: usize, p: Vector, system: &mut System) -> [Phrase; 2] {
         if let Some(link) = self.link(angle, p, |_, _| true, system) {
             let [from, to] = [link.from, link.to].map(|pin| Piece::Name(pin.name));

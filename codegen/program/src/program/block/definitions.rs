@@ -1,4 +1,4 @@
-//! The explicit formulas of a block → their statements, and what a person says of them.
+//! States the explicit assignments of a block and describes them.
 
 use crate::expr::SymbolId;
 use crate::program::builder::Builder;
@@ -6,11 +6,11 @@ use crate::program::function::Level;
 use crate::structure::SolvedBlock;
 use crate::words::{Phrase, Piece, enumerated, phrase};
 
-/// So many accelerations are written out; more would fill a page with what differentiating once more says.
+/// Largest number of accelerations that are written out; a longer list says no more than a second differentiation.
 const FEW: usize = 3;
 
 impl Builder<'_> {
-    /// The explicit formulas of a block.
+    /// States the explicit assignments of a block.
     pub(super) fn definitions(&mut self, block: &SolvedBlock) {
         if block.parts.is_empty() {
             let source = self.explicit_source(block);
@@ -35,7 +35,7 @@ impl Builder<'_> {
         }
     }
 
-    /// What the explicit formulas do at a level.
+    /// States the rates or derivatives of explicit assignments at a level.
     pub(super) fn definition_rates(&mut self, block: &SolvedBlock, level: Level) {
         let graph = &self.system.mechanism.graph;
         let moving = block.definitions.iter();
@@ -58,7 +58,7 @@ impl Builder<'_> {
         }
     }
 
-    /// What a block without a part finds, and what it starts from.
+    /// Describes the results and inputs of a block without a subsystem.
     fn explicit_source(&mut self, block: &SolvedBlock) -> Phrase {
         const NAMED: usize = 6;
         let mechanism = &self.system.mechanism;
@@ -76,10 +76,12 @@ impl Builder<'_> {
             (false, true) => " from the drivers",
             _ => " from what is fixed",
         };
-        let found = block.definitions.iter();
-        let found: Vec<Phrase> = found.map(|it| Piece::Unknown(it.unknown).into()).collect();
-        match found.len() {
-            0..=NAMED => phrase![enumerated(&found), source],
+        let definitions = block.definitions.iter();
+        let unknowns: Vec<Phrase> = definitions
+            .map(|it| Piece::Unknown(it.unknown).into())
+            .collect();
+        match unknowns.len() {
+            0..=NAMED => phrase![enumerated(&unknowns), source],
             number => phrase![format!("{number} unknowns"), source],
         }
     }

@@ -1,5 +1,4 @@
-//! The blocks of a plan, one after another → their functions: positions, then rates, then accelerations, then responses to each
-//! direction.
+//! Lowers the blocks of a plan to functions: positions, then rates, then accelerations, then responses to each direction.
 
 use std::sync::Arc;
 
@@ -14,7 +13,7 @@ use crate::structure::SolvedBlock;
 use crate::system::System;
 use crate::words::Known;
 
-/// What all blocks of a mechanism are lowered with.
+/// State that the blocks of a mechanism share while they are lowered.
 pub(in crate::program) struct Lowering<'a> {
     pub system: &'a mut System,
     pub branches: Vec<Branch>,
@@ -22,7 +21,7 @@ pub(in crate::program) struct Lowering<'a> {
     pub derivatives: DirectionalDerivatives,
     pub known: Known,
     pub paths: Paths,
-    /// Whether a person's words are wanted too.
+    /// True if derivations and remarks are requested too.
     pub writes_prose: bool,
     names: Vec<String>,
 }
@@ -41,7 +40,7 @@ impl<'a> Lowering<'a> {
         }
     }
 
-    /// The function of the next block, which is the block `place` of the plan.
+    /// Returns the function of the next block, which is the block `place` of the plan.
     pub(in crate::program) fn block(&mut self, place: usize, block: &SolvedBlock) -> Block {
         let first = block.joints.first();
         let _work = first.map(|&joint| work_at(self.system.mechanism.joints[joint].span));
@@ -66,14 +65,14 @@ impl<'a> Lowering<'a> {
         }
         let mut solved = Vec::with_capacity(forms.len());
         for form in &forms {
-            let found = form.position(&mut builder);
+            let solution = form.position(&mut builder);
             for unknown in form.unknowns() {
                 builder.known.find(unknown, place);
             }
             if monitor {
-                builder.measure(form.as_ref(), found.as_ref());
+                builder.measure(form.as_ref(), solution.as_ref());
             }
-            solved.push(found);
+            solved.push(solution);
         }
         builder.definitions(block);
         builder.positive(&block.joints);
@@ -115,7 +114,7 @@ impl<'a> Lowering<'a> {
         }
     }
 
-    /// What shows that these blocks of the plan have stayed on their path.
+    /// Returns the verification that these blocks of the plan stay on their path.
     pub(in crate::program) fn path<'b>(
         &mut self,
         blocks: impl Iterator<Item = (usize, &'b SolvedBlock)>,
@@ -123,7 +122,7 @@ impl<'a> Lowering<'a> {
         Builder::new(self, 0).path(blocks)
     }
 
-    /// The same for closed forms one after another; `None` where some are of another form.
+    /// Returns the verification for closed forms in series; `None` if a block has another solution method.
     pub(in crate::program) fn closed_path<'b>(
         &mut self,
         blocks: impl Iterator<Item = (usize, &'b SolvedBlock)> + Clone,
@@ -131,7 +130,7 @@ impl<'a> Lowering<'a> {
         Builder::new(self, 0).two_links(blocks)
     }
 
-    /// A name that no other block has.
+    /// Returns a name that no other block has.
     fn set_apart(&mut self, base: String) -> String {
         let mut name = base.clone();
         let mut number = 2;
@@ -144,7 +143,7 @@ impl<'a> Lowering<'a> {
     }
 }
 
-/// `loop_l_g_h`: named joints, or else the first of the others.
+/// Names a block after its named joints, otherwise after its first joint: `loop_l_g_h`.
 fn block_name(block: &SolvedBlock, system: &System) -> String {
     const NAMED: usize = 6;
     if block.parts.is_empty() {

@@ -1,4 +1,4 @@
-//! A block of the plan → its function: positions, then rates, then accelerations, then responses to each direction.
+//! Represents a block of the plan as functions: positions, then rates, then accelerations, then responses to each direction.
 
 mod definitions;
 mod lowering;
@@ -13,79 +13,80 @@ use super::forms::{Form, Transposed};
 use super::function::{Function, Statement};
 use crate::expr::{IdMap, IdSet, SymbolId};
 
-/// The function of one block.
+/// Function of one block.
 #[derive(Clone, Debug)]
 pub struct Block {
-    /// Its name: how it is solved, and the joints it closes.
+    /// Name: solution method and closed joints.
     pub name: String,
-    /// How its parts are solved, and the statements it uses.
+    /// Title: solution methods of its subsystems, and the statements that the block uses.
     pub title: String,
-    /// The block of the plan that it solves, from 0; `None` for what only follows from the blocks.
+    /// Index of the solved block of the plan; `None` if the block only follows from others.
     pub place: Option<usize>,
-    /// The joints whose equations it uses.
+    /// Joints whose equations the block uses.
     pub joints: Vec<usize>,
-    /// How the parts of the block are solved.
+    /// Solution methods of the subsystems.
     pub forms: Vec<Arc<dyn Form>>,
-    /// What it does.
+    /// Statements of the block.
     pub function: Function,
-    /// The equations of its Newton-Raphson, where it needs it.
+    /// Equations of Newton-Raphson; `None` if the block does not need it.
     pub newton: Option<NewtonBlock>,
-    /// How far its parts are from singular, where a `monitor` statement asks for it, in their order.
+    /// Distances of the subsystems from singular poses, in their order, if a `monitor` statement requests them.
     pub measured: Vec<Measured>,
-    /// The Jacobians of its parts, where somebody asks for multipliers.
+    /// Jacobians of the subsystems, if multipliers are requested.
     pub(super) transposed: Vec<Option<Transposed>>,
-    /// Local values that a page calls otherwise than the code; only looked up.
+    /// Names of local values in derivations that differ from those in code; only looked up.
     pub page_names: IdMap<SymbolId, PageName>,
-    /// Local values that a page writes out wherever they occur; only looked up.
+    /// Local values that derivations expand wherever they occur; only looked up.
     pub written_out: IdSet<SymbolId>,
 }
 
-/// What a page calls a local value.
+/// Name of a local value in a derivation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum PageName {
-    /// The component x (0) or y (1) of a vector.
+    /// Component x (0) or y (1) of a vector.
     Component(String, usize),
-    /// The cosine of an unknown.
+    /// Cosine of an unknown.
     Cosine(usize),
-    /// The sine of an unknown.
+    /// Sine of an unknown.
     Sine(usize),
 }
 
-/// An assembly mode.
+/// Assembly mode of a closed form.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Branch {
-    /// Its name in the generated code.
+    /// Name in generated code.
     pub name: String,
-    /// The symbol that is +1 or −1.
+    /// Symbol that is +1 or −1.
     pub symbol: SymbolId,
-    /// The block of the plan that it belongs to, from 0.
+    /// Index of its block of the plan.
     pub block: usize,
-    /// What has its sign in the drawing: the sine of the angle between what the form turns, or NaN.
+    /// Value with the mode's sign in the design configuration: the sine of the angle between the links of the closed form, or
+    /// NaN.
     pub drawn: f64,
-    /// What its sign tells apart.
+    /// Description of the two modes.
     pub meaning: String,
 }
 
 impl Branch {
-    /// Whether it is positive in the drawing; also where the drawing says nothing.
+    /// True if the mode is positive in the design configuration, or undecided there.
     pub fn is_positive(&self) -> bool {
         self.drawn.is_nan() || self.drawn >= 0.0
     }
 }
 
-/// The fields that hold how far a part is from singular.
+/// Fields for the distance of a subsystem from singular poses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Measured {
-    /// The sine of the angle between the two vectors of a closed form.
+    /// Sine of the angle between the two vectors of a closed form.
     Sine(SymbolId),
-    /// The coefficient of a linear part.
+    /// Coefficient of a linear subsystem.
     Slope(SymbolId),
-    /// The determinant of a Newton block with columns of length 1, and its reciprocal condition.
+    /// Determinant of a Newton block with columns of length 1, and its reciprocal condition number.
     Block([SymbolId; 2]),
 }
 
 impl Measured {
-    /// Its fields.
+    /// Returns the fields.
     pub fn fields(&self) -> Vec<SymbolId> {
         match self {
             Measured::Sine(field) | Measured::Slope(field) => vec![*field],
@@ -95,7 +96,7 @@ impl Measured {
 }
 
 impl Block {
-    /// A block that only follows from those before it.
+    /// Returns a block that only follows from earlier blocks.
     pub(super) fn following(name: &str, title: &str, statements: Vec<Statement>) -> Block {
         Block {
             name: name.to_string(),
@@ -115,7 +116,7 @@ impl Block {
         }
     }
 
-    /// All its functions: its own, and those of its Newton-Raphson.
+    /// Returns all functions of the block, including those of Newton-Raphson.
     pub fn functions(&self) -> impl Iterator<Item = &Function> {
         let newton = self.newton.iter();
         let lengths = newton.clone().flat_map(|it| &it.scaled_by);
@@ -124,7 +125,7 @@ impl Block {
         [&self.function].into_iter().chain(newton).chain(lengths)
     }
 
-    /// The same without what scales its Newton-Raphson, to be changed.
+    /// Returns the functions for changes, except for the scales of Newton-Raphson.
     pub(super) fn functions_mut(&mut self) -> impl Iterator<Item = &mut Function> {
         let newton = self.newton.iter_mut().flat_map(NewtonBlock::functions_mut);
         [&mut self.function].into_iter().chain(newton)

@@ -1,4 +1,4 @@
-//! The equations that Newton-Raphson solves in one block, as functions.
+//! Represents the equations that Newton-Raphson solves in one block.
 
 use crate::joint::Quantity;
 use crate::program::forms::DrawnMode;
@@ -6,31 +6,31 @@ use crate::program::function::Function;
 use crate::program::lengths::Lengths;
 use crate::program::tearing::Tearing;
 
-/// The equations that Newton-Raphson solves in one block, as functions of the tears and of what is known before.
+/// Equations that Newton-Raphson solves in one block, as functions of its unknowns and of earlier results.
 #[derive(Clone, Debug)]
 pub struct NewtonBlock {
-    /// The tears.
+    /// Unknowns: indices into the vector form.
     pub unknowns: Vec<usize>,
-    /// The sign of the determinant in the drawing.
+    /// Sign of the determinant in the design configuration.
     pub drawn: DrawnMode,
-    /// What each residual is measured in.
+    /// Quantities of the residuals.
     pub quantities: Vec<Quantity>,
-    /// What lengths are scaled by in the residuals, and in the tears.
+    /// Lengths that scale the residuals, and the unknowns.
     pub scaled_by: [Lengths; 2],
-    /// One residual a row.
+    /// Residuals, one per row.
     pub residual: Function,
-    /// Row by row.
+    /// Jacobian, row by row.
     pub jacobian: Function,
-    /// The rates of the residuals with the tears held.
+    /// Rates of the residuals at constant unknowns.
     pub time_derivative: Function,
-    /// Minus the second rates of the residuals with the tears' accelerations zero.
+    /// Negative second rates of the residuals at zero accelerations of the unknowns.
     pub gamma: Function,
-    /// The shortcut by way of fewer unknowns, where there is one.
+    /// Tearing of the block; `None` if it is not torn.
     pub tearing: Option<Tearing>,
 }
 
 impl NewtonBlock {
-    /// Its four functions.
+    /// Returns residual, Jacobian, time derivative and gamma.
     pub fn equations(&self) -> [&Function; 4] {
         [
             &self.residual,
@@ -40,13 +40,13 @@ impl NewtonBlock {
         ]
     }
 
-    /// All its functions: its equations, and those of its tearing.
+    /// Returns the functions of the equations and of the tearing.
     pub fn functions(&self) -> impl Iterator<Item = &Function> {
         let torn = self.tearing.iter().flat_map(Tearing::functions);
         self.equations().into_iter().chain(torn)
     }
 
-    /// The same, to be changed.
+    /// Returns these functions for changes.
     pub(in crate::program) fn functions_mut(&mut self) -> impl Iterator<Item = &mut Function> {
         let torn = self.tearing.iter_mut().flat_map(Tearing::functions_mut);
         let equations = [

@@ -1,4 +1,4 @@
-//! An angle that was found → its direction, and the arms that turn with it, each computed once in a block.
+//! Computes directions of angles, and the vectors that rotate with them, once per block.
 
 use super::Builder;
 use crate::expr::ExprId;
@@ -6,17 +6,18 @@ use crate::joint::geometry::Vector;
 use crate::program::function::Statement;
 use crate::words::Phrase;
 
-/// The cosine and the sine of an angle that was found.
+/// Cosine and sine of a known angle.
 #[derive(Clone, Copy, Debug)]
 pub struct Direction {
-    /// cos φ.
+    /// Cosine of φ.
     pub cosine: ExprId,
-    /// sin φ.
+    /// Sine of φ.
     pub sine: ExprId,
 }
 
 impl Builder<'_> {
-    /// The cosine and the sine of an angle as local values, of which a page knows the functions. The remark stands beside the first.
+    /// Names the cosine and the sine of an angle as local values, which derivations print as functions. The remark is printed
+    /// with the first.
     pub fn direction(
         &mut self,
         unknown: usize,
@@ -29,7 +30,7 @@ impl Builder<'_> {
         Direction { cosine, sine }
     }
 
-    /// The angle of a direction, and the arms that turn with it.
+    /// Finds the angle of a direction, and the vectors that rotate with it.
     pub fn angle(&mut self, unknown: usize, direction: Direction) {
         if let Some(inside) = &mut self.inside {
             inside.directions.insert(unknown, direction);
@@ -45,7 +46,7 @@ impl Builder<'_> {
         self.arms(unknown, direction);
     }
 
-    /// The arms that turn with an angle.
+    /// Computes the vectors that rotate with an angle.
     pub fn arms(&mut self, unknown: usize, direction: Direction) {
         let arms: Vec<_> = self
             .system
@@ -62,7 +63,7 @@ impl Builder<'_> {
         }
     }
 
-    /// Sine and cosine of an angle that is known explicitly; `None` where no arm turns with it.
+    /// Returns cosine and sine of an explicitly known angle; `None` if no vector rotates with it.
     pub fn explicit_angle(&mut self, unknown: usize) -> Option<Direction> {
         if self.inside.is_none() && self.system.vector_form.arms_of(unknown).next().is_none() {
             return None;
@@ -87,7 +88,7 @@ impl Builder<'_> {
         Some(direction)
     }
 
-    /// The statements that compute the arms of these unknowns from the unknowns themselves; as if nothing had been defined.
+    /// Returns the statements for the rotated vectors of these unknowns, from the unknowns alone.
     pub fn geometry(&mut self, unknowns: &[usize]) -> Vec<Statement> {
         let before = std::mem::take(&mut self.statements);
         let defined = self.defined.clone();
@@ -98,8 +99,8 @@ impl Builder<'_> {
         std::mem::replace(&mut self.statements, before)
     }
 
-    /// The turned vector R(φ) p of a form as symbols that move with the angle: an arm where p does not move. The remark stands beside
-    /// its first component.
+    /// Returns the rotated vector R(φ) p of a closed form as symbols that move with the angle: a vector of the vector form if p
+    /// is constant. The remark is printed with its first component.
     pub fn link(
         &mut self,
         angle: usize,
@@ -114,10 +115,10 @@ impl Builder<'_> {
         }
         let arm = self.system.arm(angle, p, name);
         let arms = &self.system.vector_form.arms;
-        let own = arms
+        let place_of_arm = arms
             .iter()
             .position(|it| it.angle == angle && it.local == p);
-        if let Some(place) = own {
+        if let Some(place) = place_of_arm {
             let symbols = arms[place].symbols;
             if self.defined.insert(symbols[0]) {
                 self.assign_with(symbols[0], value[0], remark);

@@ -1,5 +1,5 @@
-//! Demands of a block on its pose: driven lengths are positive, links reach, and nothing vanishes; its assembly mode, and its distance
-//! from singular poses.
+//! States the checks of a block: positive driven lengths, reach, nonzero divisors, assembly mode, and distance from singular
+//! poses.
 
 use super::Builder;
 use crate::expr::{ExprId, Number, Rational};
@@ -8,12 +8,12 @@ use crate::program::forms::{Form, Solved};
 use crate::program::function::Statement;
 use crate::program::requirements::driven_length;
 
-/// A closed form inside a torn block is too close to singular where the square of its sine is one part in so many: it amplifies
-/// rounding eightfold.
+/// Reciprocal of the smallest squared sine at which a closed form inside a torn block is used: rounding is then amplified
+/// eightfold.
 const SLENDER: i128 = 64;
 
 impl Builder<'_> {
-    /// Fails where `excess` is not positive beside `scale`.
+    /// Fails if `excess` is not positive relative to `scale`.
     pub fn reach(
         &mut self,
         excess: ExprId,
@@ -21,7 +21,7 @@ impl Builder<'_> {
         [distance, longest, shortest]: [ExprId; 3],
     ) {
         if self.inside.is_some() {
-            // Before its form is singular, rounding is amplified.
+            // Near a singular pose, rounding is amplified.
             let least = Rational::new(1, SLENDER).unwrap_or(Rational::ONE);
             let graph = self.graph();
             let least = graph.scale(Number::rational(least), scale);
@@ -45,14 +45,14 @@ impl Builder<'_> {
         });
     }
 
-    /// Fails where a divisor vanishes beside `scale`; a constant one was looked at when the plan was made.
+    /// Fails if a divisor vanishes relative to `scale`; constant divisors were checked with the plan.
     pub fn nonzero(&mut self, value: ExprId, scale: ExprId) {
         if !self.system.mechanism.graph.is_constant(value) {
             self.statements.push(Statement::Nonzero { value, scale });
         }
     }
 
-    /// Fails where a length of these joints is driven and not positive. The first block that knows a joint looks at it.
+    /// Fails if a driven length of these joints is not positive. The first block with the joint has the check.
     pub(in crate::program) fn positive(&mut self, joints: &[usize]) {
         for &joint in joints {
             if !self.driven.contains(&joint)
@@ -64,7 +64,8 @@ impl Builder<'_> {
         }
     }
 
-    /// A new assembly mode as a factor that is +1 or −1, which has the sign of the sine `drawn`. A page writes the sign of the drawing.
+    /// Returns a new assembly mode as a factor +1 or −1, with the sign of the sine `drawn` in the design configuration.
+    /// Derivations print that sign.
     pub fn branch(&mut self, name: String, meaning: String, drawn: f64) -> ExprId {
         if let Some(inside) = &mut self.inside {
             let symbol = self.system.intermediate("sign");
@@ -82,7 +83,7 @@ impl Builder<'_> {
         self.graph().variable(symbol)
     }
 
-    /// How far a closed form whose position has been found is from singular, or a Newton block, as fields.
+    /// Records the distance from singular poses of a solved closed form or of a Newton block, as fields.
     pub(in crate::program) fn measure(&mut self, form: &dyn Form, found: &dyn Solved) {
         let names = form.unknowns().into_iter();
         let names: Vec<&str> = names.map(|it| self.system.unknown_name(it)).collect();
@@ -107,13 +108,13 @@ impl Builder<'_> {
         };
         let measure = match size {
             Some(size) => {
-                // A length that moves is computed by itself; the others are part of a constant.
+                // A moving length is computed separately; the others belong to a constant.
                 let size = self.value("size", size);
                 self.graph().divide(value, size)
             }
             None => value,
         };
-        // What never moves is never singular.
+        // A constant measure is never singular.
         if self.system.mechanism.graph.is_fixed(measure) {
             return;
         }

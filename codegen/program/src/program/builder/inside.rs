@@ -1,4 +1,4 @@
-//! Closed forms inside a torn block → what is noted of them while they are stated apart from the block's own statements.
+//! Keeps the state of closed forms inside a torn block apart from the block's own statements.
 
 use std::collections::BTreeMap;
 
@@ -6,16 +6,16 @@ use super::{Builder, Direction};
 use crate::expr::{IdSet, SymbolId};
 use crate::program::function::Statement;
 
-/// What closed forms inside a torn block find.
+/// Results of closed forms inside a torn block.
 #[derive(Debug, Default)]
 pub(in crate::program) struct Inside {
-    /// Their signs, with what has the sign in the drawing.
+    /// Signs, with the values that have these signs in the design configuration.
     pub signs: Vec<(SymbolId, f64)>,
-    /// The directions of angles.
+    /// Directions of angles.
     pub directions: BTreeMap<usize, Direction>,
 }
 
-/// What a builder had stated before a torn block.
+/// State of a builder before a torn block.
 pub(in crate::program) struct Before {
     statements: Vec<Statement>,
     defined: IdSet<SymbolId>,
@@ -23,7 +23,7 @@ pub(in crate::program) struct Before {
 }
 
 impl Builder<'_> {
-    /// Begins to state closed forms inside a torn block, as if nothing had been stated.
+    /// Begins the closed forms inside a torn block with an empty state.
     pub(in crate::program) fn begin_inside(&mut self) -> Before {
         self.inside = Some(Inside::default());
         Before {
@@ -33,7 +33,7 @@ impl Builder<'_> {
         }
     }
 
-    /// Goes on with what was stated before.
+    /// Restores the state before the torn block.
     pub(in crate::program) fn end_inside(&mut self, before: Before) {
         self.inside = None;
         self.statements = before.statements;

@@ -1,4 +1,4 @@
-//! What forms of all kinds state their functions with.
+//! Builds the statements of blocks for all solution methods.
 
 mod angles;
 mod checks;
@@ -18,29 +18,29 @@ use crate::joint::geometry::Vector;
 use crate::system::System;
 use crate::words::{Known, Phrase, Piece, phrase};
 
-/// The statements of one block in the making.
+/// Builder of one block's statements.
 pub struct Builder<'a> {
-    /// The equations; their arena grows by what is computed on the way.
+    /// Equations; their arena grows by intermediate values.
     pub system: &'a mut System,
-    /// What has been found so far.
+    /// Unknowns that are solved so far.
     pub known: &'a mut Known,
     pub(super) derivatives: &'a mut DirectionalDerivatives,
     pub(super) statements: Vec<Statement>,
-    /// The number of the block, from 0.
+    /// Number of the block, from 0.
     pub(super) place: usize,
     branches: &'a mut Vec<Branch>,
-    /// The joints whose driven lengths a block looks at already.
+    /// Joints whose driven lengths are checked already.
     driven: &'a mut Vec<usize>,
     pub(super) paths: &'a mut Paths,
-    /// Arms that are defined already.
+    /// Rotated vectors that are defined already.
     pub(super) defined: IdSet<SymbolId>,
     measured: Vec<Measured>,
     page_names: IdMap<SymbolId, PageName>,
     written_out: IdSet<SymbolId>,
     pub(super) writes_prose: bool,
-    /// How many links of the block change their length.
+    /// Number of links with variable length in the block.
     pub(super) stretched: usize,
-    /// What is noted of the closed forms inside a torn block, while they are stated.
+    /// State of the closed forms inside a torn block, while they are stated.
     pub(super) inside: Option<Inside>,
 }
 
@@ -65,7 +65,7 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// The function, its measures, and how a page writes its local values.
+    /// Returns the function, its measures, and the names of its local values in derivations.
     pub(super) fn finish(
         self,
     ) -> (
@@ -81,7 +81,7 @@ impl<'a> Builder<'a> {
         (function, self.measured, self.page_names, self.written_out)
     }
 
-    /// The arena.
+    /// Returns the arena.
     pub fn graph(&mut self) -> &mut Graph {
         &mut self.system.mechanism.graph
     }
@@ -91,12 +91,12 @@ impl<'a> Builder<'a> {
         self.statements.push(Statement::Section(level));
     }
 
-    /// Says what is found, and from what.
+    /// Adds a heading: results and inputs of the next statements.
     pub fn heading(&mut self, words: impl Into<Phrase>) {
         self.statements.push(Statement::Heading(words.into()));
     }
 
-    /// Says something, where a person's words are wanted.
+    /// Adds a note if derivations are requested.
     pub fn say(&mut self, words: impl FnOnce(&mut Builder<'a>) -> Phrase) {
         if self.writes_prose {
             let words = words(self);
@@ -106,7 +106,7 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// Explains the values that follow in generated code. A derivation has formulas in their place.
+    /// Explains the next values in generated code. Derivations have formulas instead.
     pub fn comment(&mut self, words: impl FnOnce(&mut Builder<'a>) -> Phrase) {
         if !self.writes_prose {
             let words = words(self);
@@ -114,25 +114,25 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// Shows equations that nobody computes, each as left, right and remark, where a person's words are wanted.
+    /// Prints equations as left side, right side and remark, if derivations are requested.
     pub fn show(&mut self, equations: impl FnOnce(&mut Builder<'a>) -> Vec<[Phrase; 3]>) {
         if self.writes_prose {
-            let shown = equations(self).into_iter();
-            let shown = shown.map(|[left, right, remark]| Statement::Shown {
+            let equations = equations(self).into_iter();
+            let equations = equations.map(|[left, right, remark]| Statement::Shown {
                 left,
                 right,
                 remark,
             });
-            self.statements.extend(shown);
+            self.statements.extend(equations);
         }
     }
 
-    /// A named local value; what is a symbol or a constant already needs no name.
+    /// Returns a named local value; symbols and constants need no name.
     pub fn value(&mut self, name: &str, value: ExprId) -> ExprId {
         self.value_with(name, value, "")
     }
 
-    /// The same with what a person says beside it.
+    /// Returns a named local value with a remark.
     pub fn value_with(&mut self, name: &str, value: ExprId, remark: impl Into<Phrase>) -> ExprId {
         let graph = &self.system.mechanism.graph;
         if graph.is_constant(value) || matches!(graph.node(value), Node::Symbol(_)) {
@@ -149,7 +149,7 @@ impl<'a> Builder<'a> {
         self.graph().variable(target)
     }
 
-    /// A named local value that a page writes out wherever it occurs.
+    /// Returns a named local value that derivations expand wherever it occurs.
     pub fn factor(&mut self, name: &str, value: ExprId) -> ExprId {
         let named = self.value(name, value);
         if let Node::Symbol(symbol) = *self.system.mechanism.graph.node(named)
@@ -160,7 +160,8 @@ impl<'a> Builder<'a> {
         named
     }
 
-    /// Both components of a vector as local values `name_x`, `name_y`. A page names a component, too, that needs no name.
+    /// Returns both components of a vector as local values `name_x`, `name_y`. Derivations name components that need no name,
+    /// too.
     pub fn vector(&mut self, name: &str, vector: Vector) -> Vector {
         [("x", vector[0]), ("y", vector[1])].map(|(axis, value)| {
             let component = format!("{name}_{axis}");
@@ -173,12 +174,12 @@ impl<'a> Builder<'a> {
         })
     }
 
-    /// target = value.
+    /// Assigns a value to a target.
     pub fn assign(&mut self, target: SymbolId, value: ExprId) {
         self.assign_with(target, value, "");
     }
 
-    /// target = value, with what a person says beside it.
+    /// Assigns a value to a target, with a remark.
     pub fn assign_with(&mut self, target: SymbolId, value: ExprId, remark: impl Into<Phrase>) {
         let remark = remark.into();
         self.statements.push(Statement::Let {
@@ -188,7 +189,7 @@ impl<'a> Builder<'a> {
         });
     }
 
-    /// What a page calls a symbol in this block.
+    /// Sets the name of a vector's symbols in derivations.
     pub fn call(&mut self, symbols: Vector, name: &str) {
         for (axis, symbol) in symbols.into_iter().enumerate() {
             if let Node::Symbol(symbol) = *self.system.mechanism.graph.node(symbol) {
@@ -198,7 +199,7 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// Has a page write a local value as the cosine or the sine of an unknown.
+    /// Makes derivations print a local value as the cosine or the sine of an unknown.
     pub(super) fn call_function(&mut self, value: ExprId, unknown: usize, is_cosine: bool) {
         if let Node::Symbol(symbol) = *self.system.mechanism.graph.node(value) {
             let name = match is_cosine {
@@ -214,7 +215,7 @@ impl<'a> Builder<'a> {
         self.statements.push(statement);
     }
 
-    /// The row that says `unknown = value`, in words: `revolute B(crank, coupler), x`.
+    /// Describes the row that gives an unknown: `revolute B(crank, coupler), x`.
     pub(super) fn origin(&self, joints: &[usize], row: usize) -> Phrase {
         let row = &self.system.vector_form.rows[row];
         if !self.writes_prose || !joints.contains(&row.joint) {

@@ -1,8 +1,8 @@
-//! The derivative of a block's pose along a direction.
+//! Differentiates the pose of a block along a direction.
 //!
-//! The same equations as for the rates, differentiated once along δ in place of t: what the block's rates are solved with serves
-//! again, with another right-hand side. An unknown responds with what was found for it, an arm turns with its angle, δ itself
-//! grows by one, and time stands still. What does not respond at all is known to be zero, so that nothing is computed for it.
+//! The equations of the rates apply with δ in place of t: the same matrices with another right-hand side. A solved unknown has
+//! its response, a rotated vector moves with its angle, δ has the derivative 1, and time is constant. Zero responses are known
+//! symbolically and are not computed.
 
 mod responses;
 
@@ -12,52 +12,52 @@ use crate::expr::{ExprId, SymbolId};
 use crate::joint::geometry::Vector;
 use crate::system::{Direction, SymbolRole, System};
 
-/// How everything found so far responds to each direction.
+/// Responses of all solved values to each direction.
 #[derive(Clone, Debug)]
 pub(super) struct DirectionalDerivatives {
     directions: Vec<Along>,
-    /// The turned vectors of links that change their length: which angle turns them, and the other component, by component.
+    /// Rotated vectors of links with variable length: angle and other component, by component.
     turned: HashMap<SymbolId, Turned>,
-    /// What local values are that depend on parameters alone.
+    /// Values of locals that depend on parameters alone.
     fixed: HashMap<SymbolId, ExprId>,
-    /// The names of all values that a frame could hold; only looked up.
+    /// Names of all values that a frame could keep; only looked up.
     taken: HashSet<String>,
-    /// The symbols of derivatives of unknowns and their rates; only looked up.
+    /// Symbols of derivatives of unknowns and of their rates; only looked up.
     found: HashSet<SymbolId>,
 }
 
-/// The responses to one direction.
+/// Responses to one direction.
 #[derive(Clone, Debug)]
 struct Along {
     symbol: SymbolId,
     name: String,
     is_parameter: bool,
-    /// By unknown; none while it has not been found.
+    /// Responses by unknown; `None` if the unknown is not solved yet.
     values: Vec<Option<ExprId>>,
-    /// The rates of these values by unknown, where the direction is a parameter.
+    /// Rates of these responses by unknown, if the direction is a parameter.
     rates: Vec<Option<ExprId>>,
-    /// What changes an arm beside its angle, by its place: the arm R ∂s/∂p.
+    /// Relative changes R ∂s/∂p of rotated vectors, by index.
     arms: HashMap<usize, Vector>,
-    /// What changes a turned vector beside its angle.
+    /// Relative changes of rotated vectors of variable length.
     stretches: HashMap<SymbolId, ExprId>,
 }
 
-/// A component of a vector w that turns with an angle: its derivative is a multiple of the other component.
+/// Component of a vector w that rotates with an angle: its derivative is a multiple of the other component.
 #[derive(Clone, Copy, Debug)]
 struct Turned {
     angle: usize,
-    /// −w_y for w_x, w_x for w_y.
+    /// Value −w_y for w_x, and w_x for w_y.
     across: ExprId,
 }
 
 impl DirectionalDerivatives {
-    /// The symbols that drivers are shifted by, all zero.
+    /// Returns the symbols by which drivers are shifted, all zero.
     pub fn shifts(&self) -> Vec<SymbolId> {
         let shifts = self.directions.iter().filter(|along| !along.is_parameter);
         shifts.map(|along| along.symbol).collect()
     }
 
-    /// Nothing has been found yet.
+    /// Returns the state before the first block.
     pub(super) fn new(system: &mut System) -> DirectionalDerivatives {
         let unknowns = system.vector_form.unknowns.len();
         let along = |direction: &Direction| Along {
@@ -91,7 +91,8 @@ impl DirectionalDerivatives {
         derivatives
     }
 
-    /// Adds a direction for each of these unknowns, along which it grows by one; what has not been found is held. Says where they are.
+    /// Adds a direction for each of these unknowns, with derivative 1; unsolved unknowns count as constant. Returns the indices
+    /// of the directions.
     pub(super) fn tear(&mut self, unknowns: &[usize], system: &mut System) -> Vec<usize> {
         let count = system.vector_form.unknowns.len();
         let mut places = Vec::with_capacity(unknowns.len());
@@ -113,13 +114,13 @@ impl DirectionalDerivatives {
         places
     }
 
-    /// Forgets directions that were added.
+    /// Removes directions that were added.
     pub(super) fn mend(&mut self, places: &[usize]) {
         let left = self.directions.len() - places.len();
         self.directions.truncate(left);
     }
 
-    /// Makes the arms R ∂s/∂p of an arm R s, which are defined as it is.
+    /// Makes the rotated vectors R ∂s/∂p of a vector R s, which are defined like R s.
     pub(super) fn change_arm(&mut self, place: usize, system: &mut System) {
         for along in self.directions.iter_mut().filter(|it| it.is_parameter) {
             let arm = &system.vector_form.arms[place];
@@ -134,7 +135,7 @@ impl DirectionalDerivatives {
         }
     }
 
-    /// The derivative of an expression of unknowns, arms and turned vectors. Unknowns that have not been found are held.
+    /// Returns the derivative of an expression of unknowns and rotated vectors. Unsolved unknowns count as constant.
     pub(super) fn along(&self, expr: ExprId, direction: usize, system: &mut System) -> ExprId {
         let symbols = system.mechanism.graph.symbols(expr).to_vec();
         let mut terms = Vec::with_capacity(symbols.len());
@@ -188,13 +189,13 @@ impl DirectionalDerivatives {
         }
     }
 
-    /// The response of an unknown that has been found; zero before.
+    /// Returns the response of a solved unknown; zero before.
     pub(super) fn of_unknown(&self, unknown: usize, direction: usize, system: &System) -> ExprId {
         let value = self.directions[direction].values[unknown];
         value.unwrap_or(system.mechanism.graph.zero())
     }
 
-    /// The rate of this response.
+    /// Returns the rate of this response.
     pub(super) fn rate_of_unknown(
         &self,
         unknown: usize,
@@ -205,27 +206,27 @@ impl DirectionalDerivatives {
         rate.unwrap_or(system.mechanism.graph.zero())
     }
 
-    /// Whether a symbol stands for the derivative of an unknown or its rate.
+    /// True if a symbol is the derivative of an unknown or of its rate.
     pub(super) fn is_response(&self, symbol: SymbolId) -> bool {
         self.found.contains(&symbol)
     }
 
-    /// States what a local value is that depends on parameters alone.
+    /// Records the value of a local that depends on parameters alone.
     pub(super) fn fix(&mut self, symbol: SymbolId, value: ExprId) {
         self.fixed.insert(symbol, value);
     }
 
-    /// What changes a turned vector along a direction beside its angle.
+    /// Returns the relative change of a rotated vector along a direction.
     pub(super) fn stretch_of(&self, symbol: SymbolId, direction: usize) -> Option<ExprId> {
         self.directions[direction].stretches.get(&symbol).copied()
     }
 
-    /// States it.
+    /// Records the relative change of a rotated vector along a direction.
     pub(super) fn set_stretch(&mut self, symbol: SymbolId, direction: usize, value: ExprId) {
         self.directions[direction].stretches.insert(symbol, value);
     }
 
-    /// A name that nothing else has: `phi_c1_by_drive_length_n_m`.
+    /// Returns a unique name such as `phi_c1_by_drive_length_n_m`.
     pub(super) fn name(&mut self, what: &str, direction: usize) -> String {
         let base = format!("{what}_by_{}", self.directions[direction].name);
         let numbered = (2..).map(|number| format!("{base}_{number}"));

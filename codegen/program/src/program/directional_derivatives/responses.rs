@@ -1,4 +1,4 @@
-//! *What a block finds along a direction* → *statements*: the responses of its unknowns, and their rates.
+//! States the responses of a block's unknowns along a direction, and their rates.
 
 use super::Turned;
 use crate::expr::{ExprId, Node, SymbolId};
@@ -8,12 +8,12 @@ use crate::program::function::{Level, Statement};
 use crate::system::Cause;
 
 impl Builder<'_> {
-    /// The derivative of an expression along a direction.
+    /// Returns the derivative of an expression along a direction.
     pub(in crate::program) fn along(&mut self, expr: ExprId, direction: usize) -> ExprId {
         self.derivatives.along(expr, direction, self.system)
     }
 
-    /// States the response of an unknown. A constant needs no name, and what it multiplies may vanish.
+    /// Assigns the response of an unknown. A constant needs no name, and its products may vanish.
     pub(in crate::program) fn respond(&mut self, unknown: usize, direction: usize, value: ExprId) {
         let value = if self.system.mechanism.graph.is_constant(value) {
             value
@@ -25,7 +25,7 @@ impl Builder<'_> {
         self.derivatives.directions[direction].values[unknown] = Some(value);
     }
 
-    /// States the rate of such a response; that of a constant is zero whatever `value` looks like.
+    /// Assigns the rate of a response; that of a constant is zero whatever `value` is.
     pub(in crate::program) fn respond_rate(
         &mut self,
         unknown: usize,
@@ -41,7 +41,7 @@ impl Builder<'_> {
         self.found_rate(unknown, direction, target);
     }
 
-    /// The symbol of a response that is no constant.
+    /// Returns the symbol of a response; `None` if the response is constant.
     fn response(&self, unknown: usize, direction: usize) -> Option<SymbolId> {
         let value = self.derivatives.directions[direction].values[unknown]?;
         match *self.system.mechanism.graph.node(value) {
@@ -63,7 +63,7 @@ impl Builder<'_> {
         let name = self.derivatives.name(&name, direction);
         let symbol = self.system.intermediate(&name);
         self.derivatives.found.insert(symbol);
-        // What has not been found is held.
+        // Unsolved unknowns count as constant.
         let zero = self.graph().zero();
         self.system.vector_form.set_rate(symbol, zero);
         symbol
@@ -77,7 +77,7 @@ impl Builder<'_> {
         symbol
     }
 
-    /// States that the symbols of a turned vector respond as R(φ) p does.
+    /// Records the responses of the symbols of R(φ) p.
     pub(in crate::program) fn turn_response(&mut self, angle: usize, w: [ExprId; 2]) {
         if self.derivatives.directions.is_empty() {
             return;
@@ -92,7 +92,8 @@ impl Builder<'_> {
         }
     }
 
-    /// The responses of the tears, or their rates: one solve with the Jacobian that Newton-Raphson ended with, factorized at the first of them.
+    /// Solves for the responses of the tearing variables, or their rates, with the Jacobian of the last Newton-Raphson step,
+    /// which the first solve factorizes.
     pub(in crate::program) fn newton_response(
         &mut self,
         unknowns: &[usize],
@@ -138,7 +139,7 @@ impl Builder<'_> {
         });
     }
 
-    /// The statements, and the equations of Newton-Raphson, at δ = 0.
+    /// Sets δ = 0 in the statements and in the equations of Newton-Raphson.
     pub(in crate::program) fn without_shifts(&mut self, newton: Option<&mut NewtonBlock>) {
         let shifts = self.derivatives.shifts();
         if shifts.is_empty() {
@@ -156,9 +157,9 @@ impl Builder<'_> {
         self.statements = statements;
     }
 
-    /// The levels of a block after its pose, in their order.
+    /// Returns the levels of a block after its pose, in their order.
     pub(in crate::program) fn levels(&self) -> Vec<Level> {
-        // Efforts shift drivers, but ask for no response; the reduced mass asks for that to what is free.
+        // Efforts shift drivers but need no responses; the reduced mass needs those of free coordinates.
         let mechanism = &self.system.mechanism;
         let transmits = !mechanism.transmissions.is_empty();
         let is_free = |place: usize| match self.system.directions.get(place).map(|it| it.cause) {

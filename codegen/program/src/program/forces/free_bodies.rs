@@ -1,9 +1,11 @@
-//! What the equations of parts carry → what every equation carries, body by body.
+//! Derives the multipliers of all equations from those of subsystems, body by body.
 //!
-//! Column u of Φ_qᵀ λ = Q − M q̈ is the balance of forces along x or y, or of moments, of one body cut free. With the multipliers
-//! of the parts known, most columns have one unknown multiplier left, as a person finds when drawing one free body after the other;
-//! where none has, one multiplier is expressed by others. Every body turns by itself here, so the moments that tied bodies pass to
-//! one another are found too. A multiplier of a part whose equation ties angles is found anew: the parts know only one of such bodies.
+//! Column u of Φ_qᵀ λ = Q − M q̈ is the balance of forces along x or y, or of moments, of one free body. With known multipliers
+//! of the subsystems, most columns have one unknown multiplier left, as in free-body diagrams by hand. If no column has, one
+//! multiplier is expressed by others.
+//!
+//! Every body rotates independently here, so moments between tied bodies are found too. Multipliers of equations that tie angles
+//! are found anew, since the subsystems know only one of such bodies.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -15,16 +17,16 @@ use crate::program::function::Statement;
 use crate::structure::SolvedPlan;
 use crate::words::Piece;
 
-/// Rounding that may be left of a balance that others imply, beside its largest factor.
+/// Largest rounding residual of a balance that others imply, relative to its largest factor.
 const DEPENDENT: f64 = 1e-9;
 
-/// One balance: the multipliers that are still unknown in it, with their factors, and what they add up to.
+/// Balance: its unknown multipliers with their factors, and their sum.
 struct Balance {
     factors: BTreeMap<usize, ExprId>,
     sum: Vec<ExprId>,
 }
 
-/// The multiplier of every row of the vector form, with names that begin with `prefix`.
+/// Returns the multiplier of every row of the vector form, with names that begin with `prefix`.
 pub(super) fn multipliers(
     plan: &SolvedPlan,
     loads: &[ExprId],
@@ -34,15 +36,15 @@ pub(super) fn multipliers(
 ) -> Vec<ExprId> {
     let zero = builder.graph().zero();
     let rows = builder.system.vector_form.rows.len();
-    let mut found: Vec<Option<ExprId>> = vec![None; rows];
+    let mut multipliers: Vec<Option<ExprId>> = vec![None; rows];
     for (&row, &multiplier) in &carried.multipliers {
-        // Angles of tied bodies are one unknown to the parts.
+        // Angles of tied bodies are one unknown in the subsystems.
         if builder.system.vector_form.rows[row].quantity != Quantity::Angle {
-            found[row] = Some(multiplier);
+            multipliers[row] = Some(multiplier);
         }
     }
     let mut balances = balances(loads, builder);
-    for (row, multiplier) in found.iter().enumerate() {
+    for (row, multiplier) in multipliers.iter().enumerate() {
         if let Some(multiplier) = multiplier {
             settle(row, *multiplier, &mut balances, builder);
         }
@@ -50,7 +52,7 @@ pub(super) fn multipliers(
     let order = order(plan, balances.len());
     let mut expressed: Vec<(usize, Balance)> = Vec::new();
     let mut open: BTreeSet<usize> = order.iter().copied().collect();
-    while found.iter().any(Option::is_none) && !open.is_empty() {
+    while multipliers.iter().any(Option::is_none) && !open.is_empty() {
         let alone = order
             .iter()
             .copied()
@@ -63,11 +65,11 @@ pub(super) fn multipliers(
             let sum = builder.graph().sum(&balances[column].sum);
             let value = builder.graph().divide(sum, factor);
             let value = builder.value(&name(prefix, row, builder), value);
-            found[row] = Some(value);
+            multipliers[row] = Some(value);
             settle(row, value, &mut balances, builder);
             continue;
         }
-        // A loop of bodies: the shortest balance says one multiplier by the others, which are found from what is left.
+        // In a loop of bodies, the shortest balance expresses one multiplier by the others, which later balances determine.
         let shortest = order
             .iter()
             .copied()
@@ -96,36 +98,39 @@ pub(super) fn multipliers(
         expressed.push((row, balance));
     }
     let is_left = |row: &usize| {
-        found[*row].is_none() && !expressed.iter().any(|(expressed, _)| expressed == row)
+        multipliers[*row].is_none() && !expressed.iter().any(|(expressed, _)| expressed == row)
     };
     let left: Vec<usize> = (0..rows).filter(is_left).collect();
     let remaining = order.iter().filter(|column| open.contains(column));
     let remaining: Vec<&Balance> = remaining.map(|&column| &balances[column]).collect();
     for (row, value) in at_once(&left, remaining, prefix, builder) {
-        found[row] = Some(value);
+        multipliers[row] = Some(value);
     }
     for (row, balance) in expressed.into_iter().rev() {
         let mut terms = balance.sum.clone();
-        let mut own = None;
+        let mut factor_of_row = None;
         for (&other, &factor) in &balance.factors {
             if other == row {
-                own = Some(factor);
+                factor_of_row = Some(factor);
                 continue;
             }
-            let value = found[other].unwrap_or(zero);
+            let value = multipliers[other].unwrap_or(zero);
             let graph = builder.graph();
             let product = graph.multiply(factor, value);
             terms.push(graph.negate(product));
         }
         let (sum, one) = (builder.graph().sum(&terms), builder.graph().one());
-        let value = builder.graph().divide(sum, own.unwrap_or(one));
+        let value = builder.graph().divide(sum, factor_of_row.unwrap_or(one));
         let value = builder.value(&name(prefix, row, builder), value);
-        found[row] = Some(value);
+        multipliers[row] = Some(value);
     }
-    found.into_iter().map(|it| it.unwrap_or(zero)).collect()
+    multipliers
+        .into_iter()
+        .map(|it| it.unwrap_or(zero))
+        .collect()
 }
 
-/// The multipliers that are left where parameters change the factors of all of them, by as many independent balances.
+/// Solves for the remaining multipliers by as many independent balances, if parameters occur in all their factors.
 fn at_once(
     left: &[usize],
     mut remaining: Vec<&Balance>,
@@ -192,7 +197,7 @@ fn at_once(
     left.iter().copied().zip(values).collect()
 }
 
-/// As many balances as are independent in these multipliers, with the values of the description.
+/// Returns as many balances as are independent in these multipliers, for the values of the description.
 fn independent<'b>(
     left: &[usize],
     remaining: &[&'b Balance],
@@ -229,7 +234,7 @@ fn independent<'b>(
     chosen
 }
 
-/// The balance of every unknown.
+/// Returns the balance of every unknown.
 fn balances(loads: &[ExprId], builder: &mut Builder<'_>) -> Vec<Balance> {
     let unknowns = builder.system.vector_form.unknowns.len();
     let mut balances: Vec<Balance> = (0..unknowns)
@@ -248,7 +253,7 @@ fn balances(loads: &[ExprId], builder: &mut Builder<'_>) -> Vec<Balance> {
     balances
 }
 
-/// The columns from the last that is solved for to the first: free bodies are cut from the end of the chain.
+/// Returns the columns in reverse order of solution: bodies are cut free from the end of the chain.
 fn order(plan: &SolvedPlan, count: usize) -> Vec<usize> {
     let mut order = Vec::with_capacity(count);
     for block in plan.blocks.iter().rev() {
@@ -258,7 +263,7 @@ fn order(plan: &SolvedPlan, count: usize) -> Vec<usize> {
     order
 }
 
-/// Puts a multiplier that was found into all balances.
+/// Substitutes a known multiplier in all balances.
 fn settle(row: usize, value: ExprId, balances: &mut [Balance], builder: &mut Builder<'_>) {
     for balance in balances {
         if let Some(factor) = balance.factors.remove(&row) {
@@ -269,7 +274,7 @@ fn settle(row: usize, value: ExprId, balances: &mut [Balance], builder: &mut Bui
     }
 }
 
-/// Puts a multiplier that others express into all balances.
+/// Eliminates a multiplier, expressed by others, from all balances.
 fn eliminate(
     row: usize,
     factor: ExprId,
@@ -300,7 +305,7 @@ fn eliminate(
     }
 }
 
-/// Whether a balance has at most so many unknown multipliers, and a number as the factor of one.
+/// True if a balance has at most `most` unknown multipliers, and a number as the factor of one.
 fn is_solvable(balance: &Balance, most: usize, builder: &Builder<'_>) -> bool {
     let graph = &builder.system.mechanism.graph;
     let mut factors = balance.factors.values();
@@ -313,12 +318,12 @@ fn only(balance: &Balance) -> Option<(usize, ExprId)> {
     Some((row, factor))
 }
 
-/// What a multiplier is called: `carried_p_x`.
+/// Returns the name of a multiplier: `carried_p_x`.
 fn name(prefix: &str, row: usize, builder: &Builder<'_>) -> String {
     named(&format!("{prefix}carried"), row, builder)
 }
 
-/// What something of a row is called: `unit_p_x`.
+/// Returns a name for a value of a row: `unit_p_x`.
 pub(super) fn named(what: &str, row: usize, builder: &Builder<'_>) -> String {
     let row = &builder.system.vector_form.rows[row];
     let slug = &builder.system.mechanism.joints[row.joint].slug;

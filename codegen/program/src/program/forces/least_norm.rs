@@ -1,9 +1,10 @@
-//! What joints carry where nothing monitored carries anything → the same with what is smallest of all that balances what acts.
+//! Adds the reactions of monitored rows so that the norm of all reactions is smallest.
 //!
-//! Where rows repeat others, every multiple of what they could carry against these balances nothing, and may be added: for each of them a
-//! unit is passed on as a load is, which gives what the others carry against it. Of all sums the one is taken whose components have the
-//! least sum of squares, over all joints, forces as they are and moments over the characteristic length (Björck 1996, Numerical Methods
-//! for Least Squares Problems, section 1.1): as many linear equations as there are monitored rows, with a matrix that is positive.
+//! If rows repeat others, reactions of these rows against the others balance to zero and may be added in any amount. A unit
+//! reaction of each monitored row is transmitted like a load, which gives the reactions of all other rows. Of all sums, the one
+//! with the least sum of squared components over all joints is chosen. Forces count as they are, moments divided by the
+//! characteristic length (Björck 1996, Numerical Methods for Least Squares Problems, section 1.1). The normal equations have one
+//! row per monitored row and a positive definite matrix.
 
 use super::characteristic;
 use super::free_bodies;
@@ -18,16 +19,16 @@ use crate::structure::SolvedPlan;
 use crate::system::Component;
 use crate::words::Piece;
 
-/// What the joints of a mechanism share.
+/// Reactions with the least norm.
 pub(super) struct Shared {
-    /// Of all rows.
+    /// Multipliers of all rows.
     pub multipliers: Multipliers,
-    /// What a unit of each monitored row makes the others carry, and how much of it there is.
+    /// Reactions of other rows to a unit of each monitored row, and the amount of this unit.
     units: Vec<(Carried, ExprId)>,
 }
 
 impl Shared {
-    /// The work of what is shared along the value of a driver.
+    /// Returns the work of these reactions along the value of a driver.
     pub fn along(&self, shift: SymbolId, builder: &mut Builder<'_>) -> ExprId {
         let terms = self.units.iter().map(|(unit, share)| {
             let work = unit.along(shift, builder);
@@ -38,7 +39,7 @@ impl Shared {
     }
 }
 
-/// What all rows carry with the least norm, from what the rows of the vector form carry alone.
+/// Returns the multipliers of all rows with the least norm, from those of the vector form alone.
 pub(super) fn shared(
     plan: &SolvedPlan,
     transposed: &[Vec<Option<Transposed>>],
@@ -50,8 +51,8 @@ pub(super) fn shared(
     let mut units: Vec<(Carried, Multipliers)> = Vec::with_capacity(count);
     for (row, load) in unit_loads(builder).into_iter().enumerate() {
         builder.say(|builder| {
-            let own = &builder.system.monitored[row];
-            let label = &builder.system.mechanism.joints[own.joint].label;
+            let monitored_row = &builder.system.monitored[row];
+            let label = &builder.system.mechanism.joints[monitored_row.joint].label;
             let number = row + 1;
             format!("Rigid bodies leave open what {label} carries. A unit of it, share {number}, is balanced by these:").into()
         });
@@ -63,9 +64,9 @@ pub(super) fn shared(
         });
         let load: Vec<ExprId> = load.collect();
         let carried = sweep(plan, transposed, &load, &prefix, builder);
-        let found = free_bodies::multipliers(plan, &load, &carried, &prefix, builder);
-        let found = found.into_iter();
-        let rows = found.enumerate().map(|(place, value)| {
+        let multipliers = free_bodies::multipliers(plan, &load, &carried, &prefix, builder);
+        let values = multipliers.into_iter();
+        let rows = values.enumerate().map(|(place, value)| {
             let name = free_bodies::named(&format!("{prefix}carried"), place, builder);
             let named = builder.value(&name, value);
             if value != zero && builder.graph().is_constant(value) {
@@ -110,7 +111,7 @@ pub(super) fn shared(
     }
 }
 
-/// What a unit of the multiplier of each monitored row exerts on every unknown.
+/// Returns the loads of a unit multiplier of each monitored row on every unknown.
 fn unit_loads(builder: &mut Builder<'_>) -> Vec<Vec<ExprId>> {
     let zero = builder.graph().zero();
     let unknowns = builder.system.vector_form.unknowns.len();
@@ -125,7 +126,7 @@ fn unit_loads(builder: &mut Builder<'_>) -> Vec<Vec<ExprId>> {
     loads
 }
 
-/// How much of each unit there is in what is smallest.
+/// Returns the amount of each unit in the least norm.
 fn shares(
     alone: &Multipliers,
     units: &[(Carried, Multipliers)],
@@ -133,14 +134,14 @@ fn shares(
 ) -> Vec<ExprId> {
     let zero = builder.graph().zero();
     let count = units.len();
-    // The terms of the normal equations.
+    // Coefficients of the normal equations.
     let mut products = vec![vec![Vec::new(); count]; count];
     let mut against = vec![Vec::new(); count];
     for joint in 0..builder.system.mechanism.joints.len() {
         if builder.system.mechanism.joints[joint].role != Role::Constraint {
             continue;
         }
-        let own = weighed(joint, alone, "alone", builder);
+        let components = weighed(joint, alone, "alone", builder);
         let of_units: Vec<Vec<ExprId>> = units
             .iter()
             .enumerate()
@@ -151,7 +152,7 @@ fn shares(
                 if value == zero {
                     continue;
                 }
-                let product = builder.graph().multiply(value, own[component]);
+                let product = builder.graph().multiply(value, components[component]);
                 against[row].push(builder.graph().negate(product));
                 for (column, other) in of_units.iter().enumerate().take(row + 1) {
                     let product = builder.graph().multiply(value, other[component]);
@@ -207,7 +208,7 @@ fn shares(
     targets.into_iter().map(|it| graph.variable(it)).collect()
 }
 
-/// The components of what a joint carries, in N.
+/// Returns the components of a joint's reaction, in N.
 fn weighed(
     joint: usize,
     multipliers: &Multipliers,
@@ -221,8 +222,8 @@ fn weighed(
     let measured = rows.find(|row| row.joint == joint);
     // The multiplier of an equation is the work per unit of its residual.
     let power = measured.map_or(1, |row| row.quantity.power_of_length());
-    let found = components(joint, multipliers, builder).into_iter();
-    let weighed = found.map(|(component, value)| {
+    let values = components(joint, multipliers, builder).into_iter();
+    let weighed = values.map(|(component, value)| {
         let lengths = match component {
             Component::Moment => -1,
             Component::Multiplier => power - 1,

@@ -1,8 +1,8 @@
-//! What `effort`, `reaction` and `energy` statements ask for → a last block that computes it.
+//! Computes the forces of `effort`, `reaction` and `energy` statements in a last block.
 //!
-//! Φ_qᵀ λ = Q − M q̈ is solved block by block in reverse order: each part of the plan has its own transposed Jacobian, and what an
-//! equation carries is passed on to what is solved before it (Haug 1989, section 11.2; the blocks are those of the block triangular
-//! form, transposed). What no statement asks for is pruned like everything else. Deliberately unknown here: what acts on bodies.
+//! Φ_qᵀ λ = Q − M q̈ is solved block by block in reverse order. Each subsystem of the plan has its own transposed Jacobian. The
+//! force of an equation acts on the blocks before it (Haug 1989, section 11.2; the blocks are those of the block triangular form,
+//! transposed). Unrequested forces are pruned like all other values.
 
 mod free_bodies;
 mod least_norm;
@@ -27,54 +27,54 @@ use crate::joint::Quantity;
 use crate::structure::SolvedPlan;
 use crate::system::System;
 
-/// The forces that are asked for.
+/// Requested forces.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Forces {
-    /// Of every driver in written order; nothing where nobody asks.
+    /// Efforts of all drivers in written order; empty if not requested.
     pub efforts: Vec<Effort>,
-    /// Of the joints that are asked for, in written order.
+    /// Requested reactions, in written order of the joints.
     pub reactions: Vec<Reaction>,
-    /// The fields of the energies, where they are asked for.
+    /// Fields of the energies; `None` if not requested.
     pub energy: Option<Energy>,
-    /// What moves the coordinates that are free, where there are any.
+    /// Reduced masses and forces of the free coordinates, if any.
     pub reduced: Option<Reduced>,
 }
 
-/// What a driver exerts.
+/// Driving force or torque of a driver.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Effort {
-    /// An index into the mechanism's joints.
+    /// Index into the mechanism's joints.
     pub joint: usize,
-    /// What its functions are named after: `crank`, `drive_length_n_m`.
+    /// Base of function names: `crank`, `drive_length_n_m`.
     pub name: String,
-    /// What the driven quantity is measured in: a force along a length, a torque about an angle.
+    /// Quantity that is driven: a force acts along a length, a torque about an angle.
     pub quantity: Quantity,
-    /// The effort, in N or N·m.
+    /// Effort, in N or N·m.
     pub effort: SymbolId,
-    /// Its power, in W.
+    /// Power, in W.
     pub power: SymbolId,
 }
 
-/// The energies of the whole mechanism.
+/// Energies of the whole mechanism.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Energy {
-    /// In J.
+    /// Kinetic energy, in J.
     pub kinetic: SymbolId,
-    /// Of gravity and springs, in J.
+    /// Potential energy of gravity and springs, in J.
     pub potential: SymbolId,
-    /// What dampers, forces and torques add, in W.
+    /// Power of dampers, forces and torques, in W.
     pub added: SymbolId,
 }
 
 impl Forces {
-    /// The fields of everything: what is asked for, and what moves the free coordinates.
+    /// Returns all fields: requested forces, and the reduced masses and forces.
     pub fn fields(&self) -> Vec<SymbolId> {
         let mut fields = self.asked();
         fields.extend(self.reduced.iter().flat_map(Reduced::fields));
         fields
     }
 
-    /// The fields of what statements ask for.
+    /// Returns the fields of requested forces.
     pub fn asked(&self) -> Vec<SymbolId> {
         let efforts = self.efforts.iter().flat_map(|it| [it.effort, it.power]);
         let reactions = self.reactions.iter().flat_map(Reaction::fields);
@@ -84,8 +84,8 @@ impl Forces {
     }
 }
 
-/// The forces that are asked for, and the block that computes them; `None` where there are none. `transposed` holds the Jacobians of
-/// the parts of every block of the plan.
+/// Returns the requested forces, and the block that computes them; `None` if there are none. `transposed` has the Jacobians of
+/// the subsystems of every block of the plan.
 pub(super) fn forces(
     lowering: &mut Lowering<'_>,
     plan: &SolvedPlan,
@@ -93,7 +93,7 @@ pub(super) fn forces(
 ) -> Option<(Forces, Block)> {
     let loads = lowering.system.forces.clone()?;
     let shifts = lowering.derivatives.shifts();
-    let wanted = lowering.system.mechanism.forces.clone();
+    let requested = lowering.system.mechanism.forces.clone();
     let mut builder = Builder::new(lowering, plan.blocks.len());
     builder.section(Level::Forces);
     let scale = characteristic(builder.system);
@@ -102,26 +102,26 @@ pub(super) fn forces(
         let length = builder.graph().variable(symbol);
         builder.nonzero(length, scale);
     }
-    let mut found = Forces::default();
-    builder.heading(headline(&wanted));
-    if wanted.need_multipliers() {
+    let mut forces = Forces::default();
+    builder.heading(headline(&requested));
+    if requested.need_multipliers() {
         builder.say(|_| {
             "What acts on every body beside joints and drivers, less what moves its mass, moments about the origin of its frame:".into()
         });
         let named = named_loads(&loads.loads, &mut builder);
         let carried = virtual_work::sweep(plan, transposed, &named, "", &mut builder);
-        let is_shared = wanted.least_norm && !builder.system.monitored.is_empty();
+        let is_shared = requested.least_norm && !builder.system.monitored.is_empty();
         let shared = is_shared.then(|| {
             let alone = alone(plan, &named, &carried, &mut builder);
             least_norm::shared(plan, transposed, alone, &mut builder)
         });
-        if wanted.efforts {
-            found.efforts = efforts(&carried, shared.as_ref(), &mut builder);
+        if requested.efforts {
+            forces.efforts = efforts(&carried, shared.as_ref(), &mut builder);
         }
-        if !wanted.free.is_empty() {
-            found.reduced = Some(reduced::reduced(&carried, &loads.weights, &mut builder));
+        if !requested.free.is_empty() {
+            forces.reduced = Some(reduced::reduced(&carried, &loads.weights, &mut builder));
         }
-        if !wanted.reactions.is_empty() {
+        if !requested.reactions.is_empty() {
             let multipliers = match shared {
                 Some(shared) => shared.multipliers,
                 None => Multipliers {
@@ -129,14 +129,14 @@ pub(super) fn forces(
                     monitored: Vec::new(),
                 },
             };
-            let teeth = ToothForces::of_joints(&wanted.reactions, &multipliers, &mut builder);
-            let joints = wanted.reactions.iter();
+            let teeth = ToothForces::of_joints(&requested.reactions, &multipliers, &mut builder);
+            let joints = requested.reactions.iter();
             let reactions =
                 joints.map(|&joint| reaction::reaction(joint, &multipliers, &teeth, &mut builder));
-            found.reactions = reactions.collect();
+            forces.reactions = reactions.collect();
         }
     }
-    if wanted.energy {
+    if requested.energy {
         builder.say(|_| "The work that is stored, and the power of what else acts:".into());
         let values = [
             ("kinetic_energy", loads.kinetic),
@@ -148,7 +148,7 @@ pub(super) fn forces(
             builder.assign(target, value);
             target
         });
-        found.energy = Some(Energy {
+        forces.energy = Some(Energy {
             kinetic,
             potential,
             added,
@@ -165,23 +165,26 @@ pub(super) fn forces(
         .iter_mut()
         .for_each(|statement: &mut Statement| statement.change_values(&mut at_zero));
     let title = "What drivers exert, what joints carry, and what is stored.";
-    Some((found, Block::following("forces", title, statements)))
+    Some((forces, Block::following("forces", title, statements)))
 }
 
-/// What the block finds.
-fn headline(wanted: &crate::model::Forces) -> String {
+/// Describes the results of the block.
+fn headline(requested: &crate::model::Forces) -> String {
     let parts = [
-        (wanted.efforts, "what drivers exert"),
-        (!wanted.free.is_empty(), "what moves the free coordinates"),
-        (!wanted.reactions.is_empty(), "what joints carry"),
-        (wanted.energy, "what is stored"),
+        (requested.efforts, "what drivers exert"),
+        (
+            !requested.free.is_empty(),
+            "what moves the free coordinates",
+        ),
+        (!requested.reactions.is_empty(), "what joints carry"),
+        (requested.energy, "what is stored"),
     ];
     let parts = parts.into_iter().filter(|(is_wanted, _)| *is_wanted);
     let parts: Vec<&str> = parts.map(|(_, words)| words).collect();
     parts.join(", ")
 }
 
-/// The length that lengths are judged against.
+/// Returns the characteristic length.
 fn characteristic(system: &mut System) -> ExprId {
     let length = system.mechanism.characteristic_length;
     let graph = &mut system.mechanism.graph;
@@ -191,7 +194,7 @@ fn characteristic(system: &mut System) -> ExprId {
     }
 }
 
-/// Q − M q̈ of every coordinate under names: `load_x_c1`.
+/// Returns Q − M q̈ of every coordinate as named values: `load_x_c1`.
 fn named_loads(loads: &[ExprId], builder: &mut Builder<'_>) -> Vec<ExprId> {
     let named = loads.iter().enumerate().map(|(coordinate, &load)| {
         let name = builder.system.unknown_name(coordinate).to_string();
@@ -200,7 +203,7 @@ fn named_loads(loads: &[ExprId], builder: &mut Builder<'_>) -> Vec<ExprId> {
     named.collect()
 }
 
-/// What every row of the vector form carries.
+/// Returns the multiplier of every row of the vector form.
 fn alone(
     plan: &SolvedPlan,
     loads: &[ExprId],
@@ -213,7 +216,7 @@ fn alone(
     free_bodies::multipliers(plan, loads, carried, "", builder)
 }
 
-/// What every driver exerts: the opposite of the work that everything else does along its value.
+/// Returns the effort of every driver: the negative work of all other forces along its value.
 fn efforts(
     carried: &virtual_work::Carried,
     shared: Option<&Shared>,
@@ -226,12 +229,12 @@ fn efforts(
     });
     for (direction, joint, quantity) in driven {
         let symbol = builder.system.directions[direction].symbol;
-        let own = &builder.system.mechanism.joints[joint];
-        let (name, value) = (own.slug.clone(), own.operands.value);
+        let driver = &builder.system.mechanism.joints[joint];
+        let (name, value) = (driver.slug.clone(), driver.operands.value);
         let mut work = carried.along(symbol, builder);
         if let Some(shared) = shared {
-            let own = shared.along(symbol, builder);
-            work = builder.graph().add(work, own);
+            let shared_work = shared.along(symbol, builder);
+            work = builder.graph().add(work, shared_work);
         }
         let [effort, power] =
             ["effort", "power"].map(|what| builder.system.intermediate(&format!("{what}_{name}")));

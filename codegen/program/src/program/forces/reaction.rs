@@ -1,4 +1,4 @@
-//! The multipliers of a joint's equations → the force and the moment that it passes to its second body.
+//! Converts the multipliers of a joint's equations to the force and the moment on its second body.
 
 use super::teeth::ToothForces;
 use crate::expr::{ExprId, SymbolId};
@@ -7,34 +7,34 @@ use crate::joint::geometry::dot;
 use crate::program::builder::Builder;
 use crate::system::{Carried, Component};
 
-/// What a joint carries.
+/// Reaction of a joint.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reaction {
-    /// An index into the mechanism's joints.
+    /// Index into the mechanism's joints.
     pub joint: usize,
-    /// What its functions are named after: `p`.
+    /// Base of function names: `p`.
     pub name: String,
-    /// What is said of it, each with its field.
+    /// Components, each with its field.
     pub components: Vec<(Component, SymbolId)>,
 }
 
 impl Reaction {
-    /// The fields of all components.
+    /// Returns the fields of all components.
     pub fn fields(&self) -> impl Iterator<Item = SymbolId> {
         self.components.iter().map(|(_, field)| *field)
     }
 }
 
-/// What the rows of joints carry, each by its multiplier.
+/// Multipliers of the rows of joints.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Multipliers {
-    /// Of the rows of the vector form.
+    /// Multipliers of the rows of the vector form.
     pub rows: Vec<ExprId>,
-    /// Of the rows that are monitored: zero, unless somebody says how joints share what they carry.
+    /// Multipliers of the monitored rows: zero, unless the distribution among redundant joints is defined.
     pub monitored: Vec<ExprId>,
 }
 
-/// Load that a joint passes to its second body, with the multipliers of all rows and the forces of teeth.
+/// Returns the reaction of a joint on its second body, from the multipliers of all rows and the forces of teeth.
 pub(super) fn reaction(
     joint: usize,
     multipliers: &Multipliers,
@@ -63,7 +63,7 @@ pub(super) fn reaction(
     }
 }
 
-/// The components of what a joint passes to its second body, without the forces of teeth.
+/// Returns the components of a joint's reaction on its second body, without the forces of teeth.
 pub(super) fn components(
     joint: usize,
     multipliers: &Multipliers,
@@ -71,15 +71,15 @@ pub(super) fn components(
 ) -> Vec<(Component, ExprId)> {
     let passing = builder.system.passing(joint);
     let zero = builder.graph().zero();
-    let own = passing.rows.iter();
-    let own = own.map(|(row, columns)| (multipliers.rows[*row], columns));
+    let solved = passing.rows.iter();
+    let solved = solved.map(|(row, columns)| (multipliers.rows[*row], columns));
     let monitored = passing.monitored.iter();
     let monitored = monitored.filter_map(|(row, columns)| {
         let multiplier = multipliers.monitored.get(*row)?;
         Some((*multiplier, columns))
     });
-    let rows: Vec<_> = own.chain(monitored).collect();
-    // −λ ∂Φ/∂q is what the joint exerts on a body, and the opposite what it passes on through it.
+    let rows: Vec<_> = solved.chain(monitored).collect();
+    // The joint applies −λ ∂Φ/∂q to a body, and transmits the opposite through that body.
     let mut wrench = [zero; 3];
     if passing.body.0 != 0 {
         let coordinates = builder.system.mechanism.bodies[passing.body.0].coordinates;
@@ -105,9 +105,11 @@ pub(super) fn components(
     let about_origin = moment(passing.arm, force, graph);
     let about_place = graph.subtract(wrench[2], about_origin);
     let zero = graph.zero();
-    let own = rows.first().map(|(multiplier, _)| *multiplier);
+    let multiplier = rows.first().map(|(multiplier, _)| *multiplier);
     let along = match passing.carried {
-        Carried::Rod(per_multiplier) => own.map(|own| graph.multiply(per_multiplier, own)),
+        Carried::Rod(per_multiplier) => {
+            multiplier.map(|multiplier| graph.multiply(per_multiplier, multiplier))
+        }
         carried => {
             let direction = carried.direction();
             direction.map(|direction| dot(force, direction, graph))
@@ -119,12 +121,12 @@ pub(super) fn components(
             let value = match component {
                 Component::X => force[0],
                 Component::Y => force[1],
-                // The row of wheels has the slope 1 in the angle of the second one, which may be held by the ground.
+                // The row of wheels has the slope 1 in the angle of the second wheel, which may be fixed to the ground.
                 Component::Moment if passing.carried.turns_wheel() => {
-                    own.map_or(zero, |own| graph.negate(own))
+                    multiplier.map_or(zero, |multiplier| graph.negate(multiplier))
                 }
                 Component::Moment => about_place,
-                Component::Multiplier => own.unwrap_or(zero),
+                Component::Multiplier => multiplier.unwrap_or(zero),
                 Component::Normal | Component::Tension | Component::Tooth | Component::Pressure => {
                     along.unwrap_or(zero)
                 }

@@ -1,8 +1,8 @@
-//! Loads, masses and how bodies follow the coordinates that forces move → the reduced mass and the reduced force.
+//! Derives the reduced masses and forces of the coordinates that forces move.
 //!
-//! With K = ∂q/∂s, (Kᵀ M K) s̈ = Kᵀ (Q − M q̈) + (Kᵀ M K) s̈, where q̈ is that of the frame: its part that s̈ makes falls out, so that a
-//! frame of any s̈ gives the same force. K is what the blocks respond with, exactly. The mass is a sum of squares over bodies: of one
-//! coordinate it is never negative. Deliberately unknown here: how the system is solved for s̈.
+//! With K = ∂q/∂s, (Kᵀ M K) s̈ = Kᵀ (Q − M q̈) + (Kᵀ M K) s̈, where q̈ is that of the frame. The contribution of s̈ to q̈
+//! cancels, so a frame of any s̈ gives the same force. K consists of the exact responses of the blocks. The mass is a sum of
+//! squares over bodies: for one coordinate, it is never negative.
 
 use super::virtual_work::Carried;
 use crate::expr::{ExprId, SymbolId};
@@ -11,50 +11,50 @@ use crate::joint::geometry::{dot, perpendicular};
 use crate::program::builder::Builder;
 use crate::system::Weight;
 
-/// What moves the coordinates that are free: mass · s̈ = force.
+/// Equation of motion of the free coordinates: mass · s̈ = force.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reduced {
-    /// The coordinates s in written order.
+    /// Coordinates s in written order.
     pub coordinates: Vec<FreeCoordinate>,
-    /// The reduced mass, the lower triangle of a symmetric matrix row by row, in kg, kg·m or kg·m².
+    /// Reduced mass: the lower triangle of a symmetric matrix row by row, in kg, kg·m or kg·m².
     pub masses: Vec<SymbolId>,
 }
 
-/// A coordinate that forces move.
+/// Coordinate that forces move.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FreeCoordinate {
-    /// An index into the mechanism's joints.
+    /// Index into the mechanism's joints.
     pub joint: usize,
-    /// The signal that it follows: an index into the mechanism's inputs.
+    /// Signal that the coordinate follows: an index into the mechanism's inputs.
     pub input: usize,
-    /// What its functions are named after.
+    /// Base of function names.
     pub name: String,
-    /// What it is measured in.
+    /// Quantity of the coordinate.
     pub quantity: Quantity,
-    /// The reduced force along it, in N or N·m.
+    /// Reduced force along the coordinate, in N or N·m.
     pub force: SymbolId,
 }
 
 impl Reduced {
-    /// The fields of everything.
+    /// Returns all fields.
     pub fn fields(&self) -> impl Iterator<Item = SymbolId> {
         let forces = self.coordinates.iter().map(|it| it.force);
         self.masses.iter().copied().chain(forces)
     }
 
-    /// Where the mass of a row and a column stands in the triangle.
+    /// Returns the index of a row and a column of the mass in its triangle.
     pub fn place(row: usize, column: usize) -> usize {
         let (row, column) = (row.max(column), row.min(column));
         row * (row + 1) / 2 + column
     }
 }
 
-/// How a body follows a coordinate: its center of mass, and its angle.
+/// Response of a body to a coordinate: of its center of mass, and of its angle.
 #[derive(Clone, Copy)]
 struct Following {
     center: [ExprId; 2],
     turning: ExprId,
-    /// Whether the origin of its frame stays where it is.
+    /// True if the origin of the body's frame does not move.
     turns_only: bool,
 }
 
@@ -78,17 +78,17 @@ pub(super) fn reduced(carried: &Carried, weights: &[Weight], builder: &mut Build
     let mut followings: Vec<Vec<Following>> = Vec::with_capacity(free.len());
     for &(direction, joint, ..) in &free {
         let slug = name(builder, joint);
-        let own = weights.iter();
-        let own = own.map(|weight| following(weight, direction, &slug, builder));
-        followings.push(own.collect());
+        let responses = weights.iter();
+        let responses = responses.map(|weight| following(weight, direction, &slug, builder));
+        followings.push(responses.collect());
     }
     let mut masses = Vec::new();
     for (row, &(_, joint, ..)) in free.iter().enumerate() {
         for (column, &(_, other, ..)) in free[..=row].iter().enumerate() {
-            let own = name(builder, joint);
+            let name_of_row = name(builder, joint);
             let named = match row == column {
-                true => format!("reduced_mass_{own}"),
-                false => format!("reduced_mass_{own}_{}", name(builder, other)),
+                true => format!("reduced_mass_{name_of_row}"),
+                false => format!("reduced_mass_{name_of_row}_{}", name(builder, other)),
             };
             let mut terms = Vec::with_capacity(2 * weights.len());
             for (body, weight) in weights.iter().enumerate() {
@@ -125,13 +125,15 @@ pub(super) fn reduced(carried: &Carried, weights: &[Weight], builder: &mut Build
             terms.push(graph.multiply(mass, acceleration));
         }
         let force = builder.graph().sum(&terms);
-        let own = name(builder, joint);
-        let target = builder.system.intermediate(&format!("reduced_force_{own}"));
+        let name_of_row = name(builder, joint);
+        let target = builder
+            .system
+            .intermediate(&format!("reduced_force_{name_of_row}"));
         builder.assign(target, force);
         coordinates.push(FreeCoordinate {
             joint,
             input,
-            name: own,
+            name: name_of_row,
             quantity,
             force: target,
         });
@@ -142,7 +144,7 @@ pub(super) fn reduced(carried: &Carried, weights: &[Weight], builder: &mut Build
     }
 }
 
-/// How a body follows a coordinate, under names.
+/// Returns the response of a body to a coordinate, as named values.
 fn following(
     weight: &Weight,
     direction: usize,

@@ -1,7 +1,6 @@
-//! Adds the forces of teeth to what gears and their bearings carry.
+//! Adds the forces of teeth to the reactions of gears and their bearings.
 //!
-//! Each force follows from what its gear carries alone, after all multipliers are known: what moves the mechanism and what drivers
-//! exert do not depend on it.
+//! Each force follows from the reaction of its gear after all multipliers are known; motion and efforts do not depend on it.
 
 use std::collections::BTreeMap;
 
@@ -12,15 +11,15 @@ use crate::joint::{Feature, Mesh};
 use crate::program::builder::Builder;
 use crate::words::{Phrase, Piece, enumerated, phrase};
 
-/// The forces of teeth that joints pass to their second bodies.
+/// Forces of teeth that joints transmit to their second bodies.
 #[derive(Debug, Default)]
 pub(super) struct ToothForces {
-    /// On the second wheel of each gear, by its place among all teeth.
+    /// Force on the second wheel of each gear, by its index among all teeth.
     on_second_wheel: BTreeMap<usize, Vector>,
 }
 
 impl ToothForces {
-    /// The forces on which the reactions of these joints depend, under names.
+    /// Returns the forces that affect the reactions of these joints, as named values.
     pub(super) fn of_joints(
         joints: &[usize],
         multipliers: &Multipliers,
@@ -49,7 +48,7 @@ impl ToothForces {
         forces
     }
 
-    /// Force that they add to that of a joint on its second body.
+    /// Returns the force of teeth in a joint's reaction on its second body.
     pub(super) fn on(&self, joint: usize, builder: &mut Builder<'_>) -> Vector {
         let zero = builder.graph().zero();
         let mut sum = [zero; 2];
@@ -69,18 +68,18 @@ impl ToothForces {
     }
 }
 
-/// The multiplier of a gear's only row, solved or monitored.
+/// Returns the multiplier of a gear's only row, solved or monitored.
 fn multiplier(gear: usize, multipliers: &Multipliers, builder: &mut Builder<'_>) -> ExprId {
     let passing = builder.system.passing(gear);
-    let own = passing.rows.first();
-    let own = own.and_then(|(row, _)| multipliers.rows.get(*row));
+    let row = passing.rows.first();
+    let solved = row.and_then(|(row, _)| multipliers.rows.get(*row));
     let monitored = passing.monitored.first();
     let monitored = monitored.and_then(|(row, _)| multipliers.monitored.get(*row));
-    let found = own.or(monitored).copied();
-    found.unwrap_or(builder.graph().zero())
+    let multiplier = solved.or(monitored).copied();
+    multiplier.unwrap_or(builder.graph().zero())
 }
 
-/// Says what the force is, and what carries it.
+/// Describes the force and the bearings that carry the force.
 fn say(place: usize, builder: &mut Builder<'_>) {
     builder.say(|builder| {
         let mechanism = &mut builder.system.mechanism;

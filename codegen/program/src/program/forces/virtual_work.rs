@@ -1,9 +1,9 @@
-//! Loads on coordinates → what the equations of every part carry, and the work along the value of every driver.
+//! Derives the multipliers of each subsystem and the work along each driver from loads on coordinates.
 //!
-//! What follows from others passes its load on to them: where x = v(u), a force on x does the work of ∂v/∂u times as much on u. Where
-//! a part is solved for its unknowns, its multipliers are Jᵀ λ = f, and −λ · ∂g/∂u is passed on to everything else that its equations
-//! mention. From the last block to the first, and from the last formula of each to its first, every unknown has all of its load
-//! when it is looked at. Forces on arms are summed before they become moments: that of an arm is taken once.
+//! Explicit unknowns transfer their load: for x = v(u), a force on x equals ∂v/∂u times this force on u. A solved subsystem has
+//! the multipliers Jᵀ λ = f, and −λ · ∂g/∂u acts on all other unknowns of its equations. The sweep runs from the last block and
+//! formula to the first, so every unknown has its whole load in time. Forces on rotated vectors are summed before conversion to
+//! moments, so that the moment of each vector is computed once.
 
 use std::collections::HashMap;
 
@@ -15,36 +15,36 @@ use crate::program::function::Statement;
 use crate::structure::{Addition, SolvedPlan, Subsystem};
 use crate::words::{Phrase, Piece, enumerated, phrase};
 
-/// What is carried.
+/// Results of the sweep.
 #[derive(Debug, Default)]
 pub(super) struct Carried {
-    /// The multiplier of each equation of a part, by its row of the vector form.
+    /// Multiplier of each equation of a subsystem, by its row of the vector form.
     pub multipliers: HashMap<usize, ExprId>,
-    /// The work along what is no unknown, term by term.
+    /// Work along symbols that are not unknowns, term by term.
     along: HashMap<SymbolId, Vec<ExprId>>,
 }
 
 impl Carried {
-    /// The work of all loads along the value of a driver, per step of that value.
+    /// Returns the work of all loads along the value of a driver, per unit of that value.
     pub fn along(&self, shift: SymbolId, builder: &mut Builder<'_>) -> ExprId {
         let terms = self.along.get(&shift);
         builder.graph().sum(terms.map_or(&[], Vec::as_slice))
     }
 }
 
-/// The loads that have not been passed on yet.
+/// Loads that have not been transferred yet.
 struct Sweep<'b, 'a> {
     builder: &'b mut Builder<'a>,
-    /// By unknown.
+    /// Loads by unknown.
     pending: Vec<Vec<ExprId>>,
-    /// By arm: forces along x and y.
+    /// Forces along x and y by rotated vector.
     on_arms: Vec<[Vec<ExprId>; 2]>,
     carried: Carried,
-    /// What names begin with.
+    /// Prefix of names.
     prefix: &'b str,
 }
 
-/// Passes all loads on, from the last unknown to the drivers, with names that begin with `prefix`.
+/// Transfers all loads from the last unknown to the drivers, with names that begin with `prefix`.
 pub(super) fn sweep(
     plan: &SolvedPlan,
     transposed: &[Vec<Option<Transposed>>],
@@ -78,7 +78,7 @@ pub(super) fn sweep(
 }
 
 impl Sweep<'_, '_> {
-    /// All of the load on an unknown, under a name.
+    /// Returns the whole load on an unknown, as a named value.
     fn take(&mut self, unknown: usize) -> ExprId {
         let mut terms = std::mem::take(&mut self.pending[unknown]);
         let form = &self.builder.system.vector_form;
@@ -111,7 +111,7 @@ impl Sweep<'_, '_> {
         self.builder.value(&name, load)
     }
 
-    /// Passes a multiple of an expression's derivatives on to what it mentions, but for some unknowns.
+    /// Adds a multiple of an expression's derivatives to the loads on its symbols, except for some unknowns.
     fn give(&mut self, expr: ExprId, factor: ExprId, except: &[usize]) {
         let zero = self.builder.graph().zero();
         if factor == zero {
@@ -143,7 +143,7 @@ impl Sweep<'_, '_> {
         }
     }
 
-    /// Finds the multipliers of a part and passes on what its equations carry.
+    /// Solves for the multipliers of a subsystem and transfers the forces of its equations.
     fn part(&mut self, part: &Subsystem, transposed: Option<&Transposed>) {
         let forces: Vec<ExprId> = part.unknowns.iter().map(|&it| self.take(it)).collect();
         let zero = self.builder.graph().zero();
@@ -168,8 +168,8 @@ impl Sweep<'_, '_> {
         }
     }
 
-    /// The multipliers of equations to which others were added → those of the equations themselves: with g = f ± h, what g carries h
-    /// carries too, or its opposite.
+    /// Converts the multipliers of equations to which others were added to those of the original equations: with g = f ± h, the
+    /// multiplier of g is added to that of h, or subtracted.
     fn separate(&mut self, additions: &[Addition]) {
         for addition in additions.iter().rev() {
             let [to, added] = [addition.to, addition.added]
@@ -185,7 +185,7 @@ impl Sweep<'_, '_> {
         }
     }
 
-    /// Says what the equations of a part carry, and why.
+    /// Describes the multipliers of a subsystem and their equations.
     fn say_part(&mut self, part: &Subsystem, transposed: Option<&Transposed>, forces: &[ExprId]) {
         let rows = part.equations.iter().map(|it| it.row);
         self.builder.say(|builder| {
@@ -222,7 +222,7 @@ impl Sweep<'_, '_> {
         });
     }
 
-    /// The multipliers of a part without a closed form, by one dense system with its Jacobian.
+    /// Returns the multipliers of a subsystem without a closed form, by one dense system with its Jacobian.
     fn dense(&mut self, part: &Subsystem, forces: Vec<ExprId>) -> Vec<ExprId> {
         let mut jacobian = Vec::with_capacity(forces.len() * forces.len());
         for equation in &part.equations {
@@ -244,7 +244,7 @@ impl Sweep<'_, '_> {
         targets.into_iter().map(|it| graph.variable(it)).collect()
     }
 
-    /// The derivative of an expression in an unknown, through the arms that it turns.
+    /// Returns the derivative of an expression in an unknown, including the vectors that the unknown rotates.
     fn slope(&mut self, expr: ExprId, unknown: usize) -> ExprId {
         let mut terms = Vec::new();
         for symbol in self.builder.graph().symbols(expr).to_vec() {

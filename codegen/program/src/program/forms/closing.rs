@@ -1,4 +1,4 @@
-//! What the rates of two unknowns have in common that close a loop: Cramer's rule for its x and y components.
+//! Solves for the rates of two unknowns that close a loop, by Cramer's rule for its x and y components.
 
 use crate::expr::{ExprId, SymbolId};
 use crate::joint::geometry::Vector;
@@ -7,28 +7,28 @@ use crate::program::function::Level;
 use crate::program::stretch::Stretch;
 use crate::words::{Piece, phrase};
 
-/// A closed chain of links, zero, and what it does with its unknowns held.
+/// Closed chain of links, with its derivatives at constant unknowns.
 #[derive(Clone, Debug)]
 pub(super) struct Closing {
     unknowns: [usize; 2],
-    /// The chain as a sum that moves by the rules of its symbols.
+    /// Chain as a sum that moves by the rules of its symbols.
     whole: Vector,
-    /// Its rate with the unknowns' rates taken as zero, and its second rate with their accelerations taken as zero.
+    /// Rate at zero rates of the unknowns, and second rate at zero accelerations of the unknowns.
     levels: [Vector; 2],
     stretches: Vec<Stretch>,
 }
 
 impl Closing {
-    /// The chain of these links and whatever closes them.
+    /// Returns the chain of these links and their closure.
     pub(super) fn new(
         unknowns: [usize; 2],
         parts: &[Vector],
         stretches: impl IntoIterator<Item = Stretch>,
         builder: &mut Builder<'_>,
     ) -> Closing {
-        let own = unknowns.map(|unknown| &builder.system.vector_form.unknowns[unknown]);
-        let held: Vec<SymbolId> = own.iter().map(|it| it.rate).collect();
-        let steady: Vec<SymbolId> = own.iter().map(|it| it.acceleration).collect();
+        let described = unknowns.map(|unknown| &builder.system.vector_form.unknowns[unknown]);
+        let held: Vec<SymbolId> = described.iter().map(|it| it.rate).collect();
+        let steady: Vec<SymbolId> = described.iter().map(|it| it.acceleration).collect();
         let [x, y] = [0, 1].map(|axis| {
             let parts: Vec<ExprId> = parts.iter().map(|part| part[axis]).collect();
             let whole = builder.graph().sum(&parts);
@@ -48,7 +48,7 @@ impl Closing {
         }
     }
 
-    /// Says how the rates are found, with the determinant as it was computed.
+    /// Describes the solution for the rates, with the determinant as it was computed.
     pub(super) fn say(
         &self,
         determinant: impl Into<crate::words::Phrase>,
@@ -71,7 +71,7 @@ impl Closing {
         });
     }
 
-    /// What the loop does at a level while the unknowns rest, as local values, after what it needs.
+    /// Returns the loop's derivative for a level at constant unknowns, as local values, after the values that it needs.
     pub(super) fn drift(&self, level: Level, builder: &mut Builder<'_>) -> Vector {
         if level == Level::Acceleration {
             let [first, second] = self.unknowns.map(Piece::Acceleration);
@@ -104,7 +104,8 @@ impl Closing {
         builder.vector(name, vector)
     }
 
-    /// States what a level finds: u d + w e = −v by Cramer's rule, u = (e × v)/D and w = (v × d)/D with D = d × e. `inverse` is 1/D.
+    /// States the results of a level: u d + w e = −v by Cramer's rule, u = (e × v)/D and w = (v × d)/D with D = d × e. `inverse`
+    /// is 1/D.
     pub(super) fn solve(
         &self,
         [d, e]: [Vector; 2],

@@ -1,36 +1,37 @@
-//! The determinant of a form's Jacobian, factored, in terms of unknowns.
+//! Derives the determinant of a solution method's Jacobian, factored, in terms of unknowns.
 //!
-//! Rates and accelerations exist exactly where it is not zero, and its sign is the assembly mode of a closed form. Afterwards arms are
-//! written out, so that the expressions hold unknowns and what is given only. The sign depends on the order in which equations are
-//! written and says nothing by itself. Since Φ_q becomes block triangular in solve order (Duff, Erisman and Reid, Direct Methods
-//! for Sparse Matrices), its determinant is the product of those of all parts up to a factor that does not vanish. The module does
-//! not know pins, nor how formulas are printed.
+//! Rates and accelerations exist exactly if the determinant is nonzero, and its sign is the assembly mode of a closed form.
+//! Rotated vectors are expanded, so that expressions have only unknowns and inputs. The sign depends on the order of equations
+//! and has no meaning by itself.
+//!
+//! Φ_q becomes block triangular in solve order (Duff, Erisman and Reid, Direct Methods for Sparse Matrices). So its determinant
+//! is the product of those of all subsystems, up to a nonzero factor.
 
 use crate::expr::{ExprId, Graph};
 use crate::joint::geometry::{Vector, dot};
 use crate::system::VectorForm;
 
-/// The largest Newton-Raphson whose determinant is written out.
+/// Largest number of unknowns of a Newton-Raphson with an explicit determinant.
 pub const LARGEST_WRITTEN_OUT: usize = 3;
 
-/// The determinant of one form.
+/// Determinant of one solution method.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Determinant {
-    /// The determinant, up to its sign; `None` for a Newton-Raphson of more than `LARGEST_WRITTEN_OUT` unknowns, and where
-    /// its constants are too large to be numbers.
+    /// Determinant, up to its sign. `None` for a Newton-Raphson of more than `LARGEST_WRITTEN_OUT` unknowns, and if its constants
+    /// overflow.
     pub value: Option<ExprId>,
-    /// The same divided by the lengths of the Jacobian's columns, or for one angle by the length of the vector that it turns:
-    /// the sine of the angle between them, dimensionless, at most 1 in size. `None` where `jacobian` has to be evaluated
-    /// instead, or where nothing says how large a coefficient is at most.
+    /// Determinant divided by the lengths of the Jacobian's columns, or for one angle by the length of the rotated vector. This
+    /// is the sine of the angle between them: dimensionless, at most 1 in magnitude. `None` if `jacobian` has to be evaluated
+    /// instead, or if a coefficient has no bound.
     pub normalized: Option<ExprId>,
-    /// What it is divided by for that, in unknowns and arms; `None` where it is not.
+    /// Divisor of `normalized`, in terms of unknowns and rotated vectors; `None` if `normalized` is.
     pub size: Option<ExprId>,
-    /// ∂residual/∂unknown of a Newton-Raphson, row by row; empty for closed forms.
+    /// Derivatives ∂residual/∂unknown of a Newton-Raphson, row by row; empty for closed forms.
     pub jacobian: Vec<Vec<ExprId>>,
 }
 
 impl Determinant {
-    /// That of a closed form with its size.
+    /// Returns the determinant of a closed form with the magnitude of its columns.
     pub(super) fn closed(
         value: ExprId,
         size: ExprId,
@@ -49,14 +50,14 @@ impl Determinant {
     }
 }
 
-/// c cos φ + s sin φ has the derivative s cos φ − c sin φ.
+/// Returns s cos φ − c sin φ, the derivative of c cos φ + s sin φ.
 pub(super) fn of_one_angle(
     unknown: usize,
     [c, s]: [ExprId; 2],
     form: &VectorForm,
     graph: &mut Graph,
 ) -> ExprId {
-    // (c, s) as a vector that another angle turns, or its mirror image.
+    // The vector (c, s) may be rotated by another angle, or be the mirror image of such a vector.
     let minus = graph.negate(s);
     if let (Some(leader), [u, v]) = orientation([c, s], form, graph) {
         let difference = difference([Some(unknown), Some(leader)], form, graph);
@@ -74,7 +75,7 @@ pub(super) fn of_one_angle(
     wave(minus, s, angle, graph)
 }
 
-/// R(φ_a) p × R(φ_b) q = (p · q) sin(φ_b − φ_a) + (p × q) cos(φ_b − φ_a); a vector without an angle does not turn.
+/// Returns R(φ_a) p × R(φ_b) q = (p · q) sin(φ_b − φ_a) + (p × q) cos(φ_b − φ_a); a vector without an angle is constant.
 pub(super) fn crossed(
     angles: [Option<usize>; 2],
     [p, q]: [Vector; 2],
@@ -93,7 +94,7 @@ pub(super) fn crossed(
     }
 }
 
-/// φ_b − φ_a.
+/// Returns φ_b − φ_a.
 fn difference(angles: [Option<usize>; 2], form: &VectorForm, graph: &mut Graph) -> ExprId {
     let [first, second] = angles.map(|angle| match angle {
         Some(angle) => graph.variable(form.unknowns[angle].position),
@@ -102,7 +103,7 @@ fn difference(angles: [Option<usize>; 2], form: &VectorForm, graph: &mut Graph) 
     graph.subtract(second, first)
 }
 
-/// a sin δ + b cos δ as one factor and one function of δ.
+/// Returns a sin δ + b cos δ as one factor and one function of δ.
 fn wave(a: ExprId, b: ExprId, delta: ExprId, graph: &mut Graph) -> ExprId {
     let zero = graph.zero();
     if b == zero {
@@ -129,7 +130,7 @@ fn wave(a: ExprId, b: ExprId, delta: ExprId, graph: &mut Graph) -> ExprId {
     graph.multiply(size, sine)
 }
 
-/// The known angle that turns a vector with the vector in its orientation; the vector as it is where there is none.
+/// Returns the known angle that rotates a vector, and the vector in its orientation; otherwise `None` and the vector as it is.
 pub(super) fn orientation(
     vector: Vector,
     form: &VectorForm,
@@ -147,14 +148,14 @@ pub(super) fn orientation(
     (None, vector)
 }
 
-/// |v|.
+/// Returns |v|.
 pub(super) fn length(v: Vector, form: &VectorForm, graph: &mut Graph) -> ExprId {
     let (_, v) = orientation(v, form, graph);
     let square = dot(v, v, graph);
     graph.sqrt(square)
 }
 
-/// |p| |q|.
+/// Returns |p| |q|.
 pub(super) fn sizes([p, q]: [Vector; 2], form: &VectorForm, graph: &mut Graph) -> ExprId {
     let (p, q) = (length(p, form, graph), length(q, form, graph));
     graph.multiply(p, q)

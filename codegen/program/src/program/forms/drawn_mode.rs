@@ -1,33 +1,35 @@
-//! The equations of a block without a closed form → the sign of their determinant in the drawing.
+//! Determines the sign of the determinant of a block without a closed form in the design configuration.
 //!
-//! The sign tells the assembly modes of a block apart, and it is that of the drawn geometry, whatever drives the mechanism: drivers
-//! need not be where they are drawn, but everything else must fit. Deliberately unknown here: how the block is solved.
+//! The sign distinguishes the assembly modes of a block. The sign is that of the design geometry, whatever the drivers require:
+//! drivers may differ from the design configuration, all other equations must hold.
 
 use crate::expr::ExprId;
 use crate::joint::Quantity;
 use crate::program::lengths::Lengths;
 use crate::system::{SymbolRole, System};
 
-/// By how much an equation may miss, as a part of what it is scaled by: drawings are written with some digits.
+/// Largest residual of an equation in the design configuration, relative to its scale: descriptions have a limited number of
+/// digits.
 const FITS: f64 = 1e-4;
 
-/// The least determinant of rows of length 1 that decides, of blocks up to so many unknowns.
+/// Smallest determinant of rows of length 1 that decides the mode; below, the largest number of unknowns of such blocks.
 const DECIDED: f64 = 1e-6;
-const LARGEST: usize = 64;
+const MAX_UNKNOWNS: usize = 64;
 
-/// What the drawing says about the assembly mode of a block without a closed form.
+/// Assembly mode of a block without a closed form in the design configuration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DrawnMode {
-    /// The determinant has this sign: whether it is positive.
+    /// Sign of the determinant: true if positive.
     Sign(bool),
-    /// The drawing does not fit the equations, or there are too many of them for a sign to tell modes apart.
+    /// Undefined, as the design configuration does not satisfy the equations, or as they are too many for a sign to distinguish
+    /// modes.
     Open,
-    /// The drawing fits, but is nearly singular.
+    /// Undecided, as the design configuration satisfies the equations but is nearly singular.
     Undecided,
 }
 
 impl DrawnMode {
-    /// Whether the determinant is positive, where the drawing says so.
+    /// Returns true if the determinant is positive; `None` if the design configuration does not decide.
     pub fn sign(self) -> Option<bool> {
         match self {
             DrawnMode::Sign(is_positive) => Some(is_positive),
@@ -36,7 +38,7 @@ impl DrawnMode {
     }
 }
 
-/// The mode of the drawing. The Jacobian is given row by row.
+/// Returns the mode of the design configuration, for a Jacobian row by row.
 pub(super) fn drawn_mode(
     residuals: &[ExprId],
     jacobian: &[ExprId],
@@ -45,7 +47,7 @@ pub(super) fn drawn_mode(
     system: &System,
 ) -> DrawnMode {
     let order = residuals.len();
-    if order > LARGEST {
+    if order > MAX_UNKNOWNS {
         return DrawnMode::Open;
     }
     let fits = |(residual, row): (&ExprId, &Quantity)| {
@@ -65,7 +67,8 @@ pub(super) fn drawn_mode(
     sign_of(&entries).map_or(DrawnMode::Undecided, DrawnMode::Sign)
 }
 
-/// Whether the determinant of a square matrix, row by row, is positive; `None` where that of its rows of length 1 is nearly zero.
+/// Returns true if the determinant of a square matrix, row by row, is positive; `None` if that of its rows of length 1 is nearly
+/// zero.
 pub fn sign_of(entries: &[f64]) -> Option<bool> {
     let order = entries.len().isqrt();
     let rows = entries.chunks(order.max(1)).map(|row| {
@@ -73,11 +76,11 @@ pub fn sign_of(entries: &[f64]) -> Option<bool> {
         row.iter().map(|entry| entry / size).collect()
     });
     let determinant = determinant(rows.collect());
-    // Written so that NaN decides nothing.
+    // NaN must count as undecided, hence this comparison.
     (determinant.abs() >= DECIDED).then_some(determinant > 0.0)
 }
 
-/// Whether what is given from outside changes an equation.
+/// True if time, inputs or parameters change an equation.
 fn is_driven(residual: ExprId, system: &System) -> bool {
     let symbols = system.mechanism.graph.symbols(residual).iter();
     let mut roles = symbols.map(|symbol| system.roles.get(symbol.index()));
@@ -100,15 +103,15 @@ fn determinant(mut rows: Vec<Vec<f64>>) -> f64 {
             product = -product;
         }
         let (before, after) = rows.split_at_mut(column + 1);
-        let own = &before[column];
-        product *= own[column];
+        let pivot_row = &before[column];
+        product *= pivot_row[column];
         if product == 0.0 {
             break;
         }
         for row in after {
-            let factor = row[column] / own[column];
-            for (entry, own) in row.iter_mut().zip(own).skip(column) {
-                *entry -= factor * own;
+            let factor = row[column] / pivot_row[column];
+            for (entry, pivot) in row.iter_mut().zip(pivot_row).skip(column) {
+                *entry -= factor * pivot;
             }
         }
     }

@@ -1,4 +1,4 @@
-//! c u + rest = 0: one unknown that its equation holds once.
+//! Solves c u + rest = 0 for one unknown that its equation contains once.
 
 use std::sync::Arc;
 
@@ -9,7 +9,7 @@ use crate::program::function::Level;
 use crate::system::VectorForm;
 use crate::words::{Piece, Singular, phrase};
 
-/// c u + rest = 0.
+/// Equation c u + rest = 0.
 #[derive(Clone, Debug)]
 struct Linear {
     unknown: usize,
@@ -121,7 +121,7 @@ impl Solved for Found {
     }
 }
 
-/// Says how the acceleration of a single unknown is found.
+/// Describes the acceleration of a single unknown.
 pub(super) fn say_again(level: Level, builder: &mut Builder<'_>) {
     if level == Level::Acceleration {
         builder

@@ -1,8 +1,8 @@
-//! A part of a block → how it is solved: one file for each form.
+//! Solution methods for subsystems, one per file.
 //!
-//! A form says which equations it matches, what they are solved for, what its sign means and when it is singular, and it states its
-//! position and rates with the words that a person writes beside them. The first form of the list here that matches is taken; no two
-//! closed forms match the same equations. Nothing outside its file knows what is particular to a form.
+//! A method defines the equations that it matches, their unknowns, the meaning of its sign and its singular poses. It states
+//! position and rates, with the remarks of a derivation. The first matching method of the list is taken; no two closed forms
+//! match the same equations. Details of a method stay in its file.
 
 mod closing;
 mod determinant;
@@ -33,19 +33,19 @@ use crate::structure::Subsystem;
 use crate::system::{System, VectorForm};
 use crate::words::Singular;
 
-/// How a part is solved. Unknowns are indices into the vector form; everything else is known before.
+/// Solution method of a subsystem. Unknowns are indices into the vector form; all other values are known earlier.
 pub trait Form: Debug + Send + Sync {
-    /// What the form is called: `two rotations`.
+    /// Returns the name of the method: `two rotations`.
     fn name(&self) -> String;
-    /// What it finds.
+    /// Returns the unknowns that the method solves for.
     fn unknowns(&self) -> Vec<usize>;
-    /// The determinant of its Jacobian.
+    /// Returns the determinant of its Jacobian.
     fn determinant(&self, form: &VectorForm, graph: &mut Graph) -> Determinant;
-    /// What vanishes where that is zero.
+    /// Returns the function that vanishes with the determinant.
     fn singular(&self) -> Singular;
-    /// How many assembly modes it has; `None` where Newton-Raphson finds them one by one.
+    /// Returns the number of assembly modes; `None` if Newton-Raphson finds them one by one.
     fn modes(&self) -> Option<usize>;
-    /// How many of its unknowns are guessed, where Newton-Raphson finds it.
+    /// Returns the number of unknowns that Newton-Raphson iterates.
     fn guessed(&self) -> usize {
         self.unknowns().len()
     }
@@ -53,25 +53,25 @@ pub trait Form: Debug + Send + Sync {
     fn position(&self, builder: &mut Builder<'_>) -> Box<dyn Solved>;
 }
 
-/// A form whose position has been stated: what its rates are found from.
+/// Solution method whose position has been stated, for its rates.
 pub trait Solved {
-    /// The determinant up to its sign, as it was computed on the way; `None` where the runtime finds it.
+    /// Returns the determinant up to its sign, as the position computed it; `None` if the runtime computes it.
     fn determinant(&self) -> Option<ExprId>;
-    /// States what the rates of all levels share.
+    /// States the values that the rates of all levels share.
     fn prepare(&mut self, _builder: &mut Builder<'_>) {}
     /// States the rates, the accelerations or a response.
     fn rates(&self, level: Level, builder: &mut Builder<'_>);
-    /// Its Jacobian, for the multipliers of its equations; `None` where the runtime solves it as one dense system.
+    /// Returns the Jacobian for the multipliers of the equations; `None` if the runtime solves them as one dense system.
     fn transposed(&self, _builder: &mut Builder<'_>) -> Option<Transposed> {
         None
     }
-    /// The equations of its Newton-Raphson, where it has one.
+    /// Returns the equations of Newton-Raphson; `None` for closed forms.
     fn newton(self: Box<Self>) -> Option<NewtonBlock> {
         None
     }
 }
 
-/// The equations of a part, and what its forms look for in them.
+/// Equations of a subsystem, with the mechanism for matching.
 pub(super) struct Candidate<'a> {
     equations: Vec<ExprId>,
     rows: Vec<usize>,
@@ -83,7 +83,7 @@ pub(super) struct Candidate<'a> {
 
 type Match = fn(&mut Candidate<'_>) -> Option<Arc<dyn Form>>;
 
-/// The closed forms. What none of them matches is left to Newton-Raphson.
+/// Closed forms. Newton-Raphson solves all other subsystems.
 const FORMS: &[Match] = &[
     linear::recognize,
     one_angle::recognize,
@@ -93,7 +93,7 @@ const FORMS: &[Match] = &[
     two_slides::recognize,
 ];
 
-/// The form of a part.
+/// Returns the solution method of a subsystem.
 pub(super) fn recognize(part: &Subsystem, system: &mut System) -> Arc<dyn Form> {
     let System {
         vector_form: form,
@@ -109,13 +109,13 @@ pub(super) fn recognize(part: &Subsystem, system: &mut System) -> Arc<dyn Form> 
         form,
         graph,
     };
-    // What is singular in every pose Newton-Raphson reports.
+    // Newton-Raphson reports subsystems that are singular in every pose.
     let closed = FORMS.iter().filter(|_| !part.is_singular);
-    let found = closed
+    let closed_form = closed
         .into_iter()
         .find_map(|matches| matches(&mut candidate));
-    if let Some(found) = found {
-        return found;
+    if let Some(closed_form) = closed_form {
+        return closed_form;
     }
     let whole = newton::form(&candidate);
     // A measure of all equations needs all of them.
@@ -126,7 +126,8 @@ pub(super) fn recognize(part: &Subsystem, system: &mut System) -> Arc<dyn Form> 
     torn::form(whole, sequences, system)
 }
 
-/// The closed form of some of the equations of a part in some of its unknowns, where there is one; everything else is known before.
+/// Returns a closed form for some equations of a subsystem in some of its unknowns, while all others are known; `None` if there
+/// is none.
 fn closed(
     equations: &[usize],
     unknowns: &[usize],
@@ -144,7 +145,7 @@ fn closed(
 }
 
 impl Candidate<'_> {
-    /// The equation and its unknown, where there is one.
+    /// Returns the equation and its unknown; `None` if there are several.
     fn single(&self) -> Option<(ExprId, usize)> {
         match (&self.equations[..], self.unknowns) {
             (&[equation], &[unknown]) => Some((equation, unknown)),
@@ -152,7 +153,7 @@ impl Candidate<'_> {
         }
     }
 
-    /// Two equations and their unknowns, angles first.
+    /// Returns two equations and their unknowns, angles first; otherwise `None`.
     fn pair(&self) -> Option<([ExprId; 2], [usize; 2])> {
         let (&[first, second], &[a, b]) = (&self.equations[..], self.unknowns) else {
             return None;
@@ -168,19 +169,19 @@ impl Candidate<'_> {
         self.form.unknowns[unknown].quantity == Quantity::Angle
     }
 
-    /// The unknowns of a pair, where they are of these kinds: angle or not.
+    /// Returns two equations if their unknowns are of these kinds, true for an angle.
     fn pair_of(&self, kinds: [bool; 2]) -> Option<([ExprId; 2], [usize; 2])> {
         let pair = self.pair()?;
         (pair.1.map(|unknown| self.is_angle(unknown)) == kinds).then_some(pair)
     }
 
-    /// Whether an expression mentions an unknown.
+    /// True if an expression mentions an unknown.
     fn mentions(&self, expr: ExprId, unknown: usize) -> bool {
         self.form.mentions(expr, unknown, self.graph)
     }
 
-    /// The two equations as the x and the y component of a vector equation: as they are, exchanged, or with one sign changed.
-    /// [`Transposed`] undoes them by their places.
+    /// Returns the two equations as x and y components of a vector equation: as they are, exchanged, or with one sign changed.
+    /// [`Transposed`] reverses the arrangement by its index.
     fn arrangements(&mut self, [first, second]: [ExprId; 2]) -> [[ExprId; 2]; 4] {
         let minus_second = self.graph.negate(second);
         [

@@ -1,7 +1,7 @@
-//! Anything else: Newton-Raphson on all equations of the part at once.
+//! Solves all equations of a subsystem at once by Newton-Raphson, in the absence of a closed form.
 //!
-//! The tears are found with their rates and accelerations by the runtime, from the residuals g of the block, their Jacobian,
-//! and their first and second rates with the tears held; all four are functions of the tears and of what is known.
+//! The runtime finds the unknowns with their rates and accelerations. It needs the residuals g of the block, their Jacobian, and
+//! their first and second rates at constant unknowns. All four are functions of the unknowns and of earlier results.
 
 use super::determinant::LARGEST_WRITTEN_OUT;
 use super::drawn_mode::{DrawnMode, drawn_mode};
@@ -17,7 +17,7 @@ use crate::program::passes::liveness;
 use crate::system::VectorForm;
 use crate::words::{Phrase, Piece, Singular, counted, enumerated, phrase};
 
-/// g(z) = 0.
+/// Equations g(z) = 0.
 #[derive(Clone, Debug)]
 pub(super) struct Newton {
     pub unknowns: Vec<usize>,
@@ -75,13 +75,13 @@ impl Form for Newton {
     fn position(&self, builder: &mut Builder<'_>) -> Box<dyn Solved> {
         self.open(builder);
         let block = self.equations(builder);
-        let found = self.found(builder);
+        let unknowns = self.found(builder);
         builder.state(Statement::Newton {
-            found,
+            found: unknowns,
             measure: None,
             torn: None,
         });
-        // The arms are found anew from the converged tears, now for everyone.
+        // Rotated vectors are computed again from the converged unknowns, now for all readers.
         for &unknown in &self.unknowns {
             builder.explicit_angle(unknown);
         }
@@ -90,24 +90,25 @@ impl Form for Newton {
 }
 
 impl Newton {
-    /// What it finds: each unknown with its rate and its acceleration.
+    /// Returns each unknown with its rate and its acceleration.
     pub fn found(&self, builder: &Builder<'_>) -> Vec<[SymbolId; 3]> {
-        let own = self.unknowns.iter();
-        let own = own.map(|&unknown| &builder.system.vector_form.unknowns[unknown]);
-        own.map(|it| [it.position, it.rate, it.acceleration])
+        let unknowns = self.unknowns.iter();
+        let unknowns = unknowns.map(|&unknown| &builder.system.vector_form.unknowns[unknown]);
+        unknowns
+            .map(|it| [it.position, it.rate, it.acceleration])
             .collect()
     }
 
-    /// The residuals, their Jacobian and rates as functions of the unknowns.
+    /// Returns the residuals, their Jacobian and rates as functions of the unknowns.
     pub fn equations(&self, builder: &mut Builder<'_>) -> NewtonBlock {
-        let found = self.found(builder);
-        let held: Vec<SymbolId> = found.iter().map(|it| it[1]).collect();
-        let steady: Vec<SymbolId> = found.iter().map(|it| it[2]).collect();
+        let unknowns = self.found(builder);
+        let held: Vec<SymbolId> = unknowns.iter().map(|it| it[1]).collect();
+        let steady: Vec<SymbolId> = unknowns.iter().map(|it| it[2]).collect();
         let (mut jacobian, mut time_derivative, mut gamma) = (Vec::new(), Vec::new(), Vec::new());
         for &residual in &self.residuals {
             let first = builder.rate(residual);
             let second = builder.rate(first);
-            // The residual's rate is linear in the rates of the tears; its coefficients are the Jacobian's row.
+            // The residual's rate is linear in the rates of the unknowns; its coefficients are the Jacobian's row.
             let slopes = held
                 .iter()
                 .map(|&rate| builder.graph().derivative(first, rate));
@@ -163,7 +164,7 @@ impl Newton {
         }
     }
 
-    /// Says why there is no closed form, and writes the residuals down.
+    /// Explains the lack of a closed form, and prints the residuals.
     fn open(&self, builder: &mut Builder<'_>) {
         let names = self.unknowns.iter().map(|&it| Piece::Unknown(it).into());
         let names: Vec<Phrase> = names.collect();
@@ -198,24 +199,24 @@ impl Newton {
         if let Some(loops) = loops {
             builder.say(|_| "The loops as vectors:".into());
             builder.show(|_| {
-                let shown = loops
+                let equations = loops
                     .into_iter()
                     .map(|it| [Piece::Sum(it).into(), "0".into(), "".into()]);
-                shown.collect()
+                equations.collect()
             });
         }
         builder.say(|_| "The residuals by components:".into());
         builder.show(|_| {
             let numbered = self.residuals.iter().enumerate();
-            let shown = numbered.map(|(place, &residual)| {
+            let equations = numbered.map(|(place, &residual)| {
                 let name = Piece::Numbered("g", place + 1);
                 [name.into(), Piece::Formula(residual).into(), "".into()]
             });
-            shown.collect()
+            equations.collect()
         });
     }
 
-    /// The residuals pair by pair as vectors, where they are the components of such.
+    /// Returns the residuals in pairs as vectors; `None` if they are not components of vectors.
     pub fn loops(&self, builder: &mut Builder<'_>) -> Option<Vec<Vector>> {
         let pairs = self.residuals.chunks_exact(2);
         if !pairs.remainder().is_empty() {
@@ -229,7 +230,7 @@ impl Newton {
     }
 }
 
-/// All equations of a block, as they are solved at once.
+/// Equations of a block that are solved at once.
 pub(super) struct Found {
     block: NewtonBlock,
     residuals: Vec<ExprId>,
@@ -271,7 +272,7 @@ impl Solved for Found {
     }
 }
 
-/// The determinant by cofactors of the first row.
+/// Expands the determinant by cofactors of the first row.
 fn expanded(rows: &[Vec<ExprId>], graph: &mut Graph) -> ExprId {
     let Some((first, others)) = rows.split_first() else {
         return graph.one();

@@ -1,8 +1,8 @@
-//! a cos φ + b sin φ = c: one angle.
+//! Solves a cos φ + b sin φ = c for one angle.
 //!
-//! With ρ² = a² + b², cos φ and sin φ follow from the root h = ±√((ρ − c)(ρ + c)), whose sign is the assembly mode and which is minus
-//! the derivative of the equation in φ. Near the fold c = ±ρ the product keeps all digits of ρ − c, where an arccosine would lose
-//! half of them. Where the equation holds the cosine alone, or the sine, it gives that function, and the root the other one.
+//! With ρ² = a² + b², cos φ and sin φ follow from the root h = ±√((ρ − c)(ρ + c)). The sign of h is the assembly mode, and h is
+//! minus the derivative of the equation in φ. Near the fold c = ±ρ, the product keeps all digits of ρ − c, where an arccosine
+//! would lose half of them. An equation in the cosine alone, or the sine, gives this function, and the root gives the other one.
 
 use std::sync::Arc;
 
@@ -17,16 +17,16 @@ use crate::program::function::Level;
 use crate::system::VectorForm;
 use crate::words::{Phrase, Piece, Singular, phrase};
 
-/// a cos φ + b sin φ + rest = 0.
+/// Equation a cos φ + b sin φ + rest = 0.
 #[derive(Clone, Debug)]
 struct OneAngle {
     angle: usize,
     cosine: ExprId,
     sine: ExprId,
     rest: ExprId,
-    /// The equation as it was, in arms.
+    /// Equation in terms of rotated vectors.
     equation: ExprId,
-    /// The row that it began as.
+    /// Row of the original equation.
     row: usize,
 }
 
@@ -93,16 +93,16 @@ impl Form for OneAngle {
 }
 
 impl OneAngle {
-    /// Says where the equation comes from.
+    /// Describes the origin of the equation.
     fn open(&self, builder: &mut Builder<'_>) {
         let name = Piece::Unknown(self.angle);
-        let found = builder.row_words(self.row, &[self.angle]);
-        let source = match &found {
+        let row_words = builder.row_words(self.row, &[self.angle]);
+        let source = match &row_words {
             Some(words) => phrase![" from ", words],
             None => " from one equation".into(),
         };
         builder.heading(phrase![name.clone(), source]);
-        builder.say(|_| match &found {
+        builder.say(|_| match &row_words {
             Some(words) => phrase!["In ", words, ", ", name, " is the only unknown:"],
             None => phrase![
                 "In what is left of the block's equations, ",
@@ -112,13 +112,13 @@ impl OneAngle {
         });
         builder.show(|builder| {
             let mut equations = Vec::new();
-            if found.is_some()
+            if row_words.is_some()
                 && let Some(vectors) = builder.vector_equation(self.row)
             {
                 equations.push([Piece::Sum(vectors).into(), "0".into(), "as vectors".into()]);
             }
             let joint = builder.system.vector_form.rows[self.row].joint;
-            let remark = match found {
+            let remark = match row_words {
                 Some(_) => builder.origin(&[joint], self.row),
                 None => Phrase::default(),
             };
@@ -127,7 +127,7 @@ impl OneAngle {
         });
     }
 
-    /// The mode whose sign is that of a slope in the drawing, minus the derivative of the equation.
+    /// Returns the mode with the sign of a slope in the design configuration, minus the derivative of the equation.
     fn mode(&self, builder: &mut Builder<'_>) -> ExprId {
         let [a, b] = [self.cosine, self.sine].map(|part| builder.system.drawn_value(part));
         let (sine, cosine) = double::sin_cos(builder.system.drawn_unknown(self.angle));
@@ -137,7 +137,7 @@ impl OneAngle {
         builder.branch(name, meaning, drawn)
     }
 
-    /// a cos φ = c with a constant a, or b sin φ = c: the direction, and the root as it is needed.
+    /// Solves a cos φ = c with a constant a, or b sin φ = c, for the direction, and returns the required root.
     fn by_function(&self, by_cosine: bool, builder: &mut Builder<'_>) -> ExprId {
         let (factor, function) = match by_cosine {
             true => (self.cosine, "cosine"),
@@ -148,14 +148,18 @@ impl OneAngle {
             phrase![format!("It gives the {function} of "), name, ":"]
         });
         let target = builder.graph().negate(self.rest);
-        let given = builder.graph().divide(target, factor);
-        let given = builder.angle_function(self.angle, by_cosine, given, Phrase::default());
+        let known_function = builder.graph().divide(target, factor);
+        let known_function =
+            builder.angle_function(self.angle, by_cosine, known_function, Phrase::default());
         let graph = builder.graph();
         let one = graph.one();
-        let [below, above] = [graph.subtract(one, given), graph.add(one, given)];
+        let [below, above] = [
+            graph.subtract(one, known_function),
+            graph.add(one, known_function),
+        ];
         let excess = graph.multiply(below, above);
         let excess = builder.factor("excess", excess);
-        // What a failure says is in metres where the equation is.
+        // A failure is reported in metres if the equation is in metres.
         let ends = {
             let graph = builder.graph();
             let squares = [target, factor].map(|part| graph.multiply(part, part));
@@ -183,7 +187,7 @@ impl OneAngle {
         let (direction, root) = match by_cosine {
             true => (
                 Direction {
-                    cosine: given,
+                    cosine: known_function,
                     sine: other,
                 },
                 slope,
@@ -193,7 +197,7 @@ impl OneAngle {
                 (
                     Direction {
                         cosine: other,
-                        sine: given,
+                        sine: known_function,
                     },
                     root,
                 )
@@ -208,7 +212,7 @@ impl OneAngle {
         root
     }
 
-    /// a cos φ + b sin φ = c with both functions.
+    /// Solves a cos φ + b sin φ = c with both functions.
     fn by_both(&self, builder: &mut Builder<'_>) -> ExprId {
         builder.say(|_| {
             "It holds a cosine and a sine of one angle, which a square root separates:".into()
@@ -241,7 +245,7 @@ impl OneAngle {
         let [below, above] = [graph.subtract(radius, c), graph.add(radius, c)];
         let excess = graph.multiply(below, above);
         let excess = builder.factor("excess", excess);
-        // The distance is |c|, as the root of its square.
+        // The distance |c| is the root of its square.
         let graph = builder.graph();
         let square = graph.multiply(c, c);
         let (distance, shortest) = (graph.sqrt(square), graph.zero());
@@ -270,7 +274,7 @@ impl OneAngle {
 
 struct Found {
     angle: usize,
-    /// Minus the derivative of the equation.
+    /// Negative derivative of the equation.
     root: ExprId,
     equation: ExprId,
 }

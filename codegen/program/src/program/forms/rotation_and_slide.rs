@@ -1,7 +1,7 @@
-//! R(φ) p + ℓ d + c = 0 with a known direction d: a circle of radius |p| meets a line.
+//! Solves R(φ) p + ℓ d + c = 0 with a known direction d: a circle of radius |p| meets a line (RRP dyad).
 //!
-//! Across the line the turned link w = R(φ) p has the part n = c × d; along it w · d = k = ±√(p² d² − n²), the assembly mode. The
-//! determinant of the block's Jacobian [Ω w, d] is −k.
+//! The rotated link w = R(φ) p has the component n = c × d across the line. Along the line, w · d = k = ±√(p² d² − n²), whose
+//! sign is the assembly mode. The determinant of the block's Jacobian [Ω w, d] is −k.
 
 use std::sync::Arc;
 
@@ -17,18 +17,18 @@ use crate::program::stretch::Stretch;
 use crate::system::VectorForm;
 use crate::words::{Phrase, Piece, Singular, phrase};
 
-/// R(φ) p + ℓ d + c = 0.
+/// Equation R(φ) p + ℓ d + c = 0.
 #[derive(Clone, Debug)]
 struct RotationAndSlide {
     angle: usize,
     slide: usize,
-    /// p, constant in its body.
+    /// Vector p, constant in its body.
     link: Vector,
-    /// d.
+    /// Direction d.
     direction: Vector,
-    /// c, the known vector that closes the loop.
+    /// Vector c, the known vector that closes the loop.
     closure: Vector,
-    /// How the equations became its components.
+    /// Arrangement of the equations as components.
     arrangement: usize,
 }
 
@@ -71,7 +71,7 @@ impl Form for RotationAndSlide {
         vec![self.angle, self.slide]
     }
 
-    /// [Ω w, d] has the determinant −w · d, which is Ω w × d.
+    /// Returns the determinant of [Ω w, d], which is Ω w × d = −w · d.
     fn determinant(&self, form: &VectorForm, graph: &mut Graph) -> Determinant {
         let turned = perpendicular(self.link, graph);
         let (turning, d) = orientation(self.direction, form, graph);
@@ -95,7 +95,7 @@ impl Form for RotationAndSlide {
     fn position(&self, builder: &mut Builder<'_>) -> Box<dyn Solved> {
         let (angle, slide, p) = (self.angle, self.slide, self.link);
         self.open(builder);
-        // A local value has no rule of motion, so the chain below holds the direction as it was written.
+        // A local value has no rule of motion, so the chain below has the direction as it was written.
         let d = builder.vector("d", self.direction);
         let c = builder.vector("c", self.closure);
         let n = builder.cross(c, d);
@@ -166,7 +166,7 @@ impl Form for RotationAndSlide {
 }
 
 impl RotationAndSlide {
-    /// Says what is known, and how the loop closes.
+    /// Describes the known values and the closed loop.
     fn open(&self, builder: &mut Builder<'_>) {
         let link = builder
             .known
@@ -222,11 +222,11 @@ impl RotationAndSlide {
     }
 }
 
-/// Ω w φ̇ + d ℓ̇ = −v, with k = w · d.
+/// Solved equation Ω w φ̇ + d ℓ̇ = −v, with k = w · d.
 pub(super) struct Found {
     columns: [Vector; 2],
     k: ExprId,
-    /// How the equations became components, and whether the loop was gone round the other way.
+    /// Arrangement of the equations as components, and true if the loop was reversed.
     arranged: (usize, bool),
     inverse: Option<ExprId>,
     closing: Closing,
@@ -255,7 +255,7 @@ impl Found {
 }
 
 impl Solved for Found {
-    /// w · d, minus the determinant.
+    /// Returns w · d, minus the determinant.
     fn determinant(&self) -> Option<ExprId> {
         Some(self.k)
     }

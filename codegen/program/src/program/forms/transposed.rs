@@ -1,32 +1,32 @@
-//! Jᵀ λ = f for a part in closed form: the multipliers of its equations, by Cramer's rule with the determinant of its position.
+//! Solves Jᵀ λ = f for the multipliers of a closed form, by Cramer's rule with the determinant of its position.
 //!
-//! For two turning links, [Ω w_a, Ω w_b], the forces f are the moments about their pins, and λ is the force in the pin that joins
-//! them: it has the lever arms that the two moment equations give it.
+//! For two rotating links, [Ω w_a, Ω w_b], the forces f are the moments about their pins. Then λ is the force in the pin between
+//! them, with the lever arms of both moment equations.
 
 use crate::expr::ExprId;
 use crate::joint::geometry::{Vector, dot};
 use crate::program::builder::Builder;
 
-/// The Jacobian of a part.
+/// Jacobian of a subsystem.
 #[derive(Clone, Copy, Debug)]
 pub enum Transposed {
-    /// ∂g/∂u of one equation for one unknown.
+    /// Derivative ∂g/∂u of one equation in one unknown.
     One(ExprId),
-    /// Two equations for two unknowns.
+    /// Two equations in two unknowns.
     Two {
-        /// The derivatives of both equations, as x and y of a vector equation, in each unknown.
+        /// Derivatives of both equations, as x and y of a vector equation, in each unknown.
         columns: [Vector; 2],
-        /// Their determinant.
+        /// Determinant of the columns.
         determinant: ExprId,
-        /// How the equations became components: a place in what arranges them.
+        /// Arrangement of the equations as components: an index of `arrangements`.
         arrangement: usize,
-        /// Whether the vector equation is taken with the opposite sign.
+        /// True if the vector equation has the opposite sign.
         reversed: bool,
     },
 }
 
 impl Transposed {
-    /// One multiplier for each equation of the part, from one force for each of its unknowns.
+    /// Returns one multiplier per equation of the subsystem, from one force per unknown.
     pub fn solve(&self, forces: &[ExprId], builder: &mut Builder<'_>) -> Option<Vec<ExprId>> {
         match (*self, forces) {
             (Transposed::One(slope), &[force]) => Some(vec![builder.graph().divide(force, slope)]),

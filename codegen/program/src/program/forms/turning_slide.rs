@@ -1,7 +1,7 @@
-//! R(φ) (p + ℓ u) + c = 0 with a unit vector u: a line that turns passes through a known point.
+//! Solves R(φ) (p + ℓ u) + c = 0 with a unit vector u: a rotating line passes through a known point (RPR dyad).
 //!
-//! With a = p · u and b = u × p the known vector m = −c has the length √((a + ℓ)² + b²), so k = a + ℓ = ±√(m² − b²), the assembly
-//! mode. The determinant of the block's Jacobian [Ω m, R u] is −k.
+//! With a = p · u and b = u × p, the known vector m = −c has the length √((a + ℓ)² + b²), so k = a + ℓ = ±√(m² − b²), whose sign
+//! is the assembly mode. The determinant of the block's Jacobian [Ω m, R u] is −k.
 
 use std::sync::Arc;
 
@@ -16,18 +16,18 @@ use crate::program::function::Level;
 use crate::system::VectorForm;
 use crate::words::{Phrase, Piece, Singular, phrase};
 
-/// R(φ) (p + ℓ u) + c = 0.
+/// Equation R(φ) (p + ℓ u) + c = 0.
 #[derive(Clone, Debug)]
 struct TurningSlide {
     angle: usize,
     slide: usize,
-    /// p, where the line begins, in the orientation of the angle.
+    /// Start p of the line, in the orientation of the angle.
     start: Vector,
-    /// u, the line's direction, in the same orientation.
+    /// Direction u of the line, in the same orientation.
     direction: Vector,
-    /// c, the known vector that closes the loop.
+    /// Vector c, the known vector that closes the loop.
     closure: Vector,
-    /// How the equations became its components.
+    /// Arrangement of the equations as components.
     arrangement: usize,
 }
 
@@ -51,7 +51,7 @@ pub(super) fn recognize(candidate: &mut Candidate<'_>) -> Option<Arc<dyn Form>> 
         let Some((direction, rest)) = form.turned_vector(slope, angle, graph) else {
             continue;
         };
-        // A direction that does not turn is that of a rotation and a slide.
+        // A constant direction belongs to a rotation and a slide.
         if rest == [zero, zero] && direction != [zero, zero] {
             return Some(Arc::new(TurningSlide {
                 angle,
@@ -75,7 +75,7 @@ impl Form for TurningSlide {
         vec![self.angle, self.slide]
     }
 
-    /// [Ω m, R u] with m = R (p + ℓ u) has the determinant −(p + ℓ u) · u.
+    /// Returns the determinant of [Ω m, R u] with m = R (p + ℓ u), which is −(p + ℓ u) · u.
     fn determinant(&self, form: &VectorForm, graph: &mut Graph) -> Determinant {
         let (p, u) = (self.start, self.direction);
         let along = graph.variable(form.unknowns[self.slide].position);
@@ -106,7 +106,7 @@ impl Form for TurningSlide {
     fn position(&self, builder: &mut Builder<'_>) -> Box<dyn Solved> {
         let (angle, slide) = (self.angle, self.slide);
         let (name, is_backward) = self.open(builder);
-        // The vectors are taken in the direction in which a person goes along the line.
+        // The vectors are reversed if the loop is read along the line.
         let [p, u, c] = [self.start, self.direction, self.closure].map(|vector| {
             if is_backward {
                 builder.negated(vector)
@@ -138,7 +138,7 @@ impl Form for TurningSlide {
         let k = builder.value_with("k", k, "with the sign of the drawing");
         let length = builder.graph().subtract(k, a);
         builder.find(slide, Level::Position, length);
-        // p + ℓ u = k u + b Ω u in the body; the direction that turns it into m.
+        // p + ℓ u = k u + b Ω u in the body; the direction rotates this vector into m.
         let across = builder.across(u);
         let local = builder.combined(k, u, b, across);
         let [x, y] = local;
@@ -167,9 +167,9 @@ impl Form for TurningSlide {
                 )
             }
         };
-        // What changes these links beside the angle turns with it.
+        // Relative velocities of these links rotate with the angle.
         builder.arms(angle, direction);
-        // A line moves in the orientation of its angle where that differs from its body's by a driven angle.
+        // A line moves in the orientation of its angle if that differs from its body's by a driven angle.
         let stretches = [(u, d), (p, start)]
             .map(|(vector, turned)| builder.moving_link(angle, vector, turned, direction));
         builder.say(|_| {
@@ -197,8 +197,8 @@ impl Form for TurningSlide {
 }
 
 impl TurningSlide {
-    /// Says between which two known points the line lies; returns what the vector between them is called, and whether the plan's
-    /// vector leads the other way.
+    /// Describes the two known points of the line. Returns the name of the vector between them, and true if the plan's vector is
+    /// reversed.
     fn open(&self, builder: &mut Builder<'_>) -> (String, bool) {
         let known = builder.known.known_pins(self.angle, builder.system);
         let [angle, slide] = [self.angle, self.slide].map(Piece::Unknown);
@@ -246,7 +246,7 @@ impl TurningSlide {
         (name, along < 0.0)
     }
 
-    /// The loop as vectors and by components.
+    /// Returns the loop as vectors and by components.
     fn close(&self, [p, u]: [Vector; 2], c: Vector, name: &str, builder: &mut Builder<'_>) {
         builder.say(|_| "The loop closes, as vectors and by components:".into());
         builder.show(|builder| {

@@ -1,4 +1,4 @@
-//! ℓ_a d + ℓ_b e + c = 0 with known directions: two lines meet.
+//! Solves ℓ_a d + ℓ_b e + c = 0 with known directions: two lines meet.
 
 use std::sync::Arc;
 
@@ -12,14 +12,14 @@ use crate::program::function::Level;
 use crate::system::VectorForm;
 use crate::words::{Piece, Singular, phrase};
 
-/// ℓ_a d + ℓ_b e + c = 0.
+/// Equation ℓ_a d + ℓ_b e + c = 0.
 #[derive(Clone, Debug)]
 struct TwoSlides {
-    /// ℓ_a and ℓ_b.
+    /// Displacements ℓ_a and ℓ_b.
     slides: [usize; 2],
-    /// d and e.
+    /// Directions d and e.
     directions: [Vector; 2],
-    /// c, the known vector that closes the loop.
+    /// Vector c, the known vector that closes the loop.
     closure: Vector,
 }
 
@@ -117,7 +117,7 @@ impl Form for TwoSlides {
 struct Found {
     closing: Closing,
     columns: [Vector; 2],
-    /// d × e.
+    /// Determinant d × e.
     determinant: ExprId,
 }
 

@@ -1,4 +1,4 @@
-//! Every block of the plan → its function, and what the mechanism is asked for besides.
+//! Lowers all blocks of a plan, and the other requests of the mechanism.
 
 mod needed;
 mod reported;
@@ -26,12 +26,12 @@ use needed::Needed;
 use reported::reported;
 use stated::Stated;
 
-/// All functions of a mechanism. The system's arena grows by what is computed on the way.
+/// Returns all functions of a mechanism. The system's arena grows by intermediate values.
 pub fn lower(system: &mut System, plan: &SolvedPlan) -> Program {
     lower_keeping(system, plan, &IdSet::default())
 }
 
-/// The same, and frames hold every unknown of the vector form with its rate and acceleration.
+/// Returns all functions, with every unknown of the vector form in frames, including rate and acceleration.
 pub fn lower_with_unknowns(system: &mut System, plan: &SolvedPlan) -> Program {
     let unknowns = system.vector_form.unknowns.iter();
     let kept = unknowns.flat_map(|it| [it.position, it.rate, it.acceleration]);
@@ -64,7 +64,7 @@ fn lower_keeping(system: &mut System, plan: &SolvedPlan, kept: &IdSet<SymbolId>)
         requirements: requirements(system),
         textbook: Textbook::of(system),
         drawn: drawn(system),
-        // The points of a mechanism with outputs are among its blocks.
+        // If there are outputs, points are computed in blocks.
         points: match is_whole {
             true => points(system),
             false => Vec::new(),
@@ -94,7 +94,7 @@ fn lower_keeping(system: &mut System, plan: &SolvedPlan, kept: &IdSet<SymbolId>)
     program
 }
 
-/// The assembly modes that the blocks read.
+/// Returns the assembly modes that the blocks read.
 fn read_branches(mut branches: Vec<Branch>, blocks: &[Block], system: &System) -> Vec<Branch> {
     let read: IdSet<SymbolId> = blocks
         .iter()
@@ -113,9 +113,9 @@ fn share_blocks(blocks: &mut [Block], system: &mut System) {
     }
 }
 
-/// The functions of all blocks with nothing left out, and with a person's words, for whoever reads them or evaluates them without
-/// a compile step. Values that nothing needs are computed too, so that every unknown of the vector form has its position and rate.
-/// Behind the blocks of the plan stands that of the forces, where any are asked for.
+/// Returns the functions of all blocks without omissions and with derivations, for printing or interpretation. Unneeded values
+/// are computed too, so that every unknown of the vector form has its position and rate. If forces are requested, their block
+/// comes last.
 pub fn unpruned(system: &mut System, plan: &SolvedPlan) -> (Vec<Block>, Vec<Branch>) {
     let mut lowering = Lowering::new(system, true);
     let blocks = plan.blocks.iter().enumerate();
@@ -128,11 +128,11 @@ pub fn unpruned(system: &mut System, plan: &SolvedPlan) -> (Vec<Block>, Vec<Bran
     blocks.extend(exerting);
     propagate(&mut blocks, &mut system.mechanism.graph);
     if let (Some(forces), Some(block)) = (forces, blocks.last_mut()) {
-        // Loads that nobody asks for are no step of the derivation.
+        // Unrequested loads are not part of the derivation.
         let fields: IdSet<SymbolId> = forces.fields().into_iter().collect();
-        let own = std::slice::from_mut(block);
+        let only_block = std::slice::from_mut(block);
         prune(
-            own,
+            only_block,
             &|symbol| fields.contains(&symbol),
             &system.mechanism.graph,
         );
@@ -140,7 +140,7 @@ pub fn unpruned(system: &mut System, plan: &SolvedPlan) -> (Vec<Block>, Vec<Bran
     (blocks, branches)
 }
 
-/// How the parts of each block of a plan are solved.
+/// Returns the solution methods of the subsystems of each block of a plan.
 pub fn forms_of(system: &mut System, plan: &SolvedPlan) -> Vec<Vec<Arc<dyn Form>>> {
     let blocks = plan.blocks.iter();
     blocks
@@ -152,31 +152,31 @@ pub fn forms_of(system: &mut System, plan: &SolvedPlan) -> Vec<Vec<Arc<dyn Form>
 }
 
 impl Program {
-    /// Everything that is computed.
+    /// Returns all functions.
     pub fn functions(&self) -> impl Iterator<Item = &Function> {
         let blocks = self.blocks.iter().flat_map(super::Block::functions);
         let paths = self.path.iter().flat_map(Path::functions);
         let textbook = self.textbook.iter().flat_map(Textbook::functions);
         let others = self.points.iter().chain(&self.pressures);
-        let given = self.drawn.iter();
-        let given = given.chain(self.requirements.iter().map(|it| &it.function));
-        let given = given.chain(self.loads.iter().map(|it| &it.function));
+        let optional = self.drawn.iter();
+        let optional = optional.chain(self.requirements.iter().map(|it| &it.function));
+        let optional = optional.chain(self.loads.iter().map(|it| &it.function));
         blocks
             .chain(paths)
             .chain(textbook)
             .chain(others)
-            .chain(given)
+            .chain(optional)
     }
 }
 
-/// A function with these results, everything in it shared.
+/// Returns a function with these results, in which common subexpressions are shared.
 pub(super) fn shared(results: impl IntoIterator<Item = ExprId>, system: &mut System) -> Function {
     let mut function = Function::of_results(results);
     share_all(&mut function, system);
     function
 }
 
-/// The estimates of all unknowns, where one of them depends on a parameter.
+/// Returns the estimates of all unknowns; `None` if none depends on a parameter.
 fn drawn(system: &mut System) -> Option<Function> {
     let unknowns = system.vector_form.unknowns.iter();
     let estimates: Vec<ExprId> = unknowns.map(|unknown| unknown.estimate).collect();

@@ -1,4 +1,4 @@
-//! Blocks that are needed → what shows that they have stayed on their path, which needs more of them.
+//! Determines the needed parts of blocks, including those that the path verification needs.
 
 use crate::expr::{ExprId, IdSet, SymbolId};
 use crate::program::block::{Block, Lowering};
@@ -9,15 +9,15 @@ use crate::program::path::Path;
 use crate::structure::SolvedPlan;
 use crate::system::{SymbolRole, System};
 
-/// What is computed, with what nothing needs left out.
+/// Needed statements.
 pub(super) struct Needed {
     pub blocks: Vec<Block>,
-    /// The fields that are asked for, also by the path.
+    /// Requested fields, including those of the path.
     pub asked: IdSet<SymbolId>,
     pub path: Option<Path>,
 }
 
-/// What shows that these blocks have stayed on their path.
+/// Returns the verification that these blocks stay on their path.
 pub(super) fn path_of(blocks: &[Block], lowering: &mut Lowering<'_>, plan: &SolvedPlan) -> Path {
     let kept: Vec<usize> = blocks
         .iter()
@@ -25,19 +25,19 @@ pub(super) fn path_of(blocks: &[Block], lowering: &mut Lowering<'_>, plan: &Solv
         .filter_map(|block| block.place)
         .collect();
     let kept = kept.into_iter().map(|place| (place, &plan.blocks[place]));
-    let mut found = lowering.path(kept.clone());
-    // What Newton-Raphson finds needs its enclosures, also where it does not move.
+    let mut path = lowering.path(kept.clone());
+    // Newton-Raphson needs its enclosures even if it does not move.
     if blocks.iter().all(|block| block.newton.is_none()) {
-        found.closed = lowering.closed_path(kept);
+        path.closed = lowering.closed_path(kept);
     }
-    prune_path(&mut found, &lowering.system.mechanism.graph);
-    found
+    prune_path(&mut path, &lowering.system.mechanism.graph);
+    path
 }
 
-/// What a path reads of what the blocks find, now and in the last frame; `whole` blocks have nothing left out.
+/// Returns the symbols of blocks that a path reads, now and in the last frame; `unpruned` blocks are complete.
 pub(super) fn read_by_path(path: &Path, unpruned: &[Block], system: &System) -> IdSet<SymbolId> {
     let graph = &system.mechanism.graph;
-    let found: IdSet<SymbolId> = unpruned
+    let targets: IdSet<SymbolId> = unpruned
         .iter()
         .flat_map(|it| it.function.targets())
         .collect();
@@ -49,10 +49,10 @@ pub(super) fn read_by_path(path: &Path, unpruned: &[Block], system: &System) -> 
         SymbolRole::Last(symbol) => symbol,
         _ => symbol,
     });
-    // Arms are found anew.
+    // Rotated vectors are computed anew.
     let is_arm = |symbol: SymbolId| matches!(system.roles[symbol.index()], SymbolRole::Arm(_));
     symbols
-        .filter(|symbol| found.contains(symbol) && !is_arm(*symbol))
+        .filter(|symbol| targets.contains(symbol) && !is_arm(*symbol))
         .collect()
 }
 
@@ -64,10 +64,10 @@ pub(super) fn share_path(path: &mut Function, system: &mut System) {
     halve(path, system);
 }
 
-/// Computes a sine without its cosine, or the other way round, where nobody reads the other.
+/// Replaces a sine-cosine pair by one of them if the other is not read.
 fn halve(function: &mut Function, system: &mut System) {
     let graph = &mut system.mechanism.graph;
-    // A value is read by its symbol, or as the expression that the symbol stands for.
+    // A value is read by its symbol, or by the expression of the symbol.
     let mut read: IdSet<ExprId> = IdSet::default();
     let mut open: Vec<ExprId> = function.all_values().collect();
     while let Some(expr) = open.pop() {

@@ -1,4 +1,4 @@
-//! Blocks that are needed, beside all that there are → what is kept, what is left out, and with how many operations.
+//! Reports the kept and the omitted calculations, with their numbers of operations.
 
 use super::needed::Needed;
 use super::share_blocks;
@@ -13,7 +13,7 @@ use crate::program::passes::liveness::prune;
 use crate::program::{Report, Work};
 use crate::system::System;
 
-/// The report; blocks of which nothing is needed are taken out on the way.
+/// Returns the report; removes blocks that are not needed.
 pub(super) fn reported(stated: &Stated, needed: &mut Needed, system: &mut System) -> Report {
     let Needed {
         blocks,
@@ -51,10 +51,10 @@ pub(super) fn reported(stated: &Stated, needed: &mut Needed, system: &mut System
     report
 }
 
-/// The angles of closed forms that no statement finds.
+/// Returns the angles of closed forms that no statement computes.
 fn angles_left_out(blocks: &[Block], system: &System) -> Vec<String> {
     let statements = blocks.iter().flat_map(|block| &block.function.statements);
-    let found: IdSet<SymbolId> = statements
+    let computed: IdSet<SymbolId> = statements
         .filter_map(|statement| match statement {
             Statement::Angle { target, .. } => Some(*target),
             _ => None,
@@ -66,7 +66,7 @@ fn angles_left_out(blocks: &[Block], system: &System) -> Vec<String> {
         .flat_map(|form| form.unknowns())
         .filter(|&unknown| {
             let unknown = &system.vector_form.unknowns[unknown];
-            unknown.quantity == Quantity::Angle && !found.contains(&unknown.position)
+            unknown.quantity == Quantity::Angle && !computed.contains(&unknown.position)
         })
         .map(|unknown| system.unknown_name(unknown).to_string())
         .collect()

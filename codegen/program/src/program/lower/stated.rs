@@ -1,4 +1,4 @@
-//! A plan → the functions of all its blocks and of what is asked for besides, with nothing left out, and the fields that are asked for.
+//! States the functions of all blocks and requests of a plan without omissions, with the requested fields.
 
 use std::sync::Arc;
 
@@ -15,16 +15,16 @@ use crate::program::transmissions::{Transmission, transmissions};
 use crate::structure::SolvedPlan;
 use crate::system::System;
 
-/// Everything that is computed before anything is left out.
+/// All functions before pruning.
 pub(super) struct Stated {
     pub blocks: Vec<Block>,
-    /// How the parts of each block of the plan are solved.
+    /// Solution methods of the subsystems of each block of the plan.
     pub forms: Vec<Vec<Arc<dyn Form>>>,
     pub outputs: Option<Vec<Output>>,
     pub transmissions: Vec<Transmission>,
     pub sensitivities: Vec<Sensitivity>,
     pub forces: Forces,
-    /// The fields that are asked for, beside the coordinates where there are no outputs.
+    /// Requested fields, without the coordinates that are kept in the absence of outputs.
     asked: IdSet<SymbolId>,
 }
 
@@ -37,7 +37,7 @@ impl Stated {
             .map(|(place, block)| lowering.block(place, block))
             .collect();
         let forms = blocks.iter().map(|block| block.forms.clone()).collect();
-        let wanted = outputs(lowering.system);
+        let requested = outputs(lowering.system);
         let (transmissions, transmitting) =
             transmissions(lowering.system, &mut lowering.derivatives).unzip();
         let (sensitivities, sensing) =
@@ -49,23 +49,23 @@ impl Stated {
         let transposed: Vec<_> = blocks.iter().map(|it| it.transposed.clone()).collect();
         let (forces, exerting) = forces(lowering, plan, &transposed).unzip();
         let forces = forces.unwrap_or_default();
-        // What is known to be zero carries nothing either.
+        // Zero loads have zero reactions.
         let exerts = exerting.is_some();
         blocks.extend(exerting);
         propagate(&mut blocks, &mut lowering.system.mechanism.graph);
         let exerting = blocks.pop_if(|_| exerts);
-        let mut asked = kept.clone();
-        asked.extend(transmissions.iter().flat_map(Transmission::fields));
-        asked.extend(sensitivities.iter().flat_map(Sensitivity::fields));
-        asked.extend(forces.fields());
-        asked.extend(
+        let mut fields = kept.clone();
+        fields.extend(transmissions.iter().flat_map(Transmission::fields));
+        fields.extend(sensitivities.iter().flat_map(Sensitivity::fields));
+        fields.extend(forces.fields());
+        fields.extend(
             blocks
                 .iter()
                 .flat_map(|block| &block.measured)
                 .flat_map(Measured::fields),
         );
-        let (outputs, last) = wanted.unzip();
-        asked.extend(outputs.iter().flatten().flat_map(Output::fields));
+        let (outputs, last) = requested.unzip();
+        fields.extend(outputs.iter().flatten().flat_map(Output::fields));
         blocks.extend(last);
         blocks.extend(transmitting.into_iter().chain(sensing).chain(exerting));
         Stated {
@@ -75,32 +75,32 @@ impl Stated {
             transmissions,
             sensitivities,
             forces,
-            asked,
+            asked: fields,
         }
     }
 
-    /// What the blocks find that is needed, and what shows that they have stayed on their path.
+    /// Returns the needed statements of the blocks, and the verification of their path.
     pub fn needed(&self, lowering: &mut Lowering<'_>, plan: &SolvedPlan) -> Needed {
-        let mut asked = self.asked.clone();
-        let mut blocks = self.pruned(&asked, lowering.system);
+        let mut fields = self.asked.clone();
+        let mut blocks = self.pruned(&fields, lowering.system);
         let mut path = None;
         if !lowering.system.mechanism.is_unguarded {
-            let mut found = path_of(&blocks, lowering, plan);
-            asked.extend(read_by_path(&found, &self.blocks, lowering.system));
-            blocks = self.pruned(&asked, lowering.system);
-            for function in found.whole_functions_mut() {
+            let mut path_functions = path_of(&blocks, lowering, plan);
+            fields.extend(read_by_path(&path_functions, &self.blocks, lowering.system));
+            blocks = self.pruned(&fields, lowering.system);
+            for function in path_functions.whole_functions_mut() {
                 share_path(function, lowering.system);
             }
-            path = Some(found);
+            path = Some(path_functions);
         }
         Needed {
             blocks,
-            asked,
+            asked: fields,
             path,
         }
     }
 
-    /// The blocks without what nothing asks for.
+    /// Returns the blocks without unneeded statements.
     fn pruned(&self, asked: &IdSet<SymbolId>, system: &System) -> Vec<Block> {
         let is_asked = |symbol: SymbolId| {
             asked.contains(&symbol) || self.outputs.is_none() && system.is_coordinate(symbol)

@@ -1,4 +1,4 @@
-//! Constant parts of expressions → literals and named constants.
+//! Writes constant parts of expressions as literals and named constants.
 
 use std::collections::{HashMap, HashSet};
 
@@ -9,30 +9,30 @@ use crate::expr::{ExprId, Factor, Graph, Node, Number, Term};
 use crate::program::function::Function;
 use crate::system::System;
 
-/// The longest name of a constant, in characters; others are written as literals.
+/// Length of the longest name of a constant, in characters; others are written as literals.
 const LONGEST_NAME: usize = 28;
 
-/// A constant part: what one multiplication or addition of generated code takes.
+/// Constant part: one operand of a multiplication or addition in generated code.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum ConstantPart {
-    /// A sum of constant terms, the first one positive.
+    /// Sum of constant terms, the first one positive.
     Sum(Vec<Term>),
-    /// A positive number times powers of constant expressions.
+    /// Positive number times powers of constant expressions.
     Product(Number, Vec<Factor>),
 }
 
-/// A named constant of the generated module.
+/// Named constant of the generated module.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Constant {
-    /// `SQRT_3`.
+    /// Name such as `SQRT_3`.
     pub name: String,
-    /// What it stands for, exactly.
+    /// Exact value.
     pub part: ConstantPart,
-    /// Its value, rounded.
+    /// Rounded value.
     pub value: f64,
 }
 
-/// The constants of a module in the order of their first use.
+/// Constants of a module in the order of their first use.
 #[derive(Clone, Debug, Default)]
 pub struct Constants {
     list: Vec<Constant>,
@@ -43,7 +43,7 @@ pub struct Constants {
 }
 
 impl ConstantPart {
-    /// The exact number, if the part is nothing else.
+    /// Returns the exact number; `None` if the part has other terms or factors.
     fn number(&self, graph: &Graph) -> Option<Number> {
         match self {
             ConstantPart::Sum(terms) => match terms.as_slice() {
@@ -54,7 +54,7 @@ impl ConstantPart {
         }
     }
 
-    /// The value as a literal: only numbers whose decimal digits end are written in place.
+    /// Returns the value as a literal; `None` if the number is not a terminating decimal.
     pub fn literal(&self, graph: &Graph) -> Option<f64> {
         match self.number(graph)? {
             Number::Float(value) => Some(value),
@@ -74,7 +74,7 @@ impl ConstantPart {
         }
     }
 
-    /// The rounded value.
+    /// Returns the rounded value.
     pub fn value(&self, graph: &Graph) -> f64 {
         // Every constant was found to be finite when it was read.
         let of = |expr: ExprId| graph.constant_value(expr).unwrap_or(f64::NAN);
@@ -90,7 +90,7 @@ impl ConstantPart {
         }
     }
 
-    /// A name that says what it is: `SQRT_3_OVER_2`, `PI_OVER_6`; none for longer expressions.
+    /// Returns a descriptive name: `SQRT_3_OVER_2`, `PI_OVER_6`; `None` for longer expressions.
     fn speaking_name(&self, graph: &Graph) -> Option<String> {
         let (number, pi) = match self {
             ConstantPart::Sum(terms) => match terms.as_slice() {
@@ -128,17 +128,17 @@ impl ConstantPart {
 }
 
 impl Constants {
-    /// The constants in the order of their first use.
+    /// Returns the constants in the order of their first use.
     pub fn list(&self) -> &[Constant] {
         &self.list
     }
 
-    /// Place of a part in [`Constants::list`]; `None` if the part is a literal.
+    /// Returns the index of a part in [`Constants::list`]; `None` if the part is a literal.
     pub fn place_of(&self, part: &ConstantPart) -> Option<usize> {
         self.places.get(part).copied()
     }
 
-    /// Names the constants that a function is written with.
+    /// Names the constants of a function.
     pub(in crate::program) fn note(&mut self, function: &Function, system: &System) {
         let computed = Computed { function, system };
         computed.addends(&mut |parts| {
@@ -148,7 +148,7 @@ impl Constants {
         });
     }
 
-    /// Gives a part its name, unless it is a literal or has one.
+    /// Names a part, unless it is a literal or has a name.
     fn add(&mut self, part: &ConstantPart, graph: &Graph) {
         if self.places.contains_key(part) || part.literal(graph).is_some() {
             return;

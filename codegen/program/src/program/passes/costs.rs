@@ -1,4 +1,4 @@
-//! Functions → counts of their arithmetic operations.
+//! Counts the arithmetic operations of functions.
 
 use std::ops::AddAssign;
 
@@ -8,28 +8,28 @@ use crate::program::block::Block;
 use crate::program::function::{Function, Level, Statement};
 use crate::system::{System, WrittenOrder};
 
-/// How many operations a piece of straight-line code takes.
+/// Numbers of operations of straight-line code.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Operations {
-    /// Additions and subtractions.
+    /// Number of additions and subtractions.
     pub additions: usize,
-    /// Multiplications.
+    /// Number of multiplications.
     pub multiplications: usize,
-    /// Divisions.
+    /// Number of divisions.
     pub divisions: usize,
-    /// Square roots.
+    /// Number of square roots.
     pub square_roots: usize,
-    /// Sines and cosines.
+    /// Number of sines and cosines.
     pub sines: usize,
-    /// Arctangents.
+    /// Number of arctangents.
     pub arctangents: usize,
-    /// Exponentials, logarithms and general powers.
+    /// Number of exponentials, logarithms and general powers.
     pub exponentials: usize,
-    /// Choices between two values.
+    /// Number of choices between two values.
     pub choices: usize,
-    /// Whole parts of numbers.
+    /// Number of roundings to an integer.
     pub whole_parts: usize,
-    /// Places found in tables.
+    /// Number of searches in tables.
     pub lookups: usize,
 }
 
@@ -49,7 +49,7 @@ impl AddAssign for Operations {
 }
 
 impl std::fmt::Display for Operations {
-    /// `12 additions, 1 square root`; `none` for none.
+    /// Writes `12 additions, 1 square root`; `none` if all numbers are zero.
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let counts = [
             (self.additions, "addition", "additions"),
@@ -76,14 +76,14 @@ impl std::fmt::Display for Operations {
 }
 
 impl Operations {
-    /// All of them.
+    /// Returns the sum of all numbers.
     pub fn total(&self) -> usize {
         let arithmetic = self.additions + self.multiplications + self.divisions + self.square_roots;
         let functions = self.sines + self.arctangents + self.exponentials + self.whole_parts;
         arithmetic + functions + self.choices + self.lookups
     }
 
-    /// So many times as many.
+    /// Returns all numbers multiplied by a factor.
     pub(in crate::program) fn times(self, factor: usize) -> Operations {
         Operations {
             additions: self.additions * factor,
@@ -99,7 +99,7 @@ impl Operations {
         }
     }
 
-    /// What the addends of one expression take, its operands not counted.
+    /// Returns the operations of the addends of one expression, without those of its operands.
     pub(in crate::program) fn of_addends(addends: &[Addend]) -> Operations {
         let mut operations = Operations {
             additions: addends.len().saturating_sub(1),
@@ -118,7 +118,7 @@ impl Operations {
         operations
     }
 
-    /// Counts what the powers take for themselves and returns how many factors are multiplied.
+    /// Counts the operations of powers and returns the number of factors.
     fn product(&mut self, powers: &[Power]) -> usize {
         let mut factors = 0;
         for Power { exponent, .. } in powers {
@@ -137,7 +137,7 @@ impl Operations {
         factors
     }
 
-    /// What a function takes, its argument not counted.
+    /// Returns the operations of a function call, without those of its argument.
     pub(in crate::program) fn of_function(node: &Node) -> Operations {
         let mut operations = Operations::default();
         match node {
@@ -153,10 +153,10 @@ impl Operations {
     }
 }
 
-/// Powers up to this one are written as products.
+/// Largest exponent of a power that is written as a product.
 pub const LARGEST_PRODUCT: i128 = 8;
 
-/// Whether an expression is a function call, which always gets a name.
+/// True if an expression is a function call, which always has a name.
 pub(in crate::program) fn is_function(node: &Node) -> bool {
     matches!(
         node,
@@ -171,7 +171,7 @@ pub(in crate::program) fn is_function(node: &Node) -> bool {
     )
 }
 
-/// What an expression is written with: its operands, but a condition is taken apart into the terms it compares.
+/// Returns the operands of an expression as written: a condition has the terms of its comparison.
 pub(in crate::program) fn written_operands(expr: ExprId, graph: &Graph) -> Vec<ExprId> {
     match *graph.node(expr) {
         Node::Choose {
@@ -190,24 +190,24 @@ pub(in crate::program) fn written_operands(expr: ExprId, graph: &Graph) -> Vec<E
     }
 }
 
-/// Whether an expression is a variable read from the inputs.
+/// True if an expression is a symbol.
 pub(in crate::program) fn is_symbol(expr: ExprId, graph: &Graph) -> bool {
     matches!(graph.node(expr), Node::Symbol(_))
 }
 
-/// What a function evaluates, taken apart into additions and multiplications, each as often as it is written.
+/// Evaluated expressions of a function, split into additions and multiplications, each as often as it is written.
 pub(in crate::program) struct Computed<'a> {
     pub function: &'a Function,
     pub system: &'a System,
 }
 
 impl Computed<'_> {
-    /// What one statement takes.
+    /// Returns the operations of one statement.
     pub fn statement(&self, statement: &Statement) -> Operations {
         let mut operations = Operations::default();
         match statement {
             Statement::Let { value, .. } => operations += self.defined(*value),
-            // What a failure reports is computed only then.
+            // Values of a failure report are computed only for the failure.
             Statement::Reach { excess, scale, .. } => {
                 operations += self.expression(*excess);
                 operations += self.expression(*scale);
@@ -227,7 +227,7 @@ impl Computed<'_> {
         operations
     }
 
-    /// Calls `each` with the addends of everything that the function writes out.
+    /// Calls `each` with the addends of all expressions that the function writes.
     pub fn addends(&self, each: &mut dyn FnMut(&[Addend])) {
         for statement in &self.function.statements {
             match statement {
@@ -246,7 +246,7 @@ impl Computed<'_> {
         }
     }
 
-    /// What the results take.
+    /// Returns the operations of the results.
     pub fn results(&self) -> Operations {
         let mut operations = Operations::default();
         for result in &self.function.results {
@@ -255,7 +255,7 @@ impl Computed<'_> {
         operations
     }
 
-    /// What an expression takes where it is written.
+    /// Returns the operations of an expression where it is used.
     fn expression(&self, expr: ExprId) -> Operations {
         let mut operations = Operations::default();
         let functions = self.take_apart(expr, false, &mut |parts| {
@@ -265,7 +265,7 @@ impl Computed<'_> {
         operations
     }
 
-    /// The same where it gets its name.
+    /// Returns the operations of an expression where it is named.
     fn defined(&self, expr: ExprId) -> Operations {
         let mut operations = Operations::default();
         let functions = self.take_apart(expr, true, &mut |parts| {
@@ -275,7 +275,7 @@ impl Computed<'_> {
         operations
     }
 
-    /// Calls `each` with the addends of an expression and of what they are made of, and returns what the functions among them take.
+    /// Calls `each` with the addends of an expression and of its parts, and returns the operations of function calls among them.
     fn take_apart(
         &self,
         expr: ExprId,
@@ -324,7 +324,7 @@ impl Computed<'_> {
     }
 }
 
-/// The operations of a function with its results.
+/// Returns the operations of a function with its results.
 pub(in crate::program) fn of_function(function: &Function, system: &System) -> Operations {
     let computed = Computed { function, system };
     let mut operations = Operations::default();
@@ -335,7 +335,7 @@ pub(in crate::program) fn of_function(function: &Function, system: &System) -> O
     operations
 }
 
-/// The operations of each level in all blocks, then those of all responses to drivers and to parameters, and of forces.
+/// Returns the operations of each level in all blocks, then those of all responses to drivers and to parameters, and of forces.
 pub(in crate::program) fn by_level(blocks: &[Block], system: &System) -> [Operations; 6] {
     let mut levels = [Operations::default(); 6];
     for block in blocks {

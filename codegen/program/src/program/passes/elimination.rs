@@ -1,8 +1,8 @@
-//! What Gaussian elimination takes, as the runtime does it: a reciprocal for each pivot, and columns that are multiplied by it.
+//! Counts the operations of Gaussian elimination in the runtime: a reciprocal for each pivot, and multiplied columns.
 
 use super::costs::Operations;
 
-/// The elimination of a square matrix.
+/// Returns the operations of eliminating a square matrix.
 pub(super) fn elimination(order: usize) -> Operations {
     let below = order * order.saturating_sub(1);
     let squares = below * (2 * order).saturating_sub(1) / 6;
@@ -14,7 +14,7 @@ pub(super) fn elimination(order: usize) -> Operations {
     }
 }
 
-/// One solution with its factors.
+/// Returns the operations of one solution with the factors.
 pub(super) fn substitution(order: usize) -> Operations {
     let below = order * order.saturating_sub(1);
     Operations {

@@ -1,12 +1,12 @@
-//! Which values several blocks need.
+//! Finds the values that several blocks need.
 
 use crate::expr::{IdMap, IdSet, SymbolId};
 use crate::program::block::Block;
 use crate::program::function::{Function, Statement};
 use crate::system::System;
 
-/// Values that another block than their own reads, and those in `outputs`, in order of definition. Where `whole`, the coordinates
-/// are not among them: they have their own place.
+/// Returns the values that other blocks read, and those in `outputs`, in order of definition. If `whole` is true, coordinates are
+/// excluded: the frame has separate places for them.
 pub(in crate::program) fn fields(
     blocks: &[Block],
     outputs: &IdSet<SymbolId>,
@@ -24,9 +24,9 @@ pub(in crate::program) fn fields(
                 }
             }
             match statement {
-                // An angle is wound up from its last value.
+                // An angle is chosen nearest to its last value.
                 Statement::Angle { target, .. } => shared.extend([*target]),
-                // What Newton-Raphson finds starts from its last values.
+                // Newton-Raphson starts from its last values.
                 Statement::Newton { found, torn, .. } => {
                     shared.extend(found.iter().flatten());
                     shared.extend(torn.iter().flat_map(|it| &it.memory));
@@ -36,7 +36,7 @@ pub(in crate::program) fn fields(
         }
     }
     for (index, block) in blocks.iter().enumerate() {
-        // The tears are local to the equations of their own Newton-Raphson.
+        // Tearing variables are local to the equations of their own Newton-Raphson.
         let read = block.functions().flat_map(Function::values);
         for symbol in read.flat_map(|expr| system.mechanism.graph.symbols(expr)) {
             if home.get(symbol).is_some_and(|&place| place != index) {

@@ -1,7 +1,6 @@
-//! Newton-Raphson of the blocks → what it takes.
+//! Counts the operations of Newton-Raphson by block.
 //!
-//! How often it evaluates the equations of a block is known only while it runs, but not how often at most. Nothing here knows how the
-//! runtime decides.
+//! The number of evaluations is known only at run time; its limit is constant.
 
 use super::costs::{Operations, of_function};
 use super::elimination::{elimination, substitution};
@@ -9,7 +8,7 @@ use crate::program::block::Block;
 use crate::program::tearing::Tearing;
 use crate::system::System;
 
-/// How often a torn block is evaluated at most before all its equations are solved at once, as in the runtime.
+/// Largest number of evaluations of a torn block before all its equations are solved at once, as in the runtime.
 pub const EVALUATIONS: usize = 6;
 
 /// Default limit of steps for all equations at once, as in the runtime.
@@ -17,38 +16,38 @@ pub const STEPS: usize = 25;
 /// Evaluations of the residuals and of the Jacobian beyond [`STEPS`].
 pub const BEYOND_STEPS: [usize; 2] = [3, 5];
 
-/// What the Newton-Raphson of one block takes.
+/// Operations of the Newton-Raphson of one block.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Iterations {
-    /// The block.
+    /// Name of the block.
     pub block: String,
-    /// How many unknowns it has.
+    /// Number of unknowns.
     pub unknowns: usize,
-    /// Where it is torn.
+    /// Operations of the tearing; `None` if the block is not torn.
     pub torn: Option<TornIterations>,
-    /// All residuals.
+    /// Operations of all residuals.
     pub residuals: Operations,
-    /// Their Jacobian, its elimination and one solution with it.
+    /// Operations of the Jacobian, its elimination and one solution.
     pub jacobian: Operations,
 }
 
-/// What the tears of a block take.
+/// Operations of a block's tearing.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TornIterations {
-    /// How many there are.
+    /// Number of tearing variables.
     pub tears: usize,
-    /// What remains with its derivatives.
+    /// Operations of the tearing residuals with their derivatives.
     pub evaluation: Operations,
-    /// All unknowns with their rates, once, their angles included.
+    /// Operations of all unknowns with their rates, once, including angles.
     pub completion: Operations,
 }
 
-/// The Newton-Raphson of all blocks, in solve order.
+/// Returns the Newton-Raphson of all blocks, in solve order.
 pub(in crate::program) fn iterations(blocks: &[Block], system: &System) -> Vec<Iterations> {
     let newtons = blocks
         .iter()
         .filter_map(|block| Some((block, block.newton.as_ref()?)));
-    let found = newtons.map(|(block, newton)| {
+    let iterations = newtons.map(|(block, newton)| {
         let mut jacobian = of_function(&newton.jacobian, system);
         jacobian += elimination(newton.unknowns.len());
         jacobian += substitution(newton.unknowns.len());
@@ -60,7 +59,7 @@ pub(in crate::program) fn iterations(blocks: &[Block], system: &System) -> Vec<I
             jacobian,
         }
     });
-    found.collect()
+    iterations.collect()
 }
 
 fn torn(tearing: &Tearing, system: &System) -> TornIterations {

@@ -1,14 +1,14 @@
-//! Functions → what of them something needs.
+//! Removes statements that nothing needs.
 //!
-//! From the last statement of the last function to the first of the first: what defines a value that nothing after it reads is left
-//! out, and so are words about nothing.
+//! The pass runs from the last statement of the last function to the first of the first: definitions that nothing reads later are
+//! removed, and so are remarks without statements.
 
 use crate::expr::{Graph, IdSet, SymbolId};
 use crate::program::block::{Block, NewtonBlock};
 use crate::program::function::{Function, Statement};
 use crate::program::path::Path;
 
-/// Leaves out of all blocks what neither `kept` nor anything that is kept asks for.
+/// Removes from all blocks the statements that neither `kept` symbols nor remaining statements need.
 pub(in crate::program) fn prune(
     blocks: &mut [Block],
     kept: &dyn Fn(SymbolId) -> bool,
@@ -26,7 +26,7 @@ pub(in crate::program) fn prune(
     }
 }
 
-/// Leaves out of a path the bounds that nothing relies on.
+/// Removes unneeded bounds from a path.
 pub(in crate::program) fn prune_path(path: &mut Path, graph: &Graph) {
     for function in path.whole_functions_mut() {
         let statements = std::mem::take(&mut function.statements);
@@ -34,7 +34,7 @@ pub(in crate::program) fn prune_path(path: &mut Path, graph: &Graph) {
     }
 }
 
-/// A function with the statements alone that its results need.
+/// Returns a function with only the statements that its results need.
 pub(in crate::program) fn for_results(function: Function, graph: &Graph) -> Function {
     let results = function.results.iter();
     let mut live = results
@@ -47,7 +47,7 @@ pub(in crate::program) fn for_results(function: Function, graph: &Graph) -> Func
     }
 }
 
-/// The statements that `live` values and `kept` ones need; afterwards `live` holds what they read.
+/// Returns the statements that `live` and `kept` values need; adds the symbols that they read to `live`.
 fn needed(
     statements: Vec<Statement>,
     newton: Option<&NewtonBlock>,
@@ -56,15 +56,15 @@ fn needed(
     graph: &Graph,
 ) -> Vec<Statement> {
     let mut needed: Vec<Statement> = Vec::with_capacity(statements.len());
-    // Whether anything after this place remains at all, and whether anything does before the next words.
+    // True if a later statement remains, and if one remains before the next remark.
     let (mut remains, mut followed) = (false, false);
     for mut statement in statements.into_iter().rev() {
-        let wanted = |symbol: SymbolId| live.contains(&symbol) || kept(symbol);
+        let is_needed = |symbol: SymbolId| live.contains(&symbol) || kept(symbol);
         if let Statement::Solve { targets, .. } | Statement::Multipliers { targets, .. } =
             &mut statement
         {
             for target in targets {
-                *target = target.filter(|&symbol| wanted(symbol));
+                *target = target.filter(|&symbol| is_needed(symbol));
             }
         }
         let keep = match &statement {
@@ -72,15 +72,15 @@ fn needed(
                 let mut later = needed.iter();
                 later.any(|later| matches!(later, Statement::Solve { .. }))
             }
-            Statement::Newton { .. } => remains || statement.targets().into_iter().any(wanted),
+            Statement::Newton { .. } => remains || statement.targets().into_iter().any(is_needed),
             Statement::Isolate { .. } | Statement::Require { .. } => true,
-            // What drives the mechanism must be allowed, whatever is asked for.
+            // Drivers must be valid, whatever is requested.
             Statement::Positive { .. } => true,
-            // What is checked is needed by all that follows in the function.
+            // A check is needed by all later statements of the function.
             Statement::Reach { .. } | Statement::Nonzero { .. } => remains,
             Statement::Section(_) => std::mem::take(&mut followed),
             _ if statement.is_said() => followed,
-            _ => statement.targets().into_iter().any(wanted),
+            _ => statement.targets().into_iter().any(is_needed),
         };
         if !keep {
             continue;

@@ -1,4 +1,4 @@
-//! What is done to functions whatever they compute, each in one place.
+//! Transforms functions independently of their meaning, one transformation per file.
 
 pub mod constants;
 pub mod costs;

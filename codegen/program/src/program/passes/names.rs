@@ -1,4 +1,4 @@
-//! The values of a function or of a frame → names that are told apart.
+//! Assigns unique names to the values of a function or of a frame.
 
 use std::collections::{HashMap, HashSet};
 
@@ -6,7 +6,7 @@ use crate::expr::{IdMap, SymbolId};
 use crate::program::function::Function;
 use crate::system::System;
 
-/// What the values of one function or one frame are called.
+/// Names of the values of one function or one frame.
 #[derive(Clone, Debug, Default)]
 pub struct LocalNames {
     // Only looked up.
@@ -14,7 +14,7 @@ pub struct LocalNames {
 }
 
 impl LocalNames {
-    /// Names for everything that a function defines but what `is_kept` elsewhere, in order of definition.
+    /// Names the definitions of a function in order, except for those that `is_kept` elsewhere.
     pub fn of(
         function: &Function,
         system: &System,
@@ -26,7 +26,7 @@ impl LocalNames {
         LocalNames::of_symbols(defined, system, reserved, spell)
     }
 
-    /// Names for these symbols: each as it wishes to be called, spelled by `spell`, and numbered where that is taken or reserved.
+    /// Names these symbols by their preferred names, spelled by `spell`, and numbered if a name is taken or reserved.
     pub fn of_symbols(
         symbols: impl Iterator<Item = SymbolId>,
         system: &System,
@@ -35,7 +35,7 @@ impl LocalNames {
     ) -> LocalNames {
         let mut taken: HashSet<String> = reserved.iter().map(|name| name.to_string()).collect();
         let mut names = IdMap::default();
-        // Below its number every name of a base is taken.
+        // Names of a base with smaller numbers are all taken.
         let mut numbers: HashMap<String, usize> = HashMap::new();
         for symbol in symbols {
             if names.contains_key(&symbol) {
@@ -53,7 +53,7 @@ impl LocalNames {
         LocalNames { names }
     }
 
-    /// What a symbol is called; `None` for what is none of them.
+    /// Returns the name of a symbol; `None` if the symbol is not among the named ones.
     pub fn name_of(&self, symbol: SymbolId) -> Option<&str> {
         self.names.get(&symbol).map(String::as_str)
     }

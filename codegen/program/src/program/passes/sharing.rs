@@ -1,9 +1,9 @@
-//! A function → the same with every value computed once.
+//! Makes functions compute every value once.
 //!
-//! Values of functions get a name, and so does what is used more than once, right before its first use. In a block, sines and the
-//! like of t, inputs and parameters serve all levels. Arms and closed forms need nothing else: their sines and cosines are symbols
-//! already. But where the path of a curve or a law of an unknown stands in the equations, or where a value would be a page by itself,
-//! everything in them is shared: code grows with the graph of its expressions, and not with the tree that it stands for.
+//! Function calls have a name, and so have values of several uses, right before their first use. In a block, functions of t,
+//! inputs and parameters serve all levels. Rotated vectors and closed forms need no more: their sines and cosines are symbols
+//! already. If equations contain the path of a curve or a law of an unknown, all their parts are shared, and so are those of very
+//! long values: code then grows with the graph of expressions, and not with the expanded tree.
 
 use std::collections::HashMap;
 
@@ -13,16 +13,16 @@ use crate::expr::{ExprId, Graph, IdMap, IdSet, Node, Number, SplineId, SymbolId}
 use crate::program::function::{Function, Statement};
 use crate::system::{SymbolRole, System};
 
-/// A value of more characters than this shares what it can.
-const LONGEST: u64 = 4000;
+/// Length of a value, in characters, from which on all its parts are shared.
+const MAX_LENGTH: u64 = 4000;
 
-/// A sum in parentheses of more characters has a statement of its own.
+/// Length of a sum in parentheses, in characters, from which on the sum has its own statement.
 const LONGEST_NESTED: u64 = 3000;
 
-/// A multiple of t whose numerator or denominator reaches this has a name without them.
+/// Numerator or denominator from which on the name of a multiple of t omits them.
 const LARGEST_IN_NAME: i128 = 1000;
 
-/// Shares what a function of a block computes.
+/// Shares common subexpressions of a function of a block.
 pub(in crate::program) fn share(function: &mut Function, system: &mut System) {
     let values: Vec<ExprId> = function.values().collect();
     let timed = functions_of_time(&values, system);
@@ -31,19 +31,19 @@ pub(in crate::program) fn share(function: &mut Function, system: &mut System) {
     let is_named = |expr| function.name_of(expr).is_some();
     let mut long = values
         .iter()
-        .filter(|&&expr| !graph.is_within_with_names(expr, LONGEST, &is_named));
+        .filter(|&&expr| !graph.is_within_with_names(expr, MAX_LENGTH, &is_named));
     if long.next().is_some() || calls_functions(&values, function, graph) {
         name(function, &values, system);
     }
 }
 
-/// Shares everything that a function computes.
+/// Shares all common subexpressions of a function.
 pub(in crate::program) fn share_all(function: &mut Function, system: &mut System) {
     let values: Vec<ExprId> = function.values().collect();
     name(function, &values, system);
 }
 
-/// Gives names to what deserves them among the parts of these expressions.
+/// Names those parts of these expressions that deserve a name.
 fn name(function: &mut Function, roots: &[ExprId], system: &mut System) {
     let graph = &system.mechanism.graph;
     let usage = Usage::of(roots, graph, function);
@@ -85,11 +85,11 @@ fn name(function: &mut Function, roots: &[ExprId], system: &mut System) {
     function.named = sharing.named;
 }
 
-/// A function in the making.
+/// Function under construction.
 struct Sharing {
     usage: Usage,
     deserving: IdSet<ExprId>,
-    /// The last number given to each name.
+    /// Last number of each name.
     numbers: HashMap<String, usize>,
     seen: IdSet<ExprId>,
     statements: Vec<Statement>,
@@ -97,10 +97,10 @@ struct Sharing {
 }
 
 impl Sharing {
-    /// Defines what in an expression deserves it and has no name yet, operands first. An expression that the statement of these
-    /// `targets` names is written out there, so what it consists of must have been defined before.
+    /// Defines the unnamed parts of an expression that deserve a name, operands first. An expression that is the value of these
+    /// `targets` is written out there, so its parts must be defined before.
     fn define_parts(&mut self, expr: ExprId, targets: &[SymbolId], system: &mut System) {
-        // Whether the operands of what is on the stack have been looked at.
+        // True if the operands of the expression on the stack have been visited.
         let mut stack = vec![(expr, false)];
         while let Some((expr, done)) = stack.pop() {
             let graph = &system.mechanism.graph;
@@ -179,12 +179,12 @@ impl Sharing {
             targets[place] =
                 orders[place].map(|expr| self.call(expr, &format!("{base}{suffix}"), system));
         }
-        let found: Vec<(ExprId, SymbolId)> = orders
+        let named: Vec<(ExprId, SymbolId)> = orders
             .iter()
             .zip(targets)
             .filter_map(|(order, target)| order.zip(target))
             .collect();
-        self.statements.push(match found[..] {
+        self.statements.push(match named[..] {
             [(expr, target)] => Statement::assignment(target, expr),
             _ => Statement::Lookup {
                 targets,
@@ -200,7 +200,7 @@ impl Sharing {
         symbol
     }
 
-    /// `shared_1`, `lift_2`.
+    /// Returns a numbered name: `shared_1`, `lift_2`.
     fn numbered(&mut self, base: &str) -> String {
         let number = self.numbers.entry(base.to_string()).or_insert(0);
         *number += 1;
@@ -208,7 +208,7 @@ impl Sharing {
     }
 }
 
-/// What an angle is called in the names of its functions: `phi1`, `t`, `2t`.
+/// Returns the name of an angle in the names of its functions: `phi1`, `t`, `2t`.
 fn angle_name(angle: ExprId, system: &System) -> Option<String> {
     match system.mechanism.graph.node(angle) {
         Node::Symbol(symbol) => match system.roles[symbol.index()] {
@@ -220,7 +220,7 @@ fn angle_name(angle: ExprId, system: &System) -> Option<String> {
     }
 }
 
-/// `2t` of 2·t, `3t_over_2` of 3/2·t.
+/// Returns `2t` for 2·t, `3t_over_2` for 3/2·t; otherwise `None`.
 fn multiple_of_time(angle: ExprId, system: &System) -> Option<String> {
     let Node::Sum(terms) = system.mechanism.graph.node(angle) else {
         return None;
@@ -251,7 +251,7 @@ fn multiple_of_time(angle: ExprId, system: &System) -> Option<String> {
     })
 }
 
-/// Sines and the like of t, inputs and parameters alone, none inside another one.
+/// Returns the function calls of t, inputs and parameters alone that are not inside another one.
 fn functions_of_time(expressions: &[ExprId], system: &System) -> Vec<ExprId> {
     let graph = &system.mechanism.graph;
     let only_time = |expr: ExprId| {
@@ -262,7 +262,7 @@ fn functions_of_time(expressions: &[ExprId], system: &System) -> Vec<ExprId> {
             )
         })
     };
-    let mut found = Vec::new();
+    let mut calls = Vec::new();
     let mut seen = IdSet::default();
     let mut stack: Vec<ExprId> = expressions.iter().rev().copied().collect();
     while let Some(expr) = stack.pop() {
@@ -270,15 +270,15 @@ fn functions_of_time(expressions: &[ExprId], system: &System) -> Vec<ExprId> {
             continue;
         }
         if is_function(graph.node(expr)) && only_time(expr) {
-            found.push(expr);
+            calls.push(expr);
             continue;
         }
         stack.extend(written_operands(expr, graph).into_iter().rev());
     }
-    found
+    calls
 }
 
-/// Whether some function in these expressions has no name yet.
+/// True if a function call in these expressions has no name yet.
 fn calls_functions(expressions: &[ExprId], function: &Function, graph: &Graph) -> bool {
     let mut seen: IdSet<ExprId> = IdSet::default();
     let mut stack = expressions.to_vec();

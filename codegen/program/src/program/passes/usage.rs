@@ -1,32 +1,32 @@
-//! Expressions → what they use, and how often.
+//! Counts the uses of expressions.
 //!
-//! Afterwards it is known which expressions deserve a name in straight-line code. Deliberately unknown here: the names.
+//! The counts decide which expressions deserve a name in straight-line code.
 
 use super::costs::{is_function, written_operands};
 use crate::expr::{ExprId, Graph, IdMap, Node, SplineId};
 use crate::program::function::Function;
 
-/// The sine and the cosine node of an angle, as far as both occur.
+/// Sine and cosine of an angle, as far as both occur.
 pub(super) type Pair = (Option<ExprId>, Option<ExprId>);
 
-/// A table's value and its derivatives at one place, as far as they occur.
+/// Value of a table and its derivatives at one argument, as far as they occur.
 pub(super) type Orders = [Option<ExprId>; 4];
 
-/// What expressions use, and how often.
+/// Parts of expressions, with their numbers of uses.
 pub(super) struct Usage {
     /// Every expression that is not constant, operands first.
     pub ordered: Vec<ExprId>,
     uses: IdMap<ExprId, usize>,
-    /// How often a choice is an arm of another one.
+    /// Number of times that a choice is a branch of another choice.
     as_arm: IdMap<ExprId, usize>,
-    /// By angle.
+    /// Sines and cosines by angle.
     pub sine_cosine: IdMap<ExprId, Pair>,
-    /// By table and argument.
+    /// Values by table and argument.
     pub splines: IdMap<(SplineId, ExprId), Orders>,
 }
 
 impl Usage {
-    /// What these expressions use beside what `known` has named already.
+    /// Returns the parts of these expressions that `known` does not name yet.
     pub fn of(roots: &[ExprId], graph: &Graph, known: &Function) -> Usage {
         let mut usage = Usage {
             ordered: Vec::new(),
@@ -72,7 +72,7 @@ impl Usage {
                 .for_each(|term| self.visit(term.expr, 1, graph, known)),
             Node::Product(factors) => {
                 for factor in factors.iter() {
-                    // A power is written as a product, so its base is used as often.
+                    // A power is written as a product, so its base has as many uses.
                     let exponent = factor.exponent;
                     let whole = if exponent.denominator() == 1 {
                         exponent.numerator().unsigned_abs()
@@ -112,13 +112,13 @@ impl Usage {
         }
     }
 
-    /// Whether an expression is what a choice chooses.
+    /// True if an expression is a branch of a choice.
     pub fn is_arm(&self, expr: ExprId) -> bool {
         self.as_arm.contains_key(&expr)
     }
 
-    /// Functions always get a name, unless they are a choice that continues another one; other expressions when they are used
-    /// again and take more than one operation.
+    /// True for function calls, unless they are a choice that continues another one. True for other expressions of several uses
+    /// and more than one operation.
     pub fn deserves_name(&self, expr: ExprId, graph: &Graph) -> bool {
         let node = graph.node(expr);
         let operations = match node {

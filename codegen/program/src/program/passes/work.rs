@@ -1,9 +1,9 @@
-//! *The blocks of a program and what shows that frames lie on their path* → *how much one call of `advance` computes at most*.
+//! Bounds the operations of one call of `advance`.
 //!
-//! Closed forms compute the same in every frame. What is repeated has a bound in the runtime: the iterations of Newton-Raphson, how often a
-//! guard looks at a window, the attempts of a way, the crossings of dead points and the poses that each of them compares. Counted is the
-//! arithmetic of equations, elimination and substitution; norms, comparisons and copies are not. The module does not know how the
-//! runtime does it, only how often; a test compares the numbers with its sources.
+//! Closed forms take the same operations in every frame. Repetition has limits in the runtime: iterations of Newton-Raphson,
+//! windows that a guard examines, substeps, crossings of dead centers, and poses that each crossing compares. Counts include the
+//! arithmetic of equations, elimination and substitution, without norms, comparisons and copies. Limits repeat those of the
+//! runtime; a test compares them with its sources.
 
 use crate::program::block::{Block, NewtonBlock};
 use crate::program::function::{Function, Statement};
@@ -13,84 +13,86 @@ use crate::program::passes::iterations::{BEYOND_STEPS, EVALUATIONS, STEPS};
 use crate::program::path::Path;
 use crate::system::System;
 
-/// The attempts of a way, unless set otherwise.
+/// Default number of substeps of a call.
 pub const SUBSTEPS: usize = 256;
 
-/// How many dead points one way may cross.
+/// Largest number of dead centers that one call may cross.
 pub const CROSSINGS: usize = 8;
-/// How often the times about a dead point are brought closer together.
+/// Largest number of refinements of the times about a dead center.
 pub const REFINEMENTS: usize = 32;
-/// Number of the ways at which the modes are seen well apart.
+/// Number of distances from a dead center at which the modes are compared as well separated.
 pub const WAYS: usize = 12;
-/// Number of the times, each nearer to a meeting than the one before, at which modes of a block are looked at beside the first.
+/// Number of times, each nearer to a change point than the one before, at which modes of another block are compared, besides the
+/// first.
 pub const NEARER: usize = 3;
 /// Number of the first blocks whose modes may be exchanged in one instant.
 pub const BLOCKS: usize = 64;
 
-/// How often a guard looks at most: at windows of 1024 to 2 steps, each 0.625 of the last one, and at the step alone.
+/// Largest number of windows that a guard examines: of 1024 to 2 steps, each 0.625 of the last one, and the step alone.
 pub const LOOKS: usize = 15;
 
-/// How often the deviations of a window are widened.
+/// Largest number of inflations of a window's deviations.
 pub const WIDENED: usize = 8;
 
-/// What a cell of a chain takes at most: additions, multiplications and divisions; and additions and multiplications in each round.
+/// Largest numbers of additions, multiplications and divisions for a cell of a chain; below, those of additions and of
+/// multiplications in each round.
 const OF_CELL: [usize; 3] = [240, 280, 16];
 const OF_CELL_IN_ROUND: usize = 32;
 
-/// Poses of one path about a dead point: eight on both sides, the nearest one, and three modes there.
+/// Poses of one path about a dead center: eight on both sides, the nearest one, and three modes there.
 const PATH_POSES: usize = 8 + 1 + 3;
 
-/// Poses of one crossing: two modes on both sides of each way, and at four times for each refinement. The path is told twice, as it
-/// leads to the dead point and as it leads away, each time examined as a whole, and interpolated three times. At an end, its pose, two modes
-/// elsewhere and two beside it.
+/// Poses of one crossing: two modes on both sides at each distance, and at four times for each refinement. The path is followed
+/// twice, to the dead center and away from it, each time examined as a whole and interpolated three times. An end needs its pose,
+/// two modes elsewhere and two near it.
 const CROSSING_POSES: usize = 2 * 2 * WAYS + 2 * 4 * REFINEMENTS + (2 + 3 * 3) * PATH_POSES + 5;
 
-/// Poses of one crossing for each block that may cross: two modes where the way has broken, nearer to the meeting, and on both sides of
-/// each way; two modes, and two paths, told twice.
+/// Poses of one crossing for each block that may cross: two modes where the path has broken, nearer to the change point, and on
+/// both sides at each distance; two modes and two paths, followed twice.
 const POSES_OF_BLOCK: usize = 2 + 2 * (1 + NEARER) + 2 * 2 * WAYS + 2 * (2 + 2 * PATH_POSES);
 
-/// Crossings at both ends of a way.
+/// Crossings at both ends of a call's path.
 pub const ENDS: usize = 2;
 
-/// The solves of a regularity that is in doubt, and those of rates and accelerations.
+/// Solves of a doubtful regularity check; below, those of rates and accelerations.
 const DOUBTFUL_SOLVES: usize = 13;
 const RATE_SOLVES: usize = 2;
 
-/// Evaluations of residuals from a poor estimate, for each step of Newton-Raphson and besides, as the runtime states them.
+/// Evaluations of residuals from a rough estimate, per step of Newton-Raphson and in addition, as in the runtime.
 pub const AFAR_RESIDUALS: [usize; 2] = [13, 74];
-/// Evaluations of the Jacobian from there, likewise.
+/// Evaluations of the Jacobian from a rough estimate, likewise.
 pub const AFAR_JACOBIANS: [usize; 2] = [5, 79];
-/// Attempts of Newton-Raphson from there.
+/// Attempts of Newton-Raphson from a rough estimate.
 const AFAR_FINISHES: usize = 3;
-/// Steps of least squares that improve a poor estimate.
+/// Steps of least squares that improve a rough estimate.
 pub const LEAST_SQUARES: usize = 60;
 
-/// What a call of `advance` takes at most.
+/// Largest work of a call of `advance`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Work {
-    /// All blocks once; without iterations exactly this.
+    /// Operations of all blocks once; exact without iterations.
     pub attempt: Operations,
-    /// All blocks once from an estimate, as `recover` solves them; without iterations exactly this.
+    /// Operations of all blocks once from an estimate, as `recover` solves them; exact without iterations.
     pub recover: Operations,
-    /// Whether blocks are iterated.
+    /// True if a block is iterated.
     pub is_iterated: bool,
     /// Number of blocks that may cross in one instant.
     pub crossing: usize,
-    /// What is looked at of the path; `None` where nothing is guarded.
+    /// Work of the path verification; `None` if the path is not guarded.
     pub window: Option<Looks>,
 }
 
-/// What a guard takes where it looks for a window of the path.
+/// Work of a guard for a window of the path.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Looks {
-    /// One look.
+    /// Operations of one examination of a window.
     pub look: Operations,
-    /// What the last look takes beside, which a chain of cells takes as a whole.
+    /// Additional operations of the last examination, which inverts the Jacobian of a chain as a whole.
     pub last: Operations,
 }
 
 impl Work {
-    /// Of the blocks that are kept, whose levels take so many operations, and of their path.
+    /// Returns the work of the kept blocks, given the operations of their levels, and of their path.
     pub(in crate::program) fn of(
         blocks: &[Block],
         levels: &[Operations],
@@ -103,7 +105,7 @@ impl Work {
         }
         let iterated: Vec<&NewtonBlock> =
             blocks.iter().filter_map(|it| it.newton.as_ref()).collect();
-        // The multipliers of parts without a closed form.
+        // Multipliers of subsystems without a closed form.
         let statements = blocks.iter().flat_map(|it| &it.function.statements);
         for statement in statements {
             if let Statement::Multipliers { forces, .. } = statement {
@@ -131,25 +133,25 @@ impl Work {
         }
     }
 
-    /// The poses that a way of so many attempts takes which one does not lead along, the first one included.
+    /// Returns the number of poses of a call with so many substeps that no single substep completes, including the first pose.
     pub fn poses(&self, substeps: usize) -> usize {
         match self.window {
             Some(_) => {
                 let crossing = CROSSING_POSES + self.crossing * POSES_OF_BLOCK;
                 let crossings = CROSSINGS + ENDS;
-                // A way that breaks looks once more at how far modes are apart.
+                // A path that breaks compares the distance of the modes once more.
                 2 + substeps + crossings * 2 * substeps + (crossings + 1) * crossing
             }
             None => 1 + substeps,
         }
     }
 
-    /// How often the guard of such a way looks for a window.
+    /// Returns the number of windows that the guard of such a call searches.
     pub fn windows(&self, substeps: usize) -> usize {
         1 + substeps + (CROSSINGS + ENDS) * 2 * substeps
     }
 
-    /// The operations of such a way: those that do not grow with the attempts, and those of each.
+    /// Returns the operations of such a call: those independent of the number of substeps, and those per substep.
     pub fn whole(&self) -> [usize; 2] {
         let window = self.window.map_or(0, |it| it.total());
         let with = |substeps: usize| {
@@ -159,7 +161,7 @@ impl Work {
     }
 }
 
-/// Newton-Raphson with its rates and its last look.
+/// Returns the operations of Newton-Raphson with its rates and its last verification.
 fn of_newton(newton: &NewtonBlock, system: &System) -> Operations {
     let order = newton.unknowns.len();
     let [residuals, jacobians] = BEYOND_STEPS.map(|more| STEPS + more);
@@ -170,7 +172,7 @@ fn of_newton(newton: &NewtonBlock, system: &System) -> Operations {
     all += elimination(order).times(jacobians);
     all += substitution(order).times(residuals + RATE_SOLVES + DOUBTFUL_SOLVES);
     if let Some(tearing) = &newton.tearing {
-        // In vain at first, and once more for what the next frame begins with.
+        // The first attempt may fail; one more evaluation serves the next frame.
         all += of_function(&tearing.evaluate, system).times(EVALUATIONS + 1);
         all += of_function(&tearing.scales, system).times(2);
         all += of_function(&tearing.complete, system);
@@ -181,7 +183,8 @@ fn of_newton(newton: &NewtonBlock, system: &System) -> Operations {
     all
 }
 
-/// Newton-Raphson from a poor estimate: least squares, then plain and damped Newton-Raphson, and whole turns that are taken off.
+/// Returns the operations of Newton-Raphson from a rough estimate: least squares, then plain and damped Newton-Raphson, and
+/// removal of whole turns.
 fn of_newton_from_afar(newton: &NewtonBlock, system: &System) -> Operations {
     let order = newton.unknowns.len();
     let residuals = AFAR_RESIDUALS[0] * STEPS + AFAR_RESIDUALS[1] + 1 + order;
@@ -193,7 +196,7 @@ fn of_newton_from_afar(newton: &NewtonBlock, system: &System) -> Operations {
     all += of_function(&newton.gamma, system).times(AFAR_FINISHES);
     all += elimination(order).times(jacobians);
     all += substitution(order).times(residuals + AFAR_FINISHES * (RATE_SOLVES + DOUBTFUL_SOLVES));
-    // The normal equations of each step: their matrix, the gradient, and what both are scaled by.
+    // Normal equations of each step: their matrix, the gradient, and the scales of both.
     let mut normal = products(order, order + 2);
     normal.divisions = order * order + 2 * order;
     all += normal.times(1 + LEAST_SQUARES);
@@ -201,12 +204,12 @@ fn of_newton_from_afar(newton: &NewtonBlock, system: &System) -> Operations {
 }
 
 impl Looks {
-    /// All looks.
+    /// Returns the operations of all examinations.
     pub fn total(&self) -> usize {
         LOOKS * self.look.total() + self.last.total()
     }
 
-    /// Adds what a path shows, with the largest number of rounds.
+    /// Adds the operations of a path verification, with the largest number of rounds.
     fn add(&mut self, function: &Function, system: &System) {
         self.look += of_function(function, system);
         for statement in &function.statements {
@@ -219,7 +222,7 @@ impl Looks {
             } = statement
             {
                 let order = found.len();
-                // An inverse takes three times the elimination, and each round three products.
+                // An inverse takes three eliminations, and each round three products.
                 let mut whole = elimination(order).times(3);
                 whole += products(order, 4);
                 whole += Operations {
@@ -242,7 +245,7 @@ impl Looks {
     }
 }
 
-/// What shows that a chain with so many unknowns stays on its path.
+/// Returns the operations of the path verification of a chain with so many unknowns.
 fn of_chain(order: usize) -> Operations {
     let [additions, multiplications, divisions] = OF_CELL;
     let rounds = WIDENED * OF_CELL_IN_ROUND;
@@ -255,7 +258,7 @@ fn of_chain(order: usize) -> Operations {
     cell.times(order / 2)
 }
 
-/// Products of a square matrix with a vector.
+/// Returns the operations of products of a square matrix with a vector.
 fn products(order: usize, count: usize) -> Operations {
     Operations {
         additions: count * order * order,

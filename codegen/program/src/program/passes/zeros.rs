@@ -1,7 +1,7 @@
-//! Functions of several blocks → the same without the values that are known to be zero.
+//! Replaces values that are known to be zero.
 //!
-//! What a statement sets to zero is zero wherever it is read afterwards: a rate that was just found to be 0 is not multiplied. The
-//! statement itself stays, as somebody may ask for the value.
+//! A value that a statement sets to zero is zero in all later statements: a zero rate is not multiplied. The statement itself
+//! remains, as the value may be requested.
 
 use std::collections::HashMap;
 
@@ -9,15 +9,15 @@ use crate::expr::{ExprId, Graph, SymbolId};
 use crate::program::block::Block;
 use crate::program::function::{Function, Statement};
 
-/// Puts zeros in the place of all values that are known to be zero, block by block in solve order.
+/// Substitutes zero for all values that are known to be zero, block by block in solve order.
 pub(in crate::program) fn propagate(blocks: &mut [Block], graph: &mut Graph) {
     let zero = graph.zero();
     let mut zeros: HashMap<SymbolId, ExprId> = HashMap::new();
     for function in blocks.iter_mut().flat_map(Block::functions_mut) {
         function.change_values(&mut |expr| without(expr, &zeros, graph));
-        // One pass suffices for what follows; within the function a value may become zero by one before it.
+        // One pass suffices for later blocks; within the function, a zero may make another value zero.
         loop {
-            let found = function
+            let zero_targets = function
                 .statements
                 .iter()
                 .filter_map(|statement| match statement {
@@ -25,7 +25,7 @@ pub(in crate::program) fn propagate(blocks: &mut [Block], graph: &mut Graph) {
                     _ => None,
                 });
             let before = zeros.len();
-            zeros.extend(found.map(|target| (target, zero)));
+            zeros.extend(zero_targets.map(|target| (target, zero)));
             if zeros.len() == before {
                 break;
             }
@@ -35,19 +35,19 @@ pub(in crate::program) fn propagate(blocks: &mut [Block], graph: &mut Graph) {
 }
 
 fn without(expr: ExprId, zeros: &HashMap<SymbolId, ExprId>, graph: &mut Graph) -> ExprId {
-    let found: Vec<(SymbolId, ExprId)> = graph
+    let zero_symbols: Vec<(SymbolId, ExprId)> = graph
         .symbols(expr)
         .iter()
         .filter_map(|symbol| Some((*symbol, *zeros.get(symbol)?)))
         .collect();
-    match found.is_empty() {
+    match zero_symbols.is_empty() {
         true => expr,
-        false => graph.substitute(expr, &found),
+        false => graph.substitute(expr, &zero_symbols),
     }
 }
 
 impl Function {
-    /// Changes the expressions that it evaluates.
+    /// Replaces the expressions that the function evaluates.
     pub(in crate::program) fn change_values(&mut self, change: &mut dyn FnMut(ExprId) -> ExprId) {
         for statement in &mut self.statements {
             statement.change_values(change);

@@ -1,7 +1,7 @@
-//! Chooses among equations that say the same those with the fewest moving symbols.
+//! Replaces equations of loops by equivalent ones with the fewest moving symbols.
 //!
-//! The loops that a plan closes depend on the order of statements, and bounds of an equation add up what its symbols do. Equations are
-//! therefore added to one another or subtracted. Names decide between alike ones, so that no order of statements has a part in it.
+//! The loops of a plan depend on the order of statements, and the bound of an equation is a sum over its symbols. Equations are
+//! therefore added to one another or subtracted. Names decide between equal ones, so that the order of statements has no effect.
 
 use std::collections::BTreeSet;
 
@@ -9,7 +9,7 @@ use super::isolation::Loops;
 use crate::expr::{ExprId, SymbolId};
 use crate::program::builder::Builder;
 
-/// The symbols of an equation that move, and what it is compared by.
+/// Moving symbols of an equation, and its sort key.
 struct Moving {
     symbols: BTreeSet<SymbolId>,
     names: Vec<String>,
@@ -22,11 +22,11 @@ impl Moving {
 }
 
 impl Builder<'_> {
-    /// Puts the shortest equations in the place of those of loops. Returns whether there are others now.
+    /// Replaces the equations of loops by the shortest ones. Returns true if any equation has changed.
     pub(super) fn shorten_loops(&mut self, loops: &mut Loops) -> bool {
         let mut has_changed = false;
         let count = loops.residuals.len();
-        let mut own: Vec<Moving> = loops
+        let mut moving_symbols: Vec<Moving> = loops
             .residuals
             .iter()
             .map(|&it| self.moving_in(it))
@@ -34,9 +34,12 @@ impl Builder<'_> {
         let mut waiting: BTreeSet<usize> = (0..count).collect();
         while let Some(at) = waiting.pop_first() {
             for other in 0..count {
-                let shared = own[at].symbols.intersection(&own[other].symbols).count();
-                // What both mention is all that can vanish.
-                if other == at || 2 * shared < own[other].symbols.len() {
+                let shared = moving_symbols[at]
+                    .symbols
+                    .intersection(&moving_symbols[other].symbols)
+                    .count();
+                // Only shared symbols can cancel.
+                if other == at || 2 * shared < moving_symbols[other].symbols.len() {
                     continue;
                 }
                 let [first, second] = [at, other].map(|it| loops.residuals[it]);
@@ -44,10 +47,10 @@ impl Builder<'_> {
                 let difference = self.graph().subtract(first, second);
                 for residual in [sum, difference] {
                     let moving = self.moving_in(residual);
-                    if moving.key() < own[at].key() && !moving.symbols.is_empty() {
-                        (loops.residuals[at], own[at]) = (residual, moving);
+                    if moving.key() < moving_symbols[at].key() && !moving.symbols.is_empty() {
+                        (loops.residuals[at], moving_symbols[at]) = (residual, moving);
                         has_changed = true;
-                        // It may shorten others now, and be shortened again.
+                        // The new equation may shorten others, and may become shorter itself.
                         waiting = (0..count).collect();
                     }
                 }
@@ -56,7 +59,7 @@ impl Builder<'_> {
         has_changed
     }
 
-    /// The positions and arms of an expression.
+    /// Returns the positions and rotated vectors of an expression.
     fn moving_in(&mut self, expr: ExprId) -> Moving {
         let symbols = self.system.mechanism.graph.symbols(expr).to_vec();
         let symbols: BTreeSet<SymbolId> = symbols

@@ -1,4 +1,4 @@
-//! Unknowns and inputs → how far they go along the line, and what their bounds are called.
+//! States the bounds of unknowns and inputs along the chord, and names them.
 
 use crate::expr::{ExprId, SymbolId};
 use crate::program::builder::Builder;
@@ -7,7 +7,7 @@ use crate::program::passes::enclosure::Enclosure;
 use crate::system::SymbolRole;
 
 impl Builder<'_> {
-    /// How far an unknown goes along the line: what it has moved since the last frame, stretched.
+    /// Returns the change of an unknown along the chord: its change since the last frame, extrapolated over the window.
     pub(super) fn change(&mut self, unknown: usize) -> SymbolId {
         let change = self.bound(unknown, "change");
         let moved = self.moved_since(unknown);
@@ -19,10 +19,10 @@ impl Builder<'_> {
         change
     }
 
-    /// How far an unknown has moved since the last frame.
+    /// Returns the change of an unknown since the last frame.
     pub(in crate::program) fn moved_since(&mut self, unknown: usize) -> ExprId {
         match self.paths.directions.get(&unknown) {
-            // Where the angle itself is not kept, the way is less than half a turn.
+            // Without the angle itself, its change is known to be less than half a turn.
             Some(&[cosine, sine]) => {
                 let both = [cosine, sine].map(|symbol| [symbol, self.system.last(symbol)]);
                 let [[c, c_last], [s, s_last]] =
@@ -40,7 +40,7 @@ impl Builder<'_> {
         }
     }
 
-    /// a b + c d, or else their difference.
+    /// Returns a b + c d, or their difference.
     fn combined_product(
         &mut self,
         first: [ExprId; 2],
@@ -54,14 +54,14 @@ impl Builder<'_> {
         }
     }
 
-    /// A value less what it was.
+    /// Returns a value less its value in the last frame.
     fn moved(&mut self, symbol: SymbolId) -> ExprId {
         let last = self.system.last(symbol);
         let [now, before] = [symbol, last].map(|it| self.graph().variable(it));
         self.graph().subtract(now, before)
     }
 
-    /// A symbol for a bound of an unknown.
+    /// Returns a symbol for a bound of an unknown.
     pub(super) fn bound(&mut self, unknown: usize, what: &str) -> SymbolId {
         let name = self.system.unknown_name(unknown);
         let name = format!("{name}_{what}");
@@ -73,7 +73,7 @@ impl Builder<'_> {
         self.paths.enclosures.know(symbol, enclosure);
     }
 
-    /// States that nothing moves an unknown.
+    /// Records that an unknown is constant.
     pub(in crate::program) fn know_still(&mut self, unknown: usize) {
         let zero = self.graph().zero();
         self.know(
@@ -90,7 +90,7 @@ impl Builder<'_> {
         self.paths.enclosures.of(expr, self.system)
     }
 
-    /// States what the bounds of a block rely on.
+    /// Adds the requirements of the bounds of a block.
     pub(in crate::program) fn require(&mut self, block: usize) {
         let mut required = std::mem::take(&mut self.paths.enclosures.required);
         required.sort_unstable();
@@ -101,7 +101,7 @@ impl Builder<'_> {
         }
     }
 
-    /// States the bounds of the inputs that an expression mentions.
+    /// Adds the bounds of the inputs that an expression mentions.
     fn meet_signals(&mut self, expr: ExprId) {
         for symbol in self.system.mechanism.graph.symbols(expr).to_vec() {
             let SymbolRole::Input { input, level: 0 } = self.system.roles[symbol.index()] else {
@@ -111,10 +111,13 @@ impl Builder<'_> {
                 continue;
             }
             let name = self.system.mechanism.inputs[input].name.to_lowercase();
-            let found = ["radius", "deviation"]
+            let bounds = ["radius", "deviation"]
                 .map(|what| self.system.intermediate(&format!("{name}_{what}")));
-            self.state(Statement::Signal { input, found });
-            let [radius, deviation] = found.map(|it| self.graph().variable(it));
+            self.state(Statement::Signal {
+                input,
+                found: bounds,
+            });
+            let [radius, deviation] = bounds.map(|it| self.graph().variable(it));
             self.paths
                 .enclosures
                 .know(symbol, Enclosure { radius, deviation });

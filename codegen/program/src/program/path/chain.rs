@@ -1,24 +1,24 @@
-//! The places of the entries of a Jacobian → the order in which it is that of a chain of cells, where it is one.
+//! Finds the order in which a Jacobian is that of a chain of cells, from its sparsity pattern.
 //!
-//! A cell has two unknowns. Two equations link it to the next one, and two more close the chain; these may read every cell. So does a
-//! pantograph hang together, or a scissor lift. Deliberately unknown here: what the unknowns are.
+//! A cell has two unknowns. Two equations link each cell to the next one. Two more equations close the chain, and may depend on
+//! every cell. Pantographs and scissor lifts have this structure.
 
 use std::collections::BTreeMap;
 
-/// The fewest unknowns for which the order of a chain saves work.
-const FEWEST: usize = 16;
+/// Smallest number of unknowns for which the order of a chain saves work.
+const MIN_UNKNOWNS: usize = 16;
 
 /// Rows and columns in the order of a chain.
 pub(super) struct Order {
-    /// Cell by cell the equations that link it to the next one, and then the two that close the chain.
+    /// Rows: cell by cell the equations that link the cell to the next one, then the two that close the chain.
     pub rows: Vec<usize>,
-    /// Cell by cell.
+    /// Columns, cell by cell.
     pub columns: Vec<usize>,
 }
 
-/// The order of a chain. It begins at the end that its equations mention first.
+/// Returns the order of a chain, from the end that its equations mention first; `None` for other structures.
 pub(super) fn order(size: usize, places: impl Iterator<Item = [usize; 2]>) -> Option<Order> {
-    if size < FEWEST || !size.is_multiple_of(2) {
+    if size < MIN_UNKNOWNS || !size.is_multiple_of(2) {
         return None;
     }
     let mut columns_of: Vec<Vec<usize>> = vec![Vec::new(); size];
@@ -39,16 +39,18 @@ pub(super) fn order(size: usize, places: impl Iterator<Item = [usize; 2]>) -> Op
     for columns in links.keys() {
         columns.iter().for_each(|&it| linked_by[it].push(columns));
     }
-    // What no other link mentions.
-    let own = |columns: &[usize]| -> Vec<usize> {
+    // Columns that no other link mentions.
+    let unshared = |columns: &[usize]| -> Vec<usize> {
         let columns = columns.iter().copied();
         columns.filter(|&it| linked_by[it].len() == 1).collect()
     };
-    let ends = links.iter().filter(|(columns, _)| own(columns).len() == 2);
+    let ends = links
+        .iter()
+        .filter(|(columns, _)| unshared(columns).len() == 2);
     let (&first, _) = ends.min_by_key(|(_, rows)| rows[0])?;
     let mut order = Order {
         rows: Vec::new(),
-        columns: own(first),
+        columns: unshared(first),
     };
     let mut link = first;
     while let Some(rows) = links.remove(link) {
@@ -74,7 +76,7 @@ pub(super) fn order(size: usize, places: impl Iterator<Item = [usize; 2]>) -> Op
 mod tests {
     use super::order;
 
-    /// The places of a chain of cells, whose two equations at the end read every cell; `named` says what is what.
+    /// Returns the pattern of a chain of cells, whose two last equations mention every cell; `named` permutes rows and columns.
     fn chain(cells: usize, named: impl Fn(usize) -> usize) -> Vec<[usize; 2]> {
         let size = 2 * cells;
         let mut places = Vec::new();
@@ -90,26 +92,26 @@ mod tests {
 
     #[test]
     fn a_chain_in_order_stays_as_it_is() {
-        let found = order(20, chain(10, |it| it).into_iter()).unwrap();
-        assert!(found.rows.into_iter().eq(0..20));
-        assert!(found.columns.into_iter().eq(0..20));
+        let order_found = order(20, chain(10, |it| it).into_iter()).unwrap();
+        assert!(order_found.rows.into_iter().eq(0..20));
+        assert!(order_found.columns.into_iter().eq(0..20));
     }
 
     #[test]
     fn a_chain_in_disorder_is_put_in_order() {
         let places = chain(10, |it| (it * 7 + 3) % 20);
-        let found = order(20, places.iter().copied()).unwrap();
+        let order_found = order(20, places.iter().copied()).unwrap();
         for [row, column] in places {
             let place = |all: &[usize], one| all.iter().position(|it| *it == one).unwrap();
-            let row = place(&found.rows, row);
-            let column = place(&found.columns, column);
+            let row = place(&order_found.rows, row);
+            let column = place(&order_found.columns, column);
             assert!(row >= 18 || column / 2 == row / 2 || column / 2 == row / 2 + 1);
         }
     }
 
     #[test]
-    fn what_is_no_chain_has_no_order() {
-        // A link that reads a third cell, a ring, one equation too few, and too few cells.
+    fn other_structures_have_no_order() {
+        // Cases: a link that reads a third cell, a ring, one equation too few, and too few cells.
         let far = chain(10, |it| it).into_iter().chain([[4, 11]]);
         assert!(order(20, far).is_none());
         let ring = chain(10, |it| it).into_iter();

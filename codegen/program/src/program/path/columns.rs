@@ -1,7 +1,7 @@
-//! Equations that are looked at together → their Jacobian, and which of its columns turn with their angle.
+//! Assembles the Jacobian of loop equations, and finds the columns that rotate with their angle.
 //!
-//! A column turns where its unknown is an angle that only turns arms, and by itself: the second derivative of each of its entries is
-//! minus the entry. Deliberately unknown here: what is made of that.
+//! A column rotates if its unknown is an angle that occurs only in rotated vectors. The second derivative of each of its entries
+//! then is minus the entry.
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -10,28 +10,28 @@ use crate::expr::{ExprId, SymbolId};
 use crate::program::builder::Builder;
 use crate::system::SymbolRole;
 
-/// A matrix, by the rows and columns of its entries that are not zero.
+/// Nonzero entries of a matrix, with their rows and columns.
 type Entries = Vec<([usize; 2], ExprId)>;
 
-/// The columns of a Jacobian.
+/// Jacobian by columns.
 pub(super) struct Columns {
     pub jacobian: Entries,
-    /// Whether each of them turns with its angle.
+    /// True for each column that rotates with its angle.
     pub turns: Vec<bool>,
-    /// The derivatives of the entries of those that do.
+    /// Derivatives of the entries of rotating columns.
     pub turning: Entries,
 }
 
 impl Columns {
-    /// The order in which they are those of a chain, where they are.
+    /// Returns the order in which the columns form a chain; `None` if they do not.
     pub fn chain(&self) -> Option<Order> {
-        // What turns is an angle, and does not vary beside.
+        // Rotating columns are angles without other variation.
         let all_turn = self.turns.iter().all(|turns| *turns);
         let places = self.jacobian.iter().map(|(place, _)| *place);
         chain::order(self.turns.len(), places).filter(|_| all_turn)
     }
 
-    /// The same with its rows and columns in this order.
+    /// Returns the Jacobian with its rows and columns in this order.
     pub fn in_order(self, order: &Order) -> Columns {
         let places = |order: &[usize]| {
             let mut places = vec![0; order.len()];
@@ -58,7 +58,7 @@ impl Columns {
 }
 
 impl Builder<'_> {
-    /// The Jacobian of equations by the unknowns that have these columns.
+    /// Returns the Jacobian of equations in the unknowns of these columns.
     pub(super) fn columns(
         &mut self,
         residuals: &[ExprId],
@@ -71,18 +71,18 @@ impl Builder<'_> {
         for (row, &residual) in residuals.iter().enumerate() {
             let rate = self.rate(residual);
             let rates = self.system.mechanism.graph.symbols(rate).iter();
-            let own = rates.filter_map(|&symbol| match self.system.roles[symbol.index()] {
+            let moving = rates.filter_map(|&symbol| match self.system.roles[symbol.index()] {
                 SymbolRole::Rate(unknown) => Some((*columns.get(&unknown)?, symbol)),
                 _ => None,
             });
-            let own: BTreeMap<usize, SymbolId> = own.collect();
-            for (column, own) in own {
-                let entry = self.graph().derivative(rate, own);
+            let moving: BTreeMap<usize, SymbolId> = moving.collect();
+            for (column, moving) in moving {
+                let entry = self.graph().derivative(rate, moving);
                 if entry == zero {
                     continue;
                 }
                 jacobian.push(([row, column], entry));
-                match self.turned(entry, own) {
+                match self.turned(entry, moving) {
                     Some(turned) => turning.push(([row, column], turned)),
                     None => turns[column] = false,
                 }
@@ -96,18 +96,19 @@ impl Builder<'_> {
         }
     }
 
-    /// The derivative of an entry that moves with the unknown of this rate alone, where the second one is minus the entry.
-    fn turned(&mut self, entry: ExprId, own: SymbolId) -> Option<ExprId> {
-        let first = self.derivative_by_one(entry, own)?;
-        let second = self.derivative_by_one(first, own)?;
+    /// Returns the derivative of an entry that moves only with the unknown of this rate; `None` if the second derivative is not
+    /// minus the entry.
+    fn turned(&mut self, entry: ExprId, rate_symbol: SymbolId) -> Option<ExprId> {
+        let first = self.derivative_by_one(entry, rate_symbol)?;
+        let second = self.derivative_by_one(first, rate_symbol)?;
         (self.graph().negate(second) == entry).then_some(first)
     }
 
-    /// The derivative of an expression that moves with the unknown of this rate alone.
-    fn derivative_by_one(&mut self, expr: ExprId, own: SymbolId) -> Option<ExprId> {
+    /// Returns the derivative of an expression that moves only with the unknown of this rate; otherwise `None`.
+    fn derivative_by_one(&mut self, expr: ExprId, rate_symbol: SymbolId) -> Option<ExprId> {
         let rate = self.rate(expr);
         let zero = self.graph().zero();
-        let others = self.graph().substitute(rate, &[(own, zero)]);
-        (others == zero).then(|| self.graph().derivative(rate, own))
+        let others = self.graph().substitute(rate, &[(rate_symbol, zero)]);
+        (others == zero).then(|| self.graph().derivative(rate, rate_symbol))
     }
 }

@@ -1,4 +1,4 @@
-//! What is explicit → its value in place of what it defines, where that is short, or else its bounds, once something mentions it.
+//! Substitutes short explicit assignments for their unknowns, and bounds other unknowns once an expression mentions them.
 
 use super::isolation::Loops;
 use crate::expr::{ExprId, SymbolId};
@@ -8,11 +8,11 @@ use crate::program::passes::enclosure::Enclosure;
 use crate::structure::Definition;
 use crate::system::SymbolRole;
 
-/// How many symbols a definition may mention that takes the place of what it defines.
-const SHORT: usize = 16;
+/// Largest number of symbols of an assignment that is substituted for its unknown.
+const MAX_SYMBOLS: usize = 16;
 
 impl Builder<'_> {
-    /// An expression with definitions in place of the unknowns that they define: arms of one body are one arm then.
+    /// Returns an expression with assignments substituted, which merges vectors of one body.
     pub(in crate::program) fn in_short(&mut self, expr: ExprId) -> ExprId {
         let graph = &mut self.system.mechanism.graph;
         let definitions = graph.symbols(expr).iter();
@@ -22,30 +22,30 @@ impl Builder<'_> {
         graph.substitute(expr, &definitions)
     }
 
-    /// Where a definition is short, and not that of what turns arms or is driven, its value takes the place of what it defines. The
-    /// others are looked at where something mentions what they define.
+    /// Records a short assignment for substitution, unless its unknown rotates vectors or is driven. Other assignments are
+    /// bounded when an expression mentions their unknowns.
     pub(in crate::program) fn path_of_definition(&mut self, definition: &Definition, block: usize) {
         let value = self.in_short(definition.value);
-        let own = &self.system.vector_form.unknowns[definition.unknown];
+        let unknown = &self.system.vector_form.unknowns[definition.unknown];
         let symbols = self.system.mechanism.graph.symbols(value);
         let mut roles = symbols.iter().map(|it| self.system.roles[it.index()]);
         let is_driven =
             roles.any(|role| matches!(role, SymbolRole::Time | SymbolRole::Input { .. }));
-        if own.quantity != Quantity::Angle && !is_driven && symbols.len() <= SHORT {
-            self.paths.definitions.insert(own.position, value);
+        if unknown.quantity != Quantity::Angle && !is_driven && symbols.len() <= MAX_SYMBOLS {
+            self.paths.definitions.insert(unknown.position, value);
         } else {
             let awaited = &mut self.paths.awaited;
             awaited.insert(definition.unknown, (*definition, block));
         }
     }
 
-    /// The definition of what a symbol moves with, and its block, where nothing has mentioned it before.
+    /// Takes the assignment of a symbol's unknown, and its block; `None` if it has been taken before.
     pub(in crate::program) fn awaited(&mut self, symbol: SymbolId) -> Option<(Definition, usize)> {
         let unknown = self.moving(symbol)?;
         self.paths.awaited.remove(&unknown)
     }
 
-    /// Looks at the definitions of what an expression mentions, as far as nothing has mentioned it before.
+    /// Bounds the assignments of all unknowns that an expression mentions, as far as that has not been done.
     pub(super) fn meet(&mut self, expr: ExprId, loops: &mut Loops) {
         for symbol in self.system.mechanism.graph.symbols(expr).to_vec() {
             if let Some((definition, block)) = self.awaited(symbol) {
@@ -67,11 +67,11 @@ impl Builder<'_> {
             return self.join(&[unknown], &[residual], block, loops);
         }
         let zero = self.graph().zero();
-        let found = self.enclosure(value);
-        self.path_geometry(&[found.radius, found.deviation]);
+        let enclosure = self.enclosure(value);
+        self.path_geometry(&[enclosure.radius, enclosure.deviation]);
         self.require(block);
-        if found.radius == zero {
-            return self.know(unknown, found);
+        if enclosure.radius == zero {
+            return self.know(unknown, enclosure);
         }
         let named = |builder: &mut Self, value: ExprId, what: &str| {
             if value == zero {
@@ -81,8 +81,8 @@ impl Builder<'_> {
             builder.assign(symbol, value);
             builder.graph().variable(symbol)
         };
-        let deviation = named(self, found.deviation, "deviation");
-        // Between both frames it moves by their difference, and beyond them as much.
+        let deviation = named(self, enclosure.deviation, "deviation");
+        // Between both frames, the unknown changes by their difference, and beyond them by as much.
         let change = self.change(unknown);
         let change = self.graph().variable(change);
         let reach = self.graph().add(change, deviation);

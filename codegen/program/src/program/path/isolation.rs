@@ -1,4 +1,4 @@
-//! Equations that are looked at together → the question whether they have one solution near the line.
+//! Formulates the uniqueness of the solution of all loop equations near the chord.
 
 use std::collections::HashMap;
 
@@ -10,21 +10,21 @@ use crate::program::builder::Builder;
 use crate::program::function::{Function, Statement, Written};
 use crate::program::passes::enclosure::Enclosure;
 
-/// Equations that are looked at together.
+/// Equations that are verified together.
 #[derive(Default)]
 pub(super) struct Loops {
     pub unknowns: Vec<usize>,
-    /// Where each unknown stands among them.
+    /// Index of each unknown among the columns.
     pub columns: HashMap<usize, usize>,
-    /// How far the unknowns go along the line.
+    /// Changes of the unknowns along the chord.
     pub changes: Vec<SymbolId>,
     pub residuals: Vec<ExprId>,
-    /// The block of each equation, by its place in the plan.
+    /// Block of each equation, by its index in the plan.
     pub blocks: Vec<usize>,
 }
 
 impl Loops {
-    /// The same with its equations and unknowns in this order.
+    /// Returns these loops with equations and unknowns in this order.
     fn in_order(self, order: &Order) -> Loops {
         let unknowns: Vec<usize> = order.columns.iter().map(|&it| self.unknowns[it]).collect();
         let places = unknowns.iter().enumerate();
@@ -39,7 +39,7 @@ impl Loops {
 }
 
 impl Builder<'_> {
-    /// Looks at these equations together with others.
+    /// Adds equations to loops.
     pub(super) fn join(
         &mut self,
         unknowns: &[usize],
@@ -49,7 +49,7 @@ impl Builder<'_> {
     ) {
         for &unknown in unknowns {
             let change = self.change(unknown);
-            // On the line the unknowns have no deviation of their own.
+            // On the chord, unknowns have no deviation.
             let (radius, deviation) = (self.graph().variable(change), self.graph().zero());
             self.know(unknown, Enclosure { radius, deviation });
             loops.changes.push(change);
@@ -60,21 +60,21 @@ impl Builder<'_> {
         loops.blocks.extend(residuals.iter().map(|_| block));
     }
 
-    /// Asks that equations have one solution near the line.
+    /// Requires that equations have one solution near the chord.
     pub(super) fn isolate(&mut self, mut loops: Loops) {
         if loops.unknowns.is_empty() {
             return;
         }
-        let mut found = self.columns(&loops.residuals, &loops.columns);
-        let mut order = found.chain();
-        // What hangs together cell by cell is short already.
+        let mut jacobian = self.columns(&loops.residuals, &loops.columns);
+        let mut order = jacobian.chain();
+        // Chains of cells are short already.
         if order.is_none() && self.shorten_loops(&mut loops) {
-            found = self.columns(&loops.residuals, &loops.columns);
-            order = found.chain();
+            jacobian = self.columns(&loops.residuals, &loops.columns);
+            order = jacobian.chain();
         }
         if let Some(order) = &order {
             loops = loops.in_order(order);
-            found = found.in_order(order);
+            jacobian = jacobian.in_order(order);
         }
         let Loops {
             unknowns,
@@ -87,12 +87,12 @@ impl Builder<'_> {
             jacobian,
             turns,
             turning,
-        } = found;
+        } = jacobian;
         let deviations: Vec<SymbolId> = unknowns
             .iter()
             .map(|&it| self.bound(it, "deviation"))
             .collect();
-        // What arms do that turn with such a column is known without bounds.
+        // Vectors that rotate with such a column need no bounds.
         for (&unknown, _) in unknowns.iter().zip(&turns).filter(|(_, turns)| **turns) {
             self.know_still(unknown);
         }
@@ -160,7 +160,7 @@ impl Builder<'_> {
         self.require(blocks[0]);
     }
 
-    /// What rounding of an unknown is a part of: its value where it is a length.
+    /// Returns the magnitude of an unknown, to which its rounding is proportional: its value if it is a length.
     fn size(&mut self, unknown: usize) -> ExprId {
         let unknown = &self.system.vector_form.unknowns[unknown];
         match unknown.quantity {

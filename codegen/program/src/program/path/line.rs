@@ -1,7 +1,8 @@
-//! An equation → how far it is from zero along the line through both frames.
+//! Bounds an equation along the chord between both frames.
 //!
-//! It is zero in both, so that its second derivative bounds it between them and beyond. Where that is one of time alone, as what
-//! drivers do to an equation, its sign is kept: along a chain of links what drivers remainder cancels, and bounds would add it up.
+//! The equation is zero in both frames, so its second derivative bounds it between and beyond the frames. The sign of the
+//! derivative is kept if it depends on time alone, as with drivers: along a chain of links, contributions of drivers cancel,
+//! while bounds would add up.
 
 use std::collections::HashSet;
 
@@ -9,16 +10,16 @@ use crate::expr::{ExprId, Factor, Graph, Node, Rational, SymbolId};
 use crate::program::builder::Builder;
 use crate::program::passes::enclosure::Enclosure;
 
-/// How an equation runs along the line.
+/// Bounds of an equation on the chord.
 pub(super) struct OnLine {
-    /// How far it is from zero, but for its curvature.
+    /// Bound on the residual, without its curvature.
     pub bound: ExprId,
-    /// Its second derivative over the window, as far as that is known with its sign.
+    /// Second derivative over the window, as far as its value and sign are known.
     pub curvature: ExprId,
 }
 
 impl Builder<'_> {
-    /// How far an equation is from zero while what it mentions is on the line, or as near as is known.
+    /// Bounds an equation while its symbols are on the chord, or within their bounds of it.
     pub(super) fn on_line(&mut self, residual: ExprId) -> OnLine {
         let Some(second) = self.second_derivative_in_time(residual) else {
             let (bound, curvature) = (self.enclosure(residual).deviation, self.graph().zero());
@@ -48,7 +49,7 @@ impl Builder<'_> {
         }
     }
 
-    /// ∂²Φ/∂t², where time acts on an equation by itself, and smoothly at any time.
+    /// Returns ∂²Φ/∂t² if the equation depends on time explicitly, and smoothly at any time; otherwise `None`.
     fn second_derivative_in_time(&mut self, residual: ExprId) -> Option<ExprId> {
         let time = self.system.mechanism.time;
         let first = self.graph().derivative(residual, time);
@@ -64,8 +65,8 @@ impl Builder<'_> {
     }
 }
 
-/// Whether an expression has all derivatives in a symbol everywhere: bounds of a third one say nothing near the end of where a
-/// function is defined, and those of a second one more.
+/// True if an expression has all derivatives in a symbol everywhere. Bounds of a second derivative need one more order, and those
+/// of a third fail near the end of a domain.
 fn is_smooth(graph: &Graph, expr: ExprId, symbol: SymbolId) -> bool {
     let (mut open, mut seen) = (vec![expr], HashSet::new());
     while let Some(expr) = open.pop() {

@@ -1,11 +1,11 @@
-//! The blocks of a plan → whether all of them have stayed on their path since the last frame.
+//! Verifies that all blocks of a plan stay on their path since the last frame.
 //!
-//! A mechanism stays on its path where its equations have one solution near a straight line through both frames all the while: then
-//! this frame is the one that the last one leads to, in the same assembly mode. That is so where a Newton operator with the
-//! Jacobian of this frame contracts (Krawczyk 1969; Neumaier, Interval Methods for Systems of Equations, 1990, chapter 5), for which
-//! [`Enclosures`] bound how far the equations are from zero on the line, and how far the Jacobian changes. Blocks are looked at
-//! together, because bounds that pass from one to the next grow by more than what they bound. What is explicit has no other
-//! solution. Deliberately unknown here: how a part is solved.
+//! A mechanism stays on its path if, at every instant, its equations have one solution near the chord between both frames. The
+//! new frame then is the continuation of the last one, in the same assembly mode. This holds if a Newton operator with the
+//! Jacobian of this frame contracts (Krawczyk 1969; Neumaier, Interval Methods for Systems of Equations, 1990, chapter 5).
+//! [`Enclosures`] bound the residuals on the chord and the change of the Jacobian.
+//!
+//! Blocks are verified together, because bounds that pass from block to block grow too fast. Explicit unknowns are unique.
 
 mod basis;
 mod bounds;
@@ -26,24 +26,24 @@ use crate::structure::{Definition, SolvedBlock, Subsystem};
 use crate::system::{SymbolRole, System};
 use isolation::Loops;
 
-/// What is known of all values while paths are looked at.
+/// Bounds of all values while paths are verified.
 pub(super) struct Paths {
-    /// What the window is like.
+    /// Window of time.
     pub window: TimeWindow,
     enclosures: Enclosures,
-    /// The pairs of links that closed forms have found, by the angle of each.
+    /// Pairs of links that closed forms have recorded, by the angle of each link.
     pub links: HashMap<usize, TwoLinks>,
-    /// What stands for angles that no frame keeps.
+    /// Cosine and sine of angles that frames do not keep.
     pub directions: HashMap<usize, [SymbolId; 2]>,
-    /// What unknowns are that follow from others, as far as that is short.
+    /// Short values of unknowns that follow from others.
     definitions: HashMap<SymbolId, ExprId>,
-    /// The other ones that nothing has mentioned yet, by what they define, with the places of their blocks.
+    /// Other explicit assignments that are not mentioned yet, by unknown, with the indices of their blocks.
     awaited: HashMap<usize, (Definition, usize)>,
-    /// Whether frames keep the angles of closed forms.
+    /// True if frames keep the angles of closed forms.
     keeps_angles: bool,
-    /// The inputs that have been met.
+    /// Inputs with bounds.
     signals: HashSet<usize>,
-    /// The angles whose arms have been computed, with their directions where arms turn with them.
+    /// Angles with computed vectors, with their directions if vectors rotate with them.
     turned: HashMap<usize, Option<Direction>>,
     deviations: HashMap<usize, SymbolId>,
 }
@@ -71,7 +71,7 @@ impl Paths {
         }
     }
 
-    /// Forgets all bounds.
+    /// Removes all bounds.
     fn begin(&mut self, system: &mut System) {
         self.enclosures = Enclosures::new(self.window, system);
         self.definitions.clear();
@@ -81,7 +81,7 @@ impl Paths {
         self.deviations.clear();
     }
 
-    /// The cosine and the sine of an angle that a closed form finds.
+    /// Records the cosine and the sine of an angle of a closed form.
     pub fn note_direction(&mut self, unknown: usize, direction: Direction, system: &System) {
         let graph = &system.mechanism.graph;
         let symbol = |expr: ExprId| match *graph.node(expr) {
@@ -96,29 +96,30 @@ impl Paths {
     }
 }
 
-/// How many unknowns are looked at together, at least where there are as many: the work grows with their third power.
+/// Number of unknowns from which on equations are verified together: the work grows with the third power.
 const TOGETHER: usize = 12;
 
-/// What shows that a frame lies on the path of the last one.
+/// Verification that a frame lies on the path of the last one.
 #[derive(Clone, Debug)]
 pub struct Path {
-    /// What is looked at, all equations together.
+    /// Verification of all equations together.
     pub function: Function,
-    /// What is looked at where all blocks are closed forms, one after another: it takes less, and may show less.
+    /// Verification of closed forms one after another, which is cheaper but may prove less; `None` if a block is not a closed
+    /// form.
     pub closed: Option<Function>,
-    /// How far unknowns may be from a straight line, of those that are found so.
+    /// Bounds on the deviation of unknowns from the chord, as far as the verification finds them.
     pub deviations: HashMap<usize, SymbolId>,
-    /// The symbols of the window.
+    /// Symbols of the window.
     pub window: TimeWindow,
 }
 
 impl Path {
-    /// Both of its functions, to be changed.
+    /// Returns both functions for changes.
     pub(super) fn whole_functions_mut(&mut self) -> impl Iterator<Item = &mut Function> {
         [&mut self.function].into_iter().chain(&mut self.closed)
     }
 
-    /// Its functions, and those inside.
+    /// Returns the functions, and those inside.
     pub fn functions(&self) -> impl Iterator<Item = &Function> {
         let inner = self.function.statements.iter().filter_map(Statement::inner);
         [&self.function]
@@ -129,7 +130,7 @@ impl Path {
 }
 
 impl Builder<'_> {
-    /// What shows that these blocks, with their places in the plan, have stayed on their path.
+    /// Returns the verification that these blocks, with their indices in the plan, stay on their path.
     pub(super) fn path<'b>(
         mut self,
         blocks: impl Iterator<Item = (usize, &'b SolvedBlock)>,
@@ -159,17 +160,17 @@ impl Builder<'_> {
         }
     }
 
-    /// Knows no bounds yet.
+    /// Starts without bounds.
     pub(super) fn begin_path(&mut self) {
         self.paths.begin(self.system);
-        // Drivers are as they are.
+        // Drivers are not shifted here.
         let zero = self.graph().zero();
         let shifts = self.derivatives.shifts().into_iter();
         let shifts = shifts.map(|symbol| (symbol, zero));
         self.paths.definitions.extend(shifts);
     }
 
-    /// The arms in expressions.
+    /// Computes the rotated vectors of expressions.
     pub(super) fn path_geometry(&mut self, expressions: &[ExprId]) {
         let mut angles: Vec<usize> = Vec::new();
         for &expr in expressions {
@@ -186,7 +187,7 @@ impl Builder<'_> {
         }
     }
 
-    /// The direction of an angle in this frame, whose arms are computed with it; `None` where there are none.
+    /// Returns the direction of an angle in this frame and computes its vectors; `None` if there are none.
     pub(super) fn path_direction(&mut self, angle: usize) -> Option<Direction> {
         if let Some(&direction) = self.paths.turned.get(&angle) {
             return direction;
@@ -217,16 +218,16 @@ impl Builder<'_> {
         self.join(&part.unknowns, &residuals, block, loops);
     }
 
-    /// Whether nothing moves unknowns.
+    /// True if all unknowns are constant.
     pub(super) fn is_still(&mut self, unknowns: &[usize], residuals: &[ExprId]) -> bool {
         let zero = self.graph().zero();
-        let own: HashSet<usize> = unknowns.iter().copied().collect();
+        let of_block: HashSet<usize> = unknowns.iter().copied().collect();
         residuals.iter().all(|&residual| {
             let symbols = self.system.mechanism.graph.symbols(residual).to_vec();
             symbols.into_iter().all(|symbol| {
                 let is_own = self
                     .moving(symbol)
-                    .is_some_and(|unknown| own.contains(&unknown));
+                    .is_some_and(|unknown| of_block.contains(&unknown));
                 is_own || {
                     let symbol = self.graph().variable(symbol);
                     self.enclosure(symbol).radius == zero
@@ -235,7 +236,7 @@ impl Builder<'_> {
         })
     }
 
-    /// The unknown that a position or an arm moves with.
+    /// Returns the unknown that moves a position or a vector component.
     pub(super) fn moving(&self, symbol: SymbolId) -> Option<usize> {
         match self.system.roles[symbol.index()] {
             SymbolRole::Position(unknown) => Some(unknown),

@@ -1,9 +1,9 @@
-//! Parabolas through both frames that angles run near, and how far they may be from these, for long rows of pairs.
+//! Approximates angles by parabolas through both frames, with bounds on the deviation, for long series of pairs.
 //!
-//! Bounds of bounds grow from pair to pair by more than what they bound. So signs are kept here as far as frames know them: the
-//! parabola of an angle follows from those of the angles before it, and what is left beside it goes on by the transmission ratio, which
-//! itself runs on over the window. The unit of time is the length of the window from the second frame. The letters are those of the
-//! [room](super); the guide (`theory.md`) has the argument.
+//! Bounds of bounds grow from pair to pair by more than the bounded values, so signs are kept as far as frames know them. The
+//! parabola of an angle follows from those of the angles before it; the remainder is multiplied by the transmission ratio, which
+//! is extrapolated over the window too. The unit of time is the length of the window from the second frame. The letters are those
+//! of the [module](super); the guide (`theory.md`) has the argument.
 
 use super::pair::Bounded;
 use super::ratio::Determinant;
@@ -13,19 +13,19 @@ use crate::program::builder::Builder;
 use crate::program::passes::enclosure::Enclosure;
 use crate::program::pin_motion::Known;
 
-/// How an angle runs over a window.
+/// Course of an angle over a window.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::program) struct Course {
-    /// y: how far the straight line through both frames goes, with its sign.
+    /// Slope y: the signed change along the chord.
     turn: ExprId,
-    /// c: the second derivative of the parabola.
+    /// Curvature c: the second derivative of the parabola.
     curve: ExprId,
-    /// S: bounds of the deviation from the parabola at both ends of the window; between these their geometric means are bounds.
+    /// Bounds S of the deviation from the parabola at both ends of the window; bounds in between are geometric means.
     deviations: [ExprId; 2],
 }
 
 impl Course {
-    /// How far the angle is from the straight line.
+    /// Bounds the deviation of the angle from the chord.
     pub fn deviation(&self, name: &str, builder: &mut Builder<'_>) -> ExprId {
         let [before, after] = self.deviations;
         let difference = builder.graph().subtract(before, after);
@@ -41,34 +41,34 @@ impl Course {
     }
 }
 
-/// An arm of fixed length that moves a pair.
+/// Vector of constant length that moves a pair.
 struct Arm {
     vector: Vector,
     length: ExprId,
-    /// How far the angle that turns it is from the straight line.
+    /// Bound on the deviation of its angle from the chord.
     deviation: ExprId,
     course: Course,
-    /// The largest rate on the parabola.
+    /// Largest rate on the parabola.
     rate: ExprId,
 }
 
-/// What both angles of a pair have in common.
+/// Values that both angles of a pair share.
 struct Triangle<'a> {
     bounded: &'a Bounded,
     arms: Vec<Arm>,
     /// Both links in this frame.
     links: [Vector; 2],
-    /// y of both angles.
+    /// Slopes y of both angles.
     turns: [ExprId; 2],
-    /// The largest rates while the angles before run on parabolas.
+    /// Largest rates while the earlier angles follow their parabolas.
     rates: [ExprId; 2],
-    /// How far the angle between the links goes.
+    /// Bound on the change of the angle between the links.
     opened: ExprId,
     determinant: Determinant,
 }
 
 impl Builder<'_> {
-    /// The courses of both angles of a pair; `None` where something else than arms of fixed lengths moves it.
+    /// Returns the courses of both angles of a pair; `None` if anything but vectors of constant length moves the pair.
     pub(super) fn courses_of(
         &mut self,
         bounded: &Bounded,
@@ -111,7 +111,7 @@ impl Builder<'_> {
         Some([0, 1].map(|side| self.course_of(side, &triangle)))
     }
 
-    /// What moves a pair, if that is nothing but arms of fixed lengths.
+    /// Returns the vectors that move a pair; `None` if anything but vectors of constant length does.
     fn arms_before(&mut self, closure: Vector, known: &mut Known) -> Option<Vec<Arm>> {
         let zero = self.graph().zero();
         let mut rest = closure;
@@ -153,7 +153,7 @@ impl Builder<'_> {
         (self.components(rest).radius == zero).then_some(arms)
     }
 
-    /// y of an angle.
+    /// Returns the slope y of an angle.
     fn turn_over_span(&mut self, angle: usize) -> ExprId {
         let moved = self.moved_since(angle);
         let stretch = self.paths.window.steps;
@@ -163,7 +163,8 @@ impl Builder<'_> {
         self.bounded(&name, turn)
     }
 
-    /// The largest rate on a parabola: |y| + |c| (½ + b), since its slope is that of the line half a step before the second frame.
+    /// Returns the largest rate on a parabola: |y| + |c| (½ + b), since its slope equals that of the chord half a step before the
+    /// second frame.
     fn rate_on(&mut self, course: Course) -> ExprId {
         let beyond = self.paths.window.beyond;
         let [beyond, half] = [self.graph().variable(beyond), self.graph().rational(1, 2)];
@@ -173,14 +174,15 @@ impl Builder<'_> {
         self.graph().add(turn, curved)
     }
 
-    /// The longest time from where a rate is y, somewhere between both frames, to an end of the window.
+    /// Returns the longest time from an instant between both frames to an end of the window.
     fn farthest(&mut self) -> ExprId {
         let beyond = self.paths.window.beyond;
         let [beyond, one] = [self.graph().variable(beyond), self.graph().one()];
         self.graph().add(one, beyond)
     }
 
-    /// The largest rates of both angles: somewhere between both frames they are y, from which their second derivatives lead away.
+    /// Returns the largest rates of both angles: at some instant between both frames they equal y, and second derivatives bound
+    /// their change.
     fn rates_of(&mut self, bounded: &Bounded, arms: &[Arm], turns: Vector) -> [ExprId; 2] {
         let Bounded {
             pair, slopes, turn, ..
@@ -213,7 +215,7 @@ impl Builder<'_> {
         })
     }
 
-    /// The course of one angle of a pair.
+    /// Returns the course of one angle of a pair.
     fn course_of(&mut self, side: usize, triangle: &Triangle<'_>) -> Course {
         let Triangle {
             bounded,
@@ -303,7 +305,7 @@ impl Builder<'_> {
         let third = self.graph().sum(&third);
         let change = self.graph().multiply(turn.inverse, third);
         let change = self.bounded(&format!("{name}_change"), change);
-        // The second derivative is no farther than that from c, so that the own rate changes by less than was supposed.
+        // The distance of the second derivative from c is at most this, so the angle's own rate changes by less than assumed.
         let change = {
             let second = self.graph().add(size, change);
             let farthest = self.farthest();

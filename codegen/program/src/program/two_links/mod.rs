@@ -1,13 +1,12 @@
-//! The blocks of a plan that are two links between known pins → what shows that they do not come in line.
+//! Verifies that pairs of links between known pins never become collinear.
 //!
-//! Two links of lengths a and b, from one pin to the other by way of the pin between them, make an angle ψ with
-//! ab cos ψ = (d² − a² − b²)/2, where d is the distance of the outer pins. They can leave their assembly mode only where sin ψ is zero.
-//! Both frames say how cos ψ and the angles of the links run on; how far they may be from that follows from how far the pins go (m)
-//! and how far they are from a straight line (σ), with 1/a + 1/b as the largest derivative of cos ψ, 1/(a |sin ψ|) as that of an
-//! angle, and the remainder of linear interpolation. The bounds of the angles are those of arms in the next block. The guide
-//! (`theory.md`) has the argument.
+//! Two links of lengths a and b, joined by a pin, make an angle ψ with ab cos ψ = (d² − a² − b²)/2, where d is the distance of
+//! the outer pins. They can leave their assembly mode only at sin ψ = 0. Both frames give the course of cos ψ and of the links'
+//! angles. Bounds on the deviation follow from the change of the pins (m), from their deviation from the chord (σ), and from the
+//! interpolation remainder. The factors are 1/a + 1/b, the largest derivative of cos ψ, and 1/(a |sin ψ|), that of an angle.
 //!
-//! A mechanism that has other blocks is not looked at so. Deliberately unknown here: how a part is solved.
+//! Bounds of the angles are those of vectors in the next block. The guide (`theory.md`) has the argument. Mechanisms with other
+//! blocks are not verified by this method.
 
 mod course;
 mod pair;
@@ -25,24 +24,25 @@ use crate::structure::{SolvedBlock, Subsystem};
 
 pub(super) use course::Course;
 
-/// The number of pairs one behind the other from which on courses are followed. Fewer have windows of many steps without, for less.
+/// Smallest number of pairs in series whose courses are followed. Fewer pairs have windows of many steps without courses, at less
+/// cost.
 const ROW: usize = 16;
 
-/// R(φ_a) p + R(φ_b) q + c = 0, as a closed form has noted it.
+/// Pair of links R(φ_a) p + R(φ_b) q + c = 0, as recorded by a closed form.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct TwoLinks {
-    /// φ_a and φ_b.
+    /// Angles φ_a and φ_b.
     pub angles: [usize; 2],
-    /// p and q.
+    /// Vectors p and q.
     pub links: [Vector; 2],
-    /// c.
+    /// Vector c.
     pub closure: Vector,
-    /// The scalar product of both links, as the frame holds it.
+    /// Scalar product of both links, as the frame keeps it.
     pub product: ExprId,
 }
 
 impl Builder<'_> {
-    /// Notes two links of a closed form that stands by itself.
+    /// Records the two links of a closed form that is not inside a torn block.
     pub(super) fn note_links(&mut self, links: TwoLinks) {
         if self.inside.is_none() {
             let both = links.angles.map(|angle| (angle, links));
@@ -50,8 +50,8 @@ impl Builder<'_> {
         }
     }
 
-    /// What shows that all of these blocks, with their places in the plan, stay on their path because no two links come in line;
-    /// `None` where one of them is something else.
+    /// Returns the verification that these blocks, with their indices in the plan, stay on their path because no links become
+    /// collinear. `None` if a block is of another kind.
     pub(super) fn two_links<'b>(
         mut self,
         blocks: impl Iterator<Item = (usize, &'b SolvedBlock)> + Clone,
@@ -77,7 +77,7 @@ impl Builder<'_> {
         })
     }
 
-    /// The largest number of pairs of which each moves the next one.
+    /// Returns the largest number of pairs in series.
     fn longest_row<'b>(&mut self, blocks: impl Iterator<Item = &'b SolvedBlock>) -> usize {
         let mut rows: HashMap<usize, usize> = HashMap::new();
         for block in blocks {
@@ -85,8 +85,8 @@ impl Builder<'_> {
                 let residuals = part.equations.iter().map(|it| it.residual);
                 let before = residuals.map(|it| self.row_before(it, &rows)).max();
                 let is_pair = |unknown| self.paths.links.contains_key(unknown);
-                let own = usize::from(part.unknowns.first().is_some_and(is_pair));
-                let row = before.unwrap_or(0) + own;
+                let count = usize::from(part.unknowns.first().is_some_and(is_pair));
+                let row = before.unwrap_or(0) + count;
                 rows.extend(part.unknowns.iter().map(|&unknown| (unknown, row)));
             }
             for definition in &block.definitions {
@@ -106,7 +106,7 @@ impl Builder<'_> {
             .unwrap_or(0)
     }
 
-    /// Bounds what a part finds; false where it does not move.
+    /// Bounds the results of a subsystem. Returns false if they are constant; `None` if the subsystem is not a pair of links.
     fn bound_part(&mut self, part: &Subsystem, block: usize, known: &mut Known) -> Option<bool> {
         let equations = part.equations.iter();
         let residuals: Vec<ExprId> = equations.map(|it| self.in_short(it.residual)).collect();
@@ -122,7 +122,7 @@ impl Builder<'_> {
         Some(true)
     }
 
-    /// Bounds what an expression mentions, as far as nothing has mentioned it before.
+    /// Bounds the unknowns of an expression that have no bounds yet.
     fn bound_definitions(&mut self, expr: ExprId, known: &mut Known) {
         for symbol in self.system.mechanism.graph.symbols(expr).to_vec() {
             let Some((definition, block)) = self.awaited(symbol) else {
@@ -131,23 +131,23 @@ impl Builder<'_> {
             let unknown = definition.unknown;
             let value = self.in_short(definition.value);
             self.bound_definitions(value, known);
-            let found = self.enclosure(value);
-            self.path_geometry(&[found.radius, found.deviation]);
+            let enclosure = self.enclosure(value);
+            self.path_geometry(&[enclosure.radius, enclosure.deviation]);
             self.require(block);
-            if found.radius == self.graph().zero() {
-                self.know(unknown, found);
+            if enclosure.radius == self.graph().zero() {
+                self.know(unknown, enclosure);
                 continue;
             }
             if self.is_linked(value, known) {
                 known.linked.insert(unknown);
             }
-            // Between both frames it moves by their difference, and beyond them as much.
+            // Between both frames, the unknown changes by their difference, and beyond them by as much.
             let name = self.system.unknown_name(unknown).to_string();
             let rounding = self.paths.window.rounding;
             let [rounding, value] = [self.graph().variable(rounding), self.position(unknown)];
             let size = self.graph().magnitude(value);
             let rounding = self.graph().multiply(rounding, size);
-            let deviation = self.graph().add(found.deviation, rounding);
+            let deviation = self.graph().add(enclosure.deviation, rounding);
             let deviation = self.bounded(&format!("{name}_deviation"), deviation);
             let change = self.change_of(value);
             let radius = self.graph().add(change, deviation);

@@ -1,6 +1,6 @@
-//! Two links between bounded pins → what shows that they are not in line, and how far they turn.
+//! Verifies that two links between bounded pins do not become collinear, and bounds their rotation.
 //!
-//! The letters are those of the [room](super): d, ψ, m, σ.
+//! The letters are those of the [module](super): d, ψ, m, σ.
 
 use super::{Course, TwoLinks};
 use crate::expr::ExprId;
@@ -10,72 +10,72 @@ use crate::program::function::Statement;
 use crate::program::passes::enclosure::Enclosure;
 use crate::program::pin_motion::Known;
 
-/// How far a link may turn, in rad: two frames that are no farther from a third one are less than half a turn apart.
+/// Largest rotation of a link, in rad: two frames within this distance of a third one are less than half a turn apart.
 const LARGEST_TURN: (i64, i64) = (3, 2);
 
-/// What is known of two links before it is asked whether they come in line.
+/// Pair of links before its verification.
 pub(super) struct Pair {
     pub block: usize,
     pub angles: [usize; 2],
-    /// What the angles are called, and both together.
+    /// Names of the angles, and of both together.
     pub names: [String; 2],
     pub name: String,
-    /// p and q.
+    /// Vectors p and q.
     pub links: [Vector; 2],
-    /// c.
+    /// Vector c.
     pub closure: Vector,
-    /// The scalar product of both links.
+    /// Scalar product of both links.
     pub product: ExprId,
-    /// a and b in this frame.
+    /// Lengths a and b in this frame.
     pub lengths: [ExprId; 2],
-    /// How the ends of the links move in their bodies.
+    /// Motion of the ends of the links in their bodies.
     stretched: [Enclosure; 2],
-    /// Where a length changes along a line that passes the pin, the link turns in its body by that, too.
+    /// True if the length changes along a line that does not meet the pin, so that the link rotates in its body too.
     is_oblique: [bool; 2],
-    /// Whether links that turn move the pins.
+    /// True if rotating links move the pins.
     is_linked: bool,
-    /// What rounding moves.
+    /// Effect of rounding.
     pub rounding: ExprId,
-    /// m: how far all of it goes.
+    /// Bound m on the change of all of these.
     moved: ExprId,
-    /// σ: how far it is from a straight line.
+    /// Bound σ on their deviation from the chord.
     input_deviation: ExprId,
 }
 
-/// How the lengths enter a pair's bounds: 1/a, 1/b and their sum, at the least lengths.
+/// Factors of a pair's bounds: 1/a, 1/b and their sum, at the smallest lengths.
 pub(super) struct Slopes {
     pub each: [ExprId; 2],
     pub both: ExprId,
 }
 
-/// How far the angle between two links goes.
+/// Bound on the change of the angle between two links.
 pub(super) struct Turn {
-    /// At most |cos ψ|.
+    /// Bound on |cos ψ|.
     pub cosine: ExprId,
-    /// At most 1/|sin ψ|.
+    /// Bound on 1/|sin ψ|.
     pub inverse: ExprId,
-    /// At most m/|sin ψ|, which the lengths divide.
+    /// Bound on m/|sin ψ|, to be divided by the lengths.
     turned: ExprId,
 }
 
 impl Pair {
-    /// Whether no link changes its length.
+    /// True if both links have constant lengths.
     pub fn is_fixed(&self, zero: ExprId) -> bool {
         self.stretched.iter().all(|it| it.radius == zero)
     }
 }
 
-/// Two links that do not come in line.
+/// Two links that do not become collinear.
 pub(super) struct Bounded {
     pub pair: Pair,
     pub slopes: Slopes,
     pub turn: Turn,
-    /// How far the links deviate while they turn, which the lengths divide.
+    /// Deviation of the links through their rotation, to be divided by the lengths.
     pub bent: ExprId,
 }
 
 impl Builder<'_> {
-    /// Asks that two links are not in line, and bounds how far they turn.
+    /// Requires that two links do not become collinear, and bounds their rotation.
     pub(super) fn bound_links(&mut self, links: TwoLinks, block: usize, known: &mut Known) {
         let pair = self.moving_pair(links, block, known);
         self.require(block);
@@ -101,7 +101,7 @@ impl Builder<'_> {
         }
     }
 
-    /// The bounds of one angle.
+    /// Returns the bounds of one angle.
     fn enclosure_of(
         &mut self,
         side: usize,
@@ -128,7 +128,7 @@ impl Builder<'_> {
                 self.bounded(&format!("{name}_deviation"), deviation)
             }
         };
-        // Where links move the pins, bounds of bounds grow by more than what they bound, and frames know better.
+        // If links move the pins, bounds of bounds grow too fast, and changes between frames are better.
         let radius = match course.is_none() && (pair.is_oblique[side] || !pair.is_linked) {
             true => first,
             false => self.graph().add(change, deviation),
@@ -137,14 +137,16 @@ impl Builder<'_> {
         Enclosure { radius, deviation }
     }
 
-    /// How far pins and the ends of links go, and how far they are from a straight line.
-    fn moving_pair(&mut self, found: TwoLinks, block: usize, known: &mut Known) -> Pair {
-        let names = found
+    /// Bounds the change of pins and ends of links, and their deviation from the chord.
+    fn moving_pair(&mut self, two_links: TwoLinks, block: usize, known: &mut Known) -> Pair {
+        let names = two_links
             .angles
             .map(|angle| self.system.unknown_name(angle).to_string());
         let name = names.join("_");
-        let closure = found.closure.map(|part| self.undriven(part));
-        let links = found.links.map(|link| link.map(|part| self.in_short(part)));
+        let closure = two_links.closure.map(|part| self.undriven(part));
+        let links = two_links
+            .links
+            .map(|link| link.map(|part| self.in_short(part)));
         let lengths = links.map(|link| self.length_of(link));
         let rounding = {
             let [x, y] = closure.map(|part| self.size_of(part, known));
@@ -174,7 +176,7 @@ impl Builder<'_> {
             self.bounded(&format!("{name}_input_change"), moved)
         };
         let input_deviation = {
-            // Such a length is no linear function of what drives it: it deviates by what it moves, here and along the line.
+            // Such a length is a nonlinear function of its driver: it deviates by its change, here and along the chord.
             let twice = self.graph().integer(2);
             let oblique = oblique.map(|part| self.graph().multiply(twice, part));
             let [first, second] = stretched.map(|it| it.deviation);
@@ -191,12 +193,12 @@ impl Builder<'_> {
         };
         Pair {
             block,
-            angles: found.angles,
+            angles: two_links.angles,
             names,
             name,
             links,
             closure,
-            product: found.product,
+            product: two_links.product,
             lengths,
             stretched,
             is_oblique,
@@ -207,7 +209,7 @@ impl Builder<'_> {
         }
     }
 
-    /// Asks that no link vanishes, and says how steep angles can be in what moves.
+    /// Requires that no link vanishes, and returns the largest derivatives of the angles.
     fn slopes_of(&mut self, pair: &Pair) -> Slopes {
         let zero = self.graph().zero();
         let shortest = [0, 1].map(|side| {
@@ -232,7 +234,7 @@ impl Builder<'_> {
         Slopes { each, both }
     }
 
-    /// Asks that the links do not come in line.
+    /// Requires that the links do not become collinear.
     fn turn_of(&mut self, pair: &Pair, slopes: &Slopes) -> Turn {
         let name = &pair.name;
         let remainder = self.paths.window.remainder;
@@ -265,7 +267,7 @@ impl Builder<'_> {
             self.bounded(&format!("{name}_sine_square"), rest)
         };
         let value = {
-            // moved/(a |sin ψ|) is no more than this where moved (1/a + 1/b)/|sin ψ| is not.
+            // moved/(a |sin ψ|) is at most this if moved (1/a + 1/b)/|sin ψ| is.
             let (above, below) = LARGEST_TURN;
             let part = self.graph().rational(below, above);
             let part = self.graph().multiply(part, slopes.both);
@@ -289,7 +291,7 @@ impl Builder<'_> {
         }
     }
 
-    /// How far the links deviate while they turn, which the lengths divide.
+    /// Bounds the deviation of the links through their rotation, to be divided by the lengths.
     fn input_deviation_of(&mut self, pair: &Pair, slopes: &Slopes, turn: &Turn) -> ExprId {
         let Turn {
             cosine,
@@ -299,20 +301,20 @@ impl Builder<'_> {
         let zero = self.graph().zero();
         let remainder = self.paths.window.remainder;
         let remainder = self.graph().variable(remainder);
-        // What the square of a turn is multiplied by in the second derivative of an angle.
-        let own = match pair.is_fixed(zero) {
+        // Factor of the squared rotation in the second derivative of an angle.
+        let factor = match pair.is_fixed(zero) {
             true => self.larger(slopes.each),
             false => self.graph().add(slopes.both, slopes.both),
         };
         let other = self.graph().product(&[slopes.both, cosine, inverse]);
-        let both = self.graph().add(own, other);
+        let both = self.graph().add(factor, other);
         let curved = self.graph().product(&[remainder, turned, turned, both]);
         let input_deviation = self.graph().multiply(inverse, pair.input_deviation);
         let bent = self.graph().add(curved, input_deviation);
         self.bounded(&format!("{}_bent", pair.name), bent)
     }
 
-    /// The larger one of two constants that are not negative, or else their sum.
+    /// Returns the larger of two nonnegative constants, otherwise their sum.
     fn larger(&mut self, [first, second]: Vector) -> ExprId {
         let graph = self.graph();
         let value = |expr| {

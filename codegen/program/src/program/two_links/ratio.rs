@@ -1,4 +1,4 @@
-//! The transmission ratio of two links, a quotient of two sines, as it runs on over a window.
+//! Extrapolates the transmission ratio of two links, a quotient of two sines, over a window.
 
 use super::pair::Bounded;
 use crate::expr::ExprId;
@@ -6,17 +6,17 @@ use crate::joint::geometry::Vector;
 use crate::program::builder::Builder;
 use crate::program::function::Statement;
 
-/// The determinant of a pair, w_a × w_b, as it runs on over the window.
+/// Determinant of a pair, w_a × w_b, over the window.
 pub(super) struct Determinant {
     pub inverse: ExprId,
-    /// Its change along the lines, as a part of it, with its sign.
+    /// Signed relative change along the chords.
     pub slope: ExprId,
-    /// How far the logarithm of its magnitude may be below that.
+    /// Bound on how far the logarithm of the magnitude may lie below this change.
     pub rest: ExprId,
 }
 
 impl Builder<'_> {
-    /// The determinant over the window. Asks that it changes by no more than half of itself.
+    /// Returns the determinant over the window, and requires that it changes by at most half of itself.
     pub(super) fn determinant_over_span(
         &mut self,
         bounded: &Bounded,
@@ -50,7 +50,7 @@ impl Builder<'_> {
             value,
             block: pair.block,
         });
-        // ln (1 + z) ≥ z − z² where z ≥ −½.
+        // ln (1 + z) ≥ z − z² if z ≥ −½.
         let square = self.square(largest);
         let rest = self.graph().add(beside, square);
         let rest = self.bounded(&format!("{name}_rest"), rest);
@@ -61,8 +61,8 @@ impl Builder<'_> {
         }
     }
 
-    /// How far a sine (`sine` in size) is from its tangent where its angle goes `opened` and deviates from a line: ½ x² of itself, and of
-    /// the cosine what the angle deviates and x³/6; and rounding of what both are a part of.
+    /// Bounds the distance of a sine of magnitude `sine` from its tangent. The angle changes by `opened` and deviates from a
+    /// chord: relative to the sine this is ½ x², relative to the cosine the deviation and x³/6, with rounding of both.
     fn beside_sine(
         &mut self,
         sine: ExprId,
@@ -88,9 +88,10 @@ impl Builder<'_> {
         self.graph().sum(&parts)
     }
 
-    /// No less than the transmission ratio from an arm at both ends of the window, and than its geometric mean between.
+    /// Bounds the transmission ratio from a vector, from above: at both ends of the window, and by the geometric mean in between.
     ///
-    /// The ratio is that of two sines. Each is on its tangent but for what is beside it, and 1 + x ≤ exp x ≤ 1 + x + x² up to x = 1.79.
+    /// The ratio is a quotient of two sines. Each sine is its tangent plus a remainder, and 1 + x ≤ exp x ≤ 1 + x + x² up to x =
+    /// 1.79.
     pub(super) fn factors_of(
         &mut self,
         name: &str,
@@ -106,7 +107,7 @@ impl Builder<'_> {
         let slope = self.graph().multiply(along, difference);
         let slope = self.bounded(&format!("{name}_lever_slope"), slope);
         let size = self.graph().magnitude(slope);
-        // Where the lever may vanish, it is bounded by its size all over the window.
+        // If the lever may vanish, its magnitude bounds it over the whole window.
         let crossing = {
             let twice = self.graph().add(size, size);
             self.graph().subtract(sine, twice)

@@ -1,7 +1,7 @@
-//! Joints marked `redundant` of bodies that turn about another point → the arms that they are stated along and across.
+//! Finds arms for joints marked `redundant` on bodies that turn about another point.
 //!
-//! Without the joint such a body turns by itself, so that the row across the arm determines its angle alike in every pose, and the one
-//! along the arm is what repeats others. A row in the direction of an axis would be singular twice in each turn.
+//! Without the joint such a body rotates freely. The row across the arm then determines its angle equally well in every pose, and
+//! the row along the arm repeats other equations. A row along a fixed axis would be singular twice per turn.
 
 use super::functions::Functions;
 use super::motion::pivot;
@@ -11,18 +11,18 @@ use crate::joint::{AuxiliaryUnknown, Axis, Drawn, Kind};
 use crate::model::Mechanism;
 use crate::system::System;
 
-/// An arm of a body from the point about which it turns to a pin.
+/// Arm of a body from its center of rotation to a pin.
 pub(super) struct Arm {
-    /// The joint of the pin.
+    /// Joint of the pin.
     joint: usize,
     kind: &'static dyn Kind,
-    /// The one of its marks that the body carries: an index.
+    /// Index of the joint's mark that the body carries.
     own: usize,
-    /// The point about which the body turns, in its frame.
+    /// Center of rotation of the body, in its frame.
     pivot: Vector,
 }
 
-/// The arms of all joints that have one.
+/// Returns the arms of all joints that have one.
 pub(super) fn arms(system: &System) -> Vec<Arm> {
     let joints = system.mechanism.joints.iter().enumerate();
     let marked = joints.filter(|(_, own)| own.redundant.is_some());
@@ -38,10 +38,10 @@ fn arm(system: &System, joint: usize, kind: &'static dyn Kind) -> Option<Arm> {
     let others = all_rows(system).into_iter();
     let others = others.filter(|&at| system.row(at).joint != joint);
     let functions: Functions<'_> = whole(system, others.collect());
-    let found = poses(system, &functions);
+    let consistent = poses(system, &functions);
     (0..2).find_map(|own| {
         let pair = [bodies[own], bodies[1 - own]];
-        let pivot = pivot(system, &functions, &found, pair)?;
+        let pivot = pivot(system, &functions, &consistent, pair)?;
         Some(Arm {
             joint,
             kind,
@@ -52,7 +52,7 @@ fn arm(system: &System, joint: usize, kind: &'static dyn Kind) -> Option<Arm> {
 }
 
 impl Arm {
-    /// States its joint along and across it.
+    /// Makes the joint's rows lie along and across the arm.
     pub(super) fn state(&self, mechanism: &mut Mechanism) {
         let Mechanism {
             graph,

@@ -1,7 +1,7 @@
-//! A structurally square system → whether its equations are independent, block by block.
+//! Determines whether the equations of a structurally square system are independent, block by block.
 //!
-//! Φ_q is block triangular in solve order, so it is regular where each diagonal block is. The poses are found block by block too,
-//! so that the cost grows with the number of blocks and not with its cube.
+//! Φ_q is block triangular in solve order, so it is nonsingular if each diagonal block is. Poses are computed block by block too,
+//! so that the cost is linear in the number of blocks.
 
 use super::functions::{Functions, Pose};
 use super::independence::Basis;
@@ -9,50 +9,50 @@ use super::{balanced, pose};
 use crate::structure::{Incidence, Matching, components};
 use crate::system::System;
 
-/// A block larger than this is left to the solver, which judges it at run time.
+/// Largest block with a numerical rank; the solver judges larger ones at run time.
 const LARGEST_BLOCK: usize = super::LARGEST_SURVEY;
 
-/// In so many poses in which it holds a block must be singular before its equations are said to repeat one another: one pose
-/// may be a singular one of the mechanism.
+/// Number of consistent poses in which a block is singular before its equations count as repeated. A single pose may be singular
+/// in any mechanism.
 const SINGULAR_POSES: usize = 2;
 
-/// In so many poses off all solutions it must be singular before they are said to contradict one another.
+/// Number of inconsistent poses in which a block is singular before its equations count as contradictory.
 const SINGULAR_ELSEWHERE: usize = 3;
 
-/// Equations that determine less than their number.
+/// Equations whose rank is less than their number.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::structure) enum Singular {
-    /// They hold together, in more than one pose: ascending.
+    /// Rows that are consistent and repeated in more than one pose, ascending.
     Repeating(Vec<usize>),
-    /// They repeat one another wherever the bodies are, and hold nowhere.
+    /// Rows that repeat one another in every pose and are never consistent.
     Contradicting {
-        /// The equation that is left over.
+        /// Surplus equation.
         row: usize,
-        /// Those that it repeats but for the misfit, ascending.
+        /// Equations that the surplus one repeats except for the misfit, ascending.
         repeats: Vec<usize>,
-        /// By how much they miss one another near the drawing, in m or rad.
+        /// Misfit of the equations near the design configuration, in m or rad.
         misfit: f64,
     },
 }
 
-/// A row of a block that repeats others, and those: places in the block.
+/// Row of a block that repeats others, and these: indices in the block.
 type Dependent = (usize, Vec<usize>);
 
-/// What is known of a block so far.
+/// Results for a block so far.
 #[derive(Clone, Debug, Default)]
 struct Found {
     regular: bool,
-    /// In how many poses in which it holds it was singular.
+    /// Number of consistent poses in which the block was singular.
     singular: usize,
-    /// In how many poses off all solutions it was singular, and whether it was regular in one.
+    /// Number of inconsistent poses in which the block was singular, and true if it was regular in one.
     singular_anywhere: usize,
     regular_somewhere: bool,
-    /// The smallest misfit with the equation that repeats others.
+    /// Smallest misfit, with the repeating equation and the pose.
     misfit: Option<(f64, Dependent, Pose)>,
 }
 
-/// The equations that are singular in every pose that was found; `None` where the equations are independent, or where too few
-/// poses were found to say so.
+/// Returns equations that are singular in every pose considered. `None` if the equations are independent, or if there are too few
+/// poses to decide.
 pub(in crate::structure) fn singular(
     system: &System,
     incidence: &Incidence,
@@ -70,17 +70,17 @@ pub(in crate::structure) fn singular(
             Functions::measured_in(length, system, rows, columns)
         })
         .collect();
-    let mut found = vec![Found::default(); blocks.len()];
-    for (block, found) in blocks.iter().zip(&mut found) {
+    let mut results = vec![Found::default(); blocks.len()];
+    for (block, found) in blocks.iter().zip(&mut results) {
         found.regular = block.rows.len() > LARGEST_BLOCK;
     }
     for number in 0..pose::COUNT {
-        if found.iter().all(|found| found.regular) {
+        if results.iter().all(|found| found.regular) {
             return None;
         }
         look_at(
             &blocks,
-            &mut found,
+            &mut results,
             pose::start(system, number),
             number,
             incidence,
@@ -89,7 +89,7 @@ pub(in crate::structure) fn singular(
     let open = || {
         blocks
             .iter()
-            .zip(&found)
+            .zip(&results)
             .filter(|(_, found)| !found.regular)
     };
     let mut rows: Vec<usize> = open()
@@ -117,7 +117,7 @@ pub(in crate::structure) fn singular(
     })
 }
 
-/// The residual of one row of a block where the others hold, in its own unit.
+/// Returns the residual of one row of a block where the other rows hold, in the row's unit.
 fn left_over(system: &System, block: &Functions<'_>, place: usize, mut pose: Pose) -> f64 {
     let (mut others, columns) = (block.rows.clone(), block.columns.clone());
     let row = others.remove(place);
@@ -127,7 +127,7 @@ fn left_over(system: &System, block: &Functions<'_>, place: usize, mut pose: Pos
     alone.residuals(&pose)[0].abs() * system.scale(system.row(row).quantity)
 }
 
-/// Solves the blocks one after another and judges those that hold.
+/// Solves blocks one after another and judges the consistent ones.
 fn look_at(
     blocks: &[Functions<'_>],
     found: &mut [Found],
@@ -135,7 +135,7 @@ fn look_at(
     number: usize,
     incidence: &Incidence,
 ) {
-    // Coordinates that are not where the equations want them.
+    // True for each coordinate that does not satisfy its equations.
     let mut lost = vec![false; incidence.columns];
     for (block, found) in blocks.iter().zip(found) {
         if block.rows.len() > LARGEST_BLOCK {
@@ -172,7 +172,7 @@ fn look_at(
     }
 }
 
-/// The first row of a block that repeats others in a pose, and those: places in the block.
+/// Returns the first row of a block that repeats others in a pose, and these: indices in the block.
 fn dependent(block: &Functions<'_>, pose: &Pose) -> Option<Dependent> {
     let (rows, _) = balanced(block.jacobian(pose));
     let mut basis = Basis::default();

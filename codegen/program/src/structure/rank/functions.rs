@@ -1,6 +1,6 @@
-//! Some rows and some coordinates of a system → their residuals and Jacobian as numbers.
+//! Evaluates residuals and Jacobians of selected rows and coordinates.
 //!
-//! Everything is dimensionless: lengths in characteristic lengths, angles in radians, rows divided by the size of their
+//! All values are dimensionless: lengths in characteristic lengths, angles in radians. Rows are divided by the magnitude of their
 //! gradients in the pose from which a search starts.
 
 use crate::expr::{ExprId, SymbolId, Tape};
@@ -8,27 +8,27 @@ use crate::joint::Quantity;
 use crate::model::Role;
 use crate::system::System;
 
-/// The values of all symbols, by their index, with the drivers moved out of their course.
+/// Values of all symbols, by their index, with shifted drivers.
 #[derive(Clone, Debug)]
 pub(super) struct Pose {
-    /// A value per symbol of the graph.
+    /// Values of the symbols of the graph.
     pub symbols: Vec<f64>,
-    /// What the residual of each driver is moved by, in its own scale.
+    /// Shift of each driver's residual, in its own scale.
     pub shift: f64,
 }
 
-/// Residuals and gradients of chosen rows by chosen coordinates.
+/// Residuals and gradients of selected rows in selected coordinates.
 #[derive(Debug)]
 pub(super) struct Functions<'a> {
     system: &'a System,
-    /// The rows: indices into `rows` and then `monitored` of the system.
+    /// Rows: indices into `rows` and then `monitored` of the system.
     pub rows: Vec<usize>,
-    /// The coordinates.
+    /// Coordinates, the columns of the Jacobian.
     pub columns: Vec<usize>,
     residual: Tape,
     jacobian: Tape,
     places: Vec<[usize; 2]>,
-    /// What lengths are measured in, in m.
+    /// Unit of lengths, in m.
     length: f64,
 }
 
@@ -37,7 +37,7 @@ impl<'a> Functions<'a> {
         Functions::measured_in(system.characteristic_length(), system, rows, columns)
     }
 
-    /// The same where the characteristic length is known, for many of them.
+    /// Selects rows and coordinates with a known characteristic length, which saves its repeated computation.
     pub fn measured_in(
         length: f64,
         system: &'a System,
@@ -66,7 +66,7 @@ impl<'a> Functions<'a> {
         }
     }
 
-    /// The residuals, in the scale of each row.
+    /// Returns the residuals, in the scale of each row.
     pub fn residuals(&self, pose: &Pose) -> Vec<f64> {
         let mut values = vec![0.0; self.rows.len()];
         self.residual
@@ -75,14 +75,14 @@ impl<'a> Functions<'a> {
             let row = self.system.row(at);
             *value /= self.scale(row.quantity);
             if self.system.mechanism.joints[row.joint].role == Role::Driver {
-                // No two drivers are moved alike, so that nothing fits by accident.
+                // Different shifts of the drivers prevent accidental consistency.
                 *value -= pose.shift * (1.0 + 0.3 * spread(at, 0));
             }
         }
         values
     }
 
-    /// The gradients of the residuals, a row each.
+    /// Returns the gradients of the residuals, one row each.
     pub fn jacobian(&self, pose: &Pose) -> Vec<Vec<f64>> {
         let mut entries = vec![0.0; self.places.len()];
         self.jacobian
@@ -96,24 +96,24 @@ impl<'a> Functions<'a> {
         matrix
     }
 
-    /// What one unit of a dimensionless coordinate is.
+    /// Returns the unit of a dimensionless coordinate.
     pub fn column_scale(&self, column: usize) -> f64 {
         let coordinate = &self.system.coordinates[self.columns[column]];
         self.scale(coordinate.quantity)
     }
 
-    /// As [`System::scale`], without finding the characteristic length anew.
+    /// Returns [`System::scale`] with the known characteristic length.
     fn scale(&self, quantity: Quantity) -> f64 {
         self.length.powi(quantity.power_of_length())
     }
 
-    /// Where its coordinates are in a pose.
+    /// Returns the coordinates of a pose.
     pub fn coordinates(&self, pose: &Pose) -> Vec<f64> {
         let symbols = self.symbols();
         symbols.map(|symbol| pose.symbols[symbol.index()]).collect()
     }
 
-    /// Puts its coordinates into a pose, moved by a dimensionless step. A pose holds those of all blocks, so it is not copied.
+    /// Sets coordinates of a pose, moved by a dimensionless step. A pose has the coordinates of all blocks, so it is not copied.
     pub fn place(&self, pose: &mut Pose, coordinates: &[f64], step: &[f64]) {
         for (column, symbol) in self.symbols().enumerate() {
             let by = step[column] * self.column_scale(column);
@@ -127,7 +127,7 @@ impl<'a> Functions<'a> {
     }
 }
 
-/// Numbers between −1 and 1 without any pattern: the fractional parts of multiples of irrational numbers (Weyl).
+/// Returns numbers between −1 and 1 without a pattern: fractional parts of multiples of irrational numbers (Weyl).
 pub(super) fn spread(index: usize, series: usize) -> f64 {
     let golden = 0.618_033_988_749_894_8 * (index as f64 + 1.0);
     let plastic = 0.754_877_666_246_692_7 * (series as f64 + 1.0);

@@ -1,42 +1,42 @@
-//! Vectors one after another → which of them depend on those before, and how.
+//! Finds the vectors that depend linearly on earlier ones, with their combinations.
 //!
-//! Modified Gram-Schmidt, orthogonalised twice (Björck, Numerical Methods for Least Squares Problems, 1996, section 2.4). The
-//! combination that gives a dependent vector is unique, so the vectors with a part in it are a smallest dependent set: leave
-//! out any of them and the rest are independent. Deliberately unknown here: what the vectors are.
+//! Modified Gram-Schmidt, orthogonalized twice (Björck, Numerical Methods for Least Squares Problems, 1996, section 2.4). The
+//! combination of a dependent vector is unique, so its vectors are a smallest dependent set: without any one of them, the others
+//! are independent.
 
-/// A remainder smaller than this part of its vector is rounding.
+/// Largest remainder that counts as rounding, relative to its vector.
 pub(super) const TOLERANCE: f64 = 1e-10;
 
-/// A part smaller than this in a combination is rounding.
+/// Largest factor of a combination that counts as rounding.
 const PART: f64 = 1e-7;
 
-/// Independent vectors, as they were taken in.
+/// Independent vectors, in the order of insertion.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Basis {
-    /// Orthonormal, one for each vector.
+    /// Orthonormal directions, one per vector.
     directions: Vec<Vec<f64>>,
-    /// The numbers under which the vectors were taken in.
+    /// Numbers of the vectors.
     members: Vec<usize>,
-    /// Each vector by the directions up to its own.
+    /// Components of each vector in the directions up to its own.
     components: Vec<Vec<f64>>,
 }
 
-/// A vector against a basis.
+/// Vector reduced by a basis.
 #[derive(Clone, Debug)]
 pub(super) struct Reduced {
     components: Vec<f64>,
     rest: Vec<f64>,
-    /// How much of the vector is independent: 0 for a vector of the span, 1 for one across it.
+    /// Independent fraction of the vector: 0 for a vector in the span, 1 for an orthogonal one.
     pub independent: f64,
 }
 
 impl Basis {
-    /// How many vectors it holds.
+    /// Returns the number of vectors.
     pub fn rank(&self) -> usize {
         self.members.len()
     }
 
-    /// Takes a vector apart. A zero vector depends on nothing and is dependent all the same.
+    /// Decomposes a vector. A zero vector counts as dependent, with an empty combination.
     pub fn reduce(&self, vector: &[f64]) -> Reduced {
         let size = norm(vector);
         let mut rest = vector.to_vec();
@@ -58,7 +58,7 @@ impl Basis {
         }
     }
 
-    /// Takes in a vector that is independent of those before.
+    /// Inserts a vector that is independent of the earlier ones.
     pub fn insert(&mut self, member: usize, reduced: Reduced) {
         let size = norm(&reduced.rest);
         let mut components = reduced.components;
@@ -69,7 +69,7 @@ impl Basis {
         self.members.push(member);
     }
 
-    /// Takes in the vector where it is independent; otherwise says of which members it consists.
+    /// Inserts the vector if it is independent; otherwise returns the combination of members that gives the vector.
     pub fn take(&mut self, member: usize, vector: &[f64]) -> Result<(), Vec<(usize, f64)>> {
         let reduced = self.reduce(vector);
         if reduced.independent > TOLERANCE {
@@ -80,7 +80,7 @@ impl Basis {
         }
     }
 
-    /// The members with their factors whose sum the vector is, leaving out those without a part in it.
+    /// Returns the members and factors whose sum the vector is, without negligible factors.
     fn combination(&self, reduced: &Reduced) -> Vec<(usize, f64)> {
         let mut open = reduced.components.clone();
         let mut factors = vec![0.0; open.len()];

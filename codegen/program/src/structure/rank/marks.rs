@@ -1,4 +1,4 @@
-//! Joints marked `redundant` → which of their rows are monitored instead of solved.
+//! Chooses the monitored rows of joints marked `redundant`.
 
 use super::arms::arms;
 use super::functions::Pose;
@@ -8,20 +8,20 @@ use super::{LARGEST_SURVEY, balanced, pose};
 use crate::model::Mechanism;
 use crate::system::{System, assemble, assemble_without};
 
-/// By which factor a later row must be better than an earlier one to be preferred.
+/// Factor by which a later row must exceed an earlier one to be preferred.
 const CLEARLY: f64 = 1.05;
 
-/// A monitored row that does not follow from the others.
+/// Monitored row that does not follow from the others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::structure) struct Misfit {
-    /// An index into the monitored rows.
+    /// Index into the monitored rows.
     pub monitored: usize,
-    /// Its residual where all others hold, in m or rad.
+    /// Residual where all other rows hold, in m or rad.
     pub size: f64,
 }
 
-/// The equations of a mechanism, where those rows of joints marked `redundant` that repeat what others say are monitored. Those
-/// that determine something stay; of several that could, those that do so best in all poses near the drawing.
+/// Returns the equations of a mechanism with the repeated rows of `redundant` joints monitored. Of rows that could determine the
+/// same motion, those that do so best in all poses near the design configuration are solved.
 pub fn released(mut mechanism: Mechanism) -> System {
     if mechanism.joints.iter().all(|own| own.redundant.is_none()) {
         return assemble(mechanism);
@@ -41,51 +41,51 @@ pub fn released(mut mechanism: Mechanism) -> System {
     assemble_without(mechanism, &dropped)
 }
 
-/// A marked joint whose line another joint or driver names, and that one: both are needed.
+/// Returns a marked joint whose line another joint or driver names, and that joint: both are needed.
 pub(in crate::structure) fn shared_line(system: &System) -> Option<(usize, usize)> {
     let joints = &system.mechanism.joints;
     let owned = |at: usize| {
-        let own = joints[at].kind.auxiliaries().len();
-        joints[at].operands.auxiliaries.iter().take(own)
+        let count = joints[at].kind.auxiliaries().len();
+        joints[at].operands.auxiliaries.iter().take(count)
     };
     let marked = (0..joints.len()).filter(|&at| joints[at].redundant.is_some());
     marked
         .flat_map(|line| (0..joints.len()).map(move |user| (line, user)))
         .find(|&(line, user)| {
-            let own = joints[user].kind.auxiliaries().len();
-            let mut borrowed = joints[user].operands.auxiliaries.iter().skip(own);
+            let count = joints[user].kind.auxiliaries().len();
+            let mut borrowed = joints[user].operands.auxiliaries.iter().skip(count);
             borrowed.any(|theirs| owned(line).any(|mine| mine.value == theirs.value))
         })
 }
 
-/// The rows of marked joints that the other rows repeat, ascending.
+/// Returns the rows of marked joints that other rows repeat, ascending.
 fn dependent(system: &System) -> Vec<usize> {
     let is_marked = |at: usize| {
         let joint = &system.mechanism.joints[system.row(at).joint];
         joint.redundant.is_some()
     };
-    // All rows together, where they fit together; otherwise those that are not marked.
+    // Uses all rows if they are consistent; otherwise the unmarked rows.
     let (unmarked, marked): (Vec<usize>, Vec<usize>) =
         all_rows(system).into_iter().partition(|&at| !is_marked(at));
-    let mut found = poses(system, &whole(system, all_rows(system)));
-    let fits = found.len() > 1;
+    let mut consistent = poses(system, &whole(system, all_rows(system)));
+    let fits = consistent.len() > 1;
     if !fits {
-        found = poses(system, &whole(system, unmarked.clone()));
+        consistent = poses(system, &whole(system, unmarked.clone()));
     }
     let ordered = whole(system, [unmarked.clone(), marked.clone()].concat());
-    let matrices: Vec<Vec<Vec<f64>>> = found
+    let matrices: Vec<Vec<Vec<f64>>> = consistent
         .iter()
         .map(|pose| balanced(ordered.jacobian(pose)).0)
         .collect();
     let mut bases = vec![Basis::default(); matrices.len()];
     for (basis, matrix) in bases.iter_mut().zip(&matrices) {
         for (at, row) in matrix.iter().take(unmarked.len()).enumerate() {
-            // That others repeat one another is said elsewhere.
+            // Repetition among unmarked rows is reported elsewhere.
             let _ = basis.take(at, row);
         }
     }
     let mut open = marked;
-    // Each time the row that the rows so far leave most room for, in the worst of the poses.
+    // Takes the row that is most independent of the earlier rows in its worst pose.
     while let Some((best, reduced)) =
         most_independent(&open, unmarked.len(), &ordered.rows, &matrices, &bases)
     {
@@ -100,8 +100,7 @@ fn dependent(system: &System) -> Vec<usize> {
     open
 }
 
-/// The open row that is most independent, with its reductions; none where all of them depend on the rows so far in every
-/// pose.
+/// Returns the open row that is most independent, with its reductions; `None` if all depend on earlier rows in every pose.
 fn most_independent(
     open: &[usize],
     unmarked: usize,
@@ -121,7 +120,7 @@ fn most_independent(
             least = least.min(reduced.independent);
             most = most.max(reduced.independent);
         }
-        // In written order, unless a later row is clearly better.
+        // Written order decides, unless a later row is clearly better.
         let is_better = best.as_ref().is_none_or(|best| least > CLEARLY * best.0);
         if most > TOLERANCE && is_better {
             best = Some((least, place, reduced));
@@ -130,7 +129,7 @@ fn most_independent(
     best.map(|(_, place, reduced)| (place, reduced))
 }
 
-/// The monitored row that fits the others least; none where all of them hold together in the drawing and in a pose off it.
+/// Returns the monitored row with the largest misfit; `None` if all rows hold in the design configuration and in a pose off it.
 pub(in crate::structure) fn misfit(system: &System) -> Option<Misfit> {
     if system.monitored.is_empty() {
         return None;
@@ -151,10 +150,10 @@ pub(in crate::structure) fn misfit(system: &System) -> Option<Misfit> {
             }
         }
     };
-    let found = poses(system, &solved);
-    found.iter().for_each(&mut consider);
-    if found.is_empty() {
-        // Not even the others hold near the drawing: the drawing itself is what can be measured.
+    let consistent = poses(system, &solved);
+    consistent.iter().for_each(&mut consider);
+    if consistent.is_empty() {
+        // The other rows do not hold near the design configuration, so the misfit is measured in that configuration.
         consider(&pose::start(system, 0));
     }
     worst

@@ -1,9 +1,8 @@
-//! A system → how many of its equations say something, by numbers.
+//! Determines the numerical rank of a system's equations.
 //!
-//! The structure says which equation mentions which unknown; that equations repeat one another only shows in their values. The
-//! rank of Φ_q is determined at poses in which the equations hold, near the drawing and off it along whatever can move, and what
-//! is found in all of them is taken for a property of the mechanism. One pose of full rank settles that there is none.
-//! Deliberately unknown here: messages, and how equations are solved.
+//! The structure gives the unknowns of each equation; only values show that equations repeat one another. The rank of Φ_q is
+//! determined at poses in which the equations hold, near the design configuration and off it along free motions. Properties that
+//! all these poses share count as properties of the mechanism. One pose of full rank excludes repetition.
 
 mod arms;
 mod blocks;
@@ -21,11 +20,10 @@ pub(super) use marks::{misfit, shared_line};
 pub use motion::{FreeMotion, Moves};
 pub use survey::{Dependence, Survey};
 
-/// Above this many coordinates equations are only looked at block by block.
+/// Largest number of coordinates with a rank of all equations; larger systems are judged block by block.
 pub const LARGEST_SURVEY: usize = 150;
 
-/// A matrix with rows and columns of comparable size, by which neither rank nor dependence changes; and the factor of each
-/// column.
+/// Balances rows and columns of a matrix, which preserves rank and dependence. Returns the factor of each column too.
 fn balanced(mut rows: Vec<Vec<f64>>) -> (Vec<Vec<f64>>, Vec<f64>) {
     let columns = rows.first().map_or(0, Vec::len);
     let mut factors = vec![1.0; columns];

@@ -1,8 +1,8 @@
-//! The null space of Φ_q → what a person would see moving.
+//! Describes the null space of Φ_q as free motions of bodies.
 //!
-//! Each free motion leaves as much at rest as can be: its coordinates are a smallest dependent set of columns. Angles are looked at
-//! last, and later bodies before earlier ones, so that a motion turns one body against the others wherever it can. A motion about a point is told by the instantaneous
-//! centre of rotation; its name counts only where it is the centre in every pose.
+//! Each free motion leaves as many coordinates as possible at rest: its coordinates are a smallest dependent set of columns.
+//! Angles come last, and later bodies before earlier ones, so that a motion rotates a single body if possible. A rotation is
+//! described by the instantaneous center of rotation, which is named only if it is the center in every pose.
 
 use std::cmp::Reverse;
 
@@ -16,57 +16,57 @@ use crate::joint::Quantity;
 use crate::joint::geometry::Vector;
 use crate::system::{Described, System};
 
-/// How exactly a centre or a direction must be met, in characteristic lengths.
+/// Tolerance of a center or a direction, in characteristic lengths.
 const MET: f64 = 1e-6;
 
-/// One independent motion that the equations allow, at an instant.
+/// Independent motion that the equations allow at an instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FreeMotion {
-    /// The body that leads it: an index into the mechanism's bodies. `None` where only a contact moves along its curve.
+    /// Body that leads the motion: an index into the mechanism's bodies. `None` if only a contact moves along its curve.
     pub leader: Option<usize>,
-    /// How the leader moves.
+    /// Motion of the leader.
     pub moves: Moves,
-    /// The other bodies that move with it, in written order.
+    /// Other bodies that move with the leader, in written order.
     pub others: Vec<usize>,
 }
 
-/// How a body moves at an instant.
+/// Instantaneous motion of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Moves {
-    /// It turns about this point of its own.
+    /// Rotation about this point of the body.
     About(String),
-    /// It turns about its origin.
+    /// Rotation about its origin.
     AboutOrigin,
-    /// It turns about a point without a name.
+    /// Rotation about a point without a name.
     Turning,
-    /// It slides along the line of a joint, as the joint names it.
+    /// Translation along the line of a joint, named as by the joint.
     Along(String),
-    /// It moves in this direction without turning, a unit vector in the drawing.
+    /// Translation in this direction, a unit vector in the design configuration.
     Toward([f64; 2]),
-    /// It slides along the curve of this joint: an index into the mechanism's joints.
+    /// Motion along the curve of this joint: an index into the mechanism's joints.
     Contact(usize),
 }
 
-/// A motion of the whole mechanism: rates of all coordinates, in their units.
+/// Motion of the whole mechanism: rates of all coordinates, in their units.
 type Rates = Vec<f64>;
 
-/// What can move in all of these poses.
+/// Returns the motions that all of these poses allow.
 pub(super) fn free_motions(
     system: &System,
     functions: &Functions<'_>,
     poses: &[Pose],
 ) -> Vec<FreeMotion> {
-    let found: Vec<Vec<(usize, Rates)>> = poses
+    let null_spaces: Vec<Vec<(usize, Rates)>> = poses
         .iter()
         .map(|pose| null_vectors(system, functions, pose))
         .collect();
-    let Some(first) = found.first() else {
+    let Some(first) = null_spaces.first() else {
         return Vec::new();
     };
-    // Poses in which other coordinates are free say nothing about these motions.
+    // Poses with other free coordinates do not apply to these motions.
     let alike: Vec<(&Pose, &Vec<(usize, Rates)>)> = poses
         .iter()
-        .zip(&found)
+        .zip(&null_spaces)
         .filter(|(_, own)| {
             let columns = own.iter().map(|motion| motion.0);
             columns.eq(first.iter().map(|motion| motion.0))
@@ -82,8 +82,8 @@ pub(super) fn free_motions(
     described.collect()
 }
 
-/// The point of its own about which a body turns in the only motion that these poses allow, in which another body rests; `None` where
-/// there are more motions, or where the body moves otherwise.
+/// Returns the point about which a body rotates in the only motion of these poses, while another body rests. `None` if there are
+/// several motions, or if the body moves otherwise.
 pub(super) fn pivot(
     system: &System,
     functions: &Functions<'_>,
@@ -121,18 +121,18 @@ pub(super) fn pivot(
     }
 }
 
-/// For each free coordinate the motion in which it has the rate of its scale and every other free one rests.
+/// Returns, for each free coordinate, the motion in which this coordinate has the rate of its scale and the other free ones rest.
 fn null_vectors(system: &System, functions: &Functions<'_>, pose: &Pose) -> Vec<(usize, Rates)> {
     let (rows, factors) = balanced(functions.jacobian(pose));
     let columns = functions.columns.len();
     let mut order: Vec<usize> = (0..columns).collect();
     order.sort_by_key(|&at| {
-        let own = &system.coordinates[at];
-        let is_angle = own.quantity == Quantity::Angle;
-        (own.describes.body().is_none(), is_angle, Reverse(at))
+        let coordinate = &system.coordinates[at];
+        let is_angle = coordinate.quantity == Quantity::Angle;
+        (coordinate.describes.body().is_none(), is_angle, Reverse(at))
     });
     let mut basis = Basis::default();
-    let mut found = Vec::new();
+    let mut motions = Vec::new();
     for at in order {
         let column: Vec<f64> = rows.iter().map(|row| row[at]).collect();
         if let Err(parts) = basis.take(at, &column) {
@@ -144,19 +144,19 @@ fn null_vectors(system: &System, functions: &Functions<'_>, pose: &Pose) -> Vec<
             for (column, rate) in rates.iter_mut().enumerate() {
                 *rate *= functions.column_scale(column);
             }
-            found.push((at, rates));
+            motions.push((at, rates));
         }
     }
-    found.sort_by_key(|motion| motion.0);
-    found
+    motions.sort_by_key(|motion| motion.0);
+    motions
 }
 
-/// x, y and φ of a body, and their rates.
+/// Returns x, y and φ of a body, and their rates.
 fn of_body(system: &System, body: usize, instant: (&Pose, &Rates)) -> [[f64; 2]; 3] {
     let (pose, rates) = instant;
     std::array::from_fn(|axis| {
-        let own = &system.mechanism.bodies[body];
-        match own.coordinates[axis] {
+        let declared = &system.mechanism.bodies[body];
+        match declared.coordinates[axis] {
             Some(it) => [pose.symbols[it.symbol.index()], rates[it.place]],
             None => [0.0; 2],
         }
@@ -181,7 +181,7 @@ fn described(system: &System, instants: &[(&Pose, &Rates)]) -> FreeMotion {
         .iter()
         .map(|&body| movement(system, body, instants))
         .collect();
-    // The body that a person would take hold of: one that turns about a pin, then one that slides on a line.
+    // A body that turns about a pin leads before a body that slides on a line.
     let rank = |moves: &Moves| match moves {
         Moves::About(_) => 0,
         Moves::Along(_) => 1,
@@ -263,7 +263,7 @@ fn movement(system: &System, body: usize, instants: &[(&Pose, &Rates)]) -> Moves
     }
 }
 
-/// A vector in a pose.
+/// Returns the value of a vector in a pose.
 fn values(system: &System, vector: Vector, pose: &Pose) -> [f64; 2] {
     let mut values = [0.0; 2];
     Tape::new(&system.mechanism.graph, &vector).evaluate(

@@ -1,16 +1,16 @@
-//! Rows and a pose near by → a pose in which they hold.
+//! Finds a pose near a given one in which rows hold.
 //!
-//! Levenberg and Marquardt, with a damping that shrinks with the residual: it converges quadratically also where the solutions
-//! are not isolated or the rows repeat one another (Yamashita and Fukushima, On the rate of convergence of the Levenberg-Marquardt
-//! method, Computing Suppl. 15 (2001)). Where the rows cannot hold, the pose is one in which they miss the least near by.
+//! Levenberg-Marquardt steps have a damping that decreases with the residual. They converge quadratically even if solutions are
+//! not isolated or rows repeat one another (Yamashita and Fukushima, On the rate of convergence of the Levenberg-Marquardt
+//! method, Computing Suppl. 15 (2001)). For inconsistent rows, the pose is a local minimum of the residual.
 
 use super::functions::{Functions, Pose, spread};
 use super::independence::norm;
 use super::least_squares::damped;
 use crate::system::System;
 
-/// At which times the poses are, in s, and how far the drivers and the estimates are off the drawing in each. The first is the
-/// drawing itself; the others are as far off as its accuracy forgives, and in no ratio to one another.
+/// Times of the poses, in s, and distances of drivers and estimates from the design configuration. The first pose is the design
+/// configuration itself. The others are within its accuracy, and their distances have no simple ratio.
 const POSES: [(f64, f64); 6] = [
     (0.0, 0.0),
     (0.0, 0.031),
@@ -20,30 +20,30 @@ const POSES: [(f64, f64); 6] = [
     (0.0, 0.173),
 ];
 
-/// How many poses are tried.
+/// Number of poses.
 pub(super) const COUNT: usize = POSES.len();
 
-/// How far a residual may be off, in characteristic lengths or rad, where the rows hold.
+/// Largest residual of rows that hold, in characteristic lengths or rad.
 pub(super) const HOLDS: f64 = 1e-9;
 
-/// The most steps of one search.
+/// Largest number of steps of a search.
 const STEPS: usize = 60;
 
-/// The smallest size of a row that is measured by it.
+/// Smallest magnitude of a row by which the row is scaled.
 const SMALLEST_ROW: f64 = 1e-6;
 
-/// A residual, or a step, below this is rounding: no search goes on.
+/// Largest residual or step that counts as rounding and ends a search.
 const ROUNDING: f64 = 1e-15;
 
-/// The damping at first, at least and at most, relative to the residual.
+/// Damping at first, relative to the residual.
 const FIRST_DAMPING: f64 = 1e-3;
 const LEAST_DAMPING: f64 = 1e-6;
 const LARGEST_DAMPING: f64 = 1e6;
 
-/// The longest step, in characteristic lengths or rad: a longer one leads to another assembly.
+/// Longest step, in characteristic lengths or rad: a longer one leads to another assembly.
 const LONGEST_STEP: f64 = 0.5;
 
-/// Where the search for the pose with this number starts.
+/// Returns the start of the search for the pose with this number.
 pub(super) fn start(system: &System, number: usize) -> Pose {
     let (time, off) = POSES[number % COUNT];
     let graph = &system.mechanism.graph;
@@ -67,7 +67,7 @@ pub(super) fn start(system: &System, number: usize) -> Pose {
     }
 }
 
-/// Looks for a pose in which the rows hold, and says how far they are off there: the largest dimensionless residual.
+/// Searches a pose in which the rows hold, and returns the largest dimensionless residual there.
 pub(super) fn project(functions: &Functions<'_>, pose: &mut Pose) -> f64 {
     let mut residuals = functions.residuals(pose);
     let weights: Vec<f64> = functions
@@ -102,10 +102,10 @@ pub(super) fn project(functions: &Functions<'_>, pose: &mut Pose) -> f64 {
             step.iter_mut().for_each(|by| *by *= LONGEST_STEP / length);
         }
         functions.place(pose, &coordinates, &step);
-        let found = functions.residuals(pose);
-        let next_size = norm(&weighted(&found));
+        let trial_residuals = functions.residuals(pose);
+        let next_size = norm(&weighted(&trial_residuals));
         if next_size < size {
-            (residuals, size) = (found, next_size);
+            (residuals, size) = (trial_residuals, next_size);
             coordinates = functions.coordinates(pose);
             factor = (factor * 0.1).max(LEAST_DAMPING);
             continue;

@@ -1,4 +1,4 @@
-//! A system of any shape → which equations depend on one another, and what can still move.
+//! Surveys a system of any shape: equations that depend on one another, and free motions.
 
 use super::functions::{Functions, Pose};
 use super::independence::Basis;
@@ -7,31 +7,32 @@ use super::{LARGEST_SURVEY, balanced, pose};
 use crate::model::Role;
 use crate::system::System;
 
-/// An equation that repeats others.
+/// Equation that repeats others.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Dependence {
-    /// The equation: an index into the rows and then the monitored rows of the system.
+    /// Equation: an index into the rows and then the monitored rows of the system.
     pub row: usize,
-    /// The equations that it repeats, ascending: without any of them it would say something. Empty where it says nothing by itself.
+    /// Equations that it repeats, ascending; without any one of them, it would be independent. Empty if it states nothing by
+    /// itself.
     pub repeats: Vec<usize>,
 }
 
-/// What the equations determine, near the drawing.
+/// Rank and free motions of a system near its design configuration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Survey {
-    /// KDOF: the coordinates less the independent equations of joints.
+    /// KDOF: the number of coordinates less that of independent joint equations.
     pub kinematic: usize,
-    /// NDOF: the coordinates less all independent equations.
+    /// NDOF: the number of coordinates less that of all independent equations.
     pub net: usize,
-    /// The equations that repeat others: those of joints first, in written order, then those of drivers.
+    /// Equations that repeat others: those of joints first, in written order, then those of drivers.
     pub dependences: Vec<Dependence>,
-    /// What can still move, as many as NDOF.
+    /// Free motions, as many as NDOF.
     pub motions: Vec<FreeMotion>,
 }
 
 impl Survey {
-    /// Looks at all rows of a system, the monitored ones included. `None` where the system is too large, or where no two poses
-    /// are found in which the equations hold.
+    /// Surveys all rows of a system, including monitored ones. `None` if the system is too large, or if fewer than two consistent
+    /// poses are found.
     pub fn of(system: &System) -> Option<Survey> {
         if system.coordinates.len() > LARGEST_SURVEY {
             return None;
@@ -66,7 +67,7 @@ impl Survey {
                     of_joints += 1;
                 }
             }
-            // The rank of a mechanism is the largest of any pose; elsewhere it is in a dead centre.
+            // The rank of a mechanism is its largest rank in any pose; a smaller one occurs in dead centers.
             kinematic = kinematic.min(coordinates - of_joints);
             net = net.min(coordinates - basis.rank());
             let fewer = dependences
@@ -97,7 +98,7 @@ impl Survey {
     }
 }
 
-/// Adds what a second pose shows: a part that vanishes by accident in one of them does not in the other.
+/// Merges the dependences of a second pose: a factor that vanishes by accident in one pose does not in the other.
 fn join(found: &mut [Dependence], here: &[Dependence]) {
     for (found, here) in found.iter_mut().zip(here) {
         if found.row == here.row {
@@ -108,24 +109,29 @@ fn join(found: &mut [Dependence], here: &[Dependence]) {
     }
 }
 
-/// All rows: those of joints in written order, then those of joints marked `redundant`, then those of drivers. What comes
-/// later repeats what comes earlier.
+/// Returns all rows: those of joints in written order, then those of joints marked `redundant`, then those of drivers. Later rows
+/// repeat earlier ones.
 pub(super) fn all_rows(system: &System) -> Vec<usize> {
     let mut rows: Vec<usize> = (0..system.rows.len() + system.monitored.len()).collect();
     rows.sort_by_key(|&at| {
         let joint = system.row(at).joint;
-        let own = &system.mechanism.joints[joint];
-        (own.role == Role::Driver, own.redundant.is_some(), joint, at)
+        let declared = &system.mechanism.joints[joint];
+        (
+            declared.role == Role::Driver,
+            declared.redundant.is_some(),
+            joint,
+            at,
+        )
     });
     rows
 }
 
-/// The functions of some rows by all coordinates.
+/// Selects rows with all coordinates.
 pub(super) fn whole(system: &System, rows: Vec<usize>) -> Functions<'_> {
     Functions::new(system, rows, (0..system.coordinates.len()).collect())
 }
 
-/// The poses in which the rows hold.
+/// Returns the poses in which the rows hold.
 pub(super) fn poses(system: &System, functions: &Functions<'_>) -> Vec<Pose> {
     (0..pose::COUNT)
         .filter_map(|number| {

@@ -1,25 +1,25 @@
-//! Ranks against counts by hand.
+//! Checks ranks against counts by hand.
 
 use super::{FreeMotion, Moves, Survey, released};
 use crate::diagnostic::{Diagnostics, Source};
 use crate::model::Naming;
 use crate::system::System;
 
-/// Names as they are.
+/// Naming without changes.
 const ANY: Naming = Naming {
     mechanism: |_| None,
     motion: |_| None,
     apart: |name, _| name.to_string(),
 };
 
-/// The equations of the statements in a mechanism.
+/// Assembles the equations of a mechanism's statements.
 fn system(statements: &str) -> System {
     let source = Source::new("case.mech", format!("mechanism case {{\n{statements}\n}}"));
-    let mut found = Diagnostics::new();
-    let document = linkwright_description::syntax::parse(&source, &mut found);
+    let mut diagnostics = Diagnostics::new();
+    let document = linkwright_description::syntax::parse(&source, &mut diagnostics);
     let mechanisms =
-        document.and_then(|document| crate::model::resolve(&document, &ANY, &mut found));
-    assert!(!found.has_errors(), "{}", found.render(&source));
+        document.and_then(|document| crate::model::resolve(&document, &ANY, &mut diagnostics));
+    assert!(!diagnostics.has_errors(), "{}", diagnostics.render(&source));
     let mechanism = mechanisms.and_then(|mut all| all.pop());
     released(mechanism.expect("a mechanism"))
 }
@@ -41,18 +41,18 @@ fn survey(statements: &str) -> Survey {
     Survey::of(&system(statements)).expect("poses")
 }
 
-/// Twelve coordinates, twelve equations of pins: by Grübler nothing moves, and yet it does.
+/// Has twelve coordinates and twelve pin equations: immobile by Grübler's count, and yet it moves.
 #[test]
 fn a_parallelogram_with_three_cranks_moves_although_grubler_forbids_it() {
-    let found = survey(&format!("{PARALLELOGRAM} revolute M(3, 4);"));
-    assert_eq!((found.kinematic, found.net), (1, 1));
-    assert_eq!(found.dependences.len(), 1);
-    // All pins say something; the last row repeats x and y of all the others.
-    assert_eq!(found.dependences[0].row, 11);
-    assert_eq!(found.dependences[0].repeats, (0..11).collect::<Vec<_>>());
+    let result = survey(&format!("{PARALLELOGRAM} revolute M(3, 4);"));
+    assert_eq!((result.kinematic, result.net), (1, 1));
+    assert_eq!(result.dependences.len(), 1);
+    // All pin equations matter; the last row repeats x and y of all others.
+    assert_eq!(result.dependences[0].row, 11);
+    assert_eq!(result.dependences[0].repeats, (0..11).collect::<Vec<_>>());
     let about = Moves::About("A".to_string());
     assert_eq!(
-        found.motions,
+        result.motions,
         [FreeMotion {
             leader: Some(1),
             moves: about,
@@ -63,54 +63,54 @@ fn a_parallelogram_with_three_cranks_moves_although_grubler_forbids_it() {
 
 #[test]
 fn a_driven_parallelogram_with_a_third_crank_is_determined() {
-    let found = survey(&format!(
+    let result = survey(&format!(
         "{PARALLELOGRAM} redundant revolute M(3, 4); drive phi(1) = t;"
     ));
-    assert_eq!((found.kinematic, found.net), (1, 0));
-    assert_eq!((found.dependences.len(), found.motions.len()), (1, 0));
+    assert_eq!((result.kinematic, result.net), (1, 0));
+    assert_eq!((result.dependences.len(), result.motions.len()), (1, 0));
 }
 
-/// A third crank of another length: twelve independent equations hold all of it.
+/// Has a third crank of another length: twelve independent equations fix all coordinates.
 #[test]
 fn a_crank_of_another_length_holds_the_parallelogram() {
     let statements = PARALLELOGRAM.replace("C = (2, 0)", "C = (2.1, -0.1)");
-    let found = survey(&format!("{statements} revolute M(3, 4);"));
-    assert_eq!((found.kinematic, found.net), (0, 0));
-    assert_eq!(found.dependences, []);
+    let result = survey(&format!("{statements} revolute M(3, 4);"));
+    assert_eq!((result.kinematic, result.net), (0, 0));
+    assert_eq!(result.dependences, []);
 }
 
-/// Three equations of two sliders each repeat: of the second one the angle, and its place across the same line.
+/// Has two sliders of three equations, which repeat the second slider's angle and its position across the line.
 #[test]
 fn a_body_between_parallel_sliders_repeats_both_equations() {
-    let found = survey(
+    let result = survey(
         "point P = (0, 0), Q = (1, 0), R = (0, 1), S = (1, 1);
          body 1 at P { Q, S }
          translational (ground, 1) along P -> Q;
          translational (ground, 1) along R -> S;",
     );
-    assert_eq!((found.kinematic, found.net), (1, 1));
-    let pairs: Vec<_> = found
+    assert_eq!((result.kinematic, result.net), (1, 1));
+    let pairs: Vec<_> = result
         .dependences
         .iter()
         .map(|it| (it.row, it.repeats.clone()))
         .collect();
     assert_eq!(pairs[0], (2, vec![0]));
     assert_eq!(pairs[1].0, 3);
-    assert_eq!(found.motions[0].moves, Moves::Along("P -> Q".to_string()));
+    assert_eq!(result.motions[0].moves, Moves::Along("P -> Q".to_string()));
 }
 
 #[test]
 fn a_pendulum_on_a_slider_has_two_motions() {
-    let found = survey(
+    let result = survey(
         "point P = (0, 0), Q = (1, 0), E = (1, -1);
          body c at Q { Q }
          body d at Q { Q, E }
          translational (ground, c) along P -> Q;
          revolute Q(c, d);",
     );
-    assert_eq!((found.kinematic, found.net), (2, 2));
+    assert_eq!((result.kinematic, result.net), (2, 2));
     assert_eq!(
-        found.motions,
+        result.motions,
         [
             FreeMotion {
                 leader: Some(1),
@@ -136,6 +136,6 @@ fn a_marked_joint_keeps_the_rows_that_determine_something() {
     };
     assert_eq!(names(&system.monitored).len(), 1);
     assert_eq!(system.rows.len(), system.coordinates.len());
-    // The third crank turns about its other pin, so that its angle follows from the row across it alike in every pose.
+    // The third crank rotates about its other pin, so the row across it determines its angle equally in every pose.
     assert_eq!(names(&system.monitored), ["m_along"]);
 }

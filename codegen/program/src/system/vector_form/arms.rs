@@ -1,4 +1,5 @@
-//! A local vector and the angle that turns it → an *arm*: a pair of symbols, made once, with the rates that turning gives it.
+//! Makes rotated local vectors (*arms*): pairs of symbols, one pair per vector and angle, with the rates that rotation gives
+//! them.
 
 use super::VectorForm;
 use crate::expr::{ExprId, Graph, SymbolId};
@@ -7,21 +8,21 @@ use crate::joint::geometry::{BodyFrame, Mark, Vector, turned};
 use crate::model::Body;
 use crate::system::SymbolRole;
 
-/// A local vector turned with a body or a link: a = R(φ) s.
+/// Local vector that rotates with a body or a link: a = R(φ) s.
 #[derive(Clone, Debug)]
 pub struct Arm {
-    /// The unknown angle that turns it: that of a body that is no follower, or of a link without a body.
+    /// Unknown angle that rotates the vector: that of a leading body, or of a link without a body.
     pub angle: usize,
-    /// s in the orientation of that angle.
+    /// Vector s in the orientation of that angle.
     pub local: Vector,
-    /// a.
+    /// Components of a.
     pub symbols: [SymbolId; 2],
-    /// What it is called: `g_c3`.
+    /// Name in generated code: `g_c3`.
     pub name: String,
 }
 
 impl VectorForm {
-    /// The arm R(φ) s of a local vector in the orientation of the unknown `angle`; a zero vector stays zero.
+    /// Returns R(φ) s of a local vector in the orientation of the unknown `angle`; a zero vector stays zero.
     pub fn arm(&mut self, angle: usize, local: Vector, name: &str, graph: &mut Graph) -> Vector {
         let zero = graph.zero();
         if local == [zero, zero] {
@@ -39,7 +40,7 @@ impl VectorForm {
                     .iter()
                     .any(|axis| names.contains(&format!("{name}_{axis}")))
         };
-        // The symbols are told apart by these names, so no two arms may share one.
+        // These names distinguish the symbols, so two arms never share a name.
         let base = (self.naming.apart)(name, "point");
         let mut name = base.clone();
         let mut number = self.name_numbers.get(&base).copied().unwrap_or(2);
@@ -69,7 +70,7 @@ impl VectorForm {
         [x, y]
     }
 
-    /// The operands with symbols for all turned vectors.
+    /// Returns the operands with symbols for all rotated vectors.
     pub(in crate::system) fn with_arms(
         &mut self,
         operands: &Resolved,
@@ -124,7 +125,7 @@ impl VectorForm {
         Mark { arm, ..*mark }
     }
 
-    /// R s as an arm of the leader, or a constant vector on a body that does not turn.
+    /// Returns R s as an arm of the leader, or a constant vector on a body that does not rotate.
     pub(super) fn turned(
         &mut self,
         frame: &BodyFrame,
@@ -145,7 +146,7 @@ impl VectorForm {
         }
     }
 
-    /// An expression with its arms written out as sines and cosines of the angles that turn them.
+    /// Returns an expression with its arms expanded as sines and cosines of their angles.
     pub fn written_out(&self, expr: ExprId, graph: &mut Graph) -> ExprId {
         let mut replacements = Vec::new();
         for place in self.arms_mentioned(expr, graph) {
@@ -158,12 +159,12 @@ impl VectorForm {
         graph.substitute(expr, &replacements)
     }
 
-    /// The place of the arm that this angle makes of a local vector.
+    /// Returns the index of the arm of a local vector and an angle; `None` if there is none.
     pub(in crate::system) fn place_of_arm(&self, angle: usize, local: Vector) -> Option<usize> {
         self.arm_places.get(&(angle, local)).copied()
     }
 
-    /// The place of the arm among all that a symbol is a component of.
+    /// Returns the index of the arm that has a symbol as component; `None` if there is none.
     pub fn place_of_symbol(&self, symbol: SymbolId) -> Option<usize> {
         match self.roles.get(&symbol) {
             Some(&SymbolRole::Arm(place)) => Some(place),
@@ -171,13 +172,13 @@ impl VectorForm {
         }
     }
 
-    /// The arms that turn with the angle `unknown`.
+    /// Returns the arms that rotate with the angle `unknown`.
     pub fn arms_of(&self, unknown: usize) -> impl Iterator<Item = &Arm> {
         let places = self.arms_of.get(&unknown).into_iter().flatten();
         places.map(|&place| &self.arms[place])
     }
 
-    /// The places of the arms that an expression mentions: ascending.
+    /// Returns the indices of the arms that an expression mentions, ascending.
     pub(in crate::system) fn arms_mentioned(&self, expr: ExprId, graph: &Graph) -> Vec<usize> {
         let symbols = graph.symbols(expr).iter();
         let mut places: Vec<usize> = symbols

@@ -1,4 +1,4 @@
-//! The joints of a mechanism → the rows of the vector form, and its unknowns.
+//! Makes the rows and the unknowns of the vector form from the joints of a mechanism.
 
 use std::collections::HashMap;
 use std::f64::consts::TAU;
@@ -13,10 +13,10 @@ use crate::system::mark_names::MarkNames;
 use crate::system::orientation::Orientations;
 use crate::system::{Settled, SymbolRole, Unknown};
 
-/// The largest distance of a driven angle from the drawn one that decides no assembly mode, in rad.
-const AS_DRAWN: f64 = 1e-3;
+/// Largest distance between a driven angle and its design value at which the assembly mode is sure, in rad.
+const DESIGN_TOLERANCE: f64 = 1e-3;
 
-/// Returns true if the angles of the drawing satisfy a row except for whole turns, or if something else has a part in it.
+/// True if the design angles satisfy a row except for whole turns, or if the row has other unknowns.
 fn is_drawn(row: &Row, bodies: &[Body], graph: &mut Graph) -> bool {
     let angles = bodies.iter().filter_map(|body| {
         let [_, _, angle] = body.coordinates;
@@ -26,13 +26,13 @@ fn is_drawn(row: &Row, bodies: &[Body], graph: &mut Graph) -> bool {
     let missed = graph.substitute(row.residual, &angles);
     graph.constant_value(missed).is_none_or(|missed| {
         let turns = missed / TAU;
-        (turns - turns.round()).abs() * TAU <= AS_DRAWN
+        (turns - turns.round()).abs() * TAU <= DESIGN_TOLERANCE
     })
 }
 
 impl VectorForm {
-    /// The vector form of every joint, with the drawn values of the auxiliary unknowns; `dropped` says of each joint which of
-    /// the textbook's rows are not solved.
+    /// Makes the vector form of every joint, with the design values of auxiliary unknowns. `dropped` is true for each textbook
+    /// row of a joint that is not solved.
     pub(in crate::system) fn new(
         mechanism: &mut Mechanism,
         coordinates: &[Unknown],
@@ -68,7 +68,7 @@ impl VectorForm {
             mark_names: MarkNames::new(&mechanism.bodies, &mechanism.points),
         };
         form.rates.extend(mechanism.explicit_rates());
-        // Which angles are tied must be known before the first arm is made.
+        // Ties of angles must be known before the first arm is made.
         form.tie_angles(mechanism, dropped);
         let Mechanism {
             graph,
@@ -106,7 +106,7 @@ impl VectorForm {
         form
     }
 
-    /// Ties the angles of bodies that the joints hold at a constant difference.
+    /// Ties the angles of bodies that joints keep at a constant difference.
     fn tie_angles(&mut self, mechanism: &mut Mechanism, dropped: &[Vec<bool>]) {
         let moved = !mechanism.transmissions.is_empty() || mechanism.forces.need_multipliers();
         let Mechanism {
@@ -121,7 +121,7 @@ impl VectorForm {
         });
         let angles: HashMap<SymbolId, usize> = angles.collect();
         for (joint, dropped) in joints.iter().zip(dropped) {
-            // A driver that holds an angle as it is drawn ties it, unless its value is to be moved.
+            // A driver that keeps an angle at its design value ties the angle, unless the driver's value is to be shifted.
             let is_driver = joint.role == Role::Driver;
             if moved && is_driver {
                 continue;
@@ -136,7 +136,7 @@ impl VectorForm {
         self.orientations.write().settle(graph);
     }
 
-    /// States the rates of the unknowns, and the rates of these.
+    /// Records the rates of the unknowns and the rates of these rates.
     fn note_rates(&mut self, graph: &mut Graph) {
         for unknown in &self.unknowns {
             let (rate, acceleration) = (
@@ -148,7 +148,7 @@ impl VectorForm {
         }
     }
 
-    /// Adds a symbol that does not depend on time to the value of a driver, a joint of the mechanism.
+    /// Adds a constant symbol to the value of a driver, given by its joint.
     pub(in crate::system) fn shift_driver(
         &mut self,
         joint: usize,
@@ -171,19 +171,19 @@ impl VectorForm {
             value: Some(graph.add(value, delta)),
             ..self.with_arms(operands, bodies, graph)
         };
-        let own = self
+        let rows = self
             .rows
             .write()
             .iter_mut()
             .filter(|row| row.joint == joint);
-        for (row, shifted) in own.zip(kind.vector_rows(&shifted, graph)) {
+        for (row, shifted) in rows.zip(kind.vector_rows(&shifted, graph)) {
             row.residual = shifted.residual;
         }
     }
 }
 
-/// The rows of the vector form of a joint. Where one of the textbook's rows is not solved, the textbook's others: they need no
-/// auxiliary unknown, whose equations would not be as many.
+/// Returns a joint's rows of the vector form. If a textbook row of the joint is not solved, returns its other textbook rows:
+/// those need no auxiliary unknowns, whose number would not match.
 pub(in crate::system) fn kept_rows(
     kind: &dyn Kind,
     operands: &Resolved,

@@ -1,4 +1,4 @@
-//! Unknowns that were found → everything that a torn block says of them at the end, and the fields that keep it.
+//! States the final results of a torn block from its unknowns, and the fields that keep them.
 
 use super::Torn;
 use super::functions::is_angle;
@@ -8,7 +8,7 @@ use crate::program::builder::Builder;
 use crate::program::function::Level;
 use crate::program::tearing::{self, Tearing};
 
-/// What is found at each instant beside the unknowns.
+/// States the values of each instant besides the unknowns, and returns their fields.
 pub(super) fn found(
     torn: &Torn,
     tearing: &Tearing,
@@ -39,8 +39,8 @@ pub(super) fn found(
     }
 }
 
-/// Of each unknown its cosine, or itself where it is a length; then their sines, rates and accelerations; then all residuals; then how
-/// the unknowns respond to the tears, in scales.
+/// Returns the cosine of each unknown, or the unknown itself if it is a length; then their sines, rates and accelerations; then
+/// all residuals; then the responses of the unknowns to the tearing variables, in scales.
 pub(super) fn completed(
     torn: &Torn,
     places: &[usize],
@@ -78,7 +78,7 @@ pub(super) fn completed(
         block.scaled_by[1].scale(quantity)
     };
     for (&place, &tear) in places.iter().zip(&torn.sequence.tears) {
-        let own = scale(tear, builder);
+        let tear_scale = scale(tear, builder);
         for &unknown in unknowns
             .iter()
             .filter(|&it| !torn.sequence.tears.contains(it))
@@ -86,7 +86,7 @@ pub(super) fn completed(
             let response = builder
                 .derivatives
                 .of_unknown(unknown, place, builder.system);
-            let factor = own / scale(unknown, builder);
+            let factor = tear_scale / scale(unknown, builder);
             results.push(match factor == 1.0 {
                 true => response,
                 false => builder.graph().scale(Number::float(factor), response),

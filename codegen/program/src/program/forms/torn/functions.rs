@@ -1,4 +1,4 @@
-//! A sequence of closed forms → the functions of its tears: what remains, its derivative, and everything at the end.
+//! Makes the functions of tearing variables: tearing residuals, their derivatives, and the final results.
 
 use std::collections::HashSet;
 
@@ -20,7 +20,7 @@ pub(super) fn is_angle(unknown: usize, builder: &Builder<'_>) -> bool {
     builder.system.vector_form.unknowns[unknown].quantity == Quantity::Angle
 }
 
-/// The functions; `None` where the drawing does not say which sign a closed form has.
+/// Returns the functions; `None` if the design configuration does not decide the sign of a closed form.
 pub(super) fn tearing(
     torn: &Torn,
     block: &NewtonBlock,
@@ -67,8 +67,8 @@ fn stated(
     let (scales, terms) = scales(torn, &steps, block, builder);
     let proof = proof(torn, &rests, statements, builder);
     let place = |tear| {
-        let own = torn.whole.unknowns.iter();
-        own.clone().position(|unknown| unknown == tear)
+        let unknowns = torn.whole.unknowns.iter();
+        unknowns.clone().position(|unknown| unknown == tear)
     };
     let signs = builder.inside.as_ref().map(|inside| &inside.signs);
     let others = torn.whole.unknowns.iter();
@@ -88,7 +88,7 @@ fn stated(
     })
 }
 
-/// What poses are proven with. Where three circles find everything, that can be said without their determinant.
+/// Returns the functions that prove poses. If three circles give everything, their determinant is not needed.
 fn proof(
     torn: &Torn,
     rests: &[Rest],
@@ -107,7 +107,7 @@ fn proof(
             turned: Vec::new(),
         };
     }
-    // A link between two pins is turned to one from the other, however far apart they are.
+    // A link between two pins is rotated to point from one to the other, whatever their distance.
     let closed = sequence.steps.iter().filter_map(|step| match step {
         Step::Closed(form) => Some(form.unknowns()),
         _ => None,
@@ -129,7 +129,7 @@ fn proof(
     }
 }
 
-/// The steps with their positions stated, and what has the signs of closed forms among them.
+/// States the positions of all steps, and returns the values with the signs of their closed forms.
 fn positions(torn: &Torn, builder: &mut Builder<'_>) -> Option<(Vec<Stated>, Vec<ExprId>)> {
     for &tear in &torn.sequence.tears {
         if is_angle(tear, builder) {
@@ -151,7 +151,7 @@ fn positions(torn: &Torn, builder: &mut Builder<'_>) -> Option<(Vec<Stated>, Vec
     Some((steps, sign_values))
 }
 
-/// Whether these statements and results read the position of an unknown that nothing has found.
+/// True if these statements and results read the position of an unsolved unknown.
 fn reads_unfound<'a>(
     torn: &Torn,
     statements: impl Iterator<Item = &'a Statement> + Clone,
@@ -159,7 +159,7 @@ fn reads_unfound<'a>(
     system: &System,
 ) -> bool {
     let graph = &system.mechanism.graph;
-    let found: HashSet<SymbolId> = statements.clone().flat_map(Statement::targets).collect();
+    let targets: HashSet<SymbolId> = statements.clone().flat_map(Statement::targets).collect();
     let mut read = statements.flat_map(Statement::values).chain(results);
     let is_missing = |symbol: &SymbolId| {
         let unknown = match system.roles[symbol.index()] {
@@ -168,13 +168,13 @@ fn reads_unfound<'a>(
         };
         torn.whole.unknowns.contains(&unknown)
             && !torn.sequence.tears.contains(&unknown)
-            && !found.contains(symbol)
+            && !targets.contains(symbol)
     };
     read.any(|expr| graph.symbols(expr).iter().any(is_missing))
 }
 
-/// Of what remains, which of the block's equations it is and what its residual is multiplied by to be scaled as that equation; and the size
-/// of its terms in the drawing, at least 1.
+/// Returns, for each tearing residual, the index of its equation and the factor to the scale of that equation; and the magnitude
+/// of its terms in the design configuration, at least 1.
 fn scales(
     torn: &Torn,
     steps: &[Stated],
@@ -207,7 +207,7 @@ fn scales(
     (scales, terms.collect())
 }
 
-/// The sum of the magnitudes of a sum's terms in the drawing.
+/// Returns the sum of the magnitudes of a sum's terms in the design configuration.
 fn magnitude(sum: ExprId, system: &System) -> f64 {
     let graph = &system.mechanism.graph;
     match graph.node(sum) {
@@ -221,8 +221,8 @@ fn magnitude(sum: ExprId, system: &System) -> f64 {
     }
 }
 
-/// What has the sign of a closed form that has just been stated, in terms of unknowns, where it has one. `None` where the drawing does
-/// not say how both belong together.
+/// Returns the value with the sign of the last stated closed form, in terms of unknowns, if it has one. `None` if the design
+/// configuration does not relate both signs.
 fn sign_value(
     form: &dyn crate::program::forms::Form,
     known: usize,
@@ -239,7 +239,7 @@ fn sign_value(
         .determinant(&system.vector_form, &mut system.mechanism.graph)
         .value?;
     let agreement = drawn * builder.system.drawn_value(value);
-    // Written so that NaN decides nothing.
+    // NaN must count as undecided, hence these comparisons.
     let (same, opposite) = (agreement > 0.0, agreement < 0.0);
     let graph = &mut builder.system.mechanism.graph;
     match (same, opposite) {

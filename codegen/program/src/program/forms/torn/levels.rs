@@ -1,4 +1,4 @@
-//! The steps of a sequence and the inverse of what remains → rates and accelerations of all unknowns.
+//! States rates and accelerations of all unknowns from the steps of a sequence and the inverse of its residuals' Jacobian.
 
 use super::Torn;
 use super::rests::rest_rate;
@@ -8,7 +8,7 @@ use crate::program::builder::Builder;
 use crate::program::function::{Level, Statement};
 use crate::system::SymbolRole;
 
-/// States what a level finds: what everything does while the tears rest, then what the tears do, then both together.
+/// States a level: derivatives at constant tearing variables, then those of the tearing variables, then the total.
 pub(super) fn solve_level(
     torn: &Torn,
     steps: &mut [Stated],
@@ -21,7 +21,7 @@ pub(super) fn solve_level(
     for step in steps.iter_mut() {
         step.rates(level, builder);
     }
-    let own = std::mem::replace(&mut builder.statements, before);
+    let level_statements = std::mem::replace(&mut builder.statements, before);
     let symbol_at = |unknown: usize, builder: &Builder<'_>| {
         let unknown = &builder.system.vector_form.unknowns[unknown];
         match level {
@@ -38,7 +38,7 @@ pub(super) fn solve_level(
         .collect();
     let mut held: Vec<(SymbolId, ExprId)> = tears.iter().map(|&tear| (tear, zero)).collect();
     let mut moved: Vec<(SymbolId, ExprId, ExprId)> = Vec::new();
-    for statement in own {
+    for statement in level_statements {
         let Statement::Let { target, value, .. } = statement else {
             builder.state(statement);
             continue;

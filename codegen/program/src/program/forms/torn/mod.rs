@@ -1,10 +1,12 @@
-//! Equations that closed forms solve one after another once a few unknowns, the tears, are known.
+//! Solves equations by a sequence of closed forms after iterating a few unknowns, the tearing variables.
 //!
-//! With the tears z given, every other unknown follows, and as many equations g(z) = 0 remain as there are tears. Newton-Raphson runs on
-//! these alone; dg/dz is exact, as each closed form is differentiated in the direction of each tear (Elmqvist and Otter, Methods for
-//! tearing systems of equations in object-oriented modeling, 1994). With the same matrix the rates follow: first what everything does
-//! while the tears rest, then what the tears do, then both together. Where a closed form inside is nearly singular, although the whole
-//! need not be, all equations are solved at once.
+//! For given tearing variables z, all other unknowns follow, and as many equations g(z) = 0 remain as there are tearing
+//! variables. Newton-Raphson iterates these alone. Each closed form is differentiated in the direction of each tearing variable,
+//! so the derivative dg/dz is exact (Elmqvist and Otter, Methods for tearing systems of equations in object-oriented modeling,
+//! 1994).
+//!
+//! The same matrix gives the rates: first those at constant tearing variables, then those of the tearing variables, then the
+//! total. If a closed form inside is nearly singular, although the whole need not be, all equations are solved at once.
 
 mod completed;
 mod functions;
@@ -29,22 +31,24 @@ use crate::words::{Phrase, Piece, Singular, enumerated, phrase};
 pub(in crate::program::forms) use sequence::Sequence;
 use sequence::{Remaining, Search, Step};
 
-/// g(z) = 0, and everything else from z.
+/// Residuals g(z) = 0, and all other unknowns from z.
 #[derive(Clone, Debug)]
 struct Torn {
     whole: Newton,
     sequence: Sequence,
 }
 
-/// The smallest sine of a closed form in the drawing, for it to be a step: nearer to its singular pose all equations are solved at once.
+/// Smallest sine of a closed form in the design configuration for use as a step; nearer to its singular pose, all equations are
+/// solved at once.
 const CLEAR: f64 = 0.125;
 
-/// The torn forms of what has no closed one, the cheapest first.
+/// Returns the sequences for a subsystem without a closed form, the cheapest first.
 pub(super) fn sequences(candidate: &mut Candidate<'_>) -> Vec<Sequence> {
     Search::new(candidate).sequences()
 }
 
-/// The form of equations that have no closed one: the first of these sequences that fits the drawing, or else all at once.
+/// Returns the solution method of a subsystem without a closed form: the first of these sequences that is clear of singular
+/// poses, otherwise Newton-Raphson on all equations.
 pub(super) fn form(whole: Newton, sequences: Vec<Sequence>, system: &mut System) -> Arc<dyn Form> {
     let mut sequences = sequences.into_iter();
     match sequences.find(|sequence| is_clear(sequence, system)) {
@@ -53,7 +57,7 @@ pub(super) fn form(whole: Newton, sequences: Vec<Sequence>, system: &mut System)
     }
 }
 
-/// Whether all closed forms are away from singular poses in the drawing.
+/// True if all closed forms are clear of singular poses in the design configuration.
 fn is_clear(sequence: &Sequence, system: &mut System) -> bool {
     sequence.steps.iter().all(|step| {
         let form = match step {
@@ -63,7 +67,7 @@ fn is_clear(sequence: &Sequence, system: &mut System) -> bool {
         };
         let graph = &mut system.mechanism.graph;
         let normalized = form.determinant(&system.vector_form, graph).normalized;
-        // Written so that NaN is not clear.
+        // NaN must not count as clear, hence this comparison.
         normalized.is_none_or(|sine| system.drawn_value(sine).abs() >= CLEAR)
     })
 }
@@ -98,18 +102,18 @@ impl Form for Torn {
     fn position(&self, builder: &mut Builder<'_>) -> Box<dyn Solved> {
         let before = builder.statements.len();
         let mut block = self.whole.equations(builder);
-        let said = builder.statements.split_off(before);
+        let remarks = builder.statements.split_off(before);
         let Some(tearing) = functions::tearing(self, &block, builder) else {
             return self.whole.position(builder);
         };
         self.open(builder);
-        builder.statements.extend(said);
-        let found = self.whole.found(builder);
+        builder.statements.extend(remarks);
+        let unknowns = self.whole.found(builder);
         let torn = completed::found(self, &tearing, builder);
         let directions = torn.directions.clone();
         block.tearing = Some(tearing);
         builder.state(Statement::Newton {
-            found,
+            found: unknowns,
             measure: None,
             torn: Some(torn),
         });
@@ -124,7 +128,7 @@ impl Form for Torn {
 }
 
 impl Torn {
-    /// Says how the unknowns follow from the tears.
+    /// Describes how the unknowns follow from the tearing variables.
     fn open(&self, builder: &mut Builder<'_>) {
         let names = |unknowns: &[usize]| -> Phrase {
             let pieces: Vec<Phrase> = unknowns
@@ -139,10 +143,10 @@ impl Torn {
         if let Some(loops) = self.whole.loops(builder) {
             builder.say(|_| "The loops as vectors:".into());
             builder.show(|_| {
-                let shown = loops
+                let equations = loops
                     .into_iter()
                     .map(|it| [Piece::Sum(it).into(), "0".into(), "".into()]);
-                shown.collect()
+                equations.collect()
             });
         }
         let count = self.sequence.tears.len();
@@ -232,11 +236,11 @@ impl Torn {
         });
         builder.show(|_| {
             let numbered = self.whole.residuals.iter().enumerate();
-            let shown = numbered.map(|(place, &residual)| {
+            let equations = numbered.map(|(place, &residual)| {
                 let name = Piece::Numbered("g", place + 1);
                 [name.into(), Piece::Formula(residual).into(), "".into()]
             });
-            shown.collect()
+            equations.collect()
         });
     }
 }

@@ -1,4 +1,5 @@
-//! The steps of a sequence → what remains with given tears, its derivatives by them, and their inverse.
+//! Derives tearing residuals from the steps of a sequence, with their derivatives in the tearing variables and the inverse of
+//! these.
 
 use super::Torn;
 use super::sequence::Remaining;
@@ -7,14 +8,14 @@ use crate::expr::ExprId;
 use crate::program::builder::Builder;
 use crate::program::function::Level;
 
-/// What remains with given tears.
+/// Tearing residual.
 pub(super) struct Rest {
     pub residual: ExprId,
-    /// By each tear.
+    /// Derivatives in each tearing variable.
     pub slopes: Vec<ExprId>,
 }
 
-/// The residuals and their derivatives by the tears, once all steps are stated.
+/// Returns the residuals and their derivatives in the tearing variables, after all steps have been stated.
 pub(super) fn rests(
     torn: &Torn,
     steps: &mut [Stated],
@@ -51,7 +52,7 @@ pub(super) fn rests(
     rests
 }
 
-/// The rate of what remains.
+/// Returns the rate of a tearing residual.
 pub(super) fn rest_rate(
     torn: &Torn,
     steps: &[Stated],
@@ -68,7 +69,7 @@ pub(super) fn rest_rate(
     }
 }
 
-/// The determinant of the derivatives, and their inverse row by row, by Cramer's rule.
+/// Returns the determinant of the derivatives, and their inverse row by row, by Cramer's rule.
 pub(super) fn inverse(rests: &[Rest], builder: &mut Builder<'_>) -> (ExprId, Vec<ExprId>) {
     let one = builder.graph().one();
     match rests {

@@ -1,8 +1,8 @@
-//! Equations and unknowns → a sequence of closed forms that finds all unknowns but a few, the tears.
+//! Searches a sequence of closed forms for all unknowns except for a few tearing variables.
 //!
-//! Of all sequences with the fewest tears the one is taken that costs the fewest operations, and of equal ones the first. What is
-//! nearly singular in the drawing is none. The search is bounded: tears are tried one by one, and pairs of them where some equation
-//! holds both. Deliberately unknown here: how a sequence is solved.
+//! Of all sequences with the fewest tearing variables, the one with the fewest operations is taken, and of equal ones the first.
+//! Sequences that are nearly singular in the design configuration are excluded. The search is bounded: tearing variables are
+//! tried one by one, and in pairs if an equation has both.
 
 use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
@@ -15,41 +15,41 @@ use crate::program::forms::{Candidate, Form, closed};
 use crate::program::tearing::MOST_TEARS;
 use crate::words::Singular;
 
-/// About how many operations a closed form takes in one evaluation, with its derivative by a tear: of two equations, of one, and of a
-/// link with two pins; and of three circles.
+/// Approximate numbers of operations of one evaluation, with its derivative in a tearing variable: closed forms of two equations,
+/// of one equation, a link with two pins, and three circles.
 const COSTS: [usize; 4] = [60, 40, 20, 70];
 
-/// The most unknowns among which tears are looked for.
+/// Largest number of unknowns for which tearing variables are searched.
 const LARGEST_TORN: usize = 256;
 
-/// How a part is solved with its tears given.
+/// Solution of a subsystem for given tearing variables.
 #[derive(Clone, Debug)]
 pub(in crate::program::forms) struct Sequence {
-    /// The tears, unknowns of the vector form.
+    /// Tearing variables: unknowns of the vector form.
     pub tears: Vec<usize>,
-    /// In the order in which they can be computed.
+    /// Steps, in the order of evaluation.
     pub steps: Vec<Step>,
-    /// As many as tears, in order.
+    /// Tearing residuals, one per tearing variable, in order.
     pub remaining: Vec<Remaining>,
 }
 
-/// What finds some unknowns.
+/// Solution of some unknowns.
 #[derive(Clone, Debug)]
 pub(in crate::program::forms) enum Step {
-    /// A closed form.
+    /// Closed form.
     Closed(Arc<dyn Form>),
-    /// A link between two pins that are known: it points from one to the other, and its length remains to be met.
+    /// Link between two known pins: its direction follows, and its length gives a residual.
     TwoPins(TwoPins),
-    /// Three links that meet: two differences of their circles are linear, and the length of the first remains to be met.
+    /// Three links that meet: two differences of their circles are linear, and the length of the first link gives a residual.
     ThreeCircles(ThreeCircles),
 }
 
-/// What remains to be met.
+/// Source of a tearing residual.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::program::forms) enum Remaining {
-    /// An equation of the part, by its place.
+    /// Equation of the subsystem, by its index.
     Equation(usize),
-    /// The length of the link of a step, by its place, and the place of its first equation.
+    /// Length of the link of a step, by the index of the step, with the index of its first equation.
     Length { step: usize, equation: usize },
 }
 
@@ -60,11 +60,11 @@ struct Item {
     mentions: BTreeSet<usize>,
 }
 
-/// The sequences of a part.
+/// Search for the sequences of a subsystem.
 pub(super) struct Search<'a, 'b> {
     candidate: &'a mut Candidate<'b>,
     items: Vec<Item>,
-    /// What has been tried to solve an item for its open unknowns; only looked up.
+    /// Results of tried solutions of an item for its open unknowns; only looked up.
     tried: HashMap<(usize, Vec<usize>), Option<Step>>,
 }
 
@@ -78,7 +78,7 @@ impl<'a, 'b> Search<'a, 'b> {
         }
     }
 
-    /// The sequences with the fewest tears, the cheapest first.
+    /// Returns the sequences with the fewest tearing variables, the cheapest first.
     pub fn sequences(&mut self) -> Vec<Sequence> {
         let unknowns = self.candidate.unknowns.to_vec();
         if unknowns.len() > LARGEST_TORN {
@@ -90,30 +90,35 @@ impl<'a, 'b> Search<'a, 'b> {
                 break;
             }
             let choices = self.choices(&unknowns, count).into_iter();
-            let mut found: Vec<(usize, Sequence)> = choices
+            let mut sequences: Vec<(usize, Sequence)> = choices
                 .flat_map(|tears| [true, false].map(|circles| self.with(&tears, circles)))
                 .flatten()
                 .collect();
-            found.sort_by_key(|(cost, _)| *cost);
-            if !found.is_empty() {
-                return found.into_iter().map(|(_, sequence)| sequence).collect();
+            sequences.sort_by_key(|(cost, _)| *cost);
+            if !sequences.is_empty() {
+                return sequences
+                    .into_iter()
+                    .map(|(_, sequence)| sequence)
+                    .collect();
             }
         }
         Vec::new()
     }
 
-    /// The tears that are tried.
+    /// Returns the sets of tearing variables that are tried.
     fn choices(&self, unknowns: &[usize], count: usize) -> Vec<Vec<usize>> {
         match count {
             1 => unknowns.iter().map(|&it| vec![it]).collect(),
             _ => {
                 let pairs = self.items.iter().flat_map(|item| {
-                    let own: Vec<usize> = item.mentions.iter().copied().collect();
+                    let mentions: Vec<usize> = item.mentions.iter().copied().collect();
                     let pair = |at: usize| {
-                        let others = own[at + 1..].iter();
-                        others.map(|&other| [own[at], other]).collect::<Vec<_>>()
+                        let others = mentions[at + 1..].iter();
+                        others
+                            .map(|&other| [mentions[at], other])
+                            .collect::<Vec<_>>()
                     };
-                    (0..own.len()).flat_map(pair).collect::<Vec<_>>()
+                    (0..mentions.len()).flat_map(pair).collect::<Vec<_>>()
                 });
                 let pairs: BTreeSet<[usize; 2]> = pairs.collect();
                 pairs.into_iter().map(Vec::from).collect()
@@ -121,7 +126,8 @@ impl<'a, 'b> Search<'a, 'b> {
         }
     }
 
-    /// What follows from these tears, with its cost; `None` where not everything does. Where `circles`, it ends with three of them.
+    /// Returns the sequence of these tearing variables, with its cost; `None` if an unknown does not follow. If `circles` is
+    /// true, the sequence ends with three of them.
     fn with(&mut self, tears: &[usize], circles: bool) -> Option<(usize, Sequence)> {
         let mut known: BTreeSet<usize> = tears.iter().copied().collect();
         let mut left: Vec<usize> = (0..self.items.len()).collect();
@@ -148,8 +154,8 @@ impl<'a, 'b> Search<'a, 'b> {
                 left.clear();
                 continue;
             }
-            // Closed forms first: a link between two known pins leaves an equation, which something else may not.
-            let found = [false, true].into_iter().find_map(|by_length| {
+            // Closed forms come first: a link between two known pins leaves an equation that a closed form may not leave.
+            let next_step = [false, true].into_iter().find_map(|by_length| {
                 (0..left.len()).find_map(|at| {
                     let item = &self.items[left[at]];
                     let (equations, open) = (item.equations.len(), open(item));
@@ -163,7 +169,7 @@ impl<'a, 'b> Search<'a, 'b> {
                     }
                 })
             });
-            let (at, step) = found?;
+            let (at, step) = next_step?;
             let item = &self.items[left.remove(at)];
             match step {
                 None => remaining.extend(item.equations.iter().map(|&it| Remaining::Equation(it))),
@@ -184,7 +190,7 @@ impl<'a, 'b> Search<'a, 'b> {
             }
         }
         let is_whole = self.candidate.unknowns.iter().all(|it| known.contains(it));
-        // A closed form finds the direction of an angle, and not how often it has gone round.
+        // A closed form gives the direction of an angle, and not its number of turns.
         let wound = self.wound();
         let counts = |step: &Step| match step {
             Step::Closed(form) => matches!(form.singular(), Singular::Coefficient(_)),
@@ -210,7 +216,7 @@ impl<'a, 'b> Search<'a, 'b> {
         })
     }
 
-    /// The angles that equations mention themselves, and not only by what they turn.
+    /// Returns the angles that equations mention directly, and not only through rotated vectors.
     fn wound(&self) -> BTreeSet<usize> {
         let Candidate {
             equations,
@@ -218,8 +224,8 @@ impl<'a, 'b> Search<'a, 'b> {
             graph,
             ..
         } = &*self.candidate;
-        let own = self.candidate.unknowns.iter().copied();
-        let angles = own.filter(|&it| form.unknowns[it].quantity == Quantity::Angle);
+        let unknowns = self.candidate.unknowns.iter().copied();
+        let angles = unknowns.filter(|&it| form.unknowns[it].quantity == Quantity::Angle);
         let is_mentioned = |unknown: &usize| {
             let symbol = form.unknowns[*unknown].position;
             let mut equations = equations.iter();
@@ -228,7 +234,7 @@ impl<'a, 'b> Search<'a, 'b> {
         angles.filter(is_mentioned).collect()
     }
 
-    /// How two items are solved together for the open unknowns of each.
+    /// Returns the common solution of two items for the open unknowns of each; `None` if there is none.
     fn circles(&mut self, items: [usize; 2], open: [Vec<usize>; 2]) -> Option<Step> {
         let equations = items.map(|item| self.items[item].equations.clone());
         let ([x, y], [u, v]) = (&equations[0][..], &equations[1][..]) else {
@@ -241,7 +247,7 @@ impl<'a, 'b> Search<'a, 'b> {
         ThreeCircles::of(equations, unknowns, self.candidate).map(Step::ThreeCircles)
     }
 
-    /// How an item is solved for its open unknowns.
+    /// Returns the solution of an item for its open unknowns; `None` if there is none.
     fn step(&mut self, item: usize, open: Vec<usize>) -> Option<Step> {
         let Search {
             candidate,
@@ -265,7 +271,7 @@ impl<'a, 'b> Search<'a, 'b> {
 }
 
 impl Step {
-    /// What it finds.
+    /// Returns the unknowns that the step solves for.
     pub fn unknowns(&self) -> Vec<usize> {
         match self {
             Step::Closed(form) => form.unknowns(),
@@ -275,8 +281,8 @@ impl Step {
     }
 }
 
-/// Whether a line that a form turns lies still in the orientation of its angle. Others move with the tears, which is as much work as
-/// what is saved.
+/// True if a line that a closed form rotates is constant in the orientation of its angle. Other lines move with the tearing
+/// variables, which costs as much as it saves.
 fn keeps_its_line(form: &dyn Form, candidate: &Candidate<'_>) -> bool {
     let Singular::TurningLine {
         start, direction, ..
@@ -288,16 +294,16 @@ fn keeps_its_line(form: &dyn Form, candidate: &Candidate<'_>) -> bool {
     parts.all(|part| candidate.graph.is_fixed(part))
 }
 
-/// The equations one by one, but the components of vector equations together.
+/// Returns single equations, and the components of vector equations as pairs.
 fn items(candidate: &Candidate<'_>) -> Vec<Item> {
     let count = candidate.equations.len();
     let row = |at: usize| &candidate.form.rows[candidate.rows[at]];
-    let own: BTreeSet<usize> = candidate.unknowns.iter().copied().collect();
+    let unknowns: BTreeSet<usize> = candidate.unknowns.iter().copied().collect();
     let mentions = |equation: ExprId| {
         let mentioned = candidate.form.mentioned(equation, candidate.graph);
         mentioned
             .into_iter()
-            .filter(|it| own.contains(it))
+            .filter(|it| unknowns.contains(it))
             .collect::<BTreeSet<usize>>()
     };
     let (mut items, mut at) = (Vec::new(), 0);

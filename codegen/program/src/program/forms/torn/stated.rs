@@ -1,4 +1,4 @@
-//! A step of a sequence whose position has been stated → its rates, and the link whose length remains.
+//! Represents a step of a sequence whose position has been stated, with its rates and the link of its residual.
 
 use super::three_circles::Circles;
 use super::turned_link::TurnedLink;
@@ -7,7 +7,7 @@ use crate::program::builder::Builder;
 use crate::program::forms::Solved;
 use crate::program::function::Level;
 
-/// A step whose position has been stated.
+/// Step whose position has been stated.
 pub(super) enum Stated {
     Closed(Box<dyn Solved>),
     TwoPins(Between),
@@ -23,7 +23,7 @@ impl Stated {
         }
     }
 
-    /// The link whose length remains to be met.
+    /// Returns the link whose length gives a residual; `None` for closed forms.
     pub(super) fn link(&self) -> Option<&TurnedLink> {
         match self {
             Stated::Closed(_) => None,

@@ -1,9 +1,9 @@
-//! Two loops that share a link: three circles through one point, of which two differences are linear.
+//! Solves two loops with a common link: three circles through one point, two of whose differences are linear.
 //!
-//! With u = R(φ_a) p_a, the loops u + R(φ_b) p_b + c = 0 and u + R(φ_c) p_c + d = 0 say that u has the length of p_a, u + c that of p_b
-//! and u + d that of p_c. Subtracted pairwise, 2 c · u = p_b² − p_a² − c² and 2 d · u = p_c² − p_a² − d² give u by Cramer's rule, without
-//! a root and without a sign, and (u · u − p_a · p_a)/2 remains. Where c and d are nearly parallel, that says little about u although
-//! the circles may say enough.
+//! Let u = R(φ_a) p_a. The loops u + R(φ_b) p_b + c = 0 and u + R(φ_c) p_c + d = 0 mean that u has the length of p_a, u + c that
+//! of p_b, and u + d that of p_c. The differences 2 c · u = p_b² − p_a² − c² and 2 d · u = p_c² − p_a² − d² give u by Cramer's
+//! rule, without a root and without a sign; (u · u − p_a · p_a)/2 remains. If c and d are nearly parallel, u is ill-conditioned
+//! although the circles may not be.
 
 use super::turned_link::TurnedLink;
 use crate::expr::ExprId;
@@ -14,27 +14,27 @@ use crate::program::forms::Candidate;
 use crate::program::function::Level;
 use crate::system::System;
 
-/// The two loops.
+/// Two loops with a common link.
 #[derive(Clone, Debug)]
 pub(in crate::program::forms) struct ThreeCircles {
-    /// φ_a, φ_b and φ_c.
+    /// Angles φ_a, φ_b and φ_c.
     pub angles: [usize; 3],
-    /// p_a, p_b and p_c.
+    /// Vectors p_a, p_b and p_c.
     pub links: [Vector; 3],
-    /// c and d.
+    /// Vectors c and d.
     pub closures: [Vector; 2],
 }
 
 impl ThreeCircles {
-    /// Two pairs of equations of a part, in these unknowns each.
+    /// Returns the loops of two pairs of equations of a subsystem, in these unknowns each; `None` if they do not share a link.
     pub fn of(
         equations: [[usize; 2]; 2],
         unknowns: [[usize; 2]; 2],
         candidate: &mut Candidate<'_>,
     ) -> Option<ThreeCircles> {
         let shared = *unknowns[0].iter().find(|it| unknowns[1].contains(it))?;
-        let own = unknowns.map(|pair| pair.into_iter().find(|&it| it != shared));
-        let [Some(b), Some(c)] = own else {
+        let others = unknowns.map(|pair| pair.into_iter().find(|&it| it != shared));
+        let [Some(b), Some(c)] = others else {
             return None;
         };
         let angles = [shared, b, c];
@@ -75,7 +75,7 @@ impl ThreeCircles {
         })
     }
 
-    /// The sine of the angle between c and d in the drawing.
+    /// Returns the sine of the angle between c and d in the design configuration.
     pub fn drawn_sine(&self, system: &System) -> f64 {
         let [c, d] = self
             .closures
@@ -83,8 +83,9 @@ impl ThreeCircles {
         (c[0] * d[1] - c[1] * d[0]) / (c[0].hypot(c[1]) * d[0].hypot(d[1]))
     }
 
-    /// What remains, times the square of the determinant of both linear equations: zero wherever the links can be assembled, also where
-    /// these say nothing; and its derivative by the angle that both loops follow from.
+    /// Returns the tearing residual times the squared determinant of both linear equations, and its derivative in the angle from
+    /// which both loops follow. The product is zero wherever the links can be assembled, even if the linear equations are
+    /// singular.
     pub(super) fn proof(&self, tear: usize, builder: &mut Builder<'_>) -> [ExprId; 2] {
         let [c, d] = self.closures;
         let squares = self.links.map(|link| builder.dot(link, link));
@@ -168,20 +169,20 @@ impl ThreeCircles {
     }
 }
 
-/// Three circles whose point is stated.
+/// Three circles whose point has been stated.
 #[derive(Clone, Debug)]
 pub(super) struct Circles {
     form: ThreeCircles,
     closures: [Vector; 2],
     inverse: ExprId,
-    /// Three of them, but before they are stated.
+    /// Links; empty until they have been stated.
     links: Vec<TurnedLink>,
-    /// ċ, ḋ and u̇.
+    /// Rates ċ, ḋ and u̇.
     rates: Option<([Vector; 2], Vector)>,
 }
 
 impl Circles {
-    /// The vector whose products with c and d are these.
+    /// Returns the vector with these scalar products with c and d.
     fn solved(&self, [first, second]: [ExprId; 2], builder: &mut Builder<'_>) -> Vector {
         let [c, d] = self.closures;
         let part = |i: usize, builder: &mut Builder<'_>| {
@@ -196,21 +197,21 @@ impl Circles {
         [part(1, builder), part(0, builder)]
     }
 
-    /// The link whose length remains.
+    /// Returns the link whose length gives a residual.
     pub fn first(&self) -> Option<&TurnedLink> {
         self.links.first()
     }
 
-    /// States what a level finds.
+    /// States the results of a level.
     pub fn rates(&mut self, level: Level, builder: &mut Builder<'_>) {
         let closures = self.form.closures;
         let moved = closures.map(|closure| closure.map(|part| builder.rate_at(part, level)));
         let moved = [("v", 0), ("v", 1)].map(|(name, at)| builder.vector(name, moved[at]));
-        let own = self.links[0].square_rate(level, builder);
+        let first_rate = self.links[0].square_rate(level, builder);
         let right = [0, 1].map(|side| {
             // c · u̇ = (p_b · p_b)'/2 − (p_a · p_a)'/2 − (u + c) · ċ, where −(u + c) is the other link.
             let other = self.links[side + 1].square_rate(level, builder);
-            let squares = builder.graph().subtract(other, own);
+            let squares = builder.graph().subtract(other, first_rate);
             let w = self.links[side + 1].vector();
             let along = builder.dot(w, moved[side]);
             let mut right = builder.graph().add(squares, along);

@@ -1,29 +1,29 @@
-//! A link that points along a known vector: its angle, and how fast that turns.
+//! Rotates a link along a known vector: its angle, and the rates of the angle.
 //!
-//! With the link p in its body and the vector w between its pins, the angle turns p to w. That both are equally long is not assumed:
-//! (w · w − p · p)/2 is what remains where nothing else makes them so.
+//! The angle rotates the link p in its body to the vector w between its pins. Equal lengths are not assumed: (w · w − p · p)/2 is
+//! the residual unless other equations satisfy it.
 
 use crate::expr::ExprId;
 use crate::joint::geometry::Vector;
 use crate::program::builder::Builder;
 use crate::program::function::Level;
 
-/// A link whose pins are stated.
+/// Link whose pins have been stated.
 #[derive(Clone, Debug)]
 pub(super) struct TurnedLink {
     angle: usize,
     link: Vector,
     w: Vector,
     square: ExprId,
-    /// 1/(p · p).
+    /// Value 1/(p · p).
     inverse: ExprId,
     velocity: Option<Vector>,
-    /// What the vector between the pins does at each level.
+    /// Derivatives of the vector between the pins, by level.
     moved: Vec<(Level, Vector)>,
 }
 
 impl TurnedLink {
-    /// States the angle and the arms of a link; `square` is p · p.
+    /// States the angle and the rotated vectors of a link; `square` is p · p.
     pub fn new(
         angle: usize,
         [link, w]: [Vector; 2],
@@ -48,31 +48,31 @@ impl TurnedLink {
         }
     }
 
-    /// The vector between the pins.
+    /// Returns the vector between the pins.
     pub fn vector(&self) -> Vector {
         self.w
     }
 
-    /// What it does at a level that is stated.
+    /// Returns the derivative of this vector at a level that has been stated.
     pub fn moved(&self, level: Level, builder: &mut Builder<'_>) -> Vector {
         let moved = self.moved.iter().rev().find(|(own, _)| *own == level);
         moved.map_or([builder.graph().zero(); 2], |(_, moved)| *moved)
     }
 
-    /// (w · w − p · p)/2.
+    /// Returns (w · w − p · p)/2.
     pub fn residual(&self, builder: &mut Builder<'_>) -> ExprId {
         let square = builder.dot(self.w, self.w);
         let twice = builder.graph().subtract(square, self.square);
         builder.half(twice)
     }
 
-    /// The length of the link: the slope of the residual in the distance of the pins.
+    /// Returns the length of the link: the derivative of the residual in the distance of the pins.
     pub fn length(&self, builder: &mut Builder<'_>) -> ExprId {
         let square = builder.dot(self.link, self.link);
         builder.graph().sqrt(square)
     }
 
-    /// States how the link turns, whose vector does this.
+    /// States the rotation of the link for this derivative of its vector.
     pub fn turn(&mut self, level: Level, moved: Vector, builder: &mut Builder<'_>) {
         self.moved.push((level, moved));
         if level == Level::Velocity {
@@ -95,7 +95,7 @@ impl TurnedLink {
         builder.find(self.angle, level, value);
     }
 
-    /// The rate of (p · p)/2 at a level.
+    /// Returns the rate of (p · p)/2 at a level.
     pub fn square_rate(&self, level: Level, builder: &mut Builder<'_>) -> ExprId {
         let p = self.link;
         let stretch = p.map(|part| builder.rate_at(part, level));
@@ -108,7 +108,7 @@ impl TurnedLink {
         builder.graph().add(rate, square)
     }
 
-    /// The rate of the residual at a level, once what the level finds is stated.
+    /// Returns the rate of the residual at a level, after the level's results have been stated.
     pub fn residual_rate(&self, level: Level, builder: &mut Builder<'_>) -> ExprId {
         let moved = self.moved(level, builder);
         let mut between = builder.dot(self.w, moved);
@@ -116,7 +116,7 @@ impl TurnedLink {
             let square = builder.dot(velocity, velocity);
             between = builder.graph().add(between, square);
         }
-        let own = self.square_rate(level, builder);
-        builder.graph().subtract(between, own)
+        let square_rate = self.square_rate(level, builder);
+        builder.graph().subtract(between, square_rate)
     }
 }

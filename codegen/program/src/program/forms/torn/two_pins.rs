@@ -1,7 +1,7 @@
-//! R(φ) p + c = 0 with a known c: a link between two pins whose places are known.
+//! Solves R(φ) p + c = 0 with a known c: a link between two known pins.
 //!
-//! The link points from one pin to the other, w = −c, and its angle is that of w. What the two equations say beside that is that the
-//! pins are as far apart as the link is long: (w · w − p · p)/2 remains, in which the angle does not occur.
+//! The link points from one pin to the other, w = −c, and its angle is that of w. Both equations also say that the distance of
+//! the pins equals the length of the link: (w · w − p · p)/2 remains, which does not contain the angle.
 
 use super::turned_link::TurnedLink;
 use crate::joint::Quantity;
@@ -10,19 +10,19 @@ use crate::program::builder::Builder;
 use crate::program::forms::Candidate;
 use crate::program::function::Level;
 
-/// R(φ) p + c = 0.
+/// Equation R(φ) p + c = 0.
 #[derive(Clone, Debug)]
 pub(in crate::program::forms) struct TwoPins {
-    /// φ.
+    /// Angle φ.
     pub angle: usize,
-    /// p, constant in its body.
+    /// Vector p, constant in its body.
     pub link: Vector,
-    /// c, the known vector that closes the loop.
+    /// Vector c, the known vector that closes the loop.
     pub closure: Vector,
 }
 
 impl TwoPins {
-    /// The link of two equations of a part in one of its unknowns.
+    /// Returns the link of two equations of a subsystem in one of its unknowns; `None` if there is none.
     pub fn of(
         equations: [usize; 2],
         angle: usize,
@@ -44,7 +44,7 @@ impl TwoPins {
         })
     }
 
-    /// States the vector between the pins, and the angle and arms of the link.
+    /// States the vector between the pins, and the angle and rotated vectors of the link.
     pub(super) fn position(&self, builder: &mut Builder<'_>) -> Between {
         let minus = builder.negated(self.closure);
         let w = builder.vector("w", minus);
@@ -57,7 +57,7 @@ impl TwoPins {
     }
 }
 
-/// A link between two pins whose position is stated.
+/// Link between two pins whose position has been stated.
 #[derive(Clone, Debug)]
 pub(super) struct Between {
     closure: Vector,
@@ -65,7 +65,7 @@ pub(super) struct Between {
 }
 
 impl Between {
-    /// States what a level finds.
+    /// States the results of a level.
     pub fn rates(&mut self, level: Level, builder: &mut Builder<'_>) {
         let c = self.closure.map(|part| builder.rate_at(part, level));
         let moved = builder.negated(c);

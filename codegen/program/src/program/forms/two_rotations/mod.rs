@@ -1,10 +1,11 @@
-//! R(φ_a) p + R(φ_b) q + c = 0: the dyad with three revolute joints, where two circles meet.
+//! Solves R(φ_a) p + R(φ_b) q + c = 0: the RRR dyad, the intersection of two circles.
 //!
-//! With the turned links w_a = R(φ_a) p and w_b = R(φ_b) q and their sum d = −c, the triangle gives
-//! k = w_a · w_b = (d² − p² − q²)/2 and h = w_a × w_b = ±√(p² q² − k²), the sign being the assembly mode; both links
-//! follow from d without an angle. The cross product is also the determinant of the block's Jacobian [Ω w_a, Ω w_b], so
-//! the rates cost one division. Nothing here loses digits where the links are nearly in line: the radicand is a difference
-//! of squares of what is given, and its relative error is that of the given distance, magnified as geometry magnifies it.
+//! Let w_a = R(φ_a) p and w_b = R(φ_b) q be the rotated links, with the sum d = −c. The triangle gives k = w_a · w_b = (d² − p² −
+//! q²)/2 and h = w_a × w_b = ±√(p² q² − k²), whose sign is the assembly mode. Both links follow from d without an angle. The
+//! cross product is also the determinant of the block's Jacobian [Ω w_a, Ω w_b], so the rates cost one division.
+//!
+//! Precision is not lost if the links are nearly collinear: the radicand is a difference of squares of known values, and its
+//! relative error is that of the known distance, amplified only by the geometry.
 
 mod words;
 
@@ -22,16 +23,16 @@ use crate::system::VectorForm;
 use crate::words::{Piece, Singular, phrase};
 use words::{TriangleNames, components, first_link};
 
-/// R(φ_a) p + R(φ_b) q + c = 0.
+/// Equation R(φ_a) p + R(φ_b) q + c = 0.
 #[derive(Clone, Debug)]
 struct TwoRotations {
-    /// φ_a and φ_b.
+    /// Angles φ_a and φ_b.
     angles: [usize; 2],
-    /// p and q, constant in their bodies.
+    /// Vectors p and q, constant in their bodies.
     links: [Vector; 2],
-    /// c, the known vector that closes the triangle.
+    /// Vector c, the known vector that closes the triangle.
     closure: Vector,
-    /// How the equations became its components.
+    /// Arrangement of the equations as components.
     arrangement: usize,
 }
 
@@ -72,7 +73,7 @@ impl Form for TwoRotations {
         self.angles.to_vec()
     }
 
-    /// [Ω w_a, Ω w_b] has the determinant w_a × w_b.
+    /// Returns the determinant of [Ω w_a, Ω w_b], which is w_a × w_b.
     fn determinant(&self, form: &VectorForm, graph: &mut Graph) -> Determinant {
         let value = crossed(self.angles.map(Some), self.links, form, graph);
         let size = sizes(self.links, form, graph);
@@ -93,7 +94,7 @@ impl Form for TwoRotations {
     fn position(&self, builder: &mut Builder<'_>) -> Box<dyn Solved> {
         let angles = self.angles;
         let triangle = builder.known.triangle(angles, self.links, builder.system);
-        // The links are taken in the direction in which a person goes round the triangle.
+        // The links are reversed if the triangle is read in the other direction.
         let is_backward = triangle.as_ref().is_some_and(|found| !found.forward);
         let [p, q, c] = [self.links[0], self.links[1], self.closure].map(|vector| {
             if is_backward {
@@ -151,12 +152,12 @@ impl Form for TwoRotations {
     }
 }
 
-/// The sides of the triangle, as vectors and squares.
+/// Sides of the triangle, as vectors and squares.
 struct Sides {
-    /// d, the sum of both links.
+    /// Vector d, the sum of both links.
     base: Vector,
     base_square: ExprId,
-    /// p² and q².
+    /// Squares p² and q².
     squares: [ExprId; 2],
 }
 
@@ -181,7 +182,7 @@ impl Sides {
         }
     }
 
-    /// k = w_a · w_b, by the law of cosines.
+    /// Returns k = w_a · w_b, by the law of cosines.
     fn product(&self, names: &TriangleNames, builder: &mut Builder<'_>) -> ExprId {
         let [first, second] = names.links.clone();
         builder.show(|_| {
@@ -200,7 +201,7 @@ impl Sides {
 }
 
 impl TwoRotations {
-    /// h = w_a × w_b, where the links reach; its sign is the assembly mode.
+    /// Returns h = w_a × w_b, with a check of the links' reach; its sign is the assembly mode.
     fn height(
         &self,
         sides: &Sides,
@@ -236,7 +237,7 @@ impl TwoRotations {
         builder.value_with("h", h, remark)
     }
 
-    /// w_a and w_b, from d by k and h.
+    /// Returns w_a and w_b, from d by k and h.
     fn turned_links(
         &self,
         sides: &Sides,
@@ -267,7 +268,7 @@ impl TwoRotations {
     }
 }
 
-/// The cosine and the sine of the angle that turns p into w, which a page knows by this name.
+/// Returns the cosine and the sine of the angle that rotates p into w, which derivations print under this name.
 pub(super) fn turning(
     angle: usize,
     p: Vector,
@@ -290,12 +291,12 @@ struct Found {
     angles: [usize; 2],
     names: [String; 2],
     links: [Vector; 2],
-    /// How the equations became components, and whether the loop was gone round the other way.
+    /// Arrangement of the equations as components, and true if the loop was reversed.
     arranged: (usize, bool),
     stretches: [Option<crate::program::stretch::Stretch>; 2],
     c: Vector,
     h: ExprId,
-    /// 1/h, and what the loop does while the angles rest.
+    /// Inverse 1/h, and the derivatives of the loop at constant angles.
     rates: Option<(ExprId, Closing)>,
 }
 
@@ -334,7 +335,7 @@ impl Solved for Found {
         self.rates = Some((inverse, closing));
     }
 
-    /// [Ω w_a, Ω w_b] (φ̇_a, φ̇_b) = −v, by Cramer's rule.
+    /// States the solution of [Ω w_a, Ω w_b] (φ̇_a, φ̇_b) = −v, by Cramer's rule.
     fn rates(&self, level: Level, builder: &mut Builder<'_>) {
         let Some((inverse, closing)) = &self.rates else {
             return;

@@ -1,21 +1,18 @@
-//! The dyad of three revolute joints → what a person writes beside its statements: the triangle, its sides, and which of the two
-//! points is kept.
-//!
-//! Deliberately unknown here: what is computed.
+//! Describes the statements of the RRR dyad: the triangle, its sides, and the choice between two points.
 
 use super::TwoRotations;
 use crate::joint::geometry::Vector;
 use crate::program::builder::Builder;
 use crate::words::{Phrase, Piece, Triangle, phrase};
 
-/// What the two links and their sum are called.
+/// Names of the two links and of their sum.
 pub(super) struct TriangleNames {
     pub links: [String; 2],
     pub base: String,
 }
 
 impl TwoRotations {
-    /// Says what is known of the triangle and what its sides are called.
+    /// Describes the known parts of the triangle, and returns the names of its sides.
     pub(super) fn open(
         &self,
         triangle: Option<&Triangle>,
@@ -105,7 +102,7 @@ impl TwoRotations {
         }
     }
 
-    /// The loop as vectors and by components.
+    /// Returns the loop as vectors and by components.
     pub(super) fn close(
         &self,
         names: &TriangleNames,
@@ -155,7 +152,7 @@ impl TwoRotations {
         });
     }
 
-    /// Says which of the two points is kept.
+    /// Describes which of the two points is chosen.
     pub(super) fn say_mode(
         &self,
         triangle: Option<&Triangle>,
@@ -163,7 +160,7 @@ impl TwoRotations {
         builder: &mut Builder<'_>,
     ) {
         builder.say(|_| {
-            // d × w_a is −h.
+            // The product d × w_a is −h.
             let side = if drawn >= 0.0 { "right" } else { "left" };
             let kept = phrase![
                 ", and this assembly mode is kept: it is the sign of ",
@@ -201,10 +198,10 @@ impl TwoRotations {
     }
 }
 
-/// Words for the factors of the first link in generated code; `divides` where the square of the base is not constant.
+/// Describes the factors of the first link in generated code; `divides` is true if the square of the base is not constant.
 pub(super) fn components(names: &TriangleNames, divides: bool) -> Phrase {
     let (first, base) = (&names.links[0], &names.base);
-    let mut said = phrase![
+    let mut words = phrase![
         "Components of ",
         Piece::Vector(first.clone()),
         " over ",
@@ -214,12 +211,12 @@ pub(super) fn components(names: &TriangleNames, divides: bool) -> Phrase {
         ", sideways to its right"
     ];
     if divides {
-        said.push(phrase!["; inverse = 1/", Piece::Square(base.clone())]);
+        words.push(phrase!["; inverse = 1/", Piece::Square(base.clone())]);
     }
-    said
+    words
 }
 
-/// The first link as a sum along the base and across it, as a page shows it.
+/// Returns the first link as a sum along the base and across it, as derivations print it.
 pub(super) fn first_link(names: &TriangleNames) -> [Phrase; 3] {
     let (first, base) = (&names.links[0], &names.base);
     let along = phrase![

@@ -1,17 +1,15 @@
-//! Sums, products and powers → their bounds, from those of their operands.
-//!
-//! Deliberately unknown here: what bounds symbols.
+//! Bounds sums, products and powers, from the bounds of their operands.
 
 use super::arms::{Amplitude, arm, constant_size};
 use super::{Enclosure, Enclosures, still};
 use crate::expr::{ExprId, Factor, Node, Number, Rational, Term};
 use crate::system::System;
 
-/// The bounds of a product of more factors are found by halves.
+/// Largest number of factors of a product that is bounded factor by factor; longer ones are bounded by halves.
 const LONGEST_FLAT: usize = 8;
 
 impl Enclosures {
-    /// Arms that turn with the same angle are one arm.
+    /// Bounds a sum. Vectors that rotate with the same angle count as one vector.
     pub(super) fn of_sum(&mut self, terms: &[Term], system: &mut System) -> Enclosure {
         let (mut radii, mut deviations) = (Vec::new(), Vec::new());
         let mut turned: Vec<(usize, Amplitude)> = Vec::new();
@@ -21,22 +19,22 @@ impl Enclosures {
                 && let Some((angle, amplitude)) = arm(symbol, system)
             {
                 let graph = &mut system.mechanism.graph;
-                let own = amplitude.map(|part| graph.scale(term.coefficient, part));
+                let scaled = amplitude.map(|part| graph.scale(term.coefficient, part));
                 match turned.iter_mut().find(|(other, _)| *other == angle) {
-                    Some((_, sum)) => *sum = [0, 1].map(|part| graph.add(sum[part], own[part])),
-                    None => turned.push((angle, own)),
+                    Some((_, sum)) => *sum = [0, 1].map(|part| graph.add(sum[part], scaled[part])),
+                    None => turned.push((angle, scaled)),
                 }
                 continue;
             }
-            let own = self.of(term.expr, system);
+            let of_term = self.of(term.expr, system);
             let size = match term.coefficient.is_negative() {
                 true => term.coefficient.neg(),
                 false => term.coefficient,
             };
             let graph = &mut system.mechanism.graph;
             bounds.push(Enclosure {
-                radius: graph.scale(size, own.radius),
-                deviation: graph.scale(size, own.deviation),
+                radius: graph.scale(size, of_term.radius),
+                deviation: graph.scale(size, of_term.deviation),
             });
         }
         for (angle, amplitude) in turned {
@@ -53,7 +51,7 @@ impl Enclosures {
         }
     }
 
-    /// The largest magnitude of a value over the window.
+    /// Returns the largest magnitude of a value over the window.
     fn largest(&self, value: ExprId, bounds: Enclosure, system: &mut System) -> ExprId {
         match constant_size(value, system) {
             Some(size) => size,
@@ -65,12 +63,12 @@ impl Enclosures {
         }
     }
 
-    /// The bounds of a product, factor by factor; of a long one half by half, since the bounds of a part mention all its factors.
+    /// Bounds a product factor by factor, and a long one by halves, since bounds of a partial product mention all its factors.
     pub(super) fn of_product(&mut self, factors: &[Factor], system: &mut System) -> Enclosure {
         self.of_factors(factors, system).1
     }
 
-    /// The product of one factor or more, and its bounds.
+    /// Returns the product of one factor or more, and its bounds.
     fn of_factors(&mut self, factors: &[Factor], system: &mut System) -> (ExprId, Enclosure) {
         if factors.len() > LONGEST_FLAT {
             let (first, second) = factors.split_at(factors.len() / 2);
@@ -82,11 +80,11 @@ impl Enclosures {
         let mut product = (graph.one(), still(graph));
         for (place, factor) in factors.iter().enumerate() {
             let value = system.mechanism.graph.power(factor.base, factor.exponent);
-            let own = (value, self.of_power(factor, system));
+            let factor_bounds = (value, self.of_power(factor, system));
             product = match place {
-                0 => own,
+                0 => factor_bounds,
                 _ => {
-                    let bounds = self.multiplied(product, own, system);
+                    let bounds = self.multiplied(product, factor_bounds, system);
                     (system.mechanism.graph.multiply(product.0, value), bounds)
                 }
             };
@@ -94,7 +92,7 @@ impl Enclosures {
         product
     }
 
-    /// The bounds of a · b.
+    /// Bounds a · b.
     fn multiplied(
         &mut self,
         (a, of_a): (ExprId, Enclosure),
@@ -134,7 +132,7 @@ impl Enclosures {
                 false => still(&system.mechanism.graph),
             };
         }
-        // |x| over the window, from the side on which the derivative is largest.
+        // |x| over the window, at the end where the derivative is largest.
         let is_whole = exponent.denominator() == 1;
         let graph = &mut system.mechanism.graph;
         let size = if is_whole {

@@ -1,12 +1,12 @@
-//! The components of an arm → waves of the angle that turns it.
+//! Writes the components of a rotated vector as waves of its angle.
 
 use crate::expr::{ExprId, Graph, Node, SymbolId};
 use crate::system::{SymbolRole, System};
 
-/// The cosine and the sine part of a sum of arms that turn with one angle.
+/// Coefficients of cosine and sine in a sum of vectors that rotate with one angle.
 pub(super) type Amplitude = [ExprId; 2];
 
-/// The symbol whose bounds those of a symbol follow from.
+/// Returns the symbol whose bounds determine those of a symbol.
 pub(super) fn base(symbol: SymbolId, system: &System) -> SymbolId {
     match system.roles.get(symbol.index()) {
         Some(&SymbolRole::Arm(place)) => {
@@ -16,7 +16,7 @@ pub(super) fn base(symbol: SymbolId, system: &System) -> SymbolId {
     }
 }
 
-/// The angle that turns a component of an arm, and the component as a wave of that angle.
+/// Returns the angle of a rotated vector's component, and the component as a wave of that angle; `None` for other symbols.
 pub(super) fn arm(symbol: SymbolId, system: &mut System) -> Option<(usize, Amplitude)> {
     let SymbolRole::Arm(place) = *system.roles.get(symbol.index())? else {
         return None;
@@ -36,7 +36,7 @@ pub(super) fn length(amplitude: Amplitude, graph: &mut Graph) -> ExprId {
     graph.sqrt(square)
 }
 
-/// What the magnitude of a value never exceeds, where that is known without looking.
+/// Returns a constant bound on the magnitude of a value; `None` if it is not obvious.
 pub(super) fn constant_size(value: ExprId, system: &mut System) -> Option<ExprId> {
     match *system.mechanism.graph.node(value) {
         Node::Sin(_) | Node::Cos(_) => Some(system.mechanism.graph.one()),

@@ -1,11 +1,11 @@
-//! Choices, magnitudes and what is brought into one period → their bounds, where functions have kinks and jumps.
+//! Bounds choices, magnitudes and periodic arguments, whose functions have kinks and jumps.
 
 use super::{Enclosure, Enclosures, still};
 use crate::expr::{ExprId, Node};
 use crate::system::System;
 
 impl Enclosures {
-    /// |x| is no farther away and has a kink.
+    /// Bounds |x|, which changes by at most as much as x and has a kink.
     pub(super) fn of_magnitude(&mut self, x: ExprId, system: &mut System) -> Enclosure {
         let Enclosure { radius, deviation } = self.of(x, system);
         let graph = &mut system.mechanism.graph;
@@ -17,7 +17,8 @@ impl Enclosures {
         }
     }
 
-    /// Where it is certain which arm holds its bounds; elsewhere the arms join, and the value moves by no more than both do.
+    /// Bounds a choice: by one branch if that is certain, otherwise by both, as the value is continuous and moves at most as both
+    /// do.
     pub(super) fn of_choice(
         &mut self,
         expr: ExprId,
@@ -39,7 +40,7 @@ impl Enclosures {
             graph.add(condition, deciding),
         ];
         let mut bound = |[below, otherwise]: [ExprId; 2]| match [below == zero, otherwise == zero] {
-            // Where one arm does not move, the other one is enough wherever it may be taken.
+            // If one branch is constant, the other one suffices wherever it may be taken.
             [_, true] if both == below => graph.choose(surely_below, below, zero),
             [true, _] if both == otherwise => graph.choose(surely_otherwise, zero, otherwise),
             _ => {
@@ -52,8 +53,8 @@ impl Enclosures {
         Enclosure { radius, deviation }
     }
 
-    /// A choice by what is brought into one period joins there too: what moves beyond the end of a period goes on from the number of
-    /// periods before.
+    /// Bounds a choice by a periodic argument, which is continuous too: beyond the end of a period, the value continues with the
+    /// previous number of periods.
     fn of_periodic(&mut self, expr: ExprId, system: &mut System) -> Option<Enclosure> {
         let floors = floors(expr, system);
         let &[floor] = &floors[..] else {
@@ -63,7 +64,7 @@ impl Enclosures {
             return None;
         };
         let inner = self.of(periods, system);
-        // Within the frames one end of a period may lie, beyond them none.
+        // One end of a period may lie between the frames, none beyond them.
         let beyond = system.mechanism.graph.variable(self.window.beyond);
         let radius = system.mechanism.graph.multiply(beyond, inner.radius);
         self.require_between_integers(periods, radius, system);
@@ -123,19 +124,19 @@ impl Enclosures {
     }
 }
 
-/// The whole parts in an expression that move.
+/// Returns the moving roundings to an integer in an expression.
 fn floors(expr: ExprId, system: &System) -> Vec<ExprId> {
     let graph = &system.mechanism.graph;
-    let mut found = Vec::new();
+    let mut roundings = Vec::new();
     let (mut open, mut seen) = (vec![expr], std::collections::HashSet::new());
     while let Some(expr) = open.pop() {
         if graph.is_fixed(expr) || !seen.insert(expr) {
             continue;
         }
         if let Node::Floor(_) = graph.node(expr) {
-            found.push(expr);
+            roundings.push(expr);
         }
         open.extend(graph.operands(expr));
     }
-    found
+    roundings
 }

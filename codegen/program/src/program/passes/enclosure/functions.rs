@@ -1,4 +1,4 @@
-//! Functions of one value that is bounded → their bounds, from the size of their derivatives.
+//! Bounds functions of one bounded value, from the magnitude of their derivatives.
 
 use super::{Enclosure, Enclosures};
 use crate::expr::{ExprId, Number, Rational, SplineId};
@@ -14,7 +14,7 @@ impl Enclosures {
         let radius = graph.add(of_y.radius, of_x.radius);
         let least = graph.subtract(distance, radius);
         self.required.push(least);
-        // Where x is negative, y must keep its sign: there the angle jumps.
+        // If x is negative, y must keep its sign, since the angle jumps at y = 0.
         let left = graph.subtract(x, of_x.radius);
         let size = graph.magnitude(y);
         let kept = graph.subtract(size, of_y.radius);
@@ -62,7 +62,7 @@ impl Enclosures {
         }
     }
 
-    /// The bounds of f(x), whose first and second derivative are at most these over the window.
+    /// Bounds f(x), with these bounds on its first and second derivative over the window.
     pub(super) fn composed(
         &self,
         inner: Enclosure,
@@ -79,7 +79,7 @@ impl Enclosures {
         }
     }
 
-    /// The least value of what must be positive.
+    /// Returns the smallest value over the window, and requires that it is positive.
     pub(super) fn least(&mut self, x: ExprId, inner: Enclosure, system: &mut System) -> ExprId {
         let least = system.mechanism.graph.subtract(x, inner.radius);
         self.required.push(least);

@@ -1,9 +1,9 @@
-//! An expression → how far it can be from where it is, and from a straight line, while what it is made of moves.
+//! Bounds the change of expressions over a window of time, and their deviation from the chord.
 //!
-//! A mechanism is looked at over a window of time that holds its last frame and this one. Every value runs along a straight line through
-//! both, up to a deviation: the *radius* bounds its distance from its value in this frame, the *deviation* its distance from the line. Both
-//! are expressions that bound it rigorously, by the mean value theorem and the remainder of linear interpolation, as far as functions
-//! are smooth; what must be positive for that is listed. Deliberately unknown here: what is done with the bounds.
+//! The window contains the last frame and this one. Every value runs along the chord through both frames, up to a deviation. The
+//! *radius* bounds its distance from its value in this frame, the *deviation* its distance from the chord. Both bounds are
+//! rigorous expressions, by the mean value theorem and the remainder of linear interpolation, for smooth functions; values that
+//! must be positive for smoothness are recorded.
 
 mod arithmetic;
 mod arms;
@@ -19,40 +19,40 @@ use arms::{Amplitude, arm, base, length};
 /// Bounds of one value, both at least zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::program) struct Enclosure {
-    /// How far the value is from where it is in this frame.
+    /// Bound on the distance from the value in this frame.
     pub radius: ExprId,
-    /// How far it is from the straight line.
+    /// Bound on the distance from the chord.
     pub deviation: ExprId,
 }
 
-/// What the window is like, as symbols.
+/// Properties of the window, as symbols.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TimeWindow {
-    /// How far the time goes from this frame, in s.
+    /// Largest distance in time from this frame, in s.
     pub time: SymbolId,
-    /// The same in steps: 1 where the window ends with the frames.
+    /// Largest distance in steps: 1 if the window ends with the frames.
     pub steps: SymbolId,
-    /// What the square of a radius is multiplied by in the remainder of linear interpolation, for a second derivative of 1.
+    /// Factor of a squared radius in the remainder of linear interpolation, for a second derivative of 1.
     pub remainder: SymbolId,
-    /// Whether the window goes beyond the frames: 1, or else 0.
+    /// Indicator: 1 if the window extends beyond the frames, otherwise 0.
     pub beyond: SymbolId,
-    /// How far rounding leaves what frames hold from what it stands for, as a part of its size.
+    /// Largest rounding error of values in frames, relative to their magnitude.
     pub rounding: SymbolId,
 }
 
-/// The bounds that are known so far.
+/// Known bounds.
 pub(in crate::program) struct Enclosures {
     window: TimeWindow,
     known: HashMap<SymbolId, Enclosure>,
     found: HashMap<ExprId, Enclosure>,
-    /// What has been found with the bounds of a symbol, by that symbol: the angle in the place of the arms that it turns.
+    /// Expressions whose bounds depend on those of a symbol; an angle represents the vectors that it rotates.
     resting: HashMap<SymbolId, Vec<ExprId>>,
-    /// What must not be negative for the bounds to hold.
+    /// Values that must not be negative for the bounds to hold.
     pub required: Vec<ExprId>,
 }
 
 impl Enclosures {
-    /// Time alone moves.
+    /// Starts with moving time alone.
     pub fn new(window: TimeWindow, system: &mut System) -> Enclosures {
         let graph = &mut system.mechanism.graph;
         let time = Enclosure {
@@ -68,7 +68,7 @@ impl Enclosures {
         }
     }
 
-    /// States the bounds of a symbol.
+    /// Records the bounds of a symbol.
     pub fn know(&mut self, symbol: SymbolId, enclosure: Enclosure) {
         self.known.insert(symbol, enclosure);
         for expr in self.resting.remove(&symbol).unwrap_or_default() {
@@ -76,9 +76,9 @@ impl Enclosures {
         }
     }
 
-    /// Keeps what has been found until bounds that it rests on change.
-    fn keep(&mut self, expr: ExprId, found: Enclosure, system: &System) {
-        self.found.insert(expr, found);
+    /// Keeps bounds until those on which they depend change.
+    fn keep(&mut self, expr: ExprId, enclosure: Enclosure, system: &System) {
+        self.found.insert(expr, enclosure);
         let mut bases: Vec<SymbolId> = system
             .mechanism
             .graph
@@ -93,13 +93,13 @@ impl Enclosures {
         }
     }
 
-    /// The bounds of an expression.
+    /// Bounds an expression.
     pub fn of(&mut self, expr: ExprId, system: &mut System) -> Enclosure {
-        if let Some(&found) = self.found.get(&expr) {
-            return found;
+        if let Some(&known) = self.found.get(&expr) {
+            return known;
         }
         let graph = &mut system.mechanism.graph;
-        let found = match graph.node(expr).clone() {
+        let enclosure = match graph.node(expr).clone() {
             _ if graph.is_fixed(expr) => still(graph),
             Node::Number(_) | Node::Pi => still(graph),
             Node::Symbol(symbol) => self.of_symbol(symbol, system),
@@ -144,8 +144,8 @@ impl Enclosures {
                 argument,
             } => self.of_spline(spline, order, argument, system),
         };
-        self.keep(expr, found, system);
-        found
+        self.keep(expr, enclosure, system);
+        enclosure
     }
 
     fn of_symbol(&mut self, symbol: SymbolId, system: &mut System) -> Enclosure {
@@ -161,7 +161,7 @@ impl Enclosures {
         self.of_turned(angle, amplitude, system)
     }
 
-    /// A wave a cos φ + b sin φ, whose derivatives in φ are at most √(a² + b²).
+    /// Bounds a wave a cos φ + b sin φ, whose derivatives in φ are at most √(a² + b²).
     fn of_turned(&mut self, angle: usize, amplitude: Amplitude, system: &mut System) -> Enclosure {
         let turning = system.vector_form.unknowns[angle].position;
         let turning = self.of_symbol(turning, system);
