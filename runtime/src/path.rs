@@ -2,7 +2,7 @@
 //!
 //! [`advance`](crate::advance) takes the pose to which Newton-Raphson happens to converge. [`follow`] takes only poses
 //! that are certain to lie on the path. The determinant of the Jacobian must keep its sign from the estimate to the
-//! pose. Every Newton-Raphson step must be at most half as long as the one before; otherwise the estimate may lie in
+//! pose. Every Newton-Raphson step must be at most half the length of the one before; otherwise the estimate may lie in
 //! the basin of another root. The motion must also fit both ends. By Hermite's rule the change is h (q̇₀ + q̇₁) / 2 -
 //! h² (q̈₁ - q̈₀) / 12, up to an error of the fifth order in h; for an end on another path it is off by the distance of
 //! the two paths. If one of these conditions fails, [`follow`] takes intermediate times ([`crate::substeps`]).

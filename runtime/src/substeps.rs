@@ -2,7 +2,7 @@
 //!
 //! [`in_steps`] first tries the whole motion. If an attempt fails, it tries half the distance from the last time that
 //! was reached. After two successes in a row it doubles the step again. It therefore halves the distance to a time
-//! beyond which there is no motion until the budget is used up. The time that it reports is as exact as the budget
+//! beyond which motion is impossible until the budget is used up. The time that it reports is as exact as the budget
 //! allows: about two attempts per bit. If links do not reach, the missing distance grows smoothly with time: two
 //! attempts predict its zero, and a few more locate it to rounding.
 //!

@@ -58,7 +58,7 @@ where
     }
 }
 
-/// Watch that requires the sign of the branch of every Jacobian, and steps that are at most half as long as the one
+/// Watch that requires the sign of the branch of every Jacobian, and steps of at most half the length of the one
 /// before.
 pub(crate) struct OnBranch<T> {
     branch: Branch,
