@@ -64,7 +64,7 @@ where
             assert!(gap < 1e-13, "{gap:e}");
             // Up to rounding, the smallest singular value and its multiple enclose it.
             let above = (N as f64).sqrt() * smallest;
-            let condition = condition.reciprocal_condition;
+            let condition = found.reciprocal_condition;
             assert!(smallest * (1.0 - 1e-12) <= condition && condition <= above * (1.0 + 1e-12));
         }
     }
