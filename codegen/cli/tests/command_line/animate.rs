@@ -27,10 +27,10 @@ fn an_svg_goes_through_the_motion() {
     assert_eq!(turned.len(), 51);
     for (frame, value) in turned.iter().enumerate() {
         let t = 0.04 * frame as f64;
-        let wanted = -(std::f64::consts::FRAC_PI_6 + (2.0 * t).sin()).to_degrees();
+        let expected = -(std::f64::consts::FRAC_PI_6 + (2.0 * t).sin()).to_degrees();
         assert!(
-            (value[0] - wanted).abs() < 0.01,
-            "{value:?} for {wanted} at {t}"
+            (value[0] - expected).abs() < 0.01,
+            "{value:?} for {expected} at {t}"
         );
     }
     // The name of P follows it: cos φ and sin φ, less those at the start.
@@ -122,10 +122,10 @@ fn a_torsion_spring_is_wound_between_its_bodies() {
             for ((end, turns), at_rest) in
                 ends.into_iter().zip(turns).zip([0.0, std::f64::consts::PI])
             {
-                let found = -end[1].atan2(end[0]) - frame[0].to_radians();
-                let off = (found - at_rest - turns * angle).sin().abs();
+                let relative = -end[1].atan2(end[0]) - frame[0].to_radians();
+                let off = (relative - at_rest - turns * angle).sin().abs();
                 assert!(off < 5e-3, "{bodies} at {t}: {off}");
-                assert!((found - at_rest - turns * angle).cos() > 0.0);
+                assert!((relative - at_rest - turns * angle).cos() > 0.0);
             }
         }
     }
@@ -157,9 +157,9 @@ fn forces_and_springs_go_along() {
     let turned = values(group, " data-force=\"", "rotate");
     for (frame, value) in turned.iter().enumerate() {
         let t = 0.04 * frame as f64;
-        let wanted = (40.0_f64).atan2(30.0 * (2.0 * std::f64::consts::PI * t).cos());
-        let off = (value[0].to_radians() - wanted).sin().abs();
-        assert!(off < 1e-3, "{value:?} for {wanted}");
+        let expected = (40.0_f64).atan2(30.0 * (2.0 * std::f64::consts::PI * t).cos());
+        let off = (value[0].to_radians() - expected).sin().abs();
+        assert!(off < 1e-3, "{value:?} for {expected}");
     }
     assert!(svg.contains(" data-length=\""));
 }

@@ -59,13 +59,13 @@ fn parameters_are_found_and_written_where_they_stood() {
     let ran = folder
         .run("calibrate a.mech data.csv --param L,offset,speed --out new.mech --json")
         .exits_with(0);
-    let found = json(&ran.stdout);
+    let report = json(&ran.stdout);
     let truth = [
         ("L", "m", 0.042),
         ("offset", "", 0.15),
         ("speed", "s^-1", 3.2),
     ];
-    for (entry, (name, unit, truth)) in found["parameters"]
+    for (entry, (name, unit, truth)) in report["parameters"]
         .as_array()
         .expect("a list")
         .iter()
@@ -82,10 +82,10 @@ fn parameters_are_found_and_written_where_they_stood() {
         );
     }
     assert_eq!(
-        (&found["rank"], &found["freedom"]),
+        (&report["rank"], &report["freedom"]),
         (&3.into(), &117.into())
     );
-    for column in found["columns"].as_array().expect("a list") {
+    for column in report["columns"].as_array().expect("a list") {
         // Evenly distributed noise of ±0.01 mm has a standard deviation of 0.0058 mm.
         let after = number(&column["rms_after"]);
         assert!(
@@ -148,8 +148,8 @@ fn what_cannot_be_told_apart_is_named_and_nothing_is_written() {
     let ran = folder
         .run("calibrate a.mech data.csv --param L,gap,offset,speed --out new.mech")
         .exits_with(1);
-    let said = "`L` and `gap` cannot be told apart: changed as 1 : -1 they leave everything that is measured as it is";
-    assert!(ran.stdout.contains(said), "{}", ran.stdout);
+    let expected = "`L` and `gap` cannot be told apart: changed as 1 : -1 they leave everything that is measured as it is";
+    assert!(ran.stdout.contains(expected), "{}", ran.stdout);
     assert!(
         ran.stdout
             .contains("this motion determines 3 of 4 combinations"),
@@ -162,17 +162,17 @@ fn what_cannot_be_told_apart_is_named_and_nothing_is_written() {
         ran.stderr
     );
     assert!(!folder.file("new.mech").exists());
-    let found = folder
+    let ran = folder
         .run("calibrate a.mech data.csv --param L,gap,offset,speed --json")
         .exits_with(1);
-    let found = json(&found.stdout);
-    let parameters = found["parameters"].as_array().expect("a list");
+    let report = json(&ran.stdout);
+    let parameters = report["parameters"].as_array().expect("a list");
     let is_null: Vec<bool> = parameters
         .iter()
         .map(|it| it["deviation"].is_null())
         .collect();
-    assert_eq!(is_null, [true, false, false, true], "{found}");
-    assert!(found["correlations"][0][3].is_null() && number(&found["correlations"][1][2]) < 0.0);
+    assert_eq!(is_null, [true, false, false, true], "{report}");
+    assert!(report["correlations"][0][3].is_null() && number(&report["correlations"][1][2]) < 0.0);
 }
 
 #[test]
@@ -182,8 +182,8 @@ fn known_deviations_count() {
         let ran = folder.run(&format!(
             "calibrate a.mech data.csv --param L,offset,speed --json {options}"
         ));
-        let found = json(&ran.exits_with(0).stdout);
-        number(&found["parameters"][0]["deviation"])
+        let report = json(&ran.exits_with(0).stdout);
+        number(&report["parameters"][0]["deviation"])
     };
     let (one, ten) = (of("--deviation 0.01mm"), of("--deviation 0.1mm"));
     assert!((ten / one - 10.0).abs() < 1e-6, "{one} {ten}");
@@ -209,12 +209,12 @@ fn columns_that_count_turns_are_marked() {
         }
         std::fs::write(folder.file("data.csv"), text).expect("it can be written");
         let ran = folder.run("calibrate a.mech data.csv --param speed --json");
-        let found = json(&ran.exits_with(0).stdout);
-        let speed = number(&found["parameters"][0]["value"]);
-        assert!((speed - 3.2).abs() < 1e-6, "{unit}: {found}");
-        let [rate, reach] = [0, 1].map(|it| &found["columns"][it]);
-        assert_eq!(rate["counts_turns"] == true, counts, "{unit}: {found}");
-        assert_eq!(reach.get("counts_turns"), None, "{unit}: {found}");
+        let report = json(&ran.exits_with(0).stdout);
+        let speed = number(&report["parameters"][0]["value"]);
+        assert!((speed - 3.2).abs() < 1e-6, "{unit}: {report}");
+        let [rate, reach] = [0, 1].map(|it| &report["columns"][it]);
+        assert_eq!(rate["counts_turns"] == true, counts, "{unit}: {report}");
+        assert_eq!(reach.get("counts_turns"), None, "{unit}: {report}");
     }
 }
 
@@ -277,10 +277,10 @@ fn a_parameter_that_moves_nothing_alone_is_not_determined() {
     let ran = folder
         .run("calibrate a.mech data.csv --param depth")
         .exits_with(1);
-    let said = ran.stdout + &ran.stderr;
+    let output = ran.stdout + &ran.stderr;
     assert!(
-        said.contains("`depth` changes nothing that is measured"),
-        "{said}"
+        output.contains("`depth` changes nothing that is measured"),
+        "{output}"
     );
 }
 
@@ -400,15 +400,15 @@ fn what_is_no_fit_is_not_trusted_and_not_written() {
             let picture = folder.read(&format!("plots/{column}.svg"));
             assert!(picture.contains("data - solved"), "{column}");
         }
-        let found = json(
+        let report = json(
             &folder
                 .run(&format!("{options} --json"))
                 .exits_with(1)
                 .stdout,
         );
-        assert_eq!(found["trusted"], false, "{found}");
-        for parameter in found["parameters"].as_array().expect("parameters") {
-            assert!(number(&parameter["value"]) >= 0.0, "{found}");
+        assert_eq!(report["trusted"], false, "{report}");
+        for parameter in report["parameters"].as_array().expect("parameters") {
+            assert!(number(&parameter["value"]) >= 0.0, "{report}");
         }
     }
     // What is said anyway can be written anyway.
@@ -428,17 +428,20 @@ fn bounds_hold_and_are_read_with_units() {
             format!("calibrate a.mech data.csv --param L,offset,speed --json --bound {bound}");
         folder.run(&options).exits_with(code)
     };
-    let found = json(&run("L=39mm..43mm,offset=5deg..15deg", 0).stdout);
+    let report = json(&run("L=39mm..43mm,offset=5deg..15deg", 0).stdout);
     assert!(
-        (number(&found["parameters"][0]["value"]) - 0.042).abs() < 1e-5,
-        "{found}"
+        (number(&report["parameters"][0]["value"]) - 0.042).abs() < 1e-5,
+        "{report}"
     );
-    let found = json(&run("L=0.03..41mm", 1).stdout);
+    let report = json(&run("L=0.03..41mm", 1).stdout);
     assert!(
-        (number(&found["parameters"][0]["bound"]) - 0.041).abs() < 1e-12,
-        "{found}"
+        (number(&report["parameters"][0]["bound"]) - 0.041).abs() < 1e-12,
+        "{report}"
     );
-    assert!(number(&found["parameters"][0]["value"]) <= 0.041, "{found}");
+    assert!(
+        number(&report["parameters"][0]["value"]) <= 0.041,
+        "{report}"
+    );
     let ran = folder
         .run("calibrate a.mech data.csv --param L --bound L=41mm..43mm --set L=50mm")
         .exits_with(1);
@@ -495,26 +498,26 @@ fn a_length_ends_at_the_bound_that_its_sign_is() {
         let ran = folder.run(options).exits_with(1);
         let reason = "`height` ends at its bound 0 m";
         assert!(ran.stdout.contains(reason), "{}", ran.stdout);
-        let found = json(
+        let report = json(
             &folder
                 .run(&format!("{options} --json"))
                 .exits_with(1)
                 .stdout,
         );
-        let own = &found["parameters"][0];
-        assert_eq!(number(&own["bound"]), 0.0, "{found}");
-        assert!(number(&own["value"]).abs() < 1e-8, "{found}");
-        assert_eq!(found["trusted"], false, "{found}");
-        assert!(found["reasons"].to_string().contains(reason), "{found}");
+        let parameter = &report["parameters"][0];
+        assert_eq!(number(&parameter["bound"]), 0.0, "{report}");
+        assert!(number(&parameter["value"]).abs() < 1e-8, "{report}");
+        assert_eq!(report["trusted"], false, "{report}");
+        assert!(report["reasons"].to_string().contains(reason), "{report}");
         for bound in ["height=..", "height=-20mm..20mm"] {
             let options = format!("{options} --json --bound {bound}");
-            let found = json(&folder.run(&options).exits_with(0).stdout);
-            let own = &found["parameters"][0];
+            let report = json(&folder.run(&options).exits_with(0).stdout);
+            let parameter = &report["parameters"][0];
             assert!(
-                (1e3 * number(&own["value"]) - height).abs() < 0.01,
-                "{found}"
+                (1e3 * number(&parameter["value"]) - height).abs() < 0.01,
+                "{report}"
             );
-            assert_eq!(own.get("bound"), None, "{found}");
+            assert_eq!(parameter.get("bound"), None, "{report}");
         }
     }
 }
@@ -548,20 +551,20 @@ fn rounding_of_the_table_counts() {
         text += &format!("{t},{:.0}\n", 42.3 * cosine);
     }
     std::fs::write(folder.file("data.csv"), text).expect("it can be written");
-    let found = json(
+    let report = json(
         &folder
             .run("calibrate a.mech data.csv --param L --json")
             .exits_with(0)
             .stdout,
     );
-    let own = &found["parameters"][0];
-    let expected = 1e-3 * deviation_by_rounding(1e3 * number(&own["value"]), &cosines);
-    let deviation = number(&own["deviation"]);
+    let parameter = &report["parameters"][0];
+    let expected = 1e-3 * deviation_by_rounding(1e3 * number(&parameter["value"]), &cosines);
+    let deviation = number(&parameter["deviation"]);
     assert!(
         (deviation / expected - 1.0).abs() < 0.02,
         "{deviation} {expected}"
     );
-    let [low, high] = [0, 1].map(|it| number(&own["interval"][it]));
-    assert!(low < 0.0423 && 0.0423 < high, "{found}");
-    assert!((number(&found["columns"][0]["noise"]) / 12.0_f64.sqrt().recip() - 1.0) > -1e-9);
+    let [low, high] = [0, 1].map(|it| number(&parameter["interval"][it]));
+    assert!(low < 0.0423 && 0.0423 < high, "{report}");
+    assert!((number(&report["columns"][0]["noise"]) / 12.0_f64.sqrt().recip() - 1.0) > -1e-9);
 }

@@ -10,14 +10,14 @@ fn a_description_is_a_regular_file() {
     let folder = Folder::new("files_read", EXAM);
     fs::create_dir_all(folder.file("empty/x.mech")).expect("a folder");
     for command in ["solve", "generate", "inspect", "plan", "check"] {
-        let said = refused(
+        let message = refused(
             &folder,
             &format!("{command} ."),
             "cannot read `.`: it is a folder",
         );
         assert!(
-            said.contains("help: name a description in it, such as `./a.mech`"),
-            "{said}"
+            message.contains("help: name a description in it, such as `./a.mech`"),
+            "{message}"
         );
         refused(
             &folder,
@@ -120,10 +120,10 @@ fn outputs_of_another_description_are_not_replaced() {
             .run(&format!("{command} sub/b--c.mech --force"))
             .exits_with(0);
         assert_ne!(folder.read(path), made, "{path}");
-        let said = refused(&folder, &format!("{command} a.mech"), "it was made from");
+        let message = refused(&folder, &format!("{command} a.mech"), "it was made from");
         assert!(
-            said.contains("from `sub/b--c.mech`, not from `a.mech`"),
-            "{said}"
+            message.contains("from `sub/b--c.mech`, not from `a.mech`"),
+            "{message}"
         );
     }
     // The way from one to the other is what counts, not where both lie.

@@ -82,9 +82,12 @@ fn only_what_the_command_wrote_is_replaced_unless_forced() {
         ),
     ] {
         fs::write(folder.file(path), NOTES).expect("it can be written");
-        let said = refused(&folder, command, &format!("and it is not {noun}"));
-        assert!(said.contains(&format!("cannot write `{path}`")), "{said}");
-        assert!(said.contains("`--force`"), "{said}");
+        let message = refused(&folder, command, &format!("and it is not {noun}"));
+        assert!(
+            message.contains(&format!("cannot write `{path}`")),
+            "{message}"
+        );
+        assert!(message.contains("`--force`"), "{message}");
         assert!(folder.read(path) == NOTES, "{path}");
         // What was written once is replaced without a word, also by what is longer or shorter.
         folder.run(&format!("{command} --force")).exits_with(0);
@@ -204,8 +207,8 @@ fn what_cannot_be_written_is_noticed_before_the_work() {
     assert!(folder.list("out").is_empty());
     // What is written unasked can be written elsewhere.
     fs::write(folder.file("two_body"), NOTES).expect("it can be written");
-    let said = refused(&folder, "solve a.mech", "`two_body` is not a folder");
-    assert!(said.contains("help: `--out DIR` writes"), "{said}");
+    let message = refused(&folder, "solve a.mech", "`two_body` is not a folder");
+    assert!(message.contains("help: `--out DIR` writes"), "{message}");
     folder.run("solve a.mech --csv - --plot out").exits_with(0);
 }
 
@@ -257,18 +260,18 @@ fn a_file_is_named_as_what_it_is() {
             "no module can be written as `.c`",
         ),
     ] {
-        let said = refused(&folder, command, words);
+        let message = refused(&folder, command, words);
         let known = match command.split(' ').next() {
             Some("draw") => ["svg", "png"],
             Some("view") => ["html", "htm"],
             _ => ["rs", "lang c"],
         };
-        let (_, help) = said.split_once("help: ").expect("what can be written");
+        let (_, help) = message.split_once("help: ").expect("what can be written");
         let named = known.iter().filter(|it| help.contains(**it)).count();
         assert_eq!(
             named,
             if words.starts_with("`--png`") { 1 } else { 2 },
-            "{said}"
+            "{message}"
         );
     }
     for command in [

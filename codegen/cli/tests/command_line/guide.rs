@@ -44,46 +44,46 @@ fn of_kind(folder: &Path, extension: &str) -> Vec<PathBuf> {
 
 /// The blocks of a page: how each is marked, the text of the last line before it, and its lines.
 fn blocks(page: &str) -> Vec<(&str, &str, Vec<&str>)> {
-    let mut found = Vec::new();
+    let mut blocks = Vec::new();
     let (mut before, mut open) = ("", None);
     for line in page.lines() {
         match (&mut open, line.strip_prefix("```")) {
             (None, Some(mark)) => open = Some((mark, before, Vec::new())),
             (None, None) if !line.is_empty() => before = line,
             (None, None) => {}
-            (Some(_), Some(_)) => found.extend(open.take()),
+            (Some(_), Some(_)) => blocks.extend(open.take()),
             (Some((_, _, lines)), None) => lines.push(line),
         }
     }
     assert!(open.is_none(), "a block is not closed after: {before}");
-    found
+    blocks
 }
 
 /// The commands of a block.
 fn commands<'a>(lines: &[&'a str]) -> Vec<Command<'a>> {
-    let mut found: Vec<Command<'a>> = Vec::new();
+    let mut commands: Vec<Command<'a>> = Vec::new();
     for line in lines {
-        match (line.strip_prefix("$ "), found.last_mut()) {
-            (Some(command), _) => found.push((command, Vec::new())),
+        match (line.strip_prefix("$ "), commands.last_mut()) {
+            (Some(command), _) => commands.push((command, Vec::new())),
             (None, Some((_, printed))) => printed.push(line),
             (None, None) => panic!("no command stands before: {line}"),
         }
     }
-    found
+    commands
 }
 
 /// The arguments of a command, divided by spaces, but for those in single quotes.
 fn arguments(command: &str) -> Vec<String> {
     let program = PROGRAMS.iter().find_map(|it| command.strip_prefix(it));
     let rest = program.unwrap_or_else(|| panic!("not a command of this program: {command}"));
-    let mut found = Vec::new();
+    let mut arguments = Vec::new();
     for (place, part) in rest.split('\'').enumerate() {
         match place % 2 {
-            0 => found.extend(part.split_whitespace().map(String::from)),
-            _ => found.push(part.to_string()),
+            0 => arguments.extend(part.split_whitespace().map(String::from)),
+            _ => arguments.push(part.to_string()),
         }
     }
-    found
+    arguments
 }
 
 /// The first line that is not printed, if there is one; a message for the reader.
@@ -197,8 +197,8 @@ fn commands_print_what_the_guide_says() {
                         };
                         let mut run = folder.command();
                         let output = run.args(arguments(program)).stdin(input).output();
-                        let found = Ran::from(output.expect("the command starts"));
-                        let text = found.stdout + &found.stderr;
+                        let result = Ran::from(output.expect("the command starts"));
+                        let text = result.stdout + &result.stderr;
                         let printed: Vec<&str> = text.lines().collect();
                         ran += 1;
                         let Some(difference) = difference(&expected, &printed) else {
@@ -256,8 +256,8 @@ fn the_gallery_shows_every_description() {
     assert!(names.len() >= 20, "{names:?}");
     let mut pictures = shown(&page);
     pictures.sort_unstable();
-    let wanted: Vec<String> = names.iter().map(|it| format!("gallery/{it}.svg")).collect();
-    assert_eq!(pictures, wanted);
+    let expected: Vec<String> = names.iter().map(|it| format!("gallery/{it}.svg")).collect();
+    assert_eq!(pictures, expected);
 }
 
 #[test]

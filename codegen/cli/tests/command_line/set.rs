@@ -21,8 +21,8 @@ fn last_row(folder: &Folder, options: &str) -> Vec<f64> {
     let printed = ran.exits_with(0).stdout;
     let titles = printed.lines().next().expect("a line of titles");
     let row = printed.lines().last().expect("a row");
-    let wanted = titles.split(',').zip(row.split(','));
-    wanted
+    let cells = titles.split(',').zip(row.split(','));
+    cells
         .filter(|(title, _)| title.starts_with("P_") || title.starts_with("P."))
         .map(|(_, value)| value.parse().expect("a number"))
         .collect()
@@ -138,8 +138,8 @@ mechanism drawer {
         .run("solve a.mech --at 0 --set j_stroke=80mm")
         .exits_with(0);
     let ran = folder.run("solve a.mech --at 0 --set j.stroke=80mm");
-    let said = ran.exits_with(2).stderr;
-    assert!(said.contains("`--set j_stroke=80mm`"), "{said}");
+    let stderr = ran.exits_with(2).stderr;
+    assert!(stderr.contains("`--set j_stroke=80mm`"), "{stderr}");
     // What no part has is a mistake of another kind.
     let other = folder.run("solve a.mech --at 0 --set j.stroek=80mm");
     assert!(!other.exits_with(2).stderr.contains("joined by"));
@@ -229,8 +229,8 @@ fn assemblies_of_a_refused_value_are_not_listed() {
     for value in ["rod=-90mm", "pull=-105mm"] {
         let printed = listed(&format!("--set {value}"), 1);
         assert!(!printed.contains("assemblies"), "{printed}");
-        let found = crate::printed::json(&listed(&format!("--json --set {value}"), 1));
-        assert_eq!(found["assemblies"].as_array().map(Vec::len), Some(0));
+        let report = crate::printed::json(&listed(&format!("--json --set {value}"), 1));
+        assert_eq!(report["assemblies"].as_array().map(Vec::len), Some(0));
     }
 }
 
@@ -239,12 +239,12 @@ fn assemblies_of_a_refused_value_are_not_listed() {
 fn an_input_that_is_not_finite_is_named() {
     let folder = Folder::new("set_infinite", CHANGED);
     let ran = folder.run("solve a.mech --to 1 --step 0.25 --no-files --set pull=sqrt(0.011025-t)");
-    let said = ran.exits_with(1).stderr;
+    let stderr = ran.exits_with(1).stderr;
     assert!(
-        said.contains("beyond t = 0.25 s: input pull is not finite"),
-        "{said}"
+        stderr.contains("beyond t = 0.25 s: input pull is not finite"),
+        "{stderr}"
     );
-    assert!(!said.contains("revolute"), "{said}");
+    assert!(!stderr.contains("revolute"), "{stderr}");
 }
 
 /// A value that makes a number infinite, whatever the pose is, is named at its declaration.
@@ -252,12 +252,12 @@ fn an_input_that_is_not_finite_is_named() {
 fn a_value_that_makes_numbers_infinite_is_named() {
     let folder = Folder::new("set_too_large", CHANGED);
     let ran = folder.run("solve a.mech --to 0 --no-files --set rod=1e200");
-    let said = ran.exits_with(2).stderr;
+    let stderr = ran.exits_with(2).stderr;
     assert!(
-        said.contains("infinite or undefined with `rod` = 1e200"),
-        "{said}"
+        stderr.contains("infinite or undefined with `rod` = 1e200"),
+        "{stderr}"
     );
-    assert!(said.contains(" --> a.mech:3:11\n"), "{said}");
+    assert!(stderr.contains(" --> a.mech:3:11\n"), "{stderr}");
 }
 
 /// A spring between ends that meet pulls nowhere: it is named, and not what follows from it.
@@ -280,9 +280,9 @@ fn a_spring_without_a_length_is_named() {
 ";
     let folder = Folder::new("set_meeting", text);
     let ran = folder.run("solve a.mech --to 0 --no-files --set gap=0");
-    let said = ran.exits_with(1).stderr;
+    let stderr = ran.exits_with(1).stderr;
     assert!(
-        said.contains("spring (ground.A, b.Q) has no length"),
-        "{said}"
+        stderr.contains("spring (ground.A, b.Q) has no length"),
+        "{stderr}"
     );
 }

@@ -35,12 +35,12 @@ fn columns(text: &str) -> Vec<(String, f64)> {
 
 #[track_caller]
 fn assert_column(columns: &[(String, f64)], name: &str, expected: f64) {
-    let found = columns.iter().find(|it| it.0 == name);
-    let (_, found) = found.unwrap_or_else(|| panic!("no `{name}` in {columns:?}"));
-    let off = (found - expected).abs();
+    let column = columns.iter().find(|it| it.0 == name);
+    let (_, column) = column.unwrap_or_else(|| panic!("no `{name}` in {columns:?}"));
+    let off = (column - expected).abs();
     assert!(
         off <= 1e-13 * expected.abs().max(1.0),
-        "{name}: {found}, expected {expected}"
+        "{name}: {column}, expected {expected}"
     );
 }
 
@@ -229,17 +229,21 @@ const LEAVING: &str = "mechanism leaving {
 #[test]
 fn messages_take_the_units_that_the_description_writes() {
     let folder = Folder::new("units_messages", OPEN);
-    let said = |options: &str| {
+    let stderr_with = |options: &str| {
         folder
             .run(&format!("solve a.mech {options}"))
             .exits_with(2)
             .stderr
     };
-    assert!(said("").contains("out of reach by 10 mm"), "{}", said(""));
-    assert!(said("--units=cm").contains("out of reach by 1 cm"));
-    assert!(said("--units=m").contains("out of reach by 0.01 m"));
+    assert!(
+        stderr_with("").contains("out of reach by 10 mm"),
+        "{}",
+        stderr_with("")
+    );
+    assert!(stderr_with("--units=cm").contains("out of reach by 1 cm"));
+    assert!(stderr_with("--units=m").contains("out of reach by 0.01 m"));
     let folder = Folder::new("units_leaving", LEAVING);
-    let said = |options: &str| {
+    let stderr_with = |options: &str| {
         folder
             .run(&format!("solve a.mech --no-files {options}"))
             .exits_with(1)
@@ -247,14 +251,14 @@ fn messages_take_the_units_that_the_description_writes() {
     };
     // 30 mm/s · 0.67 s = 20.1 mm are too many.
     assert!(
-        said("").contains("out of reach by 0.1000 mm"),
+        stderr_with("").contains("out of reach by 0.1000 mm"),
         "{}",
-        said("")
+        stderr_with("")
     );
     assert!(
-        said("--units=m").contains("out of reach by 1.0e-4 m"),
+        stderr_with("--units=m").contains("out of reach by 1.0e-4 m"),
         "{}",
-        said("--units=m")
+        stderr_with("--units=m")
     );
 }
 
@@ -285,14 +289,14 @@ fn what_is_not_a_unit_of_output_is_refused() {
         ("mm,", "no unit is named ``"),
     ] {
         let ran = folder.run(&format!("solve a.mech --units={units}"));
-        let said = ran.exits_with(2).stderr;
-        assert!(said.contains(message), "{said}");
+        let stderr = ran.exits_with(2).stderr;
+        assert!(stderr.contains(message), "{stderr}");
     }
     // A list behind a blank would be taken for a file.
-    let said = folder
+    let stderr = folder
         .run("solve a.mech --units mm,deg")
         .exits_with(2)
         .stderr;
-    assert!(said.contains("--units=mm,deg"), "{said}");
+    assert!(stderr.contains("--units=mm,deg"), "{stderr}");
     assert_eq!(folder.list(""), ["a.mech"]);
 }

@@ -135,8 +135,8 @@ fn pages_of_the_gallery_are_whole_files_that_need_nothing_else() {
             assert!(!loads.contains(address), "{address} in {}", path.display());
         }
         assert!(html.contains("default-src 'none'"));
-        let found = played(&html);
-        assert!(!found["assemblies"][0]["times"][1].is_null(), "{found}");
+        let page = played(&html);
+        assert!(!page["assemblies"][0]["times"][1].is_null(), "{page}");
         // Formulas are written, not typed.
         let text = words(article(&html));
         for wrong in ["sqrt(", "\\frac", "\\varphi", "NaN", "$"] {
@@ -157,8 +157,8 @@ fn the_page_of_the_excavator_is_small() {
         .exits_with(0);
     let html = folder.read("a.html");
     assert!(html.len() < 1_500_000, "{} bytes", html.len());
-    let found = played(&html);
-    let assemblies = found["assemblies"].as_array().expect("a list");
+    let page = played(&html);
+    let assemblies = page["assemblies"].as_array().expect("a list");
     assert_eq!(assemblies.len(), 16);
     assert_eq!(assemblies[0]["times"].as_array().map(Vec::len), Some(501));
     // Each has a motion, or says why not, or where it ends.
@@ -295,9 +295,9 @@ fn only_pages_of_ours_are_replaced_and_options_are_checked() {
         .run("view a.mech --branch phi2=other --from 0.2 --to 1 --out -")
         .exits_with(0)
         .stdout;
-    let found = played(&other);
-    assert_eq!(found["assemblies"][0]["label"], "as chosen");
-    assert_eq!(found["assemblies"][0]["times"][0], 0.2);
+    let page = played(&other);
+    assert_eq!(page["assemblies"][0]["label"], "as chosen");
+    assert_eq!(page["assemblies"][0]["times"][0], 0.2);
     for (wrong, words) in [
         ("--branch phi2=up", "no assembly mode"),
         ("--set length=2", "length"),
@@ -338,8 +338,8 @@ fn a_guide_goes_with_the_assembly() {
         (heights[0].min(heights[1]), heights[0].max(heights[1]))
     };
     let id = "joint-absolute_x_2-below";
-    let found = played(&html);
-    let others = found["assemblies"].as_array().expect("a list");
+    let page = played(&html);
+    let others = page["assemblies"].as_array().expect("a list");
     let other = others
         .iter()
         .position(|it| it["label"] == "−")

@@ -175,8 +175,8 @@ impl Client {
                 },
             };
             if note.params["version"] == self.version {
-                let found = note.params["diagnostics"].as_array();
-                return found.expect("a list").clone();
+                let diagnostics = note.params["diagnostics"].as_array();
+                return diagnostics.expect("a list").clone();
             }
         }
     }
@@ -184,9 +184,9 @@ impl Client {
     /// The findings about the newest text once they are so: those of its equations may come after those of the text alone.
     pub fn findings_when(&mut self, is_so: impl Fn(&[Value]) -> bool) -> Vec<Value> {
         loop {
-            let found = self.findings();
-            if is_so(&found) {
-                return found;
+            let findings = self.findings();
+            if is_so(&findings) {
+                return findings;
             }
         }
     }

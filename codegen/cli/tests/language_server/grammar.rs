@@ -92,8 +92,8 @@ fn every_word_of_a_clause_is_listed() {
     let folder = repository().join("codegen/description/src/syntax");
     let mut words = BTreeSet::new();
     for text in texts(&folder) {
-        let asked = text.split("keyword(\"").skip(1);
-        words.extend(asked.filter_map(|it| Some(it.split_once('"')?.0.to_string())));
+        let keywords = text.split("keyword(\"").skip(1);
+        words.extend(keywords.filter_map(|it| Some(it.split_once('"')?.0.to_string())));
     }
     words.remove("mechanism");
     let listed: BTreeSet<String> = CLAUSES.iter().map(ToString::to_string).collect();

@@ -80,9 +80,9 @@ fn every_word_is_a_name_or_one_of_the_language() {
                 continue;
             }
             let mention = names.mention_at(lexeme.start);
-            let found = mention.map(|it| &source.text[it.span.range()]);
+            let mentioned = mention.map(|it| &source.text[it.span.range()]);
             let position = source.position(lexeme.start as u32);
-            assert_eq!(found, Some(word), "{}:{}", source.name, position.line);
+            assert_eq!(mentioned, Some(word), "{}:{}", source.name, position.line);
             count += 1;
         }
     }
@@ -117,12 +117,12 @@ fn equations(source: &Source, is_point: bool) -> Vec<String> {
         let mechanism = &system.mechanism;
         all.extend(mechanism.joints.iter().map(|it| it.label.clone()));
         all.extend(mechanism.constants.iter().map(|it| formula(it.value)));
-        let wanted = (
+        let expected = (
             &mechanism.requests,
             &mechanism.transmissions,
             &mechanism.sensitivities,
         );
-        all.push(format!("{wanted:?}"));
+        all.push(format!("{expected:?}"));
         let forces = &mechanism.forces;
         all.extend(forces.loads.iter().map(|it| it.label.clone()));
         all.push(format!("{:?}", forces.reactions));

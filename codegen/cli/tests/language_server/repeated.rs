@@ -62,16 +62,16 @@ fn what_is_repeated_has_one_name() {
         ask("references", "size = 20mm", 0),
         [(2, 10), (3, 30), (11, 26)]
     );
-    let said = hover(&mut client, WALKER, "crank.B", 0);
+    let hover_text = hover(&mut client, WALKER, "crank.B", 0);
     assert!(
-        said.starts_with("```mech\nbody crank at A { A, B }\n```\n\nbody"),
-        "{said}"
+        hover_text.starts_with("```mech\nbody crank at A { A, B }\n```\n\nbody"),
+        "{hover_text}"
     );
-    assert!(said.contains("`phi_leg3_crank`"), "{said}");
-    let said = hover(&mut client, WALKER, "crank at", 0);
-    assert!(!said.contains("coordinates"), "{said}");
-    let said = hover(&mut client, WALKER, "leg[n]", 0);
-    assert!(said.contains("\n\npart"), "{said}");
+    assert!(hover_text.contains("`phi_leg3_crank`"), "{hover_text}");
+    let hover_text = hover(&mut client, WALKER, "crank at", 0);
+    assert!(!hover_text.contains("coordinates"), "{hover_text}");
+    let hover_text = hover(&mut client, WALKER, "leg[n]", 0);
+    assert!(hover_text.contains("\n\npart"), "{hover_text}");
     client.finish();
 }
 
