@@ -1,4 +1,4 @@
-//! `draw --animate`: pictures that move by themselves.
+//! `draw --animate`: moving pictures.
 
 use std::fs;
 
@@ -33,7 +33,7 @@ fn an_svg_goes_through_the_motion() {
             "{value:?} for {expected} at {t}"
         );
     }
-    // The name of P follows it: cos φ and sin φ, less those at the start.
+    // The name of P follows P: cos φ and sin φ, minus their values at the start.
     let scale = svg.split("data-scale=\"").nth(1).expect("a scale");
     let scale = numbers(scale.split('"').next().expect("a number"))[0];
     let names = &svg[svg.find("<g id=\"names\">").expect("names")..];
@@ -53,12 +53,12 @@ fn an_svg_goes_through_the_motion() {
         svg.matches("dur=\"2s\" repeatCount=\"indefinite\"").count()
     );
     assert!(!svg.contains("<script"));
-    // It is a picture of ours, and the same again.
+    // The picture has our mark, and is equal on the second run.
     folder.run("draw a.mech --animate --to 2").exits_with(0);
     assert_eq!(folder.read("two_body_animated.svg"), svg);
 }
 
-/// The still picture and the moving one have names of their own, so that neither replaces the other.
+/// The still picture and the moving one have different names, so that neither replaces the other.
 #[test]
 fn a_moving_picture_leaves_the_still_one() {
     let folder = Folder::new("animate_beside", EXAM);
@@ -69,7 +69,8 @@ fn a_moving_picture_leaves_the_still_one() {
     assert!(folder.read("two_body_animated.svg").contains("<animate"));
 }
 
-/// Of a spring about a pin the inner end turns with the first body, and the outer end with the second one, whichever of them moves.
+/// The inner end of a spring about a pin turns with the first body, and the outer end with the second one, whichever of
+/// them moves.
 #[test]
 fn a_torsion_spring_is_wound_between_its_bodies() {
     let text = "mechanism wound {
@@ -87,7 +88,7 @@ fn a_torsion_spring_is_wound_between_its_bodies() {
         folder
             .run("draw a.mech --animate --to 1 --out a.svg")
             .exits_with(0);
-        // A still picture shows the spiral as it is wound then: at a quarter of the period the arm has turned by 50 degrees.
+        // A still picture shows the spiral in its pose: at a quarter of the period the arm has turned by 50 degrees.
         folder
             .run("draw a.mech --at 0.25 --out still.svg")
             .exits_with(0);
@@ -131,7 +132,7 @@ fn a_torsion_spring_is_wound_between_its_bodies() {
     }
 }
 
-/// A long motion has 250 pictures at most, and still its own pace.
+/// A long motion has 250 pictures at most, and keeps its pace.
 #[test]
 fn a_long_motion_has_fewer_pictures() {
     let folder = Folder::new("animate_long", EXAM);
@@ -165,7 +166,7 @@ fn forces_and_springs_go_along() {
 }
 
 #[test]
-fn what_cannot_be_animated_is_refused() {
+fn refuses_what_cannot_be_animated() {
     let folder = Folder::new("animate_refused", EXAM);
     for (options, words) in [
         ("--out a.png", "no animation can be written as `.png`"),
@@ -196,7 +197,7 @@ fn a_gif_is_written_and_only_ours_are_replaced() {
         "{:?}",
         &bytes[..10]
     );
-    // For ever, as browsers read it.
+    // Endless, in the notation of browsers.
     let loops = b"NETSCAPE2.0\x03\x01\x00\x00\x00";
     assert!(bytes.windows(loops.len()).any(|it| it == loops));
     folder.run(draw).exits_with(0);

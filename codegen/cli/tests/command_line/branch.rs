@@ -17,7 +17,7 @@ const EXAM: &str = "mechanism exam {
 
 const PLATFORM: &str = include_str!("../../../../mechanisms/platform_3rpr.mech");
 
-/// The numbers of the only row that is written.
+/// Numbers of the only row in the output.
 fn row(folder: &Folder, options: &str) -> Vec<f64> {
     let ran = folder.run(&format!("solve a.mech --at 0 --csv - {options}"));
     let printed = ran.exits_with(0).stdout;

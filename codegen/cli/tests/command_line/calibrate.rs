@@ -118,7 +118,7 @@ fn parameters_are_found_and_written_where_they_stood() {
     folder
         .run("compare a.mech data.csv --tolerance 0.03mm")
         .exits_with(1);
-    // A description is nobody's to replace.
+    // A description is never replaced.
     let ran = folder
         .run("calibrate a.mech data.csv --param L --out new.mech")
         .exits_with(2);
@@ -141,7 +141,7 @@ fn parameters_are_found_and_written_where_they_stood() {
 }
 
 #[test]
-fn what_cannot_be_told_apart_is_named_and_nothing_is_written() {
+fn indistinguishable_parameters_are_named_and_not_written() {
     let folder = folder("calibrate_indistinct");
     let table = table().replace("B_", "C_");
     std::fs::write(folder.file("data.csv"), table).expect("written");
@@ -219,7 +219,7 @@ fn columns_that_count_turns_are_marked() {
 }
 
 #[test]
-fn what_cannot_be_fitted_is_said() {
+fn names_the_reason_of_an_impossible_fit() {
     let folder = folder("calibrate_errors");
     for (options, code, said) in [
         ("--param M", 2, "`crank` has no parameter `M`"),
@@ -334,7 +334,7 @@ fn four_bar(lengths: [&str; 3]) -> String {
     )
 }
 
-/// A table of a four-bar of 40, 120 and 80 mm with its crank half a turn further on.
+/// Table of a four-bar of 40, 120 and 80 mm with its crank turned by half a turn.
 const TURNED: &str = "t (s),P_x (mm),P_y (mm),phi_rocker (deg)\n\
 0.00,-19.61130,45.55089,128.305305\n\
 0.15,-16.01560,35.62999,128.044404\n\
@@ -352,7 +352,7 @@ const TURNED: &str = "t (s),P_x (mm),P_y (mm),phi_rocker (deg)\n\
 1.95,-17.55656,58.49667,124.921063\n\
 ";
 
-/// The same in the other assembly, from its drawn crank on.
+/// Table of that four-bar in the other assembly, from its design configuration on.
 const OTHER: &str = "t (s),P_x (mm),P_y (mm),phi_rocker (deg)\n\
 0.00,94.7279,-7.3487,-98.0050\n\
 0.15,77.7707,-1.3959,-114.8271\n\
@@ -363,7 +363,7 @@ const OTHER: &str = "t (s),P_x (mm),P_y (mm),phi_rocker (deg)\n\
 ";
 
 #[test]
-fn what_is_no_fit_is_not_trusted_and_not_written() {
+fn poor_fit_is_not_trusted_and_not_written() {
     for (name, lengths, table, parameters, said) in [
         (
             "turned",
@@ -411,7 +411,7 @@ fn what_is_no_fit_is_not_trusted_and_not_written() {
             assert!(number(&parameter["value"]) >= 0.0, "{report}");
         }
     }
-    // What is said anyway can be written anyway.
+    // `--force` writes a fit that is not trusted.
     let folder = Folder::new("calibrate_forced", four_bar(["30mm", "99mm", "110mm"]));
     std::fs::write(folder.file("data.csv"), OTHER).expect("it can be written");
     folder
@@ -464,7 +464,8 @@ fn bounds_hold_and_are_read_with_units() {
     }
 }
 
-/// P, which lies at (60, `height`) mm of the coupler of a four-bar of 100, 40, 120 and 80 mm, by the law of cosines, with a little noise.
+/// Positions of P at (60, `height`) mm on the coupler of a four-bar of 100, 40, 120 and 80 mm, by the law of cosines,
+/// with a little noise.
 fn coupler_points(height: f64) -> String {
     let mut text = "t (s),P_x (mm),P_y (mm)\n".to_string();
     let mut noise = noise();
@@ -482,7 +483,7 @@ fn coupler_points(height: f64) -> String {
     text
 }
 
-/// A length keeps the sign that the description gives it; `--bound` says otherwise.
+/// A length keeps the sign that it has in the description, unless `--bound` permits the other.
 #[test]
 fn a_length_ends_at_the_bound_that_its_sign_is() {
     for (drawn, height) in [("5mm", -12.0), ("-5mm", 12.0)] {
@@ -522,8 +523,8 @@ fn a_length_ends_at_the_bound_that_its_sign_is() {
     }
 }
 
-/// Deviation of a length L from values L·cos φ that are rounded to whole millimeters: root of the mean square over all places that
-/// the zero can have within a millimeter.
+/// Deviation of a length L from values L·cos φ that are rounded to whole millimeters: root of the mean square over all
+/// positions of the zero within a millimeter.
 fn deviation_by_rounding(length: f64, cosines: &[f64]) -> f64 {
     let squares: f64 = cosines.iter().map(|it| it * it).sum();
     let zeros = 2000;
@@ -538,7 +539,7 @@ fn deviation_by_rounding(length: f64, cosines: &[f64]) -> f64 {
     (errors.sum::<f64>() / f64::from(zeros)).sqrt()
 }
 
-/// However well few values in whole millimeters seem to fit, their rounding makes them uncertain.
+/// Rounding makes few values in whole millimeters uncertain, even if they seem to fit.
 #[test]
 fn rounding_of_the_table_counts() {
     let folder = folder("calibrate_rounding");

@@ -1,11 +1,11 @@
-//! `linkwright check` from the outside: how close motions come to singular poses, what is printed, and exit codes.
+//! `linkwright check` from the outside: distances of motions from singular poses, output, and exit codes.
 
 use serde_json::Value;
 
 use crate::folder::{EXAM, Folder};
 use crate::printed::{json, number};
 
-/// The object that is printed for the options.
+/// JSON object of `check` with these options.
 #[track_caller]
 pub fn object(folder: &Folder, options: &str, code: i32) -> Value {
     let ran = folder

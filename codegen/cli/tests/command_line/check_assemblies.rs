@@ -91,8 +91,8 @@ fn the_excavator_has_sixteen_assemblies_that_all_differ() {
     }
 }
 
-/// How often the platform of three legs closes on its way round. For a given angle two differences of the legs' equations are
-/// linear in its position; what is left is the first leg's equation, whose changes of sign are counted.
+/// Number of assemblies of the platform of three legs in a turn. For a given angle, two differences of the legs'
+/// equations are linear in its position; changes of sign of the first leg's equation are counted.
 fn poses_of_the_platform() -> usize {
     let pins = [[-0.8, -0.5], [0.8, -0.5], [0.0, 0.9]];
     let corners = [[-0.05, -0.3], [0.28, 0.1], [-0.23, 0.2]];
@@ -121,7 +121,7 @@ fn poses_of_the_platform() -> usize {
         };
         let ((p, r), (q, s)) = (difference(1), difference(2));
         let determinant = p[0] * q[1] - p[1] * q[0];
-        // Multiplied by the determinant, so that there is no pole where the legs' differences are parallel.
+        // Multiplied by the determinant, which removes the pole at parallel differences of the legs.
         let x = r * q[1] - s * p[1];
         let y = p[0] * s - q[0] * r;
         square([x + determinant * w[0][0], y + determinant * w[0][1]])
@@ -152,9 +152,9 @@ fn the_platform_has_as_many_assemblies_as_its_polynomial_roots() {
     );
 }
 
-/// The ground link is longer than all others together.
+/// The ground link is longer than the sum of all others.
 #[test]
-fn what_cannot_be_assembled_has_no_assemblies() {
+fn mechanism_out_of_reach_has_no_assemblies() {
     let apart = described("four_bar").replace("D = (100mm, 0)", "D = (300mm, 0)");
     let folder = Folder::new("check_apart", apart);
     let report = object(&folder, "", 1);
@@ -162,7 +162,8 @@ fn what_cannot_be_assembled_has_no_assemblies() {
     assert!(report["error"].is_string());
 }
 
-/// The excavator's four dyads, each with its sign; the rack's angles are no coordinates; a cam's contact is an angle of its curve.
+/// The excavator's four dyads, each with its sign; the rack's angles are not coordinates; a cam's contact is an angle
+/// of its curve.
 #[test]
 fn the_table_shows_every_unknown_of_every_block_beside_its_signs() {
     let table = |name: &str| {

@@ -1,4 +1,4 @@
-//! Ranges of time that `linkwright check` examines and proves, at crank-rockers and parallelograms.
+//! Ranges of time that `linkwright check` examines and proves, for crank-rockers and parallelograms.
 
 use serde_json::Value;
 
@@ -78,7 +78,7 @@ fn the_rest_of_the_last_step_is_examined() {
     );
 }
 
-/// Whether one range lies in another, and is not more than a tenth wider.
+/// Requires that one range lies in another, and is not more than a tenth wider.
 #[track_caller]
 fn encloses(found: &Value, [low, high]: [f64; 2]) {
     let [least, most] = [number(&found[0]), number(&found[1])];
@@ -124,9 +124,9 @@ fn a_turning_crank_rocker_is_proven() {
     );
 }
 
-/// Where crank and rod of the exam come to be in line, the pose is singular.
+/// The pose is singular if crank and rod of the exam are collinear.
 #[test]
-fn what_ends_at_a_singular_pose_is_not_proven() {
+fn motion_to_a_singular_pose_is_not_proven() {
     let folder = Folder::new(
         "check_unproven",
         EXAM.replace("pi/6 + sin(2*t)", "pi/6 + t"),
@@ -145,7 +145,7 @@ fn what_ends_at_a_singular_pose_is_not_proven() {
     assert_eq!(report["proof"]["status"], "proven");
 }
 
-/// A parallelogram goes straight on where all links are in line, but its equations do not say so.
+/// A parallelogram moves straight through its change point, but its equations do not imply that.
 #[test]
 fn a_change_point_is_not_proven() {
     let text = "mechanism a {

@@ -9,7 +9,7 @@ fn repository(path: &str) -> String {
     format!("{}/../../{path}", env!("CARGO_MANIFEST_DIR"))
 }
 
-/// The exam with what is in a table beside it: φ1 = π/6 + sin 2t and P = (cos φ1, sin φ1).
+/// The exam with a table beside it: φ1 = π/6 + sin 2t and P = (cos φ1, sin φ1).
 fn with_table(name: &str, table: impl AsRef<[u8]>) -> Folder {
     let folder = Folder::new(name, EXAM);
     std::fs::write(folder.file("data.csv"), table).expect("it can be written");
@@ -79,7 +79,7 @@ fn differences_are_those_of_the_formula_in_the_unit_of_the_column() {
         let t = f64::from(step) * 0.03;
         let off = 0.01 * f64::from(step);
         angles.push(off);
-        // A whole turn is no difference.
+        // A whole turn does not count as a difference.
         let angle = phi1(t).to_degrees() + off + 360.0;
         table += &format!("{};{angle};{}\n", t * 1e3, 1e3 * phi1(t).cos() - 2.0);
     }
@@ -148,7 +148,7 @@ fn nothing_is_guessed_in_silence() {
 }
 
 #[test]
-fn what_is_wrong_is_said_with_its_place_and_what_to_do() {
+fn errors_have_their_place_and_a_remedy() {
     for (name, table, options, said) in [
         (
             "word",
@@ -301,7 +301,7 @@ fn pictures_show_both_curves_and_nothing_else_is_replaced() {
     assert_eq!(folder.read("pictures/phi1.svg"), "mine");
 }
 
-/// A motion that ends before the table does is compared as far as it goes.
+/// A motion that ends before the table is compared up to its end.
 #[test]
 fn a_motion_that_ends_early_is_an_outcome() {
     let folder = Folder::new("compare_early", crate::folder::driven_by("pi/6 + 2*t"));

@@ -1,4 +1,4 @@
-//! What `transmission` and `sensitivity` statements ask for, as `linkwright solve` writes it.
+//! Quantities of `transmission` and `sensitivity` statements in the output of `linkwright solve`.
 
 use crate::folder::Folder;
 use crate::printed::json;
@@ -21,7 +21,7 @@ const ASKED: &str = "mechanism asked {
 }
 ";
 
-/// The named columns of the only row.
+/// Named columns of the only row.
 fn columns(folder: &Folder, options: &str) -> Vec<(String, f64)> {
     let ran = folder.run(&format!("solve a.mech --at 0.5 --csv - {options}"));
     let printed = ran.exits_with(0).stdout;

@@ -1,4 +1,4 @@
-//! Whose a file is: that of a description, of another description, or of a run that was killed.
+//! Owners of files: a description, another description, or a run that was killed.
 
 use std::fs;
 
@@ -152,7 +152,7 @@ fn outputs_of_another_description_are_not_replaced() {
     folder
         .run("solve a.mech --no-files --csv one.csv")
         .exits_with(0);
-    // What somebody else has written beside a table is theirs.
+    // Files of other programs beside a table are kept.
     fs::write(folder.file("two.csv.source"), NOTES).expect("it can be written");
     refused(
         &folder,

@@ -1,4 +1,4 @@
-//! Files as Unix has them: pipes, links, permissions and signals.
+//! Files on Unix: pipes, links, permissions and signals.
 
 use std::fs;
 use std::os::unix::fs::{PermissionsExt as _, symlink};
@@ -13,7 +13,7 @@ fn pipe(folder: &Folder, name: &str) {
     assert!(made.is_ok_and(|it| it.success()));
 }
 
-/// The end of a command that must not wait for anybody.
+/// End of a command that must not wait.
 fn ends(folder: &Folder, arguments: &str) -> Ran {
     let mut limited = Command::new("timeout");
     limited.arg("20").arg(env!("CARGO_BIN_EXE_linkwright"));

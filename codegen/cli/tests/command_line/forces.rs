@@ -1,4 +1,5 @@
-//! What `effort`, `reaction` and `energy` statements ask for, as `linkwright solve` and `linkwright plan` write it.
+//! Quantities of `effort`, `reaction` and `energy` statements in the output of `linkwright solve` and `linkwright
+//! plan`.
 
 use crate::folder::Folder;
 use crate::printed::json;
@@ -17,7 +18,7 @@ const PENDULUM: &str = "mechanism pendulum {
 }
 ";
 
-/// The named numbers of the only row.
+/// Named numbers of the only row.
 fn columns(folder: &Folder, options: &str) -> Vec<(String, f64)> {
     let ran = folder.run(&format!("solve a.mech --at 0.5 --csv - {options}"));
     let printed = ran.exits_with(0).stdout;

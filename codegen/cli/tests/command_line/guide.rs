@@ -1,4 +1,4 @@
-//! Does the command print what the guide says?
+//! The guide shows the output of the command.
 //!
 //! A block marked `mech` or `csv` below a line that begins with a file name in backticks is that file, also where it is marked as not
 //! formatted, `mech loose`. In a block marked `console` each line after `$` is a command, after `<` with what it reads, and what follows is
@@ -14,24 +14,24 @@ use std::process::Stdio;
 
 use crate::folder::{Folder, Ran};
 
-/// How commands begin that are run: the second is for a clone.
+/// Beginnings of commands that are run: the second is for a clone.
 const PROGRAMS: [&str; 2] = ["linkwright ", "cargo run --release -- "];
 
-/// A command and the lines that it must print.
+/// Command and the lines that it must print.
 type Command<'a> = (&'a str, Vec<&'a str>);
 
 fn repository() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// The pages: the one at the root, and those of the guide.
+/// Pages: the one at the root, and those of the guide.
 fn pages() -> Vec<PathBuf> {
     let mut pages = of_kind(&repository().join("codegen/guide"), "md");
     pages.push(repository().join("README.md"));
     pages
 }
 
-/// The files of a folder with this extension.
+/// Files of a folder with this extension.
 fn of_kind(folder: &Path, extension: &str) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(folder).expect("a folder");
     let mut paths: Vec<PathBuf> = entries
@@ -42,7 +42,7 @@ fn of_kind(folder: &Path, extension: &str) -> Vec<PathBuf> {
     paths
 }
 
-/// The blocks of a page: how each is marked, the text of the last line before it, and its lines.
+/// Blocks of a page: mark, text of the last line before it, and lines of each.
 fn blocks(page: &str) -> Vec<(&str, &str, Vec<&str>)> {
     let mut blocks = Vec::new();
     let (mut before, mut open) = ("", None);
@@ -110,7 +110,8 @@ fn difference(expected: &[&str], printed: &[&str]) -> Option<String> {
     Some(format!("printed beyond: {more}"))
 }
 
-/// What is printed, with the same gaps. Where a gap ends is told by the first line after it; without that, lines stay as they are.
+/// Output with the gaps of the expected lines. The first line after a gap ends it; without that line, lines are
+/// unchanged.
 fn updated<'a>(expected: &[&'a str], printed: &[&'a str]) -> Vec<&'a str> {
     let (mut found, mut rest) = (Vec::new(), printed);
     let parts: Vec<&[&str]> = expected.split(|line| *line == "…").collect();

@@ -1,6 +1,6 @@
-//! The licenses that the command prints, which come with its packages.
+//! Licenses that the command prints, which are in its packages.
 //!
-//! `NOTICES_UPDATE=1 cargo test -p linkwright-cli licenses` writes them anew where a dependency is another one.
+//! `NOTICES_UPDATE=1 cargo test -p linkwright-cli licenses` writes them after a change of dependencies.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -9,17 +9,17 @@ use std::process::Command;
 use crate::folder::{EXAM, Folder};
 use crate::printed::json;
 
-/// The platform whose packages are listed: others have packages of the same authors in their place.
+/// Platform whose packages are listed: others have packages of the same authors instead.
 const PLATFORM: &str = "x86_64-unknown-linux-gnu";
 
-/// A line of every Apache license, of which one text is enough: its owner is named elsewhere.
+/// Line of every Apache license, of which one text is enough: its owner is named elsewhere.
 const APACHE: &str = "Version 2.0, January 2004";
 
 fn repository() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// A package of others.
+/// Package of another author.
 struct Package {
     name: String,
     version: String,
@@ -27,7 +27,7 @@ struct Package {
     folder: PathBuf,
 }
 
-/// The packages of others that the command is built from, by name.
+/// Packages of other authors in the command, by name.
 fn packages() -> Vec<Package> {
     let mut command = Command::new(env!("CARGO"));
     command.args(["metadata", "--format-version=1", "--offline", "--locked"]);
@@ -73,7 +73,7 @@ fn packages() -> Vec<Package> {
     packages
 }
 
-/// The texts of licenses in a folder, in the order of the names of their files.
+/// Texts of licenses in a folder, in the order of the file names.
 fn texts(folder: &Path) -> Vec<String> {
     const NAMES: [&str; 7] = [
         "LICENSE",
@@ -100,7 +100,7 @@ fn texts(folder: &Path) -> Vec<String> {
     paths.iter().filter_map(read).map(lines).collect()
 }
 
-/// The notices as the packages have them.
+/// Notices according to the packages.
 fn notices() -> String {
     let packages = packages();
     let mut text = String::from(
@@ -120,7 +120,7 @@ fn notices() -> String {
             if license.contains(APACHE) {
                 continue;
             }
-            // Lines differ in where they are broken.
+            // Line breaks differ.
             let key = license.split_whitespace().collect::<Vec<_>>().join(" ");
             let entry = notices.entry(key).or_insert((Vec::new(), license));
             if entry.0.last() != Some(&package.name) {

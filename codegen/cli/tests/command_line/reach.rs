@@ -2,7 +2,7 @@
 
 use crate::folder::Folder;
 
-/// When a motion ends, as an error says it (s).
+/// End of a motion according to an error (s).
 fn end_of(error: &str) -> f64 {
     let time = error.split(" beyond t = ").nth(1);
     let time = time.and_then(|rest| rest.split(' ').next()?.parse().ok());
@@ -84,7 +84,8 @@ fn the_loop_that_does_not_reach_is_named() {
     assert!(flat(time - 1e-6) * flat(time + 1e-6) < 0.0, "{message}");
 }
 
-/// Joints that only follow from a loop, such as the pin of a coupler point with the next body, are no part of its name.
+/// Joints that only follow from a loop, such as the pin of a coupler point with the next body, do not occur in its
+/// name.
 #[test]
 fn a_loop_is_not_named_by_what_follows_from_it() {
     let text = "mechanism mixed {
@@ -141,7 +142,7 @@ fn a_force_that_is_not_finite_is_named() {
     let expected = "cannot be solved beyond t = 0.5 s: `force on crank.P` is not finite there";
     assert!(ran.stderr.contains(expected), "{}", ran.stderr);
     assert!(!ran.stderr.contains("revolute"), "{}", ran.stderr);
-    // All equations at once have a pose there, but no forces.
+    // The textbook formulation has a pose there, but not forces.
     let ran = folder
         .run("solve a.mech --to 1 --step 0.25 --no-files --formulation textbook")
         .exits_with(1);
@@ -155,7 +156,7 @@ fn a_force_that_is_not_finite_is_named() {
     let expected = "beyond t = 0.5 s: `force on crank.P` grows without bound toward t = 0.5 s";
     assert!(ran.stderr.contains(expected), "{}", ran.stderr);
     assert!(!ran.stderr.contains("revolute"), "{}", ran.stderr);
-    // With a torque in its place, that one is named.
+    // If the torque is infinite instead, it is named.
     let turned = text.replace("torque on crank = 1;", "torque on crank = (t - 0.25)^(-1);");
     let folder = Folder::new("endless_torque", turned);
     let ran = folder
@@ -165,7 +166,7 @@ fn a_force_that_is_not_finite_is_named() {
     assert!(ran.stderr.contains(expected), "{}", ran.stderr);
 }
 
-/// The point of two circles, each by its center and radius, that is nearer to a place.
+/// Point of two circles, each by its center and radius, that is nearer to a position.
 fn meeting([a, b]: [([f64; 2], f64); 2], near: [f64; 2]) -> [f64; 2] {
     let gap = [b.0[0] - a.0[0], b.0[1] - a.0[1]];
     let base = gap[0].hypot(gap[1]);

@@ -13,7 +13,7 @@ const CRANK: &str = "mechanism crank {
 }
 ";
 
-/// The last row that is written of P: its position, velocity and acceleration.
+/// Last row of P in the output: its position, velocity and acceleration.
 fn last_row(folder: &Folder, options: &str) -> Vec<f64> {
     let ran = folder.run(&format!(
         "solve a.mech --at 0.5 --points P --csv - {options}"
@@ -78,7 +78,7 @@ fn parameters_and_inputs_are_listed() {
 }
 
 #[test]
-fn what_cannot_be_set_is_said_with_its_place() {
+fn invalid_settings_are_reported_with_their_place() {
     let folder = Folder::new("set_wrong", CRANK);
     for (assignment, code, text) in [
         ("angel=1", "K11", "did you mean `angle`?"),
@@ -101,7 +101,7 @@ fn what_cannot_be_set_is_said_with_its_place() {
             ran.stderr
         );
         assert!(ran.stderr.contains(text), "{}", ran.stderr);
-        // The place is one of what was written, not of what is made of it.
+        // The place is in the command line, not in the text made of it.
         let value = assignment.find('=').map_or(assignment.len(), |at| at + 1);
         let column = match code {
             "K11" => 1,
@@ -140,14 +140,14 @@ mechanism drawer {
     let ran = folder.run("solve a.mech --at 0 --set j.stroke=80mm");
     let stderr = ran.exits_with(2).stderr;
     assert!(stderr.contains("`--set j_stroke=80mm`"), "{stderr}");
-    // What no part has is a mistake of another kind.
+    // A name that no part has is another kind of error.
     let other = folder.run("solve a.mech --at 0 --set j.stroek=80mm");
     assert!(!other.exits_with(2).stderr.contains("joined by"));
 }
 
-/// What is said of the drawing is said of what is solved, which is lowered once, after the values have been set.
+/// Warnings refer to the mechanism with the values that are set, which is lowered once after that.
 #[test]
-fn what_hardly_decides_a_mode_is_found_with_the_values_that_are_set() {
+fn weakly_decided_mode_is_found_with_the_values_that_are_set() {
     let folder = Folder::new(
         "set_undecided",
         "mechanism triangle {
@@ -188,7 +188,7 @@ const CHANGED: &str = "mechanism changed {
 }
 ";
 
-/// A zero makes numbers infinite, but what is wrong is the length, or a loop that does not reach.
+/// A zero makes numbers infinite, but the error is the length, or a loop that does not reach.
 #[test]
 fn values_that_cannot_be_are_refused_by_their_geometry() {
     let folder = Folder::new("set_refused", CHANGED);
@@ -217,7 +217,7 @@ fn values_that_cannot_be_are_refused_by_their_geometry() {
     }
 }
 
-/// A value that no assembly may have leaves no assemblies to be listed.
+/// Assemblies are not listed for a value that no assembly may have.
 #[test]
 fn assemblies_of_a_refused_value_are_not_listed() {
     let folder = Folder::new("set_no_assemblies", CHANGED);
@@ -260,7 +260,7 @@ fn a_value_that_makes_numbers_infinite_is_named() {
     assert!(stderr.contains(" --> a.mech:3:11\n"), "{stderr}");
 }
 
-/// A spring between ends that meet pulls nowhere: it is named, and not what follows from it.
+/// A spring between coinciding ends has no direction: it is named, and not the quantities that follow from it.
 #[test]
 fn a_spring_without_a_length_is_named() {
     let text = "mechanism meeting {

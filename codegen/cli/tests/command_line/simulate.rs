@@ -1,4 +1,4 @@
-//! `linkwright simulate`: what it prints and writes, and what it refuses.
+//! `linkwright simulate`: output, files and refusals.
 
 use crate::folder::Folder;
 use crate::printed::json;
@@ -21,7 +21,7 @@ fn a_pendulum_is_simulated_as_json() {
     let frames = report["frames"].as_array().expect("frames");
     assert_eq!(frames.len(), 5);
     let number = |value: &serde_json::Value| value.as_f64().expect("a number");
-    // It begins as it is written, with the acceleration that its weight gives it.
+    // The motion begins in the described pose, with the acceleration of its weight.
     let first = &frames[0];
     let spin = -3.0 * 2.0 * 9.81 * 0.5 / 12.5;
     for (level, expected) in [("q", 30_f64.to_radians()), ("qd", 1.5), ("qdd", spin)] {
@@ -62,7 +62,7 @@ fn a_method_is_forced() {
     assert!((implicit - explicit).abs() <= 1e-7, "{implicit} {explicit}");
 }
 
-/// Frames do not depend on which others are asked for.
+/// Frames do not depend on the other requested frames.
 #[test]
 fn frames_lie_on_one_motion() {
     let folder = Folder::new("simulate_frames", PENDULUM);
@@ -98,7 +98,7 @@ fn another_start_can_be_set() {
     assert_eq!(report["frames"][0]["qd"][2].as_f64(), Some(-2.0));
 }
 
-/// An engine whose piston's place is free, which stands still at both dead centers.
+/// Engine with a free piston position, which rests at both dead points.
 const ENGINE: &str = "mechanism engine {
     point A = (0, 0), B = (0.1, 0.1), C = (0.4, 0);
     body crank at A facing A -> B { A, B }
@@ -115,7 +115,7 @@ const ENGINE: &str = "mechanism engine {
 }
 ";
 
-/// A force that grows beyond all bounds: the motion ends there, with what could be found before.
+/// A force that grows without bound: the motion ends there, with the frames before.
 #[test]
 fn a_motion_that_ends_says_where_and_why() {
     let endless = PENDULUM.replace("gravity", "torque on bob = 1Nm/sqrt(1 - t*t); gravity");
@@ -131,7 +131,7 @@ fn a_motion_that_ends_says_where_and_why() {
 }
 
 #[test]
-fn what_is_driven_throughout_is_refused() {
+fn refuses_fully_driven_mechanism() {
     let folder = Folder::new(
         "simulate_driven",
         PENDULUM.replace(
@@ -159,7 +159,7 @@ fn what_is_driven_throughout_is_refused() {
     }
 }
 
-/// What is free turns back at both dead centers, and the motion goes on.
+/// The free coordinate turns back at both dead points, and the motion continues.
 #[test]
 fn a_piston_goes_over_its_dead_centers() {
     let folder = Folder::new("simulate_dead_centers", ENGINE);
@@ -183,7 +183,7 @@ fn a_piston_goes_over_its_dead_centers() {
     }
 }
 
-/// Free coordinates that move together without moving a mass are named, and no others.
+/// Free coordinates that move together without moving a mass are named, and only these.
 #[test]
 fn free_coordinates_that_no_mass_resists_are_named() {
     let text = "mechanism three {
@@ -216,7 +216,7 @@ fn free_coordinates_that_no_mass_resists_are_named() {
     assert!(ran.stderr.contains(named), "{}", ran.stderr);
 }
 
-/// Many evaluations are answered by an option: once while it runs, and in the summary.
+/// An option reports a large number of evaluations: once during the run, and in the summary.
 #[test]
 fn many_evaluations_are_answered_by_another_method() {
     let text = "mechanism damped {
@@ -258,7 +258,7 @@ fn many_evaluations_are_answered_by_another_method() {
     assert!(!ran.stdout.contains("hint"), "{}", ran.stdout);
 }
 
-/// The message has the missing statement, as a description of this mechanism would write it.
+/// The message contains the missing statement, in the form of a description of this mechanism.
 #[test]
 fn a_missing_statement_is_written_out() {
     let driven = PENDULUM.replace(

@@ -1,4 +1,4 @@
-//! Findings while typing: are they those of the command line, at the same places?
+//! Diagnostics while typing equal those of the command line, at the same positions.
 
 use linkwright_codegen::diagnostic::{Diagnostics, Severity, Source};
 use linkwright_codegen::stages::files;
@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use crate::client::{Client, UNSAVED, address, descriptions};
 
-/// What the generator says about a description.
+/// Diagnostics of the generator for a description.
 fn said(source: &Source) -> Diagnostics {
     match generate(source) {
         Ok(generated) => generated.warnings,
@@ -15,14 +15,14 @@ fn said(source: &Source) -> Diagnostics {
     }
 }
 
-/// A line and a column, in UTF-16 from 0, of an offset.
+/// Line and column, in UTF-16 from 0, of an offset.
 fn place(text: &str, offset: u32) -> Value {
     let before = &text[..(offset as usize).min(text.len())];
     let line = before.rsplit('\n').next().unwrap_or(before);
     json!({ "line": before.matches('\n').count(), "character": line.encode_utf16().count() })
 }
 
-/// Everything that is said about a description is published, and nothing else.
+/// All diagnostics of a description are published, and nothing else.
 #[test]
 fn findings_are_those_of_the_command_line() {
     let mut client = Client::start();
@@ -68,7 +68,7 @@ fn findings_are_those_of_the_command_line() {
     client.finish();
 }
 
-/// A text with characters of one, two, three and four bytes before a slip.
+/// Text with characters of one, two, three and four bytes before an error.
 const WIDE: &str = "mechanism m {\n    /* \u{e4}\u{20ac}\u{1d54f} */ point A = (sine(1), 0);\n    body 1 at A;\n}\n";
 
 #[test]
@@ -87,7 +87,7 @@ fn columns_are_counted_as_agreed() {
             findings[0]["range"]["start"],
             json!({ "line": 1, "character": column })
         );
-        // The slip is mended, in the columns that were agreed on.
+        // The error is mended, in the columns that were negotiated.
         let range = json!({
             "start": { "line": 1, "character": column },
             "end": { "line": 1, "character": column + 4 },
@@ -144,7 +144,7 @@ fn tables_are_read_from_the_folder_of_the_document() {
     client.finish();
 }
 
-/// Of a text that has been typed on, nothing is said; of the newest, everything.
+/// An outdated text has no diagnostics; the newest text has all.
 #[test]
 fn only_the_newest_text_is_reported() {
     let mut client = Client::start();

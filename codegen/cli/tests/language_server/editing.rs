@@ -1,10 +1,10 @@
-//! What an editor asks about a place: hover, declarations and uses.
+//! Requests of an editor about a position: hover, declarations and uses.
 
 use serde_json::Value;
 
 use crate::client::{Client, UNSAVED, repository};
 
-/// A crank and a rod, with names of every sort.
+/// Crank and rod, with names of every kind.
 pub(super) const CRANK: &str = "\
 mechanism crank {
     /// How far the pin is out.
