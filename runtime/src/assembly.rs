@@ -2,9 +2,9 @@
 //!
 //! Newton-Raphson finds the pose next to a good estimate. From a poor one it may end at any pose, also at one of the
 //! same branch that is not the nearest. [`assemble_from_rough_estimate`] therefore first lowers the residuals by least
-//! squares, which moves the estimate no farther than needed; Newton-Raphson continues from there. If this ends at
-//! another branch, or at a pose from which the residuals cannot be lowered although they are not zero, plain and damped
-//! Newton-Raphson start from the given estimate.
+//! squares, which moves the estimate no farther than needed; Newton-Raphson continues from there. This may end at
+//! another branch, or at a pose that is not a root, although the residuals cannot be lowered. Plain and damped
+//! Newton-Raphson then start from the given estimate.
 
 use nalgebra::allocator::Allocator;
 use nalgebra::{DefaultAllocator, Dim, OVector};

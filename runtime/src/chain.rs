@@ -1,9 +1,9 @@
 //! Applies the inverse of a chain's Jacobian, in operations proportional to the number of cells.
 //!
 //! A cell has two unknowns. Two equations link it to the next cell, and the last two equations of all may read every
-//! cell. If one equation is off, every cell before its link follows from the first cell, and every cell behind it from
-//! the last cell, as for a chain that is met. The inverse therefore has rank two on either side of the links, and is
-//! never written out (a semiseparable matrix; Vandebril, Van Barel and Mastronardi, *Matrix Computations and
+//! cell. If one equation is off, every cell before its link follows from the first cell as in an exact chain. Every
+//! cell behind the link follows from the last cell. The inverse therefore has rank two on either side of the links, and
+//! is never written out (a semiseparable matrix; Vandebril, Van Barel and Mastronardi, *Matrix Computations and
 //! Semiseparable Matrices*, 2008).
 
 use core::ops::Range;

@@ -9,8 +9,8 @@ use crate::math::Real;
 /// square of the speed with which the contact runs along the curve, in m²/s². Without friction, the cam applies its
 /// force along the normal, so its share cos α does the work (Norton 2009, Cam Design and Manufacturing Handbook).
 ///
-/// `None` while the follower rests: its speed is then less than √ε of the sliding speed, and a direction computed from
-/// it would be off by more than √ε rad, if there is one at all. `None` also for arguments that are not finite.
+/// `None` while the follower rests: its speed is then less than √ε of the sliding speed. A direction computed from it,
+/// if any, would be off by more than √ε rad. `None` also for arguments that are not finite.
 ///
 /// ```
 /// use linkwright::contact::pressure_angle;

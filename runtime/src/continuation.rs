@@ -8,9 +8,9 @@ use crate::blocks::Blocks;
 use crate::crossing::{CLOSER, Crossing, Meeting, edge, square_of_distance, sum_of_products};
 use crate::math::Real;
 
-/// Differences of the highest order of frames at the distances 1, 2, 3 and 4 on both sides: of their sums, and of their
-/// differences.
+/// Highest differences of the sums of frames at the distances 1, 2, 3 and 4 on both sides.
 const EVEN: [f64; 4] = [-7.0, 14.0, -9.0, 2.0];
+/// Highest differences of the differences of these frames.
 const ODD: [f64; 4] = [-14.0, 14.0, -6.0, 1.0];
 
 /// Largest difference of the smooth path, relative to the distance of the modes, for passing the change point. A kink
@@ -23,8 +23,9 @@ const MAX_INTERPOLATED_DIFFERENCE: f64 = 1.0 / 16384.0;
 const SIMULTANEOUS_FACTOR: f64 = 64.0;
 
 /// Number of times at which modes of another block are compared, each [`CLOSER`] times as near to a change point as the
-/// one before, and factor by which the square of their distance falls there if they meet.
+/// one before.
 pub const NEARER: u8 = 3;
+/// Factor by which the square of the modes' distance falls from one of these times to the next if they meet.
 const FALLEN: f64 = 0.25;
 
 /// Number of the first blocks whose modes may be exchanged.
@@ -233,8 +234,8 @@ impl<B: Blocks> Crossing<'_, '_, B> {
         Some(found)
     }
 
-    /// Highest differences of the path with these modes, relative to the distance of the current modes from changed
-    /// ones and along it, in the values that the others do not change.
+    /// Highest differences of the path with these modes, in the values that the others do not change. They are relative
+    /// to the distance of the current modes from changed ones, and along it.
     #[inline(never)]
     fn roughness(
         &self,

@@ -29,18 +29,19 @@ const BENT: f64 = 1.0 / 256.0;
 /// Factor by which the times before the change point move closer to it or farther away.
 pub const CLOSER: f64 = 4.0;
 
-/// Distance of the vertex from the middle, in distances of the times: up to the first, these may come closer; up to the
-/// second, the vertex is examined; up to the third, the search moves to it at once.
+/// Distance of the vertex from the middle, in distances of the times, up to which these may come closer.
 const REACHED: f64 = 1.5;
+/// Such distance up to which the vertex is examined.
 const AT_VERTEX: f64 = 1.0 / 16.0;
+/// Such distance up to which the search moves to the vertex at once.
 const LARGEST_SHIFT: f64 = 4.0;
 
 /// Number of attempts to locate the change point.
 const REFINEMENTS: u8 = 32;
 
-/// Number of distances at which the modes are compared far from the change point, each [`CLOSER`] times the one before;
-/// and the first distance relative to the path, which is not a rational part of a turn.
+/// Number of distances at which the modes are compared far from the change point, each [`CLOSER`] times the one before.
 const WAYS: u8 = 12;
+/// First of these distances, relative to the path. It is not a rational part of a turn.
 pub const SHORTER: f64 = 0.381_966_011_250_105_1;
 
 /// Change point of two modes.

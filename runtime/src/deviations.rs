@@ -10,8 +10,9 @@ use crate::vector::add;
 const FIRST: f64 = 2.0;
 
 /// Factor of deviations that the operator does not map into themselves (ε-inflation; Rump, Acta Numerica 2010, section
-/// 10.5), and number of such inflations.
+/// 10.5).
 const INFLATION: f64 = 1.25;
+/// Largest number of inflations.
 const WIDENED: u8 = 8;
 
 /// Round from which on deviations must approach being mapped into themselves.

@@ -54,8 +54,8 @@ pub enum FailureKind<T = f64> {
         /// residual leaves most uncertain.
         column: u16,
     },
-    /// The iterates diverge: a step is longer than [`crate::newton::LONGEST_STEP`] coordinate scales, or the residual
-    /// is more than [`crate::newton::LARGEST_GROWTH`] times the first one (or times 1, if that is larger), or the
+    /// The iterates diverge. A step is longer than [`crate::newton::LONGEST_STEP`] coordinate scales; or the residual
+    /// is more than [`crate::newton::LARGEST_GROWTH`] times the first one (or times 1, if that is larger); or the
     /// residual has grown in [`crate::newton::GROWING_STEPS`] consecutive steps.
     Diverged,
     /// A pose returned to within [`crate::newton::ROUNDING`] ε of an earlier one, so that the iteration repeats.
@@ -86,8 +86,8 @@ pub enum FailureKind<T = f64> {
         /// Value of the quantity.
         value: T,
     },
-    /// An input (see [`Failure::input`]), a time, a pose, a residual, an entry of the Jacobian, a velocity or an acceleration is
-    /// infinite or NaN, or a scale of the equations is not a positive finite number.
+    /// An input (see [`Failure::input`]), a time, a pose, a residual, an entry of the Jacobian, a velocity or an
+    /// acceleration is infinite or NaN; or a scale of the equations is not a positive finite number.
     NotFinite,
     /// A load, such as an applied force or a spring, is infinite or NaN; the pose that it follows from is finite.
     LoadNotFinite {

@@ -1,8 +1,8 @@
 //! Path guard: verifies that frames continue one smooth path.
 //!
-//! The blocks verify a whole [`TimeWindow`] of time about two frames, closed forms at the cost of a part of a frame,
-//! all equations together at that of some frames. A [`Guard`] therefore looks ahead of the frames as far as it can. A
-//! frame in such a window, as nearly all are for short steps, only has to lie in its enclosures.
+//! The blocks verify a whole [`TimeWindow`] about two frames. Closed forms cost a part of a frame, all equations
+//! together some frames. A [`Guard`] therefore looks ahead of the frames as far as it can. A frame in such a window, as
+//! nearly all are for short steps, only has to lie in its enclosures.
 
 use crate::block::Start;
 use crate::blocks::{Blocks, Conditions, Signals};

@@ -1,7 +1,7 @@
 //! Solves for a [`Frame`]: pose, velocity and acceleration at a time.
 //!
-//! A frame in an `Ok` is finite throughout, its pose meets the tolerance of the settings, and it can be told from a
-//! singular pose within its residual. Velocity and acceleration solve Φ_q q̇ = -Φ_t and Φ_q q̈ = γ with one
+//! A frame in an `Ok` is finite throughout, and its pose meets the tolerance of the settings. The pose can be told from
+//! a singular one within its residual. Velocity and acceleration solve Φ_q q̇ = -Φ_t and Φ_q q̈ = γ with one
 //! factorization of the Jacobian at the returned pose (Haug 1989, section 3.6). On failure the caller's frame is
 //! unchanged.
 
@@ -82,9 +82,9 @@ where
 
 /// Moves the mechanism from `frame` to time `t`, which may lie before or after it.
 ///
-/// The estimate is the Taylor polynomial q + h q̇ + h²/2 q̈ with h = `t` - `frame.t`, so the number of Newton-Raphson
-/// steps grows with h. For large h the result may lie in another assembly mode. [`crate::follow`] excludes that, at the
-/// price of a check of every step.
+/// The estimate is the Taylor polynomial q + h q̇ + h²/2 q̈ with h = `t` - `frame.t`. The number of Newton-Raphson
+/// steps therefore grows with h. For large h the result may lie in another assembly mode. [`crate::follow`] excludes
+/// that, at the price of a check of every step.
 ///
 /// # Work
 /// With N for [`Settings::iterations`] at most N + 3 evaluations of the residual, N + 5 of the Jacobian, and one each of Φ_t

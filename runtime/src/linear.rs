@@ -4,8 +4,8 @@
 //! coordinate scales. Its entries are plain numbers: 1 means that a change of a coordinate by its scale changes the
 //! residual by its scale. Neither the choice of pivots nor the verdict depends on the units of the description.
 //!
-//! **The verdict.** The *pivot ratio* of a column is |pivot| / max(1, max |â_ij|), and a matrix is rejected as soon
-//! as one falls below the limit of the settings.
+//! **The verdict.** The *pivot ratio* of a column is |pivot| / max(1, max |â_ij|). A matrix is rejected as soon as one
+//! ratio falls below the limit of the settings.
 //! - With partial pivoting the pivot is the largest remaining entry of its column. Taking these entries off, each no
 //!   larger than the pivot, makes the matrix exactly singular. So a rejected matrix *is* within the ratio of a
 //!   singular one (relative to its largest entry): with a limit of a few n ε it cannot be told from a singular one.

@@ -5,9 +5,9 @@
 //! steps and one polishing step.
 //!
 //! Each step solves Φ_q Δq = -Φ and adds Δq (Haug 1989, section 4.5). Residuals are measured in row scales, steps in
-//! coordinate scales, so no decision depends on the units. After each step that leaves a residual above the tolerance,
-//! the solver checks in this order that all values are finite, and that the iteration has not stalled, diverged or
-//! begun to cycle.
+//! coordinate scales, so no decision depends on the units. A step may leave a residual above the tolerance. The solver
+//! then checks in this order that all values are finite, and that the iteration has not stalled, diverged or begun to
+//! cycle.
 
 use nalgebra::allocator::Allocator;
 use nalgebra::{DefaultAllocator, Dim, OMatrix, OVector};
@@ -124,8 +124,8 @@ where
 /// At the returned pose, no scaled residual |Φ_i| / scale_i exceeds [`Settings::tolerance`]. With [`Settings::polish`]
 /// one more step follows, unless the residual is at rounding level already. It reuses the newest factorization, whose
 /// error is of the order of the last update and so usually too small to matter; it is taken back if the residual grows.
-/// If it does not bring the residual to rounding level, steps with Jacobians at the pose itself follow until one leaves
-/// more than the part [`NOISE`] of the residual: then only the rounding of the equations is left.
+/// If it does not bring the residual to rounding level, steps with Jacobians at the pose itself follow. They end with a
+/// step that leaves more than the part [`NOISE`] of the residual: then only the rounding of the equations is left.
 ///
 /// A small residual alone does not tell whether the pose has settled, for x² = 1e-12 says little about x. A polishing
 /// step reduces the error by the same part as the residual. So twice the length of the step times this part estimates

@@ -11,9 +11,9 @@ use crate::linear::{Factorization, Measure};
 use crate::math::Real;
 use crate::scale::Scales;
 
-/// Largest ratio of the lengths of two consecutive steps on a path that is being followed. An estimate within the
-/// region in which Newton-Raphson is known to converge to the pose of the path has a ratio of at most 1/2 (Deuflhard,
-/// *Newton Methods for Nonlinear Problems*, 2004, theorem 2.1 with h ≤ 1).
+/// Largest ratio of the lengths of two consecutive steps on a path that is being followed. If the estimate lies in the
+/// region of known convergence to the pose of the path, the ratio is at most 1/2 (Deuflhard, *Newton Methods for
+/// Nonlinear Problems*, 2004, theorem 2.1 with h ≤ 1).
 pub const LARGEST_CONTRACTION: f64 = 0.5;
 
 /// Conditions on the Jacobians and steps of a solve.

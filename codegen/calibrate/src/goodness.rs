@@ -1,9 +1,10 @@
 //! Goodness of a fit: the residuals of each column, compared with its noise.
 //!
-//! Noise is known to the caller, or estimated from the deviation of a row from a cubic through the neighboring rows, of
-//! the measured values or of the residuals. Both estimates are upper ones: smooth motion and smooth misfit add to them.
-//! Noise is never the magnitude of residuals. A column is explained if a ratio of mean squares is likely (χ², or F if
-//! noise is estimated), and if signs of residuals are mixed (Wald and Wolfowitz 1940).
+//! Noise is known to the caller, or estimated: as the deviation of a row from a cubic through the neighboring rows. The
+//! rows are those of the measured values or of the residuals. Both estimates are upper ones: smooth motion and smooth
+//! misfit add to them. Noise is never the magnitude of residuals. A column is explained under two conditions: a ratio
+//! of mean squares is likely (χ², or F if noise is estimated), and signs of residuals are mixed (Wald and Wolfowitz
+//! 1940).
 
 use linkwright_solver::comparison::difference;
 

@@ -146,8 +146,7 @@ impl Calibrator {
     /// Identifies what the measured values determine of the parameters at these values, before a fit.
     ///
     /// # Errors
-    /// Returns the reason if there are no parameters, if too few values are measured, or if the motion cannot be
-    /// solved.
+    /// Returns the reason: no parameters, too few measured values, or a motion that cannot be solved.
     pub fn identify(
         &self,
         measured: &Measurements,

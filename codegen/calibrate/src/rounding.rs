@@ -1,7 +1,7 @@
 //! Covariance of errors that are partly rounding of the table.
 //!
 //! Neighboring rows of slow motion are rounded almost equally, so their errors are correlated. With normal noise of σ
-//! steps, the mean error of a value is a Fourier series of its position within a step, with amplitudes
+//! steps, the mean error of a value is a Fourier series of its position within a step. Its amplitudes are
 //! 1/(πk)·exp(−2π²k²σ²) in steps (Widrow and Kollár 2008, *Quantization Noise*). The rest of an error is independent
 //! from row to row. The position of zero within a step counts as evenly distributed, so different harmonics are
 //! uncorrelated. The mean square of an error is σ² + 1/12 at any σ.

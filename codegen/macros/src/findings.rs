@@ -1,8 +1,8 @@
 //! Reports diagnostics in the text of a description as diagnostics of the compiler, at its tokens.
 //!
-//! An error is a `compile_error!`. The compiler lets no macro warn, so a warning is a deprecated constant that is used
-//! at the location of the warning, with the text as its note. The warning therefore shows in an editor, is repeated by
-//! every build, and follows `#[allow(deprecated)]` and `#![deny(warnings)]` as any other warning of code does.
+//! An error is a `compile_error!`. A macro cannot warn. A warning is therefore a deprecated constant with the text as
+//! its note, used at the location of the warning. The warning therefore shows in an editor, is repeated by every build,
+//! and follows `#[allow(deprecated)]` and `#![deny(warnings)]` as any other warning of code does.
 
 use std::fmt::Write as _;
 

@@ -1,9 +1,9 @@
 //! Angles of vectors, and angles with a sine and a cosine nearest to another angle.
 //!
-//! A quotient of magnitude 1/2 at most, or 7/16, is the argument of an odd polynomial, a minimax fit of (x − atan x)/x³
-//! whose error is below 2⁻⁵⁷ in f64 and 2⁻²⁶ in f32 of the arctangent. The general arctangent exchanges the components,
-//! and rotates the vector by π/4 if the quotient would be larger; the difference of its components is then exact. The
-//! rounding errors of the multiples of π/4 are added to the small parts first.
+//! A quotient of magnitude 1/2 at most, or 7/16, is the argument of an odd polynomial, a minimax fit of (x − atan
+//! x)/x³. Its error is below 2⁻⁵⁷ in f64 and 2⁻²⁶ in f32 of the arctangent. The general arctangent exchanges the
+//! components, and rotates the vector by π/4 if the quotient would be larger; the difference of its components is then
+//! exact. The rounding errors of the multiples of π/4 are added to the small parts first.
 //!
 //! From one frame to the next an angle moves little. [`double::angle_near`] therefore measures from the multiple of π/4
 //! next to the last angle. This needs one quotient and the polynomial, and counts the turns at the same time. Only for
@@ -54,8 +54,8 @@ macro_rules! arctangents {
                 x * $slight_bend
             }
 
-            /// Returns the angle in [-π, π] (rad) of the vector (`x`, `y`), within 2 ulp: 0 or π, with the sign of `y`,
-            /// for both zero, and the limits of the angle for infinite components.
+            /// Returns the angle in [-π, π] (rad) of the vector (`x`, `y`), within 2 ulp. If both components are zero,
+            /// the angle is 0 or π with the sign of `y`; for infinite components it is the limit.
             #[inline]
             pub fn atan2(y: $scalar, x: $scalar) -> $scalar {
                 let (across, along) = (y.abs(), x.abs());

@@ -1,8 +1,8 @@
 //! Square root in f32, for processors that multiply f32 and have no root instruction for safe code.
 //!
 //! Three steps of Newton-Raphson, two of them for the reciprocal of the root, come to within one unit in the last
-//! place. Integers then decide which of the neighboring numbers is nearest to the root. With S the digits of the
-//! candidate and M those of x at its scale, the root is nearest to S if −S < M − S² ≤ S. Both sides are small, so that
+//! place. Integers then decide which of the neighboring numbers is nearest to the root. Let S be the digits of the
+//! candidate, and M those of x at its scale. The root is nearest to S if −S < M − S² ≤ S. Both sides are small, so that
 //! 32 bits of the products decide. The result is therefore correctly rounded, as that of a processor or of `libm`.
 
 /// Bits of an f32 that store its exponent and its digits.

@@ -1,14 +1,14 @@
 //! Sine and cosine of an angle in radians, computed together.
 //!
-//! The angle is brought within π/4 of a multiple of π/2 by subtracting that multiple in parts, which are cut off so
-//! that all products but the last one are exact (W. J. Cody and W. Waite, Software Manual for the Elementary Functions,
-//! 1980). The rounding error of the last difference is kept beside it. Angles that are too large for that go to
-//! [`far_angle`](crate::far_angle). So do angles so close to the multiple that only the rounding of the parts would be
-//! left.
+//! The angle is brought within π/4 of a multiple of π/2 by subtracting that multiple in parts. The parts are cut off so
+//! that all products except for the last one are exact (W. J. Cody and W. Waite, Software Manual for the Elementary
+//! Functions, 1980). The rounding error of the last difference is kept beside it. Angles that are too large for that go
+//! to [`far_angle`](crate::far_angle). So do angles so close to the multiple that only the rounding of the parts would
+//! be left.
 //!
-//! The remainder is the argument of two odd and even polynomials, minimax fits of (sin y − y)/y³ and (cos y − 1 +
-//! y²/2)/y⁴ on |y| ≤ π/4 (J.-M. Muller, Elementary Functions). Their errors are below 2⁻⁵⁷ in f64 and 2⁻²⁷ in f32 of
-//! the functions, so that little more than the last addition of each rounds. Both are always computed. The quadrant
+//! The remainder is the argument of an odd and an even polynomial. They are minimax fits of (sin y − y)/y³ and (cos y −
+//! 1 + y²/2)/y⁴ on |y| ≤ π/4 (J.-M. Muller, Elementary Functions). Their errors are below 2⁻⁵⁷ in f64 and 2⁻²⁷ in f32
+//! of the functions, so that little more than the last addition of each rounds. Both are always computed. The quadrant
 //! therefore decides only which is which, and the signs.
 
 use crate::far_angle;

@@ -45,8 +45,8 @@ fn the_two_ways_to_lay_the_rod_have_different_branches() {
 
 #[test]
 fn a_long_way_is_followed_where_a_plain_advance_changes_over() {
-    // From t = -5.2 s to the same crank angle one turn later would lead through the dead points, so the way is within one turn
-    // of the crank: φ1 from -π/2 + 0.01 to π/2 - 0.01.
+    // A path from t = -5.2 s to the same crank angle one turn later would pass the dead points. The path is therefore
+    // within one turn of the crank: φ1 from -π/2 + 0.01 to π/2 - 0.01.
     let (first, last) = (0.01 - 2.0 * DEAD_POINT, DEAD_POINT - 0.01);
     let mut changed = 0;
     for sign in [1.0, -1.0] {

@@ -6,8 +6,8 @@ use crate::check::{close, described, object};
 use crate::folder::Folder;
 use crate::printed::number;
 
-/// The pin C is where circles about B and D meet; coupler and rocker are closest to being in line where the distance between
-/// B and D is smallest or largest, which is where the crank lies along the ground link.
+/// The pin C is where circles about B and D meet; coupler and rocker are closest to being collinear at the smallest and
+/// the largest distance of B and D. The crank then lies along the ground link.
 #[test]
 fn a_four_bar_has_the_two_assemblies_of_two_circles() {
     let folder = Folder::new("check_four_bar", described("four_bar"));

@@ -1,9 +1,9 @@
 //! The guide shows the output of the command.
 //!
-//! A block marked `mech` or `csv` below a line that begins with a file name in backticks is that file, also where it is marked as not
-//! formatted, `mech loose`. In a block marked `console` each line after `$` is a command, after `<` with what it reads, and what follows is
-//! what it prints, line by line; `…` stands for lines that are left out. A picture that
-//! a page shows is one that a command of the guide writes.
+//! A block marked `mech` or `csv` is the file whose name in backticks begins the line above. `mech loose` marks a file
+//! that is not formatted. In a block marked `console`, each line after `$` is a command; the text after `<` is its
+//! input. The following lines are its output; `…` stands for lines that are left out. A picture that a page shows is
+//! one that a command of the guide writes.
 //!
 //! Where the command says something else on purpose, `GUIDE_UPDATE=1 cargo test -p linkwright-cli guide` writes it into the pages: as
 //! many lines as before from each line after a gap on; pictures take the place of those of the same name. The changes are to be read
