@@ -5,8 +5,8 @@
 #define SHORTENINGS$F 8U
 static const $real SMALLEST_PART$f = 1e-4$f;
 
-/* Ratio of two consecutive corrections at full length below which plain Newton-Raphson continues, and part of the
-   step's fraction by which the next correction must at least be shorter. */
+/* Ratio of two consecutive corrections at full length below which plain Newton-Raphson continues. The next
+   correction must be shorter by at least the second part of the step's fraction. */
 static const $real NEAR_RATIO$f = 0.25$f;
 static const $real LEAST_GAIN$f = 0.25$f;
 

@@ -1,8 +1,8 @@
 
 /* Chains of cells: two unknowns each, two equations that link a cell to the next one, and two more that may read
-   every cell. If one equation is off, every cell before its link follows from the first cell, and every cell behind
-   it from the last cell, as for a chain that is met. The inverse C of the Jacobian therefore has rank two on either
-   side of the links, and is never written out. */
+   every cell. If one equation is off, every cell before its link follows from the first cell as in an exact chain.
+   Every cell behind the link follows from the last cell. The inverse C of the Jacobian therefore has rank two on
+   either side of the links, and is never written out. */
 
 /* Largest derivative of an unknown by those of the first or the last cell. Beyond it, rounding grows along the chain. */
 static const $real LARGEST_TRANSFER$f = 64.0$f;

@@ -19,8 +19,8 @@ static const $real EXACT$f = 1.0$f / 16384.0$f;
 /* Multiple of the squared distance of the modes up to which modes of other blocks meet at the same instant. */
 static const $real ALIKE$f = 64.0$f;
 
-/* Number of times at which modes of another block are compared, each closer to a change point than the one before,
-   and factor by which the square of their distance falls there if they meet. */
+/* Number of times at which modes of another block are compared, each closer to a change point than the one before.
+   The square of their distance falls by the factor there if they meet. */
 #define NEARER$F 3U
 static const $real FALLEN$f = 0.25$f;
 
@@ -101,8 +101,8 @@ static bool are_sums$f(Way$f *way, const void *near_frame, const Meeting$f *meet
     return are_found;
 }
 
-/* Highest differences of the path with these modes, relative to the distance of the current modes from changed ones
-   and along it, in the values that the others do not change; false if they exceed a limit. */
+/* Highest differences of the path with these modes, in the values that the others do not change. They are relative
+   to the distance of the current modes from changed ones, and along it. False if they exceed a limit. */
 static bool is_smooth$f(Way$f *way, const void *near_frame, const Meeting$f *meeting, Sides$f sides, const void *own,
     const void *changed, const void *others, $real limit)
 {

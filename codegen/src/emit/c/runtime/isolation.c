@@ -95,8 +95,8 @@ static void magnitudes$f($real values[], size_t count)
     }
 }
 
-/* With C the inverse of the Jacobian, the Newton operator with C maps the deviations R into themselves if its
-   remainder on the chord plus |I - C J| R is at most R; then the equations have one solution near the chord
+/* Let C be the inverse of the Jacobian. The Newton operator with C maps the deviations R into themselves if its
+   remainder on the chord plus |I - C J| R is at most R. The equations then have one solution near the chord
    (Krawczyk). Arms rotate with their angle, so that a column J of the Jacobian becomes J cos d + J' sin d, with C J
    known. Effects of one angle through many equations are added with their signs. */
 void linkwright$f_isolate(linkwright$f_isolation *isolation, uint16_t order, const uint16_t blocks[],

@@ -40,8 +40,8 @@ static uint64_t shifted(uint64_t high, uint64_t low, uint32_t shift)
     return (shift == 0U) ? high : ((high << shift) | (low >> (64U - shift)));
 }
 
-/* Quadrant of a positive angle that is large, or close to a multiple of pi/2, and difference of the angle from that
-   multiple, as an unevaluated sum (M. Payne and R. Hanek, 1983). */
+/* Quadrant of a positive angle that is large, or close to a multiple of pi/2. The difference of the angle from that
+   multiple is an unevaluated sum (M. Payne and R. Hanek, 1983). */
 static uint32_t far_angle(double x, double *rest, double *tail)
 {
     /* Bits of 2/pi, after 64 zeros. */

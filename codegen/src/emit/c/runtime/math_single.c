@@ -26,8 +26,8 @@ static uint32_t shiftedf(uint32_t high, uint32_t low, uint32_t shift)
     return (shift == 0U) ? high : ((high << shift) | (low >> (32U - shift)));
 }
 
-/* Quadrant of a positive angle that is large, or close to a multiple of pi/2, and difference of the angle from that
-   multiple, as an unevaluated sum (M. Payne and R. Hanek, 1983). */
+/* Quadrant of a positive angle that is large, or close to a multiple of pi/2. The difference of the angle from that
+   multiple is an unevaluated sum (M. Payne and R. Hanek, 1983). */
 static uint32_t far_anglef(float x, float *rest, float *tail)
 {
     /* Bits of 2/pi, after 32 zeros. */

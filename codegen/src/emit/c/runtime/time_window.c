@@ -58,8 +58,8 @@ static bool holds_signal$f(const linkwright$f_time_window *window, const linkwri
         && (remainder_of_signal$f(h, last, next) <= allowance);
 }
 
-/* Signal at a part of the time h (s) from one value to another, by the polynomial of the fifth degree that has
-   value, rate and acceleration of both ends. */
+/* Signal at a part of the time h (s) from one value to another, by the polynomial of the fifth degree with value,
+   rate and acceleration of both ends. */
 static linkwright$f_signal signal_towards$f(const linkwright$f_signal *first, const linkwright$f_signal *last,
     $real h, $real part)
 {
