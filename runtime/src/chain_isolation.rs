@@ -253,7 +253,7 @@ mod tests {
         }
         assert!(
             verified.iter().all(|verified| *verified > 20),
-            "{verified:?} shown"
+            "{verified:?} verified"
         );
         assert!(widest < 2.0, "deviations {widest} times as wide");
     }

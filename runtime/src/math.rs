@@ -1,9 +1,9 @@
-//! A scalar and its elementary functions, which are those of `linkwright-math`: the same bits with and without the standard library,
-//! on every platform.
+//! Scalar types and their elementary functions, those of `linkwright-math`: equal bits with and without the standard
+//! library, on every platform.
 //!
-//! Everything else in this crate, and all generated code, is written against [`Real`] or the free functions below. Generated
-//! code can also be written against a module of its user's that holds functions of these names; see the options of the
-//! generator. Such a module begins with `pub use linkwright::math::*;` and defines what is to be different.
+//! Everything else in this crate, and all generated code, is written against [`Real`] or the free functions below.
+//! Generated code can also be written against a module of its user's that holds functions of these names; see the
+//! options of the generator. Such a module begins with `pub use linkwright::math::*;` and redefines other functions.
 //!
 //! Sines, cosines and angles are within 1 and 2 ulp, in f64 and in f32, and f32 does without f64; `linkwright-math`
 //! states the bounds. Arguments of `sin` and `cos` are in radians, all else is unitless.

@@ -113,7 +113,7 @@ fn steps_of_a_loop_end_at_the_dead_point_too() {
     assert_eq!(step, 105);
     assert!((failure.time - DEAD_POINT).abs() <= 1e-14, "{failure}");
     assert!(matches!(failure.kind, FailureKind::Singular { .. }));
-    // The way back is open.
+    // The path back is regular.
     let back = follow(&Turning, &frame, branch, 0.0, &settings).expect("regular");
     assert!((back.q - closed_form(0.0, 1.0)).amax() <= 1e-14);
 }

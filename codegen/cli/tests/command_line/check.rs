@@ -80,7 +80,7 @@ fn the_exam_has_two_assemblies() {
     close("phi2", &all[1]["q"][5], -std::f64::consts::FRAC_PI_3, 1e-12);
 }
 
-/// With another drive the crank goes on to φ1 = π/2, where the rod lies across the line on which its end moves.
+/// With another drive the crank turns to φ1 = π/2, where the rod is perpendicular to the line on which its end moves.
 #[test]
 fn the_exam_driven_through_its_singular_pose_ends_there() {
     let driven = EXAM.replace("pi/6 + sin(2*t)", "pi/6 + t");

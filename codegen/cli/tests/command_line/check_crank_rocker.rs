@@ -89,7 +89,8 @@ fn encloses(found: &Value, [low, high]: [f64; 2]) {
     );
 }
 
-/// The rocker turns back where crank and coupler are in line: (b ∓ a)² = g² + c² + 2 g c cos ψ, with ψ from the line D to A on.
+/// The rocker turns back at poses with collinear crank and coupler: (b ∓ a)² = g² + c² + 2 g c cos ψ, with ψ from the
+/// line D to A on.
 #[test]
 fn a_turning_crank_rocker_is_proven() {
     let folder = Folder::new("check_prove", crank_rocker("30deg + 20*pi*t"));

@@ -126,7 +126,7 @@ fn outputs_of_another_description_are_not_replaced() {
             "{message}"
         );
     }
-    // The way from one to the other is what counts, not where both lie.
+    // The relative path between the two counts, not their locations.
     let moved = Folder::new("files_sources_moved", &other);
     fs::create_dir(moved.file("two_body")).expect("a folder");
     for name in ["motion.csv", "motion.csv.source"] {

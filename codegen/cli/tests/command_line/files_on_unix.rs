@@ -64,7 +64,7 @@ fn pipes_and_devices_are_written_to() {
     folder.run("generate a.mech -o pipe").exits_with(0);
     let read = reader.wait_with_output().expect("it ends");
     assert_eq!(String::from_utf8(read.stdout).expect("UTF-8"), code);
-    // What is redirected to a file is not to be replaced under way.
+    // A file to which output is redirected must not be replaced during the run.
     let file = fs::File::create(folder.file("out.csv")).expect("it can be made");
     let ran = folder
         .command()

@@ -5,9 +5,9 @@
 //! input. The following lines are its output; `…` stands for lines that are left out. A picture that a page shows is
 //! one that a command of the guide writes.
 //!
-//! Where the command says something else on purpose, `GUIDE_UPDATE=1 cargo test -p linkwright-cli guide` writes it into the pages: as
-//! many lines as before from each line after a gap on; pictures take the place of those of the same name. The changes are to be read
-//! like those of a snapshot, and to be looked at.
+//! After an intended change of the output, `GUIDE_UPDATE=1 cargo test -p linkwright-cli guide` writes it into the
+//! pages: as many lines as before from each line after a gap on. Pictures replace those with their names. Review the
+//! changes like those of a snapshot.
 
 use std::path::{Path, PathBuf};
 use std::process::Stdio;

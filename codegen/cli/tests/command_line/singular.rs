@@ -125,7 +125,7 @@ fn a_determinant_that_changes_its_sign_is_located() {
     assert!(warning.ends_with("A-B and B-C are in line."), "{warning}");
 }
 
-/// x (t − 1.05) = (1 + t) (t − 1.05): where the slider goes on is not said by its equation.
+/// x (t − 1.05) = (1 + t) (t − 1.05): the equation does not determine the continuation of the slider.
 #[test]
 fn a_coefficient_that_changes_its_sign_ends_the_motion() {
     let text = "mechanism crossing {
