@@ -352,7 +352,7 @@ fn a_guide_goes_with_the_assembly() {
         .expect("the guide of the drawing");
     for (element, sign) in [(&html[start..], 1.0), (replaced, -1.0)] {
         let ((low, high), (least, most)) = (guide(element), reach(sign));
-        // The guide is as long as the slider needs, and a little longer.
+        // The guide has the length that the slider needs, and a little more.
         assert!(low < least && least - low < 0.4, "{low} for {least}");
         assert!(high > most && high - most < 0.4, "{high} for {most}");
     }
