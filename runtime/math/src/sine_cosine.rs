@@ -3,7 +3,7 @@
 //! The angle is brought within π/4 of a multiple of π/2 by subtracting that multiple in parts. The parts are cut off so
 //! that all products except for the last one are exact (W. J. Cody and W. Waite, Software Manual for the Elementary
 //! Functions, 1980). The rounding error of the last difference is kept beside it. Angles that are too large for that go
-//! to [`far_angle`](crate::far_angle). So do angles so close to the multiple that only the rounding of the parts would
+//! to [`far_angle`]. So do angles so close to the multiple that only the rounding of the parts would
 //! be left.
 //!
 //! The remainder is the argument of an odd and an even polynomial. They are minimax fits of (sin y − y)/y³ and (cos y −
