@@ -1,12 +1,10 @@
-//! Equations, a poor estimate of the pose, and perhaps a branch → a frame, or why there is none.
+//! Assembles a mechanism from a poor estimate of its pose, on a given branch if any.
 //!
-//! Newton-Raphson finds the pose next to a good estimate. From a poor one it may end at any pose, also at one of the same
-//! branch that is not the nearest. [`assemble_from_rough_estimate`] therefore lowers the residuals by least squares first, which moves
-//! the estimate no farther than needed; Newton-Raphson does the rest. Where this ends at another branch, or at a pose from
-//! which the residuals cannot be lowered although they are not zero, plain and damped Newton-Raphson are tried on the
-//! estimate as it was given.
-//!
-//! The module does not know the drawing that estimate and branch were taken from.
+//! Newton-Raphson finds the pose next to a good estimate. From a poor one it may end at any pose, also at one of the
+//! same branch that is not the nearest. [`assemble_from_rough_estimate`] therefore first lowers the residuals by least
+//! squares, which moves the estimate no farther than needed; Newton-Raphson continues from there. This may end at
+//! another branch, or at a pose that is not a root, although the residuals cannot be lowered. Plain and damped
+//! Newton-Raphson then start from the given estimate.
 
 use nalgebra::allocator::Allocator;
 use nalgebra::{DefaultAllocator, Dim, OVector};
@@ -24,12 +22,12 @@ use crate::watch::EndsOn;
 
 /// Assembles the mechanism at time `t` from an `estimate` (n) of its pose that may be poor, on the given branch if any.
 ///
-/// As a rule this evaluates the equations little more often than [`assemble`], but every step of the least squares also
+/// It usually evaluates the equations little more often than [`assemble`], but every step of the least squares also
 /// multiplies two matrices. Near the pose [`assemble`] is enough.
 ///
 /// # Errors
-/// Every [`FailureKind`]. [`FailureKind::WrongBranch`] says that only poses of the other branch were found; any other kind is
-/// that of the solve after the least squares.
+/// Returns every [`FailureKind`]. After [`FailureKind::WrongBranch`], only poses of the other branch were found; any
+/// other kind is that of the solve after the least squares.
 ///
 /// # Work
 /// With N for [`Settings::iterations`] at most 13 N + 74 evaluations of the residual, 5 N + 79 of the Jacobian, and 3 each of

@@ -1,11 +1,9 @@
-//! The equations of one block, its last frame and its assembly mode → its next frame.
+//! Solves one block for its next frame, from its last frame and its assembly mode.
 //!
-//! A block without a closed form knows its equations at one time only, because the blocks before it have just been solved for
-//! that time. So it makes one step, and refuses it where the determinant changes its sign or Newton-Raphson does not
-//! contract. The mechanism as a whole then goes in shorter steps ([`crate::in_steps`]); whether a frame lies on the path of the last
-//! one is shown for all blocks together ([`crate::guard`]).
-//!
-//! The module does not know the other blocks.
+//! A block without a closed form has its equations at one time only, because the blocks before it have just been solved
+//! for that time. It therefore takes one step, and refuses it if the determinant changes its sign or Newton-Raphson
+//! does not contract. The mechanism as a whole then takes shorter steps ([`crate::in_steps`]). [`crate::guard`]
+//! verifies for all blocks together that a frame lies on the path of the last one.
 
 use nalgebra::allocator::Allocator;
 use nalgebra::{DefaultAllocator, Dim, OVector};
@@ -23,25 +21,28 @@ use crate::settings::Settings;
 use crate::vector::{zero_matrix, zero_vector};
 use crate::watch::{Measuring, OnBranch};
 
-/// What the frame is from which a block is solved.
+/// Kind of the frame from which a block is solved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Start {
-    /// An estimate of the pose, which may be poor.
+    /// Estimate of the pose, which may be poor.
     Estimate,
-    /// The last frame of a motion, which goes on from there.
+    /// Last frame of a motion, which continues from there.
     LastFrame,
 }
 
 /// Solves a block at time `t`.
 ///
-/// From an estimate it is assembled in the mode `branch`, or near the estimate where that is `None`, with angles near those of the
-/// estimate where the equations leave it open how often they have gone round; afterwards `branch` is its mode. From the last frame it moves on in this mode.
+/// From an estimate it is assembled in the mode `branch`, or near the estimate if that is `None`. Angles are near those
+/// of the estimate if the equations do not count their turns; afterwards `branch` is its mode. From the last frame it
+/// advances in this mode.
 ///
 /// # Errors
-/// Those of [`assemble_from_rough_estimate`], or those of [`advance`](crate::advance) and [`WrongBranch`](crate::FailureKind::WrongBranch).
+/// Returns those of [`assemble_from_rough_estimate`], or those of [`advance`](crate::advance) and
+/// [`WrongBranch`](crate::FailureKind::WrongBranch).
 ///
 /// # Work
-/// That of the same; where the mode was `None` also one Jacobian; and of an assembly at most n + 1 evaluations of the residual.
+/// That of these functions; if the mode was `None`, one more Jacobian; and for an assembly at most n + 1 evaluations of
+/// the residual.
 ///
 /// # Panics
 /// If a vector does not have the dimension of the equations, which only a dynamic dimension permits.
@@ -65,10 +66,11 @@ where
     }
 }
 
-/// [`solve`]; afterwards `measure` says how far the Jacobian of the block at the new pose is from singular.
+/// Solves a block as [`solve`] does; afterwards `measure` is the distance of the Jacobian at the new pose from
+/// singular.
 ///
 /// # Errors
-/// Those of [`solve`].
+/// Returns those of [`solve`].
 ///
 /// # Work
 /// That of [`solve`] and of [`Factorization::measure`](crate::Factorization::measure); after an assembly also one Jacobian.
@@ -138,8 +140,8 @@ where
     Ok(frame)
 }
 
-/// Takes whole turns off the angles that a search from afar has wound up, as far as the equations hold without them: of all together, or
-/// else one by one. A rack counts the turns of its wheel.
+/// Removes whole turns from angles that a search from far away has wound up, if the equations hold without them: from
+/// all together, otherwise one by one. A rack counts the turns of its wheel.
 fn unwind<T: Real, D: Dim, E: Equations<T, D>>(
     equations: &E,
     q: &mut OVector<T, D>,
@@ -163,7 +165,7 @@ fn unwind<T: Real, D: Dim, E: Equations<T, D>>(
             }
         }
         if trial == *q {
-            // Of all together: nothing is wound up.
+            // The equations hold without the turns of all angles.
             if only.is_none() {
                 return;
             }

@@ -1,8 +1,7 @@
-//! What a mechanism states of itself → [`Blocks`], the border between generated or interpreted equations and the shell.
+//! Declares [`Blocks`], the equations of a mechanism as generated code or the interpreter supplies them.
 //!
-//! A mechanism is a list of blocks that are solved one after another. Whoever knows them says how one instant is found from the last
-//! one; everything else is the same for all mechanisms and is done by [`crate::shell`]. The module does not know what a block is made
-//! of.
+//! A mechanism is a list of blocks that are solved one after another. An implementation solves one instant from the
+//! last frame; [`crate::shell`] does everything that all mechanisms share.
 
 use crate::block::Start;
 use crate::failure::{Failure, FailureKind};
@@ -14,36 +13,37 @@ use crate::settings::Settings;
 use crate::signal::Signal;
 use crate::time_window::TimeWindow;
 
-/// The equations of a mechanism, solved block by block.
+/// Equations of a mechanism, solved block by block.
 pub trait Blocks {
-    /// f64 or f32.
+    /// Scalar type: f64 or f32.
     type Scalar: Real;
-    /// One solved instant.
+    /// Solved instant.
     type Frame: Clone;
-    /// A value for each coordinate.
+    /// Value of each coordinate.
     type Coordinates: Values<Self::Scalar>;
-    /// The assembly mode of each loop.
+    /// Assembly mode of each loop.
     type Branches: Clone;
-    /// What can be changed between instants; `()` where there is nothing.
+    /// Numbers that the caller can change between instants; `()` without any.
     type Parameters: Values<Self::Scalar>;
-    /// The signals that move it beside time; `()` where there are none.
+    /// Signals besides the time that drive the mechanism; `()` without any.
     type Inputs: Signals<Self::Scalar>;
-    /// A [`PathEnclosure`](crate::time_window::PathEnclosure) for each unknown that Newton-Raphson finds.
+    /// A [`PathEnclosure`](crate::time_window::PathEnclosure) for each unknown of Newton-Raphson.
     type PathEnclosures: Clone;
 
-    /// The parameters of the description.
+    /// Parameters of the description.
     fn nominal_parameters(&self) -> Self::Parameters;
 
-    /// The signals of the description at assembly.
+    /// Signals of the description at assembly.
     fn initial_inputs(&self) -> Self::Inputs;
 
-    /// The assembly modes of the drawing.
+    /// Assembly modes of the design configuration.
     fn drawn_branches(&self) -> Self::Branches;
 
-    /// The modes that the block of this number exchanges with another one where both meet; `None` where it has no other.
+    /// Modes beyond a change point at which the block of this number meets another branch; `None` without another
+    /// branch.
     fn exchanged(&self, branches: &Self::Branches, block: u16) -> Option<Self::Branches>;
 
-    /// True if a block may exchange its mode. Where none may, nothing of that becomes part of a program.
+    /// True if a block may exchange its mode. Otherwise the program contains no code for change points.
     fn may_cross(&self) -> bool {
         true
     }
@@ -53,11 +53,11 @@ pub trait Blocks {
         size_of::<Self::PathEnclosures>() != 0
     }
 
-    /// The pose in the drawing of these parameters.
+    /// Pose in the design configuration of these parameters.
     fn drawn_pose(&self, parameters: &Self::Parameters) -> Self::Coordinates;
 
-    /// The frame before the first one: a pose at rest from which the mechanism is assembled at time `t` (s). What is no
-    /// coordinate is that of the drawing.
+    /// Estimate before the first frame: a pose at rest from which the mechanism is assembled at time `t` (s). Unknowns
+    /// that are not coordinates have their values in the design configuration.
     fn estimate(
         &self,
         pose: &Self::Coordinates,
@@ -65,20 +65,20 @@ pub trait Blocks {
         t: Self::Scalar,
     ) -> Self::Frame;
 
-    /// Puts the frame before the first one near the assembly that is wanted, where `branches` name one of those that are stored; they do
-    /// not any more afterwards, since the mechanism moves on.
+    /// Moves the estimate close to a stored assembly if `branches` name one. Afterwards `branches` name none, since the
+    /// mechanism moves on.
     fn begin(&self, _branches: &mut Self::Branches, _last: &mut Self::Frame) {}
 
-    /// The time of a frame (s).
+    /// Time of a frame (s).
     fn time(frame: &Self::Frame) -> Self::Scalar;
 
-    /// Changes the time of a frame (s), and nothing else.
+    /// Changes only the time of a frame (s).
     fn set_time(frame: &mut Self::Frame, t: Self::Scalar);
 
-    /// Solves all blocks for one instant from the last frame. The modes of blocks that find their mode are noted in `branches`.
+    /// Solves all blocks for one instant from the last frame. Blocks that determine their mode write it to `branches`.
     ///
     /// # Errors
-    /// The first block that cannot be solved; `at` is then not a frame.
+    /// Returns the failure of the first block that cannot be solved; `at` is then not a frame.
     fn solve(
         &self,
         at: &mut Self::Frame,
@@ -87,17 +87,17 @@ pub trait Blocks {
         conditions: &Conditions<'_, Self::Scalar, Self::Parameters, Self::Inputs>,
     ) -> Result<(), Failure<Self::Scalar>>;
 
-    /// Whether the blocks can show that a frame lies on the path of the last one.
+    /// True if the blocks can verify that a frame lies on the path of the last one.
     fn is_guarded(&self) -> bool;
 
-    /// PathEnclosures of what does not move.
+    /// Path enclosures of a mechanism at rest.
     fn enclosures(&self) -> Self::PathEnclosures;
 
-    /// Asks of every block whether its equations have one solution near the straight line through both frames all over a window: then
-    /// whatever is found in it lies on one path. Afterwards `enclosures` say where that is.
+    /// Verifies that each block's equations have one solution near the chord through both frames over a whole window.
+    /// Every frame found in the window then lies on one path. Afterwards `enclosures` bound that path.
     ///
     /// # Errors
-    /// The first block of which that cannot be shown.
+    /// Returns the first block whose path cannot be verified.
     fn verify_path(
         &self,
         pair: &Pair<'_, Self>,
@@ -107,16 +107,17 @@ pub trait Blocks {
     where
         Self: Sized;
 
-    /// Whether [`Blocks::verify_nonsingular`] may show anything.
+    /// True if [`Blocks::verify_nonsingular`] can succeed.
     fn is_closed(&self) -> bool {
         false
     }
 
-    /// Asks of every block that it has a closed form which is not singular anywhere in a window, and turns nothing by half a turn there:
-    /// then whatever is found in it lies on one path. That takes less than [`Blocks::verify_path`], which may show more.
+    /// Verifies that each block has a closed form, is not singular in a window and turns nothing by half a turn there.
+    /// Every frame found in the window then lies on one path. This costs less than [`Blocks::verify_path`], which may
+    /// verify more.
     ///
     /// # Errors
-    /// The first block of which that cannot be shown.
+    /// Returns the first block that cannot be verified.
     fn verify_nonsingular(
         &self,
         _pair: &Pair<'_, Self>,
@@ -128,7 +129,8 @@ pub trait Blocks {
         Err(0)
     }
 
-    /// Whether what Newton-Raphson has found lies in its enclosures, so many steps after the second of the frames that they go through.
+    /// True if the unknowns of Newton-Raphson lie in their enclosures, so many steps after the second frame of the
+    /// enclosures.
     fn is_within(
         &self,
         at: &Self::Frame,
@@ -136,27 +138,27 @@ pub trait Blocks {
         steps: Self::Scalar,
     ) -> bool;
 
-    /// What the mechanism is called.
+    /// Name of the mechanism.
     fn name(&self) -> &str;
 
-    /// What the coordinate `index` is called; `None` beyond the last one.
+    /// Name of the coordinate `index`; `None` beyond the last one.
     fn coordinate_name(&self, index: usize) -> Option<&str>;
 
-    /// What the parameter `index` is called; `None` beyond the last one.
+    /// Name of the parameter `index`; `None` beyond the last one.
     fn parameter_name(&self, index: usize) -> Option<&str>;
 
-    /// What the input `index` is called; `None` beyond the last one.
+    /// Name of the input `index`; `None` beyond the last one.
     fn input_name(&self, index: usize) -> Option<&str>;
 
-    /// The coordinate `index` of a frame: its value, its rate and its acceleration; `None` where frames do not hold it.
+    /// Value, rate and acceleration of the coordinate `index` in a frame; `None` if frames do not hold the coordinate.
     fn coordinate(&self, frame: &Self::Frame, index: usize) -> Option<[Self::Scalar; 3]>;
 
-    /// Whether frames hold all coordinates, from which points follow.
+    /// True if frames hold all coordinates, from which points follow.
     fn holds_coordinates(&self) -> bool {
         false
     }
 
-    /// Adds a multiple of the difference of two frames to a third one, in all numbers but the time.
+    /// Adds a multiple of the difference of two frames to a third one, in all numbers except for the time.
     fn add(
         &self,
         sum: &mut Self::Frame,
@@ -165,31 +167,32 @@ pub trait Blocks {
         base: &Self::Frame,
     );
 
-    /// What the point `index` is called whose motion frames offer; `None` beyond the last one.
+    /// Name of the point `index` among those that frames offer; `None` beyond the last one.
     fn point_name(&self, index: usize) -> Option<&str>;
 
-    /// The motion of the point `index`; `None` where frames do not offer it.
+    /// Motion of the point `index`; `None` if frames do not offer it.
     fn point(&self, frame: &Self::Frame, index: usize) -> Option<PointMotion<Self::Scalar>>;
 
-    /// What the block `index` is called, in solve order; `None` beyond the last one.
+    /// Name of the block `index` in solve order; `None` beyond the last one.
     fn block_name(&self, index: usize) -> Option<BlockName<'_>>;
 
-    /// The first of what must be positive that these parameters do not leave so: its place, and what it would be.
+    /// Index and value of the first required positive quantity that these parameters make zero or negative; `None` if
+    /// all are positive.
     fn not_positive(&self, _parameters: &Self::Parameters) -> Option<(u16, Self::Scalar)> {
         None
     }
 
-    /// The joint of what must be positive, and what it is called.
+    /// Joint and name of the required positive quantity `_index`; `None` beyond the last one.
     fn requirement_name(&self, _index: usize) -> Option<BlockName<'_>> {
         None
     }
 
-    /// The label of the load at a place of those that a failure names; `None` beyond the last one.
+    /// Label of the load `_index` among the loads that failures name; `None` beyond the last one.
     fn load_name(&self, _index: usize) -> Option<&str> {
         None
     }
 
-    /// A failure in the mechanism's own terms.
+    /// Describes a failure in the mechanism's own terms.
     fn explained(&self, failure: &Failure<Self::Scalar>) -> FailureMessage<'_, Self::Scalar> {
         let place = usize::from(failure.block);
         FailureMessage {
@@ -208,33 +211,33 @@ pub trait Blocks {
     }
 }
 
-/// What one instant is solved with.
+/// Data with which one instant is solved.
 #[derive(Clone, Copy, Debug)]
 pub struct Conditions<'a, T, P, I> {
-    /// The time (s).
+    /// Time (s).
     pub t: T,
-    /// What the last frame is.
+    /// Kind of the last frame.
     pub start: Start,
-    /// The parameters.
+    /// Parameters of the mechanism.
     pub parameters: &'a P,
-    /// The signals at that time.
+    /// Signals at that time.
     pub inputs: &'a I,
-    /// The limits within which Newton-Raphson must succeed.
+    /// Limits within which Newton-Raphson must succeed.
     pub settings: &'a Settings<T>,
 }
 
 /// Numbers with an order: coordinates, parameters.
 pub trait Values<T>: Clone {
-    /// How many there are.
+    /// Number of values.
     fn count(&self) -> usize;
 
-    /// The value at `index`; `None` beyond the last one.
+    /// Value at `index`; `None` beyond the last one.
     fn value(&self, index: usize) -> Option<T>;
 
     /// Changes the value at `index`; does nothing beyond the last one.
     fn set(&mut self, index: usize, value: T);
 
-    /// Whether every one of them is finite.
+    /// True if every value is finite.
     fn are_finite(&self) -> bool;
 }
 
@@ -255,21 +258,21 @@ impl<T> Values<T> for () {
     }
 }
 
-/// Signals with an order, that a caller supplies with their rates and accelerations.
+/// Ordered signals that a caller supplies with their rates and accelerations.
 pub trait Signals<T>: Clone {
-    /// How many there are.
+    /// Number of signals.
     fn count(&self) -> usize;
 
-    /// The signal at `index`; `None` beyond the last one.
+    /// Signal at `index`; `None` beyond the last one.
     fn signal(&self, index: usize) -> Option<Signal<T>>;
 
     /// Changes the signal at `index`; does nothing beyond the last one.
     fn set(&mut self, index: usize, signal: Signal<T>);
 
-    /// Whether every number of them is finite.
+    /// True if every number of the signals is finite.
     fn are_finite(&self) -> bool;
 
-    /// The signals at a fraction of the time `h` (s) from these to `last`, on the smoothest way; see [`Signal::towards`].
+    /// Signals at a fraction of the time `h` (s) from these to `last`, on the smoothest path; see [`Signal::towards`].
     #[must_use]
     fn towards(&self, last: &Self, h: T, part: T) -> Self;
 }
@@ -294,7 +297,7 @@ impl<T> Signals<T> for () {
     fn towards(&self, _last: &(), _h: T, _part: T) {}
 }
 
-/// The first value that is not positive, with its place.
+/// Index and value of the first value that is not positive; `None` if all are positive.
 #[doc(hidden)]
 pub fn first_not_positive<T: Real>(values: &[T]) -> Option<(u16, T)> {
     // Written so that NaN is not positive.
@@ -303,7 +306,7 @@ pub fn first_not_positive<T: Real>(values: &[T]) -> Option<(u16, T)> {
     Some((place, *value))
 }
 
-/// Numbers with a multiple of the differences of others added.
+/// Adds a multiple of the differences of two rows of numbers to a third one.
 #[doc(hidden)]
 pub fn sum<T: Real, const N: usize>(
     mut sum: [T; N],

@@ -1,10 +1,10 @@
-//! The Jacobian of a chain of cells → what its inverse does, in operations in proportion to the cells.
+//! Applies the inverse of a chain's Jacobian, in operations proportional to the number of cells.
 //!
-//! A cell has two unknowns. Two equations link it to the next one, and the last two equations of all may read every cell. Where an
-//! equation is not met, every cell before its link follows from the first one, and every cell behind it from the last one, as if
-//! nothing had happened: so the inverse has rank two on either side of the links, and is never written out (a semiseparable matrix;
-//! Vandebril, Van Barel and Mastronardi, *Matrix Computations and Semiseparable Matrices*, 2008). The module does not know what the
-//! unknowns are.
+//! A cell has two unknowns. Two equations link it to the next cell, and the last two equations of all may read every
+//! cell. If one equation is off, every cell before its link follows from the first cell as in an exact chain. Every
+//! cell behind the link follows from the last cell. The inverse therefore has rank two on either side of the links, and
+//! is never written out (a semiseparable matrix; Vandebril, Van Barel and Mastronardi, *Matrix Computations and
+//! Semiseparable Matrices*, 2008).
 
 use core::ops::Range;
 
@@ -14,41 +14,41 @@ use nalgebra::{Const, DefaultAllocator, Dim, OMatrix, OVector};
 use crate::math::Real;
 use crate::vector::zero_vector;
 
-/// The largest derivative of an unknown by those of the first or the last cell. Beyond it rounding grows along the chain.
+/// Largest derivative of an unknown by those of the first or the last cell. Beyond it, rounding grows along the chain.
 const LARGEST_TRANSFER: f64 = 64.0;
 
 /// Two numbers for each unknown or equation of a chain.
 pub(crate) type Pairs<T, D> = OVector<[T; 2], D>;
 
-/// A matrix of two rows.
+/// Matrix of two rows.
 type Square<T> = [[T; 2]; 2];
 
-/// The inverse C of a Jacobian (n × n, n even): C_ir is the product of `from_first[i]` and `first[r]` where cell i stands before the
-/// link that r is an equation of, and that of `from_last[i]` and `last[r]` where it stands behind.
+/// Inverse C of a Jacobian (n × n, n even). C_ir is the product of `from_first[i]` and `first[r]` if cell i is before
+/// the link of equation r, and that of `from_last[i]` and `last[r]` if cell i is behind it.
 pub(crate) struct ChainInverse<T: Real, D: Dim>
 where
     DefaultAllocator: Allocator<D>,
 {
-    /// The derivatives of each unknown by those of the first cell, where all links hold.
+    /// Derivatives of each unknown by those of the first cell if all links hold.
     from_first: Pairs<T, D>,
-    /// The derivatives of each unknown by those of the last cell.
+    /// Derivatives of each unknown by those of the last cell.
     from_last: Pairs<T, D>,
-    /// What the unknowns of the first cell do where an equation is off by 1: two rows of C.
+    /// Changes of the first cell's unknowns for an equation that is off by 1: two rows of C.
     first: Pairs<T, D>,
-    /// What the unknowns of the last cell do.
+    /// Changes of the last cell's unknowns.
     last: Pairs<T, D>,
 }
 
-/// The product of the inverse with another matrix whose entries are where the Jacobian has its own.
+/// Product of the inverse with another matrix that has entries only where the Jacobian has.
 pub(crate) struct ChainProduct<T: Real, D: Dim>
 where
     DefaultAllocator: Allocator<D>,
 {
-    /// What each column does to the first cell.
+    /// Effect of each column on the first cell.
     first: Pairs<T, D>,
-    /// What it does to the last cell.
+    /// Effect of each column on the last cell.
     last: Pairs<T, D>,
-    /// What it does to its own.
+    /// Effect of each column on its own cell.
     own: Pairs<T, D>,
 }
 
@@ -56,7 +56,7 @@ impl<T: Real, D: Dim> ChainInverse<T, D>
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
-    /// `None` where a link does not determine one of its cells from the other, or only just.
+    /// Returns the inverse; `None` if a link does not determine one of its cells from the other, or is nearly singular.
     pub fn new(jacobian: &OMatrix<T, D, D>) -> Option<Self> {
         let [from_first, first] = swept(jacobian, false)?;
         let [from_last, last] = swept(jacobian, true)?;
@@ -68,18 +68,19 @@ where
         })
     }
 
-    /// The product with a vector.
+    /// Product with a vector.
     pub fn times(&self, vector: &OVector<T, D>) -> OVector<T, D> {
         self.sides([&self.first, &self.last], true, vector, |value| value)
     }
 
-    /// No less than the product of |C| with a vector that is not negative.
+    /// Upper bound of the product of |C| with a vector that is not negative.
     pub fn magnitude_times(&self, vector: &OVector<T, D>) -> OVector<T, D> {
         self.sides([&self.first, &self.last], true, vector, T::abs)
     }
 
-    /// What the places of a vector do to all cells, by what each of them does to the first and the last one: from behind a cell to
-    /// those before it, and the other way round. Those of a link are behind its cell, and those of a cell nowhere.
+    /// Effects of a vector's entries on all cells, from their effects on the first and the last cell: entries behind a
+    /// cell act on the cells before them, and the others the other way round. Entries of a link are behind its cell;
+    /// those of a cell act on neither side.
     fn sides(
         &self,
         [first, last]: [&Pairs<T, D>; 2],
@@ -113,7 +114,7 @@ where
         sums
     }
 
-    /// The product with a matrix whose entries are where the Jacobian has its own.
+    /// Product with a matrix that has entries only where the Jacobian has.
     pub fn product(&self, matrix: &OMatrix<T, D, D>) -> ChainProduct<T, D> {
         let order = matrix.shape_generic().0.value();
         let zero = || OVector::from_element_generic(matrix.shape_generic().0, Const, [T::ZERO; 2]);
@@ -156,22 +157,22 @@ where
         ChainProduct { first, last, own }
     }
 
-    /// No less than the product of the magnitudes of C M with a vector that is not negative.
+    /// Upper bound of the product of the magnitudes of C M with a vector that is not negative.
     pub fn spread(&self, product: &ChainProduct<T, D>, vector: &OVector<T, D>) -> OVector<T, D> {
         let ends = [&product.first, &product.last];
         let mut spread = self.sides(ends, false, vector, T::abs);
         for cell in 0..vector.len() / 2 {
-            let own = gathered([T::ZERO; 2], &product.own, cell, vector, T::abs);
-            for (unknown, own) in rows_of(cell).zip(own) {
+            let within = gathered([T::ZERO; 2], &product.own, cell, vector, T::abs);
+            for (unknown, within) in rows_of(cell).zip(within) {
                 let beside = value_at(&spread, unknown);
-                set(&mut spread, unknown, beside + own);
+                set(&mut spread, unknown, beside + within);
             }
         }
         spread
     }
 }
 
-/// Adds what both places of a cell or a link do.
+/// Adds the effects of both entries of a cell or a link.
 fn gathered<T: Real, D: Dim>(
     to: [T; 2],
     responses: &Pairs<T, D>,
@@ -189,8 +190,8 @@ where
     })
 }
 
-/// The derivatives of all unknowns by those of the first cell, and what these do where an equation is off by 1; or the same of the
-/// last cell, where the chain is gone through in reverse.
+/// Derivatives of all unknowns by those of the first cell, and changes of these for an equation that is off by 1; in
+/// reverse, those of the last cell.
 fn swept<T: Real, D: Dim>(
     jacobian: &OMatrix<T, D, D>,
     is_reversed: bool,
@@ -227,7 +228,7 @@ where
             put(&mut transfers, unknown, row);
         }
     }
-    // What the last equations see where a cell moves, and all cells behind it follow.
+    // Change of the last equations for a moved cell if all cells behind it follow.
     let mut seen = square(jacobian, last_cell, cell(last_cell));
     for place in (0..=last_link).rev() {
         let far = inverted(square(jacobian, link(place), cell(place + 1)))?;
@@ -236,8 +237,8 @@ where
             put(&mut responses, row, off.map(|off| off[side]));
         }
         let followed = times(off, square(jacobian, link(place), cell(place)));
-        let own = square(jacobian, last_cell, cell(place));
-        seen = [0, 1].map(|row| [0, 1].map(|column| own[row][column] - followed[row][column]));
+        let direct = square(jacobian, last_cell, cell(place));
+        seen = [0, 1].map(|row| [0, 1].map(|column| direct[row][column] - followed[row][column]));
     }
     let answer = inverted(seen)?;
     for row in 0..2 * last_cell {
@@ -250,12 +251,12 @@ where
     Some([transfers, responses])
 }
 
-/// The unknowns of a cell, and the equations of the link behind it.
+/// Unknowns of a cell, which are also the equations of the link behind it.
 fn rows_of(cell: usize) -> Range<usize> {
     2 * cell..2 * cell + 2
 }
 
-/// The derivatives of the equations of a link by the unknowns of a cell.
+/// Derivatives of the equations of a link by the unknowns of a cell.
 fn square<T: Real, D: Dim>(matrix: &OMatrix<T, D, D>, link: usize, cell: usize) -> Square<T>
 where
     DefaultAllocator: Allocator<D, D>,
@@ -286,9 +287,9 @@ fn added<T: Real>(left: [T; 2], right: [T; 2]) -> [T; 2] {
     [left[0] + right[0], left[1] + right[1]]
 }
 
-// Not every compiler sees that these places are there, and would keep a panic.
+// Not every compiler proves that these indices exist; indexing would leave a panic.
 
-/// The entry of a matrix of a chain.
+/// Entry of a matrix of a chain.
 pub(crate) fn entry<T: Real, D: Dim>(matrix: &OMatrix<T, D, D>, row: usize, column: usize) -> T
 where
     DefaultAllocator: Allocator<D, D>,

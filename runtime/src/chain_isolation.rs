@@ -1,8 +1,9 @@
-//! Equations of a chain of cells along a straight line through two frames → whether they have one solution near it all the while.
+//! Verifies that the equations of a chain of cells have one solution near the chord through two frames, at every time
+//! of a window.
 //!
-//! This is [`crate::isolation`] where each equation but the last two links a cell of two angles to the next one: the inverse is then
-//! never written out, and the work is in proportion to the cells. Bounds are at most a little wider; where they do not
-//! suffice between two frames, the whole inverse decides. The module does not know equations.
+//! This is [`crate::isolation`] for equations of which all but the last two link a cell of two angles to the next one.
+//! The inverse is never written out, so the work is proportional to the number of cells. Bounds are at most a little
+//! wider; if they do not suffice between two frames, the whole inverse decides.
 
 use nalgebra::allocator::Allocator;
 use nalgebra::{Const, DefaultAllocator, Dim, OVector};
@@ -14,10 +15,11 @@ use crate::math::Real;
 use crate::time_window::{LEFT_BY_ROUNDING, TimeWindow};
 use crate::vector::{add, zero_vector};
 
-/// [`isolate_whole_chain`] for a number of unknowns that generated code knows. `blocks` (N) says to which block an equation belongs.
+/// Calls [`isolate_whole_chain`] for a number of unknowns that generated code knows. `blocks` (N) gives the block of
+/// each equation.
 ///
 /// # Errors
-/// The block that is farthest from it, where it cannot be shown.
+/// Returns the block that misses the condition by most if one solution cannot be verified.
 pub fn isolate_chain<T: Real, const N: usize>(
     blocks: [u16; N],
     window: &TimeWindow<T>,
@@ -26,12 +28,13 @@ pub fn isolate_chain<T: Real, const N: usize>(
     in_blocks(blocks, isolate_whole_chain(window, chord))
 }
 
-/// What [`isolate_all`] says of equations of which all columns turn, and which link cells of two unknowns.
+/// Computes the deviations of [`isolate_all`] for equations whose columns all rotate, and that link cells of two
+/// unknowns.
 ///
 /// Unknowns 2 k and 2 k + 1 are cell k, equations 2 k and 2 k + 1 link it to cell k + 1, and the last two may read every cell.
 ///
 /// # Errors
-/// The row that is farthest from it, where it cannot be shown.
+/// Returns the row that misses the condition by most if one solution cannot be verified.
 pub fn isolate_whole_chain<T: Real, D: Dim>(
     window: &TimeWindow<T>,
     chord: Chord<'_, T, D>,
@@ -39,14 +42,14 @@ pub fn isolate_whole_chain<T: Real, D: Dim>(
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
-    let found = match ChainInverse::new(chord.jacobian) {
+    let deviations_or_row = match ChainInverse::new(chord.jacobian) {
         Some(inverse) => isolated(&inverse, &chord),
         None => Err(0),
     };
     // Beyond the frames there are nearer windows to try.
-    match found {
+    match deviations_or_row {
         Err(_) if window.steps <= T::ONE => isolate_all(chord, |_, _| {}),
-        _ => found,
+        _ => deviations_or_row,
     }
 }
 
@@ -71,7 +74,7 @@ where
     })
 }
 
-/// What the operator of Newton leaves of the line, as for [`isolate_all`].
+/// Remainder of the Newton operator on the chord, as for [`isolate_all`].
 fn left_of_line<T: Real, D: Dim>(
     inverse: &ChainInverse<T, D>,
     product: &ChainProduct<T, D>,
@@ -82,7 +85,7 @@ where
 {
     let dimension = chord.changes.shape_generic().0;
     let squares = chord.changes.map(|change| change * change);
-    // What turning leaves of each equation, and how far rounding may leave it from zero.
+    // Remainder of rotation in each equation, and bound on the rounding of its residual.
     let (mut second, mut off) = (chord.curvatures.clone(), zero_vector(dimension));
     let rows = second.as_mut_slice().iter_mut().zip(off.as_mut_slice());
     for (row, (second, off)) in rows.enumerate() {
@@ -123,8 +126,8 @@ mod tests {
     use crate::isolation::{Chord, isolate_all};
     use crate::time_window::TimeWindow;
 
-    /// The Jacobian of a chain of so many cells, and the derivatives of its columns. `irregular` says how much lengths and angles differ
-    /// from cell to cell.
+    /// Jacobian of a chain of so many cells, and the derivatives of its columns. `irregular` is the difference of
+    /// lengths and angles from cell to cell.
     fn cells(count: usize, irregular: f64, seed: f64) -> [DMatrix<f64>; 2] {
         let order = 2 * count;
         let part = |place: usize, k: f64| irregular * f64::sin(k * (place as f64 + seed));
@@ -155,7 +158,7 @@ mod tests {
         matrices
     }
 
-    /// A vector whose entries differ.
+    /// Vector whose entries differ.
     fn vector(order: usize, seed: f64) -> DVector<f64> {
         DVector::from_fn(order, |row, _| 1.0 + f64::sin(1.7 * row as f64 + seed))
     }
@@ -206,11 +209,11 @@ mod tests {
         }
     }
 
-    /// Where a chain is shown to have one solution, the whole inverse shows it, with deviations that are alike; and between two frames whatever
-    /// the inverse shows is shown.
+    /// The chain and the whole inverse agree between two frames, with similar deviations. Beyond the frames, the whole
+    /// inverse verifies whatever the chain verifies.
     #[test]
-    fn what_is_shown_is_what_the_whole_inverse_shows() {
-        let mut shown = [0; 2];
+    fn chain_verifies_what_the_whole_inverse_verifies() {
+        let mut verified = [0; 2];
         let mut widest = 1.0_f64;
         for case in 0..400 {
             let seed = f64::from(case);
@@ -238,7 +241,7 @@ mod tests {
             let chain = isolate_whole_chain(&window, chord(first, first_turning));
             let whole = isolate_all(chord(second, second_turning), |_, _| {});
             if let Ok(chain) = &chain {
-                shown[case as usize % 2] += 1;
+                verified[case as usize % 2] += 1;
                 let whole = whole.as_ref().unwrap();
                 for (chain, whole) in chain.iter().zip(whole) {
                     // Either may have needed one more round, with wider deviations.
@@ -248,7 +251,10 @@ mod tests {
             }
             assert!(case % 2 == 1 || chain.is_ok() == whole.is_ok(), "{case}");
         }
-        assert!(shown.iter().all(|shown| *shown > 20), "{shown:?} shown");
+        assert!(
+            verified.iter().all(|verified| *verified > 20),
+            "{verified:?} verified"
+        );
         assert!(widest < 2.0, "deviations {widest} times as wide");
     }
 }

@@ -1,27 +1,25 @@
-//! Durations one after another → the time after them, as a compensated sum.
-//!
-//! The module does not know what passes the time.
+//! Adds durations to a time, as a compensated sum.
 
 use crate::math::Real;
 
-/// A time, and what its rounding has left of the sum.
+/// Time with the rounding error of its sum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Clock<T> {
-    /// The sum, rounded, in s.
+    /// Rounded sum (s).
     pub t: T,
-    /// The part of the sum beyond that, in s.
+    /// Remainder of the sum (s).
     rest: T,
 }
 
 impl<T: Real> Clock<T> {
-    /// A time that is no sum.
+    /// Returns a time without a sum.
     pub fn at(t: T) -> Self {
         Self { t, rest: T::ZERO }
     }
 
-    /// The time after a duration (s) from the time `t` (s). What is left of a sum counts where that is its time.
+    /// Time after a duration (s) from the time `t` (s). The remainder of a sum counts if `t` is its time.
     ///
-    /// The rounding of the sum is found exactly, whichever of its terms is larger (Knuth 1969, section 4.2.2).
+    /// The rounding of the sum is computed exactly, whichever of its terms is larger (Knuth 1969, section 4.2.2).
     pub fn after(self, t: T, duration: T) -> Self {
         let rest = match self.t == t {
             true => self.rest,
@@ -45,7 +43,7 @@ mod tests {
         for _ in 0..4 * 3_600_000 {
             clock = clock.after(clock.t, 1e-3);
         }
-        // Of the duration as it is in single precision.
+        // The duration as rounded to single precision.
         let exact = 4.0 * 3_600_000.0 * f64::from(1e-3_f32);
         let rounding = f64::from(f32::EPSILON) * exact;
         assert!(

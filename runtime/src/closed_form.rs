@@ -1,25 +1,25 @@
-//! What closed-form blocks need besides arithmetic: the assembly mode and the failures.
+//! Assembly modes and failures of closed-form blocks.
 //!
-//! A closed form finds a square root of a quantity that is positive while the links span the distance between their far
-//! pins. The module does not know the links; the generated code hands over the distances.
+//! A closed form takes the square root of a quantity that is positive while the links span the distance between their
+//! far pins.
 
 use crate::failure::{Failure, FailureKind, index};
 use crate::math::Real;
 
-/// One of the two signs that the determinant of a block can have.
+/// Sign of a block's determinant.
 ///
-/// A block with a closed form can be assembled in two ways, and each has one of the signs. Blocks that need Newton-Raphson
-/// may have several poses of either sign; on a motion without singular poses the sign does not change.
+/// A block with a closed form has two assembly modes, one of each sign. A block of Newton-Raphson may have several
+/// poses of either sign. On a motion without singular poses the sign does not change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Branch {
-    /// The block's determinant is negative.
+    /// Negative determinant of the block.
     Negative,
-    /// The block's determinant is positive.
+    /// Positive determinant of the block.
     Positive,
 }
 
 impl Branch {
-    /// +1 or −1.
+    /// Returns +1 or −1.
     #[inline]
     pub fn sign<T: Real>(self) -> T {
         match self {
@@ -28,7 +28,7 @@ impl Branch {
         }
     }
 
-    /// The other way.
+    /// Returns the other branch.
     #[must_use]
     pub fn opposite(self) -> Self {
         match self {
@@ -38,9 +38,9 @@ impl Branch {
     }
 }
 
-/// The assembly mode of a block.
+/// Assembly mode of a block.
 pub trait Mode: Sized {
-    /// The one beyond a pose at which it meets another; `None` where it is not known.
+    /// Mode beyond a change point; `None` if it is unknown.
     fn other(self) -> Option<Self>;
 }
 
@@ -56,22 +56,23 @@ impl Mode for Option<Branch> {
     }
 }
 
-/// The multiple of ε below which the square of a sine is rounding: links that enclose an angle of less than about 6e-8 rad
-/// (f64) are in line.
+/// Multiple of ε below which the square of a sine is rounding: links that enclose an angle of less than about 6e-8 rad
+/// (f64) are collinear.
 pub const FOLD: f64 = 16.0;
 
-/// The multiple of the smallest normal number below which the square of a half chord is no longer rounded in proportion: the
-/// fourth powers of the links have left the range of the scalar.
+/// Multiple of the smallest normal number below which the square of a half chord is no longer rounded in proportion:
+/// the fourth powers of the links have left the range of the scalar.
 pub const UNDERFLOW: f64 = 8.0;
 
-/// Whether the square of a half chord is safely positive beside `scale`, and a normal number. False for NaN.
+/// True if the square of a half chord is a normal number and safely positive relative to `scale`. False for NaN.
 #[inline]
 pub fn exceeds_rounding<T: Real>(excess: T, scale: T) -> bool {
     excess > T::from_f64(FOLD) * T::EPSILON * scale + T::from_f64(UNDERFLOW) * T::SMALLEST
 }
 
-/// Why the links of a closed-form block do not span the distance (m) between their far pins; `longest` and `shortest` are what
-/// they can span. Where they do, they are in line and the block is singular.
+/// Failure of links in a closed-form block that do not span the distance (m) between their far pins; `longest` and
+/// `shortest` bound the distances that they can span. If the distance is within these bounds, the links are collinear
+/// and the block is singular.
 #[cold]
 pub fn out_of_reach<T: Real>(
     distance: T,
@@ -100,7 +101,7 @@ pub fn out_of_reach<T: Real>(
     failed(kind, time, block)
 }
 
-/// Why a divisor that has vanished beside `scale` makes a closed-form block singular.
+/// Failure of a closed-form block that is singular because a divisor has vanished relative to `scale`.
 #[cold]
 pub fn singular_divisor<T: Real>(value: T, scale: T, time: T, block: u16) -> Failure<T> {
     let kind = FailureKind::Singular {
@@ -110,13 +111,13 @@ pub fn singular_divisor<T: Real>(value: T, scale: T, time: T, block: u16) -> Fai
     failed(kind, time, block)
 }
 
-/// The failure of a driven length that is not positive, by its place among what must be.
+/// Failure of a driven length that is not positive, by its index among the quantities that must be positive.
 #[cold]
 pub fn not_positive<T: Real>(value: T, time: T, place: u16) -> Failure<T> {
     failed(FailureKind::NotPositive { value }, time, place)
 }
 
-/// A failure of a closed-form block, which takes no iterations and leaves no residual.
+/// Failure of a closed-form block, which takes no iterations and leaves no residual.
 #[cold]
 pub fn failed<T: Real>(kind: FailureKind<T>, time: T, block: u16) -> Failure<T> {
     Failure {
@@ -130,10 +131,10 @@ pub fn failed<T: Real>(kind: FailureKind<T>, time: T, block: u16) -> Failure<T> 
     }
 }
 
-/// Whether every value is a finite number.
+/// True if every value is finite.
 ///
-/// Zero times anything else is no number, and neither is a sum with it. Eight sums that do not wait for one another let the
-/// processor work on several values at once; that of all of them takes one comparison.
+/// Zero times infinity or NaN is NaN, and a sum with NaN is NaN. Eight independent sums let the processor work on
+/// several values at once; their total takes one comparison.
 #[inline]
 pub fn all_finite<T: Real, const N: usize>(values: &[T; N]) -> bool {
     let mut sums = [T::ZERO; 8];
@@ -150,14 +151,15 @@ pub fn all_finite<T: Real, const N: usize>(values: &[T; N]) -> bool {
     ((a + b) + (c + d)) + ((e + f) + (g + h)) == T::ZERO
 }
 
-/// What a block fails with that finds a number which is not finite.
+/// Failure of a block with a value that is not finite.
 #[cold]
 pub fn not_finite<T: Real>(time: T, block: u16) -> Failure<T> {
     failed(FailureKind::NotFinite, time, block)
 }
 
-/// The failure of a frame with a number that is not finite, ascribed to the first load that is not: `read` holds what loads follow
-/// from, `loads` one value of each, and `block` uses them. Other failures stay as they are, and so does that of a pose which is not finite.
+/// Ascribes a failure of a frame with a value that is not finite to the first such load. `read` holds the values that
+/// loads follow from, `loads` one value of each, and `block` uses them. Other failures stay unchanged, and so does that
+/// of a pose that is not finite.
 #[cold]
 pub fn load_not_finite<T: Real>(
     failure: Failure<T>,

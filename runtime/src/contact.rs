@@ -1,17 +1,16 @@
-//! The velocity of a follower at its contact → the pressure angle there.
-//!
-//! The module does not know the curve; the generated code hands over the components.
+//! Pressure angle of a follower at its contact, from its velocity.
 
 use crate::math::Real;
 
-/// The pressure angle in [0, π/2] rad: between the common normal at a contact and the velocity of the follower's point there.
+/// Returns the pressure angle in [0, π/2] rad: between the common normal at a contact and the velocity of the
+/// follower's point there.
 ///
-/// `along` and `across` are the components of that velocity along the normal and across it, in m/s; `sliding` is the square
-/// of the speed with which the contact runs along the curve, in m²/s². The force that the cam exerts without friction has the
-/// direction of the normal, so its share cos α does the work (Norton 2009, Cam Design and Manufacturing Handbook).
+/// `along` and `across` are the components of that velocity along the normal and across it, in m/s; `sliding` is the
+/// square of the speed with which the contact runs along the curve, in m²/s². Without friction, the cam applies its
+/// force along the normal, so its share cos α does the work (Norton 2009, Cam Design and Manufacturing Handbook).
 ///
-/// `None` while the follower rests: its speed is then less than √ε of the sliding speed, and a direction computed from it
-/// would be off by more than √ε rad, if there is one at all. Also for what is not finite.
+/// `None` while the follower rests: its speed is then less than √ε of the sliding speed. A direction computed from it,
+/// if any, would be off by more than √ε rad. `None` also for arguments that are not finite.
 ///
 /// ```
 /// use linkwright::contact::pressure_angle;

@@ -1,41 +1,44 @@
-//! Frames on both sides of a pose at which modes meet → the smooth path through it.
+//! Selects the smooth path through a change point, from frames on both sides.
 //!
-//! The path is known by four frames on each side. Their even and odd differences of the highest order vanish for a smooth motion; where
-//! the modes beyond are not those of the path, it has a kink, which they show. Near the meeting, where equations are nearly singular,
-//! frames are interpolated between these eight. The module does not know equations.
+//! Four frames on each side determine the path. Their even and odd differences of the highest order vanish for a smooth
+//! motion. If the modes beyond are not those of the path, the differences show a kink. Near the change point, where
+//! equations are nearly singular, frames are interpolated between these eight.
 
 use crate::blocks::Blocks;
 use crate::crossing::{CLOSER, Crossing, Meeting, edge, square_of_distance, sum_of_products};
 use crate::math::Real;
 
-/// Differences of the highest order of frames at the distances 1, 2, 3 and 4 on both sides: of their sums, and of their differences.
+/// Highest differences of the sums of frames at the distances 1, 2, 3 and 4 on both sides.
 const EVEN: [f64; 4] = [-7.0, 14.0, -9.0, 2.0];
+/// Highest differences of the differences of these frames.
 const ODD: [f64; 4] = [-14.0, 14.0, -6.0, 1.0];
 
-/// Largest difference of the smooth path, as a part of the distance of the modes: where it is gone through, and where it is
-/// interpolated. A kink leaves four times that distance.
+/// Largest difference of the smooth path, relative to the distance of the modes, for passing the change point. A kink
+/// leaves four times that distance.
 const SMOOTH: f64 = 1.0 / 64.0;
-const EXACT: f64 = 1.0 / 16384.0;
+/// Largest such difference for interpolation.
+const MAX_INTERPOLATED_DIFFERENCE: f64 = 1.0 / 16384.0;
 
-/// Multiple of the square of the distance of the modes up to which those of other blocks meet in the same instant.
-const ALIKE: f64 = 64.0;
+/// Multiple of the squared distance of the modes up to which modes of other blocks meet at the same instant.
+const SIMULTANEOUS_FACTOR: f64 = 64.0;
 
-/// Number of the times, each [`CLOSER`] times as near to a meeting as the one before, at which modes of another block are looked at,
-/// and part to which the square of their distance falls there if they meet.
+/// Number of times at which modes of another block are compared, each [`CLOSER`] times as near to a change point as the
+/// one before.
 pub const NEARER: u8 = 3;
+/// Factor by which the square of the modes' distance falls from one of these times to the next if they meet.
 const FALLEN: f64 = 0.25;
 
 /// Number of the first blocks whose modes may be exchanged.
 pub const BLOCKS: u16 = 64;
 
-/// The modes before a meeting and beyond it, in the direction of the way.
+/// Modes before a change point and beyond it, in the direction of the path.
 pub(crate) struct Sides<M> {
     pub before: M,
     pub beyond: M,
 }
 
 impl<M> Sides<M> {
-    /// The same with these modes before the meeting, or beyond it.
+    /// Returns these modes before the change point, or beyond it.
     fn new(own: M, other: M, is_before: bool) -> Self {
         match is_before {
             true => Self {
@@ -50,17 +53,17 @@ impl<M> Sides<M> {
     }
 }
 
-/// The weights of frames in sums.
+/// Weights of frames in sums.
 #[derive(Clone, Copy)]
 enum Weights<T> {
-    /// Those of the highest differences.
+    /// Weights of the highest differences.
     Differences,
-    /// Those of interpolation at a place, and their sum.
+    /// Weights of interpolation at a time, and their sum.
     Interpolation(T, T),
 }
 
 impl<T: Real> Weights<T> {
-    /// The weights of a frame on a side, −1 or 1, at a distance with this index.
+    /// Weights of a frame on a side, −1 or 1, at a distance with this index.
     fn of(self, side: T, distance: T, index: usize) -> [T; 2] {
         match self {
             Self::Differences => [T::from_f64(EVEN[index]), side * T::from_f64(ODD[index])],
@@ -71,7 +74,7 @@ impl<T: Real> Weights<T> {
         }
     }
 
-    /// Those of interpolation at a place.
+    /// Weights of interpolation at a time.
     fn at(place: T) -> Self {
         let parts = Self::Interpolation(place, T::ONE);
         let mut whole = T::ZERO;
@@ -87,8 +90,8 @@ impl<T: Real> Weights<T> {
 }
 
 impl<B: Blocks> Crossing<'_, '_, B> {
-    /// The modes on both sides of a meeting on the smooth path, which has the own ones before it, or beyond it; `None` where no path
-    /// is smooth.
+    /// Modes on both sides of a change point on the smooth path, which has the current modes before it, or beyond it;
+    /// `None` if no path is smooth.
     #[inline(never)]
     pub fn sides(
         &self,
@@ -96,37 +99,37 @@ impl<B: Blocks> Crossing<'_, '_, B> {
         meeting: &Meeting<B::Scalar>,
         is_before: bool,
     ) -> Option<Sides<B::Branches>> {
-        let own = self.way.branches.clone();
+        let current = self.way.branches.clone();
         let smooth = B::Scalar::from_f64(SMOOTH);
         let meets = self.blocks_that_meet(near, meeting);
-        let mut found = own.clone();
+        let mut chosen = current.clone();
         let mut is_exchanged = false;
-        // Each block by what no later one changes, because those are not decided yet.
+        // Each block is judged by values that no later block changes, because later blocks are not decided yet.
         for block in (0..BLOCKS).filter(|block| meets & (1 << block) != 0) {
-            let mut later = own.clone();
+            let mut later = current.clone();
             for other in (block + 1..BLOCKS).filter(|other| meets & (1 << other) != 0) {
                 later = self.way.blocks.exchanged(&later, other)?;
             }
-            let change = [&self.way.blocks.exchanged(&own, block)?, &later];
-            let tried = self.way.blocks.exchanged(&found, block)?;
+            let change = [&self.way.blocks.exchanged(&current, block)?, &later];
+            let tried = self.way.blocks.exchanged(&chosen, block)?;
             let is_smooth = |other: &B::Branches| {
-                let sides = Sides::new(&own, other, is_before);
-                let roughness = self.roughness(near, meeting, &sides, &own, change);
+                let sides = Sides::new(&current, other, is_before);
+                let roughness = self.roughness(near, meeting, &sides, &current, change);
                 roughness.is_some_and(|it| it <= smooth)
             };
             if is_smooth(&tried) {
-                (found, is_exchanged) = (tried, true);
-            } else if !is_smooth(&found) {
+                (chosen, is_exchanged) = (tried, true);
+            } else if !is_smooth(&chosen) {
                 return None;
             }
         }
         // A block that is wrongly left in its mode makes a kink elsewhere.
-        let sides = Sides::new(&own, &found, is_before);
+        let sides = Sides::new(&current, &chosen, is_before);
         let is_whole = is_exchanged && self.is_smooth(near, meeting, &sides, smooth);
-        is_whole.then(|| Sides::new(own.clone(), found.clone(), is_before))
+        is_whole.then(|| Sides::new(current.clone(), chosen.clone(), is_before))
     }
 
-    /// The meeting with the least width of all blocks whose modes meet there: some modes part faster than others.
+    /// Change point with the least width of all blocks whose modes meet there: some modes separate faster than others.
     pub fn narrowed(&self, near: &B::Frame, meeting: Meeting<B::Scalar>) -> Meeting<B::Scalar> {
         let mut narrowed = meeting;
         for block in 0..BLOCKS {
@@ -138,7 +141,7 @@ impl<B: Blocks> Crossing<'_, '_, B> {
         narrowed
     }
 
-    /// The width of a meeting by the modes of this block; `None` where they do not meet there.
+    /// Width of a change point by the modes of this block; `None` if they do not meet there.
     #[inline(never)]
     fn width(&self, near: &B::Frame, meeting: &Meeting<B::Scalar>) -> Option<B::Scalar> {
         let number = B::Scalar::from_f64;
@@ -158,10 +161,10 @@ impl<B: Blocks> Crossing<'_, '_, B> {
         None
     }
 
-    /// The blocks of which two modes are as near to each other as those of the meeting: a bit for each.
+    /// Blocks with two modes as near to each other as those of the change point: a bit for each.
     fn blocks_that_meet(&self, near: &B::Frame, meeting: &Meeting<B::Scalar>) -> u64 {
         let t = meeting.time - self.direction * meeting.width;
-        let limit = B::Scalar::from_f64(ALIKE) * meeting.edge;
+        let limit = B::Scalar::from_f64(SIMULTANEOUS_FACTOR) * meeting.edge;
         let mut meets = 0;
         for block in 0..BLOCKS {
             let is_near = self.distance(block, t, near).is_some_and(|it| it <= limit);
@@ -170,8 +173,8 @@ impl<B: Blocks> Crossing<'_, '_, B> {
         meets
     }
 
-    /// The modes on both sides of a meeting on the smooth path through a frame near it, of which one side has the own ones; `None` where
-    /// that is not told.
+    /// Modes on both sides of a change point on the smooth path through a frame near it, of which one side has the
+    /// current modes; `None` if the path is undecided.
     pub fn sides_through(
         &self,
         frame: &B::Frame,
@@ -179,15 +182,15 @@ impl<B: Blocks> Crossing<'_, '_, B> {
     ) -> Option<Sides<B::Branches>> {
         let path = |is_before| {
             let sides = self.sides(frame, meeting, is_before)?;
-            let found = self.interpolated(frame, meeting, &sides, B::time(frame))?;
-            let missed = square_of_distance(self.way.blocks, [&found, frame], 1);
+            let interpolated = self.interpolated(frame, meeting, &sides, B::time(frame))?;
+            let missed = square_of_distance(self.way.blocks, [&interpolated, frame], 1);
             Some((sides, missed))
         };
         let part = B::Scalar::from_f64(SMOOTH * SMOOTH);
         match [path(true), path(false)] {
             [Some((sides, missed)), Some((_, other))] if missed <= part * other => Some(sides),
             [Some((_, other)), Some((sides, missed))] if missed <= part * other => Some(sides),
-            // The other one is too rough to be interpolated.
+            // The other path is too rough to be interpolated.
             [Some((sides, missed)), None] | [None, Some((sides, missed))] => {
                 (missed <= part * self.rates_apart(frame, meeting)?).then_some(sides)
             }
@@ -195,17 +198,17 @@ impl<B: Blocks> Crossing<'_, '_, B> {
         }
     }
 
-    /// The square of the distance of the rates of both modes at the nearest time before a meeting.
+    /// Square of the distance of the rates of both modes at the nearest time before a change point.
     fn rates_apart(&self, near: &B::Frame, meeting: &Meeting<B::Scalar>) -> Option<B::Scalar> {
-        let own = &self.way.branches;
-        let other = self.way.blocks.exchanged(own, self.block)?;
+        let current = &self.way.branches;
+        let other = self.way.blocks.exchanged(current, self.block)?;
         let t = meeting.time - self.direction * meeting.width;
-        let first = self.solved(t, near, own)?;
+        let first = self.solved(t, near, current)?;
         let second = self.solved(t, near, &other)?;
         Some(square_of_distance(self.way.blocks, [&first, &second], 1))
     }
 
-    /// The frame at a time (s) near a meeting; `None` where the path is too rough to be interpolated.
+    /// Frame at a time (s) near a change point; `None` if the path is too rough to be interpolated.
     #[inline(never)]
     pub fn interpolated(
         &self,
@@ -220,7 +223,7 @@ impl<B: Blocks> Crossing<'_, '_, B> {
         };
         let change = [sides.beyond, sides.before];
         let roughness = self.roughness(near, meeting, &sides, sides.before, change)?;
-        let exact = B::Scalar::from_f64(EXACT);
+        let exact = B::Scalar::from_f64(MAX_INTERPOLATED_DIFFERENCE);
         let is_exact = roughness <= exact && self.is_smooth(near, meeting, &sides, exact);
         if !is_exact {
             return None;
@@ -231,31 +234,31 @@ impl<B: Blocks> Crossing<'_, '_, B> {
         Some(found)
     }
 
-    /// The highest differences of the path with these modes, as a part of the distance of the own modes from changed ones, along it,
-    /// in what others do not change.
+    /// Highest differences of the path with these modes, in the values that the others do not change. They are relative
+    /// to the distance of the current modes from changed ones, and along it.
     #[inline(never)]
     fn roughness(
         &self,
         near: &B::Frame,
         meeting: &Meeting<B::Scalar>,
         sides: &Sides<&B::Branches>,
-        own: &B::Branches,
+        current: &B::Branches,
         [changed, others]: [&B::Branches; 2],
     ) -> Option<B::Scalar> {
         let [base, even, odd] = self.sums(near, meeting, sides, Weights::Differences)?;
         let t = B::time(&base);
-        let own = self.solved(t, &base, own)?;
+        let current = self.solved(t, &base, current)?;
         let changed = self.solved(t, &base, changed)?;
         let others = self.solved(t, &base, others)?;
         let blocks = self.way.blocks;
-        let apart = [&changed, &own];
-        let along = |pair| sum_of_products(blocks, [pair, apart, [&others, &own]], 0);
+        let apart = [&changed, &current];
+        let along = |pair| sum_of_products(blocks, [pair, apart, [&others, &current]], 0);
         let roughness = along([&even, &base]).max(along([&odd, &base]));
         Some(roughness / along(apart))
     }
 
-    /// True if the highest differences of the path with these modes are at most a part of its change before the meeting, in all
-    /// coordinates together.
+    /// True if the highest differences of the path with these modes are at most a part of its change before the change
+    /// point, in all coordinates together.
     #[inline(never)]
     fn is_smooth(
         &self,
@@ -276,7 +279,7 @@ impl<B: Blocks> Crossing<'_, '_, B> {
         square(&even).max(square(&odd)) <= part * part * square(&first)
     }
 
-    /// The nearest frame before a meeting, and two weighted sums of the differences of all eight from it, on top of it.
+    /// Nearest frame before a change point, plus two weighted sums of the differences of all eight from it.
     #[inline(never)]
     fn sums(
         &self,

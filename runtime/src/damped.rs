@@ -1,13 +1,12 @@
-//! Equations, a poor estimate of the pose and a time → the pose, by Newton-Raphson with damped steps.
+//! Solves equations from a poor estimate of the pose by Newton-Raphson with damped steps.
 //!
-//! From far away a full Newton-Raphson step may lead anywhere. The step is therefore shortened until it passes the natural
-//! monotonicity test: the next correction, computed with the same Jacobian, must be shorter than this one. Corrections are
-//! lengths of ways to the pose, so unlike residuals they can be compared whatever the equations are multiplied with. The
-//! factor is predicted from how much the last corrections differed from what a linear system would have given (Deuflhard, *Newton
-//! Methods for Nonlinear Problems*, 2004, section 3.3.3, algorithm NLEQ-ERR).
+//! From far away a full Newton-Raphson step may lead anywhere. The step is therefore shortened until it passes the
+//! natural monotonicity test: the next correction, computed with the same Jacobian, must be shorter than this one.
+//! Corrections are distances to the pose. Unlike residuals, they do not depend on factors of the equations. The damping
+//! factor is predicted from the difference between the last corrections and those of a linear system (Deuflhard,
+//! *Newton Methods for Nonlinear Problems*, 2004, section 3.3.3, algorithm NLEQ-ERR).
 //!
-//! The iteration stays on the side of the singular poses on which it starts, and stops at them. The module does not know
-//! other branches, nor what to do when it fails.
+//! The iteration stays on the side of the singular poses on which it starts, and stops at them.
 
 use nalgebra::allocator::Allocator;
 use nalgebra::{DefaultAllocator, Dim, OVector};
@@ -21,29 +20,29 @@ use crate::scale::Scales;
 use crate::settings::Settings;
 use crate::vector::{all_finite, negate, require_dimension, zero_matrix, zero_vector};
 
-/// The largest number of times that one step is shortened.
+/// Largest number of times that one step is shortened.
 pub const SHORTENINGS: u16 = 8;
 
-/// The smallest part of a step that is taken.
+/// Smallest part of a step that is taken.
 pub const SMALLEST_PART: f64 = 1e-4;
 
-/// The ratio of two consecutive corrections, both at full length, below which plain Newton-Raphson takes over.
-const NEAR: f64 = 0.25;
+/// Ratio of two consecutive corrections, both at full length, below which plain Newton-Raphson continues.
+const CONTRACTION_LIMIT: f64 = 0.25;
 
-/// The share of the part of a step by which the next correction must at least be shorter than this one.
+/// Part of the step's fraction by which the next correction must at least be shorter than this one.
 const LEAST_GAIN: f64 = 0.25;
 
-/// Moves the estimate `q` (n) to a pose at which the equations hold at time `t`, by damped steps as long as they are needed.
+/// Moves the estimate `q` (n) to a pose at which the equations hold at time `t`, by damped steps while they are needed.
 ///
-/// The pose is as good as that of [`newton::solve`], which does the rest of the way.
+/// The pose is as good as that of [`newton::solve`], which finishes the iteration.
 ///
 /// # Work
 /// With N for [`Settings::iterations`] at most N (1 + [`SHORTENINGS`]) + N + 4 evaluations of the residual and 2 N + 3 of the
 /// Jacobian.
 ///
 /// # Errors
-/// Every [`FailureKind`]; `q` is then as it was. [`FailureKind::Stalled`] also says that no part of a step brings the pose
-/// nearer, as at a singular pose between the estimate and the pose.
+/// Returns every [`FailureKind`]; `q` is then unchanged. [`FailureKind::Stalled`] also means that no part of a step
+/// brings the pose nearer, as at a singular pose between the estimate and the pose.
 ///
 /// # Panics
 /// If `q` does not have the dimension of the equations, which only a dynamic dimension permits.
@@ -68,7 +67,7 @@ where
     if !(t.is_finite() && scales.are_valid() && finite) {
         return Err(failure(FailureKind::NotFinite, t, 0, residual));
     }
-    // The correction that the last Jacobian gave at this pose, with the length of the step before and its part.
+    // Correction of the last Jacobian at this pose, with the length of the step before and its part.
     let mut expected: Option<(OVector<T, D>, T, T)> = None;
     let mut iterations = 0;
     while residual.magnitude > settings.tolerance {
@@ -113,14 +112,14 @@ where
                 residual = after;
                 break (correction, ratio);
             }
-            // How far the correction is from the one that a linear system would have left.
+            // Difference of the correction from that of a linear system.
             let mut linear = update.clone();
             for entry in linear.as_mut_slice() {
                 *entry *= T::ONE - part;
             }
             let bend = scales.distance(&correction, &linear);
             let better = T::HALF * length * part * part / bend;
-            // The smaller of the two, and the half if the other is no number.
+            // The smaller of the two, and the half if the other is NaN.
             part = (T::HALF * part).min(better);
             shortenings += 1;
             if part < T::from_f64(SMALLEST_PART) || shortenings > SHORTENINGS {
@@ -128,7 +127,7 @@ where
             }
         };
         iterations += 1;
-        if part == T::ONE && ratio < T::from_f64(NEAR) {
+        if part == T::ONE && ratio < T::from_f64(CONTRACTION_LIMIT) {
             break;
         }
         expected = Some((correction, length, part));

@@ -1,6 +1,4 @@
-//! What an operator leaves of a straight line, and how it spreads deviations → deviations that it maps into themselves.
-//!
-//! The module does not know the operator.
+//! Inflates deviation bounds until an operator maps them into themselves.
 
 use nalgebra::allocator::Allocator;
 use nalgebra::{DefaultAllocator, Dim, OVector};
@@ -8,21 +6,22 @@ use nalgebra::{DefaultAllocator, Dim, OVector};
 use crate::math::Real;
 use crate::vector::add;
 
-/// The multiple of the least deviations that is tried first.
+/// Multiple of the least deviations that is tried first.
 const FIRST: f64 = 2.0;
 
-/// By how much deviations are widened that the operator does not map into themselves (ε-inflation; Rump, Acta Numerica 2010, section 10.5),
-/// and how often.
+/// Factor of deviations that the operator does not map into themselves (ε-inflation; Rump, Acta Numerica 2010, section
+/// 10.5).
 const INFLATION: f64 = 1.25;
+/// Largest number of inflations.
 const WIDENED: u8 = 8;
 
-/// The round from which on deviations must come nearer to being mapped into themselves.
+/// Round from which on deviations must approach being mapped into themselves.
 const SETTLED: u8 = 2;
 
-/// Deviations of n unknowns that together with what is left of the line, `least` (n), hold what the operator makes of them.
+/// Deviations of n unknowns that contain their image under the operator and its remainder on the chord, `least` (n).
 ///
 /// # Errors
-/// The row that is farthest from it, where none are found.
+/// Returns the row that misses the condition by most without such deviations.
 pub(crate) fn settled<T: Real, D: Dim>(
     least: &OVector<T, D>,
     mut spread: impl FnMut(&OVector<T, D>) -> OVector<T, D>,
@@ -30,7 +29,7 @@ pub(crate) fn settled<T: Real, D: Dim>(
 where
     DefaultAllocator: Allocator<D>,
 {
-    // Where a map least + k R + a R² of one deviation takes any R into itself, the largest that it does so with is 2 least or more.
+    // If a map least + k R + a R² of one deviation takes any R into itself, the largest such R is 2 least or more.
     let mut deviations = scaled(least, FIRST);
     let (mut farthest, mut before) = (0, T::ZERO);
     for round in 0..WIDENED {
@@ -40,7 +39,7 @@ where
         let mut is_inside = true;
         let both = needed.as_slice().iter().zip(deviations.as_slice());
         for (row, (needed, deviation)) in both.enumerate() {
-            // Written so that NaN is refused, and bounds that have become infinite.
+            // Written so that NaN and infinite bounds are refused.
             is_inside &= needed <= deviation && deviation.is_finite();
             let is_nearer = *needed <= largest * *deviation;
             if !is_nearer {
@@ -48,10 +47,11 @@ where
             }
         }
         if is_inside {
-            // What the operator maps them to holds the solution as well.
+            // The image of the deviations contains the solution as well.
             return Ok(needed);
         }
-        // The first two rounds show what each unknown does to the others; deviations that need more and more after that have no end.
+        // The first two rounds show the effects of the unknowns on each other; deviations that keep growing after that
+        // have no bound.
         let is_nearing = largest < before;
         if round >= SETTLED && !is_nearing {
             break;

@@ -1,17 +1,18 @@
-//! A large matrix with few entries → its inverse, or the row in which every pivot vanishes.
+//! Inverts a large matrix with few entries in place.
 //!
-//! Along a chain of links an equation has few unknowns, and elimination leaves few in it. Then the inverse takes n² operations for
-//! each of them, where elimination in place takes n³. The module does not know what the entries mean.
+//! Along a chain of links an equation has few unknowns, and elimination leaves few in it. The inverse then takes n²
+//! operations for each of them, and elimination in place would take n³.
 
 use nalgebra::allocator::Allocator;
 use nalgebra::{Const, DefaultAllocator, Dim, OMatrix, OVector};
 
 use crate::math::Real;
 
-/// Puts the inverse in the place of a matrix by A Q = L U, with the largest pivot of each row: U has ones in its diagonal, and Q exchanges columns.
+/// Replaces a matrix by its inverse, by A Q = L U, with the largest pivot of each row: U has ones in its diagonal, and
+/// Q exchanges columns.
 ///
 /// # Errors
-/// The row in which every pivot vanishes.
+/// Returns the row in which every pivot vanishes.
 pub(crate) fn invert_by_factors<T: Real, D: Dim>(matrix: &mut OMatrix<T, D, D>) -> Result<(), usize>
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
@@ -41,10 +42,10 @@ where
     Ok(())
 }
 
-/// Puts L and U in the place of a matrix. Says which of its columns each of theirs was.
+/// Replaces a matrix by L and U. Returns for each of their columns its index in the matrix.
 ///
 /// # Errors
-/// The row in which every pivot vanishes.
+/// Returns the row in which every pivot vanishes.
 fn factorize<T: Real, D: Dim>(matrix: &mut OMatrix<T, D, D>) -> Result<OVector<usize, D>, usize>
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
@@ -93,7 +94,7 @@ where
     Ok(exchanged)
 }
 
-/// The inverse of L, row by row.
+/// Inverse of L, row by row.
 fn rows_of_lower_inverse<T: Real, D: Dim>(factors: &OMatrix<T, D, D>) -> OMatrix<T, D, D>
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
@@ -141,7 +142,7 @@ mod tests {
 
     use super::invert_by_factors;
 
-    /// The Jacobian of a chain that ends in a row of all unknowns, with rows in another order.
+    /// Jacobian of a chain that ends in a row of all unknowns, with rows in another order.
     fn chain(order: usize) -> DMatrix<f64> {
         let mut matrix = DMatrix::zeros(order, order);
         for row in 0..order {

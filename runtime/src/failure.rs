@@ -1,63 +1,64 @@
-//! Why a solve did not succeed → one value of plain numbers that a control loop can act on.
+//! Solve failures as numbers, for a control loop to act on.
 //!
-//! A [`Failure`] holds no strings and no references, so it costs nothing to return. Indices count from 0.
-//! The module does not know the names of coordinates or joints: whoever reports to a person maps the indices.
+//! A [`Failure`] holds no strings and no references, so it costs nothing to return. Indices count from 0; messages map
+//! them to names.
 
 use core::fmt;
 
 use crate::math::Real;
 
-/// A solve that did not succeed: what happened, when and how far it had come.
+/// Failure of a solve: its kind, its time and the progress of the solve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Failure<T = f64> {
-    /// What happened.
+    /// Kind of the failure.
     pub kind: FailureKind<T>,
-    /// The time at which the equations were to be solved, in the unit of the equations (s).
+    /// Time for which the equations were to be solved, in the unit of the equations (s).
     pub time: T,
-    /// The block of equations that failed, in solve order; 0 for the first one, and for the textbook view as a whole.
+    /// Block of equations that failed, in solve order; 0 for the first one, and for the textbook formulation as a
+    /// whole.
     pub block: u16,
-    /// How many Newton-Raphson steps had been taken.
+    /// Number of completed Newton-Raphson steps.
     pub iterations: u16,
-    /// The last scaled residual, max |Φ_i| / scale_i; not finite if it is the residual that is not.
+    /// Last scaled residual, max |Φ_i| / scale_i; not finite if the residual is the value that is not finite.
     pub residual: T,
-    /// The equation with that residual; the first one that is not finite, if any.
+    /// Equation with that residual; the first one that is not finite, if any.
     pub row: u16,
-    /// The place of the input that is not finite; `None` if the failure has another cause.
+    /// Index of the input that is not finite; `None` if the failure has another cause.
     pub input: Option<u16>,
 }
 
-/// What happened to a solve that did not succeed.
+/// Kinds of failure.
 ///
-/// The thresholds are those of [`crate::newton::solve`]; every comparison is made after scaling. The ways in which
-/// Newton-Raphson is known to fail have these names:
+/// The thresholds are those of [`crate::newton::solve`]; every comparison is made after scaling. The known failures of
+/// Newton-Raphson have these names:
 ///
-/// | what happens | kind |
+/// | iteration | kind |
 /// |---|---|
-/// | the iterates run away | [`Diverged`](Self::Diverged) |
-/// | they repeat themselves | [`Cycling`](Self::Cycling) |
-/// | they converge to another root | [`WrongBranch`](Self::WrongBranch), where the branch is given |
-/// | one of them is a stationary point | [`Singular`](Self::Singular), at the step from there |
+/// | the iterates diverge | [`Diverged`](Self::Diverged) |
+/// | the iterates cycle | [`Cycling`](Self::Cycling) |
+/// | the iterates converge to another root | [`WrongBranch`](Self::WrongBranch), if the branch is given |
+/// | an iterate is a stationary point | [`Singular`](Self::Singular), at the step from there |
 /// | the Jacobian is singular at the solution | [`Singular`](Self::Singular), of a frame |
-/// | no root is near, or none at all | [`Stalled`](Self::Stalled) or one of the first two |
+/// | no root is near, or none exists | [`Stalled`](Self::Stalled) or one of the first two |
 #[non_exhaustive]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FailureKind<T = f64> {
-    /// The Jacobian is singular, or so close to it that no digit of a solution can be trusted.
+    /// The Jacobian is singular, or so close to singular that no digit of a solution can be trusted.
     ///
     /// Either a pivot ratio is below [`crate::Settings::pivot_ratio`], or the pose of a frame cannot be told from a
     /// singular one: within the uncertainty that its residual leaves, the Jacobian changes by half of itself or more.
     Singular {
-        /// The pivot ratio that was found; see [`crate::Factorization`].
+        /// Pivot ratio; see [`crate::Factorization`].
         pivot_ratio: T,
-        /// The coordinate at which elimination stopped, because it depends on those before it, or the one that the
+        /// Coordinate at which elimination stopped, because it depends on those before it, or the coordinate that the
         /// residual leaves most uncertain.
         column: u16,
     },
-    /// The iterates run away: a step is longer than [`crate::newton::LONGEST_STEP`] coordinate scales, or the
-    /// residual is more than [`crate::newton::LARGEST_GROWTH`] times the first one (or times 1, if that is larger),
-    /// or it has grown in [`crate::newton::GROWING_STEPS`] consecutive steps.
+    /// The iterates diverge. A step is longer than [`crate::newton::LONGEST_STEP`] coordinate scales; or the residual
+    /// is more than [`crate::newton::LARGEST_GROWTH`] times the first one (or times 1, if that is larger); or the
+    /// residual has grown in [`crate::newton::GROWING_STEPS`] consecutive steps.
     Diverged,
-    /// A pose came back to within [`crate::newton::ROUNDING`] ε of an earlier one, so that all that follows repeats.
+    /// A pose returned to within [`crate::newton::ROUNDING`] ε of an earlier one, so that the iteration repeats.
     Cycling,
     /// A step was shorter than [`crate::newton::ROUNDING`] ε of every coordinate (or of its scale, if that is
     /// larger), and the residual still exceeds the tolerance: no better pose can be represented.
@@ -67,38 +68,38 @@ pub enum FailureKind<T = f64> {
     IterationLimit,
     /// The links of a closed-form block do not span the distance between their far pins.
     OutOfReach {
-        /// How much is missing, in m.
+        /// Missing distance (m).
         by: T,
     },
-    /// The Jacobian determinant does not have the sign of the branch that was asked for: the pose belongs to another
-    /// assembly mode.
+    /// The Jacobian determinant does not have the sign of the requested branch: the pose belongs to another assembly
+    /// mode.
     WrongBranch,
-    /// The motion could not be followed to the time asked for: its estimate is so far from the pose that
-    /// Newton-Raphson may end at another one, and [`crate::Settings::substeps`] attempts did not bring it nearer.
+    /// The motion could not be followed to the requested time. Its estimate is so far from the pose that Newton-Raphson
+    /// may end at another one, and [`crate::Settings::substeps`] attempts did not bring it nearer.
     StepTooLarge,
-    /// The motion comes to a pose at which two assembly modes meet, and nothing tells in which of them it goes on: it rests there, or it
-    /// is as smooth in both. A shorter step does not help.
+    /// The motion comes to a change point, and nothing tells in which mode it continues: it rests there, or is equally
+    /// smooth in both. A shorter step does not help.
     Undecided,
-    /// Parameters make something not positive that must be, a length, a radius or a ratio; or inputs or t a length that is driven. The
-    /// failure's block is its place among what must be positive.
+    /// A length, a radius or a ratio that must be positive is not, because of parameters; or a driven length is not,
+    /// because of inputs or t. The failure's block is the index of the quantity among those that must be positive.
     NotPositive {
-        /// What it would be.
+        /// Value of the quantity.
         value: T,
     },
-    /// An input (see [`Failure::input`]), a time, a pose, a residual, an entry of the Jacobian, a velocity or an acceleration is
-    /// infinite or NaN, or a scale of the equations is not a positive finite number.
+    /// An input (see [`Failure::input`]), a time, a pose, a residual, an entry of the Jacobian, a velocity or an
+    /// acceleration is infinite or NaN; or a scale of the equations is not a positive finite number.
     NotFinite,
     /// A load, such as an applied force or a spring, is infinite or NaN; the pose that it follows from is finite.
     LoadNotFinite {
-        /// The place of the load in the table `LOADS` of the generated module.
+        /// Index of the load in the table `LOADS` of the generated module.
         load: u16,
     },
 }
 
 impl<T> FailureKind<T> {
-    /// What happened, in a person's words and without its figure: `Newton-Raphson diverges`.
+    /// Words for the kind, without its figure: `Newton-Raphson diverges`.
     ///
-    /// Whoever shows a failure asks here, so that a kind has its words in one place.
+    /// All messages take the words from here, so each kind is worded in one place.
     pub fn words(&self) -> &'static str {
         match self {
             Self::Singular { .. } => "its Jacobian is singular",
@@ -118,7 +119,7 @@ impl<T> FailureKind<T> {
 }
 
 impl<T: Real> Failure<T> {
-    /// The same failure, ascribed to the block with the index `block`.
+    /// Returns this failure, ascribed to the block with the index `block`.
     #[must_use]
     pub fn in_block(self, block: u16) -> Self {
         Self { block, ..self }
@@ -188,7 +189,7 @@ impl<T: Real> fmt::Display for Failure<T> {
 
 impl<T: Real> core::error::Error for Failure<T> {}
 
-/// The index of a row or column as a failure stores it; larger ones than 65535 are reported as 65535.
+/// Returns the index of a row or column as a failure stores it; indices above 65535 are reported as 65535.
 pub(crate) fn index(index: usize) -> u16 {
     u16::try_from(index).unwrap_or(u16::MAX)
 }

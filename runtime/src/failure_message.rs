@@ -1,48 +1,46 @@
-//! A failure and the names of a mechanism's blocks → a sentence for a person.
+//! Words a failure as a sentence, with the names of a mechanism's blocks.
 //!
-//! A [`Failure`] holds no names. A generated module knows them, and its function `describe` puts them together with a failure
-//! where somebody wants to read it. Neither needs an allocator.
-//!
-//! The module does not know how blocks are named.
+//! A [`Failure`] holds no names. The function `describe` of a generated module adds them where a message is needed.
+//! Neither needs an allocator.
 
 use core::fmt;
 
 use crate::failure::{Failure, FailureKind};
 use crate::math::{Real, abs};
 
-/// What a block of a mechanism is called.
+/// Name of a block of a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BlockName<'a> {
-    /// The block: `loop F-N-M`.
+    /// Block: `loop F-N-M`.
     pub name: &'a str,
-    /// What can be said of its parts where it is singular or at the end of its reach: `c2 and the actuator c8-c7 are in line`. Of what
-    /// must be positive, what it is: `the distance`.
+    /// State of the block's members at a singular pose or at the end of reach: `c2 and the actuator c8-c7 are in line`.
+    /// For a quantity that must be positive, its kind: `the distance`.
     pub singular: &'a str,
 }
 
 impl<'a> BlockName<'a> {
-    /// The name, and what can be said where the block is singular.
+    /// Returns a name with the state at a singular pose.
     pub const fn new(name: &'a str, singular: &'a str) -> Self {
         Self { name, singular }
     }
 }
 
-/// A failure in a mechanism's own terms; its `Display` is one sentence.
+/// Failure in a mechanism's own terms; its `Display` is one sentence.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FailureMessage<'a, T = f64> {
-    /// What happened.
+    /// Failure to describe.
     pub failure: Failure<T>,
-    /// The name of the block where it happened, or of the input or load that is not finite, if it is known.
+    /// Name of the failed block, or of the input or load that is not finite; `None` if it is unknown.
     pub block: Option<BlockName<'a>>,
 }
 
 impl<T: Real> FailureMessage<'_, T> {
-    /// What happened, without the time.
+    /// Cause of the failure, without the time.
     pub fn cause(&self) -> impl fmt::Display + '_ {
         self.cause_in("m", 1.0)
     }
 
-    /// Returns the same with lengths in a unit, of which a meter has `per_meter`.
+    /// Returns the cause with lengths in a unit, of which a meter has `per_meter`.
     #[doc(hidden)]
     pub fn cause_in<'b>(&'b self, unit: &'b str, per_meter: f64) -> impl fmt::Display + 'b {
         Cause {
@@ -132,9 +130,9 @@ impl<T: Real> fmt::Display for Cause<'_, T> {
 }
 
 /// Magnitudes between which plain decimals are short.
-const PLAIN: [f64; 2] = [1e-3, 1e4];
+const PLAIN_DECIMAL_RANGE: [f64; 2] = [1e-3, 1e4];
 
-/// A number with three digits, in plain decimals where these are short.
+/// Number with three digits, in plain decimals if these are short.
 struct Figure<T>(T);
 
 impl<T: Real> fmt::Display for Figure<T> {
@@ -144,7 +142,7 @@ impl<T: Real> fmt::Display for Figure<T> {
             return formatter.write_str("0");
         }
         // Written so that NaN has an exponent's form.
-        let [least, most] = PLAIN.map(T::from_f64);
+        let [least, most] = PLAIN_DECIMAL_RANGE.map(T::from_f64);
         let is_short = size >= least && size < most;
         if !is_short {
             return write!(formatter, "{:.1e}", self.0);
@@ -225,15 +223,15 @@ mod tests {
             text(negative, 1, 0),
             "loop F-N-M: c2 and the actuator c8-c7 are in line must be positive, and would be -0.0900"
         );
-        for (by, said) in [
+        for (by, reach_text) in [
             (1234.5, "1234"),
             (2e5, "2.0e5"),
             (12.345, "12.3"),
             (2e-4, "2.0e-4"),
         ] {
-            let said = std::format!("out of reach by {said} m, ");
+            let reach_text = std::format!("out of reach by {reach_text} m, ");
             let reach = FailureKind::OutOfReach { by };
-            assert!(text(reach, 1, 0).contains(&said), "{said}");
+            assert!(text(reach, 1, 0).contains(&reach_text), "{reach_text}");
         }
         // A block that the names do not know is left out.
         assert_eq!(

@@ -1,8 +1,8 @@
-//! The frames of a mechanism, one after another → whether each lies on the smooth path of the last one.
+//! Path guard: verifies that frames continue one smooth path.
 //!
-//! The blocks can show that for a whole [`TimeWindow`] of time about two frames, closed forms at the cost of a part of a frame, all
-//! equations together at that of some frames. So a [`Guard`] looks beyond the frames as far as it can, and every frame that lies in
-//! such a window, as nearly all do where steps are short, needs no more than to be found there. The module does not know equations.
+//! The blocks verify a whole [`TimeWindow`] about two frames. Closed forms cost a part of a frame, all equations
+//! together some frames. A [`Guard`] therefore looks ahead of the frames as far as it can. A frame in such a window, as
+//! nearly all are for short steps, only has to lie in its enclosures.
 
 use crate::block::Start;
 use crate::blocks::{Blocks, Conditions, Signals};
@@ -12,54 +12,55 @@ use crate::math::Real;
 use crate::signal::Signal;
 use crate::time_window::TimeWindow;
 
-/// How many steps a guard looks ahead at first, at least and at most. It does not look ahead where it would be less.
+/// Number of steps of the look-ahead: at first, at least and at most. Below the least, the guard does not look ahead.
 const AHEAD: [f64; 3] = [16.0, 2.0, 1024.0];
 
-/// By how much it looks farther after a success, and less far after a failure.
+/// Factor of the look-ahead after a success; its inverse after a failure.
 const GROWTH: f64 = 1.125;
 const SHRINKING: f64 = 0.625;
 
-/// Rounding that must not make a frame singular: links that enclose less than some 6e-4 rad leave accelerations few digits.
+/// Rounding that must not make a frame singular: links that enclose less than some 6e-4 rad leave accelerations few
+/// digits.
 const WEAK: f64 = 1.0 / (1u32 << 26) as f64;
 
-/// Multiple of that for what is found beyond it.
-const FAR: f64 = 64.0;
+/// Multiple of that rounding for frames beyond which a window is sought.
+const LOOK_AHEAD_FACTOR: f64 = 64.0;
 
-/// What is known of the path.
+/// State of the path's verification.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Guard<T, I, U> {
     window: Option<Window<T, I, U>>,
-    /// How many steps it looks ahead next.
+    /// Number of steps of the next look-ahead.
     steps: T,
-    /// The same of closed forms by themselves.
+    /// Number of steps of the next look-ahead by closed forms alone.
     steps_of_closed_forms: T,
 }
 
-/// A window of time in which everything that is found lies on one path.
+/// Window of time in which all frames found lie on one path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Window<T, I, U> {
     window: TimeWindow<T>,
-    /// The time of the second frame (s).
+    /// Time of the second frame (s).
     t: T,
-    /// The inputs of both frames.
+    /// Inputs of both frames.
     inputs: [I; 2],
     enclosures: U,
 }
 
-/// Two frames and what they were solved with.
+/// Two frames with the conditions of their solution.
 pub struct Pair<'a, B: Blocks> {
-    /// The second frame.
+    /// Second frame.
     pub at: &'a B::Frame,
-    /// The first frame.
+    /// First frame.
     pub last: &'a B::Frame,
-    /// The inputs of the first frame.
+    /// Inputs of the first frame.
     pub before: &'a B::Inputs,
-    /// What the second one was solved with.
+    /// Conditions with which the second frame was solved.
     pub conditions: &'a Conditions<'a, B::Scalar, B::Parameters, B::Inputs>,
 }
 
 impl<T: Real, I: Signals<T>, U: Clone> Guard<T, I, U> {
-    /// Nothing is known.
+    /// Returns a guard without a verified window.
     pub fn new() -> Self {
         Self {
             window: None,
@@ -68,16 +69,16 @@ impl<T: Real, I: Signals<T>, U: Clone> Guard<T, I, U> {
         }
     }
 
-    /// Forgets the path: the next frame is the first one of another.
+    /// Forgets the path: the next frame begins another one.
     pub fn forget(&mut self) {
         self.window = None;
     }
 
-    /// Asks that a frame lies on the path of the last one. The first frame of a path lies on it. A frame that is nearly singular is
-    /// refused but where it `may_be_weak`.
+    /// Requires that a frame lies on the path of the last one; the first frame of a path does. A nearly singular frame
+    /// is refused unless it `may_be_weak`.
     ///
     /// # Errors
-    /// [`FailureKind::StepTooLarge`] where that cannot be shown, with the block.
+    /// Returns [`FailureKind::StepTooLarge`] with the block if that cannot be verified.
     #[inline]
     pub fn admit<B>(
         &mut self,
@@ -97,8 +98,8 @@ impl<T: Real, I: Signals<T>, U: Clone> Guard<T, I, U> {
         }
     }
 
-    /// Looks at the path between two frames, and beyond: first at closed forms one after another, which takes little, then at all
-    /// equations together.
+    /// Verifies the path between two frames and beyond: first by closed forms in sequence, which costs little, then by
+    /// all equations together.
     #[cold]
     fn look<B>(
         &mut self,
@@ -126,8 +127,8 @@ impl<T: Real, I: Signals<T>, U: Clone> Guard<T, I, U> {
                 return Ok(());
             }
         }
-        // Where it is not far from singular, what is found beyond the frames may be nearer.
-        let is_far = !blocks.is_closed() || weak(blocks, pair, WEAK * FAR).is_none();
+        // Near a singular pose, frames beyond may be nearer to it.
+        let is_far = !blocks.is_closed() || weak(blocks, pair, WEAK * LOOK_AHEAD_FACTOR).is_none();
         if !is_far
             && !may_be_weak
             && let Some(block) = weak(blocks, pair, WEAK)
@@ -146,7 +147,7 @@ impl<T: Real, I: Signals<T>, U: Clone> Guard<T, I, U> {
     }
 }
 
-/// The first block that is nearly singular in a frame, as far as closed forms tell.
+/// First block that closed forms show to be nearly singular in a frame; `None` if there is none.
 pub(crate) fn weak_block<B: Blocks>(
     blocks: &B,
     frame: &B::Frame,
@@ -161,7 +162,7 @@ pub(crate) fn weak_block<B: Blocks>(
     weak(blocks, &pair, WEAK)
 }
 
-/// The first block that such a rounding might make singular in the second of two frames.
+/// First block that such a rounding might make singular in the second of two frames; `None` if there is none.
 fn weak<B: Blocks>(blocks: &B, pair: &Pair<'_, B>, rounding: f64) -> Option<u16> {
     let pair = Pair {
         last: pair.at,
@@ -172,7 +173,7 @@ fn weak<B: Blocks>(blocks: &B, pair: &Pair<'_, B>, rounding: f64) -> Option<u16>
     verify_nonsingular(blocks, &pair, &window).err()
 }
 
-/// See [`Blocks::verify_nonsingular`]: asked at many places, and seldom.
+/// Calls [`Blocks::verify_nonsingular`]; not inlined, because there are many calls and they are rare.
 #[inline(never)]
 fn verify_nonsingular<B: Blocks>(
     blocks: &B,
@@ -182,8 +183,8 @@ fn verify_nonsingular<B: Blocks>(
     blocks.verify_nonsingular(pair, window)
 }
 
-/// The widest window about two frames, at most so many steps, of which something can be shown; `None` where no window beyond the frames
-/// is one. Afterwards `steps` is how many steps to begin with next.
+/// Widest verified window about two frames, of at most so many steps; `None` if no window beyond the frames can be
+/// verified. Afterwards `steps` is the number to begin with next.
 fn farthest<T: Real>(
     steps: &mut T,
     step: T,
@@ -200,7 +201,7 @@ fn farthest<T: Real>(
         }
         tried *= T::from_f64(SHRINKING);
     }
-    // Where it could not look beyond the frames at all, some frames go by before it tries again.
+    // After a look-ahead that failed altogether, some frames pass before the next attempt.
     let is_pausing = *steps < least;
     *steps = match is_pausing {
         true => tried * T::from_f64(GROWTH),
@@ -216,7 +217,7 @@ impl<T: Real, I: Signals<T>, U: Clone> Default for Guard<T, I, U> {
 }
 
 impl<T: Real, I: Signals<T>, U> Window<T, I, U> {
-    /// The window about these frames.
+    /// Returns the window about these frames.
     fn new<B>(pair: &Pair<'_, B>, window: TimeWindow<T>, enclosures: U) -> Self
     where
         B: Blocks<Scalar = T, Inputs = I, PathEnclosures = U>,
@@ -229,7 +230,7 @@ impl<T: Real, I: Signals<T>, U> Window<T, I, U> {
         }
     }
 
-    /// Whether a frame is in it, and the way to it.
+    /// True if a frame and the path to it are in the window.
     #[inline]
     fn holds<B>(&self, blocks: &B, pair: &Pair<'_, B>) -> bool
     where

@@ -1,4 +1,4 @@
-//! A matrix → its inverse, or the row in which every pivot vanishes.
+//! Inverts a matrix in place.
 
 use nalgebra::allocator::Allocator;
 use nalgebra::{Const, DefaultAllocator, Dim, OMatrix, OVector};
@@ -6,10 +6,10 @@ use nalgebra::{Const, DefaultAllocator, Dim, OMatrix, OVector};
 use crate::math::Real;
 use crate::vector::zero_vector;
 
-/// Puts the inverse in the place of a matrix, by elimination with the largest pivot of each row.
+/// Replaces a matrix by its inverse, by elimination with the largest pivot of each row.
 ///
 /// # Errors
-/// The row in which every pivot vanishes.
+/// Returns the row in which every pivot vanishes.
 pub(crate) fn invert<T: Real, D: Dim>(matrix: &mut OMatrix<T, D, D>) -> Result<(), usize>
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
@@ -19,7 +19,7 @@ where
     let mut swapped: OVector<usize, D> =
         OVector::from_fn_generic(dimension, Const::<1>, |row, _| row);
     for row in 0..order {
-        // Not every compiler sees that they are there.
+        // Not every compiler proves that these entries exist.
         let size = |column: usize| {
             let entry = matrix.as_slice().get(column * order + row);
             entry.map_or(T::ZERO, |entry| entry.abs())
@@ -37,7 +37,7 @@ where
             return Err(row);
         }
         if pivot != row {
-            // Column by column: not every compiler sees that they are there, and would keep a panic.
+            // Column by column: not every compiler proves that the entries exist; indexing would leave a panic.
             let mut columns = matrix.as_mut_slice().chunks_exact_mut(order).skip(row);
             let first = columns.next();
             let second = columns.nth(pivot.wrapping_sub(row).wrapping_sub(1));
@@ -71,23 +71,23 @@ where
     Ok(())
 }
 
-/// Makes a row that of the identity, by its column, and puts the row of the inverse in its place.
+/// Makes a row that of the identity, by its column, and stores the row of the inverse in its place.
 fn eliminate<T: Real, D: Dim>(matrix: &mut OMatrix<T, D, D>, row: usize)
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
     let dimension = matrix.shape_generic().0;
     let order = dimension.value();
-    let mut own: OVector<T, D> = zero_vector(dimension);
+    let mut scaled_row: OVector<T, D> = zero_vector(dimension);
     let mut columns = matrix.as_mut_slice().chunks_exact_mut(order);
     if let Some(column) = columns.nth(row) {
         let Some(pivot) = column.get_mut(row) else {
             return;
         };
         let reciprocal = T::ONE / core::mem::replace(pivot, T::ONE);
-        for (own, entry) in own.as_mut_slice().iter_mut().zip(column) {
+        for (scaled_row, entry) in scaled_row.as_mut_slice().iter_mut().zip(column) {
             *entry *= reciprocal;
-            *own = *entry;
+            *scaled_row = *entry;
         }
     }
     let columns = matrix.as_mut_slice().chunks_exact_mut(order);
@@ -96,12 +96,12 @@ where
             continue;
         };
         let factor = core::mem::replace(entry, T::ZERO);
-        // A block reads nothing of those after it.
+        // A block does not depend on the blocks after it.
         if factor == T::ZERO {
             continue;
         }
-        for (entry, own) in column.iter_mut().zip(own.as_slice()) {
-            *entry -= factor * *own;
+        for (entry, scaled_row) in column.iter_mut().zip(scaled_row.as_slice()) {
+            *entry -= factor * *scaled_row;
         }
     }
 }

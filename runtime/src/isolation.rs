@@ -1,9 +1,9 @@
-//! Equations along a straight line through two frames → whether they have one solution near it all the while.
+//! Verifies that equations have one solution near the chord through two frames, at every time of a window.
 //!
-//! Then what is found at any time of the [`TimeWindow`](crate::TimeWindow) is what the first frame leads to. The generator knows how far the
-//! equations are from zero along the line, and how their Jacobian changes near it. With C the inverse of the Jacobian, the operator of
-//! Newton with C maps the deviations R into themselves where what it leaves of the line and |I − C J| R are together no more than R (Krawczyk
-//! 1969). The module does not know equations.
+//! Every pose found in the [`TimeWindow`](crate::TimeWindow) then lies on the path of the first frame. The caller
+//! bounds the residual on the chord and the change of the Jacobian near the chord. Let C be the inverse of the
+//! Jacobian. The Newton operator with C maps the deviations R into themselves if its remainder on the chord plus |I − C
+//! J| R is at most R (Krawczyk 1969).
 
 use nalgebra::allocator::Allocator;
 use nalgebra::{Const, DefaultAllocator, Dim, OMatrix, OVector, SMatrix};
@@ -15,71 +15,72 @@ use crate::math::Real;
 use crate::time_window::LEFT_BY_ROUNDING;
 use crate::vector::{add, zero_matrix, zero_vector};
 
-/// The number of unknowns from which on an inverse is found by factors: chains of so many links have few entries.
+/// Number of unknowns from which on an inverse is computed by factors: chains of so many links have few entries.
 const FACTORED: usize = 16;
 
-/// n equations in n unknowns along a straight line through two frames: vectors (n), matrices (n × n) and what is true or false (n).
+/// n equations in n unknowns along a chord: vectors (n), matrices (n × n) and flags (n).
 ///
-/// An angle that only turns arms, in all equations, has a column of the Jacobian that turns with it: J(φ + δ) = J cos δ + J′ sin δ.
-/// So C J cos δ is known, and what arms of one angle do to one unknown through many equations is added up with its signs, as it
-/// cancels along a chain of links.
+/// The column of an angle that only rotates arms, in all equations, rotates with the angle: J(φ + δ) = J cos δ + J′ sin
+/// δ. C J cos δ is therefore known. Effects of one angle on one unknown through many equations are added with their
+/// signs, because they cancel along a chain of links.
 pub struct Chord<'a, T: Real, D: Dim>
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
-    /// The remainder of linear interpolation over the window, for a second derivative of 1 and a change of 1.
+    /// Remainder of linear interpolation over the window, for a second derivative of 1 and a change of 1.
     pub remainder: T,
-    /// How far each equation may be from zero on the line, but for what follows.
+    /// Bound on each equation's residual on the chord, without the terms that follow.
     pub bounds: OVector<T, D>,
-    /// What each equation's second derivative over the window is, where it is known with its sign, without the arms that turn.
+    /// Second derivative of each equation over the window if its sign is known, without the rotated arms.
     pub curvatures: OVector<T, D>,
-    /// How far each unknown goes along the line.
+    /// Change of each unknown along the chord.
     pub changes: OVector<T, D>,
-    /// How large the unknowns are, which rounding is a part of.
+    /// Magnitudes of the unknowns, to which rounding is relative.
     pub sizes: OVector<T, D>,
-    /// The Jacobian of the second frame. Its inverse takes its place.
+    /// Jacobian of the second frame. Its inverse replaces it.
     pub jacobian: &'a mut OMatrix<T, D, D>,
-    /// Whether a column turns with its angle.
+    /// True for a column that rotates with its angle.
     pub turns: OVector<bool, D>,
-    /// The derivatives of the columns that do, and zeros in the others. Their products with the inverse take their place.
+    /// Derivatives of the columns that rotate, and zeros in the others. Their products with the inverse replace them.
     pub turning: &'a mut OMatrix<T, D, D>,
 }
 
-/// [`isolate_all`] for a number of unknowns that generated code knows. `blocks` (N) says to which block an equation belongs.
+/// Calls [`isolate_all`] for a number of unknowns that generated code knows. `blocks` (N) gives the block of each
+/// equation.
 ///
 /// # Errors
-/// The block that is farthest from it, where it cannot be shown.
+/// Returns the block that misses the condition by most if one solution cannot be verified.
 pub fn isolate<T: Real, const N: usize>(
     blocks: [u16; N],
     chord: Chord<'_, T, Const<N>>,
     variation: impl Fn(&[T; N], &mut SMatrix<T, N, N>),
 ) -> Result<[T; N], u16> {
-    let found = isolate_all(chord, |deviations, entries| {
+    let deviations_or_row = isolate_all(chord, |deviations, entries| {
         let [deviations] = &deviations.data.0;
         variation(deviations, entries);
     });
-    in_blocks(blocks, found)
+    in_blocks(blocks, deviations_or_row)
 }
 
-/// What is found of equations of these blocks.
+/// Converts deviations to an array, and a row to its block.
 pub(crate) fn in_blocks<T: Real, const N: usize>(
     blocks: [u16; N],
-    found: Result<OVector<T, Const<N>>, usize>,
+    deviations_or_row: Result<OVector<T, Const<N>>, usize>,
 ) -> Result<[T; N], u16> {
-    match found {
+    match deviations_or_row {
         Ok(deviations) => Ok(deviations.data.0[0]),
         Err(row) => Err(blocks.get(row).copied().unwrap_or(0)),
     }
 }
 
-/// How far n unknowns may be from a straight line through two frames, where their equations have one solution about the line at
-/// every time of the window.
+/// Bounds the deviations of n unknowns from the chord through two frames if their equations have one solution near it
+/// at every time of the window.
 ///
-/// `variation` says how far the entries of the Jacobian may change, but for the columns that turn, where the unknowns are no farther
-/// from the line than its first argument (n): it writes those that do over a matrix (n × n) of zeros.
+/// `variation` bounds the changes of the Jacobian's entries, without the columns that rotate, for deviations of at most
+/// its first argument (n). It writes the entries that change over a matrix (n × n) of zeros.
 ///
 /// # Errors
-/// The row that is farthest from it, where it cannot be shown.
+/// Returns the row that misses the condition by most if one solution cannot be verified.
 pub fn isolate_all<T: Real, D: Dim>(
     chord: Chord<'_, T, D>,
     mut variation: impl FnMut(&OVector<T, D>, &mut OMatrix<T, D, D>),
@@ -98,14 +99,14 @@ where
     })
 }
 
-/// The operator of Newton with the inverse C of the Jacobian of the second frame.
+/// Newton operator with the inverse C of the Jacobian of the second frame.
 struct Operator<'a, T: Real, D: Dim>
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
     /// |C|.
     inverse: &'a OMatrix<T, D, D>,
-    /// |C J′| of the columns that turn.
+    /// |C J′| of the columns that rotate.
     turned: &'a OMatrix<T, D, D>,
     turns: OVector<bool, D>,
     changes: OVector<T, D>,
@@ -115,8 +116,8 @@ impl<'a, T: Real, D: Dim> Operator<'a, T, D>
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
-    /// The operator, and what it leaves of the line: arms on it are A cos δ + J sin δ, the second derivative of A is J′, and both
-    /// frames satisfy their equations but for rounding.
+    /// Returns the operator and its remainder on the chord: arms on it are A cos δ + J sin δ, the second derivative of
+    /// A is J′, and both frames satisfy their equations up to rounding.
     fn new(
         chord: Chord<'a, T, D>,
         variation: &OMatrix<T, D, D>,
@@ -163,9 +164,9 @@ where
         Ok((operator, least))
     }
 
-    /// |I − C J| R near the line.
+    /// |I − C J| R near the chord.
     fn spread(&self, variation: &OMatrix<T, D, D>, deviations: &OVector<T, D>) -> OVector<T, D> {
-        // Every column either turns or varies.
+        // Every column either rotates or varies.
         let (mut turned, mut varied) = (deviations.clone(), deviations.clone());
         let mut beside = deviations.clone();
         let angles = self.changes.as_slice().iter().zip(self.turns.as_slice());
@@ -188,7 +189,8 @@ where
     }
 }
 
-/// What a deviation of a column that turns does where its angle goes so far: |sin δ| is at most δ, and 1 − cos δ at most ½ δ².
+/// Effects of a deviation of a rotating column for this change of its angle: |sin δ| is at most δ, and 1 − cos δ at
+/// most ½ δ².
 pub(crate) fn turned_by<T: Real>(change: T, deviation: T) -> [T; 2] {
     let delta = change + deviation;
     [delta * deviation, T::HALF * delta * delta * deviation]
@@ -202,8 +204,8 @@ where
     squares.map(|square| T::HALF * square * square)
 }
 
-/// What second derivatives do to each unknown → how far it is off the line by them and by what is left beside them, ½ δ⁴ of the
-/// cosine's (`rest`) and δ³ of the sine's.
+/// Adds to each unknown's remainder the effect of second derivatives and the terms left beside them: ½ δ⁴ of the cosine
+/// (`rest`) and δ³ of the sine.
 pub(crate) fn add_remainder<T: Real, D: Dim>(
     second: &mut OVector<T, D>,
     remainder: T,
@@ -224,8 +226,9 @@ pub(crate) fn add_remainder<T: Real, D: Dim>(
     }
 }
 
-/// How far rounding may leave each equation from zero: by the largest part that an unknown has in it, where it is or, as links in
-/// line multiply their angles by almost nothing along the line, where it turns and `variation` takes it.
+/// Bound on the rounding of each equation's residual, by the largest term of an unknown. Collinear links multiply their
+/// angles by almost nothing along the chord, so the term counts also where the link rotates and where `variation` moves
+/// it.
 fn roundings<T: Real, D: Dim>(
     chord: &Chord<'_, T, D>,
     variation: &OMatrix<T, D, D>,
@@ -260,7 +263,7 @@ where
     product
 }
 
-/// Puts the product with a matrix in the place of a vector.
+/// Replaces a vector by its product with a matrix.
 fn multiply<T: Real, D: Dim>(matrix: &OMatrix<T, D, D>, vector: &mut [T])
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
@@ -291,7 +294,7 @@ mod tests {
     use super::{Chord, isolate};
     use crate::time_window::TimeWindow;
 
-    /// Two links of lengths a and b whose ends lie on the ground, one pin fixed, the other one where a crank of radius r turns by θ.
+    /// Two links of lengths a and b on the ground: one pin fixed, the other on a crank of radius r that rotates by θ.
     struct FourBar {
         r: f64,
         a: f64,
@@ -311,7 +314,7 @@ mod tests {
             Vector2::new(first, py.atan2(px))
         }
 
-        /// The Jacobian of r e(θ) + a e(φ) − b e(ψ) − d, and its derivative by the angle of each column.
+        /// Jacobian of r e(θ) + a e(φ) − b e(ψ) − d, and its derivative by the angle of each column.
         fn columns(&self, angles: Vector2<f64>) -> [Matrix2<f64>; 2] {
             let [first, second] = [0, 1].map(|place| angles[place].sin_cos());
             let column = |length: f64, (s, c): (f64, f64)| {
@@ -321,7 +324,7 @@ mod tests {
             [0, 1].map(|place| Matrix2::from_columns(&[first[place], second[place]]))
         }
 
-        /// How far both angles may be from the line through two frames, while the crank turns by so much in a step.
+        /// Bounds on the deviations of both angles from the chord, for this rotation of the crank per step.
         fn deviations(
             &self,
             [before, now]: [Vector2<f64>; 2],
@@ -346,7 +349,7 @@ mod tests {
         }
     }
 
-    /// The angles that closed forms give never leave the deviations, and those are not much more than they need.
+    /// Angles of closed forms stay within the deviations, and the deviations are not much wider than needed.
     #[test]
     fn angles_stay_within_their_deviations() {
         let (mut shown, mut tightest) = (0, f64::INFINITY);

@@ -1,11 +1,9 @@
-//! Equations and an estimate, or the frame before → a [`Frame`]: pose, velocity and acceleration at a time.
+//! Solves for a [`Frame`]: pose, velocity and acceleration at a time.
 //!
-//! A frame in an `Ok` is finite throughout, its pose meets the tolerance of the settings, and it is not a singular pose,
-//! nor one that the residual cannot tell from a singular pose. Velocity and acceleration
-//! solve Φ_q q̇ = -Φ_t and Φ_q q̈ = γ with one factorization of the Jacobian at the pose that is returned
-//! (Haug 1989, section 3.6). On failure the frame that a caller holds is untouched.
-//!
-//! The module does not know how a pose is found, nor points of bodies.
+//! A frame in an `Ok` is finite throughout, and its pose meets the tolerance of the settings. The pose can be told from
+//! a singular one within its residual. Velocity and acceleration solve Φ_q q̇ = -Φ_t and Φ_q q̈ = γ with one
+//! factorization of the Jacobian at the returned pose (Haug 1989, section 3.6). On failure the caller's frame is
+//! unchanged.
 
 use nalgebra::allocator::Allocator;
 use nalgebra::{DefaultAllocator, Dim, OVector};
@@ -21,19 +19,19 @@ use crate::settings::Settings;
 use crate::vector::{all_finite, negate, require_dimension, zero_matrix, zero_vector};
 use crate::watch::{Unwatched, Watch};
 
-/// The motion of all coordinates at one time.
+/// Motion of all coordinates at one time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame<T: Real, D: Dim>
 where
     DefaultAllocator: Allocator<D>,
 {
-    /// The time (s).
+    /// Time (s).
     pub t: T,
-    /// The pose q (n): lengths and angles (m, rad).
+    /// Pose q (n): lengths and angles (m, rad).
     pub q: OVector<T, D>,
-    /// The velocity q̇ (n).
+    /// Velocity q̇ (n).
     pub qd: OVector<T, D>,
-    /// The acceleration q̈ (n).
+    /// Acceleration q̈ (n).
     pub qdd: OVector<T, D>,
 }
 
@@ -52,7 +50,7 @@ where
 /// That of [`advance`].
 ///
 /// # Errors
-/// Every [`FailureKind`].
+/// Returns every [`FailureKind`].
 ///
 /// # Panics
 /// If a vector does not have the dimension of the equations, which only a dynamic dimension permits.
@@ -68,7 +66,7 @@ where
     assemble_watched(equations, estimate, t, settings, Unwatched)
 }
 
-/// [`assemble`], given up where `watch` says so.
+/// Calls the solver of [`assemble`], abandoned if `watch` requires it.
 pub(crate) fn assemble_watched<T: Real, D: Dim, E: Equations<T, D>, W: Watch<T, D>>(
     equations: &E,
     estimate: &OVector<T, D>,
@@ -84,16 +82,16 @@ where
 
 /// Moves the mechanism from `frame` to time `t`, which may lie before or after it.
 ///
-/// The estimate is the Taylor polynomial q + h q̇ + h²/2 q̈ with h = `t` - `frame.t`, so the number of Newton-Raphson
-/// steps grows with h, and for large h the mechanism may be assembled in another of its modes: [`crate::follow`] excludes
-/// that, at the price of looking at every step.
+/// The estimate is the Taylor polynomial q + h q̇ + h²/2 q̈ with h = `t` - `frame.t`. The number of Newton-Raphson
+/// steps therefore grows with h. For large h the result may lie in another assembly mode. [`crate::follow`] excludes
+/// that, at the price of a check of every step.
 ///
 /// # Work
 /// With N for [`Settings::iterations`] at most N + 3 evaluations of the residual, N + 5 of the Jacobian, and one each of Φ_t
 /// and γ.
 ///
 /// # Errors
-/// Every [`FailureKind`].
+/// Returns every [`FailureKind`].
 ///
 /// # Panics
 /// If a vector does not have the dimension of the equations, which only a dynamic dimension permits.
@@ -109,7 +107,7 @@ where
     advance_watched(equations, frame, t, settings, Unwatched)
 }
 
-/// [`advance`], given up where `watch` says so.
+/// Calls the solver of [`advance`], abandoned if `watch` requires it.
 pub(crate) fn advance_watched<T: Real, D: Dim, E: Equations<T, D>, W: Watch<T, D>>(
     equations: &E,
     frame: &Frame<T, D>,
@@ -132,11 +130,11 @@ where
     complete(equations, q, t, settings, &mut watch)
 }
 
-/// Factorizes the Jacobian at the pose `q` (n), which is solved already, for other derivatives of the pose than that in time:
-/// Φ_q ∂q/∂p = −Φ_p.
+/// Factorizes the Jacobian at the pose `q` (n), which is solved already, for derivatives of the pose other than that in
+/// time: Φ_q ∂q/∂p = −Φ_p.
 ///
 /// # Errors
-/// [`FailureKind::Singular`] and [`FailureKind::NotFinite`].
+/// Returns [`FailureKind::Singular`] or [`FailureKind::NotFinite`].
 ///
 /// # Panics
 /// If the vector does not have the dimension of the equations, which only a dynamic dimension permits.

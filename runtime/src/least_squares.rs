@@ -1,11 +1,11 @@
-//! Equations, a poor estimate of the pose and a time → an estimate that violates them less.
+//! Moves a poor estimate of the pose towards a minimum of the residuals.
 //!
-//! The method of Levenberg and Marquardt minimizes the sum of the squares of the scaled residuals: with J the scaled Jacobian
-//! each step solves (Jᵀ J + μ I) s = -Jᵀ Φ, where μ is lowered after a step that did as the linear system says and raised
-//! after one that did not (Nielsen 1999; Madsen, Nielsen and Tingleff, *Methods for Non-Linear Least Squares Problems*,
-//! 2004, section 3.2). Unlike Newton-Raphson it is well defined at singular poses and passes them.
+//! The method of Levenberg and Marquardt minimizes the sum of the squares of the scaled residuals. With J the scaled
+//! Jacobian, each step solves (Jᵀ J + μ I) s = -Jᵀ Φ. A step that gains as the linear system predicts lowers μ, and any
+//! other step raises it (Nielsen 1999; Madsen, Nielsen and Tingleff, *Methods for Non-Linear Least Squares Problems*,
+//! 2004, section 3.2). Unlike Newton-Raphson the method is well defined at singular poses and passes them.
 //!
-//! The minimum need not be a pose. The module does not solve anything: whoever calls it continues with Newton-Raphson.
+//! The minimum need not be a pose; callers continue with Newton-Raphson.
 
 use nalgebra::allocator::Allocator;
 use nalgebra::{DefaultAllocator, Dim, OMatrix, OVector};
@@ -16,19 +16,19 @@ use crate::math::Real;
 use crate::scale::Scales;
 use crate::vector::{add, negate, require_dimension, zero_matrix, zero_vector};
 
-/// The largest number of steps, with those that are taken back.
+/// Largest number of steps, including those that are taken back.
 pub const STEPS: u16 = 60;
 
-/// The scaled residual at which the estimate is good enough for Newton-Raphson.
+/// Scaled residual at which the estimate is good enough for Newton-Raphson.
 const GOOD: f64 = 1e-4;
 
-/// The first μ, relative to the largest entry of the diagonal of Jᵀ J.
+/// First μ, relative to the largest entry of the diagonal of Jᵀ J.
 const FIRST_DAMPING: f64 = 1e-2;
 
-/// The smallest part of μ that a step may leave which gains what it promised.
+/// Smallest factor of μ after a step with the predicted gain.
 const LARGEST_EASING: f64 = 1.0 / 3.0;
 
-/// Moves the estimate `q` (n) towards a minimum of the residuals at time `t`; true if they are small there.
+/// Moves the estimate `q` (n) towards a minimum of the residuals at time `t`. Returns true if they are small there.
 ///
 /// # Work
 /// At most 1 + [`STEPS`] evaluations of the residual and of the Jacobian.
@@ -72,7 +72,7 @@ where
             return false;
         };
         factorization.solve(&mut step);
-        // What a linear system would gain: sᵀ (μ s - g).
+        // Gain that the linear system predicts: sᵀ (μ s - g).
         let entries = step.as_slice().iter().zip(gradient.as_slice());
         let promised = entries.fold(T::ZERO, |total, (s, g)| total + *s * (damping * *s - *g));
         let mut trial = q.clone();
@@ -106,7 +106,7 @@ where
     sum.sqrt() <= T::from_f64(GOOD)
 }
 
-/// Scales `phi` (n) and gives the sum of the squares of its entries.
+/// Scales `phi` (n) and returns the sum of the squares of its entries.
 fn sum_of_squares<T: Real, D: Dim>(phi: &mut OVector<T, D>, scales: &Scales<T, D>) -> T
 where
     DefaultAllocator: Allocator<D>,

@@ -1,26 +1,27 @@
-//! Equations of a planar mechanism → its pose, velocity and acceleration at a time.
+//! Solves the equations of a planar mechanism for its pose, velocity and acceleration at a time.
 //!
-//! This is the runtime that generated mechanisms call: sines, cosines and angles, Newton-Raphson, linear solves and the
-//! typed ways in which a solve fails. It needs neither `std` nor an allocator, contains no unsafe code, and no panic path survives in an optimized
-//! build. An `Ok` never holds NaN or an unconverged pose, and the work of a call is bounded.
+//! This is the runtime that generated mechanisms call: sines, cosines and angles, Newton-Raphson, linear solves and
+//! typed failures. It needs neither `std` nor an allocator, contains no unsafe code, and no panic path survives in an
+//! optimized build. An `Ok` never holds NaN or an unconverged pose, and the work of a call is bounded.
 //!
-//! The crate does not know bodies, joints or names: those are compiled away, or interpreted, on the other side of
-//! [`Equations`]. Most users never implement that trait; they write a description, and
-//! [`include_mechanism!`] brings in what `linkwright_codegen::build` made of it.
+//! Bodies, joints and names are compiled away, or interpreted, on the other side of [`Equations`]. Most users never
+//! implement that trait; they write a description, and [`include_mechanism!`] includes the module that
+//! `linkwright_codegen::build` generated from it.
 //!
-//! A generated mechanism is solved block by block. Where a block has a closed form, the generated code calls
-//! [`closed_form`] and [`math`]: a [`Branch`] says in which of two ways the block is assembled, and links that do not meet
-//! are [`FailureKind::OutOfReach`]. The other blocks implement [`Equations`] and are solved by [`advance`], and so is the
-//! textbook view, all equations as one dense system, through the type `Textbook` of the generated module. The scalar is f64
-//! or f32.
+//! A generated mechanism is solved block by block. For a block with a closed form, the generated code calls
+//! [`closed_form`] and [`math`]: a [`Branch`] selects one of the block's two assembly modes, and links that do not meet
+//! are [`FailureKind::OutOfReach`]. The other blocks implement [`Equations`] and are solved by [`advance`]. So is the
+//! textbook formulation, all equations as one dense system, through the type `Textbook` of the generated module. The
+//! scalar is f64 or f32.
 //!
-//! [`advance`] takes the pose to which Newton-Raphson converges; [`follow`] takes only one that is on the same path and
-//! branch, goes there in as many steps as it needs, and names the time at which a path ends. [`assemble`] is for good
-//! estimates, [`assemble_from_rough_estimate`] for poor ones.
+//! [`advance`] takes the pose to which Newton-Raphson converges. [`follow`] takes only one that is on the same path and
+//! branch, in as many steps as needed, and names the time at which a path ends. [`assemble`] is for good estimates,
+//! [`assemble_from_rough_estimate`] for poor ones.
 //!
-//! Around the blocks of a mechanism stands a [`Shell`]: it assembles, keeps the last frame and the next one, takes parameters and
-//! inputs, and moves from frame to frame on one smooth path, which a [`Guard`] shows, in as many steps as that takes. Every generated
-//! type is a [`Mechanism`], so code can be written for any of them. Every tolerance and every limit is on one page, [`thresholds`].
+//! A [`Shell`] contains the blocks of a mechanism: it assembles, keeps the last frame and the next one, and takes
+//! parameters and inputs. It advances from frame to frame on one smooth path, which a [`Guard`] verifies, in as many
+//! steps as needed. Every generated type is a [`Mechanism`], so code can be written for any of them. All tolerances and
+//! limits are on one page, [`thresholds`].
 //!
 //! # By hand
 //!
@@ -150,28 +151,28 @@ pub use table::Table;
 pub use time_window::{PathEnclosure, TimeWindow};
 pub use torn::Torn;
 
-// Here, so that documentation elsewhere finds their items where this one shows them.
+// Declared here, so that documentation elsewhere links to the items in this crate.
 generated::precision!(
-    /// What generated modules in f64 are written with.
+    /// Types and functions of generated modules in f64.
     double,
     f64
 );
 generated::precision!(
-    /// What generated modules in f32 are written with.
+    /// Types and functions of generated modules in f32.
     single,
     f32
 );
 
 /// Includes the module that `linkwright_codegen::build` generated for the mechanism `$name`.
 ///
-/// As a module with a name, `rustdoc` shows the drawing and the derivation below what stands above it:
+/// In a module with a name, `rustdoc` shows the picture and the derivation below the caller's documentation:
 /// ```ignore
 /// linkwright::include_mechanism! {
 ///     /// The arm.
 ///     pub mod excavator;
 /// }
 /// ```
-/// The name of the mechanism alone includes what stands in the module, wherever that is to be:
+/// The name of the mechanism alone includes the module's contents in place:
 /// ```ignore
 /// mod arm {
 ///     linkwright::include_mechanism!(excavator);

@@ -1,11 +1,11 @@
-//! A Jacobian and its scales → [`Factorization`], or the verdict that it is singular.
+//! Factorizes a Jacobian in its scales, or decides that it is singular ([`Factorization`]).
 //!
 //! **The scaled matrix.** All work is done on Â = R⁻¹ A C, with the diagonal matrices R of row scales and C of
 //! coordinate scales. Its entries are plain numbers: 1 means that a change of a coordinate by its scale changes the
 //! residual by its scale. Neither the choice of pivots nor the verdict depends on the units of the description.
 //!
-//! **The verdict.** The *pivot ratio* of a column is |pivot| / max(1, max |â_ij|), and a matrix is rejected as soon
-//! as one falls below the limit of the settings.
+//! **The verdict.** The *pivot ratio* of a column is |pivot| / max(1, max |â_ij|). A matrix is rejected as soon as one
+//! ratio falls below the limit of the settings.
 //! - With partial pivoting the pivot is the largest remaining entry of its column. Taking these entries off, each no
 //!   larger than the pivot, makes the matrix exactly singular. So a rejected matrix *is* within the ratio of a
 //!   singular one (relative to its largest entry): with a limit of a few n ε it cannot be told from a singular one.
@@ -17,11 +17,9 @@
 //!
 //! The elimination is Golub & Van Loan, *Matrix Computations* (4th ed.), algorithm 3.4.1, in its column-oriented
 //! outer-product form. Row exchanges are not applied to the multipliers already stored; [`Factorization::solve`]
-//! replays them in turn (as LINPACK does), so an exchange touches the trailing columns only, and each is stored as the
-//! distance from the pivot's row. Slices are taken apart with checked splits: what cannot happen ends a loop, and no
-//! panic path is compiled.
-//!
-//! The module does not know Newton-Raphson, nor what the matrix is the Jacobian of.
+//! replays them in turn (as LINPACK does). An exchange therefore touches the trailing columns only, and each is stored
+//! as the distance from the pivot's row. Slices are taken apart with checked splits: an impossible case ends a loop,
+//! and no panic path is compiled.
 
 mod condition;
 mod measure;
@@ -38,7 +36,7 @@ use crate::math::Real;
 use crate::scale::Scales;
 use crate::vector::require_dimension;
 
-/// An n × n matrix A as P Â = L U, with Â the scaled matrix; gives A⁻¹ b and det A.
+/// Factors of an n × n matrix A as P Â = L U, with Â the scaled matrix; they yield A⁻¹ b and det A.
 #[derive(Clone, Debug)]
 pub struct Factorization<T: Real, D: Dim>
 where
@@ -46,9 +44,9 @@ where
 {
     /// U on and above the diagonal, the multipliers of L below it.
     factors: OMatrix<T, D, D>,
-    /// How far below row k the pivot of column k was found; 0 if the row stayed where it was.
+    /// Distance of column k's pivot below row k; 0 if the row stayed in its place.
     exchanges: OVector<u16, D>,
-    /// The diagonals of R⁻¹ and C.
+    /// Diagonals of R⁻¹ and C.
     row_factors: OVector<T, D>,
     column_factors: OVector<T, D>,
     pivot_ratio: T,
@@ -61,7 +59,7 @@ where
     /// Factorizes `matrix` (n × n), judged after scaling with `scales`.
     ///
     /// # Errors
-    /// [`FailureKind::Singular`] if the pivot ratio of a column is below `smallest_pivot_ratio`;
+    /// Returns [`FailureKind::Singular`] if the pivot ratio of a column is below `smallest_pivot_ratio`;
     /// [`FailureKind::NotFinite`] if an entry of the matrix, or of a factor, is infinite or NaN.
     ///
     /// # Panics
@@ -154,13 +152,13 @@ where
         }
     }
 
-    /// The smallest pivot ratio of all columns: |pivot| / max(1, max |â_ij|), in (0, 1]; 1 for an empty matrix.
+    /// Smallest pivot ratio of all columns: |pivot| / max(1, max |â_ij|), in (0, 1]; 1 for an empty matrix.
     pub fn pivot_ratio(&self) -> T {
         self.pivot_ratio
     }
 
-    /// The sign of the determinant, which an empty matrix has positive. Two poses between which it differs belong to
-    /// different assembly modes.
+    /// Sign of the determinant; positive for an empty matrix. Two poses with different signs belong to different
+    /// assembly modes.
     pub fn branch(&self) -> Branch {
         let columns = self
             .factors
@@ -178,7 +176,7 @@ where
         }
     }
 
-    /// The determinant of the matrix as it was given, not of the scaled one, with its sign.
+    /// Determinant of the given matrix, not of the scaled one, with its sign.
     ///
     /// Intermediate products cannot overflow; a determinant outside the range of the scalar is infinite or zero.
     pub fn determinant(&self) -> T {
@@ -221,7 +219,7 @@ fn scale_entries<T: Real>(matrix: &mut [T], row_factors: &[T], column_factors: &
     }
 }
 
-/// The largest magnitude of all entries; none if an entry is not finite.
+/// Largest magnitude of all entries; `None` if an entry is not finite.
 fn largest_finite_magnitude<T: Real>(entries: &[T]) -> Option<T> {
     // Four independent lanes, because a single chain of comparisons or sums would not be vectorized.
     let mut largest = [T::ZERO; 4];
@@ -297,7 +295,7 @@ fn eliminate<T: Real>(
     Ok(smallest)
 }
 
-/// The position and the magnitude of the first entry of largest magnitude; (0, 0) if there is none.
+/// Position and magnitude of the first entry of largest magnitude; (0, 0) if there is none.
 #[inline]
 fn largest_entry<T: Real>(entries: &[T]) -> (usize, T) {
     // Two passes: the maximum in independent lanes and its position take less time than one dependent chain.

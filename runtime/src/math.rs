@@ -1,24 +1,24 @@
-//! A scalar and its elementary functions, which are those of `linkwright-math`: the same bits with and without the standard library,
-//! on every platform.
+//! Scalar types and their elementary functions, those of `linkwright-math`: equal bits with and without the standard
+//! library, on every platform.
 //!
-//! Everything else in this crate, and all generated code, is written against [`Real`] or the free functions below. Generated
-//! code can also be written against a module of its user's that holds functions of these names; see the options of the
-//! generator. Such a module begins with `pub use linkwright::math::*;` and defines what is to be different.
+//! Everything else in this crate, and all generated code, is written against [`Real`] or the free functions below.
+//! Generated code can also be written against a module of its user's that holds functions of these names; see the
+//! options of the generator. Such a module begins with `pub use linkwright::math::*;` and redefines other functions.
 //!
-//! Sines, cosines and angles are within 1 and 2 ulp, in f64 and in f32, and f32 does without f64; `linkwright-math` states the
-//! bounds. The module does not know angles from lengths: arguments of `sin` and `cos` are in radians, all else is unitless.
+//! Sines, cosines and angles are within 1 and 2 ulp, in f64 and in f32, and f32 does without f64; `linkwright-math`
+//! states the bounds. Arguments of `sin` and `cos` are in radians, all else is unitless.
 
 use core::fmt::{Debug, Display, LowerExp};
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 mod sealed {
-    /// Keeps [`super::Real`] to the two scalars whose rounding the default settings are made for.
+    /// Restricts [`super::Real`] to the two scalars whose rounding the default settings are made for.
     pub trait Sealed {}
     impl Sealed for f32 {}
     impl Sealed for f64 {}
 }
 
-/// A floating-point scalar of the runtime: `f32` or `f64`.
+/// Floating-point scalar of the runtime: `f32` or `f64`.
 ///
 /// The trait is sealed, because tolerances and rounding levels are chosen for these two.
 pub trait Real:
@@ -39,58 +39,58 @@ pub trait Real:
     + MulAssign
     + DivAssign
 {
-    /// The additive identity.
+    /// Additive identity.
     const ZERO: Self;
-    /// The multiplicative identity.
+    /// Multiplicative identity.
     const ONE: Self;
     /// One half.
     const HALF: Self;
-    /// The distance from 1 to the next larger number.
+    /// Distance from 1 to the next larger number.
     const EPSILON: Self;
-    /// The smallest positive normal number.
+    /// Smallest positive normal number.
     const SMALLEST: Self;
 
-    /// The scalar nearest to `value`.
+    /// Returns the scalar nearest to `value`.
     fn from_f64(value: f64) -> Self;
-    /// This scalar as an `f64`, exactly.
+    /// Returns this scalar as an `f64`, exactly.
     fn to_f64(self) -> f64;
-    /// The magnitude.
+    /// Magnitude.
     fn abs(self) -> Self;
-    /// The square root; NaN for a negative argument.
+    /// Square root; NaN for a negative argument.
     fn sqrt(self) -> Self;
-    /// The sine of an angle in radians.
+    /// Sine of an angle in radians.
     fn sin(self) -> Self;
-    /// The cosine of an angle in radians.
+    /// Cosine of an angle in radians.
     fn cos(self) -> Self;
-    /// The sine and the cosine of an angle in radians, in this order.
+    /// Sine and cosine of an angle in radians, in this order.
     fn sin_cos(self) -> (Self, Self);
-    /// The angle in (-π, π] of the vector (`abscissa`, `self`).
+    /// Angle in (-π, π] of the vector (`abscissa`, `self`).
     fn atan2(self, abscissa: Self) -> Self;
-    /// The angle nearest to `near` whose sine and cosine are `self` and `cosine`, or a common positive multiple of them.
+    /// Angle nearest to `near` whose sine and cosine are `self` and `cosine`, or a common positive multiple of them.
     fn angle_near(self, cosine: Self, near: Self) -> Self;
-    /// The angle that differs from `self` by whole turns and is nearest to `near`.
+    /// Angle that differs from `self` by whole turns and is nearest to `near`.
     fn nearest_turn(self, near: Self) -> Self;
-    /// The exponential function.
+    /// Exponential function.
     fn exp(self) -> Self;
-    /// The natural logarithm; NaN for a negative argument, -∞ for zero.
+    /// Natural logarithm; NaN for a negative argument, -∞ for zero.
     fn ln(self) -> Self;
-    /// The power with a real exponent.
+    /// Power with a real exponent.
     fn powf(self, exponent: Self) -> Self;
-    /// The length √(`self`² + `other`²) without intermediate overflow.
+    /// Length √(`self`² + `other`²) without intermediate overflow.
     fn hypot(self, other: Self) -> Self;
-    /// The largest whole number that is not greater.
+    /// Largest whole number that is not greater.
     fn floor(self) -> Self;
-    /// The nearest whole number; halves away from zero.
+    /// Nearest whole number; halves away from zero.
     fn round(self) -> Self;
-    /// Whether the scalar is neither infinite nor NaN.
+    /// True if the scalar is neither infinite nor NaN.
     fn is_finite(self) -> bool;
-    /// The larger of two scalars; the other one if one is NaN.
+    /// Larger of two scalars; the other one if one is NaN.
     fn max(self, other: Self) -> Self;
-    /// The smaller of two scalars; the other one if one is NaN.
+    /// Smaller of two scalars; the other one if one is NaN.
     fn min(self, other: Self) -> Self;
-    /// The pair (m, e) with `self` = m · 2^e and |m| in [1/2, 1); (self, 0) for zero.
+    /// Pair (m, e) with `self` = m · 2^e and |m| in [1/2, 1); (self, 0) for zero.
     fn significand_exponent(self) -> (Self, i32);
-    /// `self` · 2^`exponent`; infinite or zero where the product leaves the range of the scalar.
+    /// `self` · 2^`exponent`; infinite or zero if the product leaves the range of the scalar.
     fn scale_by_power_of_two(self, exponent: i32) -> Self;
 }
 

@@ -1,16 +1,14 @@
-//! Position, velocity and acceleration of one point → one value that carries the three together.
-//!
-//! The module does not know which point or which mechanism it describes.
+//! Position, velocity and acceleration of a point, as one value.
 
-/// The motion of a point of a body, in the ground's frame.
+/// Motion of a point of a body, in the global frame.
 ///
-/// Units are those of the description it came from: SI (m, m/s, m/s²) for generated mechanisms.
+/// Units are those of the description: SI (m, m/s, m/s²) for generated mechanisms.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointMotion<T = f64> {
-    /// The position (x, y).
+    /// Position (x, y).
     pub position: [T; 2],
-    /// The first time derivative of the position.
+    /// First time derivative of the position.
     pub velocity: [T; 2],
-    /// The second time derivative of the position.
+    /// Second time derivative of the position.
     pub acceleration: [T; 2],
 }

@@ -1,7 +1,7 @@
-//! *A Jacobian J (n × n) and generalized forces f* → *the multipliers λ of Jᵀ λ = f*.
+//! Solves Jᵀ λ = f for the multipliers λ of a Jacobian J (n × n) and generalized forces f.
 //!
-//! What the equations of a part without a closed form carry. Each row of J is scaled by its largest entry, so that the elimination
-//! does not depend on the unit of an equation. The module does not know what the forces are.
+//! The multipliers are those of a subsystem without a closed form. Each row of J is scaled by its largest entry, so
+//! that the elimination does not depend on the unit of an equation.
 
 use nalgebra::allocator::Allocator;
 use nalgebra::{Const, DefaultAllocator, Dim, OMatrix, OVector, SMatrix, SVector};
@@ -13,10 +13,11 @@ use crate::math::Real;
 use crate::scale::Scales;
 use crate::vector::all_finite;
 
-/// λ, one for each row of `jacobian`, for the `forces` on its columns.
+/// Returns λ, one for each row of `jacobian`, for the `forces` on its columns.
 ///
 /// # Errors
-/// [`FailureKind::Singular`] where the Jacobian is, and [`FailureKind::NotFinite`] where it or the solution is not finite.
+/// Returns [`FailureKind::Singular`] for a singular Jacobian, and [`FailureKind::NotFinite`] if it or the solution is
+/// not finite.
 pub fn multipliers<T: Real, const N: usize>(
     jacobian: [[T; N]; N],
     forces: [T; N],
@@ -25,15 +26,15 @@ pub fn multipliers<T: Real, const N: usize>(
 ) -> Result<[T; N], Failure<T>> {
     let entry = |row: usize, column: usize| jacobian.get(row)?.get(column).copied();
     let matrix = SMatrix::<T, N, N>::from_fn(|row, column| entry(row, column).unwrap_or(T::ZERO));
-    let mut found = SVector::<T, N>::from(forces);
-    solve::<T, Const<N>>(&matrix, &mut found).map_err(|kind| failed(kind, time, block))?;
-    Ok(found.into())
+    let mut multipliers = SVector::<T, N>::from(forces);
+    solve::<T, Const<N>>(&matrix, &mut multipliers).map_err(|kind| failed(kind, time, block))?;
+    Ok(multipliers.into())
 }
 
-/// The same for any dimension: replaces the forces with the multipliers.
+/// Solves for the multipliers in any dimension: they replace the forces.
 ///
 /// # Errors
-/// Those of [`multipliers`].
+/// Returns those of [`multipliers`].
 pub fn solve<T: Real, D: Dim>(
     jacobian: &OMatrix<T, D, D>,
     forces: &mut OVector<T, D>,
@@ -50,7 +51,7 @@ where
         }
     }
     for scale in scales.rows.iter_mut() {
-        // Written so that a row of zeros, or of NaN, is judged as it is.
+        // Written so that a row of zeros, or of NaN, is judged unscaled.
         let is_scale = *scale > T::ZERO;
         if !is_scale {
             *scale = T::ONE;

@@ -1,15 +1,13 @@
-//! Equations, an estimate of the pose and a time → the pose at which the equations hold, or a typed [`Failure`].
+//! Solves equations for the pose at a time by Newton-Raphson, from an estimate; otherwise returns a typed [`Failure`].
 //!
 //! This is the only Newton-Raphson of the project. A pose in an `Ok` has a residual that was evaluated *at this pose*
-//! and meets the tolerance; on failure the caller's pose is untouched. A call takes at most
-//! [`Settings::iterations`] steps and one polishing step.
+//! and meets the tolerance; on failure the caller's pose is unchanged. A call takes at most [`Settings::iterations`]
+//! steps and one polishing step.
 //!
 //! Each step solves Φ_q Δq = -Φ and adds Δq (Haug 1989, section 4.5). Residuals are measured in row scales, steps in
-//! coordinate scales, so no judgement depends on the units. After each step that leaves a residual above the
-//! tolerance it is asked in this order whether anything is not finite, and whether the iteration has stalled, diverged
-//! or begun to cycle.
-//!
-//! The module does not know velocities or accelerations.
+//! coordinate scales, so no decision depends on the units. A step may leave a residual above the tolerance. The solver
+//! then checks in this order that all values are finite, and that the iteration has not stalled, diverged or begun to
+//! cycle.
 
 use nalgebra::allocator::Allocator;
 use nalgebra::{DefaultAllocator, Dim, OMatrix, OVector};
@@ -25,59 +23,59 @@ use crate::settings::Settings;
 use crate::vector::{add, all_finite, negate, require_dimension, zero_matrix, zero_vector};
 use crate::watch::{Unwatched, Watch};
 
-/// The longest step, in coordinate scales, that still counts as progress. A part of a mechanism that is a million
-/// times its size away does not come back.
+/// Longest step, in coordinate scales, that still counts as progress. A body that is a million mechanism lengths away
+/// does not return.
 pub const LONGEST_STEP: f64 = 1e6;
 
-/// By how much the scaled residual may exceed the first one, or 1 if that is larger. One bad step from a poor estimate
-/// may well increase the residual, but not beyond this.
+/// Largest growth of the scaled residual over the first one, or over 1 if that is larger. One bad step from a poor
+/// estimate may well increase the residual, but not beyond this.
 pub const LARGEST_GROWTH: f64 = 1e4;
 
-/// The number of consecutive steps with growing residual that count as divergence.
+/// Number of consecutive steps with growing residual that count as divergence.
 pub const GROWING_STEPS: u16 = 5;
 
-/// The multiple of ε below which a change of a coordinate, or a residual, is rounding.
+/// Multiple of ε below which a change of a coordinate, or a residual, is rounding.
 pub const ROUNDING: f64 = 4.0;
 
-/// A polishing step that leaves more than this part of the residual ends a solve: what is left is rounding. At a pose
-/// whose Jacobian is singular a step leaves at most e^(-1/e) = 0.69 of the residual.
+/// Part of the residual above which a polishing step ends a solve: the remaining residual is rounding. At a pose whose
+/// Jacobian is singular, a step leaves at most e^(-1/e) = 0.69 of the residual.
 pub const NOISE: f64 = 0.75;
 
-/// One Newton-Raphson step, with all that a calculation by hand writes down.
+/// Newton-Raphson step with all quantities of a calculation by hand.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Step<T: Real, D: Dim>
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
-    /// The Jacobian Φ_q (n × n) at the pose that the step starts from.
+    /// Jacobian Φ_q (n × n) at the pose before the step.
     pub jacobian: OMatrix<T, D, D>,
-    /// The right-hand side -Φ (n).
+    /// Right-hand side -Φ (n).
     pub right_hand_side: OVector<T, D>,
-    /// The update Δq (n), which solves Φ_q Δq = -Φ.
+    /// Update Δq (n), which solves Φ_q Δq = -Φ.
     pub update: OVector<T, D>,
-    /// The new pose q + Δq (n).
+    /// New pose q + Δq (n).
     pub pose: OVector<T, D>,
 }
 
-/// How a solve converged.
+/// Convergence of a solve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Convergence<T = f64> {
-    /// The number of steps until the tolerance was met, the polishing step not counted.
+    /// Number of steps until the tolerance was met, without the polishing step.
     pub iterations: u16,
-    /// The scaled residual at the pose that was returned.
+    /// Scaled residual at the returned pose.
     pub residual: T,
-    /// The equation with that residual, counted from 0.
+    /// Equation with that residual, counted from 0.
     pub row: u16,
-    /// Whether a polishing step was taken.
+    /// True if a polishing step was taken.
     pub polished: bool,
 }
 
 /// Takes a single Newton-Raphson step from the pose `q` (n) at time `t`.
 ///
-/// The residual is not compared with the tolerance: this is the step as taught, for whoever wants to look at it.
+/// The residual is not compared with the tolerance: this is the step as taught, for display.
 ///
 /// # Errors
-/// [`FailureKind::Singular`] and [`FailureKind::NotFinite`].
+/// Returns [`FailureKind::Singular`] or [`FailureKind::NotFinite`].
 ///
 /// # Panics
 /// If `q` does not have the dimension of the equations, which only a dynamic dimension permits.
@@ -123,24 +121,24 @@ where
 
 /// Moves the estimate `q` (n) to a pose at which the equations hold at time `t`.
 ///
-/// Solved means that no scaled residual |Φ_i| / scale_i exceeds [`Settings::tolerance`]. With [`Settings::polish`] one
-/// more step follows, unless the residual is at rounding level already; it reuses the newest factorization, whose
-/// error is of the order of the last update and so as a rule too small to matter, and it is taken back if the residual grows.
-/// Where this does not bring the residual to rounding level, steps with Jacobians at the pose itself follow until one leaves
-/// more than the part [`NOISE`] of it: then only the rounding of the equations is left.
+/// At the returned pose, no scaled residual |Φ_i| / scale_i exceeds [`Settings::tolerance`]. With [`Settings::polish`]
+/// one more step follows, unless the residual is at rounding level already. It reuses the newest factorization, whose
+/// error is of the order of the last update and so usually too small to matter; it is taken back if the residual grows.
+/// If it does not bring the residual to rounding level, steps with Jacobians at the pose itself follow. They end with a
+/// step that leaves more than the part [`NOISE`] of the residual: then only the rounding of the equations is left.
 ///
-/// A small residual alone does not tell whether the pose itself has settled, for x² = 1e-12 says little about x. What a
-/// polishing step has left of the residual it has left of the error, so twice the length of the step times this part
-/// estimates the error that remains; the factor two is for the older Jacobian. Where that exceeds the tolerance, in coordinate
-/// scales, and the steps are used up, the pose is not returned. Without the polishing step, and for an estimate
-/// that has a residual at rounding level already, the residual alone decides; [`crate::assemble`] and [`crate::advance`]
-/// judge such poses by their Jacobian.
+/// A small residual alone does not tell whether the pose has settled, for x² = 1e-12 says little about x. A polishing
+/// step reduces the error by the same part as the residual. So twice the length of the step times this part estimates
+/// the remaining error; the factor two allows for the older Jacobian. If the estimate exceeds the tolerance, in
+/// coordinate scales, and the steps are used up, the pose is not returned. Without the polishing step, and for an
+/// estimate with a residual at rounding level already, the residual alone decides; [`crate::assemble`] and
+/// [`crate::advance`] judge such poses by their Jacobian.
 ///
 /// # Work
 /// With N for [`Settings::iterations`] at most N + 3 evaluations of the residual and N + 3 of the Jacobian.
 ///
 /// # Errors
-/// Every [`FailureKind`]; `q` is then as it was.
+/// Returns every [`FailureKind`]; `q` is then unchanged.
 ///
 /// # Panics
 /// If `q` does not have the dimension of the equations, which only a dynamic dimension permits.
@@ -156,7 +154,7 @@ where
     solve_watched(equations, q, t, settings, &mut Unwatched)
 }
 
-/// [`solve`], given up where `watch` says so.
+/// Calls the solver of [`solve`], abandoned if `watch` requires it.
 pub(crate) fn solve_watched<T: Real, D: Dim, E: Equations<T, D>, W: Watch<T, D>>(
     equations: &E,
     q: &mut OVector<T, D>,
@@ -214,7 +212,7 @@ where
         equations.jacobian(pose, t, &mut jacobian);
         let factorization = match Factorization::new(&jacobian, &scales, settings.pivot_ratio) {
             Ok(factorization) => factorization,
-            // The pose meets the tolerance as it is; a singular Jacobian only prevents polishing it.
+            // The pose meets the tolerance already; a singular Jacobian only prevents polishing it.
             Err(_) if solved && !unsettled => return Ok(convergence(iterations, residual, false)),
             Err(kind) => return Err(failure(kind, t, iterations, residual)),
         };
@@ -243,7 +241,7 @@ where
                 return Ok(convergence(iterations, residual, false));
             }
         }
-        // The pose is solved. One more step, which is taken only if it does not make the residual larger.
+        // The pose is solved. One more step is taken unless it makes the residual larger.
         update.clone_from(&phi);
         negate(&mut update);
         factorization.solve(&mut update);
@@ -252,7 +250,7 @@ where
         let after = scales.residual(&phi);
         let better = after.magnitude <= residual.magnitude && all_finite(update.as_slice());
         let rounding = after.magnitude <= T::from_f64(ROUNDING) * T::EPSILON;
-        // Written so that a residual that is no number is not an improvement.
+        // Written so that a NaN residual is not an improvement.
         let improves = after.magnitude < T::from_f64(NOISE) * residual.magnitude;
         unsettled = better
             && !rounding
@@ -262,7 +260,7 @@ where
                 &update,
                 T::HALF * settings.tolerance * (residual.magnitude / after.magnitude),
             );
-        // Only the step of a Jacobian at this very pose says that nothing but noise is left.
+        // Only the step of a Jacobian at this very pose shows that nothing but noise is left.
         let again = !rounding && (improves || !solved) && iterations < settings.iterations;
         if better {
             pose.clone_from(&update);
@@ -279,7 +277,8 @@ where
     }
 }
 
-/// Why a pose that meets the tolerance has not settled within the limit: it is singular, or there were too few steps.
+/// Failure of a pose that meets the tolerance and has not settled within the limit: it is singular, or there were too
+/// few steps.
 #[cold]
 fn verdict<T: Real, D: Dim, E: Equations<T, D>>(
     equations: &E,

@@ -1,11 +1,9 @@
-//! The measures of a mechanism's blocks → the block that is closest to a singular pose, with its name.
+//! Selects the block of a mechanism that is closest to a singular pose.
 //!
-//! A mechanism whose description says `monitor;` offers its [`NormalizedDeterminant`] with every frame. The number goes to zero as the
-//! distance to the singular pose does, and is comparable between blocks and mechanisms: the sine of an angle, or what takes
-//! its place where more than two vectors are concerned ([`Measure`]). At 0.1 a rate, a force and an error of the drivers are
-//! magnified about ten times.
-//!
-//! The module does not know how measures are found.
+//! A mechanism whose description says `monitor;` offers its [`NormalizedDeterminant`] with every frame. The number goes
+//! to zero with the distance to the singular pose, and is comparable between blocks and mechanisms. It is the sine of
+//! an angle, or for more than two vectors the corresponding [`Measure`]. At 0.1, a rate, a force and an error of the
+//! drivers are magnified about ten times.
 
 use core::fmt;
 
@@ -13,29 +11,29 @@ use crate::failure_message::BlockName;
 use crate::linear::Measure;
 use crate::math::Real;
 
-/// How close a block of equations is to a singular pose.
+/// Distance of a block of equations from a singular pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NormalizedDeterminant<T = f64> {
-    /// The block, in solve order, as a [`crate::Failure`] counts it.
+    /// Block in solve order, as a [`crate::Failure`] counts it.
     pub block: u16,
-    /// The block's determinant divided by the lengths of the columns of its Jacobian, from -1 to 1. Its sign is that of the
-    /// assembly mode.
+    /// Determinant of the block divided by the lengths of the columns of its Jacobian, from -1 to 1. Its sign is that
+    /// of the assembly mode.
     pub determinant: T,
-    /// The reciprocal condition of the Jacobian with columns of length 1, from 0 to 1; for a block in closed form the same as
-    /// the size of the determinant.
+    /// Reciprocal condition of the Jacobian with columns of length 1, from 0 to 1; for a block in closed form, the
+    /// magnitude of the determinant.
     pub reciprocal_condition: T,
-    /// What the block is called, and what can be said of it where it is singular.
+    /// Name of the block, with its state at a singular pose.
     pub name: BlockName<'static>,
 }
 
-/// What the normalized determinant of a mechanism is named after that nothing can bring to a singular pose.
+/// Name for the normalized determinant of a mechanism that has no singular pose.
 const EVERYTHING: BlockName<'static> = BlockName {
     name: "the mechanism",
     singular: "",
 };
 
 impl<T: Real> NormalizedDeterminant<T> {
-    /// That of a block with this measure.
+    /// Returns the normalized determinant of a block with this measure.
     #[inline]
     pub fn new(block: u16, measure: Measure<T>, name: BlockName<'static>) -> Self {
         Self {
@@ -46,18 +44,18 @@ impl<T: Real> NormalizedDeterminant<T> {
         }
     }
 
-    /// The closest of all blocks, the first of equal ones. Where there is no block that can be singular, its numbers are 1.
+    /// Returns the block closest to singular, the first of equal ones. If no block can be singular, the numbers are 1.
     pub fn closest(blocks: &[Self]) -> Self {
-        let mut found = Self::new(0, Measure::sine(T::ONE), EVERYTHING);
+        let mut closest = Self::new(0, Measure::sine(T::ONE), EVERYTHING);
         for (place, block) in blocks.iter().enumerate() {
-            if place == 0 || block.reciprocal_condition < found.reciprocal_condition {
-                found = *block;
+            if place == 0 || block.reciprocal_condition < closest.reciprocal_condition {
+                closest = *block;
             }
         }
-        found
+        closest
     }
 
-    /// Whether the reciprocal condition is below `limit`. True for a limit that is no number.
+    /// True if the reciprocal condition is below `limit`, or if `limit` is NaN.
     #[inline]
     pub fn is_below(&self, limit: T) -> bool {
         // Written so that NaN warns.
@@ -109,7 +107,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_loop_is_never_singular() {
+    fn mechanism_without_loops_is_never_singular() {
         let none = NormalizedDeterminant::<f32>::closest(&[]);
         assert_eq!((none.determinant, none.reciprocal_condition), (1.0, 1.0));
         assert_eq!(none.to_string(), "the mechanism: never singular");

@@ -1,7 +1,7 @@
-//! A way that ends near a pose at which modes meet, or has broken there → the way beyond it, or its end, on the smooth path.
+//! Continues a path through change points near its ends, or where it has broken.
 //!
-//! Frames that are nearly singular are not solved but interpolated, and only they; what lies before and beyond them is shown to lie on
-//! the path as any other frame. The module does not know equations.
+//! Only nearly singular frames are interpolated instead of solved; the frames before and beyond them are verified to
+//! lie on the path like any other frame.
 
 use crate::block::Start;
 use crate::blocks::{Blocks, Conditions};
@@ -12,26 +12,26 @@ use crate::guard::weak_block;
 use crate::math::Real;
 use crate::way::Way;
 
-/// Least distance of the first times about a meeting, as a part of the way so far.
+/// Least distance of the first times about a change point, relative to the path so far.
 const FIRST_STEP: f64 = 1.0 / 16.0;
 
-/// The square of the distance of modes, as a part of that elsewhere, below which nothing tells in which a motion goes on.
+/// Square of the distance of modes, relative to that elsewhere, below which the mode of the motion is undecided.
 const UNDECIDED: f64 = 1.0 / (1u32 << 20) as f64;
 
-/// The obstacle to going through a meeting of modes.
+/// Obstacle to passing a change point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Barred {
     /// No modes meet there.
     NoMeeting,
-    /// They do, but nothing shows the path to the meeting or through it.
+    /// Modes meet there, but no path to the change point or through it can be verified.
     NoPath,
 }
 
 impl<B: Blocks> Way<'_, B> {
-    /// Goes through meetings of modes where the way begins or ends so near to one that equations are nearly singular.
+    /// Passes change points so near to the start or the end of the path that equations are nearly singular there.
     #[inline(never)]
     pub(crate) fn pass_ends(&mut self) {
-        // The other mode of Newton-Raphson takes too long to be looked for in each step that is divided.
+        // The other mode of Newton-Raphson takes too long to be sought in each step that is divided.
         let is_iterated = self.blocks.is_iterated();
         if is_iterated || !self.blocks.holds_coordinates() || self.start == Start::Estimate {
             return;
@@ -58,9 +58,9 @@ impl<B: Blocks> Way<'_, B> {
         self.may_be_weak = passage == Some(Err(Barred::NoMeeting));
     }
 
-    /// Goes through the pose at which the modes of a block meet, if it is where the way has broken.
+    /// Passes the change point of a block at which the path has broken, if there is one.
     pub(crate) fn cross(&mut self, failure: &Failure<B::Scalar>) -> Result<(), Barred> {
-        // Where modes meet, links may be apart by rounding.
+        // At a change point, links may be apart by rounding.
         let may_meet = matches!(
             failure.kind,
             FailureKind::StepTooLarge
@@ -83,7 +83,7 @@ impl<B: Blocks> Way<'_, B> {
         self.pass(near, block, step, false)
     }
 
-    /// True if modes of a block are far nearer to each other where the way has broken than elsewhere, though the motion goes on.
+    /// True if modes of a block are far nearer to each other at the break than elsewhere, though the motion continues.
     #[inline(never)]
     pub(crate) fn is_undecided(&self, failure: &Failure<B::Scalar>) -> bool {
         let is_doubtful = matches!(
@@ -92,7 +92,7 @@ impl<B: Blocks> Way<'_, B> {
         );
         let near = B::time(&self.reached);
         let way = near - B::time(&self.origin);
-        // A motion that turns back at a dead center has been followed to it, as far as rounding lets it.
+        // A motion that turns back at a dead point has been followed to it, as far as rounding permits.
         let beyond = failure.time + B::Scalar::EPSILON.sqrt().sqrt() * way;
         if !is_doubtful
             || self.blocks.is_iterated()
@@ -111,7 +111,7 @@ impl<B: Blocks> Way<'_, B> {
         })
     }
 
-    /// The block whose modes are nearest to each other at the time `t` (s), and the square of their distance.
+    /// Block with the nearest modes at the time `t` (s), and the square of their distance.
     #[inline(never)]
     fn nearest_modes(&self, t: B::Scalar) -> Option<(u16, B::Scalar)> {
         let mut nearest: Option<(u16, B::Scalar)> = None;
@@ -125,7 +125,8 @@ impl<B: Blocks> Way<'_, B> {
         nearest
     }
 
-    /// A block that cannot be solved at the time `t` (s), or whose modes are far nearer to each other than elsewhere on the way.
+    /// Block that cannot be solved at the time `t` (s), or whose modes are far nearer to each other than elsewhere on
+    /// the path; `None` if there is none.
     #[inline(never)]
     fn near_modes(&self, t: B::Scalar) -> Option<u16> {
         if let Err(failure) = self.solved_at(t, None, &self.reached, &self.branches) {
@@ -140,7 +141,7 @@ impl<B: Blocks> Way<'_, B> {
         (square <= B::Scalar::EPSILON.sqrt().sqrt() * whole).then_some(block)
     }
 
-    /// The modes of a block as signals of the way have them.
+    /// Returns the modes of a block with the signals of the path.
     fn crossing(&self, block: u16) -> Crossing<'_, '_, B> {
         Crossing {
             way: self,
@@ -150,8 +151,8 @@ impl<B: Blocks> Way<'_, B> {
         }
     }
 
-    /// Goes through a meeting of modes near a time, or to the end where that is near it. Times of the distance `step` (s) before it are
-    /// looked at first; a meeting at an end may lie on both sides of it.
+    /// Passes a change point near a time, or advances to the end if that is near it. The search begins at times of the
+    /// distance `step` (s) before it; a change point at an end may lie on both sides of it.
     #[inline(never)]
     fn pass(
         &mut self,
@@ -166,7 +167,7 @@ impl<B: Blocks> Way<'_, B> {
         } else {
             B::Scalar::ONE
         };
-        // Signals go on from one instant as smoothly as they can.
+        // Signals continue from one instant as smoothly as possible.
         let about = is_end.then_some(place);
         let origin = B::time(&self.origin);
         let ahead = |time: B::Scalar| direction * (time - origin);
@@ -198,19 +199,20 @@ impl<B: Blocks> Way<'_, B> {
             return Err(Barred::NoMeeting);
         }
         let is_outside = ahead(before) > B::Scalar::ZERO;
-        // A frame beside the meeting may lie before it or beyond it, as its rates tell.
+        // A frame beside the change point may lie before it or beyond it, as its rates tell.
         let sides = match is_outside {
             true => crossing.sides(near, &meeting, true),
             false => crossing.sides_through(&self.origin, &meeting),
         };
         let sides = sides.ok_or(Barred::NoPath)?;
-        // The way may have come nearer than the modes can be told apart: what lies before the meeting must lie on the path.
+        // The path may have come nearer than the modes can be told apart: the last frame before the change point must
+        // lie on it.
         self.reached = self.origin.clone();
         self.guard.forget();
         if is_outside {
             self.steps_to(before).map_err(|_| Barred::NoPath)?;
         }
-        // From where the way has led, angles go on without a jump; what was found from farther away may be off by whole turns.
+        // Angles continue without a jump from the last frame; a solution from farther away may be off by whole turns.
         let lands = direction * (end - beyond) < B::Scalar::ZERO;
         let is_before = lands && direction * (end - time) < B::Scalar::ZERO;
         let modes = match is_before {
@@ -237,7 +239,7 @@ impl<B: Blocks> Way<'_, B> {
         Ok(())
     }
 
-    /// The first block that is nearly singular in a frame, as closed forms tell.
+    /// First block that closed forms show to be nearly singular in a frame; `None` if there is none.
     #[inline(never)]
     fn weak_block(&self, frame: &B::Frame, t: B::Scalar) -> Option<u16> {
         let inputs = self.inputs_at(t, None);

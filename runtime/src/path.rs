@@ -1,18 +1,17 @@
-//! A frame, its branch and a time → the frame at that time on the same path, or where the path ends.
+//! Follows the path of a frame to another time, or to the end of the path.
 //!
-//! [`advance`](crate::advance) takes the pose to which Newton-Raphson happens to converge. [`follow`] takes no pose of which
-//! it is not sure: it asks that the determinant of the Jacobian keeps its sign from the estimate to the pose, and that
-//! every Newton-Raphson step is at most half as long as the one before; otherwise the estimate may lie in the basin of
-//! another root. And the motion must fit both ends: by Hermite's rule the way is h (q̇₀ + q̇₁) / 2 - h² (q̈₁ - q̈₀) / 12, but for
-//! an error of the fifth order in h, whereas it is off by the distance of the two paths if the end lies on another one.
-//! Where one of these fails, it goes through intermediate times ([`crate::substeps`]).
+//! [`advance`](crate::advance) takes the pose to which Newton-Raphson happens to converge. [`follow`] takes only poses
+//! that are certain to lie on the path. The determinant of the Jacobian must keep its sign from the estimate to the
+//! pose. Every Newton-Raphson step must be at most half the length of the one before; otherwise the estimate may lie in
+//! the basin of another root. The motion must also fit both ends. By Hermite's rule the change is h (q̇₀ + q̇₁) / 2 -
+//! h² (q̈₁ - q̈₀) / 12, up to an error of the fifth order in h; for an end on another path it is off by the distance of
+//! the two paths. If one of these conditions fails, [`follow`] takes intermediate times ([`crate::substeps`]).
 //!
-//! A path ends where its Jacobian becomes singular. Most of these poses are folds, dead points of the driver: with τ, the time
-//! that is left, the distance to the singular pose and the determinant shrink like √τ while the velocity grows like 1/√τ.
-//! So q̇ / (2 q̈) is τ, and the square of the determinant falls on a straight line to zero; where the two agree the end is
-//! known much more exactly than by trying (Seydel, *Practical Bifurcation and Stability Analysis*, 2010, chapter 5).
-//!
-//! The module does not know which joints are in line at a singular pose.
+//! A path ends where its Jacobian becomes singular. Most of these poses are folds, dead points of the driver. With τ
+//! the remaining time, the distance to the singular pose and the determinant shrink like √τ, and the velocity grows
+//! like 1/√τ. So q̇ / (2 q̈) is τ, and the square of the determinant falls on a straight line to zero. If the two
+//! agree, the end is known much more exactly than by trying (Seydel, *Practical Bifurcation and Stability Analysis*,
+//! 2010, chapter 5).
 
 use nalgebra::allocator::Allocator;
 use nalgebra::{DefaultAllocator, Dim, OVector};
@@ -29,21 +28,21 @@ use crate::substeps::in_steps;
 use crate::vector::zero_matrix;
 use crate::watch::OnBranch;
 
-/// The largest part of its scale by which a coordinate may miss Hermite's rule. At steps of 1.8 rad of a harmonic motion the
-/// rule misses by this part of the amplitude.
+/// Largest part of its scale by which a coordinate may miss Hermite's rule. At steps of 1.8 rad of a harmonic motion
+/// the rule misses by this part of the amplitude.
 pub const LARGEST_MISS: f64 = 1.0 / 32.0;
 
-/// How far the two estimates of the time that is left may differ, as a part of it, where an end is called a fold.
+/// Largest difference of the two estimates of the remaining time, relative to it, at an end that counts as a fold.
 const AGREEMENT: f64 = 1.0 / 16.0;
 
-/// The part of the determinant at the start that must be left at most, where an end is called a fold: the way to it has then
+/// Largest remaining part of the starting determinant at an end that counts as a fold: the remaining distance has then
 /// become 16 times shorter.
 const SHRUNK: f64 = 0.25;
 
-/// The branch of the pose `q` (n) at time `t`: the sign of the determinant of Φ_q.
+/// Branch of the pose `q` (n) at time `t`: the sign of the determinant of Φ_q.
 ///
 /// # Errors
-/// [`FailureKind::Singular`] and [`FailureKind::NotFinite`].
+/// Returns [`FailureKind::Singular`] or [`FailureKind::NotFinite`].
 ///
 /// # Work
 /// One evaluation of the Jacobian.
@@ -63,18 +62,18 @@ where
     Ok(factorization.branch())
 }
 
-/// Moves the mechanism from `frame` to time `t`, which may lie before or after it, along the path on which `frame` lies
-/// and on its branch, in one step or in as many as it takes.
+/// Moves the mechanism from `frame` to time `t`, before or after it, along the path and on the branch of `frame`, in as
+/// many steps as needed.
 ///
 /// # Errors
-/// Every [`FailureKind`] that [`in_steps`] names. The time of the failure is where the path ends, or how far it could be
-/// followed:
+/// Returns every [`FailureKind`] that [`in_steps`] names. The time of the failure is the end of the path, or the last
+/// time that could be followed:
 /// - [`FailureKind::Singular`] at a dead point, at the time at which the two estimates of the fold put it. Its pivot ratio
 ///   is that of the last pose before it, and its column the coordinate that is fastest there.
-/// - [`FailureKind::WrongBranch`] where every attempt to go on ends with the other sign of the determinant: the path goes
-///   through a singular pose, at which another one crosses it. The time lies behind the singular pose by less than the last
-///   step that was tried.
-/// - [`FailureKind::StepTooLarge`] where the budget [`Settings::substeps`] has ended before any of this was clear.
+/// - [`FailureKind::WrongBranch`] if every attempt to continue ends with the other sign of the determinant: the path
+///   passes a singular pose, at which another path crosses it. The time lies behind the singular pose by less than the
+///   last step that was tried.
+/// - [`FailureKind::StepTooLarge`] if the budget [`Settings::substeps`] ended before any of this was clear.
 ///
 /// # Work
 /// With S for [`Settings::substeps`] and N for [`Settings::iterations`] at most S (N + 3) evaluations of the residual,
@@ -93,7 +92,7 @@ where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
     let mut current = frame.clone();
-    // The frame before, from which the end of the path is extrapolated.
+    // Frame before the last one, from which the end of the path is extrapolated.
     let mut before = None;
     let moved = in_steps(frame.t, t, settings.substeps, |target| {
         let next = step(equations, &current, branch, target, settings)?;
@@ -112,11 +111,11 @@ where
     }
 }
 
-/// Moves the mechanism from `frame` to time `t` in one step, if it is sure to stay on the path and on its branch.
+/// Moves the mechanism from `frame` to time `t` in one step, if it is certain to stay on the path and on its branch.
 ///
 /// # Errors
-/// Every [`FailureKind`]; [`FailureKind::WrongBranch`] and [`FailureKind::StepTooLarge`] say that the frame found, if any,
-/// may belong to another path.
+/// Returns every [`FailureKind`]. After [`FailureKind::WrongBranch`] and [`FailureKind::StepTooLarge`], the computed
+/// frame, if any, may belong to another path.
 ///
 /// # Work
 /// That of [`advance`](crate::advance), and the comparison of the two frames.
@@ -141,7 +140,8 @@ where
     Ok(next)
 }
 
-/// Whether two frames can belong to one path: every coordinate moves as the rates and accelerations at both ends say.
+/// True if two frames can belong to one path: every coordinate moves according to the rates and accelerations at both
+/// ends.
 pub fn fits<T: Real, D: Dim>(scales: &Scales<T, D>, first: &Frame<T, D>, last: &Frame<T, D>) -> bool
 where
     DefaultAllocator: Allocator<D>,
@@ -160,7 +160,7 @@ where
         })
 }
 
-/// A failure that is not that of a solve.
+/// Failure that does not come from a solve.
 fn no_verdict<T: Real>(kind: FailureKind<T>, time: T) -> Failure<T> {
     Failure {
         kind,
@@ -173,8 +173,8 @@ fn no_verdict<T: Real>(kind: FailureKind<T>, time: T) -> Failure<T> {
     }
 }
 
-/// Names the end of a path, of which the first and the last two frames are given: the fold that these foresee, or what has
-/// been tried in vain.
+/// Names the end of a path from its first and its last two frames: the fold that they predict, or the failure of the
+/// last attempt.
 #[cold]
 fn end_of_path<T: Real, D: Dim, E: Equations<T, D>>(
     equations: &E,
@@ -195,12 +195,12 @@ where
         return failure;
     };
     let shrunk = (at_last.determinant() / at_first.determinant()).abs() <= T::from_f64(SHRUNK);
-    // (det at last / det before)²: with a fold the part of the time to it that the last step has left.
+    // (det at last / det before)²: for a fold, the part of the time to it that the last step has left.
     let ratio = at_last.determinant() / at_before.determinant();
     let part = ratio * ratio;
     let by_determinant = (last.t - before.t) * (part / (T::ONE - part));
     let agree = (left - by_determinant).abs() <= T::from_f64(AGREEMENT) * left.abs();
-    // The fold must lie on the way, and near: not far beyond what has been refused, or beyond the last step.
+    // The fold must lie on the path, and near: not far beyond the refused time, or beyond the last step.
     let on_way = left * (t - last.t) > T::ZERO && left.abs() <= (t - last.t).abs();
     let gap = (failure.time - last.t).abs().max((last.t - before.t).abs());
     if !(shrunk && agree && on_way && left.abs() <= gap + gap) {
@@ -216,8 +216,8 @@ where
     }
 }
 
-/// The time from `frame` to the fold of its path, negative if it lies behind, if there is one nearby: q̇ / (2 q̈) in the
-/// direction of the velocity; and the fastest coordinate. The error is of the order of the time's power 3/2.
+/// Time from `frame` to a nearby fold of its path, negative if the fold lies behind, as q̇ / (2 q̈) in the direction of
+/// the velocity; and the fastest coordinate. The error is of the order of the time's power 3/2.
 fn time_to_fold<T: Real, D: Dim>(scales: &Scales<T, D>, frame: &Frame<T, D>) -> (T, usize)
 where
     DefaultAllocator: Allocator<D>,

@@ -1,8 +1,8 @@
-//! A step and the residual it led to → whether the iteration still makes progress.
+//! Decides if an iteration still makes progress, from its steps and their residuals.
 //!
 //! Everything is compared in the scales of the equations. For cycles the pose is compared with one earlier pose, the
 //! checkpoint, which is replaced after 1, 2, 4, 8 … steps (Brent, *BIT* 20 (1980), 176-184): any cycle is found at the
-//! price of one stored pose. The module does not know how a step is computed, nor when a pose counts as solved.
+//! price of one stored pose.
 
 use nalgebra::allocator::Allocator;
 use nalgebra::{DefaultAllocator, Dim, OVector};
@@ -12,17 +12,17 @@ use crate::math::Real;
 use crate::newton::{GROWING_STEPS, LARGEST_GROWTH, LONGEST_STEP, ROUNDING};
 use crate::scale::Scales;
 
-/// What is remembered of earlier steps to tell progress from its absence.
+/// Record of earlier steps.
 pub(crate) struct Progress<T: Real, D: Dim>
 where
     DefaultAllocator: Allocator<D>,
 {
-    /// The earlier pose that new ones are compared with.
+    /// Earlier pose that new ones are compared with.
     checkpoint: OVector<T, D>,
-    /// How many steps ago the checkpoint was taken, and after how many it is replaced.
+    /// Number of steps since the checkpoint, and number after which it is replaced.
     age: u32,
     lifetime: u32,
-    /// The largest residual that is not divergence.
+    /// Largest residual that is not divergence.
     bound: T,
     last: T,
     growing: u16,
@@ -43,7 +43,7 @@ where
         }
     }
 
-    /// Judges the step `update` that led to `pose`, where the residual is still above the tolerance.
+    /// Judges the step `update` that led to `pose`, while the residual is above the tolerance.
     pub(crate) fn judge(
         &mut self,
         scales: &Scales<T, D>,

@@ -1,18 +1,16 @@
-//! A solved pose and its Jacobian → whether the pose can be told from a singular one.
+//! Verifies that a solved pose can be told from a singular one.
 //!
-//! A residual r leaves a pose uncertain by Φ_q⁻¹ r, which is much where Φ_q is nearly singular: a double root meets a
-//! tolerance of 1e-12 from as far as 1e-6. As long as Φ_q changes little within the uncertainty this is no harm, the
-//! pose is as exact as its condition lets it be. But where Φ_q changes by as much as itself a singular pose is among
-//! those that fit the residual, and there may be a second solution, or none. This is the condition of Newton and
-//! Kantorovich, h = ‖Φ_q⁻¹ (Φ_q(q + δ) - Φ_q(q))‖ ≤ 1/2 (Deuflhard, *Newton Methods for Nonlinear Problems*, 2004,
-//! section 2.1), asked of the δ that the residual leaves most uncertain. It does not depend on the choice of coordinates. A
-//! quarter of it is asked, because the residual is itself known to rounding only: so the condition holds with that too.
+//! A residual r leaves a pose uncertain by Φ_q⁻¹ r, which is large for a nearly singular Φ_q: a double root meets a
+//! tolerance of 1e-12 from as far as 1e-6. This does no harm while Φ_q changes little within the uncertainty: the pose
+//! is as exact as its condition permits. If Φ_q changes by as much as itself, a singular pose is among those that fit
+//! the residual, and there may be a second solution, or none. This is the condition of Newton and Kantorovich, h =
+//! ‖Φ_q⁻¹ (Φ_q(q + δ) - Φ_q(q))‖ ≤ 1/2 (Deuflhard, *Newton Methods for Nonlinear Problems*, 2004, section 2.1), for the
+//! δ that the residual leaves most uncertain. It does not depend on the choice of coordinates. A quarter of it is
+//! required, because the residual is itself known to rounding only; the condition then holds with that error too.
 //!
-//! A pose that rounding leaves uncertain by more than a thousandth in the scale of a coordinate is refused as well, however
-//! little Φ_q changes: it has not three digits. Far from the origin, or with links of very different lengths, the residual's rounding
-//! alone leaves that much.
-//!
-//! The module does not know how the pose was found.
+//! A pose that rounding leaves uncertain by more than a thousandth in the scale of a coordinate is refused as well,
+//! however little Φ_q changes: it has less than three digits. Far from the origin, or with links of very different
+//! lengths, the rounding of the residual alone leaves that much.
 
 use nalgebra::allocator::Allocator;
 use nalgebra::{DefaultAllocator, Dim, OMatrix, OVector};
@@ -25,18 +23,18 @@ use crate::newton::ROUNDING;
 use crate::scale::Scales;
 use crate::vector::{add, zero_matrix, zero_vector};
 
-/// A pose is looked at where the square of its pivot ratio is below this multiple of its residual. At a fold of
-/// curvature κ the verdict falls where the square of the smallest singular value is 4 κ r, so the rest is the room for
-/// curvatures above 1 and for pivots that are larger than the singular value.
+/// Multiple of the residual below which the square of the pivot ratio makes a pose doubtful. At a fold of curvature κ,
+/// a pose is refused if the square of the smallest singular value is below 4 κ r. The rest allows for curvatures above
+/// 1 and for pivots that are larger than the singular value.
 const DOUBT: f64 = 256.0;
 
-/// The uncertainty of a coordinate, in its scale, beyond which a pose is refused: it would have less than three digits.
+/// Largest uncertainty of a coordinate, in its scale; a pose beyond it has less than three digits and is refused.
 pub const LARGEST_UNCERTAINTY: f64 = 1e-3;
 
-/// The change of the Jacobian, relative to itself, beyond which a pose is not regular.
+/// Largest change of the Jacobian, relative to itself, at a regular pose.
 const LARGEST_CHANGE: f64 = 0.125;
 
-/// Whether [`require`] should be asked: false for every pose that is safely away from singular ones.
+/// True if [`require`] must decide; false for every pose that is safely away from singular ones.
 #[inline]
 pub(crate) fn is_doubtful<T: Real, D: Dim>(factorization: &Factorization<T, D>, residual: T) -> bool
 where
@@ -46,12 +44,12 @@ where
     ratio * ratio < T::from_f64(DOUBT) * level(residual)
 }
 
-/// The residual, or rounding where it is lower.
+/// Residual, or rounding if the residual is lower.
 fn level<T: Real>(residual: T) -> T {
     residual.max(T::from_f64(ROUNDING) * T::EPSILON)
 }
 
-/// Requires that the pose `q` (n) with the scaled `residual` is regular. `jacobian` (n × n) is the one at `q`, and
+/// Requires that the pose `q` (n) with the scaled `residual` is regular. `jacobian` (n × n) is the Jacobian at `q`, and
 /// `factorization` belongs to it.
 ///
 /// # Work
@@ -74,7 +72,7 @@ where
     let (_, mut uncertain) = factorization.inverse_norm();
     let column = position_of_largest(uncertain.as_slice());
     // From a change per scaled residual to a change of the coordinates. The residual may have either sign, so two poses
-    // that both fit are apart by twice the uncertainty.
+    // that both fit differ by twice the uncertainty.
     let reach = level(residual) + level(residual);
     let entries = uncertain.as_mut_slice().iter_mut();
     for (entry, scale) in entries.zip(scales.columns.as_slice()) {
@@ -85,7 +83,7 @@ where
         column: index(column),
     });
     let size = scales.step_length(&uncertain);
-    // A caller may choose a tolerance that leaves less digits; what rounding leaves is nobody's choice. Written so that NaN is
+    // A caller may choose a tolerance that leaves less digits; rounding alone must leave enough. Written so that NaN is
     // rejected too.
     let by_rounding = size * (level(T::ZERO) / level(residual));
     let certain = by_rounding <= T::from_f64(LARGEST_UNCERTAINTY);

@@ -1,8 +1,7 @@
-//! Equations → [`Scales`], the magnitudes that make their residuals and coordinates comparable.
+//! Scales residuals and coordinates to comparable magnitudes ([`Scales`]).
 //!
 //! A residual in meters and one in radians cannot be compared, and neither can their derivatives. Divided by these
-//! magnitudes both are plain numbers, and a verdict on them does not change when a mechanism is described in
-//! millimeters. The module does not know what is judged with the scaled numbers.
+//! magnitudes, both are unitless, and decisions on them do not change if a mechanism is described in millimeters.
 
 use nalgebra::allocator::Allocator;
 use nalgebra::{Const, DefaultAllocator, Dim, OVector};
@@ -11,20 +10,20 @@ use crate::equations::Equations;
 use crate::failure::index;
 use crate::math::Real;
 
-/// The magnitudes of all equations and coordinates of a mechanism.
+/// Magnitudes of all equations and coordinates of a mechanism.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scales<T: Real, D: Dim>
 where
     DefaultAllocator: Allocator<D>,
 {
-    /// The magnitude of each equation's residual (n), positive.
+    /// Magnitude of each equation's residual (n), positive.
     pub rows: OVector<T, D>,
-    /// The magnitude of each coordinate's changes (n), positive.
+    /// Magnitude of each coordinate's changes (n), positive.
     pub columns: OVector<T, D>,
 }
 
-/// The largest magnitude of these lengths (m), or `otherwise` where that is zero or no number: what residuals in m are judged
-/// against where parameters decide how large a mechanism is.
+/// Largest magnitude of these lengths (m), or `otherwise` if that is zero or NaN: the scale of residuals in m for a
+/// mechanism whose size depends on parameters.
 pub fn largest_length<T: Real, const N: usize>(lengths: &[T; N], otherwise: T) -> T {
     let largest = lengths
         .iter()
@@ -36,12 +35,12 @@ pub fn largest_length<T: Real, const N: usize>(lengths: &[T; N], otherwise: T) -
     }
 }
 
-/// The scaled residual of a pose.
+/// Scaled residual of a pose.
 #[derive(Clone, Copy)]
 pub(crate) struct Residual<T> {
     /// max |Φ_i| / scale_i, or the first such value that is not finite.
     pub(crate) magnitude: T,
-    /// The equation with that magnitude.
+    /// Equation with that magnitude.
     pub(crate) row: u16,
 }
 
@@ -49,7 +48,7 @@ impl<T: Real, D: Dim> Scales<T, D>
 where
     DefaultAllocator: Allocator<D>,
 {
-    /// The magnitudes that `equations` state.
+    /// Returns the magnitudes that `equations` state.
     pub fn of<E>(equations: &E) -> Self
     where
         E: Equations<T, D>,
@@ -66,7 +65,7 @@ where
         }
     }
 
-    /// Magnitude 1 for all `dimension` equations and coordinates: a matrix is judged as it is.
+    /// Returns magnitude 1 for all `dimension` equations and coordinates: a matrix is judged as it is.
     pub fn unit(dimension: D) -> Self {
         Self {
             rows: OVector::from_fn_generic(dimension, Const::<1>, |_, _| T::ONE),
@@ -74,7 +73,7 @@ where
         }
     }
 
-    /// Whether every magnitude is positive and finite. Measured against any other, a residual could pass for solved.
+    /// True if every magnitude is positive and finite. Measured against any other, a residual could pass for solved.
     pub(crate) fn are_valid(&self) -> bool {
         let magnitudes = self.rows.as_slice().iter().chain(self.columns.as_slice());
         magnitudes.fold(true, |valid, magnitude| {
@@ -82,7 +81,7 @@ where
         })
     }
 
-    /// The largest scaled residual in `phi` and its row.
+    /// Largest scaled residual in `phi` and its row.
     pub(crate) fn residual(&self, phi: &OVector<T, D>) -> Residual<T> {
         let mut largest = Residual {
             magnitude: T::ZERO,
@@ -106,7 +105,7 @@ where
         largest
     }
 
-    /// The length of a step in coordinate scales: max |Δq_j| / scale_j.
+    /// Length of a step in coordinate scales: max |Δq_j| / scale_j.
     pub(crate) fn step_length(&self, update: &OVector<T, D>) -> T {
         let entries = update.as_slice().iter().zip(self.columns.as_slice());
         entries.fold(T::ZERO, |longest, (entry, scale)| {
@@ -114,7 +113,7 @@ where
         })
     }
 
-    /// The distance of two vectors in coordinate scales: max |a_j - b_j| / scale_j.
+    /// Distance of two vectors in coordinate scales: max |a_j - b_j| / scale_j.
     pub(crate) fn distance(&self, a: &OVector<T, D>, b: &OVector<T, D>) -> T {
         let entries = a.as_slice().iter().zip(b.as_slice());
         entries
@@ -124,7 +123,7 @@ where
             })
     }
 
-    /// Whether no coordinate of two poses differs by more than `fraction` of its scale.
+    /// True if no coordinate of two poses differs by more than `fraction` of its scale.
     pub(crate) fn close(&self, a: &OVector<T, D>, b: &OVector<T, D>, fraction: T) -> bool {
         let entries = a.as_slice().iter().zip(b.as_slice());
         entries
@@ -132,7 +131,7 @@ where
             .all(|((a, b), scale)| (*a - *b).abs() <= fraction * *scale)
     }
 
-    /// Whether no entry of `update` exceeds `fraction` of its coordinate or of its scale, whichever is larger.
+    /// True if no entry of `update` exceeds `fraction` of its coordinate or of its scale, whichever is larger.
     pub(crate) fn negligible(
         &self,
         update: &OVector<T, D>,
@@ -145,7 +144,7 @@ where
             .all(|((entry, q), scale)| entry.abs() <= fraction * q.abs().max(*scale))
     }
 
-    /// Whether no coordinate of two poses differs by more than `fraction` of itself or of its scale, whichever is
+    /// True if no coordinate of two poses differs by more than `fraction` of its value or of its scale, whichever is
     /// larger.
     pub(crate) fn coincide(&self, a: &OVector<T, D>, b: &OVector<T, D>, fraction: T) -> bool {
         let entries = a.as_slice().iter().zip(b.as_slice());

@@ -1,29 +1,29 @@
-//! What a caller may decide about a solve → [`Settings`], with defaults for both scalars.
+//! Declares [`Settings`], the limits of a solve that a caller may choose, with defaults for both scalars.
 //!
-//! All settings are unitless, because residuals and pivots are judged after scaling (see [`crate::Scales`]).
-//! The module does not know how the judgements are made: that is in [`crate::newton`] and [`crate::linear`].
+//! All settings are unitless, because residuals and pivots are judged after scaling (see [`crate::Scales`]), by
+//! [`crate::newton`] and [`crate::linear`].
 
 use crate::math::Real;
 
-/// The tolerance in double precision: 4500 ε. Rounding leaves less in a residual, and the polishing step takes away the rest.
+/// Tolerance in double precision: 4500 ε. Rounding leaves less in a residual, and the polishing step removes the rest.
 const TOLERANCE: f64 = 1e-12;
 
-/// The tolerance in single precision: 84 ε, for the same reason.
+/// Tolerance in single precision: 84 ε, for the same reason.
 const TOLERANCE_SINGLE: f64 = 1e-5;
 
-/// Newton-Raphson steps of one call.
+/// Number of Newton-Raphson steps of one call.
 const ITERATIONS: u16 = 25;
 
-/// The multiple of ε below which a ratio of pivots is rounding.
+/// Multiple of ε below which a ratio of pivots is rounding.
 ///
-/// Elimination of an n × n matrix leaves errors of a few n ε in its pivots. A pivot below 64 ε carries no digit that could be
-/// told from such an error at the sizes this crate is for.
+/// Elimination of an n × n matrix leaves errors of a few n ε in its pivots. At the sizes this crate is for, no digit of
+/// a pivot below 64 ε can be told from such an error.
 const PIVOT_RATIO: f64 = 64.0;
 
-/// Attempts to move on.
+/// Number of attempts to advance.
 const SUBSTEPS: u16 = 256;
 
-/// The limits within which a solve must succeed.
+/// Limits within which a solve must succeed.
 ///
 /// `Settings::default()` exists for `f64` and for `f32`; the table gives both.
 ///
@@ -36,18 +36,18 @@ const SUBSTEPS: u16 = 256;
 /// | `substeps` | 256 | 256 |
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings<T = f64> {
-    /// The largest scaled residual max |Φ_i| / scale_i that counts as solved.
+    /// Largest scaled residual max |Φ_i| / scale_i that counts as solved.
     pub tolerance: T,
-    /// The largest number of Newton-Raphson steps of one call, the polishing step not counted.
+    /// Largest number of Newton-Raphson steps of one call, without the polishing step.
     pub iterations: u16,
-    /// The smallest pivot ratio, as [`crate::Factorization`] defines it, of a Jacobian that is not called singular.
+    /// Smallest pivot ratio, as [`crate::Factorization`] defines it, of a Jacobian that counts as regular.
     pub pivot_ratio: T,
-    /// Whether a pose that has met the tolerance is brought to rounding level.
+    /// True if a pose that has met the tolerance is polished to rounding level.
     ///
-    /// Convergence is quadratic, so one step more, with the newest factorization, as a rule removes all that the tolerance
-    /// left.
+    /// Convergence is quadratic, so one more step, with the newest factorization, usually removes all that the
+    /// tolerance left.
     pub polish: bool,
-    /// The largest number of attempts of [`crate::follow`], and of [`crate::Shell::advance`], to move on; the least is one.
+    /// Largest number of attempts of [`crate::follow`], and of [`crate::Shell::advance`], to advance; the least is one.
     ///
     /// An attempt that fails halves the step. Two attempts are worth about one bit of the time at which a path ends.
     pub substeps: u16,

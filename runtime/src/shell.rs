@@ -1,8 +1,8 @@
-//! The blocks of a mechanism → the mechanism that a user holds: frames, assembly, motion, branches, parameters and inputs.
+//! Moves a mechanism from frame to frame: assembly, motion, branches, parameters and inputs.
 //!
-//! A [`Shell`] keeps two frames, the last one and the one that the next solution is written to; only a solution that succeeded takes
-//! the place of the last frame. Where one step is not enough it goes in several, as [`crate::in_steps`] says. The module does not know
-//! equations.
+//! A [`Shell`] keeps two frames, the last one and the one that the next solution is written to. Only a successful
+//! solution replaces the last frame. A motion that one step cannot complete takes several, as [`crate::in_steps`]
+//! describes.
 
 use crate::block::Start;
 use crate::blocks::{Blocks, Conditions, Signals, Values};
@@ -14,14 +14,14 @@ use crate::math::Real;
 use crate::settings::Settings;
 use crate::way::Way;
 
-/// A mechanism in motion.
+/// Mechanism in motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shell<B: Blocks> {
     blocks: B,
-    /// The last frame and the one before it, whose place the next one takes.
+    /// Last frame, and the older one that the next frame replaces.
     frames: [B::Frame; 2],
     second_is_last: bool,
-    /// What the last frame is for the next one: other parameters make it an estimate.
+    /// Kind of the last frame: after a change of parameters it is an estimate.
     start: Start,
     branches: B::Branches,
     parameters: B::Parameters,
@@ -32,11 +32,11 @@ pub struct Shell<B: Blocks> {
 }
 
 impl<B: Blocks> Shell<B> {
-    /// Assembles the mechanism at time `t` (s) in these modes, with angles near those of `estimate`. Where a block needs
-    /// Newton-Raphson, it starts from there, and the estimate may be poor.
+    /// Assembles the mechanism at time `t` (s) in these modes, with angles near those of `estimate`. A block of
+    /// Newton-Raphson starts from the estimate, which may be poor.
     ///
     /// # Errors
-    /// A [`Failure`] where it cannot be assembled so.
+    /// Returns a [`Failure`] if it cannot be assembled so.
     pub fn assemble(
         blocks: B,
         parameters: &B::Parameters,
@@ -74,15 +74,16 @@ impl<B: Blocks> Shell<B> {
 
     /// Moves the mechanism to time `t` (s), starting from the last frame, which a failure leaves as it is.
     ///
-    /// Where that is not possible in one step, it goes in at most [`Settings::substeps`] attempts, all blocks in each. On the way the
-    /// inputs go from their last values to the new ones by the polynomial of the fifth degree that has values, rates and
-    /// accelerations of both ends. Where time does not pass, or by no more than one rounding, values, rates and accelerations go straight
-    /// to the new ones, at one time: an input that has changed is a step of its own.
+    /// If that is not possible in one step, it takes at most [`Settings::substeps`] attempts, of all blocks each. In
+    /// between, the inputs follow the polynomial of the fifth degree that has values, rates and accelerations of both
+    /// ends. If time does not pass, or by no more than one rounding, values, rates and accelerations change linearly to
+    /// the new ones, at one time: a changed input is a step of its own.
     ///
     /// # Errors
-    /// A [`Failure`] where the equations cannot be solved from there. Its time is where the motion ends, or how far it could be
-    /// followed; see [`crate::in_steps`]. An input that is not finite is [`FailureKind::NotFinite`] at the time `t`, with the input's
-    /// place, and a length that inputs make not positive is [`FailureKind::NotPositive`] at that time.
+    /// Returns a [`Failure`] if the equations cannot be solved from there. Its time is the end of the motion, or the
+    /// last time that could be followed; see [`crate::in_steps`]. An input that is not finite is
+    /// [`FailureKind::NotFinite`] at the time `t`, with the input's index. A length that inputs make not positive is
+    /// [`FailureKind::NotPositive`] at that time.
     #[inline]
     pub fn advance(
         &mut self,
@@ -120,8 +121,8 @@ impl<B: Blocks> Shell<B> {
         Ok(self.frame())
     }
 
-    /// Moves the mechanism to time `t` (s) in several steps, because one has ended with `failure`, or finds the time at which this is
-    /// no longer possible. The new frame takes the place of the older one.
+    /// Moves the mechanism to time `t` (s) in several steps, after one has ended with `failure`, or locates the end of
+    /// the motion. The new frame replaces the older one.
     #[cold]
     fn advance_in_steps(
         &mut self,
@@ -129,7 +130,7 @@ impl<B: Blocks> Shell<B> {
         t: B::Scalar,
         inputs: &B::Inputs,
     ) -> Result<(), Failure<B::Scalar>> {
-        // No way leads to inputs that may not be.
+        // No path leads to inputs that are not allowed.
         let is_driven_so =
             inputs.count() > 0 && matches!(failure.kind, FailureKind::NotPositive { .. });
         if failure.input.is_some() || is_driven_so || self.settings.substeps <= 1 {
@@ -161,11 +162,11 @@ impl<B: Blocks> Shell<B> {
         Ok(())
     }
 
-    /// The frame at time `t` (s) in the modes of now, whether or not a path leads there: an entry of a table, say. The mechanism stays
-    /// where it is. Angles are near those of the last frame, from which Newton-Raphson starts.
+    /// Frame at time `t` (s) in the current modes, whether or not a path leads there: an entry of a table, for example.
+    /// The mechanism stays in its pose. Angles are near those of the last frame, from which Newton-Raphson starts.
     ///
     /// # Errors
-    /// A [`Failure`] where it cannot be assembled so at that time.
+    /// Returns a [`Failure`] if it cannot be assembled so at that time.
     pub fn frame_at(
         &self,
         t: B::Scalar,
@@ -174,7 +175,7 @@ impl<B: Blocks> Shell<B> {
         self.solved_at(t, inputs, &mut self.branches.clone())
     }
 
-    /// The frame at time `t` (s) in these modes, of which those that are found are noted.
+    /// Solves the frame at time `t` (s) in these modes; blocks that determine their mode write it there.
     fn solved_at(
         &self,
         t: B::Scalar,
@@ -194,13 +195,14 @@ impl<B: Blocks> Shell<B> {
         Ok(at)
     }
 
-    /// Moves the mechanism on by the time `duration` (s) from the last frame, as [`Shell::advance`] does, which a failure leaves as it is.
+    /// Moves the mechanism by the time `duration` (s) from the last frame, as [`Shell::advance`] does; a failure leaves
+    /// that frame unchanged.
     ///
-    /// The times of successive calls are a compensated sum: that of the frame is the sum rounded, also where a single duration is less
-    /// than half a rounding of it. A failure does not let time pass: the next duration includes it.
+    /// The times of successive calls are a compensated sum. The time of the frame is the rounded sum, also if a single
+    /// duration is less than half a rounding of it. A failure does not let time pass: the next duration includes it.
     ///
     /// # Errors
-    /// Those of [`Shell::advance`].
+    /// Returns those of [`Shell::advance`].
     pub fn advance_by(
         &mut self,
         duration: B::Scalar,
@@ -212,13 +214,15 @@ impl<B: Blocks> Shell<B> {
         Ok(self.frame())
     }
 
-    /// Assembles the mechanism at time `t` (s) near the last frame and in its modes, whether or not a path leads there, after signals
-    /// were missing for a while, say. Whole turns in between are not counted. A failure leaves the last frame as it is.
+    /// Assembles the mechanism at time `t` (s) near the last frame and in its modes, whether or not a path leads there:
+    /// after a gap in the signals, for example. Whole turns in between are not counted. A failure leaves the last frame
+    /// unchanged.
     ///
-    /// Gives how far that jumps: for each coordinate its change, in its unit, m or rad; `None` where frames do not hold all coordinates.
+    /// Returns the jump: the change of each coordinate in its unit, m or rad; `None` if frames do not hold all
+    /// coordinates.
     ///
     /// # Errors
-    /// A [`Failure`] where the mechanism cannot be assembled so.
+    /// Returns a [`Failure`] if the mechanism cannot be assembled so.
     pub fn recover(
         &mut self,
         t: B::Scalar,
@@ -231,7 +235,7 @@ impl<B: Blocks> Shell<B> {
         Ok(jump)
     }
 
-    /// The change of every coordinate from the last frame to another one.
+    /// Change of every coordinate from the last frame to another one; `None` if frames do not hold all coordinates.
     fn jump(&self, at: &B::Frame) -> Option<B::Coordinates> {
         let mut jump = self.blocks.drawn_pose(&self.parameters);
         for index in 0..jump.count() {
@@ -241,7 +245,7 @@ impl<B: Blocks> Shell<B> {
         Some(jump)
     }
 
-    /// The last solved instant.
+    /// Last solved instant.
     #[inline]
     pub fn frame(&self) -> &B::Frame {
         let [first, second] = &self.frames;
@@ -251,7 +255,7 @@ impl<B: Blocks> Shell<B> {
         }
     }
 
-    /// Goes on from another frame, solved in these modes with these inputs and the parameters of the shell.
+    /// Continues from another frame, solved in these modes with these inputs and the parameters of the shell.
     pub fn resume(&mut self, frame: &B::Frame, branches: &B::Branches, inputs: &B::Inputs) {
         let [first, second] = &mut self.frames;
         match self.second_is_last {
@@ -264,27 +268,27 @@ impl<B: Blocks> Shell<B> {
         self.guard.forget();
     }
 
-    /// The equations.
+    /// Equations of the mechanism.
     pub fn blocks(&self) -> &B {
         &self.blocks
     }
 
-    /// The assembly modes.
+    /// Assembly modes of the mechanism.
     pub fn branches(&self) -> &B::Branches {
         &self.branches
     }
 
-    /// The parameters that the next instant is solved with.
+    /// Parameters with which the next instant is solved.
     pub fn parameters(&self) -> &B::Parameters {
         &self.parameters
     }
 
-    /// Changes the parameters. The last frame stays as it was solved; the next one is solved with these, in the same modes, with angles
-    /// near those of the last one.
+    /// Changes the parameters. The last frame stays as it was solved; the next one is solved with these parameters, in
+    /// the same modes, with angles near those of the last frame.
     ///
     /// # Errors
-    /// [`FailureKind::NotPositive`] and [`FailureKind::NotFinite`] for values that a description may not have; the parameters then stay
-    /// as they are.
+    /// Returns [`FailureKind::NotPositive`] or [`FailureKind::NotFinite`] for values that a description may not have;
+    /// the parameters are then unchanged.
     pub fn set_parameters(&mut self, parameters: &B::Parameters) -> Result<(), Failure<B::Scalar>> {
         let t = B::time(self.frame());
         allow(&self.blocks, parameters, t)?;
@@ -310,7 +314,7 @@ fn allow<B: Blocks>(
     }
 }
 
-/// Solves all blocks for numbers that are finite.
+/// Solves all blocks if all numbers are finite.
 #[inline]
 pub(crate) fn solve<B: Blocks>(
     blocks: &B,
@@ -325,7 +329,7 @@ pub(crate) fn solve<B: Blocks>(
     blocks.solve(at, last, branches, conditions)
 }
 
-/// The failure of an instant whose parameters or inputs are not finite: it names the first such input.
+/// Failure of an instant whose parameters or inputs are not finite: it names the first such input.
 #[cold]
 fn not_finite<T: Real, P, I: Signals<T>>(conditions: &Conditions<'_, T, P, I>) -> Failure<T> {
     let input = (0..conditions.inputs.count()).find(|&place| {
@@ -340,20 +344,20 @@ fn not_finite<T: Real, P, I: Signals<T>>(conditions: &Conditions<'_, T, P, I>) -
     }
 }
 
-/// Any mechanism: a type of its own around a [`Shell`], with its own names for what the shell does.
+/// Any mechanism: a type of its own around a [`Shell`], with its own names for the shell's functions.
 ///
-/// Code that is written for this trait works with every generated mechanism, and with those that are interpreted.
+/// Code for this trait works with every generated and every interpreted mechanism.
 pub trait Mechanism: Sized {
-    /// Its equations.
+    /// Equations of the mechanism.
     type Blocks: Blocks;
 
-    /// The mechanism in this state.
+    /// Returns the mechanism in this state.
     fn from_shell(shell: Shell<Self::Blocks>) -> Self;
 
-    /// Its state.
+    /// State of the mechanism.
     fn shell(&self) -> &Shell<Self::Blocks>;
 
-    /// The same, to be moved.
+    /// Mutable state of the mechanism.
     fn shell_mut(&mut self) -> &mut Shell<Self::Blocks>;
 }
 

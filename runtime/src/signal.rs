@@ -1,25 +1,24 @@
-//! A measured or commanded quantity → one value that carries it with its rate and acceleration.
+//! Signals: measured or commanded quantities with their rates and accelerations.
 //!
-//! The module does not know where a signal comes from, nor whether its rate is the derivative of its value: whoever supplies it
-//! vouches for that.
+//! The caller guarantees that the rate is the derivative of the value, and the acceleration that of the rate.
 
 use crate::math::Real;
 
-/// A quantity that is supplied at one time: its value with its first two time derivatives.
+/// Quantity that is supplied at one time, with its first two time derivatives.
 ///
 /// Units are those of the description that declares it: SI (m or rad, and per s and s²) for generated mechanisms.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Signal<T = f64> {
-    /// The value.
+    /// Value of the quantity.
     pub value: T,
-    /// Its first time derivative.
+    /// First time derivative.
     pub rate: T,
-    /// Its second time derivative.
+    /// Second time derivative.
     pub acceleration: T,
 }
 
 impl<T: Real> Signal<T> {
-    /// A signal that moves.
+    /// Returns a signal that moves.
     pub fn new(value: T, rate: T, acceleration: T) -> Self {
         Self {
             value,
@@ -28,7 +27,7 @@ impl<T: Real> Signal<T> {
         }
     }
 
-    /// A signal that does not move.
+    /// Returns a signal that does not move.
     pub fn constant(value: T) -> Self {
         let zero = T::from_f64(0.0);
         Self {
@@ -38,12 +37,12 @@ impl<T: Real> Signal<T> {
         }
     }
 
-    /// True if its value, rate and acceleration are finite.
+    /// True if the value, the rate and the acceleration are finite.
     pub fn is_finite(&self) -> bool {
         self.value.is_finite() && self.rate.is_finite() && self.acceleration.is_finite()
     }
 
-    /// The signal after a time (s) in which its acceleration does not change.
+    /// Signal after a time (s) with constant acceleration.
     #[must_use]
     pub fn after(&self, time: T) -> Self {
         let change = self.acceleration * time;
@@ -54,7 +53,7 @@ impl<T: Real> Signal<T> {
         }
     }
 
-    /// The signal at the fraction `part` of the straight way from this one to `last`, on which no time passes.
+    /// Signal at the fraction `part` of the straight path from this one to `last`, on which no time passes.
     #[must_use]
     pub fn straight_towards(&self, last: &Self, part: T) -> Self {
         let between = |from: T, to: T| from + part * (to - from);
@@ -65,8 +64,8 @@ impl<T: Real> Signal<T> {
         }
     }
 
-    /// What the signal is at the fraction `part` of the time `h` (s) that it takes from this value to `last`, if it goes the
-    /// smoothest way: by the polynomial of the fifth degree that has value, rate and acceleration of both ends.
+    /// Signal at the fraction `part` of the time `h` (s) from this value to `last`, on the smoothest path: the
+    /// polynomial of the fifth degree that has value, rate and acceleration of both ends.
     #[must_use]
     pub fn towards(&self, last: &Self, h: T, part: T) -> Self {
         let number = T::from_f64;

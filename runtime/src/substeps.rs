@@ -1,41 +1,42 @@
-//! A motion that may be too long for one step → the same motion in as many steps as it needs, within a budget.
+//! Divides a motion that may be too long for one step, within a budget of attempts.
 //!
-//! [`in_steps`] first tries the whole way. Where an attempt fails, it tries half the way from the last time that was
-//! reached; after two successes in a row it doubles the step again. So it halves the distance to a time beyond which there is
-//! no motion until the budget is used up, and the time that it reports is as exact as the budget allows: about two attempts
-//! per bit. Where links do not reach, what is missing grows smoothly with time: two attempts foresee the time at which it is
-//! zero, and a few more find it to rounding.
+//! [`in_steps`] first tries the whole motion. If an attempt fails, it tries half the distance from the last time that
+//! was reached. After two successes in a row it doubles the step again. It therefore halves the distance to a time
+//! beyond which motion is impossible until the budget is used up. The time that it reports is as exact as the budget
+//! allows: about two attempts per bit. If links do not reach, the missing distance grows smoothly with time: two
+//! attempts predict its zero, and a few more locate it to rounding.
 //!
-//! The module does not know what moves. A single system of equations is followed by [`crate::follow`]; a mechanism of
-//! several blocks, which know their equations at one time only, is moved as a whole by the closure.
+//! [`crate::follow`] follows a single system of equations. A closure moves a mechanism of several blocks as a whole,
+//! because each block has its equations at one time only.
 
 use crate::failure::{Failure, FailureKind};
 use crate::math::Real;
 
-/// The part of the whole way below which a step is so short that what its attempt has met lies on the path.
+/// Part of the whole distance below which a step is so short that a failure of its attempt lies on the path.
 pub const REFINED: f64 = 1.0 / 256.0;
 
-/// A motion that could not be completed.
+/// Motion that could not be completed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Broken<T = f64> {
-    /// The last time that was reached.
+    /// Last time that was reached.
     pub reached: T,
-    /// Why the motion could not be completed. Its time is the earliest one that was tried in vain after `reached`, or
-    /// `reached` itself if the budget ended on a way that was free.
+    /// Reason for the end of the motion. Its time is the earliest one that was tried in vain after `reached`, or
+    /// `reached` itself if the budget ended without an obstacle.
     pub failure: Failure<T>,
 }
 
-/// Moves from the time `from` to the time `to` by as many steps as it takes, at most `budget` attempts of them; gives the
+/// Moves from the time `from` to the time `to` in as many steps as needed, at most `budget` attempts; returns the
 /// number of attempts.
 ///
-/// `attempt` moves to the time it is given from the last time for which it returned `Ok`, at first from `from`. Where it
-/// fails it must leave what it moves as it was.
+/// `attempt` moves to the given time from the last time for which it returned `Ok`, at first from `from`. If it fails,
+/// it must leave its state unchanged.
 ///
 /// # Errors
-/// What the attempt nearest to the last time reached has failed with, if shorter steps would not help:
-/// [`FailureKind::OutOfReach`], by what is missing at `to` if the same block does not reach there either, and where the step is at most [`REFINED`] times the whole way also
-/// [`FailureKind::Singular`], [`FailureKind::WrongBranch`], [`FailureKind::NotPositive`] and [`FailureKind::NotFinite`]. All others
-/// are [`FailureKind::StepTooLarge`].
+/// Returns the failure of the attempt nearest to the last time reached, if shorter steps would not help:
+/// [`FailureKind::OutOfReach`], by the distance that is missing at `to` if the same block does not reach there either.
+/// If the step is at most [`REFINED`] times the whole distance, also [`FailureKind::Singular`],
+/// [`FailureKind::WrongBranch`], [`FailureKind::NotPositive`] and [`FailureKind::NotFinite`]. All others are
+/// [`FailureKind::StepTooLarge`].
 ///
 /// # Work
 /// At most `budget` attempts, and at least one.
@@ -49,17 +50,17 @@ pub fn in_steps<T: Real>(
     let mut step = to - from;
     let mut succeeded = false;
     let mut refused: Option<Failure<T>> = None;
-    // Whether the last attempt was aimed at a time that two others have foreseen.
+    // True if the last attempt was aimed at a time that two others have predicted.
     let mut aimed = false;
     let mut whole: Option<Failure<T>> = None;
     let mut latest = None;
-    // The nearest time at which there is no pose.
+    // Nearest time without a pose.
     let mut beyond: Option<Failure<T>> = None;
     let refined = (to - from).abs() * T::from_f64(REFINED);
     let mut attempts = 0;
     loop {
         let rest = to - reached;
-        // Written so that a time that is no number is tried, and refused by the attempt.
+        // Written so that a NaN time is tried, and refused by the attempt.
         let shorter = step.abs() < rest.abs();
         let target = if shorter { reached + step } else { to };
         attempts += 1;
@@ -67,7 +68,7 @@ pub fn in_steps<T: Real>(
             Ok(()) if !shorter => return Ok(attempts),
             Ok(()) => {
                 reached = target;
-                // What was refused from farther away may have been passed.
+                // A failure from farther away may have been passed.
                 refused = refused.filter(|failure| {
                     if from < to {
                         target < failure.time
@@ -76,7 +77,7 @@ pub fn in_steps<T: Real>(
                     }
                 });
                 match refused {
-                    // From nearer the links reach no farther.
+                    // From nearer, the links reach no farther.
                     Some(failure) if missing(&failure).is_some() => {
                         step = T::HALF * (failure.time - reached);
                     }
@@ -86,11 +87,11 @@ pub fn in_steps<T: Real>(
                 (succeeded, aimed) = (true, false);
             }
             Err(failure) => {
-                // From farther away, what is missing may belong to another gap than the next one.
+                // From farther away, the missing distance may belong to another gap than the next one.
                 let is_near = (target - reached).abs() <= refined;
                 let aim = refused.filter(|_| is_near);
                 let aim = aim.and_then(|farther| end_of_reach(reached, &failure, &farther));
-                // Links that reach by less than rounding are in line.
+                // Links that reach by less than rounding are collinear.
                 let in_line = aimed && matches!(failure.kind, FailureKind::Singular { .. });
                 aimed = aim.is_some() || in_line;
                 if attempts == 1 {
@@ -122,7 +123,8 @@ pub fn in_steps<T: Real>(
             break;
         }
     }
-    // Where the steps of a block have become as short, and it has no pose farther on, or none has shortly beyond, that is why.
+    // If the steps of a block have become as short, and it has no pose farther on, or none shortly beyond, that is the
+    // reason.
     let refused = refused.map(|failure| match beyond {
         Some(beyond)
             if failure.kind == FailureKind::StepTooLarge
@@ -143,9 +145,9 @@ pub fn in_steps<T: Real>(
     });
     let failure = match refused {
         Some(failure) => {
-            // Written so that a way of no length, or of a length that is no number, counts as refined.
+            // Written so that a motion of zero or NaN duration counts as refined.
             let coarse = step.abs() > refined && !aimed;
-            // How much is missing at the end says more than that nothing is where the reach ends.
+            // The distance missing at the end says more than the zero at the end of reach.
             let ends =
                 missing(&failure).is_some() || matches!(failure.kind, FailureKind::Singular { .. });
             let missing = whole
@@ -155,7 +157,7 @@ pub fn in_steps<T: Real>(
                 ..failure
             }
         }
-        // Nothing stands in the way but the budget, which some block has used up.
+        // The only obstacle is the budget, which some block has used up.
         None => Failure {
             kind: FailureKind::StepTooLarge,
             time: reached,
@@ -169,7 +171,7 @@ pub fn in_steps<T: Real>(
     Err(Broken { reached, failure })
 }
 
-/// By how much links do not reach, if that is the failure.
+/// Distance by which links do not reach; `None` for another failure.
 fn missing<T: Real>(failure: &Failure<T>) -> Option<T> {
     match failure.kind {
         FailureKind::OutOfReach { by } => Some(by),
@@ -177,11 +179,12 @@ fn missing<T: Real>(failure: &Failure<T>) -> Option<T> {
     }
 }
 
-/// The part of the way to the foreseen end of reach that the next attempt leaves, so that it as a rule lies on the same side.
+/// Part of the distance to the predicted end of reach that the next attempt leaves, so that it usually lies on the same
+/// side.
 const LEFT: f64 = 1.0 / 16.0;
 
-/// A time shortly beyond that at which links cease to reach, from two times at which they do not, by the rule of the secant.
-/// None where what is missing does not fall towards `reached`.
+/// Time shortly beyond the end of reach, from two times beyond it, by the secant rule. `None` if the missing distance
+/// does not fall towards `reached`.
 fn end_of_reach<T: Real>(reached: T, nearer: &Failure<T>, farther: &Failure<T>) -> Option<T> {
     let (near, far) = (missing(nearer)?, missing(farther)?);
     let way = near * (farther.time - nearer.time) / (far - near);
@@ -190,8 +193,8 @@ fn end_of_reach<T: Real>(reached: T, nearer: &Failure<T>, farther: &Failure<T>) 
     (near < far && between && aim != reached).then_some(aim)
 }
 
-/// The kind of a failure that no shorter step would have avoided. Where links do not reach there is no pose; but that an
-/// iteration from far away has met a singular Jacobian, or another branch, says nothing about the path.
+/// Kind of a failure that no shorter step would have avoided. Links that do not reach have no pose. An iteration from
+/// far away that met a singular Jacobian, or another branch, says nothing about the path.
 fn lasting<T: Real>(kind: FailureKind<T>, coarse: bool) -> FailureKind<T> {
     match kind {
         FailureKind::OutOfReach { .. } => kind,

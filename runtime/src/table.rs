@@ -1,11 +1,10 @@
-//! A table of cubic pieces and a place → the value there and its first three derivatives.
+//! Evaluates a table of cubic pieces and its first three derivatives.
 //!
-//! The pieces were found when the code was generated. The module does not know the points they go through, nor whether the
-//! pieces join: whoever makes the table vouches for that.
+//! The pieces are computed when code is generated. The author of the table guarantees that they join.
 
 use crate::math::Real;
 
-/// Cubic pieces side by side, `N` of them, each valid from its start to the next; the last one goes on for ever. Before the
+/// Cubic pieces side by side, `N` of them, each valid from its start to the next; the last one is unbounded. Before the
 /// first start its tangent holds.
 ///
 /// ```
@@ -23,19 +22,20 @@ use crate::math::Real;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Table<const N: usize, T = f64> {
-    /// Where each piece starts, ascending.
+    /// Start of each piece, ascending.
     pub starts: [T; N],
-    /// The coefficients of the powers 0 to 3 of the distance from each start.
+    /// Coefficients of the powers 0 to 3 of the distance from each start.
     pub pieces: [[T; 4]; N],
-    /// The distance between starts that are equally spaced but for rounding: the piece is then found without a search.
+    /// Distance between starts that are equally spaced up to rounding: the piece is then found without a search. `None`
+    /// otherwise.
     pub spacing: Option<T>,
-    /// After how much the table is repeated, if it is: from the first start to the last. Positive.
+    /// Period of the table, from the first start to the last, positive; `None` if the table does not repeat.
     pub period: Option<T>,
 }
 
 impl<const N: usize, T: Real> Table<N, T> {
-    /// The value and the first three derivatives. NaN where `x` is not finite and the table does not end in a constant; zeros
-    /// for a table without pieces.
+    /// Returns the value and the first three derivatives. NaN if `x` is not finite and the table does not end in a
+    /// constant; zeros for a table without pieces.
     #[inline]
     pub fn at(&self, x: T) -> [T; 4] {
         let (Some(&first), Some(&[height, slope, _, _])) =
@@ -49,13 +49,14 @@ impl<const N: usize, T: Real> Table<N, T> {
         };
         let begun = self.pieces_begun(first, x);
         let begun = match self.period {
-            // Rounding may bring a place into the period just before its start, where the first piece goes on.
+            // Rounding may move an argument into the period just before its start, where the first piece continues.
             Some(_) => begun.max(1),
             None => begun,
         };
         let place = begun.checked_sub(1);
-        let found = place.and_then(|place| self.starts.get(place).zip(self.pieces.get(place)));
-        let Some((&start, &[a, b, c, d])) = found else {
+        let start_and_piece =
+            place.and_then(|place| self.starts.get(place).zip(self.pieces.get(place)));
+        let Some((&start, &[a, b, c, d])) = start_and_piece else {
             return [height + slope * (x - first), slope, T::ZERO, T::ZERO];
         };
         let along = x - start;
@@ -68,15 +69,15 @@ impl<const N: usize, T: Real> Table<N, T> {
         ]
     }
 
-    /// How many pieces start at `x` or before.
+    /// Number of pieces that start at `x` or before.
     #[inline]
     fn pieces_begun(&self, first: T, x: T) -> usize {
         let Some(spacing) = self.spacing else {
             return self.starts.partition_point(|&start| start <= x);
         };
-        // Negative quotients and NaN become 0, and large ones the last place: a conversion saturates.
+        // Negative quotients and NaN become 0, and large ones the last index: a conversion saturates.
         let guess = (((x - first) / spacing).to_f64() as usize).min(N.saturating_sub(1));
-        // Rounding may put a place beside a start into the neighbouring piece.
+        // Rounding may move an argument beside a start into the neighbouring piece.
         let begun = |place: usize| self.starts.get(place).is_some_and(|&start| start <= x);
         if !begun(guess) {
             guess
@@ -123,7 +124,8 @@ mod tests {
         );
     }
 
-    /// The cubic 1 + x + 2 x² + 3 x³ of the first piece holds on both sides of each boundary between periods, to rounding.
+    /// The cubic 1 + x + 2 x² + 3 x³ of the first piece holds on both sides of each boundary between periods, up to
+    /// rounding.
     #[test]
     fn a_period_goes_on_beside_its_start_wherever_it_starts() {
         const PERIOD: f64 = 1.0;
@@ -157,7 +159,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_finite_gives_no_number() {
+    fn argument_that_is_not_finite_gives_no_finite_value() {
         let sloped = Table {
             pieces: [[0.0, 1.0, 0.0, 0.0]; 4],
             ..steps([0.0, 1.0, 2.0, 3.0], Some(1.0))

@@ -1,29 +1,29 @@
-//! Two frames → a [`TimeWindow`] of time that holds both, and how far signals and what is found go in it.
+//! Bounds signals and unknowns in a window of time about two frames.
 //!
-//! Every value is bounded by its distance from a straight line through both frames. The module does not know equations.
+//! Every value is bounded by its deviation from the chord through both frames.
 
 use crate::math::Real;
 use crate::signal::Signal;
 
-/// A window of time about two frames.
+/// Window of time about two frames.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TimeWindow<T = f64> {
-    /// The time from the first frame to the second one, in s.
+    /// Time from the first frame to the second one (s).
     pub step: T,
-    /// How far the time goes from the second frame, in s.
+    /// Largest distance of a time in the window from the second frame (s).
     pub time: T,
-    /// The same in steps: 1 where the window ends with the frames.
+    /// Same distance in steps: 1 if the window ends with the frames.
     pub steps: T,
-    /// The remainder of linear interpolation over the window, for a second derivative of 1 and a way of 1.
+    /// Remainder of linear interpolation over the window, for a second derivative of 1 and a change of 1.
     pub remainder: T,
-    /// 1 where the window goes beyond the frames, and as far before them, or else 0.
+    /// 1 if the window extends beyond the frames, and as far before them; otherwise 0.
     pub beyond: T,
-    /// How far rounding leaves what frames hold from what it stands for over the window, as a part of its size.
+    /// Bound on the rounding of values in frames over the window, relative to their magnitude.
     pub rounding: T,
 }
 
 impl<T: Real> TimeWindow<T> {
-    /// From one frame to the next one, which is the time `h` (s) away: ½ x (1 − x) is at most ⅛ there.
+    /// Returns the window from one frame to the next one, `h` (s) later: ½ x (1 − x) is at most ⅛ there.
     pub fn between(h: T) -> Self {
         Self {
             step: h,
@@ -35,7 +35,8 @@ impl<T: Real> TimeWindow<T> {
         }
     }
 
-    /// `steps` (at least 1) steps of `h` (s) before the second frame and after it: ½ x (x + 1) is largest at their end.
+    /// Returns the window of `steps` (at least 1) steps of `h` (s) on both sides of the second frame: ½ x (x + 1) is
+    /// largest at its end.
     pub fn around(h: T, steps: T) -> Self {
         Self {
             step: h,
@@ -47,7 +48,7 @@ impl<T: Real> TimeWindow<T> {
         }
     }
 
-    /// The same window with at least this rounding.
+    /// Returns this window with at least the given rounding.
     #[must_use]
     pub fn at_least(self, rounding: f64) -> Self {
         Self {
@@ -56,8 +57,9 @@ impl<T: Real> TimeWindow<T> {
         }
     }
 
-    /// How far a signal goes from its second value, and from the straight line, on the way that [`Signal::towards`] describes; beyond
-    /// the frames as far as [`TimeWindow::holds_signal`] lets it. Where no time passes, it goes straight.
+    /// Returns bounds on a signal's change from its second value and on its deviation from the chord, on the path of
+    /// [`Signal::towards`]. Beyond the frames, [`TimeWindow::holds_signal`] limits the deviation. If no time passes,
+    /// the signal follows the chord.
     pub fn signal(&self, before: &Signal<T>, now: &Signal<T>) -> [T; 2] {
         let moved = (now.value - before.value).abs();
         let remainder = match self.step == T::ZERO {
@@ -68,8 +70,8 @@ impl<T: Real> TimeWindow<T> {
         [self.steps * moved + deviation, deviation]
     }
 
-    /// Whether a signal that goes from `last` to `next` in the time `h` (s) stays as near to the straight line from `before` to `now`
-    /// as [`TimeWindow::signal`] supposes; the line ends `since` (s) before `next`.
+    /// True if a signal that goes from `last` to `next` in the time `h` (s) stays as near to the chord from `before` to
+    /// `now` as [`TimeWindow::signal`] assumes. The chord ends `since` (s) before `next`.
     pub fn holds_signal(
         &self,
         [before, now]: [&Signal<T>; 2],
@@ -86,21 +88,21 @@ impl<T: Real> TimeWindow<T> {
             && remainder_of_signal(h, last, next) <= allowance
     }
 
-    /// How far a signal that moves so far in one step may be from the straight line beyond the frames.
+    /// Deviation from the chord that a signal with this change in one step may have beyond the frames.
     fn allowance(&self, moved: T) -> T {
         T::from_f64(0.25) * self.steps * moved
     }
 }
 
-/// How far rounding leaves what frames hold, and what differences of two of them lead to that are multiplied by `steps`.
+/// Bound on the rounding of values in frames and of their differences multiplied by `steps`.
 fn rounding<T: Real>(steps: T) -> T {
     T::EPSILON * (T::from_f64(LEFT_BY_ROUNDING) + T::from_f64(OF_DIFFERENCES) * steps)
 }
 
-/// How far a signal is from a straight line between two values that are `h` (s) apart.
+/// Bound on the deviation of a signal from the chord between two values that are `h` (s) apart.
 ///
-/// The functions that rates and accelerations at the ends are multiplied by in the polynomial of the fifth degree are at most
-/// 0.2 and 0.018 in size.
+/// In the polynomial of the fifth degree, the factors of the rates and accelerations at the ends are at most 0.2 and
+/// 0.018 in magnitude.
 fn remainder_of_signal<T: Real>(h: T, before: &Signal<T>, now: &Signal<T>) -> T {
     let moved = now.value - before.value;
     let rate = |it: &Signal<T>| (it.rate * h - moved).abs();
@@ -109,26 +111,26 @@ fn remainder_of_signal<T: Real>(h: T, before: &Signal<T>, now: &Signal<T>) -> T 
         + T::from_f64(0.018) * (acceleration(before) + acceleration(now))
 }
 
-/// A straight line through the values of two frames, and how far a value may be from it.
+/// Chord through the values of two frames, with a bound on the deviation from it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PathEnclosure<T = f64> {
-    /// The value in the second frame.
+    /// Value in the second frame.
     pub value: T,
-    /// How far it has moved in one step.
+    /// Change in one step.
     pub moved: T,
-    /// How far it may be from the line.
+    /// Bound on the deviation from the chord.
     pub deviation: T,
 }
 
 impl<T: Real> PathEnclosure<T> {
-    /// The enclosure of what does not move.
+    /// Enclosure of a value that does not move.
     pub const STILL: Self = Self {
         value: T::ZERO,
         moved: T::ZERO,
         deviation: T::ZERO,
     };
 
-    /// The enclosure about a value.
+    /// Returns the enclosure about a value.
     pub fn new(now: T, before: T, deviation: T) -> Self {
         Self {
             value: now,
@@ -137,26 +139,26 @@ impl<T: Real> PathEnclosure<T> {
         }
     }
 
-    /// Whether a value is in the enclosure so many steps after the second frame, but for rounding.
+    /// True if a value is in the enclosure so many steps after the second frame, up to rounding.
     pub fn holds(&self, value: T, steps: T) -> bool {
         let rounding = T::from_f64(ROUNDING) * T::EPSILON * (T::ONE + value.abs());
         (value - self.value - self.moved * steps).abs() <= self.deviation + rounding
     }
 }
 
-/// The multiple of ε by which a value that Newton-Raphson finds may be off.
+/// Multiple of ε by which a value of Newton-Raphson may be off.
 const ROUNDING: f64 = 65536.0;
 
-/// The multiple of ε by which a solved equation may be off zero: a few roundings of angles of some turns.
+/// Multiple of ε by which a solved equation may be off zero: a few roundings of angles of some turns.
 pub(crate) const LEFT_BY_ROUNDING: f64 = 64.0;
 
-/// The multiple of ε by which the difference of two values may be off, as a part of their size.
+/// Multiple of ε by which the difference of two values may be off, relative to their magnitude.
 const OF_DIFFERENCES: f64 = 32.0;
 
-/// Blames a block where a value is negative, or NaN.
+/// Blames a block if a value is negative or NaN.
 ///
 /// # Errors
-/// The block.
+/// Returns the block.
 #[inline]
 pub fn required<T: Real>(value: T, block: u16) -> Result<(), u16> {
     match value >= T::ZERO {

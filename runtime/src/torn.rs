@@ -1,16 +1,21 @@
-//! A block whose unknowns follow one after another from a few of them, the tears → its next frame, by Newton-Raphson on these alone.
+//! Advances a block whose unknowns follow explicitly from a few tearing variables, by Newton-Raphson on these alone.
 //!
-//! With the tears given, closed forms find everything else, and as many equations remain as there are tears: their residuals, and
-//! exact derivatives by differentiating the closed forms, are all that an iteration needs (Elmqvist and Otter, *Methods for tearing
-//! systems of equations in object-oriented modeling*, 1994). That is a shortcut and decides nothing: where a closed form is out of reach
-//! or nearly singular, although the block need not be, where the steps do not contract, where the determinant changes its sign, or where
-//! rounding is amplified so that the residuals do not become as small as rounding, all equations are solved at once, as in [`crate::block`].
-//! All equations are evaluated at the pose that is found. So a frame has the accuracy of the whole system, and a failure is that of the whole system.
+//! For given tearing variables, closed forms yield all other unknowns, and one equation remains per tearing variable.
+//! The residuals of these equations, and exact derivatives of the closed forms, are all that an iteration needs
+//! (Elmqvist and Otter, *Methods for tearing systems of equations in object-oriented modeling*, 1994).
 //!
-//! Closed forms have signs. They are those of the last frame, since a sign that changes makes its form singular on the way; the frame
-//! keeps them, and after a solve of all equations they are read off its pose.
+//! Tearing only saves work; the full block decides. All equations are solved at once, as in [`crate::block`], in these
+//! cases:
+//! - a closed form is out of reach or nearly singular, although the block need not be;
+//! - the steps do not contract;
+//! - the determinant changes its sign;
+//! - rounding is amplified, so that the residuals do not become as small as rounding.
 //!
-//! The module does not know the closed forms.
+//! All equations are evaluated at the pose that is returned. A frame therefore has the accuracy of the whole system,
+//! and a failure is that of the whole system.
+//!
+//! Closed forms have signs. They are those of the last frame, since a form is singular where its sign changes. The
+//! frame keeps them; after a solve of all equations they are read off its pose.
 
 use nalgebra::allocator::Allocator;
 use nalgebra::{DefaultAllocator, Dim, OVector};
@@ -26,37 +31,38 @@ use crate::settings::Settings;
 use crate::vector::{all_finite, zero_vector};
 use crate::watch::LARGEST_CONTRACTION;
 
-/// Evaluations of a torn block at most; from the last frame two or three suffice.
+/// Largest number of evaluations of a torn block; from the last frame two or three suffice.
 pub const EVALUATIONS: usize = 6;
 
-/// The multiple of ε below which the residual of a tear is rounding of its terms where no step makes it smaller. What is more has been
-/// amplified on the way through the closed forms, and all equations together leave less. Of more unknowns than that each adds an ε,
-/// as what the closed forms round they hand on along a chain.
+/// Multiple of ε below which the residual of a tearing variable is rounding of its terms, once no step makes it
+/// smaller. A larger residual has been amplified by the closed forms, and all equations together leave less. Each
+/// unknown beyond that number adds an ε, because closed forms pass their rounding on along a chain.
 pub const AMPLIFIED: f64 = 16.0;
 
-/// The largest derivative of an unknown by a tear, in their scales, with which rates are as accurate as those of the whole system.
+/// Largest derivative of an unknown by a tearing variable, in their scales, with which rates are as accurate as those
+/// of the whole system.
 pub const LARGEST_RESPONSE: f64 = 64.0;
 
-/// The equations of a block with K tears.
+/// Equations of a block with K tearing variables.
 pub trait Torn<T: Real, D: Dim, const K: usize>: Equations<T, D>
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
-    /// The signs of the closed forms.
+    /// Signs of the closed forms.
     type Signs: Clone;
-    /// What is found on the way to the residuals and needed afterwards.
+    /// Intermediate values of the residuals that [`Torn::complete`] needs.
     type Carried;
 
-    /// Which unknowns are the tears.
+    /// Indices of the tearing variables.
     fn tears(&self) -> [usize; K];
 
-    /// The positive magnitudes by which the residuals are scaled.
+    /// Positive magnitudes by which the residuals are scaled.
     fn scales(&self, t: T) -> [T; K];
 
-    /// How large the terms of the residuals are in these scales, at least 1: rounding is a part of them.
+    /// Magnitudes of the residuals' terms in these scales, at least 1; rounding is relative to them.
     fn terms(&self) -> [T; K];
 
-    /// Finds the other unknowns and the residuals; `None` where a closed form is out of reach or nearly singular.
+    /// Computes the other unknowns and the residuals; `None` if a closed form is out of reach or nearly singular.
     fn evaluate(
         &self,
         tears: &[T; K],
@@ -64,7 +70,7 @@ where
         t: T,
     ) -> Option<Evaluation<T, K, Self::Carried>>;
 
-    /// All unknowns with their rates at tears at which the residuals vanish.
+    /// Computes all unknowns and their rates at tearing variables with vanishing residuals.
     fn complete(
         &self,
         tears: &[T; K],
@@ -73,20 +79,20 @@ where
         t: T,
     ) -> Completion<T, D>;
 
-    /// The signs that the closed forms have at a pose (n).
+    /// Signs of the closed forms at a pose (n).
     fn signs(&self, q: &OVector<T, D>, t: T) -> Self::Signs;
 }
 
-/// What is found with given tears.
+/// Residuals of a torn block at given tearing variables.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Evaluation<T, const K: usize, C> {
-    /// What remains of the equations.
+    /// Tearing residuals.
     pub residual: [T; K],
-    /// The inverse of its Jacobian in the tears, row by row.
+    /// Inverse of their Jacobian in the tearing variables, row by row.
     pub inverse: [[T; K]; K],
-    /// The determinant of this Jacobian.
+    /// Determinant of this Jacobian.
     pub determinant: T,
-    /// For [`Torn::complete`].
+    /// Intermediate values for [`Torn::complete`].
     pub carried: C,
 }
 
@@ -96,52 +102,52 @@ pub struct Completion<T: Real, D: Dim>
 where
     DefaultAllocator: Allocator<D>,
 {
-    /// Of an angle its cosine, of a length itself (n).
+    /// Cosine of an angle; a length itself (n).
     pub cosines: OVector<T, D>,
-    /// Of an angle its sine (n).
+    /// Sine of an angle (n).
     pub sines: OVector<T, D>,
-    /// The rates (n).
+    /// Rates (n).
     pub rates: OVector<T, D>,
-    /// The accelerations (n).
+    /// Accelerations (n).
     pub accelerations: OVector<T, D>,
-    /// The residuals of all equations (n).
+    /// Residuals of all equations (n).
     pub residual: OVector<T, D>,
-    /// The largest derivative of an unknown by a tear, in their scales.
+    /// Largest derivative of an unknown by a tearing variable, in their scales.
     pub response: T,
 }
 
-/// A solved block.
+/// Solution of a block.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Found<T: Real, D: Dim, S>
 where
     DefaultAllocator: Allocator<D>,
 {
-    /// Its frame.
+    /// Frame of the block.
     pub frame: Frame<T, D>,
-    /// The cosine of each angle (n).
+    /// Cosine of each angle (n).
     pub cosines: OVector<T, D>,
-    /// The sine of each angle (n).
+    /// Sine of each angle (n).
     pub sines: OVector<T, D>,
-    /// What the next frame is found with.
+    /// Values with which the next frame is solved.
     pub memory: Memory<T, S>,
 }
 
-/// What a frame keeps of a torn block.
+/// Values that a frame keeps for a torn block.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Memory<T, S> {
-    /// Has the sign of the determinant in the tears; zero where that is not known.
+    /// Number with the sign of the determinant in the tearing variables; zero if the sign is unknown.
     pub determinant: T,
-    /// The signs of the closed forms.
+    /// Signs of the closed forms.
     pub signs: S,
 }
 
-/// Solves a block at time `t`, as [`block::solve`] does, which it falls back on.
+/// Solves a block at time `t` as [`block::solve`] does, which is the fallback.
 ///
 /// # Errors
-/// Those of [`block::solve`].
+/// Returns those of [`block::solve`].
 ///
 /// # Work
-/// At most [`EVALUATIONS`] evaluations of the torn block, and then that of [`block::solve`] where they do not suffice.
+/// At most [`EVALUATIONS`] evaluations of the torn block, and then that of [`block::solve`] if they do not suffice.
 ///
 /// # Panics
 /// If a vector does not have the dimension of the equations, which only a dynamic dimension permits.
@@ -167,7 +173,7 @@ where
     whole(equations, last, start, branch, t, settings)
 }
 
-/// The next frame by way of the tears, where that is sure to be as good as the whole system's.
+/// Advances by the tearing variables if the frame is certain to be as good as that of the whole system.
 #[inline]
 fn advance<T: Real, D: Dim, E: Torn<T, D, K>, const K: usize>(
     equations: &E,
@@ -237,7 +243,7 @@ where
     None
 }
 
-/// The rounding of one equation when as many unknowns are found one after another: ε, and more where they are many.
+/// Rounding of one equation after many unknowns in sequence: ε, and more for a large number of them.
 #[inline]
 fn handed_on<T: Real, D: Dim, E: Equations<T, D>>(equations: &E) -> T
 where
@@ -247,7 +253,7 @@ where
     T::EPSILON * T::from_f64((unknowns / AMPLIFIED).max(1.0))
 }
 
-/// The largest of some magnitudes, or one that is not finite.
+/// Largest of some magnitudes, or one that is not finite.
 #[inline]
 fn largest<T: Real>(magnitudes: impl Iterator<Item = T>) -> T {
     magnitudes.fold(T::ZERO, |largest, value| {
@@ -258,13 +264,13 @@ fn largest<T: Real>(magnitudes: impl Iterator<Item = T>) -> T {
     })
 }
 
-/// The largest magnitude of some values, or one that is not finite; zero of none.
+/// Largest magnitude of some values, or one that is not finite; zero without values.
 #[inline]
 pub fn largest_of<T: Real>(values: &[T]) -> T {
     largest(values.iter().map(|value| value.abs()))
 }
 
-/// The sign of a value as a factor: +1 or −1.
+/// Sign of a value as a factor: +1 or −1.
 #[inline]
 pub fn sign<T: Real>(value: T) -> T {
     match value < T::ZERO {
@@ -302,8 +308,8 @@ where
             *value = angle_near(*sine, *value, *near);
         }
     }
-    // That all equations hold as well as all together would leave them does not rely on how the unknowns were found. Written so that NaN
-    // is refused.
+    // All equations must hold as well as a solve of all together would leave them; this does not depend on the method.
+    // Written so that NaN is refused.
     let left = match settings.polish {
         true => T::from_f64(ROUNDING) * handed_on(equations) * largest_of(&equations.terms()),
         false => settings.tolerance,
@@ -326,7 +332,7 @@ where
     })
 }
 
-/// The frame by way of all equations.
+/// Solves the frame by all equations.
 #[cold]
 fn whole<T: Real, D: Dim, E: Torn<T, D, K>, const K: usize>(
     equations: &E,
@@ -352,7 +358,7 @@ where
     let tears = equations.tears().map(|place| frame.q[place]);
     let scales = equations.scales(t);
     let determinant = match equations.evaluate(&tears, &signs, t) {
-        // The closed forms must lead to this very pose.
+        // The closed forms must lead to this pose.
         Some(at)
             if at
                 .residual

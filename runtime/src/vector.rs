@@ -1,15 +1,15 @@
-//! Vectors and matrices of one dimension → the few elementary operations on them that a solve repeats.
+//! Elementary operations on vectors and matrices of one dimension.
 //!
 //! They are written over slices with iterators, so that for a static dimension no bounds check and no panic path is
-//! compiled. The module does not know what the entries mean.
+//! compiled.
 
 use nalgebra::allocator::Allocator;
 use nalgebra::{Const, DefaultAllocator, Dim, OMatrix, OVector};
 
 use crate::math::Real;
 
-/// Requires that `vector` has the given dimension: iterating over vectors of different lengths would silently leave
-/// the excess entries out. A static dimension always agrees, and the check is compiled away.
+/// Requires that `vector` has the given dimension: iterating over vectors of different lengths would silently omit the
+/// excess entries. A static dimension always agrees, and the check is compiled away.
 #[inline]
 pub(crate) fn require_dimension<T: Real, D: Dim>(vector: &OVector<T, D>, dimension: D)
 where
@@ -21,7 +21,7 @@ where
     );
 }
 
-/// A vector of zeros (n).
+/// Returns a vector of zeros (n).
 pub(crate) fn zero_vector<T: Real, D: Dim>(dimension: D) -> OVector<T, D>
 where
     DefaultAllocator: Allocator<D>,
@@ -29,7 +29,7 @@ where
     OVector::from_fn_generic(dimension, Const::<1>, |_, _| T::ZERO)
 }
 
-/// A matrix of zeros (n × n).
+/// Returns a matrix of zeros (n × n).
 pub(crate) fn zero_matrix<T: Real, D: Dim>(dimension: D) -> OMatrix<T, D, D>
 where
     DefaultAllocator: Allocator<D, D>,
@@ -57,7 +57,7 @@ where
     }
 }
 
-/// Whether every entry of `values` is finite.
+/// True if every entry of `values` is finite.
 pub(crate) fn all_finite<T: Real>(values: &[T]) -> bool {
     // No early exit, so that the loop vectorizes.
     values

@@ -1,7 +1,6 @@
-//! The steps of a solve → whether they still lead to the pose that is wanted, and not to another one.
+//! Watches the steps of a solve, so that they lead to the required pose and not to another one.
 //!
-//! A plain solve is not watched, and nothing of this is compiled into it. The module does not know where the estimate came
-//! from, nor what is done when a solve is given up.
+//! A plain solve is not watched, and none of this code is compiled into it.
 
 use nalgebra::allocator::Allocator;
 use nalgebra::{DefaultAllocator, Dim, OMatrix, OVector};
@@ -12,37 +11,37 @@ use crate::linear::{Factorization, Measure};
 use crate::math::Real;
 use crate::scale::Scales;
 
-/// The largest ratio of the lengths of two consecutive steps on a path that is being followed. An estimate within the
-/// region in which Newton-Raphson is known to converge to the pose of the path has a ratio of at most 1/2 (Deuflhard,
-/// *Newton Methods for Nonlinear Problems*, 2004, theorem 2.1 with h ≤ 1).
+/// Largest ratio of the lengths of two consecutive steps on a path that is being followed. If the estimate lies in the
+/// region of known convergence to the pose of the path, the ratio is at most 1/2 (Deuflhard, *Newton Methods for
+/// Nonlinear Problems*, 2004, theorem 2.1 with h ≤ 1).
 pub const LARGEST_CONTRACTION: f64 = 0.5;
 
-/// What is asked of the Jacobians and steps of a solve.
+/// Conditions on the Jacobians and steps of a solve.
 pub(crate) trait Watch<T: Real, D: Dim>
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
-    /// Judges a Jacobian on the way.
+    /// Judges an intermediate Jacobian.
     fn jacobian(&mut self, factorization: &Factorization<T, D>) -> Result<(), FailureKind<T>>;
 
-    /// Judges the Jacobian at the pose that was found.
+    /// Judges the Jacobian at the returned pose.
     fn arrival(&mut self, factorization: &Factorization<T, D>) -> Result<(), FailureKind<T>> {
         self.jacobian(factorization)
     }
 
-    /// Whether it wants to see that Jacobian.
+    /// True if the watch measures the Jacobian at the returned pose.
     const MEASURES: bool = false;
 
-    /// Takes note of that Jacobian (n × n), which passed.
+    /// Measures that Jacobian (n × n), which passed.
     #[inline]
     fn measure(&mut self, _: &Factorization<T, D>, _: &OMatrix<T, D, D>) {}
 
-    /// Judges a step, which has not been taken yet.
+    /// Judges a step before it is taken.
     fn step(&mut self, scales: &Scales<T, D>, update: &OVector<T, D>)
     -> Result<(), FailureKind<T>>;
 }
 
-/// Asks nothing.
+/// Watch without conditions.
 pub(crate) struct Unwatched;
 
 impl<T: Real, D: Dim> Watch<T, D> for Unwatched
@@ -59,10 +58,11 @@ where
     }
 }
 
-/// Asks that every Jacobian has the sign of the branch, and that every step is at most half as long as the one before.
+/// Watch that requires the sign of the branch of every Jacobian, and steps of at most half the length of the one
+/// before.
 pub(crate) struct OnBranch<T> {
     branch: Branch,
-    /// The length of the last step, in coordinate scales.
+    /// Length of the last step, in coordinate scales.
     last: Option<T>,
 }
 
@@ -101,7 +101,7 @@ where
     }
 }
 
-/// Asks the same, and measures how far the Jacobian at the pose that is found is from singular.
+/// Watch of [`OnBranch`] that also measures the distance of the Jacobian at the returned pose from singular.
 pub(crate) struct Measuring<'a, T> {
     on_branch: OnBranch<T>,
     found: &'a mut Measure<T>,
@@ -137,7 +137,7 @@ where
     }
 }
 
-/// Asks that the pose that is found has the branch; the way to it may lead anywhere.
+/// Watch that requires the branch of the returned pose; earlier iterates may have any.
 pub(crate) struct EndsOn {
     branch: Branch,
 }

@@ -1,7 +1,7 @@
-//! The way from one frame of a mechanism to another time → the frame there, in as many steps as it takes.
+//! Advances a mechanism along its path from one frame to another time, in as many steps as needed.
 //!
-//! A step that fails is halved ([`in_steps`]). Where the modes of a block meet, the way goes straight on in the other one
-//! ([`crate::crossing`]). Where no time passes, the inputs alone are changed, in steps as well. The module does not know equations.
+//! A step that fails is halved ([`in_steps`]). At a change point of a block, the path continues straight in the other
+//! mode ([`crate::crossing`]). If no time passes, only the inputs change, also in steps.
 
 use crate::block::Start;
 use crate::blocks::{Blocks, Conditions, Signals};
@@ -12,46 +12,46 @@ use crate::settings::Settings;
 use crate::shell::solve;
 use crate::substeps::{Broken, in_steps};
 
-/// How many meetings of modes one way may pass.
+/// Maximum number of change points per path.
 const CROSSINGS: u8 = 8;
 
-/// A way, and how far it has been gone.
+/// Path to a time, with the progress on it.
 pub(crate) struct Way<'a, B: Blocks> {
     pub blocks: &'a B,
     pub parameters: &'a B::Parameters,
     pub settings: &'a Settings<B::Scalar>,
-    /// When it begins and ends (s).
+    /// Start and end (s).
     pub ends: [B::Scalar; 2],
-    /// The signals at both ends.
+    /// Signals at both ends.
     pub inputs: [&'a B::Inputs; 2],
-    /// The part of the inputs' change that was made, on a way without length.
+    /// Completed part of the inputs' change; `None` on a path with a duration.
     pub changed: Option<B::Scalar>,
-    /// What the frame is that was reached.
+    /// Kind of the reached frame.
     pub start: Start,
     /// True if the frame at the end may be nearly singular, because no modes meet there.
     pub may_be_weak: bool,
-    /// The last frame on the way.
+    /// Last frame on the path.
     pub reached: B::Frame,
-    /// Where the modes were exchanged last, or else its first frame.
+    /// Frame of the last exchange of modes, or the first frame.
     pub origin: B::Frame,
-    /// Where the next frame is written.
+    /// Storage of the next frame.
     pub next: &'a mut B::Frame,
     pub branches: B::Branches,
     pub guard: &'a mut Guard<B::Scalar, B::Inputs, B::PathEnclosures>,
 }
 
 impl<B: Blocks> Way<'_, B> {
-    /// Goes to its end. `failure` is that of a single step.
+    /// Advances to the end. `failure` is that of a single step.
     ///
     /// # Errors
-    /// A [`Failure`] where that is not possible; see [`in_steps`].
+    /// Returns a [`Failure`] if the end cannot be reached; see [`in_steps`].
     pub fn go(&mut self, failure: Failure<B::Scalar>) -> Result<(), Failure<B::Scalar>> {
         let [from, end] = self.ends;
         if self.is_without_length() && self.is_changed() {
             return self.change();
         }
         if from == end {
-            // The last frame answers to no parameters but its own.
+            // The last frame belongs to its own parameters only.
             return match self.start {
                 Start::LastFrame => Ok(()),
                 Start::Estimate => Err(failure),
@@ -93,10 +93,10 @@ impl<B: Blocks> Way<'_, B> {
         (0..last.count()).any(|index| first.signal(index) != last.signal(index))
     }
 
-    /// Goes to its end where it has no length, in steps of the inputs.
+    /// Advances to the end of a path without duration, in steps of the inputs.
     ///
     /// # Errors
-    /// A [`Failure`] where that is not possible, at the time of the end.
+    /// Returns a [`Failure`] at the time of the end if the end cannot be reached.
     fn change(&mut self) -> Result<(), Failure<B::Scalar>> {
         let [_, end] = self.ends;
         self.changed = Some(B::Scalar::ZERO);
@@ -107,7 +107,7 @@ impl<B: Blocks> Way<'_, B> {
         })
     }
 
-    /// Goes on to a time.
+    /// Advances to a time.
     #[inline(never)]
     pub(crate) fn steps_to(&mut self, end: B::Scalar) -> Result<(), Broken<B::Scalar>> {
         let from = B::time(&self.reached);
@@ -117,13 +117,13 @@ impl<B: Blocks> Way<'_, B> {
         self.steps([from, end])
     }
 
-    /// Goes from one place to another in as many steps as it takes: from time to time, or from part to part of a change.
+    /// Advances in as many steps as needed: from time to time, or from part to part of a change.
     fn steps(&mut self, [from, end]: [B::Scalar; 2]) -> Result<(), Broken<B::Scalar>> {
         let budget = self.settings.substeps;
         in_steps(from, end, budget, |place| self.step_to(place)).map(|_| ())
     }
 
-    /// Goes on to a time, or to a part of a change of the inputs, which is then the time of a failure.
+    /// Advances to a time, or to a part of a change of the inputs, which is then the time of a failure.
     fn step_to(&mut self, place: B::Scalar) -> Result<(), Failure<B::Scalar>> {
         let changed = self.part_changed();
         let (t, before, inputs) = match changed {
@@ -150,7 +150,7 @@ impl<B: Blocks> Way<'_, B> {
         step
     }
 
-    /// The part of the inputs' change that was made. None without inputs, which the compiler then sees.
+    /// Completed part of the inputs' change. `None` without inputs, which the compiler then sees.
     fn part_changed(&self) -> Option<B::Scalar> {
         let [_, last] = self.inputs;
         match last.count() {
@@ -159,7 +159,7 @@ impl<B: Blocks> Way<'_, B> {
         }
     }
 
-    /// The signals at a part of their change.
+    /// Signals at a part of their change.
     fn changed_inputs(&self, part: B::Scalar) -> B::Inputs {
         let [first, last] = self.inputs;
         let mut inputs = last.clone();
@@ -199,7 +199,7 @@ impl<B: Blocks> Way<'_, B> {
             before,
             conditions: &conditions,
         };
-        // What lies on the way is nobody's answer.
+        // Frames between the ends are not returned to the caller.
         let may_be_weak = self.may_be_weak || t != self.ends[1] || self.changed.is_some();
         self.guard.admit(self.blocks, pair, may_be_weak)?;
         self.start = Start::LastFrame;
@@ -207,8 +207,8 @@ impl<B: Blocks> Way<'_, B> {
         Ok(())
     }
 
-    /// The frame at a time in these modes, from one nearby; no path leads there. Signals are those of the way, or go on from one of its
-    /// ends.
+    /// Solves the frame at a time in these modes, from one nearby; no path leads there. Signals are those of the path,
+    /// or continue from one of its ends.
     #[inline(never)]
     pub(crate) fn solved_at(
         &self,
@@ -230,7 +230,7 @@ impl<B: Blocks> Way<'_, B> {
         Ok(at)
     }
 
-    /// The signals at a time on the way; beyond it, and about one of its ends, they go on from there.
+    /// Signals at a time on the path; beyond it, and about one of its ends, they continue from there.
     pub(crate) fn inputs_at(&self, t: B::Scalar, about: Option<B::Scalar>) -> B::Inputs {
         let ([from, end], [first, last]) = (self.ends, self.inputs);
         let part = (t - from) / (end - from);
@@ -244,7 +244,7 @@ impl<B: Blocks> Way<'_, B> {
     }
 }
 
-/// Signals after a time (s) in which their accelerations do not change.
+/// Signals after a time (s) with constant accelerations.
 fn gone_on<T: Real, I: Signals<T>>(inputs: &I, time: T) -> I {
     let mut later = inputs.clone();
     if time != T::ZERO {

@@ -1,28 +1,28 @@
 //! Bounds of parameters, and the unbounded variables that a minimizer changes in their place.
 //!
-//! A value between two bounds is a sine of its variable (James and Roos 1975, *Minuit*), one beyond a single bound an exponential of it.
-//! So every value that is tried lies strictly within, and none is cut off.
+//! A value between two bounds is a sine of its variable (James and Roos 1975, *Minuit*), one beyond a single bound an
+//! exponential of it. Every value that is tried therefore lies strictly within, and none is cut off.
 
-/// The part of the width, or of the distance at the start, below which a value is at its bound.
+/// Part of the width, or of the distance at the start, below which a value is at its bound.
 const AT: f64 = 1e-6;
 
-/// The values that a parameter may have, in SI units; infinite where there is no bound.
+/// Range of a parameter's values, in SI units; infinite without a bound.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
-    /// Below every value.
+    /// Bound below every value.
     pub low: f64,
-    /// Above every value.
+    /// Bound above every value.
     pub high: f64,
 }
 
 impl Bounds {
-    /// No bounds.
+    /// Range without bounds.
     pub const NONE: Bounds = Bounds {
         low: f64::NEG_INFINITY,
         high: f64::INFINITY,
     };
 
-    /// Those of values with the sign of this one; none for zero.
+    /// Returns the bounds of values with the sign of this one; none for zero.
     pub fn with_sign_of(value: f64) -> Bounds {
         match value {
             value if value > 0.0 => Bounds {
@@ -37,12 +37,12 @@ impl Bounds {
         }
     }
 
-    /// True if a value lies strictly within.
+    /// True if a value lies strictly within the bounds.
     pub fn contain(&self, value: f64) -> bool {
         self.low < value && value < self.high
     }
 
-    /// The variable of a value.
+    /// Variable of a value.
     pub(crate) fn variable(&self, value: f64, start: f64) -> f64 {
         let [low, high] = [self.low.is_finite(), self.high.is_finite()];
         match (low, high) {
@@ -53,7 +53,7 @@ impl Bounds {
         }
     }
 
-    /// The value of a variable, and its derivative.
+    /// Value of a variable, and its derivative.
     pub(crate) fn value(&self, variable: f64, start: f64) -> [f64; 2] {
         let [low, high] = [self.low.is_finite(), self.high.is_finite()];
         match (low, high) {
@@ -76,7 +76,7 @@ impl Bounds {
         }
     }
 
-    /// The bound at which a value is, if any.
+    /// Bound at which a value is; `None` if it is at none.
     pub(crate) fn reached(&self, value: f64, start: f64) -> Option<f64> {
         let width = self.high - self.low;
         let least = |bound: f64| {

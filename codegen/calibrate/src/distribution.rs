@@ -2,7 +2,7 @@
 //!
 //! Its continued fraction is evaluated by Lentz's method (Press et al. 2007, *Numerical Recipes*, section 6.4).
 
-/// Degrees of freedom that stand for a deviation that is known.
+/// Degrees of freedom that represent a known deviation.
 pub(crate) const KNOWN: f64 = 1e7;
 
 /// Coefficients of Lanczos's series for ln Γ with g = 7 (Godfrey 2001).
@@ -18,16 +18,16 @@ const LANCZOS: [f64; 9] = [
     1.505_632_735_149_311_6e-7,
 ];
 
-/// Terms of the continued fraction, beyond which its value stays as it is.
+/// Largest number of terms of the continued fraction; its value then stays unchanged.
 const TERMS: u32 = 500;
 
 /// Relative change of the continued fraction at which it ends.
 const CONVERGED: f64 = 1e-15;
 
-/// A number that stands for a denominator that vanishes.
+/// Number that replaces a vanishing denominator.
 const TINY: f64 = 1e-300;
 
-/// Halvings after which a quantile is as near as numbers are.
+/// Number of halvings after which a quantile is as near as numbers are.
 const HALVINGS: u32 = 200;
 
 /// ln Γ(x) of x > 0.
@@ -43,7 +43,7 @@ fn ln_gamma(x: f64) -> f64 {
     0.5 * std::f64::consts::TAU.ln() + (shifted + 0.5) * base.ln() - base + sum.ln()
 }
 
-/// The regularized incomplete beta function I_x(a, b).
+/// Regularized incomplete beta function I_x(a, b).
 fn incomplete_beta(x: f64, a: f64, b: f64) -> f64 {
     if x <= 0.0 {
         return 0.0;
@@ -51,7 +51,7 @@ fn incomplete_beta(x: f64, a: f64, b: f64) -> f64 {
     if x >= 1.0 {
         return 1.0;
     }
-    // The fraction converges fast on this side alone.
+    // The fraction converges fast on this side only.
     if x > (a + 1.0) / (a + b + 2.0) {
         return 1.0 - incomplete_beta_below(1.0 - x, b, a);
     }
@@ -82,12 +82,12 @@ fn incomplete_beta_below(x: f64, a: f64, b: f64) -> f64 {
     ends.exp() * fraction / a
 }
 
-/// The chance that a ratio of mean squares with these degrees of freedom exceeds `ratio` (Fisher's distribution).
+/// Probability that a ratio of mean squares with these degrees of freedom exceeds `ratio` (Fisher's distribution).
 pub(crate) fn exceeded(ratio: f64, above: f64, below: f64) -> f64 {
     incomplete_beta(below / (below + above * ratio), below / 2.0, above / 2.0)
 }
 
-/// The standard deviations that hold a share of Student's distribution on both sides together.
+/// Number of standard deviations that hold a share of Student's distribution on both sides together.
 pub(crate) fn half_width(share: f64, freedom: f64) -> f64 {
     // P(|T| > t) falls from 1 to 0.
     let outside = |t: f64| incomplete_beta(freedom / (freedom + t * t), freedom / 2.0, 0.5);
@@ -123,8 +123,11 @@ mod tests {
             (120.0, 1.9799),
             (1e7, 1.9600),
         ] {
-            let found = half_width(0.95, freedom);
-            assert!((found - expected).abs() < 6e-5, "{freedom}: {found}");
+            let half_width = half_width(0.95, freedom);
+            assert!(
+                (half_width - expected).abs() < 6e-5,
+                "{freedom}: {half_width}"
+            );
         }
     }
 
@@ -138,8 +141,11 @@ mod tests {
             (18.307 / 10.0, 10.0, 1e7, 0.05),
             (124.342 / 100.0, 100.0, 1e7, 0.05),
         ] {
-            let found = exceeded(ratio, above, below);
-            assert!((found / expected - 1.0).abs() < 1e-3, "{ratio}: {found}");
+            let probability = exceeded(ratio, above, below);
+            assert!(
+                (probability / expected - 1.0).abs() < 1e-3,
+                "{ratio}: {probability}"
+            );
         }
     }
 }

@@ -1,51 +1,53 @@
-//! Goodness of a fit: what it leaves of each column, beside the noise of that column.
+//! Goodness of a fit: the residuals of each column, compared with its noise.
 //!
-//! Noise is what the caller knows, or what a cubic through the neighboring rows leaves of a row, of the measured values or of the
-//! residuals. Both are upper estimates: smooth motion and smooth misfit add to them. It is never the size of residuals. A column is
-//! explained if a ratio of mean squares is no surprise (χ², or F where noise is estimated), and if signs of residuals are mixed (Wald
-//! and Wolfowitz 1940).
+//! Noise is known to the caller, or estimated: as the deviation of a row from a cubic through the neighboring rows. The
+//! rows are those of the measured values or of the residuals. Both estimates are upper ones: smooth motion and smooth
+//! misfit add to them. Noise is never the magnitude of residuals. A column is explained under two conditions: a ratio
+//! of mean squares is likely (χ², or F if noise is estimated), and signs of residuals are mixed (Wald and Wolfowitz
+//! 1940).
 
 use linkwright_solver::comparison::difference;
 
 use crate::distribution::{KNOWN, exceeded};
 use crate::{Column, Measurements};
 
-/// The chance below which a fit is not explained by noise: one half for single columns, one half for all together.
+/// Probability below which noise does not explain a fit: one half for single columns, one half for all together.
 const CHANCE: f64 = 1e-3;
 
-/// Neighbors of a row on each side.
+/// Number of neighbors of a row on each side.
 const BESIDE: usize = 2;
 
-/// Rows whose fourth differences are as many independent ones: Σρ² of their correlations ρ (Anderson 1971, section 3.4).
+/// Number of rows whose fourth differences count as one independent one: Σρ² of their correlations ρ (Anderson 1971,
+/// section 3.4).
 const CORRELATED: f64 = 2.63;
 
-/// The least noise of a column, as a share of its range: poses are found as closely.
-const EXACT: f64 = 1e-9;
+/// Precision of poses, which is the least noise of a column, relative to its range.
+const POSE_PRECISION: f64 = 1e-9;
 
-/// The fewest residuals that a runs test judges.
-const FEWEST: usize = 10;
+/// Least number of residuals that a runs test judges.
+const MIN_RESIDUALS: usize = 10;
 
-/// Goodness of what is left of one column.
+/// Goodness of the residuals of one column.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ColumnGoodness {
     /// Standard deviation of the noise in SI units; `None` if there are too few rows to estimate it.
     pub noise: Option<f64>,
-    /// True if the caller gave it.
+    /// True if the noise is known to the caller.
     pub is_given: bool,
-    /// χ² over its degrees of freedom, in noise of the column.
+    /// Reduced χ² in units of the column's noise; `None` without noise.
     pub reduced: Option<f64>,
-    /// The chance of as much or more.
+    /// Probability of as much or more; `None` without noise.
     pub chance: Option<f64>,
-    /// Runs of residuals of one sign, with the number that is expected, and the chance of as few; `None` for too few rows.
+    /// Number of runs of residuals of one sign, expected number, and probability of as few; `None` for too few rows.
     pub runs: Option<(usize, f64, f64)>,
-    /// True if residuals exceed half a step of rounding, and rounding of poses, so that their signs mean something.
+    /// True if residuals exceed half a step of rounding, and rounding of poses, so that their signs are significant.
     pub exceeds_rounding: bool,
 }
 
 /// Goodness of a fit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Goodness {
-    /// Column by column.
+    /// Goodness of each column.
     pub columns: Vec<ColumnGoodness>,
 }
 
@@ -66,27 +68,28 @@ impl Goodness {
         }
     }
 
-    /// True if noise explains what is left of a column; `None` if that cannot be judged.
+    /// True if noise explains the residuals of a column; `None` if that cannot be judged.
     pub fn explains(&self, place: usize) -> Option<bool> {
-        let own = &self.columns[place];
+        let column = &self.columns[place];
         let limit = 0.5 * CHANCE / self.columns.len() as f64;
-        let chance = own.chance?;
-        let runs = own.runs.filter(|_| own.exceeds_rounding);
+        let chance = column.chance?;
+        let runs = column.runs.filter(|_| column.exceeds_rounding);
         Some(chance >= limit && runs.is_none_or(|it| it.2 >= limit))
     }
 
-    /// The chance of as much or more in all columns together, by Fisher's method (1932); `None` if no column can be judged.
+    /// Probability of as much or more in all columns together, by Fisher's method (1932); `None` if no column can be
+    /// judged.
     pub fn chance(&self) -> Option<f64> {
         let chances: Vec<f64> = self.columns.iter().filter_map(|it| it.chance).collect();
         (!chances.is_empty()).then(|| together(&chances))
     }
 
-    /// True if noise explains all columns together, each for itself or not.
+    /// True if noise explains all columns together, irrespective of each.
     pub fn explains_all(&self) -> bool {
         self.chance().is_none_or(|it| it >= 0.5 * CHANCE)
     }
 
-    /// True if no column is beyond its noise, nor all together.
+    /// True if noise explains each column and all together.
     pub fn is_explained(&self) -> bool {
         let each = (0..self.columns.len()).all(|it| self.explains(it) != Some(false));
         each && self.explains_all()
@@ -98,7 +101,8 @@ impl Goodness {
     }
 }
 
-/// The chance of a product of as many chances as small: −2 Σ ln p has a χ² distribution with two degrees of freedom for each.
+/// Probability of a product of probabilities at most as large: −2 Σ ln p has a χ² distribution with two degrees of
+/// freedom for each.
 fn together(chances: &[f64]) -> f64 {
     let half: f64 = chances
         .iter()
@@ -125,13 +129,13 @@ fn column(
     let count = squares.len() as f64;
     let mean = squares.iter().sum::<f64>() / count.max(1.0);
     let rounding = own.rounding_deviation();
-    let floor = rounding.max(EXACT * extent(&own.values));
+    let floor = rounding.max(POSE_PRECISION * extent(&own.values));
     let (noise, below) = match own.deviation {
         Some(deviation) => (Some(deviation.hypot(rounding)), KNOWN),
         None => {
             let values = unwrapped(&own.values, is_angle);
-            let found = [between_rows(times, &values), between_rows(times, left)];
-            let least = found
+            let estimates = [between_rows(times, &values), between_rows(times, left)];
+            let least = estimates
                 .into_iter()
                 .flatten()
                 .min_by(|a, b| a.0.total_cmp(&b.0));
@@ -154,7 +158,7 @@ fn column(
     }
 }
 
-/// The range of values.
+/// Range of values.
 fn extent(values: &[Option<f64>]) -> f64 {
     let all = values.iter().flatten();
     let (low, high) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), it| {
@@ -167,18 +171,18 @@ fn extent(values: &[Option<f64>]) -> f64 {
 fn unwrapped(values: &[Option<f64>], is_angle: bool) -> Vec<Option<f64>> {
     let mut last = None;
     let next = |value: f64| {
-        let own = match last {
+        let continued = match last {
             Some(last) if is_angle => last + difference(value, last, true),
             _ => value,
         };
-        last = Some(own);
-        own
+        last = Some(continued);
+        continued
     };
     let mut next = next;
     values.iter().map(|it| it.map(&mut next)).collect()
 }
 
-/// The variance that cubics through neighboring rows leave of rows, and how many rows that are; `None` of fewer than five.
+/// Variance of rows about cubics through their neighbors, and number of these rows; `None` for fewer than five.
 pub(crate) fn between_rows(times: &[f64], values: &[Option<f64>]) -> Option<(f64, usize)> {
     let mut rows: Vec<(f64, f64)> = Vec::with_capacity(times.len());
     for (t, value) in times.iter().zip(values) {
@@ -207,9 +211,9 @@ pub(crate) fn between_rows(times: &[f64], values: &[Option<f64>]) -> Option<(f64
     (count > 0).then(|| (squares.iter().sum::<f64>() / count as f64, count))
 }
 
-/// Runs of one sign among residuals that are more than rounding of the computation.
+/// Runs of one sign among residuals that exceed rounding of the computation; `None` for too few.
 fn runs(left: &[Option<f64>], floor: f64) -> Option<(usize, f64, f64)> {
-    let least = floor * EXACT;
+    let least = floor * POSE_PRECISION;
     let signs: Vec<bool> = left
         .iter()
         .flatten()
@@ -219,22 +223,22 @@ fn runs(left: &[Option<f64>], floor: f64) -> Option<(usize, f64, f64)> {
     let count = signs.len() as f64;
     let above = signs.iter().filter(|it| **it).count() as f64;
     let below = count - above;
-    if signs.len() < FEWEST {
+    if signs.len() < MIN_RESIDUALS {
         return None;
     }
-    let found = 1 + signs.windows(2).filter(|it| it[0] != it[1]).count();
+    let run_count = 1 + signs.windows(2).filter(|it| it[0] != it[1]).count();
     let twice = 2.0 * above * below;
     let expected = 1.0 + twice / count;
     let variance = twice * (twice - count) / (count * count * (count - 1.0));
     if variance <= 0.0 {
         // All of one sign: half of each is expected.
-        return Some((found, 1.0 + count / 2.0, 0.5_f64.powf(count - 1.0)));
+        return Some((run_count, 1.0 + count / 2.0, 0.5_f64.powf(count - 1.0)));
     }
     // Continuity is corrected for by half a run; the lower tail of the normal distribution.
-    let deviations = (found as f64 + 0.5 - expected) / variance.sqrt();
+    let deviations = (run_count as f64 + 0.5 - expected) / variance.sqrt();
     let tail = 0.5 * exceeded(deviations * deviations, 1.0, KNOWN);
     let chance = if deviations < 0.0 { tail } else { 1.0 - tail };
-    Some((found, expected, chance))
+    Some((run_count, expected, chance))
 }
 
 #[cfg(test)]

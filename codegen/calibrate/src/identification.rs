@@ -1,43 +1,45 @@
-//! *The weighted sensitivity matrix* → *what of the parameters it tells apart*.
+//! Identifies which parameters a weighted sensitivity matrix determines.
 //!
-//! Its columns are scaled to unit length, so that units and sizes do not matter (van der Sluis 1969), and decomposed into singular
-//! values. A singular value that is zero, but for rounding, belongs to a combination of parameters that can change and leave every
-//! measured value as it is; one that is small to a combination that hardly shows. The ratio of the largest to it is its condition
-//! index (Belsley, Kuh and Welsch 1980, *Regression Diagnostics*, section 3.2).
+//! Its columns are scaled to unit length, so that units and magnitudes do not matter (van der Sluis 1969), and
+//! decomposed into singular values. A singular value of zero, up to rounding, belongs to a combination of parameters
+//! that can change and leave every measured value unchanged. A small one belongs to a combination with hardly any
+//! effect. The ratio of the largest to it is its condition index (Belsley, Kuh and Welsch 1980, *Regression
+//! Diagnostics*, section 3.2).
 
 use nalgebra::{DMatrix, DVector};
 
-/// The share of the largest singular value below which one is rounding.
+/// Part of the largest singular value below which a singular value is rounding.
 const RANK: f64 = 1e-9;
 
-/// The condition index above which a combination hardly shows: three digits of what is measured are lost.
+/// Condition index above which a combination has hardly any effect: three digits of the measured values are lost.
 const HARDLY: f64 = 1e3;
 
-/// The length of a column, beside the longest one when a parameter changes by its own size, below which the parameter moves nothing.
+/// Length of a column, relative to the longest one for relative changes of parameters, below which the parameter has no
+/// effect.
 const NOTHING: f64 = 1e-12;
 
-/// The component, beside the largest one, below which a parameter takes no part in a combination.
+/// Component, relative to the largest one, below which a parameter does not take part in a combination.
 const PART: f64 = 1e-3;
 
-/// Parameters that can change together and leave what is measured as it is.
+/// Parameters that can change together and leave the measured values unchanged.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Indistinct {
-    /// Each parameter by its place, with how much it changes in SI units, the first one by one; a single one moves nothing at all.
+    /// Index and change in SI units of each parameter, the first one by one; a single parameter has no effect at all.
     pub changes: Vec<(usize, f64)>,
-    /// The condition index; `None` where nothing changes at all.
+    /// Condition index; `None` if the measured values do not change at all.
     pub index: Option<f64>,
 }
 
-/// What a motion tells apart.
+/// Combinations of parameters that a motion determines.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Identification {
-    /// The ratio of the largest to the smallest singular value of what is determined, columns having unit length.
+    /// Ratio of the largest to the smallest singular value that is determined, for columns of unit length.
     pub condition: f64,
-    /// Combinations that cannot be told apart, and then those that hardly can.
+    /// Indistinguishable combinations, followed by those that are hardly distinguishable.
     pub indistinct: Vec<Indistinct>,
     names: Vec<String>,
     lengths: Vec<f64>,
-    /// Singular values with their vectors: those of what is determined.
+    /// Singular values and vectors of the determined combinations.
     determined: Vec<(f64, DVector<f64>)>,
     is_determined: Vec<bool>,
 }
@@ -77,7 +79,7 @@ impl Identification {
                 is_determined,
             };
         }
-        // With fewer rows than columns the decomposition would leave out what is not determined.
+        // With fewer rows than columns, the decomposition would omit the undetermined combinations.
         let rows = jacobian.nrows().max(moving.len());
         let scaled = DMatrix::from_fn(rows, moving.len(), |row, column| {
             let place = moving[column];
@@ -130,22 +132,22 @@ impl Identification {
         }
     }
 
-    /// How many combinations of parameters are determined.
+    /// Number of determined combinations of parameters.
     pub fn rank(&self) -> usize {
         self.determined.len()
     }
 
-    /// Whether a parameter is determined on its own.
+    /// True if a parameter is determined on its own.
     pub fn determines(&self, place: usize) -> bool {
         self.is_determined[place]
     }
 
-    /// Whether all are.
+    /// True if all parameters are determined.
     pub fn determines_all(&self) -> bool {
         self.is_determined.iter().all(|it| *it)
     }
 
-    /// Part of each row in each determined combination: columns that are orthogonal and of unit length.
+    /// Part of each row in each determined combination: orthogonal columns of unit length.
     pub(crate) fn projections(&self, jacobian: &DMatrix<f64>) -> DMatrix<f64> {
         let lengths = self.lengths.iter().enumerate();
         let moving: Vec<(usize, f64)> = lengths.map(|(place, it)| (place, *it)).collect();
@@ -158,7 +160,7 @@ impl Identification {
         })
     }
 
-    /// The covariance of the parameters, of what is determined of them; `errors` is that of errors in the determined combinations.
+    /// Covariance of the parameters in the determined combinations; `errors` is that of errors in these combinations.
     pub(crate) fn covariance(&self, errors: &DMatrix<f64>) -> DMatrix<f64> {
         let count = self.lengths.len();
         let mut covariance = DMatrix::zeros(count, count);
@@ -179,7 +181,7 @@ impl Identification {
         })
     }
 
-    /// What cannot be told apart, in one sentence each.
+    /// Describes the indistinguishable combinations, in one sentence each.
     pub fn sentences(&self) -> Vec<String> {
         let name = |place: usize| format!("`{}`", self.names[place]);
         let each = self.indistinct.iter().map(|it| match (it.changes.as_slice(), it.index) {
@@ -206,7 +208,7 @@ impl Identification {
     }
 }
 
-/// A few digits.
+/// Formats a number with a few digits.
 fn number(value: f64) -> String {
     let text = format!("{value:.3}");
     match text.trim_end_matches('0').trim_end_matches('.') {
@@ -215,7 +217,7 @@ fn number(value: f64) -> String {
     }
 }
 
-/// The parameters of a singular vector, the first one changing by one.
+/// Returns the parameters of a singular vector; the first one changes by one.
 fn combination(vector: &DVector<f64>, lengths: &[f64], index: Option<f64>) -> Indistinct {
     let largest = vector.amax();
     let parts = vector
@@ -242,7 +244,7 @@ mod tests {
 
     #[test]
     fn a_pair_is_named_with_its_ratio_and_others_are_determined() {
-        // The third column is twice the first one, the last one is nothing.
+        // The third column is twice the first one, the last one is zero.
         let jacobian = DMatrix::from_row_slice(
             4,
             4,
@@ -250,12 +252,12 @@ mod tests {
                 1.0, 0.3, 2.0, 0.0, 2.0, -0.5, 4.0, 0.0, 3.0, 0.1, 6.0, 0.0, -1.0, 0.9, -2.0, 0.0,
             ],
         );
-        let found = Identification::of(&jacobian, &[1.0; 4], &names(4));
-        assert_eq!(found.rank(), 2);
-        let determined: Vec<bool> = (0..4).map(|it| found.determines(it)).collect();
+        let identification = Identification::of(&jacobian, &[1.0; 4], &names(4));
+        assert_eq!(identification.rank(), 2);
+        let determined: Vec<bool> = (0..4).map(|it| identification.determines(it)).collect();
         assert_eq!(determined, [false, true, false, false]);
         assert_eq!(
-            found.sentences(),
+            identification.sentences(),
             [
                 "`p3` changes nothing that is measured",
                 "`p0` and `p2` cannot be told apart: changed as 1 : -0.5 they leave everything that is measured as it is",
@@ -264,19 +266,19 @@ mod tests {
     }
 
     #[test]
-    fn what_moves_nothing_is_not_determined() {
-        let found = Identification::of(&DMatrix::zeros(5, 2), &[0.02, 0.0], &names(2));
-        assert_eq!(found.rank(), 0);
-        assert!(!found.determines(0) && !found.determines(1));
+    fn parameter_without_effect_is_not_determined() {
+        let identification = Identification::of(&DMatrix::zeros(5, 2), &[0.02, 0.0], &names(2));
+        assert_eq!(identification.rank(), 0);
+        assert!(!identification.determines(0) && !identification.determines(1));
         assert_eq!(
-            found.sentences(),
+            identification.sentences(),
             [
                 "`p0` changes nothing that is measured",
                 "`p1` changes nothing that is measured",
             ]
         );
         assert!(
-            found
+            identification
                 .covariance(&DMatrix::zeros(0, 0))
                 .iter()
                 .all(|it| *it == 0.0)
@@ -286,17 +288,17 @@ mod tests {
     #[test]
     fn the_covariance_is_the_inverse_of_the_normal_matrix() {
         let jacobian = DMatrix::from_row_slice(3, 2, &[1.0, 200.0, 2.0, 500.0, 3.0, -100.0]);
-        let found = Identification::of(&jacobian, &[1.0, 0.01], &names(2));
+        let identification = Identification::of(&jacobian, &[1.0, 0.01], &names(2));
         let normal = (jacobian.transpose() * &jacobian)
             .try_inverse()
             .expect("regular");
         let errors = DMatrix::from_diagonal_element(2, 2, 2.0);
-        let covariance = found.covariance(&errors);
+        let covariance = identification.covariance(&errors);
         for (one, other) in covariance.iter().zip(&(normal * 2.0)) {
             assert!((one - other).abs() < 1e-12 * other.abs(), "{one} {other}");
         }
-        assert!(found.determines_all() && found.indistinct.is_empty());
-        let projections = found.projections(&jacobian);
+        assert!(identification.determines_all() && identification.indistinct.is_empty());
+        let projections = identification.projections(&jacobian);
         let squares = projections.transpose() * &projections;
         assert!((squares - DMatrix::identity(2, 2)).amax() < 1e-12);
     }

@@ -1,8 +1,7 @@
-//! *A described mechanism and measured values* → *the parameters with which it moves as measured*, how certain they are, and which of
-//! them this motion cannot tell apart.
+//! Fits the parameters of a described mechanism to measured values, with their uncertainty.
 //!
-//! The sum of the squared differences is minimized by Levenberg and Marquardt's method with the derived sensitivities; no difference
-//! quotient is taken anywhere. Deliberately unknown here: files, tables, arguments and how anything is printed.
+//! The fit also names the parameters that the motion does not determine. Levenberg and Marquardt's method minimizes the
+//! sum of the squared differences with the derived sensitivities; no difference quotient is taken anywhere.
 //!
 //! ```
 //! use linkwright_calibrate::{Calibrator, Column, Measurements};
@@ -20,7 +19,7 @@
 //! let system = read.expect("no errors").only().expect("one motion");
 //! let calibrator = Calibrator::new(&system, 0.1).expect("its equations can be ordered");
 //!
-//! // Where B was seen, of a crank that is 42 mm long.
+//! // Measured positions of B, for a crank that is 42 mm long.
 //! let quantities = observable::all(&system);
 //! let x = quantities.iter().find(|it| it.name == "B_x").expect("a point");
 //! let times: Vec<f64> = (0..20).map(|step| 0.1 * f64::from(step)).collect();
@@ -56,96 +55,98 @@ use nalgebra::{DMatrix, DVector, Dyn};
 
 use model::Sampled;
 
-/// How often the weights of groups are found anew from what is left.
+/// Number of times that the weights of groups are estimated anew from the residuals.
 const REWEIGHTED: usize = 4;
 
-/// A trial with which the mechanism cannot be solved counts as this many times as far off as the start.
-const FAR: f64 = 1e3;
+/// Multiple of the initial residuals that represents a trial for which the mechanism cannot be solved.
+const FAILURE_FACTOR: f64 = 1e3;
 
-/// How many times as often as there are parameters the motion is solved before the minimizer gives up.
+/// Largest number of solutions of the motion per parameter.
 const PATIENCE: usize = 60;
 
-/// The share of parameters that lie within their intervals.
+/// Probability that a parameter lies within its interval.
 pub const CONFIDENCE: f64 = 0.95;
 
-/// What is measured of a motion at some times.
+/// Measured values of a motion at some times.
 #[derive(Clone, Debug)]
 pub struct Measurements {
-    /// Times in s, which never go back.
+    /// Times in s, never decreasing.
     pub times: Vec<f64>,
-    /// What is measured at them.
+    /// Quantities measured at these times.
     pub columns: Vec<Column>,
 }
 
-/// One measured quantity.
+/// Measured quantity.
 #[derive(Clone, Debug)]
 pub struct Column {
-    /// What it is: a coordinate, a point, or a rate of one.
+    /// Kind of quantity: a coordinate, a point, or a rate of one.
     pub observable: Observable,
-    /// In SI units, time by time; `None` where it is missing.
+    /// Values in SI units, one per time; `None` if a value is missing.
     pub values: Vec<Option<f64>>,
-    /// The standard deviation of one value in SI units, where it is known.
+    /// Standard deviation of one value in SI units; `None` if it is unknown.
     pub deviation: Option<f64>,
-    /// The step in SI units to which values are rounded, where it is known.
+    /// Step in SI units to which values are rounded; `None` if it is unknown.
     pub rounding: Option<f64>,
-    /// Columns of one group are measured equally well where no deviation is known; what differs in its unit differs in its group.
+    /// Group of columns that are measured equally well if no deviation is known; columns of different units are in
+    /// different groups.
     pub group: usize,
 }
 
 impl Column {
-    /// The standard deviation of rounding to a step: that of a uniform distribution.
+    /// Standard deviation of rounding to a step: that of a uniform distribution.
     pub(crate) fn rounding_deviation(&self) -> f64 {
         self.rounding.unwrap_or(0.0) / 12.0_f64.sqrt()
     }
 }
 
-/// The parameters with which a mechanism moves as measured.
+/// Parameters with which a mechanism moves as measured.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fit {
-    /// The values in SI units, in the order of [`Calibrator::names`].
+    /// Values in SI units, in the order of [`Calibrator::names`].
     pub values: Vec<f64>,
-    /// The standard deviation of each; `None` where this motion does not determine it.
+    /// Standard deviation of each value; `None` if this motion does not determine it.
     pub deviations: Vec<Option<f64>>,
-    /// The interval that holds each with a chance of [`CONFIDENCE`], from Student's distribution.
+    /// Interval that holds each value with the probability [`CONFIDENCE`], from Student's distribution; `None` if this
+    /// motion does not determine it.
     pub intervals: Vec<Option<[f64; 2]>>,
-    /// The bound at which a value is, if any.
+    /// Bound at which a value is; `None` if it is at none.
     pub at_bound: Vec<Option<f64>>,
-    /// Goodness of the fit: what is left beside noise.
+    /// Goodness of the fit: residuals compared with noise.
     pub goodness: Goodness,
-    /// The correlation of each pair, row by row; `None` where one of both is not determined.
+    /// Correlation of each pair, row by row; `None` if one of both is not determined.
     pub correlations: Vec<Vec<Option<f64>>>,
-    /// What this motion tells apart.
+    /// Combinations of parameters that this motion determines.
     pub identified: Identification,
-    /// Measured less solved at the start and in the end, column by column and time by time.
+    /// Measured minus solved values, initial and final, column by column and time by time.
     pub residuals: [Vec<Vec<Option<f64>>>; 2],
-    /// The standard deviation that each column was taken to have in the end, in SI units.
+    /// Standard deviation of each column at the end of the fit, in SI units.
     pub column_deviations: Vec<f64>,
-    /// How many values are left over: measured ones less parameters that are determined.
+    /// Degrees of freedom: number of measured values minus that of determined parameters.
     pub freedom: usize,
-    /// How often the motion was solved.
+    /// Number of solutions of the motion.
     pub evaluations: usize,
 }
 
-/// Why there are no such parameters.
+/// Reason for a fit that failed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Unfit {
-    /// The mechanism cannot be solved at the start, or its motion ends before the times do; in words.
+    /// The mechanism cannot be solved at the start, or its motion ends before the last time; the text says why.
     Unsolved(String),
     /// There are fewer measured values than parameters: both numbers.
     TooFew(usize, usize),
-    /// No parameter is asked for.
+    /// The description has no parameter to fit.
     NoParameters,
-    /// The value of this parameter at the start is not within its bounds.
+    /// The initial value of this parameter is not within its bounds.
     OutsideBounds(String),
-    /// The minimizer does not come to an end.
+    /// The minimizer does not converge.
     NotConverged,
 }
 
 impl Calibrator {
-    /// Tells what the measured values determine of the parameters at these values, before anything is fitted.
+    /// Identifies what the measured values determine of the parameters at these values, before a fit.
     ///
     /// # Errors
-    /// There is no parameter, or too few values are measured, or the motion cannot be solved.
+    /// Returns the reason: no parameters, too few measured values, or a motion that cannot be solved.
     pub fn identify(
         &self,
         measured: &Measurements,
@@ -161,7 +162,7 @@ impl Calibrator {
         Identification::of(&jacobian, values, self.names())
     }
 
-    /// The number of measured values, if a fit can begin.
+    /// Returns the number of measured values if a fit can begin.
     fn check(&self, measured: &Measurements, start: &[f64]) -> Result<usize, Unfit> {
         let parameters = self.names().len();
         let all = measured.columns.iter().flat_map(|it| &it.values);
@@ -181,12 +182,12 @@ impl Calibrator {
         Ok(count)
     }
 
-    /// The values of the parameters, in the order of [`Calibrator::names`], with which the mechanism moves as measured, from these on.
+    /// Fits the parameters, in the order of [`Calibrator::names`], from these initial values.
     ///
     /// A parameter that is not determined at the start keeps its value.
     ///
     /// # Errors
-    /// There are none, or too few values are measured.
+    /// Returns the reason if the fit fails.
     pub fn fit(&self, measured: &Measurements, start: &[f64]) -> Result<Fit, Unfit> {
         let parameters = self.names().len();
         let count = self.check(measured, start)?;
@@ -207,7 +208,7 @@ impl Calibrator {
             let problem = Problem::new(self, measured, &deviations, &free, start, &values);
             let minimizer = LevenbergMarquardt::new().with_patience(PATIENCE);
             let (problem, report) = minimizer.minimize(problem);
-            // Where rounding leaves nothing to improve, this is the end, too.
+            // If rounding leaves nothing to improve, the fit has ended, too.
             let is_done = report.termination.was_successful()
                 || matches!(
                     report.termination,
@@ -295,7 +296,7 @@ impl Calibrator {
 }
 
 impl Fit {
-    /// True if the parameters are determined, within their bounds, and noise explains what is left.
+    /// True if the parameters are determined, within their bounds, and noise explains the residuals.
     pub fn is_trusted(&self) -> bool {
         self.identified.determines_all()
             && self.freedom > 0
@@ -304,7 +305,7 @@ impl Fit {
     }
 }
 
-/// −∂r/∂p of the residuals r that there are, each in standard deviations of its column.
+/// Returns −∂r/∂p of the residuals r without missing values, each in standard deviations of its column.
 fn weighted(sampled: &Sampled, deviations: &[f64], parameters: usize) -> DMatrix<f64> {
     let mut entries = Vec::new();
     for ((residuals, slopes), deviation) in sampled
@@ -321,19 +322,19 @@ fn weighted(sampled: &Sampled, deviations: &[f64], parameters: usize) -> DMatrix
     DMatrix::from_row_slice(entries.len() / parameters.max(1), parameters, &entries)
 }
 
-/// What is minimized.
+/// Least-squares problem of a fit.
 struct Problem<'a> {
     calibrator: &'a Calibrator,
     measured: &'a Measurements,
     deviations: &'a [f64],
-    /// The places of the parameters that change.
+    /// Indices of the parameters that change.
     free: &'a [usize],
     start: &'a [f64],
-    /// The variables that the minimizer changes, one by one for the free parameters.
+    /// Variables of the free parameters, which the minimizer changes.
     variables: DVector<f64>,
     values: Vec<f64>,
     sampled: Option<Sampled>,
-    /// What stands for residuals where there are none.
+    /// Residual that represents a failed solution.
     far: f64,
     count: usize,
     evaluations: usize,
@@ -368,11 +369,11 @@ impl<'a> Problem<'a> {
         };
         problem.sample();
         let largest = problem.residuals().map_or(1.0, |it| it.amax());
-        problem.far = FAR * largest.max(1.0);
+        problem.far = FAILURE_FACTOR * largest.max(1.0);
         problem
     }
 
-    /// A free parameter, and its derivative by its variable.
+    /// Value of a free parameter, and its derivative by its variable.
     fn value(&self, variable: usize) -> [f64; 2] {
         let place = self.free[variable];
         self.calibrator.bounds()[place].value(self.variables[variable], self.start[place])
@@ -401,7 +402,7 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
         self.variables.clone()
     }
 
-    /// Where the mechanism cannot be solved residuals are so large that the step is taken back.
+    /// Residuals; for a failed solution they are so large that the step is taken back.
     fn residuals(&self) -> Option<DVector<f64>> {
         let Some(sampled) = &self.sampled else {
             return Some(DVector::from_element(self.count, self.far));

@@ -1,7 +1,7 @@
-//! *A system and its parameters* → *what is measured of its motion, and how that depends on them*.
+//! Computes the measured quantities of a system's motion, and their derivatives by its parameters.
 //!
-//! Coordinates and their rates have derived sensitivities. Those of a point follow by the chain rule from the expressions of its
-//! position and velocity, which are differentiated, too.
+//! Coordinates and their rates have derived sensitivities. Those of a point follow by the chain rule from the
+//! expressions of its position and velocity, which are differentiated, too.
 
 use std::collections::HashMap;
 
@@ -21,55 +21,57 @@ use linkwright_solver::view::View;
 
 use crate::{Bounds, Measurements};
 
-/// A quantity whose dependence on parameters is not derived: an acceleration or a force.
+/// Error for a quantity whose dependence on parameters is not derived: an acceleration or a force.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NotDerived;
 
-/// A mechanism whose parameters can be fitted.
+/// Mechanism whose parameters can be fitted.
 #[derive(Clone, Debug)]
 pub struct Calibrator {
     view: Interpreted,
     modes: Modes,
-    /// The place of each parameter among all of the mechanism.
+    /// Index of each parameter among all of the mechanism.
     places: Vec<usize>,
     names: Vec<String>,
     nominal: Vec<f64>,
     bounds: Vec<Bounds>,
-    /// The largest time between frames (s).
+    /// Largest time between frames (s).
     step: f64,
     points: HashMap<[usize; 3], PointSlopes>,
 }
 
-/// How a component of a point depends on what it is made of.
+/// Derivatives of a component of a point.
 #[derive(Clone, Debug)]
 struct PointSlopes {
-    /// Coordinates (0) and rates (1) with their places, in the order of the first values of the reader; those by parameter follow.
+    /// Coordinates (0) and rates (1) with their indices, in the order of the first values of the reader; the
+    /// derivatives by parameter follow.
     along: Vec<(usize, usize)>,
     reader: Reader,
 }
 
-/// What is measured and what is solved, with these parameters.
+/// Residuals and derivatives at these parameters.
 #[derive(Clone, Debug)]
 pub(crate) struct Sampled {
-    /// Measured less solved, column by column and time by time.
+    /// Measured minus solved values, column by column and time by time.
     pub residuals: Vec<Vec<Option<f64>>>,
-    /// The derivatives of what is solved, column by column: by parameter, time by time.
+    /// Derivatives of solved values, column by column: by parameter, time by time.
     pub slopes: Vec<Vec<f64>>,
 }
 
 impl Calibrator {
-    /// Of a system with the sensitivities to the parameters that are to be fitted, as [`linkwright_codegen::read_along`] gives it;
-    /// `step` is the largest time between frames (s). `None` where its blocks cannot be ordered.
+    /// Returns the calibrator of a system with the sensitivities to the parameters that are to be fitted, as
+    /// [`linkwright_codegen::read_along`] gives it. `step` is the largest time between frames (s). `None` if its blocks
+    /// cannot be ordered.
     pub fn new(system: &System, step: f64) -> Option<Calibrator> {
         Some(Calibrator::of(Interpreted::new(system)?, step))
     }
 
-    /// The same of its blocks.
+    /// Returns the calibrator of an interpreted system; `step` is the largest time between frames (s).
     #[must_use]
     pub fn of(view: Interpreted, step: f64) -> Calibrator {
         let modes = view.drawn_branches();
-        let own = view.system();
-        let places: Vec<usize> = own
+        let system = view.system();
+        let places: Vec<usize> = system
             .directions
             .iter()
             .filter_map(|it| match it.cause {
@@ -77,7 +79,7 @@ impl Calibrator {
                 Cause::Driver { .. } => None,
             })
             .collect();
-        let parameters = &own.mechanism.parameters;
+        let parameters = &system.mechanism.parameters;
         let names = places
             .iter()
             .map(|it| parameters[*it].name.clone())
@@ -104,15 +106,15 @@ impl Calibrator {
         }
     }
 
-    /// The same in these assembly modes, instead of those of the drawing.
+    /// Selects assembly modes other than those of the design configuration.
     pub fn in_modes(mut self, modes: Modes) -> Calibrator {
         self.modes = modes;
         self
     }
 
-    /// The same with these bounds of a parameter, by its place among [`Calibrator::names`].
+    /// Sets the bounds of a parameter, by its index among [`Calibrator::names`].
     ///
-    /// Without them a length keeps the sign that it has in the description.
+    /// Without bounds, a length keeps the sign that it has in the description.
     #[must_use]
     pub fn within(mut self, place: usize, bounds: Bounds) -> Calibrator {
         if let Some(own) = self.bounds.get_mut(place) {
@@ -121,30 +123,30 @@ impl Calibrator {
         self
     }
 
-    /// The bounds of the parameters.
+    /// Bounds of the parameters.
     pub fn bounds(&self) -> &[Bounds] {
         &self.bounds
     }
 
-    /// What is solved.
+    /// Interpreted mechanism.
     pub fn view(&self) -> &Interpreted {
         &self.view
     }
 
-    /// The names of the parameters, in the order of the description.
+    /// Names of the parameters, in the order of the description.
     pub fn names(&self) -> &[String] {
         &self.names
     }
 
-    /// Their values in the description, in SI units.
+    /// Values of the parameters in the description, in SI units.
     pub fn nominal(&self) -> Vec<f64> {
         self.nominal.clone()
     }
 
-    /// Whether a quantity can be fitted.
+    /// Checks that a quantity can be fitted.
     ///
     /// # Errors
-    /// Its dependence on parameters is not derived.
+    /// Returns [`NotDerived`] if its dependence on parameters is not derived.
     pub fn can_fit(observable: Observable) -> Result<(), NotDerived> {
         match observable {
             Observable::Coordinate { level: 0 | 1, .. }
@@ -153,10 +155,10 @@ impl Calibrator {
         }
     }
 
-    /// What is solved with these parameters, in SI units, column by column and time by time.
+    /// Solves for quantities with these parameters, in SI units, column by column and time by time.
     ///
     /// # Errors
-    /// The mechanism cannot be assembled, or its motion ends early; in words.
+    /// Returns the reason, in words, if the mechanism cannot be assembled or its motion ends early.
     pub fn solved(
         &self,
         observables: &[Observable],
@@ -222,7 +224,7 @@ impl Calibrator {
         }
     }
 
-    /// What is left of the measured values, and how it depends on the parameters.
+    /// Computes the residuals of the measured values, and their derivatives by the parameters.
     pub(crate) fn sample(
         &self,
         measured: &Measurements,
@@ -264,8 +266,8 @@ impl Calibrator {
         }
     }
 
-    /// Adds the derivatives of a quantity by every parameter. `derivatives` ends with those of all coordinates, and of all their
-    /// rates, parameter by parameter.
+    /// Adds the derivatives of a quantity by every parameter. `derivatives` ends with those of all coordinates, and of
+    /// all their rates, parameter by parameter.
     fn slopes(
         &self,
         observable: Observable,
@@ -303,7 +305,7 @@ impl Calibrator {
     }
 }
 
-/// How every component of every point and of its velocity depends on coordinates, rates and parameters.
+/// Derivatives of every component of every point and of its velocity, by coordinates, rates and parameters.
 fn point_slopes(view: &Interpreted, parameters: &[SymbolId]) -> HashMap<[usize; 3], PointSlopes> {
     let system = view.system();
     let mut graph = system.mechanism.graph.clone();
@@ -311,7 +313,7 @@ fn point_slopes(view: &Interpreted, parameters: &[SymbolId]) -> HashMap<[usize; 
     let known: HashMap<SymbolId, (usize, usize)> = coordinates
         .flat_map(|(place, it)| [(it.position, (0, place)), (it.rate, (1, place))])
         .collect();
-    let mut found = HashMap::new();
+    let mut slopes = HashMap::new();
     for (place, output) in system.outputs.iter().enumerate() {
         for (level, components) in [output.position, output.velocity].into_iter().enumerate() {
             for (axis, expr) in components.into_iter().enumerate() {
@@ -324,9 +326,9 @@ fn point_slopes(view: &Interpreted, parameters: &[SymbolId]) -> HashMap<[usize; 
                     .map(|it| graph.derivative(expr, *it))
                     .collect();
                 let reader = Reader::new(&graph, view.layout(), &roots);
-                found.insert([place, axis, level], PointSlopes { along, reader });
+                slopes.insert([place, axis, level], PointSlopes { along, reader });
             }
         }
     }
-    found
+    slopes
 }

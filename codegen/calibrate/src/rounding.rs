@@ -1,9 +1,10 @@
-//! Covariance of errors of which a part is rounding of the table.
+//! Covariance of errors that are partly rounding of the table.
 //!
-//! Neighboring rows of slow motion are rounded almost alike, so their errors are correlated. With normal noise of σ steps, the mean error
-//! of a value is a Fourier series of its place within a step, with amplitudes 1/(πk)·exp(−2π²k²σ²) in steps (Widrow and Kollár 2008,
-//! *Quantization Noise*); what is left of an error is independent from row to row. The place of zero within a step counts as evenly
-//! distributed, so different harmonics are uncorrelated. The mean square of an error is σ² + 1/12 at any σ.
+//! Neighboring rows of slow motion are rounded almost equally, so their errors are correlated. With normal noise of σ
+//! steps, the mean error of a value is a Fourier series of its position within a step. Its amplitudes are
+//! 1/(πk)·exp(−2π²k²σ²) in steps (Widrow and Kollár 2008, *Quantization Noise*). The rest of an error is independent
+//! from row to row. The position of zero within a step counts as evenly distributed, so different harmonics are
+//! uncorrelated. The mean square of an error is σ² + 1/12 at any σ.
 
 use std::f64::consts::{PI, TAU};
 
@@ -13,16 +14,16 @@ use crate::goodness::between_rows;
 use crate::model::Sampled;
 use crate::{Column, Measurements};
 
-/// Harmonics of the mean error; those beyond count as independent from row to row.
+/// Number of harmonics of the mean error; those beyond count as independent from row to row.
 const HARMONICS: usize = 24;
 
-/// Halvings of the range in which noise is looked for.
+/// Number of halvings of the range in which noise is sought.
 const HALVINGS: usize = 40;
 
 /// Noise in steps from which on rounding is independent: 2.7e-9 of its first harmonic is left.
 const INDEPENDENT: f64 = 1.0;
 
-/// Errors of the measured values, as a fit has left them.
+/// Errors of the measured values after a fit.
 pub(crate) struct Errors<'a> {
     /// Rounded values.
     pub measured: &'a Measurements,
@@ -30,7 +31,7 @@ pub(crate) struct Errors<'a> {
     pub sampled: &'a Sampled,
     /// Standard deviations by which columns are weighed.
     pub deviations: &'a [f64],
-    /// Mean square of errors, in squares of these.
+    /// Mean square of errors, in squares of these deviations.
     pub variance: f64,
 }
 
@@ -81,17 +82,17 @@ struct Rounded {
 }
 
 impl Rounded {
-    /// `None` if nothing is rounded, or noise makes errors of rounding independent.
-    fn of(own: &Column, times: &[f64], residuals: &[Option<f64>]) -> Option<Rounded> {
-        let step = own.rounding.filter(|it| *it > 0.0)?;
-        let found = match own.deviation {
+    /// Returns the column; `None` if it is not rounded, or if noise makes errors of rounding independent.
+    fn of(column: &Column, times: &[f64], residuals: &[Option<f64>]) -> Option<Rounded> {
+        let step = column.rounding.filter(|it| *it > 0.0)?;
+        let variance = match column.deviation {
             Some(deviation) => (deviation / step).powi(2),
             None => between_rows(times, residuals)?.0 / (step * step),
         };
-        if found > INDEPENDENT * INDEPENDENT {
+        if variance > INDEPENDENT * INDEPENDENT {
             return None;
         }
-        let rows = own.values.iter().zip(residuals);
+        let rows = column.values.iter().zip(residuals);
         let places: Vec<Option<f64>> = rows
             .map(|(value, left)| Some((((*value)? - (*left)?) / step).fract() * TAU))
             .collect();
@@ -104,9 +105,9 @@ impl Rounded {
             })
         });
         let phases: Vec<[Vec<Option<f64>>; 2]> = phases.collect();
-        let noise = match own.deviation {
-            Some(_) => found.sqrt(),
-            None => noise_between_rows(found, times, &phases)?,
+        let noise = match column.deviation {
+            Some(_) => variance.sqrt(),
+            None => noise_between_rows(variance, times, &phases)?,
         };
         Some(Rounded {
             step,
@@ -116,9 +117,10 @@ impl Rounded {
     }
 }
 
-/// Noise in steps of which cubics through neighboring rows leave this mean square, in squares of the step.
+/// Noise in steps for which cubics through neighboring rows leave this mean square, in squares of the step.
 ///
-/// They leave all that is independent from row to row, and of each harmonic what they leave of its cosine and sine.
+/// They leave all errors that are independent from row to row, and of each harmonic the residuals of its cosine and
+/// sine.
 fn noise_between_rows(found: f64, times: &[f64], phases: &[[Vec<Option<f64>>; 2]]) -> Option<f64> {
     let mut followed = Vec::with_capacity(phases.len());
     for [cosines, sines] in phases {
@@ -179,7 +181,7 @@ mod tests {
         errors.covariance(&weights)[(0, 0)] / (root * root)
     }
 
-    /// At rest all errors are the same one, of variance 1/12; noise makes them independent.
+    /// At rest, the errors of all rows are equal, of variance 1/12; noise makes them independent.
     #[test]
     fn errors_of_rows_at_rest_are_one_error() {
         let rows = 40.0;
@@ -187,7 +189,8 @@ mod tests {
         assert!((rest / (rows * rows / 12.0) - 1.0).abs() < 0.03, "{rest}");
         let steady: Vec<f64> = (0..40).map(|it| f64::from(it) / 8.0).collect();
         let steady = of_the_sum(&steady, Some(1e-6));
-        // Those of eight rows that share a step evenly add up to one error, here five times the same one: Σ B1(x + k/8) = B1(8x).
+        // The errors of eight rows that share a step evenly add up to one error, here five times equal: Σ B1(x + k/8) =
+        // B1(8x).
         assert!((steady / (25.0 / 12.0) - 1.0).abs() < 0.15, "{steady}");
         let noisy = of_the_sum(&[0.3; 40], Some(1.0));
         assert!(
@@ -199,10 +202,10 @@ mod tests {
     /// Errors of two rows, half a step apart, have the covariance −1/24 of a sawtooth (that of the Bernoulli polynomial of degree two).
     #[test]
     fn errors_half_a_step_apart_cancel_each_other() {
-        let found = of_the_sum(&[0.2, 0.7], Some(1e-6));
+        let variance = of_the_sum(&[0.2, 0.7], Some(1e-6));
         assert!(
-            (found - 2.0 * (1.0 / 12.0 - 1.0 / 24.0)).abs() < 3e-3,
-            "{found}"
+            (variance - 2.0 * (1.0 / 12.0 - 1.0 / 24.0)).abs() < 3e-3,
+            "{variance}"
         );
     }
 
@@ -229,8 +232,12 @@ mod tests {
                 .map(|(a, b)| Some(a - b))
                 .collect();
             let times: Vec<f64> = (0..4000).map(f64::from).collect();
-            let found = Rounded::of(&column(&values, None), &times, &left).expect("rounded");
-            assert!((found.noise / noise - 1.0).abs() < 0.1, "{}", found.noise);
+            let rounded = Rounded::of(&column(&values, None), &times, &left).expect("rounded");
+            assert!(
+                (rounded.noise / noise - 1.0).abs() < 0.1,
+                "{}",
+                rounded.noise
+            );
         }
     }
 }

@@ -1,12 +1,12 @@
-//! *Measured columns* → *the standard deviation of each*: as it is known, or from what a fit leaves of all columns of a group.
+//! Standard deviations of measured columns: known ones, or those of a fit's residuals in all columns of a group.
 
 use crate::Measurements;
 use crate::model::Sampled;
 
-/// The least standard deviation of a group, as a share of how much it moves: what fits exactly has rounding left.
-const EXACT: f64 = 1e-14;
+/// Least standard deviation of a group, relative to its range: an exact fit leaves rounding.
+const MIN_DEVIATION: f64 = 1e-14;
 
-/// Of which columns a group consists whose deviation is not known.
+/// Indices of the columns in a group without known deviations.
 fn group(measured: &Measurements, group: usize) -> impl Iterator<Item = usize> + '_ {
     let columns = measured.columns.iter().enumerate();
     columns
@@ -22,14 +22,15 @@ fn groups(measured: &Measurements) -> Vec<usize> {
     groups
 }
 
-/// How many things have to be weighed against one another: groups whose deviations are unknown, beside what is known.
+/// Number of classes with separate weights: groups of unknown deviations, and if there are any, one of known
+/// deviations.
 pub(crate) fn unknown_groups(measured: &Measurements) -> usize {
     let unknown = groups(measured).len();
     let is_known = measured.columns.iter().any(|it| it.deviation.is_some());
     unknown + usize::from(is_known && unknown > 0)
 }
 
-/// The range of the values of some columns.
+/// Range of the values of some columns.
 fn extent(measured: &Measurements, columns: impl Iterator<Item = usize>) -> f64 {
     let ranges = columns.map(|column| {
         let values = measured.columns[column].values.iter().flatten();
@@ -42,7 +43,7 @@ fn extent(measured: &Measurements, columns: impl Iterator<Item = usize>) -> f64 
     if extent > 0.0 { extent } else { 1.0 }
 }
 
-/// Before anything is fitted: what is known, and of the other groups how far they move.
+/// Initial deviations: the known ones, and the range of motion for the other groups.
 pub(crate) fn initial(measured: &Measurements) -> Vec<f64> {
     let columns = measured.columns.iter();
     let deviation = |own: &crate::Column| match own.deviation {
@@ -52,7 +53,7 @@ pub(crate) fn initial(measured: &Measurements) -> Vec<f64> {
     columns.map(deviation).collect()
 }
 
-/// The root of what is left of some columns, over how many values are left over.
+/// Root of the mean square of some columns' residuals over their degrees of freedom.
 fn left(sampled: &Sampled, columns: &[usize], share: f64) -> f64 {
     let residuals = columns
         .iter()
@@ -68,7 +69,8 @@ fn left(sampled: &Sampled, columns: &[usize], share: f64) -> f64 {
     }
 }
 
-/// Sets the deviations of groups to what a fit has left of them; each pays for parameters by its share of the values.
+/// Sets the deviations of groups to those of a fit's residuals; each group pays for parameters by its share of the
+/// values.
 pub(crate) fn improve(
     deviations: &mut [f64],
     measured: &Measurements,
@@ -80,24 +82,24 @@ pub(crate) fn improve(
     let share = (count.saturating_sub(parameters)).max(1) as f64 / count.max(1) as f64;
     for own in groups(measured) {
         let columns: Vec<usize> = group(measured, own).collect();
-        let least = EXACT * extent(measured, columns.iter().copied());
-        let found = left(sampled, &columns, share).max(least);
+        let least = MIN_DEVIATION * extent(measured, columns.iter().copied());
+        let deviation = left(sampled, &columns, share).max(least);
         for column in columns {
-            deviations[column] = found;
+            deviations[column] = deviation;
         }
     }
 }
 
-/// The variance of what was minimized.
+/// Variance of the minimized residuals.
 pub(crate) struct Scale {
-    /// In squares of the deviations.
+    /// Variance in squares of the deviations.
     pub variance: f64,
     /// True if all deviations are known.
     pub is_known: bool,
 }
 
-/// The variance of what was minimized: one where all deviations are known, otherwise from what is left, and never less than rounding
-/// makes. The deviations of columns are then those, too.
+/// Variance of the minimized residuals: one if all deviations are known, otherwise from the residuals, and at least
+/// that of rounding. In the latter case, the deviations of columns are scaled with it.
 pub(crate) fn scale(
     measured: &Measurements,
     sampled: &Sampled,
@@ -118,11 +120,12 @@ pub(crate) fn scale(
             .map(move |it| (it / deviation).powi(2))
     });
     let left = squares.sum::<f64>() / freedom as f64;
-    let own = measured.columns.iter().zip(&*deviations);
-    let rounding = own.map(|(own, deviation)| (own.rounding_deviation() / deviation).powi(2));
+    let columns = measured.columns.iter().zip(&*deviations);
+    let rounding =
+        columns.map(|(column, deviation)| (column.rounding_deviation() / deviation).powi(2));
     let variance = rounding.fold(left, f64::max);
-    for (deviation, own) in deviations.iter_mut().zip(&measured.columns) {
-        if own.deviation.is_none() {
+    for (deviation, column) in deviations.iter_mut().zip(&measured.columns) {
+        if column.deviation.is_none() {
             *deviation *= variance.sqrt();
         }
     }

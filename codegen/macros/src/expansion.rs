@@ -1,4 +1,4 @@
-//! *The tokens of an invocation → a module, or errors.* The only place that knows all of the others.
+//! Expands an invocation into a module, or into errors.
 
 use std::path::{Path, PathBuf};
 use std::{env, path};
@@ -14,7 +14,7 @@ use crate::head::Head;
 use crate::tokens::{Token, flat};
 use crate::written::Written;
 
-/// The module of a mechanism, or what is wrong with its description.
+/// Expands the description of a mechanism into its module, or into the errors of the description.
 pub fn expand(input: TokenStream) -> TokenStream {
     let head = Head::read(input);
     let tokens = flat(head.description);
@@ -27,9 +27,9 @@ pub fn expand(input: TokenStream) -> TokenStream {
     let (source, generated) = generated(source, &folder, &head.options);
     let (generated, page) = match generated {
         Ok(generated) => generated,
-        Err(found) => {
-            let found = findings::items(found, &written);
-            return quote!(#mistakes #found);
+        Err(diagnostics) => {
+            let diagnostics = findings::items(diagnostics, &written);
+            return quote!(#mistakes #diagnostics);
         }
     };
     if !mistakes.is_empty() {
@@ -54,7 +54,7 @@ pub fn expand(input: TokenStream) -> TokenStream {
         true => quote!(#[allow(non_snake_case)]),
         false => TokenStream::new(),
     };
-    // All of the module has one place, that of the macro: what clippy reads from places means nothing.
+    // The whole module has one location, that of the macro: lints of clippy that depend on locations do not apply.
     quote! {
         #(#[doc = #documentation])*
         #[cfg_attr(doc, doc = #html)]
@@ -69,14 +69,14 @@ pub fn expand(input: TokenStream) -> TokenStream {
     }
 }
 
-/// What the generator makes of a description, with the files that it names. The generator reads text of its own and must know where
-/// in it a token stands: for as long as it runs, tokens are not the compiler's.
+/// Generates code from a description, with the files that it names. The generator parses text of its own and must know
+/// the locations of tokens in it. While it runs, tokens therefore do not belong to the compiler.
 fn generated(
     source: Source,
     folder: &Path,
     options: &Options,
 ) -> (Source, Result<(Generated, Page), Diagnostics>) {
-    /// Leaves tokens to the compiler again.
+    /// Guard that returns tokens to the compiler.
     struct Aside;
 
     impl Drop for Aside {
@@ -95,7 +95,7 @@ fn generated(
     )
 }
 
-/// The folder that files are named from: that of the file of the description, or of the package.
+/// Folder to which file names are relative: that of the description's file, or of the package.
 fn folder(tokens: &[Token]) -> PathBuf {
     let first = tokens
         .first()
@@ -106,7 +106,7 @@ fn folder(tokens: &[Token]) -> PathBuf {
     folder.or_else(package).unwrap_or_default()
 }
 
-/// Items that make cargo build again when a file changes that the description names.
+/// Items that make cargo rebuild after a change of a file that the description names.
 fn watched(source: &Source, folder: &Path) -> TokenStream {
     let files = source.attachments.iter();
     files
@@ -120,7 +120,7 @@ fn watched(source: &Source, folder: &Path) -> TokenStream {
         .collect()
 }
 
-/// The name of the module, which leads to that of the description.
+/// Name of the module, at the location of the description's name.
 fn module_name(name: &str, tokens: &[Token]) -> Result<Ident, TokenStream> {
     let mut pairs = tokens.windows(2);
     let named = pairs.find(|pair| pair[0].text == "mechanism" && pair[1].text == name);

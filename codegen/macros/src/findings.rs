@@ -1,8 +1,8 @@
-//! *Findings in the text of a description → findings of the compiler at its tokens.*
+//! Reports diagnostics in the text of a description as diagnostics of the compiler, at its tokens.
 //!
-//! An error is a `compile_error!`. The compiler lets no macro warn, so a warning is a constant that is deprecated: it is used where the
-//! warning points to, and its note says what there is to say. So it shows in an editor, is repeated by every build, and follows
-//! `#[allow(deprecated)]` and `#![deny(warnings)]` as any other warning of code does.
+//! An error is a `compile_error!`. A macro cannot warn. A warning is therefore a deprecated constant with the text as
+//! its note, used at the location of the warning. The warning therefore shows in an editor, is repeated by every build,
+//! and follows `#[allow(deprecated)]` and `#![deny(warnings)]` as any other warning of code does.
 
 use std::fmt::Write as _;
 
@@ -12,10 +12,10 @@ use quote::{quote, quote_spanned};
 
 use crate::written::Written;
 
-/// Items that make the compiler say what was found.
-pub fn items(found: Diagnostics, written: &Written) -> TokenStream {
-    let found = found.into_iter();
-    found
+/// Items that make the compiler report diagnostics.
+pub fn items(diagnostics: Diagnostics, written: &Written) -> TokenStream {
+    let diagnostics = diagnostics.into_iter();
+    diagnostics
         .map(|finding| {
             let place = written.tokens_at(finding.primary.span);
             let message = message(&finding, written);
@@ -27,7 +27,7 @@ pub fn items(found: Diagnostics, written: &Written) -> TokenStream {
         .collect()
 }
 
-/// An error from the first to the last of two places.
+/// Error from the first to the last of two locations.
 pub fn error([first, last]: [Span; 2], message: &str) -> TokenStream {
     // The compiler marks from the beginning of the path to the end of the braces.
     let mut braces = Group::new(Delimiter::Brace, quote_spanned!(last=> #message));
@@ -35,7 +35,7 @@ pub fn error([first, last]: [Span; 2], message: &str) -> TokenStream {
     quote_spanned!(first=> ::core::compile_error! #braces)
 }
 
-/// A warning, which is called like its code.
+/// Warning with a constant that is named after its code.
 fn warning(place: Span, code: &str, message: &str) -> TokenStream {
     let name = Ident::new(code, place);
     quote! {
@@ -47,7 +47,7 @@ fn warning(place: Span, code: &str, message: &str) -> TokenStream {
     }
 }
 
-/// All that a finding says, but for its code; other places by their lines.
+/// Text of a diagnostic without its code; other locations by their lines.
 fn message(finding: &Diagnostic, written: &Written) -> String {
     let mut text = finding.message.clone();
     if !finding.primary.text.is_empty() {
@@ -56,12 +56,12 @@ fn message(finding: &Diagnostic, written: &Written) -> String {
     for label in &finding.secondary {
         let [place, _] = written.tokens_at(label.span);
         let (file, start) = (place.file(), place.start());
-        let said = match label.text.as_str() {
+        let label_text = match label.text.as_str() {
             "" => "see",
-            said => said,
+            label_text => label_text,
         };
         let column = start.column + 1;
-        let _ = write!(text, "\n{said}: {file}:{}:{column}", start.line);
+        let _ = write!(text, "\n{label_text}: {file}:{}:{column}", start.line);
     }
     for note in &finding.notes {
         let _ = write!(text, "\nnote: {note}");

@@ -1,5 +1,7 @@
-//! *The tokens of an invocation → what is said of the module, and those of the description.* Of the language it knows the comments that
-//! document it: they are left to it. Everything else before the first word of the description is Rust's.
+//! Separates the head of an invocation, which is Rust, from the tokens of the description.
+//!
+//! Comments that document the description are part of the description. Everything else before its first word belongs to
+//! the head.
 
 use linkwright_codegen::{Options, Scalar};
 use proc_macro2::{Delimiter, Group, Span, TokenStream, TokenTree};
@@ -9,22 +11,22 @@ use syn::parse::Parser as _;
 
 use crate::tokens::{Attribute, spliced};
 
-/// What an invocation begins with.
+/// Head of an invocation, and its description.
 pub struct Head {
-    /// The attributes of the module.
+    /// Attributes of the module.
     pub attributes: TokenStream,
     /// `pub`, `pub(crate)`, … or nothing.
     pub visibility: TokenStream,
-    /// What is chosen about the generated code.
+    /// Options of the generated code.
     pub options: Options,
-    /// The description.
+    /// Description.
     pub description: Vec<TokenTree>,
-    /// What is wrong with the options, with the first and the last place.
+    /// Errors in the options, with the first and the last location.
     pub mistakes: Vec<([Span; 2], String)>,
 }
 
 impl Head {
-    /// Reads the head of an invocation. What nobody understands is left to the description.
+    /// Reads the head of an invocation. Unknown tokens are left to the description.
     pub fn read(input: TokenStream) -> Head {
         let mut head = Head {
             attributes: TokenStream::new(),
@@ -33,7 +35,7 @@ impl Head {
             description: Vec::new(),
             mistakes: Vec::new(),
         };
-        let mut given = Vec::new();
+        let mut given_names = Vec::new();
         let mut rest = spliced(input).into_iter();
         while let Some(attribute) = Attribute::first_of(rest.as_slice()) {
             let trees = rest.by_ref().take(attribute.length);
@@ -42,7 +44,7 @@ impl Head {
                 continue;
             } else if attribute.is_inner {
                 trees.for_each(drop);
-                head.choose(&attribute.inside, &mut given).err()
+                head.choose(&attribute.inside, &mut given_names).err()
             } else {
                 let of_module: TokenStream = trees.collect();
                 let parsed = syn::Attribute::parse_outer.parse2(of_module.clone());
@@ -64,8 +66,12 @@ impl Head {
         head
     }
 
-    /// Takes an option; `given` holds the names of those before it.
-    fn choose(&mut self, inside: &[TokenTree], given: &mut Vec<String>) -> Result<(), String> {
+    /// Takes an option; `given_names` are the options before it.
+    fn choose(
+        &mut self,
+        inside: &[TokenTree],
+        given_names: &mut Vec<String>,
+    ) -> Result<(), String> {
         let (name, value) = match inside {
             [TokenTree::Ident(name), TokenTree::Group(value)]
                 if value.delimiter() == Delimiter::Parenthesis =>
@@ -76,19 +82,19 @@ impl Head {
         };
         match name.as_str() {
             "scalar" => self.options.scalar = scalar(value)?,
-            // An option lives as long as the compiler does.
+            // An option must live until the compiler ends.
             "math" => self.options.math = Some(value.stream().to_string().leak()),
             _ => return Err(unknown()),
         }
-        if given.contains(&name) {
+        if given_names.contains(&name) {
             return Err(format!("the option `{name}` is given twice"));
         }
-        given.push(name);
+        given_names.push(name);
         Ok(())
     }
 }
 
-/// Where the visibility begins that trees end with.
+/// Index of the visibility that ends the trees.
 fn start_of_visibility(trees: &[TokenTree]) -> usize {
     let is_public = |it: &TokenTree| matches!(it, TokenTree::Ident(word) if word == "pub");
     match trees {

@@ -62,8 +62,8 @@
 //!    |                            ^^^^
 //! ```
 //!
-//! A macro cannot warn. So what should be looked at, although it is no error, is a deprecated constant whose note says it: the warning
-//! points to its token, every build repeats it, and `#[allow(deprecated)]` above the mechanism turns it off.
+//! A macro cannot warn. A warning is therefore a deprecated constant with the text as its note: it points to the token,
+//! every build repeats it, and `#[allow(deprecated)]` above the mechanism turns it off.
 
 #![doc(html_root_url = "https://docs.rs/linkwright-macros/0.1.0")]
 
@@ -79,15 +79,17 @@ use std::sync::{Mutex, PoisonError};
 
 use proc_macro::TokenStream;
 
-/// One at a time: whether tokens are the compiler's holds for a whole process, and a compiler may expand on several threads.
+/// Lock for one expansion at a time: tokens belong to the compiler or not for a whole process, and a compiler may
+/// expand on several threads.
 static EXPANDING: Mutex<()> = Mutex::new(());
 
-/// The module of a mechanism that is described between the braces, as a file describes it.
+/// Generates the module of a mechanism that is described between the braces, as in a file.
 ///
-/// The module is named after the mechanism and stands where the macro stands, among the items of a module or of a function. It is what
-/// `linkwright::include_mechanism! { mod NAME; }` includes of a build script: its documentation is that of the description, and
-/// `rustdoc` shows the drawing and the derivation. It is private unless `pub` stands before the word `mechanism`. Attributes of the module,
-/// such as `#[cfg(test)]`, stand first. Of several mechanisms the last one becomes the module, and those above it can be its parts.
+/// The module is named after the mechanism and takes the place of the macro, among the items of a module or of a
+/// function. It is the module that `linkwright::include_mechanism! { mod NAME; }` includes after a build script: its
+/// documentation is that of the description, and `rustdoc` shows the picture and the derivation. It is private unless
+/// `pub` precedes the word `mechanism`. Attributes of the module, such as `#[cfg(test)]`, come first. Of several
+/// mechanisms the last one becomes the module, and those above it can be its parts.
 ///
 /// ```
 /// mod linkages {
@@ -109,20 +111,20 @@ static EXPANDING: Mutex<()> = Mutex::new(());
 ///
 /// # Options
 ///
-/// They stand first, and are those of `linkwright_codegen::Options`:
+/// Options come first, and are those of `linkwright_codegen::Options`:
 /// - `#![scalar(f32)]` computes in single precision.
 /// - `#![math(crate::plain)]` calls the functions of a module of this path in place of those of `linkwright::math`.
 ///
 /// # Tables in files
 ///
-/// A file that a `table` statement names lies beside the file with the
-/// macro, or in a folder there. When it changes, cargo builds the crate again. Where the compiler does not know the file with the macro,
-/// paths begin in the folder of the package.
+/// The file of a `table` statement is relative to the folder of the file with the macro. When it changes, cargo builds
+/// the crate again. If the compiler does not tell the file with the macro, paths are relative to the folder of the
+/// package.
 ///
-/// # What tokens cannot say
+/// # Limits of tokens
 ///
-/// A description has the tokens of Rust, so there is nothing in it that could not stand here. Only what the compiler refuses by itself,
-/// such as `°` or a bracket without its partner, is an error of the compiler's.
+/// A description has the tokens of Rust, so all of its language is possible here. Only characters that the compiler
+/// refuses by itself, such as `°` or a bracket without its partner, are errors of the compiler.
 #[proc_macro]
 pub fn mechanism(input: TokenStream) -> TokenStream {
     let _one = EXPANDING.lock().unwrap_or_else(PoisonError::into_inner);

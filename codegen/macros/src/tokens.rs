@@ -1,20 +1,21 @@
-//! *Trees of tokens → one token after another, with brackets, as a description writes them.* Documentation, which the compiler hands on
-//! as attributes, is a comment again. Nothing is known here of the language; trees nest as deeply as they like.
+//! Flattens trees of tokens into a sequence with brackets, in the notation of a description.
+//!
+//! Documentation, which the compiler passes on as attributes, becomes comments again. Trees may be nested to any depth.
 
 use std::vec::IntoIter;
 
 use proc_macro2::{Delimiter, Group, LineColumn, Punct, Spacing, Span, TokenTree};
 use syn::LitStr;
 
-/// A word, a number, a text, a mark, a bracket or a comment.
+/// Word, number, text, mark, bracket or comment.
 pub struct Token {
-    /// What the description is to say.
+    /// Text in the description.
     pub text: String,
-    /// Where the compiler is to report what is wrong with it.
+    /// Location of errors for the compiler.
     pub span: Span,
-    /// From where to where it is written; `None` where something else is written there, as with what other macros make.
+    /// Start and end in the source; `None` if the source has another text there, as for tokens of other macros.
     pub extent: Option<[LineColumn; 2]>,
-    /// Whether the next mark belongs to it, as in `->`.
+    /// True if the next mark belongs to this one, as in `->`.
     pub joint: bool,
 }
 
@@ -37,13 +38,13 @@ impl Token {
         }
     }
 
-    /// Whether it ends with its line only.
+    /// True for a comment that ends with its line.
     pub fn is_line_comment(&self) -> bool {
         self.text.starts_with("//")
     }
 }
 
-/// The place behind a text that begins at `start`.
+/// Location behind a text that begins at `start`.
 fn behind(start: LineColumn, text: &str) -> LineColumn {
     text.chars().fold(start, |at, letter| match letter {
         '\n' => LineColumn {
@@ -57,35 +58,36 @@ fn behind(start: LineColumn, text: &str) -> LineColumn {
     })
 }
 
-/// All tokens in their order.
+/// Returns all tokens in their order.
 pub fn flat(trees: Vec<TokenTree>) -> Vec<Token> {
-    let mut found = Vec::new();
-    // The groups that are open, each with what closes it.
+    let mut tokens = Vec::new();
+    // Open groups, each with its closing bracket.
     let mut open = vec![(trees.into_iter(), None)];
     while let Some((trees, _)) = open.last_mut() {
         if let Some(comment) = documentation(trees) {
-            found.push(comment);
+            tokens.push(comment);
             continue;
         }
         match trees.next() {
-            None => found.extend(open.pop().and_then(|(_, close)| close)),
+            None => tokens.extend(open.pop().and_then(|(_, close)| close)),
             Some(TokenTree::Group(group)) => {
                 let inside: Vec<TokenTree> = group.stream().into_iter().collect();
                 let [before, close] = match brackets(&group, &inside) {
                     Some([before, close]) => [Some(before), Some(close)],
                     None => [None, None],
                 };
-                found.extend(before);
+                tokens.extend(before);
                 open.push((inside.into_iter(), close));
             }
-            Some(TokenTree::Punct(mark)) => found.push(Token::mark(&mark)),
-            Some(other) => found.push(Token::new(other.to_string(), other.span())),
+            Some(TokenTree::Punct(mark)) => tokens.push(Token::mark(&mark)),
+            Some(other) => tokens.push(Token::new(other.to_string(), other.span())),
         }
     }
-    found
+    tokens
 }
 
-/// What a group stands between. What a macro has put in for a variable stands between nothing, but a sum remains one term.
+/// Brackets of a group; `None` for a group without any. A variable of a macro has none, but a sum is parenthesized to
+/// remain one term.
 fn brackets(group: &Group, inside: &[TokenTree]) -> Option<[Token; 2]> {
     let is_operator =
         |it: &TokenTree| matches!(it, TokenTree::Punct(mark) if "+-*/^".contains(mark.as_char()));
@@ -101,7 +103,7 @@ fn brackets(group: &Group, inside: &[TokenTree]) -> Option<[Token; 2]> {
     ])
 }
 
-/// The comment that the next trees stand for, which are taken then.
+/// Takes the comment that the next trees represent; `None` if they do not represent any.
 fn documentation(trees: &mut IntoIter<TokenTree>) -> Option<Token> {
     let attribute = Attribute::first_of(trees.as_slice())?;
     let comment = attribute.comment()?;
@@ -109,20 +111,20 @@ fn documentation(trees: &mut IntoIter<TokenTree>) -> Option<Token> {
     Some(comment)
 }
 
-/// `#[…]` or `#![…]`.
+/// Attribute `#[…]` or `#![…]`.
 pub struct Attribute {
-    /// Whether it is of what it stands in, not of what follows.
+    /// True for an attribute of the enclosing item, not of the following one.
     pub is_inner: bool,
-    /// What stands between the brackets.
+    /// Trees between the brackets.
     pub inside: Vec<TokenTree>,
-    /// Its first and its last place.
+    /// First and last location.
     pub place: [Span; 2],
-    /// How many trees it consists of.
+    /// Number of trees of the attribute.
     pub length: usize,
 }
 
 impl Attribute {
-    /// The attribute that trees begin with.
+    /// Attribute with which trees begin; `None` if there is none.
     pub fn first_of(trees: &[TokenTree]) -> Option<Attribute> {
         let is = |tree: Option<&TokenTree>, mark| matches!(tree, Some(TokenTree::Punct(it)) if it.as_char() == mark);
         if !is(trees.first(), '#') {
@@ -141,7 +143,7 @@ impl Attribute {
         }
     }
 
-    /// The words of `doc = "…"`.
+    /// Words of `doc = "…"`; `None` for another attribute.
     pub fn words(&self) -> Option<String> {
         match self.inside.as_slice() {
             [
@@ -156,7 +158,7 @@ impl Attribute {
         }
     }
 
-    /// The comment with its words: the one that is written there, or one in its place.
+    /// Comment with the attribute's words: as in the source, or an equivalent one.
     fn comment(&self) -> Option<Token> {
         let words = self.words()?;
         let [span, close] = self.place;
@@ -174,7 +176,7 @@ impl Attribute {
                 "{block} {} */",
                 words.replace("*/", "* /").replace("/*", "/ *")
             ),
-            // A fourth slash would make it a comment that documents nothing.
+            // A fourth slash would make a comment without documentation.
             false if words.starts_with('/') => format!("{line} {words}"),
             false => format!("{line}{words}"),
         };
@@ -188,16 +190,16 @@ impl Attribute {
     }
 }
 
-/// The trees with those of groups without brackets in place of the groups.
+/// Trees with those of groups without brackets in place of the groups.
 pub fn spliced(stream: impl IntoIterator<Item = TokenTree>) -> Vec<TokenTree> {
-    let mut found = Vec::new();
+    let mut trees = Vec::new();
     for tree in stream {
         match tree {
             TokenTree::Group(group) if group.delimiter() == Delimiter::None => {
-                found.extend(spliced(group.stream()));
+                trees.extend(spliced(group.stream()));
             }
-            other => found.push(other),
+            other => trees.push(other),
         }
     }
-    found
+    trees
 }

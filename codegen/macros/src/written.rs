@@ -1,5 +1,7 @@
-//! *Tokens → the text of a description, and the way back from its places to tokens.* Where tokens stand one after another, the text
-//! has the blanks and the lines that are written between them; other tokens, such as those that a macro has put together, it keeps apart.
+//! Writes tokens as the text of a description, and maps locations in the text back to tokens.
+//!
+//! Between consecutive tokens of a file, the text has the blanks and the lines of the file. Other tokens, such as those
+//! that a macro has combined, are kept apart.
 
 use std::ops::Range;
 
@@ -8,15 +10,15 @@ use proc_macro2::Span;
 
 use crate::tokens::Token;
 
-/// The text of a description.
+/// Text of a description, with the locations of its tokens.
 pub struct Written {
-    /// The text, which begins with the line of the first token.
+    /// Text, which begins with the line of the first token.
     pub text: String,
-    /// Where each token stands in the text, in order.
+    /// Range of each token in the text, in order.
     places: Vec<(Range<usize>, Span)>,
 }
 
-/// What stands before a token.
+/// Blanks and lines before a token.
 #[derive(Clone, Copy)]
 struct Gap {
     lines: usize,
@@ -36,7 +38,7 @@ impl Gap {
 }
 
 impl Written {
-    /// What these tokens say.
+    /// Writes these tokens.
     pub fn of(tokens: &[Token]) -> Written {
         let gaps = gaps(tokens);
         let mut written = Written {
@@ -54,13 +56,14 @@ impl Written {
         written
     }
 
-    /// The first and the last token at a place in the text. Between two tokens it is the one before; of no text at all, the macro.
+    /// First and last token of a range in the text. Between two tokens it is the one before; in an empty text, the
+    /// macro.
     pub fn tokens_at(&self, place: diagnostic::Span) -> [Span; 2] {
         let place = place.range();
         let places = &self.places;
         let first = places.partition_point(|(own, _)| own.end <= place.start);
         let last = places.partition_point(|(own, _)| own.start < place.end.max(place.start + 1));
-        let found = match places.get(first..last) {
+        let ends = match places.get(first..last) {
             Some([only]) => [only, only],
             Some([first, .., last]) => [first, last],
             _ => match places.get(first.saturating_sub(1)) {
@@ -68,12 +71,12 @@ impl Written {
                 None => return [Span::call_site(); 2],
             },
         };
-        found.map(|(_, span)| *span)
+        ends.map(|(_, span)| *span)
     }
 }
 
-/// What stands before each token. Lines are as many as are written where all tokens stand one after another; otherwise they come from
-/// several places, and what lies between those is nothing that is written between tokens.
+/// Gap before each token. If all tokens are in one file in order, the lines are those of the file. Otherwise they come
+/// from several locations, and the text between those does not belong to the gaps.
 fn gaps(tokens: &[Token]) -> Vec<Gap> {
     let written = tokens.windows(2).map(|pair| match pair {
         [token, next] => gap_as_written(token, next),
@@ -94,7 +97,7 @@ fn gaps(tokens: &[Token]) -> Vec<Gap> {
     first.into_iter().chain(others).collect()
 }
 
-/// What is written between two tokens, if they are written one after the other.
+/// Gap between two tokens in the source; `None` if they are not consecutive there.
 fn gap_as_written(token: &Token, next: &Token) -> Option<Gap> {
     let ([_, end], [start, _]) = (token.extent?, next.extent?);
     if start.line != end.line {
@@ -107,8 +110,8 @@ fn gap_as_written(token: &Token, next: &Token) -> Option<Gap> {
     keeps_apart.then_some(Gap::columns(columns))
 }
 
-/// What keeps two tokens apart of which nobody knows where they are written. No blank separates a quantity from a unit behind `*` or
-/// `/`: of any other factor it says nothing.
+/// Gap that keeps two tokens of unknown location apart. No blank surrounds the operator of a factor: a unit behind `*`
+/// or `/` must be adjacent to its quantity, and a blank has no meaning for other factors.
 fn gap_between(token: &Token, next: &Token) -> Gap {
     let is_factor = |it: &Token| matches!(it.text.as_str(), "*" | "/" | "^");
     if token.is_line_comment() || matches!(token.text.as_str(), ";" | "{" | "}") {
@@ -120,7 +123,7 @@ fn gap_between(token: &Token, next: &Token) -> Gap {
     }
 }
 
-/// Whether two tokens without a blank between them would be one, or begin a comment.
+/// True if two tokens without a blank between them would be one token, or begin a comment.
 fn would_merge(token: &Token, next: &Token) -> bool {
     let is_of_word = |it: char| it == '_' || it.is_alphanumeric();
     let (last, first) = (token.text.chars().last(), next.text.chars().next());

@@ -1,13 +1,13 @@
-//! A vector → its angle; a sine, a cosine and an angle nearby → their angle, wound up.
+//! Angles of vectors, and angles with a sine and a cosine nearest to another angle.
 //!
-//! A quotient of magnitude 1/2 at most, or 7/16, goes into an odd polynomial, a minimax fit of (x − atan x)/x³ whose error is below 2⁻⁵⁷
-//! in f64 and 2⁻²⁶ in f32 of the arctangent. The general arctangent gets there by exchanging the components, and by turning the
-//! vector by π/4 where the quotient would be larger; the difference of its components is exact then. What the rounded
-//! multiples of π/4 lack is added to the small parts first.
+//! A quotient of magnitude 1/2 at most, or 7/16, is the argument of an odd polynomial, a minimax fit of (x − atan
+//! x)/x³. Its error is below 2⁻⁵⁷ in f64 and 2⁻²⁶ in f32 of the arctangent. The general arctangent exchanges the
+//! components, and rotates the vector by π/4 if the quotient would be larger; the difference of its components is then
+//! exact. The rounding errors of the multiples of π/4 are added to the small parts first.
 //!
-//! From one frame to the next an angle moves little. [`double::angle_near`] therefore measures from the multiple of π/4 next to the last
-//! one, which needs one quotient and the polynomial, and winds up at the same time; only where that is too far the octant is
-//! found first.
+//! From one frame to the next an angle moves little. [`double::angle_near`] therefore measures from the multiple of π/4
+//! next to the last angle. This needs one quotient and the polynomial, and counts the turns at the same time. Only for
+//! larger changes, the octant is determined first.
 
 macro_rules! arctangents {
     (
@@ -23,10 +23,10 @@ macro_rules! arctangents {
             /// Adding it to a number of moderate size leaves the nearest integer in the last bits.
             const ROUNDER: $scalar = $rounder;
 
-            /// What the rounded π/4 lacks.
+            /// Difference of π/4 from its rounded value.
             const QUARTER_REST: $scalar = $quarter_rest;
 
-            /// cos(k π/4) for k = 0 … 7; the sine of the same is two places further back.
+            /// cos(k π/4) for k = 0 … 7; the sine of such an angle is two entries further back.
             const COSINES: [$scalar; 8] = [
                 1.0,
                 FRAC_1_SQRT_2,
@@ -38,7 +38,7 @@ macro_rules! arctangents {
                 FRAC_1_SQRT_2,
             ];
 
-            /// x − atan(x) for |x| ≤ 1/2.
+            /// Returns x − atan(x) for |x| ≤ 1/2.
             #[inline]
             fn bend(x: $scalar) -> $scalar {
                 let $square = x * x;
@@ -46,7 +46,7 @@ macro_rules! arctangents {
                 x * $bend
             }
 
-            /// The same for |x| ≤ 7/16, with fewer operations.
+            /// Returns x − atan(x) for |x| ≤ 7/16, with fewer operations.
             #[inline]
             fn slight_bend(x: $scalar) -> $scalar {
                 let $own_square = x * x;
@@ -54,8 +54,8 @@ macro_rules! arctangents {
                 x * $slight_bend
             }
 
-            /// The angle in [-π, π] (rad) of the vector (`x`, `y`), within 2 ulp: 0 or π, with the sign of `y`, for both zero, and the
-            /// limits of the angle for infinite components.
+            /// Returns the angle in [-π, π] (rad) of the vector (`x`, `y`), within 2 ulp. If both components are zero,
+            /// the angle is 0 or π with the sign of `y`; for infinite components it is the limit.
             #[inline]
             pub fn atan2(y: $scalar, x: $scalar) -> $scalar {
                 let (across, along) = (y.abs(), x.abs());
@@ -67,7 +67,8 @@ macro_rules! arctangents {
                 }
             }
 
-            /// The same where the larger component neither overflows nor is subnormal when it is doubled or halved.
+            /// Returns the angle if the larger component neither overflows nor is subnormal when it is doubled or
+            /// halved.
             #[inline]
             fn angle(y: $scalar, x: $scalar) -> $scalar {
                 let (across, along) = (y.abs(), x.abs());
@@ -107,7 +108,7 @@ macro_rules! arctangents {
                 (base + (signed + rest)).copysign(y)
             }
 
-            /// The angle of a vector whose larger component is zero, tiny, huge, infinite or no number.
+            /// Returns the angle of a vector whose larger component is zero, tiny, huge, infinite or NaN.
             #[cold]
             #[inline(never)]
             fn extreme(y: $scalar, x: $scalar) -> $scalar {
@@ -136,13 +137,13 @@ macro_rules! arctangents {
                 angle(scaled(y, 0.0), scaled(x, 1.0))
             }
 
-            /// The angle (rad) with this sine and cosine, or a common positive multiple of them of ordinary size, that is nearest to
-            /// `near`. NaN where one of them is NaN or both are zero.
+            /// Returns the angle (rad) with this sine and cosine, or a common positive multiple of them of ordinary
+            /// size, that is nearest to `near`. NaN if one of them is NaN or both are zero.
             #[inline]
             pub fn angle_near(sine: $scalar, cosine: $scalar, near: $scalar) -> $scalar {
                 let shifted = near * (4.0 / PI) + ROUNDER;
                 let octants = shifted - ROUNDER;
-                // Only the last three bits are used, which are right however many octants have been wound up.
+                // Only the last three bits are used, which are right for any number of octants.
                 let place = (shifted.to_bits() & 7) as usize;
                 let (along, across) = (COSINES[place], COSINES[(place + 6) & 7]);
                 let high = cosine * along + sine * across;
@@ -155,7 +156,7 @@ macro_rules! arctangents {
                 }
             }
 
-            /// The same from an angle that says nothing about the octant.
+            /// Returns the angle nearest to a `near` that does not determine the octant.
             #[cold]
             fn angle_afar(sine: $scalar, cosine: $scalar, near: $scalar) -> $scalar {
                 if sine == 0.0 && cosine == 0.0 {
@@ -164,7 +165,7 @@ macro_rules! arctangents {
                 nearest_turn(angle(sine, cosine), near)
             }
 
-            /// The angle that differs from `angle` by whole turns and is nearest to `near` (rad).
+            /// Returns the angle that differs from `angle` by whole turns and is nearest to `near` (rad).
             #[inline]
             pub fn nearest_turn(angle: $scalar, near: $scalar) -> $scalar {
                 let gap = near - angle;
@@ -196,7 +197,7 @@ arctangents!(
         -0.010116482732360559,
     ],
     |square, [c0, c1, c2, c3, c4, c5, c6, c7, c8, c9, c10, c11]| {
-        // In pairs that do not wait for one another.
+        // In independent pairs.
         let fourth = square * square;
         let eighth = fourth * fourth;
         let low = (c0 + square * c1) + fourth * (c2 + square * c3);
@@ -218,7 +219,7 @@ arctangents!(
         0.016265851216325327,
     ],
     |square, [c0, c1, c2, c3, c4, c5, c6, c7, c8, c9, c10]| {
-        // Two half polynomials that do not wait for one another: where f64 is computed in software, every operation counts.
+        // Two independent half polynomials: if f64 is computed in software, every operation counts.
         let fourth = square * square;
         let even = c0 + fourth * (c2 + fourth * (c4 + fourth * (c6 + fourth * (c8 + fourth * c10))));
         let odd = c1 + fourth * (c3 + fourth * (c5 + fourth * (c7 + fourth * c9)));

@@ -1,18 +1,18 @@
-//! The functions that are not this crate's own.
+//! Functions of the standard library and of `libm`.
 //!
-//! Square roots and whole numbers are exact or correctly rounded wherever they come from, so they come from the standard library
-//! if it is there, which knows the processor's instructions. Of the others every library has its own last bits; they are `libm`'s
-//! everywhere.
+//! Square roots and whole numbers are exact or correctly rounded in every library. They therefore come from the
+//! standard library if it is there, which uses the processor's instructions. The other functions differ in their last
+//! bits from library to library; they always come from `libm`.
 
 #[cfg(feature = "std")]
 extern crate std;
 
-/// What has the same bits wherever it comes from.
+/// Functions with the same bits in every library.
 #[cfg(not(feature = "std"))]
 mod exact {
     pub use libm::{floor, floorf, round, roundf, sqrt};
 
-    // Where the processor multiplies f32 its products are faster than the integers of `libm`.
+    // On processors that multiply f32, its products are faster than the integers of `libm`.
     #[cfg(target_abi = "eabihf")]
     pub use crate::root::sqrt as sqrtf;
     #[cfg(not(target_abi = "eabihf"))]
@@ -44,19 +44,19 @@ macro_rules! borrowed {
                 }
             )*
 
-            /// The magnitude.
+            /// Returns the magnitude.
             #[inline]
             pub fn abs(x: $scalar) -> $scalar {
                 x.abs()
             }
 
-            /// The pair (m, e) with x = m · 2^e and |m| in [1/2, 1); (x, 0) for zero.
+            /// Returns the pair (m, e) with x = m · 2^e and |m| in [1/2, 1); (x, 0) for zero.
             #[inline]
             pub fn significand_exponent(x: $scalar) -> ($scalar, i32) {
                 libm::$frexp(x)
             }
 
-            /// x · 2^`exponent`; infinite or zero where the product leaves the range of the scalar.
+            /// Returns x · 2^`exponent`; infinite or zero if the product leaves the range of the scalar.
             #[inline]
             pub fn scale_by_power_of_two(x: $scalar, exponent: i32) -> $scalar {
                 libm::$ldexp(x, exponent)

@@ -1,14 +1,16 @@
-//! A positive angle that is large, or close to a multiple of π/2 → its quadrant, and how far it is from the quadrant's middle.
+//! Reduces a positive angle that is large, or close to a multiple of π/2, to its quadrant and the distance from that
+//! multiple.
 //!
-//! The method of M. Payne and R. Hanek (1983): an angle is a whole number m times a power of two. Of its product with 2/π only the
-//! last two bits of the whole part and the fraction matter, and these come from a few consecutive bits of 2/π, whose place
-//! follows from the power. In whole numbers the product is exact up to the bits that were left out at the end. The closest that
-//! any f64 comes to a multiple of π/2 is 2⁻⁶¹, any f32 2⁻³¹, of which the fractions below, of 128 and 64 bits, leave more than the scalar
-//! can hold.
+//! The method is that of M. Payne and R. Hanek (1983): an angle is a whole number m times a power of two. Of its
+//! product with 2/π only the last two bits of the whole part and the fraction matter. They come from a few consecutive
+//! bits of 2/π, whose position follows from the power. In whole numbers the product is exact up to the bits that were
+//! omitted at the end. The least distance of any f64 from a multiple of π/2 is 2⁻⁶¹, of any f32 2⁻³¹. The fractions
+//! below, of 128 and 64 bits, leave more of it than the scalar can hold.
 //!
-//! Infinities and what is no number have no quadrant: their rest is NaN.
+//! Infinities and NaN have no quadrant: their rest is NaN.
 
-/// What is between an angle and the multiple of π/2 next to it, as an unevaluated sum; the multiple modulo 4 in the last bits.
+/// Multiple of π/2 next to an angle, modulo 4 in the last bits, and the difference of the angle from it, as an
+/// unevaluated sum.
 pub type Reduced<T> = (u32, T, T);
 
 macro_rules! far_angle {
@@ -24,12 +26,12 @@ macro_rules! far_angle {
             const WORD: u32 = $word::BITS;
             const DIGITS: u32 = $scalar::MANTISSA_DIGITS;
             const FRACTION: $word = (1 << (DIGITS - 1)) - 1;
-            /// The exponent's bits of the number 1.
+            /// Bits of the exponent of the number 1.
             const BIAS: $word = $scalar::MAX_EXP as $word - 1;
 
             let bits = x.to_bits();
             let (exponent, m) = (bits >> (DIGITS - 1), (bits & FRACTION) | (FRACTION + 1));
-            // Where the bits with a weight of 2 and less begin.
+            // Index of the first bits with a weight of 2 and less.
             let place = (exponent as usize).wrapping_sub($first);
             let words = place / WORD as usize;
             let window = $two_over_pi.get(words..words + 4);
@@ -65,7 +67,7 @@ macro_rules! far_angle {
     };
 }
 
-/// The bits of 2/π, after 64 zeros.
+/// Bits of 2/π, after 64 zeros.
 const TWO_OVER_PI: [u64; 20] = [
     0x0000_0000_0000_0000,
     0xa2f9_836e_4e44_1529,
@@ -90,12 +92,12 @@ const TWO_OVER_PI: [u64; 20] = [
 ];
 
 far_angle!(
-    /// For f64 of 1/2 and more; the rest is within 2⁻⁶¹ of its magnitude.
+    /// Reduces an f64 of 1/2 or more; the rest is within 2⁻⁶¹ of its magnitude.
     double, f64, u64, u128, i128;
     first: 1013, half_pi: 0xc90f_daa2_2168_c235, two_over_pi: TWO_OVER_PI
 );
 
-/// The same bits, after 32 zeros.
+/// Bits of 2/π, after 32 zeros.
 const TWO_OVER_PI_SHORT: [u32; 8] = [
     0x0000_0000,
     0xa2f9_836e,
@@ -108,7 +110,7 @@ const TWO_OVER_PI_SHORT: [u32; 8] = [
 ];
 
 far_angle!(
-    /// For f32 of 1/2 and more; the rest is within 2⁻²⁹ of its magnitude.
+    /// Reduces an f32 of 1/2 or more; the rest is within 2⁻²⁹ of its magnitude.
     single, f32, u32, u64, i64;
     first: 120, half_pi: 0xc90f_daa2, two_over_pi: TWO_OVER_PI_SHORT
 );

@@ -1,7 +1,6 @@
-//! A floating-point number → its sine and cosine, the angle of a vector and the other elementary functions, with the same bits
-//! everywhere.
+//! Elementary functions of floating-point numbers, with the same bits on every platform.
 //!
-//! [`double`] is for f64, [`single`] for f32. Both hold the same functions, so that one stands in for the other:
+//! [`double`] is for f64, [`single`] for f32. Both contain the same functions, so that one can replace the other:
 //!
 //! | function | f64 | f32 |
 //! |---|---|---|
@@ -11,16 +10,16 @@
 //! | `sqrt`, `floor`, `round`, `abs` | exact or correctly rounded | the same |
 //! | `exp`, `ln`, `powf`, `hypot` | those of `libm` | the same |
 //!
-//! One ulp is the distance of the two numbers between which the exact result lies. The bounds hold for all finite arguments,
-//! subnormal ones included; the tests look at all arguments in f32, and at dense samples in f64.
+//! One ulp is the distance of the two numbers between which the exact result lies. The bounds hold for all finite
+//! arguments, including subnormal ones; the tests cover all arguments in f32, and dense samples in f64.
 //!
-//! The functions of the first three rows are this crate's own. They add, subtract, multiply, divide and look at bits: nothing
-//! that a platform, the standard library or the optimizer may do in another way, so that a debug build, a microcontroller with
-//! or without a floating-point unit and a WebAssembly module agree to the last bit. In f32 they never use f64, which many
-//! microcontrollers have no instructions for. None of them can panic.
+//! The functions of the first three rows are implemented here. They add, subtract, multiply, divide and read bits:
+//! operations that no platform, standard library or optimizer may do in another way. A debug build, a microcontroller
+//! with or without a floating-point unit and a WebAssembly module therefore agree to the last bit. In f32 they never
+//! use f64, for which many microcontrollers have no instructions. None of them can panic.
 //!
-//! The crate does not know mechanisms. It stands below both the runtime and the generator, because numbers that are computed
-//! while code is generated must be those that the code would compute.
+//! The runtime and the generator both use this crate, because numbers that are computed during generation must be those
+//! that the code would compute.
 #![doc(html_root_url = "https://docs.rs/linkwright-math/0.1.0")]
 #![no_std]
 
@@ -31,14 +30,14 @@ mod far_angle;
 mod root;
 mod sine_cosine;
 
-/// The functions of f64.
+/// Functions of f64.
 pub mod double {
     pub use crate::arctangent::double::*;
     pub use crate::borrowed::double::*;
     pub use crate::sine_cosine::double::*;
 }
 
-/// The functions of f32, which take no f64.
+/// Functions of f32, which use no f64.
 pub mod single {
     pub use crate::arctangent::single::*;
     pub use crate::borrowed::single::*;
@@ -49,7 +48,7 @@ pub mod single {
 mod tests {
     use super::{double, single};
 
-    /// Numbers of 64 bits that look random: a linear congruence (D. Knuth's), of which the upper bits are taken twice.
+    /// Pseudorandom numbers of 64 bits: a linear congruence (D. Knuth's), of which the upper bits are taken twice.
     struct Sequence(u64);
 
     impl Sequence {
@@ -63,7 +62,7 @@ mod tests {
         }
     }
 
-    /// What all the bits of many results come down to (Fowler, Noll and Vo).
+    /// Hash of all the bits of many results (Fowler, Noll and Vo).
     fn digest() -> u64 {
         let mut digest = 0xcbf2_9ce4_8422_2325_u64;
         let mut add = |bits: u64| digest = (digest ^ bits).wrapping_mul(0x0100_0000_01b3);
@@ -97,8 +96,8 @@ mod tests {
         digest
     }
 
-    /// The same on every platform, with and without the standard library, optimized or not. A change of the functions that is
-    /// meant changes it.
+    /// The digest is equal on every platform, with and without the standard library, optimized or not. An intended
+    /// change of the functions changes it.
     #[test]
     fn the_bits_are_those_of_every_other_platform() {
         assert_eq!(digest(), 0xe142_8d95_b9b7_8851);

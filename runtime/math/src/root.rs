@@ -1,19 +1,19 @@
-//! The square root in f32, for processors that multiply f32 and have no root that safe code can ask for.
+//! Square root in f32, for processors that multiply f32 and have no root instruction for safe code.
 //!
-//! Three steps of Newton-Raphson, two of them for the reciprocal of the root, come to within one unit in the last place. Which of the
-//! neighboring numbers is nearest to the root is then seen from integers: with S the digits of the candidate and M those of x at its
-//! scale, the root is nearest to S where −S < M − S² ≤ S. Both sides are small, so that 32 bits of the products tell them. So the result
-//! is correctly rounded, as it is where the processor or `libm` computes it.
+//! Three steps of Newton-Raphson, two of them for the reciprocal of the root, come to within one unit in the last
+//! place. Integers then decide which of the neighboring numbers is nearest to the root. Let S be the digits of the
+//! candidate, and M those of x at its scale. The root is nearest to S if −S < M − S² ≤ S. Both sides are small, so that
+//! 32 bits of the products decide. The result is therefore correctly rounded, as that of a processor or of `libm`.
 
-/// What the exponent and the digits of an f32 are stored as.
+/// Bits of an f32 that store its exponent and its digits.
 const EXPONENT: u32 = 0x7f80_0000;
 const LOWEST_EXPONENT: u32 = 0x0080_0000;
 const DIGITS: u32 = 0x007f_ffff;
 
-/// From the bits of x to those of 1/√x within a thirtieth, by halving the exponent.
+/// Constant from which the bits of x, with halved exponent, yield those of 1/√x within a thirtieth.
 const FIRST: u32 = 0x5f37_59df;
 
-/// The square root; NaN for a negative argument.
+/// Returns the square root; NaN for a negative argument.
 #[inline]
 pub fn sqrt(x: f32) -> f32 {
     let is_normal = x.to_bits().wrapping_sub(LOWEST_EXPONENT) < EXPONENT - LOWEST_EXPONENT;
@@ -37,7 +37,7 @@ fn of_normal(x: f32) -> f32 {
     f32::from_bits(near + u32::from(rest > digits) - u32::from(rest <= -digits))
 }
 
-/// Of zeros, subnormal numbers, infinities and NaN, and of negative numbers.
+/// Returns the root of zeros, subnormal numbers, infinities and NaN, and of negative numbers.
 #[cold]
 fn of_other(x: f32) -> f32 {
     const UP: f32 = (1u32 << 24) as f32;
@@ -55,8 +55,8 @@ fn of_other(x: f32) -> f32 {
 mod tests {
     use super::sqrt;
 
-    /// The bits of all digits for exponents of both parities, which are those of all others but for a power of two; of all subnormal
-    /// numbers; and of what is no positive number.
+    /// The roots of all digits for exponents of both parities, which are those of all others up to a power of two; of
+    /// all subnormal numbers; and of zeros, negative numbers, infinities and NaN.
     #[test]
     fn every_root_is_the_nearest_number() {
         extern crate std;

@@ -1,18 +1,19 @@
-//! An angle in radians → its sine and cosine, together.
+//! Sine and cosine of an angle in radians, computed together.
 //!
-//! The angle is brought within π/4 of a multiple of π/2 by subtracting that multiple in parts, which are cut off so that all products
-//! but the last one are exact (W. J. Cody and W. Waite, Software Manual for the Elementary Functions, 1980). What the last
-//! difference loses is kept beside it. Angles that are too large for that, and those so close to the multiple that nothing
-//! but the rounding of the parts would be left, take the way of [`far_angle`](crate::far_angle).
+//! The angle is brought within π/4 of a multiple of π/2 by subtracting that multiple in parts. The parts are cut off so
+//! that all products except for the last one are exact (W. J. Cody and W. Waite, Software Manual for the Elementary
+//! Functions, 1980). The rounding error of the last difference is kept beside it. Angles that are too large for that go
+//! to [`far_angle`]. So do angles so close to the multiple that only the rounding of the parts would
+//! be left.
 //!
-//! What remains goes into two odd and even polynomials, minimax fits of (sin y − y)/y³ and (cos y − 1 + y²/2)/y⁴ on |y| ≤ π/4
-//! (J.-M. Muller, Elementary Functions). Their errors are below 2⁻⁵⁷ in f64 and 2⁻²⁷ in f32 of the functions, so that what rounds is
-//! little more than the last addition of each. Both are always computed, so that nothing depends on the quadrant but which
-//! is which, and the signs.
+//! The remainder is the argument of an odd and an even polynomial. They are minimax fits of (sin y − y)/y³ and (cos y −
+//! 1 + y²/2)/y⁴ on |y| ≤ π/4 (J.-M. Muller, Elementary Functions). Their errors are below 2⁻⁵⁷ in f64 and 2⁻²⁷ in f32
+//! of the functions, so that little more than the last addition of each rounds. Both are always computed. The quadrant
+//! therefore decides only which is which, and the signs.
 
 use crate::far_angle;
 
-/// The two values of a positive angle in the first quadrant → those of another one, with the sign of the angle.
+/// Rotates the two values of a positive angle in the first quadrant to another quadrant, with the sign of the angle.
 macro_rules! turned {
     ($scalar:ident, $bits:ident, $angle:ident, $sine:ident, $cosine:ident, $quadrant:ident) => {{
         let (sine, cosine) = ($sine.to_bits(), $cosine.to_bits());
@@ -30,14 +31,15 @@ macro_rules! turned {
 pub mod double {
     use core::f64::consts::{FRAC_2_PI, FRAC_PI_4};
 
-    /// The leading 36 bits of π/2: their product with a number of quadrants below [`LARGEST`] is exact.
+    /// Leading 36 bits of π/2: their product with a number of quadrants below [`MAX_ANGLE`] is exact.
     const HALF_PI: f64 = 1.5707963267923333;
-    /// The rest of π/2.
+    /// Rest of π/2.
     const HALF_PI_REST: f64 = 2.563344151594519e-12;
-    /// The largest angle whose quadrants have so few bits, 17, that the products above are exact.
-    const LARGEST: f64 = 205_000.0;
-    /// What the parts of π/2 lack, and the rounding of the last product, are within 2⁻⁵ ulp of a rest above this: 2⁻¹⁶.
-    const CLOSEST: f64 = 1.525_878_906_25e-5;
+    /// Largest angle whose quadrants have so few bits, 17, that the products above are exact.
+    const MAX_ANGLE: f64 = 205_000.0;
+    /// Smallest remainder for which the missing digits of π/2 and the rounding of the last product are within 2⁻⁵ ulp:
+    /// 2⁻¹⁶.
+    const MIN_REMAINDER: f64 = 1.525_878_906_25e-5;
     /// Adding it to a number of moderate size leaves the nearest integer in the last bits: 1.5 · 2⁵².
     const ROUNDER: f64 = 6_755_399_441_055_744.0;
 
@@ -59,7 +61,8 @@ pub mod double {
         -1.1358617758465667e-11,
     ];
 
-    /// The sine and the cosine of an angle in radians, in this order, each within 1 ulp; NaN for infinite angles.
+    /// Returns the sine and the cosine of an angle in radians, in this order, each within 1 ulp; NaN for infinite
+    /// angles.
     #[inline]
     pub fn sin_cos(angle: f64) -> (f64, f64) {
         let size = angle.abs();
@@ -72,8 +75,8 @@ pub mod double {
             y = above - below;
             tail = (above - y) - below;
             quadrant = shifted.to_bits() as u32;
-            // Positive numbers are in the order of their bits, which are compared faster where f64 is computed in software.
-            if size.to_bits() > LARGEST.to_bits() || y.abs().to_bits() < CLOSEST.to_bits() {
+            // Positive numbers are ordered like their bits, which are compared faster if f64 is computed in software.
+            if size.to_bits() > MAX_ANGLE.to_bits() || y.abs().to_bits() < MIN_REMAINDER.to_bits() {
                 (quadrant, y, tail) = super::far_angle::double(size);
             }
         }
@@ -81,7 +84,7 @@ pub mod double {
         let z = y * y;
         let [s0, s1, s2, s3, s4, s5] = SINE;
         let [c0, c1, c2, c3, c4, c5] = COSINE;
-        // In pairs that do not wait for one another.
+        // In independent pairs.
         let fourth = z * z;
         let eighth = fourth * fourth;
         let cube = y * z;
@@ -94,13 +97,13 @@ pub mod double {
         turned!(f64, u64, angle, sine, cosine, quadrant)
     }
 
-    /// The sine of an angle in radians, that of [`sin_cos`].
+    /// Returns the sine of an angle in radians, that of [`sin_cos`].
     #[inline]
     pub fn sin(angle: f64) -> f64 {
         sin_cos(angle).0
     }
 
-    /// The cosine of an angle in radians, that of [`sin_cos`].
+    /// Returns the cosine of an angle in radians, that of [`sin_cos`].
     #[inline]
     pub fn cos(angle: f64) -> f64 {
         sin_cos(angle).1
@@ -110,17 +113,17 @@ pub mod double {
 pub mod single {
     use core::f32::consts::{FRAC_2_PI, FRAC_PI_4};
 
-    /// The leading 11 bits of π/2: their product with a number of quadrants below [`LARGEST`] is exact.
+    /// Leading 11 bits of π/2: their product with a number of quadrants below [`MAX_ANGLE`] is exact.
     const HALF_PI: f32 = 1.5703125;
-    /// The next 11 bits of π/2, of which the same holds.
+    /// Next 11 bits of π/2, whose product is exact as well.
     const HALF_PI_MIDDLE: f32 = 0.0004837513;
-    /// The rest of π/2.
+    /// Rest of π/2.
     const HALF_PI_REST: f32 = 7.54979e-8;
-    /// The largest angle whose quadrants have so few bits, 13, that the products above are exact.
-    const LARGEST: f32 = 12_800.0;
-    /// What the parts of π/2 lack, and the rounding of the last product, are within 2⁻⁵ ulp of a rest above this part of
-    /// the number of quadrants: 2⁻¹⁸.
-    const CLOSEST: f32 = 3.814_697_3e-6;
+    /// Largest angle whose quadrants have so few bits, 13, that the products above are exact.
+    const MAX_ANGLE: f32 = 12_800.0;
+    /// Smallest remainder, relative to the number of quadrants, for which the missing digits of π/2 and the rounding of
+    /// the last product are within 2⁻⁵ ulp: 2⁻¹⁸.
+    const MIN_REMAINDER: f32 = 3.814_697_3e-6;
     /// Adding it to a number of moderate size leaves the nearest integer in the last bits: 1.5 · 2²³.
     const ROUNDER: f32 = 12_582_912.0;
 
@@ -128,7 +131,8 @@ pub mod single {
 
     const COSINE: [f32; 3] = [0.041666646, -0.001388731, 2.4432327e-5];
 
-    /// The sine and the cosine of an angle in radians, in this order, each within 1 ulp; NaN for infinite angles.
+    /// Returns the sine and the cosine of an angle in radians, in this order, each within 1 ulp; NaN for infinite
+    /// angles.
     #[inline]
     pub fn sin_cos(angle: f32) -> (f32, f32) {
         let size = angle.abs();
@@ -141,7 +145,7 @@ pub mod single {
             y = above - below;
             tail = (above - y) - below;
             quadrant = shifted.to_bits();
-            if size > LARGEST || y.abs() < quadrants * CLOSEST {
+            if size > MAX_ANGLE || y.abs() < quadrants * MIN_REMAINDER {
                 (quadrant, y, tail) = super::far_angle::single(size);
             }
         }
@@ -158,13 +162,13 @@ pub mod single {
         turned!(f32, u32, angle, sine, cosine, quadrant)
     }
 
-    /// The sine of an angle in radians, that of [`sin_cos`].
+    /// Returns the sine of an angle in radians, that of [`sin_cos`].
     #[inline]
     pub fn sin(angle: f32) -> f32 {
         sin_cos(angle).0
     }
 
-    /// The cosine of an angle in radians, that of [`sin_cos`].
+    /// Returns the cosine of an angle in radians, that of [`sin_cos`].
     #[inline]
     pub fn cos(angle: f32) -> f32 {
         sin_cos(angle).1

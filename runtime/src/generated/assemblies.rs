@@ -1,4 +1,4 @@
-//! *The ways in which a mechanism can be assembled as described* → *constants of its modes, and the poses that Newton-Raphson starts from*.
+//! Declares the stored assemblies of a mechanism: their modes, and the poses from which Newton-Raphson starts.
 
 /// Assemblies with their labels, modes and the values of some fields of a frame there.
 #[doc(hidden)]
@@ -16,20 +16,20 @@ macro_rules! assemblies {
             $(#[$docs])*
             pub const ASSEMBLIES: [Self; $count] = [$(Self { $($mode: $value,)* assembly: Some($number) },)*];
 
-            /// What `linkwright check` calls them.
+            /// Labels of the assemblies, as `linkwright check` prints them.
             pub const LABELS: [&'static str; $count] = [$($label,)*];
 
-            /// One of them by its label; `None` where there is none of that name.
+            /// Assembly with this label; `None` without such a label.
             pub fn labelled(label: &str) -> Option<Self> {
                 let mut pairs = Self::LABELS.iter().zip(Self::ASSEMBLIES);
                 pairs.find_map(|(own, branches)| (*own == label).then_some(branches))
             }
 
-            /// Puts a frame near the assembly that is wanted, where one is.
+            /// Moves a frame near the requested assembly, if any.
             fn begin(&mut self, at: &mut Frame) {
                 let poses = [$($pose,)*];
-                let wanted = self.assembly.take();
-                if let Some(pose) = wanted.and_then(|number| poses.get(usize::from(number))) {
+                let requested = self.assembly.take();
+                if let Some(pose) = requested.and_then(|number| poses.get(usize::from(number))) {
                     [$(at.$($field).+),*] = *pose;
                 }
             }

@@ -1,6 +1,7 @@
-//! *The assembly modes of the loops* → *the structure that holds them*.
+//! Declares the structure with the assembly mode of each loop.
 
-/// A structure with the mode of each loop, those of the drawing, and the blocks that can exchange theirs.
+/// Structure with the mode of each loop, those of the design configuration, and the blocks that can exchange their
+/// mode.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! branches {
@@ -18,13 +19,13 @@ macro_rules! branches {
         }
 
         impl $name {
-            /// The modes of the drawing.
+            /// Modes of the design configuration.
             pub const DESIGN: Self = Self { $($field: $drawn,)* };
 
             /// True if a block can exchange its mode.
             const MAY_CROSS: bool = !<[u16]>::is_empty(&[$($($number,)?)*]);
 
-            /// Those beyond a pose at which the two modes of a block meet.
+            /// Modes beyond a change point of a block; `None` if the block has no other mode.
             #[allow(unused_mut)]
             fn exchanged(mut self, block: u16) -> Option<Self> {
                 let is_one = match block {

@@ -1,9 +1,10 @@
-//! *A generated type that implements [`BlockEquations`](crate::BlockEquations)* → *what solves it*.
+//! Implements [`Equations`](crate::Equations) for a generated type that implements
+//! [`BlockEquations`](crate::BlockEquations).
 //!
-//! A module says so of each of its types: if every implementor of the one were one of the other, nobody else could implement
-//! [`Equations`](crate::Equations) for a scalar or a dimension that a caller chooses.
+//! A module does so for each of its types. A blanket implementation would prevent callers from implementing
+//! [`Equations`](crate::Equations) for a scalar or a dimension of their choice.
 
-/// The equations of a type, which states them as arrays, for the solvers. One that borrows has a lifetime.
+/// Equations of a type, which states them as arrays, for the solvers. A type that borrows has a lifetime.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! equations {

@@ -1,7 +1,7 @@
-//! *What frames hold* → *the structure, and the frame from which a mechanism is assembled*.
+//! Declares the frames of a mechanism, with the estimate from which it is assembled.
 
-/// A frame: the time, all coordinates with their rates and accelerations and what points are found with where they are asked for, and
-/// other numbers. Those that are `drawn` are not zero in the estimate from which the mechanism is assembled.
+/// Frame: the time, all coordinates with their rates and accelerations, the quantities of requested points, and other
+/// numbers. Fields that are `drawn` are not zero in the estimate from which the mechanism is assembled.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! frame {
@@ -12,14 +12,14 @@ macro_rules! frame {
     ) => {
         $crate::frame! {
             @define $(#[$docs])* $name from ($pose, $parameters) {
-                /// The pose.
+                /// Pose.
                 pub q: Coordinates = Coordinates::REST,
-                /// The rates of the coordinates.
+                /// Rates of the coordinates.
                 pub qd: Coordinates = Coordinates::REST,
-                /// The accelerations of the coordinates.
+                /// Accelerations of the coordinates.
                 pub qdd: Coordinates = Coordinates::REST,
                 $(
-                    /// What the points of this instant are found with.
+                    /// Parameters with which the points of this instant are computed.
                     $kept: Parameters = Parameters::NOMINAL,
                 )?
                 $($field: Scalar = 0.0,)*
@@ -30,7 +30,7 @@ macro_rules! frame {
         impl $name {
             const HOLDS_COORDINATES: bool = true;
 
-            /// A coordinate with its rate and its acceleration.
+            /// Coordinate with its rate and its acceleration.
             fn coordinate(&self, index: usize) -> Option<[Scalar; 3]> {
                 let of = |values: &Coordinates| values.to_array().get(index).copied();
                 Some([of(&self.q)?, of(&self.qd)?, of(&self.qdd)?])
@@ -65,7 +65,7 @@ macro_rules! frame {
         impl $name {
             const HOLDS_COORDINATES: bool = false;
 
-            /// Frames hold what is asked for alone.
+            /// Returns `None`: frames hold requested quantities only.
             fn coordinate(&self, _index: usize) -> Option<[Scalar; 3]> {
                 None
             }
@@ -85,7 +85,7 @@ macro_rules! frame {
         $(#[$docs])*
         #[allow(non_snake_case)]
         pub struct $name {
-            /// The time t, in s.
+            /// Time t (s).
             pub t: Scalar,
             $($(#[$field_docs])* $visible $field: $type,)*
         }
@@ -93,7 +93,7 @@ macro_rules! frame {
         impl $name {
             const REST: Self = Self { t: 0.0, $($field: $rest,)* };
 
-            /// The frame before the first one: a pose at rest.
+            /// Estimate before the first frame: a pose at rest.
             #[allow(clippy::needless_update)]
             fn estimate($pose: &Coordinates, $parameters: &<Loops as Blocks>::Parameters, t: Scalar) -> Self {
                 let _ = ($pose, $parameters);

@@ -1,8 +1,8 @@
-//! *The names of a generated module* → *the type that a user holds*, with the methods of the shell in the module's own terms.
+//! Declares the type that a user holds, with the methods of the shell in the module's own terms.
 //!
 //! A module has no arguments for parameters and inputs that its description does not declare.
 
-/// The mechanism's type, and what the shell asks of its module.
+/// Mechanism's type, and the items of its module that the shell needs.
 ///
 /// The module supplies `Frame`, `Coordinates`, `Branches`, `BLOCKS`, `POINTS`, and the function `solve`.
 #[doc(hidden)]
@@ -20,7 +20,7 @@ macro_rules! mechanism {
         $(assemblies: $assemblies:ident;)?
         $(loads: $loads:ident;)?
     ) => {
-        /// What one instant is solved with.
+        /// Data with which one instant is solved.
         type Conditions<'a> = $crate::Conditions<
             'a,
             Scalar,
@@ -28,15 +28,15 @@ macro_rules! mechanism {
             $crate::or_unit!(@type $($inputs)?),
         >;
 
-        /// Where Newton-Raphson may go.
+        /// Path enclosures of the unknowns of Newton-Raphson.
         #[allow(dead_code)]
         type PathEnclosures = [PathEnclosure; 0 $(+ $enclosures)?];
 
-        /// A frame with the one before it.
+        /// Frame with the one before it.
         #[allow(dead_code)]
         type Pair<'a> = $crate::Pair<'a, Loops>;
 
-        /// The equations of the mechanism, loop by loop.
+        /// Equations of the mechanism, loop by loop.
         #[derive(Clone, Copy, Debug, Default, PartialEq)]
         pub struct Loops;
 
@@ -213,7 +213,7 @@ macro_rules! mechanism {
             }
         }
 
-        /// A failure in the mechanism's own terms, as one sentence.
+        /// Describes a failure in the mechanism's own terms, as one sentence.
         #[allow(dead_code)]
         pub fn describe(failure: &Failure) -> FailureMessage {
             const { &Loops }.explained(failure)
@@ -221,18 +221,18 @@ macro_rules! mechanism {
 
         #[allow(dead_code)]
         impl $name {
-            /// Assembles the mechanism at time `t` (s) as it is drawn.
+            /// Assembles the mechanism at time `t` (s) in its design configuration.
             ///
             /// # Errors
-            /// A [`Failure`] where it cannot be assembled so.
+            /// Returns a [`Failure`] if it cannot be assembled so.
             pub fn assemble(t: Scalar $(, inputs: &$inputs)?) -> Result<Self, Failure> {
                 Self::assemble_on(Branches::DESIGN, t $(, inputs as &$inputs)?)
             }
 
-            /// Assembles the mechanism at time `t` (s) in other modes than the drawing's.
+            /// Assembles the mechanism at time `t` (s) in other modes than those of the design configuration.
             ///
             /// # Errors
-            /// A [`Failure`] where it cannot be assembled so.
+            /// Returns a [`Failure`] if it cannot be assembled so.
             pub fn assemble_on(branches: Branches, t: Scalar $(, inputs: &$inputs)?) -> Result<Self, Failure> {
                 let parameters = Default::default();
                 let (pose, settings) = (Loops.drawn_pose(&parameters), Settings::default());
@@ -240,11 +240,11 @@ macro_rules! mechanism {
                 Shell::assemble(Loops, &parameters, &pose, branches, t, inputs, settings).map(Self)
             }
 
-            /// Assembles the mechanism at time `t` (s) in the drawing's modes, with angles near those of `estimate`, a measured pose
-            /// for example.
+            /// Assembles the mechanism at time `t` (s) in the modes of the design configuration, with angles near those
+            /// of `estimate`: a measured pose, for example.
             ///
             /// # Errors
-            /// A [`Failure`] where it cannot be assembled so.
+            /// Returns a [`Failure`] if it cannot be assembled so.
             pub fn assemble_from(
                 estimate: &Coordinates,
                 t: Scalar,
@@ -255,11 +255,11 @@ macro_rules! mechanism {
                 Shell::assemble(Loops, &Default::default(), estimate, Branches::DESIGN, t, inputs, settings).map(Self)
             }
 
-            /// Assembles the mechanism at time `t` (s) in these modes, with angles near those of `estimate`. Where a block needs
-            /// Newton-Raphson, it starts from there, and the estimate may be poor.
+            /// Assembles the mechanism at time `t` (s) in these modes, with angles near those of `estimate`. A block of
+            /// Newton-Raphson starts from the estimate, which may be poor.
             ///
             /// # Errors
-            /// A [`Failure`] where it cannot be assembled so.
+            /// Returns a [`Failure`] if it cannot be assembled so.
             pub fn assemble_with(
                 $(parameters: &$parameters,)?
                 estimate: &Coordinates,
@@ -273,68 +273,69 @@ macro_rules! mechanism {
                 Shell::assemble(Loops, parameters, estimate, branches, t, inputs, settings).map(Self)
             }
 
-            /// Moves the mechanism to time `t` (s), starting from the last frame, which a failure leaves as it is; see
-            /// `linkwright::Shell::advance`.
+            /// Moves the mechanism to time `t` (s), starting from the last frame; a failure leaves that frame
+            /// unchanged. See `linkwright::Shell::advance`.
             ///
             /// # Errors
-            /// A [`Failure`] where the equations cannot be solved from there. Its time is where the motion ends, or how far it could
-            /// be followed.
+            /// Returns a [`Failure`] if the equations cannot be solved from there. Its time is the end of the motion,
+            /// or the last time that could be followed.
             #[inline]
             pub fn advance(&mut self, t: Scalar $(, inputs: &$inputs)?) -> Result<&Frame, Failure> {
                 self.0.advance(t, $crate::or_unit!(@value inputs $(, $inputs)?))
             }
 
-            /// Moves the mechanism on by the time `duration` (s) from the last frame, as `advance` does. The times of successive calls are
-            /// a compensated sum; a failure does not let time pass. See `linkwright::Shell::advance_by`.
+            /// Moves the mechanism by the time `duration` (s) from the last frame, as `advance` does. The times of
+            /// successive calls are a compensated sum; a failure does not let time pass. See
+            /// `linkwright::Shell::advance_by`.
             ///
             /// # Errors
-            /// Those of `advance`.
+            /// Returns those of `advance`.
             pub fn advance_by(&mut self, duration: Scalar $(, inputs: &$inputs)?) -> Result<&Frame, Failure> {
                 self.0.advance_by(duration, $crate::or_unit!(@value inputs $(, $inputs)?))
             }
 
-            /// Assembles the mechanism at time `t` (s) near the last frame and in its modes, whether or not a path leads there, after
-            /// signals were missing for a while, say. Gives how far each coordinate jumps, in its unit, m or rad; `None` where frames do not
-            /// hold all coordinates.
+            /// Assembles the mechanism at time `t` (s) near the last frame and in its modes, whether or not a path
+            /// leads there: after a gap in the signals, for example. Returns the jump of each coordinate in its unit, m
+            /// or rad; `None` if frames do not hold all coordinates.
             ///
             /// # Errors
-            /// A [`Failure`] where it cannot be assembled so; the last frame then stays.
+            /// Returns a [`Failure`] if it cannot be assembled so; the last frame is then unchanged.
             pub fn recover(&mut self, t: Scalar $(, inputs: &$inputs)?) -> Result<Option<Coordinates>, Failure> {
                 self.0.recover(t, $crate::or_unit!(@value inputs $(, $inputs)?))
             }
 
-            /// The last solved instant.
+            /// Last solved instant.
             #[inline]
             pub fn frame(&self) -> &Frame {
                 self.0.frame()
             }
 
-            /// The frame at time `t` (s) in the modes of now, whether or not a path leads there: an entry of a table, say. The mechanism
-            /// stays where it is.
+            /// Frame at time `t` (s) in the current modes, whether or not a path leads there: an entry of a table, for
+            /// example. The mechanism stays in its pose.
             ///
             /// # Errors
-            /// A [`Failure`] where it cannot be assembled so at that time.
+            /// Returns a [`Failure`] if it cannot be assembled so at that time.
             pub fn frame_at(&self, t: Scalar $(, inputs: &$inputs)?) -> Result<Frame, Failure> {
                 self.0.frame_at(t, $crate::or_unit!(@value inputs $(, $inputs)?))
             }
 
-            /// The assembly modes.
+            /// Assembly modes of the mechanism.
             pub fn branches(&self) -> Branches {
                 *self.0.branches()
             }
 
             $(
-                /// The parameters that the next instant is solved with.
+                /// Parameters with which the next instant is solved.
                 pub fn parameters(&self) -> &$parameters {
                     self.0.parameters()
                 }
 
-                /// Changes the parameters. The last frame stays as it was solved; the next one is solved with these, in the same modes,
-                /// with angles near those of the last one.
+                /// Changes the parameters. The last frame stays as it was solved; the next one is solved with these
+                /// parameters, in the same modes, with angles near those of the last frame.
                 ///
                 /// # Errors
-                /// A [`Failure`] for values that the description may not have, such as a negative length; the parameters then stay as
-                /// they are.
+                /// Returns a [`Failure`] for values that the description may not have, such as a negative length; the
+                /// parameters are then unchanged.
                 pub fn set_parameters(&mut self, parameters: &$parameters) -> Result<(), Failure> {
                     self.0.set_parameters(parameters)
                 }
@@ -346,16 +347,16 @@ macro_rules! mechanism {
     };
 }
 
-/// The drawing of given parameters.
+/// Design configuration of given parameters.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! drawing {
     ($coordinates:ident, $drawn:ident) => {
         #[allow(dead_code)]
         impl $coordinates {
-            /// The pose in the drawing of these parameters, from which the mechanism is assembled.
+            /// Pose in the design configuration of these parameters, from which the mechanism is assembled.
             pub fn drawn(parameters: &Parameters) -> Self {
-                // Displacements, which are no coordinates, come after them.
+                // Displacements, which are not coordinates, come after them.
                 match $drawn(parameters).first_chunk() {
                     Some(pose) => Self::from_array(*pose),
                     None => Self::DESIGN,
@@ -365,7 +366,7 @@ macro_rules! drawing {
     };
 }
 
-/// The method of mechanisms with parameters alone.
+/// Method of mechanisms with parameters alone.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! parametric {
@@ -373,10 +374,10 @@ macro_rules! parametric {
     ($name:ident, [$($inputs:ident)?], $parameters:ident) => {
         #[allow(dead_code)]
         impl $name {
-            /// Assembles the mechanism of these parameters at time `t` (s) as it is drawn.
+            /// Assembles the mechanism of these parameters at time `t` (s) in its design configuration.
             ///
             /// # Errors
-            /// A [`Failure`] where it cannot be assembled so.
+            /// Returns a [`Failure`] if it cannot be assembled so.
             pub fn assemble_for(parameters: &$parameters, t: Scalar $(, inputs: &$inputs)?) -> Result<Self, Failure> {
                 let (pose, settings) = (Loops.drawn_pose(parameters), Settings::default());
                 let inputs = $crate::or_unit!(@value inputs $(, $inputs)?);
@@ -386,7 +387,7 @@ macro_rules! parametric {
     };
 }
 
-/// The pose of the drawing, whatever parameters are or as they say.
+/// Pose of the design configuration, for fixed or for changeable parameters.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! or_drawn {
@@ -398,7 +399,7 @@ macro_rules! or_drawn {
     };
 }
 
-/// What is shown of paths.
+/// Functions that verify paths.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! path {
@@ -434,7 +435,7 @@ macro_rules! path {
     };
 }
 
-/// A value that goes with a type.
+/// Value that belongs to a type.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! only {
@@ -443,7 +444,7 @@ macro_rules! only {
     };
 }
 
-/// A type, or else `()`; a value if there is a type for it, or else `&()`; a name among those of the type, if there is one.
+/// Type, or else `()`; value if there is a type for it, or else `&()`; name among those of the type, if there is one.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! or_unit {

@@ -1,7 +1,7 @@
-//! *A scalar* → *everything that generated modules are written with, in this scalar*.
+//! Declares the items with which generated modules are written, for each scalar.
 //!
-//! A generated module begins with `use linkwright::double::*;`, or `single` for f32: types have their scalar already, and what a
-//! module does not mention costs nothing. The macros state what modules repeat.
+//! A generated module begins with `use linkwright::double::*;`, or `single` for f32. Types have their scalar already,
+//! and unused items cost nothing. The macros contain the code that modules repeat.
 
 mod assemblies;
 mod branches;
@@ -31,35 +31,35 @@ macro_rules! precision {
                 nalgebra::Const, torn, torn::Torn,
             };
 
-            /// The scalar of everything in this module.
+            /// Scalar of everything in this module.
             pub type Scalar = $scalar;
-            /// How close a block is to a singular pose.
+            /// Distance of a block from a singular pose.
             pub type NormalizedDeterminant = crate::NormalizedDeterminant<Scalar>;
-            /// A failure with the name of its block.
+            /// Failure with the name of its block.
             pub type FailureMessage = crate::FailureMessage<'static, Scalar>;
-            /// A solve that did not succeed.
+            /// Failure of a solve.
             pub type Failure = crate::Failure<Scalar>;
-            /// A matrix of R rows and C columns.
+            /// Matrix of R rows and C columns.
             pub type Matrix<const R: usize, const C: usize> = crate::nalgebra::SMatrix<Scalar, R, C>;
-            /// How far a block is from singular.
+            /// Distance of a block's Jacobian from singular.
             pub type Measure = crate::Measure<Scalar>;
             /// Position, velocity and acceleration of a point.
             pub type PointMotion = crate::PointMotion<Scalar>;
-            /// A point's name, and the method of the frames F that gives its motion.
+            /// Name of a point, and the method of the frames F that returns its motion.
             pub type NamedPoint<F> = (&'static str, fn(&F) -> PointMotion);
-            /// The limits within which a solve must succeed.
+            /// Limits within which a solve must succeed.
             pub type Settings = crate::Settings<Scalar>;
-            /// A quantity that is supplied with its rate and acceleration.
+            /// Quantity that is supplied with its rate and acceleration.
             pub type Signal = crate::Signal<Scalar>;
-            /// A window of time about two frames.
+            /// Window of time about two frames.
             pub type TimeWindow = crate::TimeWindow<Scalar>;
-            /// A straight line through the values of two frames, and how far a value may be from it.
+            /// Chord through the values of two frames, with a bound on the deviation from it.
             pub type PathEnclosure = crate::PathEnclosure<Scalar>;
             /// One Newton-Raphson step.
             pub type Step<const N: usize> = crate::Step<Scalar, Const<N>>;
-            /// A smooth curve through N points.
+            /// Smooth curve through N points.
             pub type Table<const N: usize> = crate::Table<N, Scalar>;
-            /// A vector of N entries.
+            /// Vector of N entries.
             pub type Vector<const N: usize> = crate::nalgebra::SVector<Scalar, N>;
         }
     };

@@ -1,6 +1,6 @@
-//! *The names of numbers* → *constants*, and *the structure that holds them* for coordinates, parameters and signals.
+//! Declares constants, and the structures of coordinates, parameters and signals.
 
-/// The rounded values of exact constants.
+/// Rounded values of exact constants.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! constants {
@@ -12,7 +12,7 @@ macro_rules! constants {
     };
 }
 
-/// A structure with a number for each coordinate, its names, and its values in the drawing.
+/// Structure with a number for each coordinate, its names, and its values in the design configuration.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! coordinates {
@@ -31,24 +31,24 @@ macro_rules! coordinates {
 
         #[allow(dead_code, non_snake_case, clippy::approx_constant)]
         impl $name {
-            /// How many coordinates there are.
+            /// Number of coordinates.
             pub const COUNT: usize = Self::NAMES.len();
 
-            /// Their names, in order.
+            /// Names of the coordinates, in order.
             pub const NAMES: [&'static str; <[&str]>::len(&[$(stringify!($field)),*])] = [$(stringify!($field)),*];
 
-            /// The pose in the drawing, from which the mechanism is assembled.
+            /// Pose in the design configuration, from which the mechanism is assembled.
             pub const DESIGN: Self = Self { $($field: $drawn,)* };
 
-            /// Zero for each, as rates and accelerations are at rest.
+            /// Zero for each coordinate, as for rates and accelerations at rest.
             const REST: Self = Self::from_array([0.0; Self::COUNT]);
 
-            /// The coordinates in order.
+            /// Coordinates in order.
             pub const fn to_array(self) -> [$scalar; Self::COUNT] {
                 [$(self.$field),*]
             }
 
-            /// The coordinates from their values in order.
+            /// Returns the coordinates with these values, in order.
             pub const fn from_array(values: [$scalar; Self::COUNT]) -> Self {
                 let [$($field),*] = values;
                 Self { $($field),* }
@@ -59,12 +59,12 @@ macro_rules! coordinates {
     };
 }
 
-/// A structure with the parameters of a mechanism and their defaults.
+/// Structure with the parameters of a mechanism and their defaults.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! parameters {
     ($scalar:ident { $($(#[$field_docs:meta])* $field:ident = $nominal:expr,)* }) => {
-        /// What can be changed at run time.
+        /// Parameters that can be changed at run time.
         #[derive(Clone, Copy, Debug, PartialEq)]
         #[allow(non_snake_case)]
         pub struct Parameters {
@@ -73,10 +73,10 @@ macro_rules! parameters {
 
         #[allow(dead_code, non_snake_case, clippy::approx_constant)]
         impl Parameters {
-            /// The values of the description.
+            /// Values of the description.
             pub const NOMINAL: Self = Self { $($field: $nominal,)* };
 
-            /// Their names, in order.
+            /// Names of the parameters, in order.
             pub const NAMES: &'static [&'static str] = &[$(stringify!($field)),*];
         }
 
@@ -90,7 +90,7 @@ macro_rules! parameters {
     };
 }
 
-/// Numbers by their places.
+/// Numbers by their indices.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! values {
@@ -118,12 +118,12 @@ macro_rules! values {
     };
 }
 
-/// A structure with the signals that move a mechanism, and their values at assembly.
+/// Structure with the signals that drive a mechanism, and their values at assembly.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! inputs {
     ($scalar:ident { $($(#[$field_docs:meta])* $field:ident = $initial:expr,)* }) => {
-        /// The signals that move the mechanism, each with its value, rate and acceleration at one time.
+        /// Signals that drive the mechanism, each with its value, rate and acceleration at one time.
         #[derive(Clone, Copy, Debug, PartialEq)]
         #[allow(non_snake_case)]
         pub struct Inputs {
@@ -132,12 +132,12 @@ macro_rules! inputs {
 
         #[allow(dead_code, non_snake_case, clippy::approx_constant)]
         impl Inputs {
-            /// The values of the description, at rest.
+            /// Values of the description, at rest.
             pub const INITIAL: Self = Self {
                 $($field: $crate::Signal { value: $initial, rate: 0.0, acceleration: 0.0 },)*
             };
 
-            /// Their names, in order.
+            /// Names of the signals, in order.
             pub const NAMES: &'static [&'static str] = &[$(stringify!($field)),*];
         }
 

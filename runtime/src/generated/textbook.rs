@@ -1,6 +1,6 @@
-//! *Φ, Φ_q, Φ_t and γ as functions of a module* → *one dense system, as the runtime solves it*.
+//! Declares the textbook formulation: Φ, Φ_q, Φ_t and γ of a module as one dense system.
 
-/// All equations as one type, and Newton-Raphson's steps of them as a function of the mechanism's.
+/// All equations as one type, with their Newton-Raphson steps as a function of the mechanism's type.
 ///
 /// The module supplies `Coordinates` and the functions `phi`, `phi_q`, `phi_t` and `gamma`.
 #[doc(hidden)]
@@ -29,11 +29,11 @@ macro_rules! textbook {
         $crate::textbook! {
             @structure
             $(
-                /// The parameters.
+                /// Parameters of the mechanism.
                 pub parameters: $parameters,
             )?
             $(
-                /// The signals at the time for which the equations are evaluated.
+                /// Signals at the time for which the equations are evaluated.
                 pub inputs: $inputs,
             )?
         }
@@ -80,10 +80,11 @@ macro_rules! textbook {
 
         #[allow(dead_code)]
         impl $mechanism {
-            /// One Newton-Raphson step of the textbook view from the pose `q` at time `t` (s), with its matrix and right-hand side.
+            /// Takes one Newton-Raphson step of the textbook formulation from the pose `q` at time `t` (s), with its
+            /// matrix and right-hand side.
             ///
             /// # Errors
-            /// A [`Failure`] where the Jacobian is singular.
+            /// Returns a [`Failure`] if the Jacobian is singular.
             pub fn newton_step(
                 q: &Coordinates,
                 $(parameters: &$parameters,)?

@@ -1,11 +1,10 @@
-//! A factorization → an estimate of how large the inverse is, and of what makes it so.
+//! Estimates the norm of the inverse from a factorization, with a vector that attains the estimate.
 //!
-//! The 1-norm of the inverse is estimated from a few solves with the matrix and with its transpose (Hager 1984; Higham, *ACM
-//! Transactions on Mathematical Software* 14 (1988), 381-396, algorithm 4.1, which LAPACK has as `xLACON`). The estimate is a
-//! lower bound of the norm, attained by a vector that is at hand, and it is rarely less than a third of it.
+//! The 1-norm of the inverse is estimated from a few solves with the matrix and with its transpose (Hager 1984; Higham,
+//! *ACM Transactions on Mathematical Software* 14 (1988), 381-396, algorithm 4.1, which LAPACK has as `xLACON`). The
+//! estimate is a lower bound of the norm, attained by a known vector, and it is rarely less than a third of the norm.
 //!
-//! Everything here is computed on request; a factorization that nobody asks costs nothing more. The module does not know
-//! which condition is good enough.
+//! Everything here is computed on request; a factorization without requests costs nothing more.
 
 use nalgebra::allocator::Allocator;
 use nalgebra::{DefaultAllocator, Dim, OMatrix, OVector};
@@ -14,7 +13,7 @@ use super::{Factorization, exchange};
 use crate::math::Real;
 use crate::vector::{require_dimension, zero_vector};
 
-/// The largest number of unit vectors that are tried. Higham found that more than two are hardly ever needed.
+/// Largest number of unit vectors that are tried. Higham found that more than two are hardly ever needed.
 const TRIALS: u8 = 5;
 
 impl<T: Real, D: Dim> Factorization<T, D>
@@ -38,10 +37,11 @@ where
         }
     }
 
-    /// An estimate of 1 / (‖Â‖₁ ‖Â⁻¹‖₁), where Â is the scaled matrix: 1 for the identity, 0 for a singular matrix.
+    /// Estimates 1 / (‖Â‖₁ ‖Â⁻¹‖₁), where Â is the scaled matrix: 1 for the identity, 0 for a singular matrix.
     ///
-    /// `matrix` (n × n) is the one that was factorized, which is not kept. The estimate is seldom more than three times too
-    /// large and never too small, but for rounding. An empty matrix has 1; where the inverse overflows it is 0.
+    /// `matrix` (n × n) is the matrix that was factorized, which is not kept. The estimate is seldom more than three
+    /// times too large and never too small, up to rounding. An empty matrix has 1; if the inverse overflows, the
+    /// estimate is 0.
     ///
     /// # Work
     /// At most 12 solves.
@@ -75,7 +75,7 @@ where
         }
     }
 
-    /// An estimate of ‖Â⁻¹‖₁ and a vector Â⁻¹ b with ‖b‖₁ = 1 whose 1-norm it is.
+    /// Estimates ‖Â⁻¹‖₁, with a vector Â⁻¹ b of this 1-norm, ‖b‖₁ = 1.
     pub(crate) fn inverse_norm(&self) -> (T, OVector<T, D>) {
         let (dimension, _) = self.factors.shape_generic();
         let n = dimension.value();
@@ -87,13 +87,13 @@ where
         let mut norm = sum_of_magnitudes(image.as_slice());
         let mut unit = None;
         for _ in 0..TRIALS {
-            // The gradient of the norm of the image with respect to b.
+            // Gradient of the norm of the image with respect to b.
             for (slope, value) in gradient.as_mut_slice().iter_mut().zip(image.as_slice()) {
                 *slope = if *value < T::ZERO { -T::ONE } else { T::ONE };
             }
             self.solve_scaled_transposed(gradient.as_mut_slice());
             let steepest = position_of_largest(gradient.as_slice());
-            // A unit vector that comes back is a local maximum.
+            // A unit vector that returns is a local maximum.
             if unit == Some(steepest) {
                 break;
             }
@@ -110,7 +110,7 @@ where
             norm = larger;
             image = candidate;
         }
-        // A vector of alternating signs, for the matrices on which the search above is misled.
+        // Vector of alternating signs, for the matrices on which the search above is misled.
         let mut alternating = zero_vector(dimension);
         let mut total = T::ZERO;
         for (place, entry) in alternating.as_mut_slice().iter_mut().enumerate() {
@@ -171,7 +171,7 @@ fn sum_of_magnitudes<T: Real>(entries: &[T]) -> T {
     entries.iter().fold(T::ZERO, |sum, entry| sum + entry.abs())
 }
 
-/// The position of the first entry of largest magnitude; 0 if there is none.
+/// Position of the first entry of largest magnitude; 0 if there is none.
 pub(crate) fn position_of_largest<T: Real>(entries: &[T]) -> usize {
     let mut largest = (0, T::ZERO);
     for (place, entry) in entries.iter().enumerate() {

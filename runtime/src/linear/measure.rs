@@ -1,12 +1,10 @@
-//! A factorization and its matrix → how far the matrix is from singular, in numbers that do not depend on units.
+//! Measures the distance of a matrix from singular, independent of units.
 //!
-//! The columns of a Jacobian are measured in different units, and a short link makes a short column without being any closer to
-//! a singular pose. So both numbers are those of Ĵ, the matrix with columns of length 1. The inverse of such a matrix says of
-//! each column which angle it encloses with the plane of all others: the length of row k of Ĵ⁻¹ is 1/sin θ_k (van der Sluis,
-//! *Numerische Mathematik* 14 (1969), 14-23, for why equal columns are next to the best choice). Of two columns, which is what
-//! all closed forms have, θ is the angle between two links, and both numbers are its sine.
-//!
-//! The module does not know which measure is small enough to matter.
+//! The columns of a Jacobian are measured in different units, and a short link makes a short column without being any
+//! closer to a singular pose. Both numbers therefore belong to Ĵ, the matrix with columns of length 1. The inverse of
+//! such a matrix tells for each column the angle to the plane of all others: the length of row k of Ĵ⁻¹ is 1/sin θ_k
+//! (van der Sluis, *Numerische Mathematik* 14 (1969), 14-23, for why equal columns are next to the best choice). All
+//! closed forms have two columns. Then θ is the angle between two links, and both numbers are its sine.
 
 use nalgebra::allocator::Allocator;
 use nalgebra::{DefaultAllocator, Dim, OMatrix};
@@ -15,10 +13,11 @@ use super::Factorization;
 use crate::math::Real;
 use crate::vector::zero_vector;
 
-/// How far a square matrix is from singular: both are 0 where it is, and 1 in size where its columns are perpendicular.
+/// Distance of a square matrix from singular: both numbers are 0 for a singular matrix, and 1 in magnitude for
+/// perpendicular columns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measure<T = f64> {
-    /// The determinant divided by the lengths of all columns (Hadamard's ratio), from -1 to 1.
+    /// Determinant divided by the lengths of all columns (Hadamard's ratio), from -1 to 1.
     pub determinant: T,
     /// √n / ‖Ĵ⁻¹‖_F, from 0 to 1: the reciprocal condition n / (‖Ĵ‖_F ‖Ĵ⁻¹‖_F) of the matrix with columns of length 1. It is
     /// at least the smallest singular value of that matrix, and at most √n times as large.
@@ -26,7 +25,7 @@ pub struct Measure<T = f64> {
 }
 
 impl<T: Real> Measure<T> {
-    /// The measure of two columns, which enclose an angle with this sine.
+    /// Returns the measure of two columns that enclose an angle with this sine.
     #[inline]
     pub fn sine(sine: T) -> Self {
         Self {
@@ -35,8 +34,8 @@ impl<T: Real> Measure<T> {
         }
     }
 
-    /// The measure of a single equation for a single unknown, which encloses no angle: its scaled slope, or 1 where the slope
-    /// is larger.
+    /// Returns the measure of a single equation for a single unknown, which encloses no angle: its scaled slope, or 1
+    /// for larger slopes.
     #[inline]
     pub fn slope(slope: T) -> Self {
         Self::sine(slope / slope.abs().max(T::ONE))
@@ -47,11 +46,10 @@ impl<T: Real, D: Dim> Factorization<T, D>
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
-    /// How far the scaled matrix is from singular; its columns count by their directions alone.
+    /// Measures the distance of the scaled matrix from singular; only the directions of its columns count.
     ///
-    /// `matrix` (n × n) is the one that was factorized, which is not kept. A single equation encloses no angle: it has the
-    /// measure of its scaled slope. An empty matrix has 1; where the inverse overflows, the reciprocal
-    /// condition is 0.
+    /// `matrix` (n × n) is the matrix that was factorized, which is not kept. A single equation encloses no angle: its
+    /// measure is its scaled slope. An empty matrix has 1; if the inverse overflows, the reciprocal condition is 0.
     ///
     /// # Work
     /// n solves.
@@ -104,7 +102,7 @@ where
         } else {
             (T::from_f64(n as f64) / square).sqrt()
         };
-        // Rounding may leave a little more than what can be.
+        // Rounding may leave a little more than the limits.
         Measure {
             determinant: determinant.max(-T::ONE).min(T::ONE),
             reciprocal_condition: if ratio.is_finite() {

@@ -1,4 +1,4 @@
-//! Assembly from poor estimates: where plain Newton-Raphson fails, on the branch asked for, with bounded work.
+//! Assembly from poor estimates at which plain Newton-Raphson fails: on the requested branch, with bounded work.
 
 use std::f64::consts::{PI, TAU};
 
@@ -63,8 +63,8 @@ fn damped_steps_from_a_good_estimate_are_the_plain_ones() {
     let start = closed_form(0.3, 1.0).add_scalar(0.01);
     let (mut plain, mut damped) = (start, start);
     let expected = newton::solve(&Turning, &mut plain, 0.3, &settings).expect("near");
-    let found = solve_damped(&Turning, &mut damped, 0.3, &settings).expect("near");
-    assert_eq!((plain, expected), (damped, found));
+    let damped_convergence = solve_damped(&Turning, &mut damped, 0.3, &settings).expect("near");
+    assert_eq!((plain, expected), (damped, damped_convergence));
 }
 
 #[test]
@@ -75,7 +75,7 @@ fn an_equation_without_solution_fails_and_leaves_the_pose() {
         let mut q = SVector::<f64, 1>::new(start);
         let failure = solve_damped(&none, &mut q, 0.25, &settings).expect_err("no solution");
         assert_eq!(q[0].to_bits(), start.to_bits());
-        // The nearest to a solution is the stationary point: on the way to it steps become too short, or it is met.
+        // The point nearest to a solution is the stationary one: steps towards it become too short, or it is met.
         let stationary = matches!(
             failure.kind,
             FailureKind::Stalled | FailureKind::Singular { .. }
@@ -85,7 +85,7 @@ fn an_equation_without_solution_fails_and_leaves_the_pose() {
         let branch = Some(Branch::Positive);
         assert!(assemble_from_rough_estimate(&none, &estimate, branch, 0.25, &settings).is_err());
     }
-    // A stationary point is none to start from, with any method.
+    // No method can start from a stationary point.
     let parabola = single(|x| x * x - 1.0, |x| 2.0 * x);
     let estimate = SVector::<f64, 1>::new(0.0);
     let failure = assemble_from_rough_estimate(&parabola, &estimate, None, 0.0, &settings)
@@ -131,7 +131,7 @@ fn perturbed_starts(reach: f64) -> (u32, u32, u32) {
         let start = truth.map(|x| x + reach * sequence.next());
         match assemble_from_rough_estimate(&Turning, &start, Some(branch), 0.3, &settings) {
             Ok(frame) => {
-                // On this branch there is one pose, but for whole turns of the rod.
+                // This branch has one pose, up to whole turns of the rod.
                 let mut difference = frame.q - truth;
                 difference[5] -= TAU * (difference[5] / TAU).round();
                 assert!(difference.amax() <= 1e-13, "{difference}");
@@ -179,7 +179,7 @@ fn single_precision_assembles_too() {
     }
 }
 
-/// Asks every function for its work and compares with what its documentation says.
+/// Requests the work of every function and compares it with the function's documentation.
 fn work_is_bounded<E: Equations<f64, D>, D: linkwright::nalgebra::DimName>(
     equations: E,
     starts: &[linkwright::nalgebra::OVector<f64, D>],

@@ -66,8 +66,12 @@ fn known_conditions_are_found() {
     );
     // The Hilbert matrix of order 5 has the condition 943656 in the 1-norm.
     let hilbert = DMatrix::from_fn(5, 5, |i, j| 1.0 / (i + j + 1) as f64);
-    let found = factorize(&hilbert).reciprocal_condition(&hilbert);
-    assert!((1.0 / found - 943_656.0).abs() < 1.0, "{}", 1.0 / found);
+    let estimate = factorize(&hilbert).reciprocal_condition(&hilbert);
+    assert!(
+        (1.0 / estimate - 943_656.0).abs() < 1.0,
+        "{}",
+        1.0 / estimate
+    );
     // Kahan's matrix: no pivot is small, and yet it is nearly singular.
     let (sine, cosine) = (0.285_f64.sin(), 0.285_f64.cos());
     let kahan = DMatrix::from_fn(20, 20, |i, j| {
@@ -89,7 +93,7 @@ fn known_conditions_are_found() {
 fn condition_does_not_depend_on_units() {
     let mut sequence = Sequence(7);
     let matrix = SMatrix::<f64, 4, 4>::from_fn(|_, _| sequence.next());
-    let found = Factorization::new(&matrix, &Scales::unit(Const), 1e-14)
+    let estimate = Factorization::new(&matrix, &Scales::unit(Const), 1e-14)
         .expect("regular")
         .reciprocal_condition(&matrix);
     // Rows in other units: powers of two, so that nothing is rounded.
@@ -98,7 +102,7 @@ fn condition_does_not_depend_on_units() {
     let scaled = SMatrix::<f64, 4, 4>::from_fn(|i, j| matrix[(i, j)] * rows[i] / columns[j]);
     let scales = Scales { rows, columns };
     let other = Factorization::new(&scaled, &scales, 1e-14).expect("regular");
-    assert_eq!(other.reciprocal_condition(&scaled), found);
+    assert_eq!(other.reciprocal_condition(&scaled), estimate);
 }
 
 #[test]

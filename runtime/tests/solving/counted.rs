@@ -15,14 +15,14 @@ pub struct Evaluations {
     pub gammas: u32,
 }
 
-/// The same equations, counted.
+/// Equations with a count of their evaluations.
 pub struct Counted<E> {
     equations: E,
     evaluations: Cell<Evaluations>,
 }
 
 impl<E> Counted<E> {
-    /// Nothing has been evaluated.
+    /// Returns equations without evaluations.
     pub fn new(equations: E) -> Self {
         Self {
             equations,
@@ -30,7 +30,7 @@ impl<E> Counted<E> {
         }
     }
 
-    /// What has been evaluated since this was last asked.
+    /// Returns the evaluations since the last call.
     pub fn take(&self) -> Evaluations {
         self.evaluations.take()
     }

@@ -1,4 +1,4 @@
-//! The same code for static and dynamic dimensions, and for any unit of length.
+//! Solves are equal for static and dynamic dimensions, and for any unit of length.
 
 use crate::exam_equations::Exam;
 use linkwright::nalgebra::{Const, DMatrix, DVector, Dyn, OMatrix, OVector, SMatrix, SVector};
@@ -109,8 +109,8 @@ fn unit_of_length_changes_neither_iterations_nor_motion() {
         let mut scaled = estimate(&other);
         let convergence = newton::solve(&other, &mut scaled, 0.1, &settings).expect("converges");
         assert_eq!(convergence.iterations, expected.iterations);
-        let found = other.in_meters(&scaled);
-        assert!((found - meters.in_meters(&q)).amax() <= 4.0 * f64::EPSILON);
+        let in_meters = other.in_meters(&scaled);
+        assert!((in_meters - meters.in_meters(&q)).amax() <= 4.0 * f64::EPSILON);
     }
 }
 

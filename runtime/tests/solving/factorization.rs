@@ -74,8 +74,8 @@ where
         let mut x = b.clone();
         factorization.solve(&mut x);
         assert!(backward_error(&a, &x, &b) < 4.0);
-        // The pivot ratio bounds the distance to singularity from above only, so this is a loose forward bound that
-        // holds for random matrices, whose condition is of the order n².
+        // The pivot ratio bounds the distance to singularity from above only. This is therefore a loose forward bound,
+        // which holds for random matrices, whose condition is of the order n².
         let error = (0..b.len())
             .map(|i| (x[i] - known[i]).abs().to_f64())
             .fold(0.0, f64::max);

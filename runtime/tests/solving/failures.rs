@@ -5,7 +5,7 @@ use linkwright::nalgebra::SVector;
 use linkwright::newton::{self, Convergence};
 use linkwright::{Failure, FailureKind, Settings, assemble};
 
-/// Solves from `start`; a failure must leave the pose as it was, bit for bit.
+/// Solves from `start`; a failure must leave the pose unchanged, bit for bit.
 fn solve(
     equations: &Single,
     start: f64,
@@ -109,7 +109,7 @@ fn longer_cycle_is_found() {
     // Steps of 1 from 0 to 4, then one of -4: 0 → 1 → 2 → 3 → 4 → 0 …, always with the residual 1.
     let ring = single(|_| 1.0, |x| if x < 4.0 { -1.0 } else { 0.25 });
     let failure = failure(&ring, 0.0);
-    // The pose after 7 steps is the first that is kept for as long as the cycle is; it comes back after 12.
+    // The pose after 7 steps is the first that is kept for a whole cycle; it returns after 12.
     assert_eq!(
         (failure.kind, failure.iterations),
         (FailureKind::Cycling, 12)
@@ -293,7 +293,7 @@ fn polishing_step_that_makes_the_pose_worse_is_not_taken() {
 
 #[test]
 fn every_kind_has_words() {
-    let said = |kind| {
+    let text = |kind| {
         let failure = Failure {
             kind,
             time: 2.0,
@@ -315,9 +315,9 @@ fn every_kind_has_words() {
         (FailureKind::StepTooLarge, "step too large"),
         (FailureKind::NotFinite, "not finite"),
     ] {
-        assert_eq!(said(kind), format!("{words}: {rest}"));
+        assert_eq!(text(kind), format!("{words}: {rest}"));
     }
-    let reach = said(FailureKind::OutOfReach { by: 0.5 });
+    let reach = text(FailureKind::OutOfReach { by: 0.5 });
     assert_eq!(reach, "out of reach by 5.0e-1 m, block 1, t = 2");
 }
 

@@ -1,4 +1,4 @@
-//! How far a matrix is from singular, against its singular values.
+//! Distance of a matrix from singular, against its singular values.
 
 use linkwright::nalgebra::{SMatrix, SVector};
 use linkwright::{Factorization, Measure, Scales};
@@ -32,8 +32,8 @@ where
         .measure(matrix)
 }
 
-/// The same from a decomposition that has nothing in common with an elimination.
-fn wanted<const N: usize>(matrix: &SMatrix<f64, N, N>) -> (f64, Vec<f64>) {
+/// Determinant ratio and singular values, from a decomposition that is independent of the elimination.
+fn reference<const N: usize>(matrix: &SMatrix<f64, N, N>) -> (f64, Vec<f64>) {
     let mut unit = nalgebra::DMatrix::from_column_slice(N, N, matrix.as_slice());
     for mut column in unit.column_iter_mut() {
         let length = column.norm();
@@ -54,7 +54,7 @@ where
         let stretched = SMatrix::<f64, N, N>::from_fn(|row, column| {
             matrix[(row, column)] * 10_f64.powi(3 * column as i32 - 4)
         });
-        let (determinant, singular) = wanted(&matrix);
+        let (determinant, singular) = reference(&matrix);
         let squares: f64 = singular.iter().map(|it| 1.0 / (it * it)).sum();
         let reciprocal = (N as f64 / squares).sqrt();
         let smallest = singular.iter().copied().fold(f64::INFINITY, f64::min);
@@ -62,10 +62,10 @@ where
             assert!((found.determinant.abs() - determinant).abs() < 1e-13);
             let gap = (found.reciprocal_condition - reciprocal).abs();
             assert!(gap < 1e-13, "{gap:e}");
-            // Rounding apart, the smallest singular value and its multiple enclose it.
+            // Up to rounding, the smallest singular value and its multiple enclose it.
             let above = (N as f64).sqrt() * smallest;
-            let found = found.reciprocal_condition;
-            assert!(smallest * (1.0 - 1e-12) <= found && found <= above * (1.0 + 1e-12));
+            let condition = found.reciprocal_condition;
+            assert!(smallest * (1.0 - 1e-12) <= condition && condition <= above * (1.0 + 1e-12));
         }
     }
 }
@@ -88,11 +88,11 @@ fn two_columns_have_the_sine_of_their_angle_down_to_rounding() {
             let (length, at): (f64, f64) = columns[column];
             length * [at.cos(), at.sin()][row]
         });
-        let found = measure(&matrix, 1.0, 1.0);
+        let measured = measure(&matrix, 1.0, 1.0);
         // The angle itself is known to rounding of 0.7 only.
-        let gap = (found.determinant - angle.sin()).abs();
+        let gap = (measured.determinant - angle.sin()).abs();
         assert!(gap < 4e-16, "{gap:e} at {angle:e}");
-        let difference = found.reciprocal_condition - found.determinant.abs();
+        let difference = measured.reciprocal_condition - measured.determinant.abs();
         assert!(difference.abs() < 4e-16, "{difference:e} at {angle:e}");
     }
 }

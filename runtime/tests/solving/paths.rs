@@ -1,4 +1,4 @@
-//! Following a path: on to where it leads, never to another one, and as exactly as wanted to where it ends.
+//! Paths: followed to their continuation, never to another path, and to their end with the requested precision.
 
 use crate::counted::Counted;
 use crate::exam_equations::Exam;
@@ -45,8 +45,8 @@ fn the_two_ways_to_lay_the_rod_have_different_branches() {
 
 #[test]
 fn a_long_way_is_followed_where_a_plain_advance_changes_over() {
-    // From t = -5.2 s to the same crank angle one turn later would lead through the dead points, so the way is within one turn
-    // of the crank: φ1 from -π/2 + 0.01 to π/2 - 0.01.
+    // A path from t = -5.2 s to the same crank angle one turn later would pass the dead points. The path is therefore
+    // within one turn of the crank: φ1 from -π/2 + 0.01 to π/2 - 0.01.
     let (first, last) = (0.01 - 2.0 * DEAD_POINT, DEAD_POINT - 0.01);
     let mut changed = 0;
     for sign in [1.0, -1.0] {
@@ -55,17 +55,17 @@ fn a_long_way_is_followed_where_a_plain_advance_changes_over() {
             let (frame, branch) = started(sign, start);
             let t = start + (last - start) * f64::from(parts) / 40.0;
             let expected = closed_form(t, sign);
-            let found = follow(&Turning, &frame, branch, t, &with_substeps(64))
+            let followed = follow(&Turning, &frame, branch, t, &with_substeps(64))
                 .unwrap_or_else(|failure| panic!("from {start} to {t}: {failure}"));
             let condition = 1.0 / expected[5].abs();
-            let error = (found.q - expected).amax();
+            let error = (followed.q - expected).amax();
             assert!(error <= 1e-14 * condition, "from {start} to {t}: {error:e}");
             if let Ok(plain) = advance(&Turning, &frame, t, &Settings::default()) {
                 changed += i32::from((plain.q - expected).amax() > 1e-6);
             }
         }
     }
-    // Otherwise the ways would be too short to show anything.
+    // Otherwise the paths would be too short to be a test.
     assert!(changed >= 20, "{changed}");
 }
 
@@ -113,7 +113,7 @@ fn steps_of_a_loop_end_at_the_dead_point_too() {
     assert_eq!(step, 105);
     assert!((failure.time - DEAD_POINT).abs() <= 1e-14, "{failure}");
     assert!(matches!(failure.kind, FailureKind::Singular { .. }));
-    // The way back is open.
+    // The path back is regular.
     let back = follow(&Turning, &frame, branch, 0.0, &settings).expect("regular");
     assert!((back.q - closed_form(0.0, 1.0)).amax() <= 1e-14);
 }
@@ -144,7 +144,7 @@ fn another_branch_than_that_of_the_frame_is_refused() {
 
 #[test]
 fn a_budget_that_is_too_small_says_so() {
-    // The exam's driver turns the crank to and fro; seen from far its way is too long for two attempts.
+    // The exam's driver turns the crank to and fro; its path is too long for two attempts.
     let settings = with_substeps(2);
     let estimate = Vector::from([0.0, 0.0, 0.5, 1.7, 2.0, 1.0]);
     let frame = assemble(&Exam, &estimate, 0.0, &settings).expect("assembles");

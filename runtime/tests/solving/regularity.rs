@@ -79,7 +79,7 @@ fn pair_of_roots_is_told_apart_or_called_singular() {
         // Estimates far away, and such that meet the tolerance as they are.
         for start in [1.0, 0.1, 1e-6, -1e-6, 1.5 * root, 0.6 * root, -1.2 * root] {
             if start.abs() < 0.01 * root {
-                // The first step from there is longer than a hundred times the way to the roots.
+                // The first step from there is longer than a hundred times the distance to the roots.
                 continue;
             }
             let estimate = SVector::<f64, 1>::new(start);

@@ -1,4 +1,4 @@
-//! The driver that takes a motion in as many steps as it needs, with attempts that fail in known ways.
+//! Division of a motion into steps, with attempts whose failures are known.
 
 use linkwright::{Broken, Failure, FailureKind, in_steps};
 

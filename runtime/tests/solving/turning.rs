@@ -1,7 +1,7 @@
 //! The exam's mechanism with a crank that turns on and on: φ1 = π/6 + t.
 //!
-//! cos φ2 = 1 - cos φ1 / √3, so that the rod lies level (φ2 = 0) at φ1 = π/2 and the crank cannot go on from there. It is a
-//! fold: φ2 ≈ √(2 (π/3 - t) / √3) just before t = π/3.
+//! cos φ2 = 1 - cos φ1 / √3, so that the rod lies level (φ2 = 0) at φ1 = π/2. The crank cannot turn beyond that angle.
+//! It is a fold: φ2 ≈ √(2 (π/3 - t) / √3) just before t = π/3.
 
 use std::f64::consts::FRAC_PI_6;
 

@@ -1,4 +1,4 @@
-//! `draw --animate`: pictures that move by themselves.
+//! `draw --animate`: moving pictures.
 
 use std::fs;
 
@@ -27,13 +27,13 @@ fn an_svg_goes_through_the_motion() {
     assert_eq!(turned.len(), 51);
     for (frame, value) in turned.iter().enumerate() {
         let t = 0.04 * frame as f64;
-        let wanted = -(std::f64::consts::FRAC_PI_6 + (2.0 * t).sin()).to_degrees();
+        let expected = -(std::f64::consts::FRAC_PI_6 + (2.0 * t).sin()).to_degrees();
         assert!(
-            (value[0] - wanted).abs() < 0.01,
-            "{value:?} for {wanted} at {t}"
+            (value[0] - expected).abs() < 0.01,
+            "{value:?} for {expected} at {t}"
         );
     }
-    // The name of P follows it: cos φ and sin φ, less those at the start.
+    // The name of P follows P: cos φ and sin φ, minus their values at the start.
     let scale = svg.split("data-scale=\"").nth(1).expect("a scale");
     let scale = numbers(scale.split('"').next().expect("a number"))[0];
     let names = &svg[svg.find("<g id=\"names\">").expect("names")..];
@@ -53,12 +53,12 @@ fn an_svg_goes_through_the_motion() {
         svg.matches("dur=\"2s\" repeatCount=\"indefinite\"").count()
     );
     assert!(!svg.contains("<script"));
-    // It is a picture of ours, and the same again.
+    // The picture has our mark, and is equal on the second run.
     folder.run("draw a.mech --animate --to 2").exits_with(0);
     assert_eq!(folder.read("two_body_animated.svg"), svg);
 }
 
-/// The still picture and the moving one have names of their own, so that neither replaces the other.
+/// The still picture and the moving one have different names, so that neither replaces the other.
 #[test]
 fn a_moving_picture_leaves_the_still_one() {
     let folder = Folder::new("animate_beside", EXAM);
@@ -69,7 +69,8 @@ fn a_moving_picture_leaves_the_still_one() {
     assert!(folder.read("two_body_animated.svg").contains("<animate"));
 }
 
-/// Of a spring about a pin the inner end turns with the first body, and the outer end with the second one, whichever of them moves.
+/// The inner end of a spring about a pin turns with the first body, and the outer end with the second one, whichever of
+/// them moves.
 #[test]
 fn a_torsion_spring_is_wound_between_its_bodies() {
     let text = "mechanism wound {
@@ -87,7 +88,7 @@ fn a_torsion_spring_is_wound_between_its_bodies() {
         folder
             .run("draw a.mech --animate --to 1 --out a.svg")
             .exits_with(0);
-        // A still picture shows the spiral as it is wound then: at a quarter of the period the arm has turned by 50 degrees.
+        // A still picture shows the spiral in its pose: at a quarter of the period the arm has turned by 50 degrees.
         folder
             .run("draw a.mech --at 0.25 --out still.svg")
             .exits_with(0);
@@ -122,16 +123,16 @@ fn a_torsion_spring_is_wound_between_its_bodies() {
             for ((end, turns), at_rest) in
                 ends.into_iter().zip(turns).zip([0.0, std::f64::consts::PI])
             {
-                let found = -end[1].atan2(end[0]) - frame[0].to_radians();
-                let off = (found - at_rest - turns * angle).sin().abs();
+                let relative = -end[1].atan2(end[0]) - frame[0].to_radians();
+                let off = (relative - at_rest - turns * angle).sin().abs();
                 assert!(off < 5e-3, "{bodies} at {t}: {off}");
-                assert!((found - at_rest - turns * angle).cos() > 0.0);
+                assert!((relative - at_rest - turns * angle).cos() > 0.0);
             }
         }
     }
 }
 
-/// A long motion has 250 pictures at most, and still its own pace.
+/// A long motion has 250 pictures at most, and keeps its pace.
 #[test]
 fn a_long_motion_has_fewer_pictures() {
     let folder = Folder::new("animate_long", EXAM);
@@ -157,15 +158,15 @@ fn forces_and_springs_go_along() {
     let turned = values(group, " data-force=\"", "rotate");
     for (frame, value) in turned.iter().enumerate() {
         let t = 0.04 * frame as f64;
-        let wanted = (40.0_f64).atan2(30.0 * (2.0 * std::f64::consts::PI * t).cos());
-        let off = (value[0].to_radians() - wanted).sin().abs();
-        assert!(off < 1e-3, "{value:?} for {wanted}");
+        let expected = (40.0_f64).atan2(30.0 * (2.0 * std::f64::consts::PI * t).cos());
+        let off = (value[0].to_radians() - expected).sin().abs();
+        assert!(off < 1e-3, "{value:?} for {expected}");
     }
     assert!(svg.contains(" data-length=\""));
 }
 
 #[test]
-fn what_cannot_be_animated_is_refused() {
+fn refuses_what_cannot_be_animated() {
     let folder = Folder::new("animate_refused", EXAM);
     for (options, words) in [
         ("--out a.png", "no animation can be written as `.png`"),
@@ -196,7 +197,7 @@ fn a_gif_is_written_and_only_ours_are_replaced() {
         "{:?}",
         &bytes[..10]
     );
-    // For ever, as browsers read it.
+    // Endless, in the notation of browsers.
     let loops = b"NETSCAPE2.0\x03\x01\x00\x00\x00";
     assert!(bytes.windows(loops.len()).any(|it| it == loops));
     folder.run(draw).exits_with(0);

@@ -17,7 +17,7 @@ const EXAM: &str = "mechanism exam {
 
 const PLATFORM: &str = include_str!("../../../../mechanisms/platform_3rpr.mech");
 
-/// The numbers of the only row that is written.
+/// Numbers of the only row in the output.
 fn row(folder: &Folder, options: &str) -> Vec<f64> {
     let ran = folder.run(&format!("solve a.mech --at 0 --csv - {options}"));
     let printed = ran.exits_with(0).stdout;
@@ -53,14 +53,14 @@ fn the_rod_hangs_below_on_the_other_branch() {
 fn a_loop_without_a_closed_form_has_branches_too() {
     let folder = Folder::new("branch_newton", PLATFORM);
     let drawn = row(&folder, "");
-    let mut found = 0;
+    let mut count = 0;
     for sign in ["positive", "negative"] {
-        found += i32::from(coincide(
+        count += i32::from(coincide(
             &row(&folder, &format!("--branch loop_p_row_q_r={sign}")),
             &drawn,
         ));
     }
-    assert_eq!(found, 1, "one of the signs is that of the drawing");
+    assert_eq!(count, 1, "one of the signs is that of the drawing");
     let other = row(&folder, "--branch loop_p_row_q_r=other");
     assert!(!coincide(&other, &drawn));
 }
@@ -73,20 +73,23 @@ fn every_pose_of_a_loop_without_a_closed_form_has_a_letter() {
     let assemblies = checked["assemblies"].as_array().expect("a list");
     assert!(assemblies.len() > 1);
     for (letter, place) in ('a'..='z').zip(0..assemblies.len()) {
-        let mut own = assemblies.iter();
-        let own = own.find(|it| it["poses"] == serde_json::json!([place]));
-        let q = own.expect("one of this letter")["q"].as_array();
+        let mut listed = assemblies.iter();
+        let assembly = listed.find(|it| it["poses"] == serde_json::json!([place]));
+        let q = assembly.expect("one of this letter")["q"].as_array();
         let q: Vec<f64> = q.expect("a list").iter().map(number).collect();
-        let found = row(&folder, &format!("--branch loop_p_row_q_r={letter}"));
-        assert!(coincide(&found[1..=q.len()], &q), "{letter}: {found:?}");
+        let solved_row = row(&folder, &format!("--branch loop_p_row_q_r={letter}"));
+        assert!(
+            coincide(&solved_row[1..=q.len()], &q),
+            "{letter}: {solved_row:?}"
+        );
     }
     let ran = folder.run("solve a.mech --at 0 --branch loop_p_row_q_r=z");
-    let said = format!(
+    let expected = format!(
         "`loop_p_row_q_r` has {} poses at t = 0 s, none of them `z`; `linkwright check` lists them",
         assemblies.len()
     );
     let error = ran.exits_with(2).stderr;
-    assert!(error.contains(&said), "{error}");
+    assert!(error.contains(&expected), "{error}");
 }
 
 /// A bar that is drawn with its end far from the circle on which a distance holds it.

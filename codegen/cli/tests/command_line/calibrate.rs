@@ -59,13 +59,13 @@ fn parameters_are_found_and_written_where_they_stood() {
     let ran = folder
         .run("calibrate a.mech data.csv --param L,offset,speed --out new.mech --json")
         .exits_with(0);
-    let found = json(&ran.stdout);
+    let report = json(&ran.stdout);
     let truth = [
         ("L", "m", 0.042),
         ("offset", "", 0.15),
         ("speed", "s^-1", 3.2),
     ];
-    for (entry, (name, unit, truth)) in found["parameters"]
+    for (entry, (name, unit, truth)) in report["parameters"]
         .as_array()
         .expect("a list")
         .iter()
@@ -82,10 +82,10 @@ fn parameters_are_found_and_written_where_they_stood() {
         );
     }
     assert_eq!(
-        (&found["rank"], &found["freedom"]),
+        (&report["rank"], &report["freedom"]),
         (&3.into(), &117.into())
     );
-    for column in found["columns"].as_array().expect("a list") {
+    for column in report["columns"].as_array().expect("a list") {
         // Evenly distributed noise of ±0.01 mm has a standard deviation of 0.0058 mm.
         let after = number(&column["rms_after"]);
         assert!(
@@ -118,7 +118,7 @@ fn parameters_are_found_and_written_where_they_stood() {
     folder
         .run("compare a.mech data.csv --tolerance 0.03mm")
         .exits_with(1);
-    // A description is nobody's to replace.
+    // A description is never replaced.
     let ran = folder
         .run("calibrate a.mech data.csv --param L --out new.mech")
         .exits_with(2);
@@ -141,15 +141,15 @@ fn parameters_are_found_and_written_where_they_stood() {
 }
 
 #[test]
-fn what_cannot_be_told_apart_is_named_and_nothing_is_written() {
+fn indistinguishable_parameters_are_named_and_not_written() {
     let folder = folder("calibrate_indistinct");
     let table = table().replace("B_", "C_");
     std::fs::write(folder.file("data.csv"), table).expect("written");
     let ran = folder
         .run("calibrate a.mech data.csv --param L,gap,offset,speed --out new.mech")
         .exits_with(1);
-    let said = "`L` and `gap` cannot be told apart: changed as 1 : -1 they leave everything that is measured as it is";
-    assert!(ran.stdout.contains(said), "{}", ran.stdout);
+    let expected = "`L` and `gap` cannot be told apart: changed as 1 : -1 they leave everything that is measured as it is";
+    assert!(ran.stdout.contains(expected), "{}", ran.stdout);
     assert!(
         ran.stdout
             .contains("this motion determines 3 of 4 combinations"),
@@ -162,17 +162,17 @@ fn what_cannot_be_told_apart_is_named_and_nothing_is_written() {
         ran.stderr
     );
     assert!(!folder.file("new.mech").exists());
-    let found = folder
+    let ran = folder
         .run("calibrate a.mech data.csv --param L,gap,offset,speed --json")
         .exits_with(1);
-    let found = json(&found.stdout);
-    let parameters = found["parameters"].as_array().expect("a list");
+    let report = json(&ran.stdout);
+    let parameters = report["parameters"].as_array().expect("a list");
     let is_null: Vec<bool> = parameters
         .iter()
         .map(|it| it["deviation"].is_null())
         .collect();
-    assert_eq!(is_null, [true, false, false, true], "{found}");
-    assert!(found["correlations"][0][3].is_null() && number(&found["correlations"][1][2]) < 0.0);
+    assert_eq!(is_null, [true, false, false, true], "{report}");
+    assert!(report["correlations"][0][3].is_null() && number(&report["correlations"][1][2]) < 0.0);
 }
 
 #[test]
@@ -182,8 +182,8 @@ fn known_deviations_count() {
         let ran = folder.run(&format!(
             "calibrate a.mech data.csv --param L,offset,speed --json {options}"
         ));
-        let found = json(&ran.exits_with(0).stdout);
-        number(&found["parameters"][0]["deviation"])
+        let report = json(&ran.exits_with(0).stdout);
+        number(&report["parameters"][0]["deviation"])
     };
     let (one, ten) = (of("--deviation 0.01mm"), of("--deviation 0.1mm"));
     assert!((ten / one - 10.0).abs() < 1e-6, "{one} {ten}");
@@ -209,17 +209,17 @@ fn columns_that_count_turns_are_marked() {
         }
         std::fs::write(folder.file("data.csv"), text).expect("it can be written");
         let ran = folder.run("calibrate a.mech data.csv --param speed --json");
-        let found = json(&ran.exits_with(0).stdout);
-        let speed = number(&found["parameters"][0]["value"]);
-        assert!((speed - 3.2).abs() < 1e-6, "{unit}: {found}");
-        let [rate, reach] = [0, 1].map(|it| &found["columns"][it]);
-        assert_eq!(rate["counts_turns"] == true, counts, "{unit}: {found}");
-        assert_eq!(reach.get("counts_turns"), None, "{unit}: {found}");
+        let report = json(&ran.exits_with(0).stdout);
+        let speed = number(&report["parameters"][0]["value"]);
+        assert!((speed - 3.2).abs() < 1e-6, "{unit}: {report}");
+        let [rate, reach] = [0, 1].map(|it| &report["columns"][it]);
+        assert_eq!(rate["counts_turns"] == true, counts, "{unit}: {report}");
+        assert_eq!(reach.get("counts_turns"), None, "{unit}: {report}");
     }
 }
 
 #[test]
-fn what_cannot_be_fitted_is_said() {
+fn names_the_reason_of_an_impossible_fit() {
     let folder = folder("calibrate_errors");
     for (options, code, said) in [
         ("--param M", 2, "`crank` has no parameter `M`"),
@@ -277,10 +277,10 @@ fn a_parameter_that_moves_nothing_alone_is_not_determined() {
     let ran = folder
         .run("calibrate a.mech data.csv --param depth")
         .exits_with(1);
-    let said = ran.stdout + &ran.stderr;
+    let output = ran.stdout + &ran.stderr;
     assert!(
-        said.contains("`depth` changes nothing that is measured"),
-        "{said}"
+        output.contains("`depth` changes nothing that is measured"),
+        "{output}"
     );
 }
 
@@ -334,7 +334,7 @@ fn four_bar(lengths: [&str; 3]) -> String {
     )
 }
 
-/// A table of a four-bar of 40, 120 and 80 mm with its crank half a turn further on.
+/// Table of a four-bar of 40, 120 and 80 mm with its crank turned by half a turn.
 const TURNED: &str = "t (s),P_x (mm),P_y (mm),phi_rocker (deg)\n\
 0.00,-19.61130,45.55089,128.305305\n\
 0.15,-16.01560,35.62999,128.044404\n\
@@ -352,7 +352,7 @@ const TURNED: &str = "t (s),P_x (mm),P_y (mm),phi_rocker (deg)\n\
 1.95,-17.55656,58.49667,124.921063\n\
 ";
 
-/// The same in the other assembly, from its drawn crank on.
+/// Table of that four-bar in the other assembly, from its design configuration on.
 const OTHER: &str = "t (s),P_x (mm),P_y (mm),phi_rocker (deg)\n\
 0.00,94.7279,-7.3487,-98.0050\n\
 0.15,77.7707,-1.3959,-114.8271\n\
@@ -363,7 +363,7 @@ const OTHER: &str = "t (s),P_x (mm),P_y (mm),phi_rocker (deg)\n\
 ";
 
 #[test]
-fn what_is_no_fit_is_not_trusted_and_not_written() {
+fn poor_fit_is_not_trusted_and_not_written() {
     for (name, lengths, table, parameters, said) in [
         (
             "turned",
@@ -400,18 +400,18 @@ fn what_is_no_fit_is_not_trusted_and_not_written() {
             let picture = folder.read(&format!("plots/{column}.svg"));
             assert!(picture.contains("data - solved"), "{column}");
         }
-        let found = json(
+        let report = json(
             &folder
                 .run(&format!("{options} --json"))
                 .exits_with(1)
                 .stdout,
         );
-        assert_eq!(found["trusted"], false, "{found}");
-        for parameter in found["parameters"].as_array().expect("parameters") {
-            assert!(number(&parameter["value"]) >= 0.0, "{found}");
+        assert_eq!(report["trusted"], false, "{report}");
+        for parameter in report["parameters"].as_array().expect("parameters") {
+            assert!(number(&parameter["value"]) >= 0.0, "{report}");
         }
     }
-    // What is said anyway can be written anyway.
+    // `--force` writes a fit that is not trusted.
     let folder = Folder::new("calibrate_forced", four_bar(["30mm", "99mm", "110mm"]));
     std::fs::write(folder.file("data.csv"), OTHER).expect("it can be written");
     folder
@@ -428,17 +428,20 @@ fn bounds_hold_and_are_read_with_units() {
             format!("calibrate a.mech data.csv --param L,offset,speed --json --bound {bound}");
         folder.run(&options).exits_with(code)
     };
-    let found = json(&run("L=39mm..43mm,offset=5deg..15deg", 0).stdout);
+    let report = json(&run("L=39mm..43mm,offset=5deg..15deg", 0).stdout);
     assert!(
-        (number(&found["parameters"][0]["value"]) - 0.042).abs() < 1e-5,
-        "{found}"
+        (number(&report["parameters"][0]["value"]) - 0.042).abs() < 1e-5,
+        "{report}"
     );
-    let found = json(&run("L=0.03..41mm", 1).stdout);
+    let report = json(&run("L=0.03..41mm", 1).stdout);
     assert!(
-        (number(&found["parameters"][0]["bound"]) - 0.041).abs() < 1e-12,
-        "{found}"
+        (number(&report["parameters"][0]["bound"]) - 0.041).abs() < 1e-12,
+        "{report}"
     );
-    assert!(number(&found["parameters"][0]["value"]) <= 0.041, "{found}");
+    assert!(
+        number(&report["parameters"][0]["value"]) <= 0.041,
+        "{report}"
+    );
     let ran = folder
         .run("calibrate a.mech data.csv --param L --bound L=41mm..43mm --set L=50mm")
         .exits_with(1);
@@ -461,7 +464,8 @@ fn bounds_hold_and_are_read_with_units() {
     }
 }
 
-/// P, which lies at (60, `height`) mm of the coupler of a four-bar of 100, 40, 120 and 80 mm, by the law of cosines, with a little noise.
+/// Positions of P at (60, `height`) mm on the coupler of a four-bar of 100, 40, 120 and 80 mm, by the law of cosines,
+/// with a little noise.
 fn coupler_points(height: f64) -> String {
     let mut text = "t (s),P_x (mm),P_y (mm)\n".to_string();
     let mut noise = noise();
@@ -479,7 +483,7 @@ fn coupler_points(height: f64) -> String {
     text
 }
 
-/// A length keeps the sign that the description gives it; `--bound` says otherwise.
+/// A length keeps the sign that it has in the description, unless `--bound` permits the other.
 #[test]
 fn a_length_ends_at_the_bound_that_its_sign_is() {
     for (drawn, height) in [("5mm", -12.0), ("-5mm", 12.0)] {
@@ -495,32 +499,32 @@ fn a_length_ends_at_the_bound_that_its_sign_is() {
         let ran = folder.run(options).exits_with(1);
         let reason = "`height` ends at its bound 0 m";
         assert!(ran.stdout.contains(reason), "{}", ran.stdout);
-        let found = json(
+        let report = json(
             &folder
                 .run(&format!("{options} --json"))
                 .exits_with(1)
                 .stdout,
         );
-        let own = &found["parameters"][0];
-        assert_eq!(number(&own["bound"]), 0.0, "{found}");
-        assert!(number(&own["value"]).abs() < 1e-8, "{found}");
-        assert_eq!(found["trusted"], false, "{found}");
-        assert!(found["reasons"].to_string().contains(reason), "{found}");
+        let parameter = &report["parameters"][0];
+        assert_eq!(number(&parameter["bound"]), 0.0, "{report}");
+        assert!(number(&parameter["value"]).abs() < 1e-8, "{report}");
+        assert_eq!(report["trusted"], false, "{report}");
+        assert!(report["reasons"].to_string().contains(reason), "{report}");
         for bound in ["height=..", "height=-20mm..20mm"] {
             let options = format!("{options} --json --bound {bound}");
-            let found = json(&folder.run(&options).exits_with(0).stdout);
-            let own = &found["parameters"][0];
+            let report = json(&folder.run(&options).exits_with(0).stdout);
+            let parameter = &report["parameters"][0];
             assert!(
-                (1e3 * number(&own["value"]) - height).abs() < 0.01,
-                "{found}"
+                (1e3 * number(&parameter["value"]) - height).abs() < 0.01,
+                "{report}"
             );
-            assert_eq!(own.get("bound"), None, "{found}");
+            assert_eq!(parameter.get("bound"), None, "{report}");
         }
     }
 }
 
-/// Deviation of a length L from values L·cos φ that are rounded to whole millimeters: root of the mean square over all places that
-/// the zero can have within a millimeter.
+/// Deviation of a length L from values L·cos φ that are rounded to whole millimeters: root of the mean square over all
+/// positions of the zero within a millimeter.
 fn deviation_by_rounding(length: f64, cosines: &[f64]) -> f64 {
     let squares: f64 = cosines.iter().map(|it| it * it).sum();
     let zeros = 2000;
@@ -535,7 +539,7 @@ fn deviation_by_rounding(length: f64, cosines: &[f64]) -> f64 {
     (errors.sum::<f64>() / f64::from(zeros)).sqrt()
 }
 
-/// However well few values in whole millimeters seem to fit, their rounding makes them uncertain.
+/// Rounding makes few values in whole millimeters uncertain, even if they seem to fit.
 #[test]
 fn rounding_of_the_table_counts() {
     let folder = folder("calibrate_rounding");
@@ -548,20 +552,20 @@ fn rounding_of_the_table_counts() {
         text += &format!("{t},{:.0}\n", 42.3 * cosine);
     }
     std::fs::write(folder.file("data.csv"), text).expect("it can be written");
-    let found = json(
+    let report = json(
         &folder
             .run("calibrate a.mech data.csv --param L --json")
             .exits_with(0)
             .stdout,
     );
-    let own = &found["parameters"][0];
-    let expected = 1e-3 * deviation_by_rounding(1e3 * number(&own["value"]), &cosines);
-    let deviation = number(&own["deviation"]);
+    let parameter = &report["parameters"][0];
+    let expected = 1e-3 * deviation_by_rounding(1e3 * number(&parameter["value"]), &cosines);
+    let deviation = number(&parameter["deviation"]);
     assert!(
         (deviation / expected - 1.0).abs() < 0.02,
         "{deviation} {expected}"
     );
-    let [low, high] = [0, 1].map(|it| number(&own["interval"][it]));
-    assert!(low < 0.0423 && 0.0423 < high, "{found}");
-    assert!((number(&found["columns"][0]["noise"]) / 12.0_f64.sqrt().recip() - 1.0) > -1e-9);
+    let [low, high] = [0, 1].map(|it| number(&parameter["interval"][it]));
+    assert!(low < 0.0423 && 0.0423 < high, "{report}");
+    assert!((number(&report["columns"][0]["noise"]) / 12.0_f64.sqrt().recip() - 1.0) > -1e-9);
 }

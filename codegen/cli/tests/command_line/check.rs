@@ -1,11 +1,11 @@
-//! `linkwright check` from the outside: how close motions come to singular poses, what is printed, and exit codes.
+//! `linkwright check` from the outside: distances of motions from singular poses, output, and exit codes.
 
 use serde_json::Value;
 
 use crate::folder::{EXAM, Folder};
 use crate::printed::{json, number};
 
-/// The object that is printed for the options.
+/// JSON object of `check` with these options.
 #[track_caller]
 pub fn object(folder: &Folder, options: &str, code: i32) -> Value {
     let ran = folder
@@ -16,10 +16,10 @@ pub fn object(folder: &Folder, options: &str, code: i32) -> Value {
 
 #[track_caller]
 pub fn close(what: &str, found: &Value, wanted: f64, tolerance: f64) {
-    let found = number(found);
+    let value = number(found);
     assert!(
-        (found - wanted).abs() <= tolerance,
-        "{what}: {found} instead of {wanted}"
+        (value - wanted).abs() <= tolerance,
+        "{what}: {value} instead of {wanted}"
     );
 }
 
@@ -35,9 +35,9 @@ pub fn described(name: &str) -> String {
 #[test]
 fn the_exam_comes_closest_to_singular_where_its_drive_turns_back() {
     let folder = Folder::new("check_exam", EXAM);
-    let found = object(&folder, "", 0);
-    assert_eq!((&found["kdof"], &found["ndof"]), (&1.into(), &0.into()));
-    let block = &found["blocks"][0];
+    let report = object(&folder, "", 0);
+    assert_eq!((&report["kdof"], &report["ndof"]), (&1.into(), &0.into()));
+    let block = &report["blocks"][0];
     assert_eq!(block["unknowns"], "phi2");
     assert_eq!(block["method"], "one angle");
     assert_eq!(block["determinant"], "sqrt(3)*sin(phi2)");
@@ -69,9 +69,9 @@ fn the_exam_comes_closest_to_singular_where_its_drive_turns_back() {
 #[test]
 fn the_exam_has_two_assemblies() {
     let folder = Folder::new("check_exam_assemblies", EXAM);
-    let found = object(&folder, "", 0);
-    let all = found["assemblies"].as_array().expect("a list");
-    assert_eq!((all.len(), &found["assembly_modes"]), (2, &1.into()));
+    let report = object(&folder, "", 0);
+    let all = report["assemblies"].as_array().expect("a list");
+    assert_eq!((all.len(), &report["assembly_modes"]), (2, &1.into()));
     assert_eq!(
         (&all[0]["drawn"], &all[1]["drawn"]),
         (&true.into(), &false.into())
@@ -80,20 +80,20 @@ fn the_exam_has_two_assemblies() {
     close("phi2", &all[1]["q"][5], -std::f64::consts::FRAC_PI_3, 1e-12);
 }
 
-/// With another drive the crank goes on to φ1 = π/2, where the rod lies across the line on which its end moves.
+/// With another drive the crank turns to φ1 = π/2, where the rod is perpendicular to the line on which its end moves.
 #[test]
 fn the_exam_driven_through_its_singular_pose_ends_there() {
     let driven = EXAM.replace("pi/6 + sin(2*t)", "pi/6 + t");
     assert_ne!(driven, EXAM);
     let folder = Folder::new("check_singular", driven);
-    let found = object(&folder, "", 1);
-    let closest = &found["blocks"][0]["closest"];
+    let report = object(&folder, "", 1);
+    let closest = &report["blocks"][0]["closest"];
     assert_eq!(closest["at_end"], true);
     let end = std::f64::consts::FRAC_PI_3;
     close("t", &closest["t"], end, 1e-8);
     // sin φ2 falls as the root of the time that is left.
     assert!(number(&closest["measure"]) < 1e-4, "{closest}");
-    let error = found["error"].as_str().expect("why it ends");
+    let error = report["error"].as_str().expect("why it ends");
     let time: f64 = error
         .split("beyond t = ")
         .nth(1)
@@ -101,7 +101,7 @@ fn the_exam_driven_through_its_singular_pose_ends_there() {
         .and_then(|text| text.parse().ok())
         .expect("a time");
     assert!((time - end).abs() <= 2e-9, "{error}");
-    let warnings = found["warnings"].as_array().expect("a list");
+    let warnings = report["warnings"].as_array().expect("a list");
     assert!(
         warnings.iter().any(|it| it.as_str().is_some_and(|text| text
             .contains("the line from P to the origin of body 2 is parallel to the x axis"))),
@@ -182,8 +182,8 @@ fn solve_monitors_how_close_each_block_is() {
         .map(|line| line.split(',').collect::<Vec<_>>());
     let header = lines.next().expect("a header");
     let place = |name: &str| {
-        let found = header.iter().position(|it| *it == name);
-        found.unwrap_or_else(|| panic!("no {name} in {header:?}"))
+        let index = header.iter().position(|it| *it == name);
+        index.unwrap_or_else(|| panic!("no {name} in {header:?}"))
     };
     let mut count = 0;
     for line in lines {

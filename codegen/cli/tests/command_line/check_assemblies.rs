@@ -6,13 +6,13 @@ use crate::check::{close, described, object};
 use crate::folder::Folder;
 use crate::printed::number;
 
-/// The pin C is where circles about B and D meet; coupler and rocker are closest to being in line where the distance between
-/// B and D is smallest or largest, which is where the crank lies along the ground link.
+/// The pin C is where circles about B and D meet; coupler and rocker are closest to being collinear at the smallest and
+/// the largest distance of B and D. The crank then lies along the ground link.
 #[test]
 fn a_four_bar_has_the_two_assemblies_of_two_circles() {
     let folder = Folder::new("check_four_bar", described("four_bar"));
-    let found = object(&folder, "", 0);
-    let all = found["assemblies"].as_array().expect("a list");
+    let report = object(&folder, "", 0);
+    let all = report["assemblies"].as_array().expect("a list");
     assert_eq!(all.len(), 2);
     let crank = 40_f64.to_radians();
     let b = [0.04 * crank.cos(), 0.04 * crank.sin()];
@@ -28,22 +28,22 @@ fn a_four_bar_has_the_two_assemblies_of_two_circles() {
         ];
         let coupler = number(&assembly["q"][5]);
         let rocker = number(&assembly["q"][8]);
-        for (found, wanted) in [
+        for (report, wanted) in [
             (b[0] + 0.12 * coupler.cos(), b[0] + c[0]),
             (b[1] + 0.12 * coupler.sin(), b[1] + c[1]),
             (0.1 + 0.08 * rocker.cos(), b[0] + c[0]),
             (0.08 * rocker.sin(), b[1] + c[1]),
         ] {
             assert!(
-                (found - wanted).abs() < 1e-12,
-                "{found} instead of {wanted}"
+                (report - wanted).abs() < 1e-12,
+                "{report} instead of {wanted}"
             );
         }
     }
     // sin of the angle between links of 120 and 80 mm that span 60 mm, at a crank angle of 2π.
     let cosine: f64 =
         (0.12_f64.powi(2) + 0.08_f64.powi(2) - 0.06_f64.powi(2)) / (2.0 * 0.12 * 0.08);
-    let closest = &found["blocks"][0]["closest"];
+    let closest = &report["blocks"][0]["closest"];
     close(
         "sine",
         &closest["measure"],
@@ -53,7 +53,7 @@ fn a_four_bar_has_the_two_assemblies_of_two_circles() {
     let first = (std::f64::consts::TAU - crank) / 3.0;
     close("t", &closest["t"], first, 1e-9);
     assert_eq!(
-        found["blocks"][0]["singular_where"],
+        report["blocks"][0]["singular_where"],
         "B-C and C-D are in line"
     );
 }
@@ -61,9 +61,9 @@ fn a_four_bar_has_the_two_assemblies_of_two_circles() {
 #[test]
 fn the_excavator_has_sixteen_assemblies_that_all_differ() {
     let folder = Folder::new("check_excavator", described("excavator"));
-    let found = object(&folder, "--to 2", 0);
-    assert_eq!(found["assembly_modes"], 4);
-    let all = found["assemblies"].as_array().expect("a list");
+    let report = object(&folder, "--to 2", 0);
+    assert_eq!(report["assembly_modes"], 4);
+    let all = report["assemblies"].as_array().expect("a list");
     assert_eq!(all.len(), 16);
     assert_eq!(all.iter().filter(|it| it["drawn"] == true).count(), 1);
     let poses: Vec<Vec<f64>> = all
@@ -85,14 +85,14 @@ fn the_excavator_has_sixteen_assemblies_that_all_differ() {
         assert!((from_l - 0.18_f64.sqrt()).abs() < 1e-12, "{from_l}");
     }
     // The cylinders are longest at t = π/3.
-    for block in found["blocks"].as_array().expect("a list") {
+    for block in report["blocks"].as_array().expect("a list") {
         let t = number(&block["closest"]["t"]);
         assert!((t - std::f64::consts::FRAC_PI_3).abs() < 1e-9, "{block}");
     }
 }
 
-/// How often the platform of three legs closes on its way round. For a given angle two differences of the legs' equations are
-/// linear in its position; what is left is the first leg's equation, whose changes of sign are counted.
+/// Number of assemblies of the platform of three legs in a turn. For a given angle, two differences of the legs'
+/// equations are linear in its position; changes of sign of the first leg's equation are counted.
 fn poses_of_the_platform() -> usize {
     let pins = [[-0.8, -0.5], [0.8, -0.5], [0.0, 0.9]];
     let corners = [[-0.05, -0.3], [0.28, 0.1], [-0.23, 0.2]];
@@ -121,7 +121,7 @@ fn poses_of_the_platform() -> usize {
         };
         let ((p, r), (q, s)) = (difference(1), difference(2));
         let determinant = p[0] * q[1] - p[1] * q[0];
-        // Multiplied by the determinant, so that there is no pole where the legs' differences are parallel.
+        // Multiplied by the determinant, which removes the pole at parallel differences of the legs.
         let x = r * q[1] - s * p[1];
         let y = p[0] * s - q[0] * r;
         square([x + determinant * w[0][0], y + determinant * w[0][1]])
@@ -137,8 +137,8 @@ fn poses_of_the_platform() -> usize {
 #[test]
 fn the_platform_has_as_many_assemblies_as_its_polynomial_roots() {
     let folder = Folder::new("check_platform", described("platform_3rpr"));
-    let found = object(&folder, "", 0);
-    let all = found["assemblies"].as_array().expect("a list");
+    let report = object(&folder, "", 0);
+    let all = report["assemblies"].as_array().expect("a list");
     assert_eq!(all.len(), poses_of_the_platform());
     assert_eq!(all[0]["drawn"], true);
     let poses: BTreeSet<Option<u64>> = all.iter().map(|it| it["poses"][0].as_u64()).collect();
@@ -152,17 +152,18 @@ fn the_platform_has_as_many_assemblies_as_its_polynomial_roots() {
     );
 }
 
-/// The ground link is longer than all others together.
+/// The ground link is longer than the sum of all others.
 #[test]
-fn what_cannot_be_assembled_has_no_assemblies() {
+fn mechanism_out_of_reach_has_no_assemblies() {
     let apart = described("four_bar").replace("D = (100mm, 0)", "D = (300mm, 0)");
     let folder = Folder::new("check_apart", apart);
-    let found = object(&folder, "", 1);
-    assert_eq!(found["assemblies"].as_array().map(Vec::len), Some(0));
-    assert!(found["error"].is_string());
+    let report = object(&folder, "", 1);
+    assert_eq!(report["assemblies"].as_array().map(Vec::len), Some(0));
+    assert!(report["error"].is_string());
 }
 
-/// The excavator's four dyads, each with its sign; the rack's angles are no coordinates; a cam's contact is an angle of its curve.
+/// The excavator's four dyads, each with its sign; the rack's angles are not coordinates; a cam's contact is an angle
+/// of its curve.
 #[test]
 fn the_table_shows_every_unknown_of_every_block_beside_its_signs() {
     let table = |name: &str| {

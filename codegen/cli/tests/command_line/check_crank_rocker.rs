@@ -1,4 +1,4 @@
-//! Ranges of time that `linkwright check` examines and proves, at crank-rockers and parallelograms.
+//! Ranges of time that `linkwright check` examines and proves, for crank-rockers and parallelograms.
 
 use serde_json::Value;
 
@@ -39,8 +39,8 @@ fn a_range_within_one_step_is_examined() {
         "check_short",
         text.replace("at (0, 0, 30deg)", "at (0, 0, -30deg)"),
     );
-    let found = object(&folder, "--to 0.008", 0);
-    let closest = &found["blocks"][0]["closest"];
+    let report = object(&folder, "--to 0.008", 0);
+    let closest = &report["blocks"][0]["closest"];
     close("t", &closest["t"], std::f64::consts::PI / 6.0 / 150.0, 1e-9);
     close("sine", &closest["measure"], smallest_transmission(), 1e-12);
     assert_eq!(closest["at_end"], false);
@@ -50,8 +50,8 @@ fn a_range_within_one_step_is_examined() {
 #[test]
 fn equal_minima_are_counted_and_the_first_is_named() {
     let folder = Folder::new("check_many", crank_rocker("30deg + 20*pi*t"));
-    let found = object(&folder, "--to 20 --step 0.005", 0);
-    let closest = &found["blocks"][0]["closest"];
+    let report = object(&folder, "--to 20 --step 0.005", 0);
+    let closest = &report["blocks"][0]["closest"];
     close("sine", &closest["measure"], smallest_transmission(), 1e-12);
     close("t", &closest["t"], 11.0 / 120.0, 1e-9);
     assert_eq!(closest["times"], 200);
@@ -69,16 +69,16 @@ fn the_rest_of_the_last_step_is_examined() {
         ran.stdout
     );
     // It is along the ground link at 0.992 s, in the last step alone.
-    let found = object(&folder, "--from 0.93 --to 0.9925 --step 0.05", 0);
+    let report = object(&folder, "--from 0.93 --to 0.9925 --step 0.05", 0);
     close(
         "t",
-        &found["blocks"][0]["closest"]["t"],
+        &report["blocks"][0]["closest"]["t"],
         119.0 / 120.0,
         1e-9,
     );
 }
 
-/// Whether one range lies in another, and is not more than a tenth wider.
+/// Requires that one range lies in another, and is not more than a tenth wider.
 #[track_caller]
 fn encloses(found: &Value, [low, high]: [f64; 2]) {
     let [least, most] = [number(&found[0]), number(&found[1])];
@@ -89,12 +89,13 @@ fn encloses(found: &Value, [low, high]: [f64; 2]) {
     );
 }
 
-/// The rocker turns back where crank and coupler are in line: (b ∓ a)² = g² + c² + 2 g c cos ψ, with ψ from the line D to A on.
+/// The rocker turns back at poses with collinear crank and coupler: (b ∓ a)² = g² + c² + 2 g c cos ψ, with ψ from the
+/// line D to A on.
 #[test]
 fn a_turning_crank_rocker_is_proven() {
     let folder = Folder::new("check_prove", crank_rocker("30deg + 20*pi*t"));
-    let found = object(&folder, "--to 0.3 --prove", 0);
-    let proof = &found["proof"];
+    let report = object(&folder, "--to 0.3 --prove", 0);
+    let proof = &report["proof"];
     assert_eq!(proof["status"], "proven");
     let least = number(&proof["determinants"][0]["at_least"]);
     let exact = smallest_transmission();
@@ -124,15 +125,15 @@ fn a_turning_crank_rocker_is_proven() {
     );
 }
 
-/// Where crank and rod of the exam come to be in line, the pose is singular.
+/// The pose is singular if crank and rod of the exam are collinear.
 #[test]
-fn what_ends_at_a_singular_pose_is_not_proven() {
+fn motion_to_a_singular_pose_is_not_proven() {
     let folder = Folder::new(
         "check_unproven",
         EXAM.replace("pi/6 + sin(2*t)", "pi/6 + t"),
     );
-    let found = object(&folder, "--prove", 1);
-    let proof = &found["proof"];
+    let report = object(&folder, "--prove", 1);
+    let proof = &report["proof"];
     assert_eq!(proof["status"], "sampled");
     let end = std::f64::consts::FRAC_PI_3;
     let window = &proof["unproven"];
@@ -141,11 +142,11 @@ fn what_ends_at_a_singular_pose_is_not_proven() {
     let ran = folder.run("check a.mech --prove").exits_with(1);
     assert!(ran.stdout.contains("*sampled*"), "{}", ran.stdout);
     // Before it the motion is one smooth path.
-    let found = object(&folder, "--to 1 --prove", 0);
-    assert_eq!(found["proof"]["status"], "proven");
+    let report = object(&folder, "--to 1 --prove", 0);
+    assert_eq!(report["proof"]["status"], "proven");
 }
 
-/// A parallelogram goes straight on where all links are in line, but its equations do not say so.
+/// A parallelogram moves straight through its change point, but its equations do not imply that.
 #[test]
 fn a_change_point_is_not_proven() {
     let text = "mechanism a {
@@ -163,8 +164,8 @@ fn a_change_point_is_not_proven() {
     let folder = Folder::new("check_change", text);
     let proof = object(&folder, "--to 0.2 --prove", 0);
     assert_eq!(proof["proof"]["status"], "proven");
-    let found = object(&folder, "--to 0.4 --step 0.02 --prove", 1);
-    let window = &found["proof"]["unproven"];
+    let report = object(&folder, "--to 0.4 --step 0.02 --prove", 1);
+    let window = &report["proof"]["unproven"];
     let [from, to] = [number(&window["from"]), number(&window["to"])];
     assert!(from <= 0.25 && 0.25 <= to + 1e-3, "{window}");
 }
@@ -172,8 +173,8 @@ fn a_change_point_is_not_proven() {
 #[test]
 fn points_are_those_of_a_proof() {
     let folder = Folder::new("check_points", described("excavator"));
-    let found = object(&folder, "--to 0.2 --prove --points K", 0);
-    let points = found["proof"]["points"].as_object().expect("points");
+    let report = object(&folder, "--to 0.2 --prove --points K", 0);
+    let points = report["proof"]["points"].as_object().expect("points");
     assert_eq!(points.keys().collect::<Vec<_>>(), ["K"]);
     folder.run("check a.mech --points K").exits_with(2);
     folder

@@ -9,7 +9,7 @@ fn repository(path: &str) -> String {
     format!("{}/../../{path}", env!("CARGO_MANIFEST_DIR"))
 }
 
-/// The exam with what is in a table beside it: φ1 = π/6 + sin 2t and P = (cos φ1, sin φ1).
+/// The exam with a table beside it: φ1 = π/6 + sin 2t and P = (cos φ1, sin φ1).
 fn with_table(name: &str, table: impl AsRef<[u8]>) -> Folder {
     let folder = Folder::new(name, EXAM);
     std::fs::write(folder.file("data.csv"), table).expect("it can be written");
@@ -28,15 +28,15 @@ fn the_exports_of_adams_work_out_of_the_box() {
         repository("mechanisms/arm.mech"),
         repository("tests/data/arm_adams.csv"),
     );
-    let found = folder
+    let ran = folder
         .run(&format!("compare {arm} {table} --tolerance 6e-7 --json"))
         .exits_with(0);
-    let found = json(&found.stdout);
+    let report = json(&ran.stdout);
     assert_eq!(
-        (&found["rows"], &found["within"]),
+        (&report["rows"], &report["within"]),
         (&101.into(), &true.into())
     );
-    let columns = found["columns"].as_array().expect("columns");
+    let columns = report["columns"].as_array().expect("columns");
     let taken: Vec<[&str; 3]> = columns
         .iter()
         .map(|it| ["column", "quantity", "how"].map(|key| it[key].as_str().expect("words")))
@@ -79,19 +79,19 @@ fn differences_are_those_of_the_formula_in_the_unit_of_the_column() {
         let t = f64::from(step) * 0.03;
         let off = 0.01 * f64::from(step);
         angles.push(off);
-        // A whole turn is no difference.
+        // A whole turn does not count as a difference.
         let angle = phi1(t).to_degrees() + off + 360.0;
         table += &format!("{};{angle};{}\n", t * 1e3, 1e3 * phi1(t).cos() - 2.0);
     }
     let folder = with_table("compare_units", table.replace('.', ","));
     let options = "compare a.mech data.csv --column angle=phi1,px=P_x --time time --json";
-    let found = json(&folder.run(options).exits_with(0).stdout);
-    let [angle, point] = found["columns"].as_array().expect("columns").as_slice() else {
-        panic!("{found}");
+    let report = json(&folder.run(options).exits_with(0).stdout);
+    let [angle, point] = report["columns"].as_array().expect("columns").as_slice() else {
+        panic!("{report}");
     };
-    let close = |found: &Value, expected: f64| {
-        let found = number(found);
-        assert!((found - expected).abs() < 1e-9, "{found} {expected}");
+    let close = |report: &Value, expected: f64| {
+        let value = number(report);
+        assert!((value - expected).abs() < 1e-9, "{value} {expected}");
     };
     close(&angle["largest"], 0.49);
     close(&angle["t"], 1.47);
@@ -148,7 +148,7 @@ fn nothing_is_guessed_in_silence() {
 }
 
 #[test]
-fn what_is_wrong_is_said_with_its_place_and_what_to_do() {
+fn errors_have_their_place_and_a_remedy() {
     for (name, table, options, said) in [
         (
             "word",
@@ -301,20 +301,20 @@ fn pictures_show_both_curves_and_nothing_else_is_replaced() {
     assert_eq!(folder.read("pictures/phi1.svg"), "mine");
 }
 
-/// A motion that ends before the table does is compared as far as it goes.
+/// A motion that ends before the table is compared up to its end.
 #[test]
 fn a_motion_that_ends_early_is_an_outcome() {
     let folder = Folder::new("compare_early", crate::folder::driven_by("pi/6 + 2*t"));
     std::fs::write(folder.file("data.csv"), "t,phi1\n0,0.52\n0.1,0.72\n5,10\n").expect("written");
     let ran = folder.run("compare a.mech data.csv --json").exits_with(1);
-    let found = json(&ran.stdout);
+    let report = json(&ran.stdout);
     assert!(
-        found["error"]
+        report["error"]
             .as_str()
             .is_some_and(|it| it.contains("cannot be solved beyond")),
-        "{found}"
+        "{report}"
     );
-    assert_eq!(found["columns"][0]["count"], 2);
+    assert_eq!(report["columns"][0]["count"], 2);
 }
 
 /// A crank that turns at 30 turns in a minute.
@@ -386,20 +386,20 @@ fn units_of_logs_are_those_of_descriptions() {
         );
         std::fs::write(folder.file("data.csv"), table).expect("it can be written");
         let ran = folder.run("compare a.mech data.csv --json").exits_with(0);
-        let found = json(&ran.stdout);
-        let largest = number(&found["columns"][0]["largest"]).abs() * scale;
+        let report = json(&ran.stdout);
+        let largest = number(&report["columns"][0]["largest"]).abs() * scale;
         assert!(largest < 1e-9, "{header}: {largest}");
         let counts = ["minute", "hertz"].contains(&name);
         assert_eq!(
-            found["columns"][0]["counts_turns"] == true,
+            report["columns"][0]["counts_turns"] == true,
             counts,
             "{header}"
         );
-        let said = folder.run("compare a.mech data.csv").exits_with(0).stdout;
+        let stdout = folder.run("compare a.mech data.csv").exits_with(0).stdout;
         assert_eq!(
-            said.contains("`phi_arm_d` counts turns: 1 "),
+            stdout.contains("`phi_arm_d` counts turns: 1 "),
             counts,
-            "{said}"
+            "{stdout}"
         );
     }
     let folder = Folder::new("compare_contradiction", TURNING);
@@ -434,26 +434,29 @@ fn measured_inputs_drive_the_mechanism() {
     let table =
         "t (s),turned (deg),P_x (mm),phi_arm_d (rad/s)\n".to_string() + &rows.collect::<String>();
     std::fs::write(folder.file("data.csv"), &table).expect("it can be written");
-    let found = json(
+    let report = json(
         &folder
             .run("compare a.mech data.csv --json")
             .exits_with(0)
             .stdout,
     );
     assert!(
-        number(&found["columns"][0]["largest"]).abs() < 1e-9,
-        "{found}"
+        number(&report["columns"][0]["largest"]).abs() < 1e-9,
+        "{report}"
     );
     // Rates are those of the spline: 0.05 s of a motion of 2 rad/s leave some (2·0.05)⁴.
     assert!(
-        number(&found["columns"][1]["largest"]).abs() < 1e-3,
-        "{found}"
+        number(&report["columns"][1]["largest"]).abs() < 1e-3,
+        "{report}"
     );
     let ran =
         folder.run("calibrate a.mech data.csv --param reach --set reach=95mm --skip phi_arm_d");
-    let said = ran.exits_with(0).stdout;
-    assert!(said.contains("`turned` in deg drives the input"), "{said}");
-    assert!(said.contains("0.102"), "{said}");
+    let stdout = ran.exits_with(0).stdout;
+    assert!(
+        stdout.contains("`turned` in deg drives the input"),
+        "{stdout}"
+    );
+    assert!(stdout.contains("0.102"), "{stdout}");
     let holed = table.replacen("0,0,102", "0,,102", 1);
     std::fs::write(folder.file("data.csv"), holed).expect("it can be written");
     let ran = folder.run("compare a.mech data.csv").exits_with(2);

@@ -1,4 +1,4 @@
-//! What `transmission` and `sensitivity` statements ask for, as `linkwright solve` writes it.
+//! Quantities of `transmission` and `sensitivity` statements in the output of `linkwright solve`.
 
 use crate::folder::Folder;
 use crate::printed::json;
@@ -21,7 +21,7 @@ const ASKED: &str = "mechanism asked {
 }
 ";
 
-/// The named columns of the only row.
+/// Named columns of the only row.
 fn columns(folder: &Folder, options: &str) -> Vec<(String, f64)> {
     let ran = folder.run(&format!("solve a.mech --at 0.5 --csv - {options}"));
     let printed = ran.exits_with(0).stdout;
@@ -38,8 +38,8 @@ fn columns(folder: &Folder, options: &str) -> Vec<(String, f64)> {
 }
 
 fn value(columns: &[(String, f64)], name: &str) -> f64 {
-    let found = columns.iter().find(|(own, _)| own == name);
-    found
+    let column = columns.iter().find(|(own, _)| own == name);
+    column
         .unwrap_or_else(|| panic!("no `{name}` in {columns:?}"))
         .1
 }
@@ -47,7 +47,7 @@ fn value(columns: &[(String, f64)], name: &str) -> f64 {
 #[test]
 fn transmissions_and_sensitivities_are_columns() {
     let folder = Folder::new("derivatives", ASKED);
-    let found = columns(&folder, "");
+    let solved = columns(&folder, "");
     // s = r cos φ + √(0.09 − r² sin² φ) and sin ψ = −r sin φ/0.3 at φ = 1.5.
     let (r, angle) = (0.1_f64, 1.5_f64);
     let (sine, cosine) = angle.sin_cos();
@@ -61,8 +61,11 @@ fn transmissions_and_sensitivities_are_columns() {
         ("x_slider per r", by_crank),
         ("phi_rod per r", -sine / root),
     ] {
-        let found = value(&found, name);
-        assert!((found - wanted).abs() < 1e-14, "{name}: {found} {wanted}");
+        let solved_value = value(&solved, name);
+        assert!(
+            (solved_value - wanted).abs() < 1e-14,
+            "{name}: {solved_value} {wanted}"
+        );
     }
     // The rate of the slider by the crank's length, against differences of two runs.
     let step = 1e-4;
@@ -71,7 +74,7 @@ fn transmissions_and_sensitivities_are_columns() {
         value(&columns, "x_slider_d")
     });
     let difference = (more - less) / (2.0 * step);
-    let rate = value(&found, "x_slider_d per r");
+    let rate = value(&solved, "x_slider_d per r");
     assert!((rate - difference).abs() < 1e-6, "{rate} {difference}");
 }
 
@@ -87,8 +90,8 @@ fn json_has_the_same_under_one_key() {
     let columns = columns(&folder, "");
     assert_eq!(names.len(), values.len());
     for (name, found) in names.iter().zip(values) {
-        let wanted = value(&columns, name.as_str().expect("a name"));
-        assert_eq!(found.as_f64(), Some(wanted));
+        let expected = value(&columns, name.as_str().expect("a name"));
+        assert_eq!(found.as_f64(), Some(expected));
     }
     let plain = Folder::new("no_derivatives", crate::folder::EXAM);
     let ran = plain.run("solve a.mech --at 0.5 --json").exits_with(0);

@@ -35,7 +35,7 @@ fn a_drawing_goes_where_it_is_asked_for() {
     assert_ne!(drawn(&other.stdout), drawn(&svg));
 }
 
-/// A body without points has no shape; the points that are missing are said in the words of the description.
+/// A body without points has no shape; the message names the missing points as the description would.
 #[test]
 fn points_that_are_missing_are_said() {
     let text = "mechanism bare {

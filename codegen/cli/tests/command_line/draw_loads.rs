@@ -84,9 +84,9 @@ impl<'a> Part<'a> {
 fn parts<'a>(svg: &'a str, word: &str) -> (Vec<Part<'a>>, f64) {
     let scale = svg.split("data-scale=\"").nth(1).expect("a scale");
     let scale = numbers(scale.split('"').next().expect("a number"))[0];
-    let found = svg.match_indices(word);
-    let found = found.map(|(at, _)| Part::new(svg, svg[..at].rfind('<').expect("a tag")));
-    (found.collect(), scale)
+    let matches = svg.match_indices(word);
+    let parts = matches.map(|(at, _)| Part::new(svg, svg[..at].rfind('<').expect("a tag")));
+    (parts.collect(), scale)
 }
 
 #[track_caller]
@@ -209,15 +209,19 @@ fn a_force_is_an_arrow_along_it_at_its_point() {
             panic!("two arrows in {svg}")
         };
         is_at(on_p.place([0.0; 2]), on_arm(t, 0.6), scale);
-        let wanted = (40.0_f64).atan2(30.0 * (2.0 * PI * t).cos());
-        let off = (on_p.turned - wanted).sin().abs();
-        assert!(off < 1e-3, "{} for {wanted}", on_p.turned);
+        let expected = (40.0_f64).atan2(30.0 * (2.0 * PI * t).cos());
+        let off = (on_p.turned - expected).sin().abs();
+        assert!(off < 1e-3, "{} for {expected}", on_p.turned);
         // 0.1 N s φ̇ along the arm, which turns back where φ̇ < 0.
         is_at(on_m.place([0.0; 2]), on_arm(t, 0.3), scale);
         let turn = (PI / 12.0) * (2.0 * PI * t).sin();
         let way = if (2.0 * PI * t).cos() < 0.0 { PI } else { 0.0 };
-        let wanted = -turn - way;
-        assert!((on_m.turned - wanted).cos() > 1.0 - 1e-6, "{}", on_m.turned);
+        let expected = -turn - way;
+        assert!(
+            (on_m.turned - expected).cos() > 1.0 - 1e-6,
+            "{}",
+            on_m.turned
+        );
     }
 }
 

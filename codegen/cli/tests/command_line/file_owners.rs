@@ -1,4 +1,4 @@
-//! Whose a file is: that of a description, of another description, or of a run that was killed.
+//! Owners of files: a description, another description, or a run that was killed.
 
 use std::fs;
 
@@ -10,14 +10,14 @@ fn a_description_is_a_regular_file() {
     let folder = Folder::new("files_read", EXAM);
     fs::create_dir_all(folder.file("empty/x.mech")).expect("a folder");
     for command in ["solve", "generate", "inspect", "plan", "check"] {
-        let said = refused(
+        let message = refused(
             &folder,
             &format!("{command} ."),
             "cannot read `.`: it is a folder",
         );
         assert!(
-            said.contains("help: name a description in it, such as `./a.mech`"),
-            "{said}"
+            message.contains("help: name a description in it, such as `./a.mech`"),
+            "{message}"
         );
         refused(
             &folder,
@@ -120,13 +120,13 @@ fn outputs_of_another_description_are_not_replaced() {
             .run(&format!("{command} sub/b--c.mech --force"))
             .exits_with(0);
         assert_ne!(folder.read(path), made, "{path}");
-        let said = refused(&folder, &format!("{command} a.mech"), "it was made from");
+        let message = refused(&folder, &format!("{command} a.mech"), "it was made from");
         assert!(
-            said.contains("from `sub/b--c.mech`, not from `a.mech`"),
-            "{said}"
+            message.contains("from `sub/b--c.mech`, not from `a.mech`"),
+            "{message}"
         );
     }
-    // The way from one to the other is what counts, not where both lie.
+    // The relative path between the two counts, not their locations.
     let moved = Folder::new("files_sources_moved", &other);
     fs::create_dir(moved.file("two_body")).expect("a folder");
     for name in ["motion.csv", "motion.csv.source"] {
@@ -152,7 +152,7 @@ fn outputs_of_another_description_are_not_replaced() {
     folder
         .run("solve a.mech --no-files --csv one.csv")
         .exits_with(0);
-    // What somebody else has written beside a table is theirs.
+    // Files of other programs beside a table are kept.
     fs::write(folder.file("two.csv.source"), NOTES).expect("it can be written");
     refused(
         &folder,

@@ -1,13 +1,13 @@
-//! What is read and what is written: nothing is lost that the command did not write, and what cannot be written is said first.
+//! Input and output files: files of other programs are kept, and paths that cannot be written are reported first.
 
 use std::fs;
 
 use crate::folder::{EXAM, Folder};
 
-/// What somebody else has written.
+/// File of another program.
 pub const NOTES: &str = "# Notes\n\nDo not lose them.\n";
 
-/// Runs a command that must be refused before it does anything.
+/// Runs a command that must be refused before it has any effect.
 #[track_caller]
 pub fn refused(folder: &Folder, arguments: &str, words: &str) -> String {
     let before = folder.list("");
@@ -34,7 +34,7 @@ fn a_description_is_never_replaced() {
         }
     }
     assert_eq!(folder.read("a.mech"), EXAM);
-    // Nor under another name, nor are its tables.
+    // Neither its tables, nor the file under another name.
     let tabled = EXAM
         .replace("pi/6 + sin(2*t)", "way(t)")
         .replace("body 1", "table way = \"way.csv\" in (s, rad);\n    body 1");
@@ -82,23 +82,26 @@ fn only_what_the_command_wrote_is_replaced_unless_forced() {
         ),
     ] {
         fs::write(folder.file(path), NOTES).expect("it can be written");
-        let said = refused(&folder, command, &format!("and it is not {noun}"));
-        assert!(said.contains(&format!("cannot write `{path}`")), "{said}");
-        assert!(said.contains("`--force`"), "{said}");
+        let message = refused(&folder, command, &format!("and it is not {noun}"));
+        assert!(
+            message.contains(&format!("cannot write `{path}`")),
+            "{message}"
+        );
+        assert!(message.contains("`--force`"), "{message}");
         assert!(folder.read(path) == NOTES, "{path}");
-        // What was written once is replaced without a word, also by what is longer or shorter.
+        // A file of the command is replaced without a message, also by a longer or shorter one.
         folder.run(&format!("{command} --force")).exits_with(0);
         assert!(folder.read(path) != NOTES, "{path}");
         folder.run(command).exits_with(0);
     }
-    // Another mechanism, other columns: frames all the same.
+    // Another mechanism with other columns still has frames.
     let table = folder.file("frames.csv");
     folder.run("solve a.mech --csv frames.csv").exits_with(0);
     let longer = EXAM.replace("Q:", "R: (1, 1), Q:");
     fs::write(folder.file("a.mech"), longer).expect("it can be written");
     let command = "solve a.mech --monitor --to 1 --csv frames.csv";
     folder.run(command).exits_with(0);
-    // A module is no table, a table of somebody else neither, and an empty file is nothing.
+    // A module is not a table, nor is a table of another program; an empty file is replaced.
     folder.run("generate a.mech -o a.rs").exits_with(0);
     refused(&folder, "solve a.mech --csv a.rs", "not a table of frames");
     refused(
@@ -111,7 +114,7 @@ fn only_what_the_command_wrote_is_replaced_unless_forced() {
         let ran = folder.run("solve a.mech --csv frames.csv");
         ran.exits_with(if is_ours { 0 } else { 2 });
     }
-    // As it comes out of a version control system.
+    // With the line ends of a version control system.
     let module = folder.read("a.rs").replace('\n', "\r\n");
     fs::write(folder.file("a.rs"), module).expect("it can be written");
     folder.run("generate a.mech -o a.rs").exits_with(0);
@@ -147,7 +150,7 @@ fn solving_again_needs_nothing() {
 }
 
 #[test]
-fn what_cannot_be_written_is_noticed_before_the_work() {
+fn reports_unwritable_paths_before_the_work() {
     let folder = Folder::new("files_first", EXAM);
     fs::create_dir(folder.file("out")).expect("a folder");
     fs::write(folder.file("notes.md"), NOTES).expect("it can be written");
@@ -202,10 +205,10 @@ fn what_cannot_be_written_is_noticed_before_the_work() {
     );
     assert_eq!(folder.read("notes.md"), NOTES);
     assert!(folder.list("out").is_empty());
-    // What is written unasked can be written elsewhere.
+    // Files written by default can be written elsewhere.
     fs::write(folder.file("two_body"), NOTES).expect("it can be written");
-    let said = refused(&folder, "solve a.mech", "`two_body` is not a folder");
-    assert!(said.contains("help: `--out DIR` writes"), "{said}");
+    let message = refused(&folder, "solve a.mech", "`two_body` is not a folder");
+    assert!(message.contains("help: `--out DIR` writes"), "{message}");
     folder.run("solve a.mech --csv - --plot out").exits_with(0);
 }
 
@@ -257,18 +260,18 @@ fn a_file_is_named_as_what_it_is() {
             "no module can be written as `.c`",
         ),
     ] {
-        let said = refused(&folder, command, words);
+        let message = refused(&folder, command, words);
         let known = match command.split(' ').next() {
             Some("draw") => ["svg", "png"],
             Some("view") => ["html", "htm"],
             _ => ["rs", "lang c"],
         };
-        let (_, help) = said.split_once("help: ").expect("what can be written");
+        let (_, help) = message.split_once("help: ").expect("what can be written");
         let named = known.iter().filter(|it| help.contains(**it)).count();
         assert_eq!(
             named,
             if words.starts_with("`--png`") { 1 } else { 2 },
-            "{said}"
+            "{message}"
         );
     }
     for command in [

@@ -1,4 +1,4 @@
-//! Files as Unix has them: pipes, links, permissions and signals.
+//! Files on Unix: pipes, links, permissions and signals.
 
 use std::fs;
 use std::os::unix::fs::{PermissionsExt as _, symlink};
@@ -13,7 +13,7 @@ fn pipe(folder: &Folder, name: &str) {
     assert!(made.is_ok_and(|it| it.success()));
 }
 
-/// The end of a command that must not wait for anybody.
+/// End of a command that must not wait.
 fn ends(folder: &Folder, arguments: &str) -> Ran {
     let mut limited = Command::new("timeout");
     limited.arg("20").arg(env!("CARGO_BIN_EXE_linkwright"));
@@ -64,7 +64,7 @@ fn pipes_and_devices_are_written_to() {
     folder.run("generate a.mech -o pipe").exits_with(0);
     let read = reader.wait_with_output().expect("it ends");
     assert_eq!(String::from_utf8(read.stdout).expect("UTF-8"), code);
-    // What is redirected to a file is not to be replaced under way.
+    // A file to which output is redirected must not be replaced during the run.
     let file = fs::File::create(folder.file("out.csv")).expect("it can be made");
     let ran = folder
         .command()

@@ -5,10 +5,10 @@ use std::process::Stdio;
 
 use crate::folder::{EXAM, Folder, Ran};
 
-/// A description that is laid out otherwise.
+/// Description with another layout.
 const LOOSE: &str = "// Kept.\nmechanism m {\nbody 1 at(0,0);   // kept\n\n\n  absolute_x (1)=0;absolute_y(1) = 0;\ndrive phi(1)=t;\n}\n";
 
-/// The same, formatted.
+/// That description, formatted.
 const FORMATTED: &str = "// Kept.\nmechanism m {\n    body 1 at (0, 0); // kept\n\n    absolute_x(1) = 0;\n    absolute_y(1) = 0;\n    drive phi(1) = t;\n}\n";
 
 /// Runs the command with a text on stdin.
@@ -22,7 +22,7 @@ fn fed(folder: &Folder, arguments: &str, text: &str) -> Ran {
         .spawn()
         .expect("the command starts");
     let mut stdin = child.stdin.take().expect("a pipe");
-    // A command that does not read is seen by what it prints.
+    // The output shows a command that does not read.
     let _ = stdin.write_all(text.as_bytes());
     drop(stdin);
     Ran::from(child.wait_with_output().expect("the command ends"))
@@ -84,7 +84,7 @@ fn stdin_is_formatted_to_stdout() {
     assert!(ran.stderr.contains("--> <stdin>:1:14"), "{}", ran.stderr);
 }
 
-/// Every command that reads a description prints the same of a file and of stdin.
+/// Every command that reads a description prints equal output for a file and for stdin.
 #[test]
 fn every_command_reads_stdin() {
     let folder = Folder::new("stdin", EXAM);
@@ -154,7 +154,7 @@ fn a_file_that_is_write_protected_stays_as_it_is() {
     let words = "error: cannot write `a.mech`: the file is write-protected";
     assert!(ran.stderr.contains(words), "{}", ran.stderr);
     assert_eq!(folder.read("a.mech"), loose);
-    // Nothing is to be written where it is formatted already.
+    // A formatted file is not written.
     folder.run("fmt a.mech --check").exits_with(1);
     protect(false);
     folder.run("fmt a.mech").exits_with(0);

@@ -1,4 +1,4 @@
-//! A folder of its own for each test, and the command run in it.
+//! Folder for each test, and the command run in it.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -24,11 +24,11 @@ pub fn driven_by(expression: &str) -> String {
     text
 }
 
-/// A folder that is removed in the end.
+/// Folder that is removed at the end.
 pub struct Folder(PathBuf);
 
 impl Folder {
-    /// The folder of the test `name`, with `text` as `a.mech`.
+    /// Creates the folder of the test `name`, with `text` as `a.mech`.
     pub fn new(name: &str, text: impl AsRef<[u8]>) -> Folder {
         let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
         let _ = std::fs::remove_dir_all(&path);
@@ -37,17 +37,17 @@ impl Folder {
         Folder(path)
     }
 
-    /// A file in the folder.
+    /// Path of a file in the folder.
     pub fn file(&self, name: &str) -> PathBuf {
         self.0.join(name)
     }
 
-    /// The text of a file in the folder.
+    /// Text of a file in the folder.
     pub fn read(&self, name: &str) -> String {
         std::fs::read_to_string(self.file(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
     }
 
-    /// What the folder holds, sorted.
+    /// Contents of the folder, sorted.
     pub fn list(&self, name: &str) -> Vec<String> {
         let entries = std::fs::read_dir(self.file(name)).expect("the folder exists");
         let name = |entry: std::io::Result<std::fs::DirEntry>| {
@@ -62,7 +62,7 @@ impl Folder {
         names
     }
 
-    /// The command, to be run in the folder.
+    /// Command that runs in the folder.
     pub fn command(&self) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_linkwright"));
         command.current_dir(&self.0);
@@ -87,7 +87,7 @@ impl Drop for Folder {
     }
 }
 
-/// What a run left behind.
+/// Result of a run.
 #[derive(Debug)]
 pub struct Ran {
     pub code: Option<i32>,
@@ -107,7 +107,7 @@ impl From<Output> for Ran {
 }
 
 impl Ran {
-    /// Asserts the exit code.
+    /// Requires the exit code.
     pub fn exits_with(self, code: i32) -> Ran {
         assert_eq!(self.code, Some(code), "{self:#?}");
         self

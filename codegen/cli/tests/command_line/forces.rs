@@ -1,4 +1,5 @@
-//! What `effort`, `reaction` and `energy` statements ask for, as `linkwright solve` and `linkwright plan` write it.
+//! Quantities of `effort`, `reaction` and `energy` statements in the output of `linkwright solve` and `linkwright
+//! plan`.
 
 use crate::folder::Folder;
 use crate::printed::json;
@@ -17,7 +18,7 @@ const PENDULUM: &str = "mechanism pendulum {
 }
 ";
 
-/// The named numbers of the only row.
+/// Named numbers of the only row.
 fn columns(folder: &Folder, options: &str) -> Vec<(String, f64)> {
     let ran = folder.run(&format!("solve a.mech --at 0.5 --csv - {options}"));
     let printed = ran.exits_with(0).stdout;
@@ -31,8 +32,8 @@ fn columns(folder: &Folder, options: &str) -> Vec<(String, f64)> {
 }
 
 fn value(columns: &[(String, f64)], name: &str) -> f64 {
-    let found = columns.iter().find(|(own, _)| own == name);
-    found
+    let column = columns.iter().find(|(own, _)| own == name);
+    column
         .unwrap_or_else(|| panic!("no `{name}` in {columns:?}"))
         .1
 }
@@ -48,16 +49,25 @@ fn assert_close(found: f64, wanted: f64) {
 fn forces_are_columns_in_both_views() {
     let folder = Folder::new("forces", PENDULUM);
     for view in ["", "--formulation textbook"] {
-        let found = columns(&folder, view);
+        let columns_of_view = columns(&folder, view);
         let (sine, cosine) = 1.5_f64.sin_cos();
-        assert_close(value(&found, "effort_swing"), 3.0 * 9.81 * 2.0 * sine);
-        assert_close(value(&found, "power_swing"), 3.0 * 9.81 * 2.0 * sine);
-        // At a steady rate of 1/s the pin pulls the bob inwards, and carries its weight.
-        assert_close(value(&found, "reaction_o_x"), -6.0 * sine);
-        assert_close(value(&found, "reaction_o_y"), 6.0 * cosine + 3.0 * 9.81);
-        assert_close(value(&found, "kinetic_energy"), 6.0);
         assert_close(
-            value(&found, "potential_energy"),
+            value(&columns_of_view, "effort_swing"),
+            3.0 * 9.81 * 2.0 * sine,
+        );
+        assert_close(
+            value(&columns_of_view, "power_swing"),
+            3.0 * 9.81 * 2.0 * sine,
+        );
+        // At a steady rate of 1/s the pin pulls the bob inwards, and carries its weight.
+        assert_close(value(&columns_of_view, "reaction_o_x"), -6.0 * sine);
+        assert_close(
+            value(&columns_of_view, "reaction_o_y"),
+            6.0 * cosine + 3.0 * 9.81,
+        );
+        assert_close(value(&columns_of_view, "kinetic_energy"), 6.0);
+        assert_close(
+            value(&columns_of_view, "potential_energy"),
             -3.0 * 9.81 * 2.0 * cosine,
         );
         let still = columns(&folder, &format!("--static {view}"));
@@ -184,10 +194,13 @@ fn bearings_carry_the_force_of_teeth_in_both_views() {
             ("--set ratio=2", 0.02, 20_f64.to_radians()),
             ("--set slope=0.1", 0.04, 0.1),
         ] {
-            let found = columns(&folder, &format!("{view} {options}"));
-            assert_close(value(&found, "reaction_b_x"), -5.0 / radius * slope.tan());
-            assert_close(value(&found, "reaction_b_y"), 5.0 / radius);
-            assert_close(value(&found, "reaction_mesh_moment"), 5.0);
+            let columns_of_view = columns(&folder, &format!("{view} {options}"));
+            assert_close(
+                value(&columns_of_view, "reaction_b_x"),
+                -5.0 / radius * slope.tan(),
+            );
+            assert_close(value(&columns_of_view, "reaction_b_y"), 5.0 / radius);
+            assert_close(value(&columns_of_view, "reaction_mesh_moment"), 5.0);
         }
     }
     for (set, said) in [

@@ -42,9 +42,9 @@ fn source_header_and_runtime_are_written_only_if_they_change() {
         let text = folder.read(&format!("out/{file}"));
         std::fs::write(&path, format!("{text}\n")).expect("it can be written");
         let ran = folder.run(&format!("{generate} --check")).exits_with(1);
-        let said = format!("`out/{file}` is not what `a.mech` generates");
+        let expected = format!("`out/{file}` is not what `a.mech` generates");
         assert!(
-            ran.stderr.contains(&said)
+            ran.stderr.contains(&expected)
                 && ran
                     .stderr
                     .contains("`linkwright generate --lang c a.mech -o out/two_body.c`"),
@@ -70,12 +70,12 @@ fn nothing_that_is_not_generated_is_replaced() {
     ] {
         std::fs::write(folder.file(file), text).expect("it can be written");
         let ran = folder.run("generate --lang c a.mech -o b.c").exits_with(2);
-        let said =
+        let expected =
             format!("cannot write `{file}`: there is a file already, and it is not generated C");
-        let said = said
+        let expected = expected
             .replace("`linkwright.h`", "`./linkwright.h`")
             .replace("`b.h`", "`./b.h`");
-        assert!(ran.stderr.contains(&said), "{}", ran.stderr);
+        assert!(ran.stderr.contains(&expected), "{}", ran.stderr);
         assert_eq!(folder.read(file), text);
         assert_eq!(folder.list("").len(), 2, "nothing else is written");
         folder

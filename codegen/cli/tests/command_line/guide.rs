@@ -1,37 +1,37 @@
-//! Does the command print what the guide says?
+//! The guide shows the output of the command.
 //!
-//! A block marked `mech` or `csv` below a line that begins with a file name in backticks is that file, also where it is marked as not
-//! formatted, `mech loose`. In a block marked `console` each line after `$` is a command, after `<` with what it reads, and what follows is
-//! what it prints, line by line; `…` stands for lines that are left out. A picture that
-//! a page shows is one that a command of the guide writes.
+//! A block marked `mech` or `csv` is the file whose name in backticks begins the line above. `mech loose` marks a file
+//! that is not formatted. In a block marked `console`, each line after `$` is a command; the text after `<` is its
+//! input. The following lines are its output; `…` stands for lines that are left out. A picture that a page shows is
+//! one that a command of the guide writes.
 //!
-//! Where the command says something else on purpose, `GUIDE_UPDATE=1 cargo test -p linkwright-cli guide` writes it into the pages: as
-//! many lines as before from each line after a gap on; pictures take the place of those of the same name. The changes are to be read
-//! like those of a snapshot, and to be looked at.
+//! After an intended change of the output, `GUIDE_UPDATE=1 cargo test -p linkwright-cli guide` writes it into the
+//! pages: as many lines as before from each line after a gap on. Pictures replace those with their names. Review the
+//! changes like those of a snapshot.
 
 use std::path::{Path, PathBuf};
 use std::process::Stdio;
 
 use crate::folder::{Folder, Ran};
 
-/// How commands begin that are run: the second is for a clone.
+/// Beginnings of commands that are run: the second is for a clone.
 const PROGRAMS: [&str; 2] = ["linkwright ", "cargo run --release -- "];
 
-/// A command and the lines that it must print.
+/// Command and the lines that it must print.
 type Command<'a> = (&'a str, Vec<&'a str>);
 
 fn repository() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// The pages: the one at the root, and those of the guide.
+/// Pages: the one at the root, and those of the guide.
 fn pages() -> Vec<PathBuf> {
     let mut pages = of_kind(&repository().join("codegen/guide"), "md");
     pages.push(repository().join("README.md"));
     pages
 }
 
-/// The files of a folder with this extension.
+/// Files of a folder with this extension.
 fn of_kind(folder: &Path, extension: &str) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(folder).expect("a folder");
     let mut paths: Vec<PathBuf> = entries
@@ -42,48 +42,48 @@ fn of_kind(folder: &Path, extension: &str) -> Vec<PathBuf> {
     paths
 }
 
-/// The blocks of a page: how each is marked, the text of the last line before it, and its lines.
+/// Blocks of a page: mark, text of the last line before it, and lines of each.
 fn blocks(page: &str) -> Vec<(&str, &str, Vec<&str>)> {
-    let mut found = Vec::new();
+    let mut blocks = Vec::new();
     let (mut before, mut open) = ("", None);
     for line in page.lines() {
         match (&mut open, line.strip_prefix("```")) {
             (None, Some(mark)) => open = Some((mark, before, Vec::new())),
             (None, None) if !line.is_empty() => before = line,
             (None, None) => {}
-            (Some(_), Some(_)) => found.extend(open.take()),
+            (Some(_), Some(_)) => blocks.extend(open.take()),
             (Some((_, _, lines)), None) => lines.push(line),
         }
     }
     assert!(open.is_none(), "a block is not closed after: {before}");
-    found
+    blocks
 }
 
 /// The commands of a block.
 fn commands<'a>(lines: &[&'a str]) -> Vec<Command<'a>> {
-    let mut found: Vec<Command<'a>> = Vec::new();
+    let mut commands: Vec<Command<'a>> = Vec::new();
     for line in lines {
-        match (line.strip_prefix("$ "), found.last_mut()) {
-            (Some(command), _) => found.push((command, Vec::new())),
+        match (line.strip_prefix("$ "), commands.last_mut()) {
+            (Some(command), _) => commands.push((command, Vec::new())),
             (None, Some((_, printed))) => printed.push(line),
             (None, None) => panic!("no command stands before: {line}"),
         }
     }
-    found
+    commands
 }
 
 /// The arguments of a command, divided by spaces, but for those in single quotes.
 fn arguments(command: &str) -> Vec<String> {
     let program = PROGRAMS.iter().find_map(|it| command.strip_prefix(it));
     let rest = program.unwrap_or_else(|| panic!("not a command of this program: {command}"));
-    let mut found = Vec::new();
+    let mut arguments = Vec::new();
     for (place, part) in rest.split('\'').enumerate() {
         match place % 2 {
-            0 => found.extend(part.split_whitespace().map(String::from)),
-            _ => found.push(part.to_string()),
+            0 => arguments.extend(part.split_whitespace().map(String::from)),
+            _ => arguments.push(part.to_string()),
         }
     }
-    found
+    arguments
 }
 
 /// The first line that is not printed, if there is one; a message for the reader.
@@ -110,7 +110,8 @@ fn difference(expected: &[&str], printed: &[&str]) -> Option<String> {
     Some(format!("printed beyond: {more}"))
 }
 
-/// What is printed, with the same gaps. Where a gap ends is told by the first line after it; without that, lines stay as they are.
+/// Output with the gaps of the expected lines. The first line after a gap ends it; without that line, lines are
+/// unchanged.
 fn updated<'a>(expected: &[&'a str], printed: &[&'a str]) -> Vec<&'a str> {
     let (mut found, mut rest) = (Vec::new(), printed);
     let parts: Vec<&[&str]> = expected.split(|line| *line == "…").collect();
@@ -197,8 +198,8 @@ fn commands_print_what_the_guide_says() {
                         };
                         let mut run = folder.command();
                         let output = run.args(arguments(program)).stdin(input).output();
-                        let found = Ran::from(output.expect("the command starts"));
-                        let text = found.stdout + &found.stderr;
+                        let result = Ran::from(output.expect("the command starts"));
+                        let text = result.stdout + &result.stderr;
                         let printed: Vec<&str> = text.lines().collect();
                         ran += 1;
                         let Some(difference) = difference(&expected, &printed) else {
@@ -256,8 +257,8 @@ fn the_gallery_shows_every_description() {
     assert!(names.len() >= 20, "{names:?}");
     let mut pictures = shown(&page);
     pictures.sort_unstable();
-    let wanted: Vec<String> = names.iter().map(|it| format!("gallery/{it}.svg")).collect();
-    assert_eq!(pictures, wanted);
+    let expected: Vec<String> = names.iter().map(|it| format!("gallery/{it}.svg")).collect();
+    assert_eq!(pictures, expected);
 }
 
 #[test]

@@ -1,6 +1,6 @@
-//! The licenses that the command prints, which come with its packages.
+//! Licenses that the command prints, which are in its packages.
 //!
-//! `NOTICES_UPDATE=1 cargo test -p linkwright-cli licenses` writes them anew where a dependency is another one.
+//! `NOTICES_UPDATE=1 cargo test -p linkwright-cli licenses` writes them after a change of dependencies.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -9,17 +9,17 @@ use std::process::Command;
 use crate::folder::{EXAM, Folder};
 use crate::printed::json;
 
-/// The platform whose packages are listed: others have packages of the same authors in their place.
+/// Platform whose packages are listed: others have packages of the same authors instead.
 const PLATFORM: &str = "x86_64-unknown-linux-gnu";
 
-/// A line of every Apache license, of which one text is enough: its owner is named elsewhere.
+/// Line of every Apache license, of which one text is enough: its owner is named elsewhere.
 const APACHE: &str = "Version 2.0, January 2004";
 
 fn repository() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// A package of others.
+/// Package of another author.
 struct Package {
     name: String,
     version: String,
@@ -27,7 +27,7 @@ struct Package {
     folder: PathBuf,
 }
 
-/// The packages of others that the command is built from, by name.
+/// Packages of other authors in the command, by name.
 fn packages() -> Vec<Package> {
     let mut command = Command::new(env!("CARGO"));
     command.args(["metadata", "--format-version=1", "--offline", "--locked"]);
@@ -42,8 +42,8 @@ fn packages() -> Vec<Package> {
         .map(|node| (word(&node["id"]), list(&node["deps"])))
         .collect();
     let all = list(&metadata["packages"]);
-    let own = all.iter().find(|it| it["name"] == "linkwright-cli");
-    let mut open = vec![word(&own.expect("the command")["id"])];
+    let command = all.iter().find(|it| it["name"] == "linkwright-cli");
+    let mut open = vec![word(&command.expect("the command")["id"])];
     let mut used = BTreeSet::new();
     while let Some(id) = open.pop() {
         let needed = nodes[&id].iter().filter(|it| {
@@ -58,7 +58,7 @@ fn packages() -> Vec<Package> {
     let foreign = all
         .iter()
         .filter(|it| used.contains(&word(&it["id"])) && !it["source"].is_null());
-    let mut found: Vec<Package> = foreign
+    let mut packages: Vec<Package> = foreign
         .map(|it| Package {
             name: word(&it["name"]),
             version: word(&it["version"]),
@@ -69,11 +69,11 @@ fn packages() -> Vec<Package> {
                 .to_path_buf(),
         })
         .collect();
-    found.sort_by(|a, b| (&a.name, &a.version).cmp(&(&b.name, &b.version)));
-    found
+    packages.sort_by(|a, b| (&a.name, &a.version).cmp(&(&b.name, &b.version)));
+    packages
 }
 
-/// The texts of licenses in a folder, in the order of the names of their files.
+/// Texts of licenses in a folder, in the order of the file names.
 fn texts(folder: &Path) -> Vec<String> {
     const NAMES: [&str; 7] = [
         "LICENSE",
@@ -100,7 +100,7 @@ fn texts(folder: &Path) -> Vec<String> {
     paths.iter().filter_map(read).map(lines).collect()
 }
 
-/// The notices as the packages have them.
+/// Notices according to the packages.
 fn notices() -> String {
     let packages = packages();
     let mut text = String::from(
@@ -109,17 +109,20 @@ fn notices() -> String {
          what follows of other authors. The package of the font, epaint_default_fonts, has other fonts as well, some of\n\
          them under the SIL Open Font License; their licenses are among the texts below.\n\nPackages:\n",
     );
-    let mut found: BTreeMap<String, (Vec<String>, String)> = BTreeMap::new();
+    let mut notices: BTreeMap<String, (Vec<String>, String)> = BTreeMap::new();
     for package in &packages {
         text += &format!("  {} ({})\n", package.name, package.license);
-        let own = texts(&package.folder);
-        for license in own.into_iter().chain(texts(&package.folder.join("fonts"))) {
+        let license_texts = texts(&package.folder);
+        for license in license_texts
+            .into_iter()
+            .chain(texts(&package.folder.join("fonts")))
+        {
             if license.contains(APACHE) {
                 continue;
             }
-            // Lines differ in where they are broken.
+            // Line breaks differ.
             let key = license.split_whitespace().collect::<Vec<_>>().join(" ");
-            let entry = found.entry(key).or_insert((Vec::new(), license));
+            let entry = notices.entry(key).or_insert((Vec::new(), license));
             if entry.0.last() != Some(&package.name) {
                 entry.0.push(package.name.clone());
             }
@@ -130,7 +133,7 @@ fn notices() -> String {
         .iter()
         .filter(|it| it.license.contains("Apache-2.0"))
         .map(|it| it.name.clone());
-    let mut sections: Vec<(Vec<String>, String)> = found.into_values().collect();
+    let mut sections: Vec<(Vec<String>, String)> = notices.into_values().collect();
     sections.sort();
     sections.push((of_apache.collect(), apache.trim_matches('\n').to_string()));
     for (mut names, license) in sections {
@@ -144,16 +147,16 @@ fn notices() -> String {
 #[test]
 fn the_licenses_of_all_that_the_command_is_built_from_are_printed() {
     let path = repository().join("codegen/command/NOTICES.txt");
-    let wanted = notices();
+    let expected = notices();
     if std::env::var_os("NOTICES_UPDATE").is_some() {
         // What the command prints is the file as it was compiled with.
-        std::fs::write(&path, &wanted).expect("written");
+        std::fs::write(&path, &expected).expect("written");
         return;
     }
     let text = std::fs::read_to_string(&path).expect("the notices");
-    let differs = text.lines().zip(wanted.lines()).find(|(a, b)| a != b);
+    let differs = text.lines().zip(expected.lines()).find(|(a, b)| a != b);
     assert!(
-        text == wanted,
+        text == expected,
         "{path:?} is of other dependencies, first: {differs:?}\nrun `NOTICES_UPDATE=1 cargo test -p linkwright-cli licenses`"
     );
     for part in [

@@ -5,7 +5,7 @@ use std::process::Command;
 
 use crate::folder::{EXAM, Folder, Ran};
 
-/// The repository.
+/// Root of the repository.
 const REPOSITORY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
 #[test]
@@ -18,10 +18,10 @@ fn a_new_crate_runs_and_is_tested() {
         ran.stdout,
         "wrote the crate `my-walker` to my-walker\nrun `cargo run` in it, and look at descriptions/four_bar.mech\n"
     );
-    // The versions of the repository, so that nothing is asked of the network.
+    // Versions of the repository, so that the network is not needed.
     let lock = Path::new(REPOSITORY).join("Cargo.lock");
     std::fs::copy(lock, folder.file("my-walker/Cargo.lock")).expect("a copy");
-    // The folder of all tests that build crates of users: the generator is compiled once.
+    // Folder of all tests that build crates of users: the generator is compiled once.
     let built = Path::new(env!("CARGO_TARGET_TMPDIR")).join("built");
     let cargo = |arguments: &[&str]| {
         let mut command = Command::new(env!("CARGO"));
@@ -66,7 +66,7 @@ fn a_crate_of_published_packages_names_their_version() {
 }
 
 #[test]
-fn what_exists_is_never_touched_and_nothing_is_left_behind() {
+fn never_touches_what_exists_and_leaves_nothing_behind() {
     let folder = Folder::new("new_refused", EXAM);
     std::fs::create_dir(folder.file("here")).expect("a folder");
     for (arguments, expected) in [

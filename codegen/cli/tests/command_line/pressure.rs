@@ -25,10 +25,10 @@ fn the_largest_pressure_angle_is_printed() {
     assert!(printed.contains(text), "{printed}");
     let ran = folder.run("solve a.mech --to 2 --json").exits_with(0);
     let object = json(&ran.stdout);
-    let found = &object["pressure_angles"][0];
-    assert_eq!(found["joint"], "roller wheel(follower.P, rim)");
-    assert_eq!(found["t"], 1.0);
-    let angle = found["angle"].as_f64().expect("a number");
+    let pressure = &object["pressure_angles"][0];
+    assert_eq!(pressure["joint"], "roller wheel(follower.P, rim)");
+    assert_eq!(pressure["t"], 1.0);
+    let angle = pressure["angle"].as_f64().expect("a number");
     assert!((angle.sin() - 10.0 / 38.0).abs() < 1e-14, "{angle}");
 }
 

@@ -1,8 +1,8 @@
-//! What the command prints as JSON.
+//! JSON output of the command.
 
 use serde_json::Value;
 
-/// The one object of a text.
+/// Only object of a text.
 #[track_caller]
 pub fn json(text: &str) -> Value {
     serde_json::from_str(text).unwrap_or_else(|error| panic!("{error} in {text}"))
@@ -12,5 +12,5 @@ pub fn json(text: &str) -> Value {
 pub fn number(value: &Value) -> f64 {
     value
         .as_f64()
-        .unwrap_or_else(|| panic!("{value} is no number"))
+        .unwrap_or_else(|| panic!("{value} is not a number"))
 }

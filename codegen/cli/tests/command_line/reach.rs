@@ -2,7 +2,7 @@
 
 use crate::folder::Folder;
 
-/// When a motion ends, as an error says it (s).
+/// End of a motion according to an error (s).
 fn end_of(error: &str) -> f64 {
     let time = error.split(" beyond t = ").nth(1);
     let time = time.and_then(|rest| rest.split(' ').next()?.parse().ok());
@@ -51,7 +51,7 @@ fn second_base(t: f64, first: f64) -> f64 {
 #[test]
 fn the_loop_that_does_not_reach_is_named() {
     let folder = Folder::new("reach_row", ROW);
-    let said = |options: &str| {
+    let message_with = |options: &str| {
         let ran = folder.run(&format!(
             "solve a.mech --no-files --to 20 --step 0.5 {options}"
         ));
@@ -69,19 +69,23 @@ fn the_loop_that_does_not_reach_is_named() {
         ("--set second=0.05", &second),
         ("--set first=0.05 --set second=0.05", &first),
     ] {
-        let said = said(options);
-        assert!(said.contains(loop_said), "{loop_said}: {said}");
-        assert_eq!(said.matches("loop ").count(), 1, "{said}");
+        let message = message_with(options);
+        assert!(message.contains(loop_said), "{loop_said}: {message}");
+        assert_eq!(message.matches("loop ").count(), 1, "{message}");
     }
     // In motion the second loop opens between two frames: where its triangle is flat.
-    let said = said("--set second=0.72");
-    assert!(said.contains("loop E-h-G: out of reach by "), "{said}");
-    let time = end_of(&said);
+    let message = message_with("--set second=0.72");
+    assert!(
+        message.contains("loop E-h-G: out of reach by "),
+        "{message}"
+    );
+    let time = end_of(&message);
     let flat = |t: f64| 0.72 - 0.25 - second_base(t, 0.35);
-    assert!(flat(time - 1e-6) * flat(time + 1e-6) < 0.0, "{said}");
+    assert!(flat(time - 1e-6) * flat(time + 1e-6) < 0.0, "{message}");
 }
 
-/// Joints that only follow from a loop, such as the pin of a coupler point with the next body, are no part of its name.
+/// Joints that only follow from a loop, such as the pin of a coupler point with the next body, do not occur in its
+/// name.
 #[test]
 fn a_loop_is_not_named_by_what_follows_from_it() {
     let text = "mechanism mixed {
@@ -135,34 +139,34 @@ fn a_force_that_is_not_finite_is_named() {
     let ran = folder
         .run("solve a.mech --to 1 --step 0.25 --no-files")
         .exits_with(1);
-    let said = "cannot be solved beyond t = 0.5 s: `force on crank.P` is not finite there";
-    assert!(ran.stderr.contains(said), "{}", ran.stderr);
+    let expected = "cannot be solved beyond t = 0.5 s: `force on crank.P` is not finite there";
+    assert!(ran.stderr.contains(expected), "{}", ran.stderr);
     assert!(!ran.stderr.contains("revolute"), "{}", ran.stderr);
-    // All equations at once have a pose there, but no forces.
+    // The textbook formulation has a pose there, but not forces.
     let ran = folder
         .run("solve a.mech --to 1 --step 0.25 --no-files --formulation textbook")
         .exits_with(1);
-    let said = "has no forces at t = 0.5 s: `force on crank.P` is not finite there";
-    assert!(ran.stderr.contains(said), "{}", ran.stderr);
+    let expected = "has no forces at t = 0.5 s: `force on crank.P` is not finite there";
+    assert!(ran.stderr.contains(expected), "{}", ran.stderr);
     let moved = text.replace("drive turn: phi(crank) = 2*t", "free turn: phi(crank) = 0");
     let folder = Folder::new("endless_moved", moved);
     let ran = folder
         .run("simulate a.mech --to 1 --step 0.25 --no-files")
         .exits_with(1);
-    let said = "beyond t = 0.5 s: `force on crank.P` grows without bound toward t = 0.5 s";
-    assert!(ran.stderr.contains(said), "{}", ran.stderr);
+    let expected = "beyond t = 0.5 s: `force on crank.P` grows without bound toward t = 0.5 s";
+    assert!(ran.stderr.contains(expected), "{}", ran.stderr);
     assert!(!ran.stderr.contains("revolute"), "{}", ran.stderr);
-    // With a torque in its place, that one is named.
+    // If the torque is infinite instead, it is named.
     let turned = text.replace("torque on crank = 1;", "torque on crank = (t - 0.25)^(-1);");
     let folder = Folder::new("endless_torque", turned);
     let ran = folder
         .run("solve a.mech --to 1 --step 0.25 --no-files")
         .exits_with(1);
-    let said = "beyond t = 0.25 s: `torque on crank` is not finite there";
-    assert!(ran.stderr.contains(said), "{}", ran.stderr);
+    let expected = "beyond t = 0.25 s: `torque on crank` is not finite there";
+    assert!(ran.stderr.contains(expected), "{}", ran.stderr);
 }
 
-/// The point of two circles, each by its center and radius, that is nearer to a place.
+/// Point of two circles, each by its center and radius, that is nearer to a position.
 fn meeting([a, b]: [([f64; 2], f64); 2], near: [f64; 2]) -> [f64; 2] {
     let gap = [b.0[0] - a.0[0], b.0[1] - a.0[1]];
     let base = gap[0].hypot(gap[1]);
@@ -198,7 +202,7 @@ fn the_third_of_three_loops_is_named_by_its_joint() {
     drive";
     let text = ROW.replace("\n    drive", more);
     let folder = Folder::new("reach_three", text);
-    let said = |options: &str| {
+    let message_with = |options: &str| {
         let ran = folder.run(&format!("solve a.mech --no-files --to 0 {options}"));
         ran.exits_with(1).stderr
     };
@@ -210,16 +214,16 @@ fn the_third_of_three_loops_is_named_by_its_joint() {
         f[1] - 0.2
     );
     assert!(
-        said("--set third=0.2").contains(&third),
+        message_with("--set third=0.2").contains(&third),
         "{third}: {}",
-        said("--set third=0.2")
+        message_with("--set third=0.2")
     );
-    let second = said("--set third=0.2 --set second=0.05");
+    let second = message_with("--set third=0.2 --set second=0.05");
     assert!(
         second.contains("s: loop E-h-G: out of reach by "),
         "{second}"
     );
-    let first = said("--set third=0.2 --set second=0.05 --set first=0.05");
+    let first = message_with("--set third=0.2 --set second=0.05 --set first=0.05");
     assert!(
         first.contains("s: loop B-C-D: out of reach by 0.0500 m"),
         "{first}"

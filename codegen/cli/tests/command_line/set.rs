@@ -13,7 +13,7 @@ const CRANK: &str = "mechanism crank {
 }
 ";
 
-/// The last row that is written of P: its position, velocity and acceleration.
+/// Last row of P in the output: its position, velocity and acceleration.
 fn last_row(folder: &Folder, options: &str) -> Vec<f64> {
     let ran = folder.run(&format!(
         "solve a.mech --at 0.5 --points P --csv - {options}"
@@ -21,8 +21,8 @@ fn last_row(folder: &Folder, options: &str) -> Vec<f64> {
     let printed = ran.exits_with(0).stdout;
     let titles = printed.lines().next().expect("a line of titles");
     let row = printed.lines().last().expect("a row");
-    let wanted = titles.split(',').zip(row.split(','));
-    wanted
+    let cells = titles.split(',').zip(row.split(','));
+    cells
         .filter(|(title, _)| title.starts_with("P_") || title.starts_with("P."))
         .map(|(_, value)| value.parse().expect("a number"))
         .collect()
@@ -78,7 +78,7 @@ fn parameters_and_inputs_are_listed() {
 }
 
 #[test]
-fn what_cannot_be_set_is_said_with_its_place() {
+fn invalid_settings_are_reported_with_their_place() {
     let folder = Folder::new("set_wrong", CRANK);
     for (assignment, code, text) in [
         ("angel=1", "K11", "did you mean `angle`?"),
@@ -101,7 +101,7 @@ fn what_cannot_be_set_is_said_with_its_place() {
             ran.stderr
         );
         assert!(ran.stderr.contains(text), "{}", ran.stderr);
-        // The place is one of what was written, not of what is made of it.
+        // The place is in the command line, not in the text made of it.
         let value = assignment.find('=').map_or(assignment.len(), |at| at + 1);
         let column = match code {
             "K11" => 1,
@@ -138,16 +138,16 @@ mechanism drawer {
         .run("solve a.mech --at 0 --set j_stroke=80mm")
         .exits_with(0);
     let ran = folder.run("solve a.mech --at 0 --set j.stroke=80mm");
-    let said = ran.exits_with(2).stderr;
-    assert!(said.contains("`--set j_stroke=80mm`"), "{said}");
-    // What no part has is a mistake of another kind.
+    let stderr = ran.exits_with(2).stderr;
+    assert!(stderr.contains("`--set j_stroke=80mm`"), "{stderr}");
+    // A name that no part has is another kind of error.
     let other = folder.run("solve a.mech --at 0 --set j.stroek=80mm");
     assert!(!other.exits_with(2).stderr.contains("joined by"));
 }
 
-/// What is said of the drawing is said of what is solved, which is lowered once, after the values have been set.
+/// Warnings refer to the mechanism with the values that are set, which is lowered once after that.
 #[test]
-fn what_hardly_decides_a_mode_is_found_with_the_values_that_are_set() {
+fn weakly_decided_mode_is_found_with_the_values_that_are_set() {
     let folder = Folder::new(
         "set_undecided",
         "mechanism triangle {
@@ -188,7 +188,7 @@ const CHANGED: &str = "mechanism changed {
 }
 ";
 
-/// A zero makes numbers infinite, but what is wrong is the length, or a loop that does not reach.
+/// A zero makes numbers infinite, but the error is the length, or a loop that does not reach.
 #[test]
 fn values_that_cannot_be_are_refused_by_their_geometry() {
     let folder = Folder::new("set_refused", CHANGED);
@@ -217,7 +217,7 @@ fn values_that_cannot_be_are_refused_by_their_geometry() {
     }
 }
 
-/// A value that no assembly may have leaves no assemblies to be listed.
+/// Assemblies are not listed for a value that no assembly may have.
 #[test]
 fn assemblies_of_a_refused_value_are_not_listed() {
     let folder = Folder::new("set_no_assemblies", CHANGED);
@@ -229,8 +229,8 @@ fn assemblies_of_a_refused_value_are_not_listed() {
     for value in ["rod=-90mm", "pull=-105mm"] {
         let printed = listed(&format!("--set {value}"), 1);
         assert!(!printed.contains("assemblies"), "{printed}");
-        let found = crate::printed::json(&listed(&format!("--json --set {value}"), 1));
-        assert_eq!(found["assemblies"].as_array().map(Vec::len), Some(0));
+        let report = crate::printed::json(&listed(&format!("--json --set {value}"), 1));
+        assert_eq!(report["assemblies"].as_array().map(Vec::len), Some(0));
     }
 }
 
@@ -239,12 +239,12 @@ fn assemblies_of_a_refused_value_are_not_listed() {
 fn an_input_that_is_not_finite_is_named() {
     let folder = Folder::new("set_infinite", CHANGED);
     let ran = folder.run("solve a.mech --to 1 --step 0.25 --no-files --set pull=sqrt(0.011025-t)");
-    let said = ran.exits_with(1).stderr;
+    let stderr = ran.exits_with(1).stderr;
     assert!(
-        said.contains("beyond t = 0.25 s: input pull is not finite"),
-        "{said}"
+        stderr.contains("beyond t = 0.25 s: input pull is not finite"),
+        "{stderr}"
     );
-    assert!(!said.contains("revolute"), "{said}");
+    assert!(!stderr.contains("revolute"), "{stderr}");
 }
 
 /// A value that makes a number infinite, whatever the pose is, is named at its declaration.
@@ -252,15 +252,15 @@ fn an_input_that_is_not_finite_is_named() {
 fn a_value_that_makes_numbers_infinite_is_named() {
     let folder = Folder::new("set_too_large", CHANGED);
     let ran = folder.run("solve a.mech --to 0 --no-files --set rod=1e200");
-    let said = ran.exits_with(2).stderr;
+    let stderr = ran.exits_with(2).stderr;
     assert!(
-        said.contains("infinite or undefined with `rod` = 1e200"),
-        "{said}"
+        stderr.contains("infinite or undefined with `rod` = 1e200"),
+        "{stderr}"
     );
-    assert!(said.contains(" --> a.mech:3:11\n"), "{said}");
+    assert!(stderr.contains(" --> a.mech:3:11\n"), "{stderr}");
 }
 
-/// A spring between ends that meet pulls nowhere: it is named, and not what follows from it.
+/// A spring between coinciding ends has no direction: it is named, and not the quantities that follow from it.
 #[test]
 fn a_spring_without_a_length_is_named() {
     let text = "mechanism meeting {
@@ -280,9 +280,9 @@ fn a_spring_without_a_length_is_named() {
 ";
     let folder = Folder::new("set_meeting", text);
     let ran = folder.run("solve a.mech --to 0 --no-files --set gap=0");
-    let said = ran.exits_with(1).stderr;
+    let stderr = ran.exits_with(1).stderr;
     assert!(
-        said.contains("spring (ground.A, b.Q) has no length"),
-        "{said}"
+        stderr.contains("spring (ground.A, b.Q) has no length"),
+        "{stderr}"
     );
 }

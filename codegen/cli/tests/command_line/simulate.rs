@@ -1,4 +1,4 @@
-//! `linkwright simulate`: what it prints and writes, and what it refuses.
+//! `linkwright simulate`: output, files and refusals.
 
 use crate::folder::Folder;
 use crate::printed::json;
@@ -17,11 +17,11 @@ const PENDULUM: &str = "mechanism pendulum {
 fn a_pendulum_is_simulated_as_json() {
     let folder = Folder::new("simulate_json", PENDULUM);
     let ran = folder.run("simulate a.mech --to 2 --step 0.5 --json --rtol 1e-12 --atol 1e-14");
-    let found = json(&ran.exits_with(0).stdout);
-    let frames = found["frames"].as_array().expect("frames");
+    let report = json(&ran.exits_with(0).stdout);
+    let frames = report["frames"].as_array().expect("frames");
     assert_eq!(frames.len(), 5);
     let number = |value: &serde_json::Value| value.as_f64().expect("a number");
-    // It begins as it is written, with the acceleration that its weight gives it.
+    // The motion begins in the described pose, with the acceleration of its weight.
     let first = &frames[0];
     let spin = -3.0 * 2.0 * 9.81 * 0.5 / 12.5;
     for (level, expected) in [("q", 30_f64.to_radians()), ("qd", 1.5), ("qdd", spin)] {
@@ -31,14 +31,14 @@ fn a_pendulum_is_simulated_as_json() {
         );
     }
     // Its energy is kept, and every frame has the acceleration of its angle.
-    let simulation = &found["simulation"];
+    let simulation = &report["simulation"];
     assert!(number(&simulation["energy_drift"]).abs() <= 1e-10);
     assert!(number(&simulation["evaluations"]) >= 12.0 * number(&simulation["steps"]));
     for frame in frames {
         let spin = -3.0 * 2.0 * 9.81 * number(&frame["q"][2]).sin() / 12.5;
         assert!((number(&frame["qdd"][2]) - spin).abs() <= 1e-13);
     }
-    assert!(found.get("error").is_none());
+    assert!(report.get("error").is_none());
 }
 
 /// Both methods give one motion, and say how many of their steps are implicit.
@@ -49,9 +49,9 @@ fn a_method_is_forced() {
         let ran = folder.run(&format!(
             "simulate a.mech --to 1 --json --rtol 1e-9 {options}"
         ));
-        let found = json(&ran.exits_with(0).stdout);
-        let angle = found["frames"][100]["q"][2].as_f64().expect("an angle");
-        let counted = |name: &str| found["simulation"][name].as_u64().expect("a count");
+        let report = json(&ran.exits_with(0).stdout);
+        let angle = report["frames"][100]["q"][2].as_f64().expect("an angle");
+        let counted = |name: &str| report["simulation"][name].as_u64().expect("a count");
         (angle, counted("steps"), counted("implicit_steps"))
     };
     let (chosen, _, none) = end("");
@@ -62,7 +62,7 @@ fn a_method_is_forced() {
     assert!((implicit - explicit).abs() <= 1e-7, "{implicit} {explicit}");
 }
 
-/// Frames do not depend on which others are asked for.
+/// Frames do not depend on the other requested frames.
 #[test]
 fn frames_lie_on_one_motion() {
     let folder = Folder::new("simulate_frames", PENDULUM);
@@ -93,12 +93,12 @@ fn a_summary_says_what_it_took() {
 fn another_start_can_be_set() {
     let folder = Folder::new("simulate_set", PENDULUM);
     let ran = folder.run("simulate a.mech --to 0 --json --set swing=0.5-2*t");
-    let found = json(&ran.exits_with(0).stdout);
-    assert_eq!(found["frames"][0]["q"][2].as_f64(), Some(0.5));
-    assert_eq!(found["frames"][0]["qd"][2].as_f64(), Some(-2.0));
+    let report = json(&ran.exits_with(0).stdout);
+    assert_eq!(report["frames"][0]["q"][2].as_f64(), Some(0.5));
+    assert_eq!(report["frames"][0]["qd"][2].as_f64(), Some(-2.0));
 }
 
-/// An engine whose piston's place is free, which stands still at both dead centers.
+/// Engine with a free piston position, which rests at both dead points.
 const ENGINE: &str = "mechanism engine {
     point A = (0, 0), B = (0.1, 0.1), C = (0.4, 0);
     body crank at A facing A -> B { A, B }
@@ -115,7 +115,7 @@ const ENGINE: &str = "mechanism engine {
 }
 ";
 
-/// A force that grows beyond all bounds: the motion ends there, with what could be found before.
+/// A force that grows without bound: the motion ends there, with the frames before.
 #[test]
 fn a_motion_that_ends_says_where_and_why() {
     let endless = PENDULUM.replace("gravity", "torque on bob = 1Nm/sqrt(1 - t*t); gravity");
@@ -131,7 +131,7 @@ fn a_motion_that_ends_says_where_and_why() {
 }
 
 #[test]
-fn what_is_driven_throughout_is_refused() {
+fn refuses_fully_driven_mechanism() {
     let folder = Folder::new(
         "simulate_driven",
         PENDULUM.replace(
@@ -140,8 +140,11 @@ fn what_is_driven_throughout_is_refused() {
         ),
     );
     let ran = folder.run("simulate a.mech");
-    let said = ran.exits_with(2).stderr;
-    assert!(said.contains("no coordinate of `a.mech` is free"), "{said}");
+    let stderr = ran.exits_with(2).stderr;
+    assert!(
+        stderr.contains("no coordinate of `a.mech` is free"),
+        "{stderr}"
+    );
     for options in [
         "--rtol 0",
         "--rtol x",
@@ -156,18 +159,20 @@ fn what_is_driven_throughout_is_refused() {
     }
 }
 
-/// What is free turns back at both dead centers, and the motion goes on.
+/// The free coordinate turns back at both dead points, and the motion continues.
 #[test]
 fn a_piston_goes_over_its_dead_centers() {
     let folder = Folder::new("simulate_dead_centers", ENGINE);
     let ran = folder.run("simulate a.mech --to 2 --json");
-    let found = json(&ran.exits_with(0).stdout);
-    let drift = found["simulation"]["energy_drift"].as_f64().expect("known");
-    let kinetic = found["simulation"]["kinetic_energy"]
+    let report = json(&ran.exits_with(0).stdout);
+    let drift = report["simulation"]["energy_drift"]
+        .as_f64()
+        .expect("known");
+    let kinetic = report["simulation"]["kinetic_energy"]
         .as_f64()
         .expect("known");
     assert!(drift.abs() <= 1e-8 * kinetic, "{drift} {kinetic}");
-    for frame in found["frames"].as_array().expect("frames") {
+    for frame in report["frames"].as_array().expect("frames") {
         let y = frame["q"][7].as_f64().expect("y of the piston");
         assert!(y.abs() <= 1e-12, "{y}");
     }
@@ -178,7 +183,7 @@ fn a_piston_goes_over_its_dead_centers() {
     }
 }
 
-/// Free coordinates that move together without moving a mass are named, and no others.
+/// Free coordinates that move together without moving a mass are named, and only these.
 #[test]
 fn free_coordinates_that_no_mass_resists_are_named() {
     let text = "mechanism three {
@@ -211,7 +216,7 @@ fn free_coordinates_that_no_mass_resists_are_named() {
     assert!(ran.stderr.contains(named), "{}", ran.stderr);
 }
 
-/// Many evaluations are answered by an option: once while it runs, and in the summary.
+/// An option reports a large number of evaluations: once during the run, and in the summary.
 #[test]
 fn many_evaluations_are_answered_by_another_method() {
     let text = "mechanism damped {
@@ -253,7 +258,7 @@ fn many_evaluations_are_answered_by_another_method() {
     assert!(!ran.stdout.contains("hint"), "{}", ran.stdout);
 }
 
-/// The message has the missing statement, as a description of this mechanism would write it.
+/// The message contains the missing statement, in the form of a description of this mechanism.
 #[test]
 fn a_missing_statement_is_written_out() {
     let driven = PENDULUM.replace(

@@ -84,11 +84,11 @@ fn a_step_does_not_lead_into_another_assembly_mode() {
         // cos φ1 = sin(π/2 − φ1).
         let cosine = (1e-8 + (t - 1.003).powi(2) / 2.0).sin();
         // 1 − cos φ2 = 2 sin²(φ2/2).
-        let wanted = 2.0 * (cosine / (2.0 * 3.0_f64.sqrt())).sqrt().asin();
-        let found = number(&frame["q"][5]);
+        let expected = 2.0 * (cosine / (2.0 * 3.0_f64.sqrt())).sqrt().asin();
+        let solved = number(&frame["q"][5]);
         assert!(
-            (found - wanted).abs() < 1e-10 / wanted,
-            "{t}: {found} {wanted}"
+            (solved - expected).abs() < 1e-10 / expected,
+            "{t}: {solved} {expected}"
         );
     }
     let warning = object["warnings"][0].as_str().expect("a sentence");
@@ -125,7 +125,7 @@ fn a_determinant_that_changes_its_sign_is_located() {
     assert!(warning.ends_with("A-B and B-C are in line."), "{warning}");
 }
 
-/// x (t − 1.05) = (1 + t) (t − 1.05): where the slider goes on is not said by its equation.
+/// x (t − 1.05) = (1 + t) (t − 1.05): the equation does not determine the continuation of the slider.
 #[test]
 fn a_coefficient_that_changes_its_sign_ends_the_motion() {
     let text = "mechanism crossing {

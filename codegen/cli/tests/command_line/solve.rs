@@ -1,4 +1,4 @@
-//! `linkwright solve` from the outside: exit codes and what is printed.
+//! `linkwright solve` from the outside: exit codes and output.
 
 use serde_json::Value;
 

@@ -171,9 +171,9 @@ fn a_large_table_is_announced_before_the_work() {
         .spawn()
         .expect("the command starts");
     let mut lines = BufReader::new(child.stderr.take().expect("stderr is piped")).lines();
-    let said = lines.next().expect("a line").expect("a text");
+    let notice = lines.next().expect("a line").expect("a text");
     child.kill().expect("it is still at work");
     child.wait().expect("it ends");
     // Five million frames of 25 columns.
-    assert_eq!(said, "warning: `/dev/null` will take about 2.5 GB");
+    assert_eq!(notice, "warning: `/dev/null` will take about 2.5 GB");
 }

@@ -24,7 +24,7 @@ fn coordinates_are_shown_with_their_rates_in_the_wanted_unit() {
     for value in [row(0.25), row(0.5)].concat() {
         assert!(ran.stdout.contains(&value), "{value} in {}", ran.stdout);
     }
-    // What stands still has no picture.
+    // Coordinates at rest have no picture.
     assert_eq!(
         folder.list("shown"),
         ["motion.csv", "motion.csv.source", "phi1.svg"]
@@ -40,9 +40,9 @@ fn coordinates_are_shown_with_their_rates_in_the_wanted_unit() {
     );
 }
 
-/// As the description, the tables of frames and the generated code write them.
+/// Spellings of the description, of the tables of frames and of the generated code.
 #[test]
-fn what_is_shown_may_be_spelled_as_it_is_met() {
+fn requested_quantities_may_be_spelled_in_every_form() {
     let folder = Folder::new("spelled", EXAM);
     let run = |name: &str| {
         let show = format!("solve a.mech --show {name} --at 0.5 --no-files");
@@ -123,7 +123,8 @@ fn the_first_step_is_that_of_the_exam() {
     }
 }
 
-/// The drawing and its derivatives are the same at each instant; the driver misses by 0.3 rad/s times the time that is between them.
+/// The design configuration and its derivatives are equal at each instant; the driver misses by 0.3 rad/s times the
+/// time between them.
 #[test]
 fn the_first_step_is_that_of_the_instant_that_is_asked_for() {
     let crank = "mechanism crank {
@@ -142,8 +143,8 @@ fn the_first_step_is_that_of_the_instant_that_is_asked_for() {
     for (t, residual) in [(1, "0.400000"), (2, "0.700000")] {
         let heading = format!("from the drawing at t = {t} s");
         let (_, from) = both.split_once(&heading).expect("a step");
-        let own = from.split("from the drawing").next().expect("a text");
-        assert!(own.contains(residual), "{residual} in {own}");
+        let chosen = from.split("from the drawing").next().expect("a text");
+        assert!(chosen.contains(residual), "{residual} in {chosen}");
     }
     assert!(!both.contains("from the drawing at t = 0 s"), "{both}");
     assert!(step("--from 1").contains("from the drawing at t = 1 s"));

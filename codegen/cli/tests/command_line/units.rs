@@ -1,4 +1,5 @@
-//! Units of output from the outside: the statement `units`, the option `--units`, and what descriptions mostly write.
+//! Units of output from the outside: the statement `units`, the option `--units`, and the most frequent units of
+//! descriptions.
 
 use crate::folder::Folder;
 use crate::printed::json;
@@ -22,7 +23,7 @@ const CRANK: &str = "mechanism crank {
 const T: f64 = 0.4;
 const DEGREES: f64 = 180.0 / std::f64::consts::PI;
 
-/// The names and the values of the last row.
+/// Names and values of the last row.
 fn columns(text: &str) -> Vec<(String, f64)> {
     let mut lines = text.lines();
     let names = lines.next().expect("a header").split(',');
@@ -35,12 +36,12 @@ fn columns(text: &str) -> Vec<(String, f64)> {
 
 #[track_caller]
 fn assert_column(columns: &[(String, f64)], name: &str, expected: f64) {
-    let found = columns.iter().find(|it| it.0 == name);
-    let (_, found) = found.unwrap_or_else(|| panic!("no `{name}` in {columns:?}"));
-    let off = (found - expected).abs();
+    let column = columns.iter().find(|it| it.0 == name);
+    let (_, column) = column.unwrap_or_else(|| panic!("no `{name}` in {columns:?}"));
+    let off = (column - expected).abs();
     assert!(
         off <= 1e-13 * expected.abs().max(1.0),
-        "{name}: {found}, expected {expected}"
+        "{name}: {column}, expected {expected}"
     );
 }
 
@@ -98,7 +99,7 @@ fn tables_are_in_the_requested_units() {
         1.5 * 30.0 / std::f64::consts::PI,
     );
     assert_column(&inches, "phi_arm (rad)", 0.5 + 1.5 * T);
-    // The statement says the same, and an option goes before it.
+    // The statement has the same effect, and an option overrides it.
     let stated = CRANK.replace("crank {", "crank {\n    units mm, deg, N*mm;");
     std::fs::write(folder.file("a.mech"), stated).expect("the file is written");
     assert_eq!(solve(""), by_option);
@@ -159,7 +160,7 @@ fn summaries_and_pictures_name_the_units() {
     let drawn = folder.run("draw a.mech --units=inch --out picture.svg");
     drawn.exits_with(0);
     assert!(folder.read("picture.svg").contains(" inch</text>"));
-    // What is printed may have another unit of angles than the files.
+    // Printed angles may have another unit than those in files.
     let ran = folder.run("solve a.mech --to 1 --units=mm --angles deg --out out");
     assert!(ran.exits_with(0).stdout.contains("angles in deg"));
     assert!(folder.read("out/motion.csv").contains("phi_arm (rad)"));
@@ -211,7 +212,7 @@ const OPEN: &str = "mechanism open {
 }
 ";
 
-/// The same with a foot that follows the time: it is 110 mm away at 1 s, beyond the reach of 100 mm.
+/// Links of 40 mm and 60 mm with a foot that follows the time: it is 110 mm away at 1 s, beyond the reach of 100 mm.
 const LEAVING: &str = "mechanism leaving {
     point A = (0, 0), B = (50mm, 50mm), C = (80mm, 0);
     body 1 at A { A, B: (60mm, 0) }
@@ -229,32 +230,36 @@ const LEAVING: &str = "mechanism leaving {
 #[test]
 fn messages_take_the_units_that_the_description_writes() {
     let folder = Folder::new("units_messages", OPEN);
-    let said = |options: &str| {
+    let stderr_with = |options: &str| {
         folder
             .run(&format!("solve a.mech {options}"))
             .exits_with(2)
             .stderr
     };
-    assert!(said("").contains("out of reach by 10 mm"), "{}", said(""));
-    assert!(said("--units=cm").contains("out of reach by 1 cm"));
-    assert!(said("--units=m").contains("out of reach by 0.01 m"));
+    assert!(
+        stderr_with("").contains("out of reach by 10 mm"),
+        "{}",
+        stderr_with("")
+    );
+    assert!(stderr_with("--units=cm").contains("out of reach by 1 cm"));
+    assert!(stderr_with("--units=m").contains("out of reach by 0.01 m"));
     let folder = Folder::new("units_leaving", LEAVING);
-    let said = |options: &str| {
+    let stderr_with = |options: &str| {
         folder
             .run(&format!("solve a.mech --no-files {options}"))
             .exits_with(1)
             .stderr
     };
-    // 30 mm/s · 0.67 s = 20.1 mm are too many.
+    // 30 mm/s · 0.67 s = 20.1 mm exceed the reach.
     assert!(
-        said("").contains("out of reach by 0.1000 mm"),
+        stderr_with("").contains("out of reach by 0.1000 mm"),
         "{}",
-        said("")
+        stderr_with("")
     );
     assert!(
-        said("--units=m").contains("out of reach by 1.0e-4 m"),
+        stderr_with("--units=m").contains("out of reach by 1.0e-4 m"),
         "{}",
-        said("--units=m")
+        stderr_with("--units=m")
     );
 }
 
@@ -276,7 +281,7 @@ fn pages_take_the_units_that_the_description_writes() {
 }
 
 #[test]
-fn what_is_not_a_unit_of_output_is_refused() {
+fn refuses_unit_that_is_not_one_of_output() {
     let folder = Folder::new("units_refused", CRANK);
     for (units, message) in [
         ("furlong", "no unit is named `furlong`"),
@@ -285,14 +290,14 @@ fn what_is_not_a_unit_of_output_is_refused() {
         ("mm,", "no unit is named ``"),
     ] {
         let ran = folder.run(&format!("solve a.mech --units={units}"));
-        let said = ran.exits_with(2).stderr;
-        assert!(said.contains(message), "{said}");
+        let stderr = ran.exits_with(2).stderr;
+        assert!(stderr.contains(message), "{stderr}");
     }
     // A list behind a blank would be taken for a file.
-    let said = folder
+    let stderr = folder
         .run("solve a.mech --units mm,deg")
         .exits_with(2)
         .stderr;
-    assert!(said.contains("--units=mm,deg"), "{said}");
+    assert!(stderr.contains("--units=mm,deg"), "{stderr}");
     assert_eq!(folder.list(""), ["a.mech"]);
 }

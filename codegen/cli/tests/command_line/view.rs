@@ -1,4 +1,4 @@
-//! `view`: what stands in the page, and that the page is a file that needs nothing else.
+//! `view`: contents of the page, and that the page is a single file without references.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -7,7 +7,7 @@ use super::draw_loads::numbers;
 use super::folder::{EXAM, Folder, driven_by};
 use super::printed::json;
 
-/// The gallery.
+/// Descriptions of the gallery.
 fn gallery() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../mechanisms");
     let entries = fs::read_dir(folder).expect("a folder");
@@ -26,7 +26,8 @@ const VOID: [&str; 5] = ["meta", "link", "input", "br", "img"];
 /// Elements whose text holds no tags.
 const RAW: [&str; 2] = ["script", "style"];
 
-/// Every element that begins ends, in the right order, and every attribute stands in quotes; gives the names of the elements.
+/// Names of the elements. Requires that every element that begins ends, in the right order, and that every attribute is
+/// in quotes.
 #[track_caller]
 fn elements(html: &str) -> Vec<String> {
     let mut rest = html
@@ -65,7 +66,7 @@ fn elements(html: &str) -> Vec<String> {
     all
 }
 
-/// What the page plays.
+/// Data that the page plays.
 fn played(html: &str) -> serde_json::Value {
     let start = "<script type=\"application/json\" id=\"data\">";
     let from = html.find(start).expect("data") + start.len();
@@ -73,14 +74,14 @@ fn played(html: &str) -> serde_json::Value {
     json(&html[from..from + length])
 }
 
-/// The equations and what follows, without data and scripts.
+/// Equations and the rest of the page, without data and scripts.
 fn article(html: &str) -> &str {
     let from = html.find("id=\"equations\"").expect("equations");
     let length = html[from..].find("</article>").expect("they end");
     &html[from..from + length]
 }
 
-/// What a reader sees of a part of the page.
+/// Visible text of a part of the page.
 fn words(html: &str) -> String {
     let mut text = String::new();
     let mut is_tag = false;
@@ -135,9 +136,9 @@ fn pages_of_the_gallery_are_whole_files_that_need_nothing_else() {
             assert!(!loads.contains(address), "{address} in {}", path.display());
         }
         assert!(html.contains("default-src 'none'"));
-        let found = played(&html);
-        assert!(!found["assemblies"][0]["times"][1].is_null(), "{found}");
-        // Formulas are written, not typed.
+        let page = played(&html);
+        assert!(!page["assemblies"][0]["times"][1].is_null(), "{page}");
+        // Formulas are typeset.
         let text = words(article(&html));
         for wrong in ["sqrt(", "\\frac", "\\varphi", "NaN", "$"] {
             assert!(!text.contains(wrong), "{wrong} in {}", path.display());
@@ -157,11 +158,11 @@ fn the_page_of_the_excavator_is_small() {
         .exits_with(0);
     let html = folder.read("a.html");
     assert!(html.len() < 1_500_000, "{} bytes", html.len());
-    let found = played(&html);
-    let assemblies = found["assemblies"].as_array().expect("a list");
+    let page = played(&html);
+    let assemblies = page["assemblies"].as_array().expect("a list");
     assert_eq!(assemblies.len(), 16);
     assert_eq!(assemblies[0]["times"].as_array().map(Vec::len), Some(501));
-    // Each has a motion, or says why not, or where it ends.
+    // Each has a motion, or the reason for none, or for its end.
     for own in assemblies {
         let times = own["times"].as_array().map_or(0, Vec::len);
         assert!(times > 20 || own["error"].is_string(), "{own}");
@@ -222,7 +223,7 @@ fn the_page_of_the_exam_answers_it() {
 }
 
 #[test]
-fn what_a_description_says_is_escaped_everywhere() {
+fn texts_of_a_description_are_escaped_everywhere() {
     let hostile = "</script><img src=x onerror=alert(1)> \"quoted' &amp; <!--";
     let text = EXAM
         .replace("//! ME 451", &format!("//! {hostile}\n//! ME 451"))
@@ -261,7 +262,7 @@ fn a_motion_that_ends_is_an_outcome_that_the_page_says() {
     elements(&html);
     assert!(html.contains("<p class=\"error\"><b>Error:</b>"), "{html}");
     assert!(played(&html)["assemblies"][0]["error"].is_string());
-    // One that cannot be assembled is drawn as it is written.
+    // A mechanism that cannot be assembled is drawn as described.
     let folder = Folder::new(
         "view_apart",
         EXAM.replace("absolute_x(2) = sqrt(3)", "absolute_x(2) = 5"),
@@ -287,7 +288,7 @@ fn only_pages_of_ours_are_replaced_and_options_are_checked() {
     folder.run("view a.mech --force").exits_with(0);
     folder.run("view a.mech").exits_with(0);
     let printed = folder.run("view a.mech --out -").exits_with(0).stdout;
-    // On stdout it has no place from which its source could be named.
+    // On stdout, the page has no path to its source.
     let named = "<meta name=\"linkwright-source\" content=\"a.mech\">\n";
     assert!(!printed.contains(named));
     assert_eq!(printed, folder.read("two_body.html").replacen(named, "", 1));
@@ -295,9 +296,9 @@ fn only_pages_of_ours_are_replaced_and_options_are_checked() {
         .run("view a.mech --branch phi2=other --from 0.2 --to 1 --out -")
         .exits_with(0)
         .stdout;
-    let found = played(&other);
-    assert_eq!(found["assemblies"][0]["label"], "as chosen");
-    assert_eq!(found["assemblies"][0]["times"][0], 0.2);
+    let page = played(&other);
+    assert_eq!(page["assemblies"][0]["label"], "as chosen");
+    assert_eq!(page["assemblies"][0]["times"][0], 0.2);
     for (wrong, words) in [
         ("--branch phi2=up", "no assembly mode"),
         ("--set length=2", "length"),
@@ -338,8 +339,8 @@ fn a_guide_goes_with_the_assembly() {
         (heights[0].min(heights[1]), heights[0].max(heights[1]))
     };
     let id = "joint-absolute_x_2-below";
-    let found = played(&html);
-    let others = found["assemblies"].as_array().expect("a list");
+    let page = played(&html);
+    let others = page["assemblies"].as_array().expect("a list");
     let other = others
         .iter()
         .position(|it| it["label"] == "−")
@@ -351,7 +352,7 @@ fn a_guide_goes_with_the_assembly() {
         .expect("the guide of the drawing");
     for (element, sign) in [(&html[start..], 1.0), (replaced, -1.0)] {
         let ((low, high), (least, most)) = (guide(element), reach(sign));
-        // It is as long as what slides on it needs, and a little longer.
+        // The guide has the length that the slider needs, and a little more.
         assert!(low < least && least - low < 0.4, "{low} for {least}");
         assert!(high > most && high - most < 0.4, "{high} for {most}");
     }
@@ -396,7 +397,7 @@ fn a_loop_that_cannot_close_is_shown_with_its_gap() {
         folder.run("view a.mech").exits_with(1);
         let html = folder.read("open_bar.html");
         elements(&html);
-        // From the end of the crank to D, less both links.
+        // From the end of the crank to D, minus both links.
         let apart = (0.9 - 0.1 * angle.cos()).hypot(0.1 * angle.sin());
         let gap = html.split("id=\"gap\"").nth(1).expect("a gap");
         let (title, rest) = gap.split_once("</title>").expect("a title");
@@ -448,14 +449,14 @@ fn a_loop_that_cannot_close_is_shown_with_its_gap() {
     let label = html.split("class=\"gap-name\"").nth(1).expect("a label");
     let label = label.split(['>', '<']).nth(1).expect("its text");
     assert_eq!(label, "0.3 m");
-    // What is fixed altogether, 0.9 m between pins and 0.3 m + 0.4 m of links.
+    // Fixed lengths: 0.9 m between pins, and 0.3 m + 0.4 m of links.
     let folder = Folder::new("view_open_fixed", FIXED);
     folder.run("view a.mech").exits_with(1);
     let html = folder.read("fixed.html");
     let label = html.split("class=\"gap-name\"").nth(1).expect("a label");
     let label = label.split(['>', '<']).nth(1).expect("its text");
     assert_eq!(label, "0.2 m");
-    // One that closes has none.
+    // A mechanism that closes has none.
     let folder = Folder::new("view_closed", EXAM);
     folder.run("view a.mech").exits_with(0);
     assert!(!folder.read("two_body.html").contains("id=\"gap\""));

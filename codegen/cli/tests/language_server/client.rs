@@ -1,4 +1,4 @@
-//! An editor: the other end of the protocol, with the real command at its own end.
+//! Editor for tests: the client end of the protocol, with the real command as the server.
 
 use std::collections::VecDeque;
 use std::io::{BufRead, BufReader, Write as _};
@@ -11,35 +11,35 @@ use std::time::{Duration, Instant};
 use lsp_server::{Message, Notification, Request, Response};
 use serde_json::{Value, json};
 
-/// So long an answer is waited for.
+/// Longest time for an answer.
 const PATIENCE: Duration = Duration::from_secs(120);
 
-/// The number of answers to what could not be read.
+/// Number of answers to unreadable messages.
 pub const UNREADABLE: i32 = -1;
 
-/// The address of documents that are no files.
+/// Address of documents that are not files.
 pub const UNSAVED: &str = "untitled:arm";
 
-/// An editor and its server.
+/// Editor and its server.
 pub struct Client {
     child: Child,
     input: Option<ChildStdin>,
     messages: Receiver<Message>,
-    /// What the server has said without being asked.
+    /// Notifications of the server.
     notes: VecDeque<Notification>,
     requests: i32,
     version: i32,
-    /// What the server offers.
+    /// Capabilities of the server.
     pub offered: Value,
 }
 
 impl Client {
-    /// A server that has not been spoken to.
+    /// Starts a server without a message.
     pub fn silent() -> Client {
         Client::started_with(&["lsp"])
     }
 
-    /// A server that was started by these arguments.
+    /// Starts a server with these arguments.
     pub fn started_with(arguments: &[&str]) -> Client {
         let mut child = Command::new(env!("CARGO_BIN_EXE_linkwright"))
             .args(arguments)
@@ -68,7 +68,7 @@ impl Client {
         }
     }
 
-    /// A server that counts columns in UTF-16.
+    /// Starts a server that counts columns in UTF-16.
     pub fn start() -> Client {
         Client::with(json!({
             "textDocument": { "publishDiagnostics": {
@@ -78,7 +78,7 @@ impl Client {
         }))
     }
 
-    /// A server for a client that can do this.
+    /// Starts a server for a client with these capabilities.
     pub fn with(capabilities: Value) -> Client {
         let mut client = Client::silent();
         let params = json!({ "processId": null, "rootUri": null, "capabilities": capabilities });
@@ -88,7 +88,7 @@ impl Client {
         client
     }
 
-    /// Sends bytes as they are.
+    /// Sends bytes unchanged.
     pub fn send(&mut self, bytes: &[u8]) {
         let input = self.input.as_mut().expect("the session is open");
         input.write_all(bytes).expect("the server reads");
@@ -105,7 +105,7 @@ impl Client {
         self.say(Notification::new(method.to_string(), params).into());
     }
 
-    /// The next message that is no note.
+    /// Next message that is not a notification.
     pub fn next_answer(&mut self) -> Response {
         loop {
             match self.messages.recv_timeout(PATIENCE) {
@@ -117,7 +117,7 @@ impl Client {
         }
     }
 
-    /// The answer to a question, or why there is none.
+    /// Answer to a request, or its error.
     pub fn ask(&mut self, method: &str, params: Value) -> Result<Value, String> {
         self.requests += 1;
         let id = self.requests;
@@ -127,7 +127,7 @@ impl Client {
         response.response_result.map_err(|error| error.message)
     }
 
-    /// The answer to a question about a place in a document.
+    /// Answer to a request about a position in a document.
     pub fn ask_at(&mut self, method: &str, uri: &str, at: (usize, usize)) -> Result<Value, String> {
         self.ask(
             &format!("textDocument/{method}"),
@@ -151,7 +151,7 @@ impl Client {
         self.note("textDocument/didOpen", json!({ "textDocument": document }));
     }
 
-    /// Gives a document another text, or a part of it.
+    /// Replaces a document's text, or a part of it.
     pub fn change(&mut self, uri: &str, change: Value) {
         self.version += 1;
         self.note(
@@ -163,7 +163,7 @@ impl Client {
         );
     }
 
-    /// The findings about the newest text.
+    /// Diagnostics of the newest text.
     pub fn findings(&mut self) -> Vec<Value> {
         let until = Instant::now() + PATIENCE;
         loop {
@@ -175,23 +175,24 @@ impl Client {
                 },
             };
             if note.params["version"] == self.version {
-                let found = note.params["diagnostics"].as_array();
-                return found.expect("a list").clone();
+                let diagnostics = note.params["diagnostics"].as_array();
+                return diagnostics.expect("a list").clone();
             }
         }
     }
 
-    /// The findings about the newest text once they are so: those of its equations may come after those of the text alone.
+    /// Diagnostics of the newest text once they satisfy a condition: those of its equations may follow those of the
+    /// text alone.
     pub fn findings_when(&mut self, is_so: impl Fn(&[Value]) -> bool) -> Vec<Value> {
         loop {
-            let found = self.findings();
-            if is_so(&found) {
-                return found;
+            let findings = self.findings();
+            if is_so(&findings) {
+                return findings;
             }
         }
     }
 
-    /// The findings about the newest text, of which the first has this code.
+    /// Diagnostics of the newest text, of which the first has this code.
     pub fn findings_with(&mut self, code: &str) -> Vec<Value> {
         self.findings_when(|found| found.first().is_some_and(|it| it["code"] == code))
     }
@@ -201,14 +202,14 @@ impl Client {
         self.input = None;
     }
 
-    /// Takes leave; how the server has ended.
+    /// Shuts the server down; returns its exit.
     pub fn finish(mut self) -> ExitStatus {
         self.ask("shutdown", Value::Null).expect("it ends");
         self.note("exit", Value::Null);
         self.ended()
     }
 
-    /// How the server has ended.
+    /// Exit of the server.
     pub fn ended(mut self) -> ExitStatus {
         let until = Instant::now() + PATIENCE;
         loop {
@@ -223,13 +224,13 @@ impl Client {
 
 impl Drop for Client {
     fn drop(&mut self) {
-        // A test that has failed leaves no server behind.
+        // A failed test leaves no server behind.
         let _ = self.child.kill();
         let _ = self.child.wait();
     }
 }
 
-/// The next message. What answers something that could not be read has no number: it gets one.
+/// Next message. The answer to an unreadable message has no number: it gets one.
 fn read(output: &mut impl BufRead) -> Option<Message> {
     let mut length = None;
     loop {
@@ -252,12 +253,12 @@ fn read(output: &mut impl BufRead) -> Option<Message> {
     Some(serde_json::from_value(message).expect("the server writes messages"))
 }
 
-/// A folder of the repository.
+/// Folder of the repository.
 pub fn repository() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// The descriptions in a folder of the repository, by name.
+/// Descriptions in a folder of the repository, by name.
 pub fn descriptions(folder: &str) -> Vec<(PathBuf, String)> {
     let entries = std::fs::read_dir(repository().join(folder)).expect("a folder");
     let mut paths: Vec<PathBuf> = entries
@@ -274,13 +275,13 @@ pub fn descriptions(folder: &str) -> Vec<(PathBuf, String)> {
     paths.into_iter().filter_map(read).collect()
 }
 
-/// The address of a file.
+/// Address of a file.
 pub fn address(path: &Path) -> String {
     let path = path.canonicalize().expect("the file exists");
     format!("file://{}", path.display())
 }
 
-/// The line and the column of a mark `|` in a text, and the text without it.
+/// Line and column of a mark `|` in a text, and the text without it.
 pub fn marked(text: &str) -> (String, (usize, usize)) {
     let (before, after) = text.split_once('|').expect("a mark");
     let line = before.matches('\n').count();

@@ -1,4 +1,4 @@
-//! Completion: what can stand at a place, and what it replaces.
+//! Completion: candidates at a position, and the text that they replace.
 
 use serde_json::Value;
 

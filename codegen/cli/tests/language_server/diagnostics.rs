@@ -1,4 +1,4 @@
-//! Findings while typing: are they those of the command line, at the same places?
+//! Diagnostics while typing equal those of the command line, at the same positions.
 
 use linkwright_codegen::diagnostic::{Diagnostics, Severity, Source};
 use linkwright_codegen::stages::files;
@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use crate::client::{Client, UNSAVED, address, descriptions};
 
-/// What the generator says about a description.
+/// Diagnostics of the generator for a description.
 fn said(source: &Source) -> Diagnostics {
     match generate(source) {
         Ok(generated) => generated.warnings,
@@ -15,14 +15,14 @@ fn said(source: &Source) -> Diagnostics {
     }
 }
 
-/// A line and a column, in UTF-16 from 0, of an offset.
+/// Line and column, in UTF-16 from 0, of an offset.
 fn place(text: &str, offset: u32) -> Value {
     let before = &text[..(offset as usize).min(text.len())];
     let line = before.rsplit('\n').next().unwrap_or(before);
     json!({ "line": before.matches('\n').count(), "character": line.encode_utf16().count() })
 }
 
-/// Everything that is said about a description is published, and nothing else.
+/// All diagnostics of a description are published, and nothing else.
 #[test]
 fn findings_are_those_of_the_command_line() {
     let mut client = Client::start();
@@ -33,31 +33,31 @@ fn findings_are_those_of_the_command_line() {
             let source = attach_files(source, files::folder_of(&path));
             client.open(&address(&path), &text);
             let expected = said(&source).into_sorted();
-            let found = client.findings_when(|found| found.len() == expected.len());
-            for (found, expected) in found.iter().zip(&expected) {
+            let findings = client.findings_when(|found| found.len() == expected.len());
+            for (findings, expected) in findings.iter().zip(&expected) {
                 let name = path.display();
                 let severity = match expected.severity {
                     Severity::Error => 1,
                     Severity::Warning => 2,
                 };
-                assert_eq!(found["severity"], severity, "{name}");
-                assert_eq!(found["code"], expected.code.to_string(), "{name}");
+                assert_eq!(findings["severity"], severity, "{name}");
+                assert_eq!(findings["code"], expected.code.to_string(), "{name}");
                 let span = expected.primary.span;
                 let [start, end] = [span.start, span.end.max(span.start)];
-                assert_eq!(found["range"]["start"], place(&text, start), "{name}");
-                assert_eq!(found["range"]["end"], place(&text, end), "{name}");
-                let message = found["message"].as_str().expect("a text");
+                assert_eq!(findings["range"]["start"], place(&text, start), "{name}");
+                assert_eq!(findings["range"]["end"], place(&text, end), "{name}");
+                let message = findings["message"].as_str().expect("a text");
                 let mut words = vec![&expected.message, &expected.primary.text];
                 words.extend(&expected.notes);
                 words.extend(&expected.help);
                 for words in words {
                     assert!(message.contains(words.as_str()), "{name}: {message}");
                 }
-                let related = found["relatedInformation"].as_array();
+                let related = findings["relatedInformation"].as_array();
                 let related = related.map_or(&[][..], Vec::as_slice);
                 assert_eq!(related.len(), expected.secondary.len(), "{name}");
-                for (found, expected) in related.iter().zip(&expected.secondary) {
-                    let start = &found["location"]["range"]["start"];
+                for (findings, expected) in related.iter().zip(&expected.secondary) {
+                    let start = &findings["location"]["range"]["start"];
                     assert_eq!(*start, place(&text, expected.span.start), "{name}");
                 }
                 compared += 1;
@@ -68,7 +68,7 @@ fn findings_are_those_of_the_command_line() {
     client.finish();
 }
 
-/// A text with characters of one, two, three and four bytes before a slip.
+/// Text with characters of one, two, three and four bytes before an error.
 const WIDE: &str = "mechanism m {\n    /* \u{e4}\u{20ac}\u{1d54f} */ point A = (sine(1), 0);\n    body 1 at A;\n}\n";
 
 #[test]
@@ -81,13 +81,13 @@ fn columns_are_counted_as_agreed() {
         let mut client = Client::with(json!({ "general": { "positionEncodings": offered } }));
         assert_eq!(client.offered["positionEncoding"], agreed);
         client.open(UNSAVED, WIDE);
-        let found = client.findings();
-        assert_eq!(found[0]["code"], "K13");
+        let findings = client.findings();
+        assert_eq!(findings[0]["code"], "K13");
         assert_eq!(
-            found[0]["range"]["start"],
+            findings[0]["range"]["start"],
             json!({ "line": 1, "character": column })
         );
-        // The slip is mended, in the columns that were agreed on.
+        // The error is mended, in the columns that were negotiated.
         let range = json!({
             "start": { "line": 1, "character": column },
             "end": { "line": 1, "character": column + 4 },
@@ -105,13 +105,13 @@ fn a_client_without_related_places_is_told_the_lines() {
         UNSAVED,
         "mechanism m {\n    point A = (0, 0);\n    point A = (1, 0);\n}\n",
     );
-    let found = client.findings();
-    let message = found[0]["message"].as_str().expect("a text");
+    let findings = client.findings();
+    let message = findings[0]["message"].as_str().expect("a text");
     assert!(
         message.ends_with("line 2: first declared here"),
         "{message}"
     );
-    assert!(found[0].get("relatedInformation").is_none());
+    assert!(findings[0].get("relatedInformation").is_none());
     client.finish();
 }
 
@@ -135,8 +135,8 @@ fn tables_are_read_from_the_folder_of_the_document() {
     client.findings_with("K27");
     // A description that is not saved has no folder.
     client.open(UNSAVED, text);
-    let found = client.findings_with("K29");
-    let message = found[0]["message"].as_str().expect("a text");
+    let findings = client.findings_with("K29");
+    let message = findings[0]["message"].as_str().expect("a text");
     assert!(
         message.contains("the description is not saved yet"),
         "{message}"
@@ -144,7 +144,7 @@ fn tables_are_read_from_the_folder_of_the_document() {
     client.finish();
 }
 
-/// Of a text that has been typed on, nothing is said; of the newest, everything.
+/// An outdated text has no diagnostics; the newest text has all.
 #[test]
 fn only_the_newest_text_is_reported() {
     let mut client = Client::start();
@@ -153,9 +153,9 @@ fn only_the_newest_text_is_reported() {
         let text = format!("mechanism m {{ const c{number} = d; body 1 at (0, 0); }}");
         client.change(UNSAVED, json!({ "text": text }));
     }
-    let found = client.findings();
+    let findings = client.findings();
     assert_eq!(
-        found[0]["message"].as_str().map(|it| it.lines().next()),
+        findings[0]["message"].as_str().map(|it| it.lines().next()),
         Some(Some("no constant is named `d`"))
     );
     client.finish();

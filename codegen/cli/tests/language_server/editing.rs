@@ -1,10 +1,10 @@
-//! What an editor asks about a place: hover, declarations and uses.
+//! Requests of an editor about a position: hover, declarations and uses.
 
 use serde_json::Value;
 
 use crate::client::{Client, UNSAVED, repository};
 
-/// A crank and a rod, with names of every sort.
+/// Crank and rod, with names of every kind.
 pub(super) const CRANK: &str = "\
 mechanism crank {
     /// How far the pin is out.
@@ -54,52 +54,52 @@ pub(super) fn hover(client: &mut Client, text: &str, part: &str, number: usize) 
 #[test]
 fn hover_says_what_a_name_is() {
     let mut client = opened(CRANK);
-    let mut said = |part: &str, number| hover(&mut client, CRANK, part, number);
+    let mut hover_text = |part: &str, number| hover(&mut client, CRANK, part, number);
     assert_eq!(
-        said("r = ", 0),
+        hover_text("r = ", 0),
         "```mech\nparam r = 50mm;\n```\n\nparameter = 0.05 m unless it is set\n\nHow far the pin is out."
     );
     assert_eq!(
-        said("d = ", 0),
+        hover_text("d = ", 0),
         "```mech\nconst d = sqrt(2)*r;\n```\n\nconstant = √2·r = 0.07071067811865477 m"
     );
     assert_eq!(
-        said("e - ", 0),
+        hover_text("e - ", 0),
         "```mech\nconst e = 2*30mm;\n```\n\nconstant = 0.06 m"
     );
     assert_eq!(
-        said("O, ", 0),
+        hover_text("O, ", 0),
         "```mech\npoint O = (0, 0)\n```\n\npoint in global coordinates, carried by body `1`\n\nWhere the crank turns."
     );
     assert_eq!(
-        said("1) = angle", 0),
+        hover_text("1) = angle", 0),
         "```mech\nbody 1 at O { O, P: (r, 0) }\n```\n\nbody with the coordinates `x1`, `y1`, `phi1`\n\nIt turns."
     );
     // The name of a joint is that of its point on both bodies.
     assert_eq!(
-        said("P(1, ", 0),
+        hover_text("P(1, ", 0),
         "```mech\nP: (r, 0)\nP: (-d, 0)\n```\n\npoint of the bodies `1` and `rod`\n\n```text\nx₁ + r·cos φ₁ − x_rod + √2·r·cos φ_rod = 0\ny₁ + r·sin φ₁ − y_rod + √2·r·sin φ_rod = 0\n```"
     );
     assert_eq!(
-        said("turn: ", 0),
+        hover_text("turn: ", 0),
         "```mech\ndrive turn: phi(1) = angle + 2*t;\n```\n\ndriver\n\n```text\nφ₁ − angle − 2·t = 0\n```"
     );
     assert!(
-        said("angle + ", 0)
+        hover_text("angle + ", 0)
             .contains("input = 0.5235987755982988 rad, constant unless it is supplied")
     );
-    assert!(said("lift", 0).contains("table"));
+    assert!(hover_text("lift", 0).contains("table"));
     // Words of the language.
-    let kind = said("absolute_y", 0);
+    let kind = hover_text("absolute_y", 0);
     assert!(kind.contains("`absolute_y(1) = 0;`"), "{kind}");
     assert!(
         kind.ends_with("```text\ny_rod + √2·r·sin φ_rod = 0\n```"),
         "{kind}"
     );
-    assert_eq!(said("60mm", 0), "a length, 0.06 m");
-    assert_eq!(said("30deg", 0), "an angle, 0.5235987755982988 rad");
-    assert_eq!(said("t;", 0), "the time, in s");
-    assert_eq!(said("mechanism", 0), "");
+    assert_eq!(hover_text("60mm", 0), "a length, 0.06 m");
+    assert_eq!(hover_text("30deg", 0), "an angle, 0.5235987755982988 rad");
+    assert_eq!(hover_text("t;", 0), "the time, in s");
+    assert_eq!(hover_text("mechanism", 0), "");
     client.finish();
 }
 
@@ -107,12 +107,12 @@ fn hover_says_what_a_name_is() {
 fn hover_says_what_a_pressure_angle_is() {
     let text = "mechanism m {\n    param slope = 20deg;\n    point A = (0, 0), B = (1, 0);\n    body 1 at A { A }\n    body 2 at B { B }\n    revolute A(ground, 1);\n    revolute B(ground, 2);\n    external_gear (1, 2) = 1/2 pressure_angle slope + 1deg;\n    drive phi(1) = t;\n}\n";
     let mut client = opened(text);
-    let mut said = |part: &str, number| hover(&mut client, text, part, number);
-    assert!(said("pressure_angle", 0).starts_with("the angle between the line of action"));
-    assert!(said("external_gear", 0).contains("pressure_angle 20deg"));
+    let mut hover_text = |part: &str, number| hover(&mut client, text, part, number);
+    assert!(hover_text("pressure_angle", 0).starts_with("the angle between the line of action"));
+    assert!(hover_text("external_gear", 0).contains("pressure_angle 20deg"));
     // A mention of the parameter.
-    assert!(said("slope + ", 0).contains("= 0.3490658503988659 rad unless it is set"));
-    assert_eq!(said("1deg", 0), "an angle, 0.017453292519943295 rad");
+    assert!(hover_text("slope + ", 0).contains("= 0.3490658503988659 rad unless it is set"));
+    assert_eq!(hover_text("1deg", 0), "an angle, 0.017453292519943295 rad");
     client.finish();
 }
 
@@ -122,8 +122,8 @@ fn hover_answers_before_the_equations_are_known() {
     let text = CRANK.replace("drive turn", "drive");
     let broken = text.replace("rod.Q", "rod.");
     let mut client = opened(&broken);
-    let said = hover(&mut client, &broken, "d = ", 0);
-    assert_eq!(said, "```mech\nconst d = sqrt(2)*r;\n```\n\nconstant");
+    let hover_text = hover(&mut client, &broken, "d = ", 0);
+    assert_eq!(hover_text, "```mech\nconst d = sqrt(2)*r;\n```\n\nconstant");
     client.finish();
 }
 
@@ -190,8 +190,8 @@ fn the_excavator_is_known_whole() {
     let text = std::fs::read_to_string(repository().join("mechanisms/excavator.mech"));
     let text = text.expect("a description");
     let mut client = opened(&text);
-    let said = hover(&mut client, &text, "length(N, M)", 0);
-    assert!(said.contains("= 0\n```"), "{said}");
+    let hover_text = hover(&mut client, &text, "length(N, M)", 0);
+    assert!(hover_text.contains("= 0\n```"), "{hover_text}");
     // The line of a driver is that of its joint: both points of the drawing.
     let answer = client.ask_at("references", UNSAVED, place(&text, "N, M", 0));
     let lines: Vec<u64> = places(&answer.expect("an answer"))

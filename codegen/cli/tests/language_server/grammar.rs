@@ -1,6 +1,6 @@
-//! The grammar that editors color descriptions with: are its words those of the language?
+//! The words of the grammar with which editors color descriptions are those of the language.
 //!
-//! With `GRAMMAR_UPDATE=1` the lists are written; how they are matched is written by hand, and tested beside the grammar.
+//! `GRAMMAR_UPDATE=1` writes the lists; their patterns are written by hand, and tested beside the grammar.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -16,7 +16,7 @@ fn path() -> PathBuf {
     repository().join("codegen/editors/vscode/syntaxes/mech.tmLanguage.json")
 }
 
-/// The rules of the grammar whose words are a list of the language, with that list.
+/// Rules of the grammar whose words are a list of the language, with that list.
 fn lists() -> Vec<(&'static str, Vec<&'static str>)> {
     let keyword = |it: &&'static dyn linkwright_codegen::stages::joint::Kind| it.keyword();
     vec![
@@ -34,7 +34,7 @@ fn lists() -> Vec<(&'static str, Vec<&'static str>)> {
     ]
 }
 
-/// The pattern with another list in each of its groups of words, `(?:one|two)`.
+/// Pattern with another list in each of its groups of words, `(?:one|two)`.
 fn with_words(pattern: &str, words: &str) -> String {
     let mut parts = pattern.split("(?:");
     let mut written = parts.next().unwrap_or_default().to_string();
@@ -75,7 +75,7 @@ fn the_words_of_the_grammar_are_those_of_the_language() {
     }
 }
 
-/// The files in a folder and in all folders in it.
+/// Files in a folder and in all its folders.
 fn texts(folder: &Path) -> Vec<String> {
     let entries = std::fs::read_dir(folder).expect("a folder");
     let paths = entries.map(|it| it.expect("it can be read").path());
@@ -86,14 +86,14 @@ fn texts(folder: &Path) -> Vec<String> {
     paths.flat_map(of).collect()
 }
 
-/// What the parser asks for by a word is in the list of these words.
+/// The list of keywords contains every keyword that the parser expects.
 #[test]
 fn every_word_of_a_clause_is_listed() {
     let folder = repository().join("codegen/description/src/syntax");
     let mut words = BTreeSet::new();
     for text in texts(&folder) {
-        let asked = text.split("keyword(\"").skip(1);
-        words.extend(asked.filter_map(|it| Some(it.split_once('"')?.0.to_string())));
+        let keywords = text.split("keyword(\"").skip(1);
+        words.extend(keywords.filter_map(|it| Some(it.split_once('"')?.0.to_string())));
     }
     words.remove("mechanism");
     let listed: BTreeSet<String> = CLAUSES.iter().map(ToString::to_string).collect();
@@ -101,7 +101,7 @@ fn every_word_of_a_clause_is_listed() {
         words.is_subset(&listed),
         "{words:?} are not all in {listed:?}"
     );
-    // Those of springs, masses and teeth are read by another way.
+    // The parser reads those of springs, masses and teeth in another way.
     let others = &listed - &words;
     let others: Vec<&str> = others.iter().map(String::as_str).collect();
     assert_eq!(others, ["free", "inertia", "preload", "pressure_angle"]);

@@ -6,7 +6,7 @@ use crate::client::{Client, UNSAVED};
 use crate::editing::{CRANK, opened};
 use crate::renaming::edited;
 
-/// What an editor shows as the outline of a document.
+/// Outline of a document in an editor.
 pub fn outline(client: &mut Client) -> Value {
     let params = json!({ "textDocument": { "uri": UNSAVED } });
     client
@@ -14,7 +14,7 @@ pub fn outline(client: &mut Client) -> Value {
         .expect("an answer")
 }
 
-/// The names in a part of an outline.
+/// Names in a part of an outline.
 pub fn names(list: &Value) -> Vec<String> {
     let list = list.as_array().expect("a list").iter();
     list.map(|it| it["name"].as_str().expect("a name").to_string())
@@ -61,7 +61,7 @@ fn a_text_is_laid_out_as_by_the_formatter() {
     let edits = client.ask("textDocument/formatting", params.clone());
     let edits = edits.expect("an answer");
     assert_eq!(edited(&loose, &edits), CRANK);
-    // Only the line that changes is touched.
+    // Only the changed line is touched.
     assert_eq!(
         edits[0]["range"]["start"],
         json!({ "line": 10, "character": 0 })
@@ -73,7 +73,7 @@ fn a_text_is_laid_out_as_by_the_formatter() {
     client.change(UNSAVED, json!({ "text": CRANK }));
     let edits = client.ask("textDocument/formatting", params.clone());
     assert_eq!(edits, Ok(json!([])));
-    // What cannot be read stays as it is.
+    // A text with errors stays unchanged.
     client.change(
         UNSAVED,
         json!({ "text": loose.replace("param r =", "param r") }),

@@ -1,4 +1,4 @@
-//! How a session begins and ends, and what it survives.
+//! Beginning and end of a session, and the errors that it survives.
 
 use serde_json::{Value, json};
 
@@ -16,7 +16,7 @@ fn a_session_begins_and_ends() {
 
 #[test]
 fn the_order_of_a_session_is_kept() {
-    // Some editors say what they speak on.
+    // Some editors name their transport.
     let mut client = Client::started_with(&["lsp", "--stdio"]);
     let early = client.ask_at("hover", UNSAVED, (0, 0));
     assert_eq!(early, Err("the first request is `initialize`".to_string()));
@@ -56,7 +56,7 @@ fn a_client_that_goes_without_leave_ends_the_server() {
 }
 
 #[test]
-fn what_is_no_message_is_refused_and_the_next_one_answered() {
+fn invalid_message_is_refused_and_the_next_one_answered() {
     let mut client = Client::start();
     for rubbish in [
         "{",

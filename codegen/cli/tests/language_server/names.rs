@@ -1,4 +1,4 @@
-//! Names of whole descriptions: does every one have a meaning, and is it kept when it is renamed?
+//! Every name in a description has a meaning, and keeps it when it is renamed.
 
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
 use linkwright_codegen::stages::emit::{Notation, text};
@@ -13,7 +13,7 @@ use linkwright_command::language_server::names::{Names, Sort};
 
 use crate::client::{descriptions, repository};
 
-/// Where descriptions without an error are.
+/// Folders of descriptions without an error.
 const FOLDERS: [&str; 5] = [
     "mechanisms",
     "tests/descriptions",
@@ -30,7 +30,7 @@ fn sources() -> Vec<Source> {
             all.push(attach_files(source, files::folder_of(&path)));
         }
     }
-    // The examples of the language reference.
+    // Examples of the language reference.
     let reference = std::fs::read_to_string(repository().join("mechanisms/README.md"));
     let reference = reference.expect("the reference");
     let blocks = reference.split("```mech\n").skip(1);
@@ -53,7 +53,7 @@ fn names(source: &Source) -> Names {
     }
 }
 
-/// The words of the language that may stand anywhere in a statement.
+/// Words of the language that may occur anywhere in a statement.
 fn is_word_of_the_language(word: &str) -> bool {
     let kinds = CONSTRAINTS.iter().chain(DRIVERS).map(|it| it.keyword());
     let words = [FUNCTIONS, LAWS, BUILT_IN, UNITS].concat();
@@ -80,17 +80,17 @@ fn every_word_is_a_name_or_one_of_the_language() {
                 continue;
             }
             let mention = names.mention_at(lexeme.start);
-            let found = mention.map(|it| &source.text[it.span.range()]);
+            let mentioned = mention.map(|it| &source.text[it.span.range()]);
             let position = source.position(lexeme.start as u32);
-            assert_eq!(found, Some(word), "{}:{}", source.name, position.line);
+            assert_eq!(mentioned, Some(word), "{}:{}", source.name, position.line);
             count += 1;
         }
     }
     assert!(count > 2000, "only {count} names");
 }
 
-/// The equations of every motion and what is asked of it, in words. Points are listed in the order of their names: where that of a point is
-/// another, they are ordered by where they are.
+/// Equations and requested quantities of every motion, in words. Points are listed in the order of their names; points
+/// with other names are ordered by their positions.
 fn equations(source: &Source, is_point: bool) -> Vec<String> {
     let read = read(source).unwrap_or_else(|found| panic!("{}", found.render(source)));
     let mut all = Vec::new();
@@ -117,12 +117,12 @@ fn equations(source: &Source, is_point: bool) -> Vec<String> {
         let mechanism = &system.mechanism;
         all.extend(mechanism.joints.iter().map(|it| it.label.clone()));
         all.extend(mechanism.constants.iter().map(|it| formula(it.value)));
-        let wanted = (
+        let expected = (
             &mechanism.requests,
             &mechanism.transmissions,
             &mechanism.sensitivities,
         );
-        all.push(format!("{wanted:?}"));
+        all.push(format!("{expected:?}"));
         let forces = &mechanism.forces;
         all.extend(forces.loads.iter().map(|it| it.label.clone()));
         all.push(format!("{:?}", forces.reactions));
@@ -130,7 +130,7 @@ fn equations(source: &Source, is_point: bool) -> Vec<String> {
     all
 }
 
-/// A text whose words are compared without regard to how long they are.
+/// Text whose words are compared irrespective of their lengths.
 fn words(text: &str) -> Vec<String> {
     let is_part = |it: char| it.is_alphanumeric() || it == '_';
     let spaced: String = text
@@ -140,10 +140,10 @@ fn words(text: &str) -> Vec<String> {
     spaced.split_whitespace().map(str::to_lowercase).collect()
 }
 
-/// What everything is called instead. A point of two bodies becomes one that names both, so a name must not look like that.
+/// New name of everything. A point of two bodies becomes one that names both, so a name must not look like that.
 const FRESH: &str = "zzfresh";
 
-/// Every name of every description is renamed, one by one: the description says the same, with another name.
+/// Renames every name of every description, one by one: the meaning is unchanged except for that name.
 #[test]
 fn a_renamed_description_says_the_same() {
     let mut count = 0;

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use crate::client::{Client, UNSAVED};
 use crate::editing::{CRANK, opened, place};
 
-/// A text with edits carried out, last first.
+/// Applies edits to a text, last first.
 pub(super) fn edited(text: &str, edits: &Value) -> String {
     let offset = |place: &Value| {
         let number = |name: &str| place[name].as_u64().expect("a number") as usize;
@@ -99,7 +99,7 @@ fn a_name_that_cannot_be_had_is_refused_in_the_words_of_the_diagnostic() {
 
 #[test]
 fn a_new_name_changes_no_meaning() {
-    // `mm` behind a number with a unit is a unit as long as no value is called so.
+    // `mm` behind a number with a unit is a unit unless a value has this name.
     let text = "mechanism m {\n    const k = 2;\n    body 1 at (0, 0) { P: (1, 0) }\n    mass 1 = 2kg;\n    gravity = (0, -9.81m/s^2);\n    absolute_x(1) = k;\n    absolute_y(1) = 0;\n    drive phi(1) = t;\n    effort;\n}\n";
     let mut client = opened(text);
     let refused = renamed(&mut client, text, "k = 2", "s");

@@ -1,4 +1,4 @@
-//! Parts and repetitions: each has one name, one entry in the outline, and is completed and renamed as one.
+//! Parts and repetitions: each has one name and one entry in the outline, and is completed and renamed as one.
 
 use crate::client::UNSAVED;
 use crate::completion::offered;
@@ -32,7 +32,7 @@ mechanism walker {
 ";
 
 #[test]
-fn what_is_repeated_has_one_name() {
+fn repeated_element_has_one_name() {
     let mut client = opened(WALKER);
     let mut ask = |method: &str, part: &str, number| {
         let answer = client.ask_at(method, UNSAVED, place(WALKER, part, number));
@@ -44,13 +44,13 @@ fn what_is_repeated_has_one_name() {
         ask("references", "n = 3", 0),
         [(9, 10), (10, 23), (15, 23), (19, 15)]
     );
-    // One point by each statement that declares one.
+    // One point for each statement that declares one.
     assert_eq!(ask("definition", "P[k - 1]", 0), [(14, 10), (16, 14)]);
     assert_eq!(
         ask("references", "P[2]", 0),
         [(14, 10), (16, 14), (17, 23), (17, 30), (17, 40), (19, 34)]
     );
-    // What a part declares, the part, and what it is a part of.
+    // Declaration in a part, the part, and its mechanism.
     assert_eq!(ask("definition", "crank) = i", 0), [(4, 9)]);
     assert_eq!(
         ask("references", "crank at", 0),
@@ -62,21 +62,21 @@ fn what_is_repeated_has_one_name() {
         ask("references", "size = 20mm", 0),
         [(2, 10), (3, 30), (11, 26)]
     );
-    let said = hover(&mut client, WALKER, "crank.B", 0);
+    let hover_text = hover(&mut client, WALKER, "crank.B", 0);
     assert!(
-        said.starts_with("```mech\nbody crank at A { A, B }\n```\n\nbody"),
-        "{said}"
+        hover_text.starts_with("```mech\nbody crank at A { A, B }\n```\n\nbody"),
+        "{hover_text}"
     );
-    assert!(said.contains("`phi_leg3_crank`"), "{said}");
-    let said = hover(&mut client, WALKER, "crank at", 0);
-    assert!(!said.contains("coordinates"), "{said}");
-    let said = hover(&mut client, WALKER, "leg[n]", 0);
-    assert!(said.contains("\n\npart"), "{said}");
+    assert!(hover_text.contains("`phi_leg3_crank`"), "{hover_text}");
+    let hover_text = hover(&mut client, WALKER, "crank at", 0);
+    assert!(!hover_text.contains("coordinates"), "{hover_text}");
+    let hover_text = hover(&mut client, WALKER, "leg[n]", 0);
+    assert!(hover_text.contains("\n\npart"), "{hover_text}");
     client.finish();
 }
 
 #[test]
-fn what_is_repeated_is_renamed_as_one() {
+fn repeated_element_is_renamed_as_one() {
     let mut client = opened(WALKER);
     let expected = WALKER
         .replace("body crank", "body arm")

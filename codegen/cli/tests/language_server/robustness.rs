@@ -1,10 +1,10 @@
-//! Half-typed text: does the server answer every time?
+//! The server answers every request about incomplete text.
 
 use serde_json::{Value, json};
 
 use crate::client::{Client, UNSAVED, repository};
 
-/// What is asked about every text.
+/// Requests about every text.
 const QUESTIONS: [&str; 6] = [
     "hover",
     "definition",
@@ -19,14 +19,15 @@ fn description(name: &str) -> String {
     std::fs::read_to_string(path).expect("a description")
 }
 
-/// The line and the column of an offset, in UTF-16.
+/// Line and column of an offset, in UTF-16.
 fn place(text: &str, offset: usize) -> (usize, usize) {
     let before = &text[..offset];
     let line = before.rsplit('\n').next().unwrap_or(before);
     (before.matches('\n').count(), line.encode_utf16().count())
 }
 
-/// Gives the server a text and asks everything about a place in it. A refusal is an answer, a failure of the server is none.
+/// Sends the server a text and all requests about a position in it. A refusal is an answer, a failure of the server is
+/// not.
 fn ask_all(client: &mut Client, text: &str, offset: usize) {
     client.change(UNSAVED, json!({ "text": text }));
     let at = place(text, offset);
@@ -60,7 +61,7 @@ fn started() -> Client {
     client
 }
 
-/// The server is there, and says of the last text what is to be said.
+/// Requires that the server responds, with the diagnostics of the last text.
 fn still_answers(mut client: Client) {
     client.change(
         UNSAVED,
@@ -93,7 +94,7 @@ fn the_excavator_without_each_of_its_lines() {
     still_answers(client);
 }
 
-/// Numbers that look like drawn by lot, the same on every run (Marsaglia, Xorshift RNGs, 2003).
+/// Pseudorandom numbers, equal on every run (Marsaglia, Xorshift RNGs, 2003).
 struct Lot(u64);
 
 impl Lot {
@@ -105,7 +106,7 @@ impl Lot {
     }
 }
 
-/// A mechanism that is a part of another, several times.
+/// Mechanism that is a part of another, several times.
 const PARTS: &str = "\
 mechanism leg {
     param size = 20mm;
@@ -163,7 +164,7 @@ fn pieces_of_descriptions_in_any_order() {
     still_answers(client);
 }
 
-/// Changes of a part of the text, wherever they are said to be.
+/// Changes of a part of the text, at any claimed position.
 #[test]
 fn any_range_can_be_changed() {
     let mut lot = Lot(0x9e37_79b9_7f4a_7c15);

@@ -1,4 +1,4 @@
-//! How long a keystroke takes: from the change of the text to what is said about it.
+//! Duration of a keystroke: from the change of the text to its diagnostics.
 //!
 //! `cargo test --profile optimized -p linkwright-cli --test language_server -- --ignored --nocapture speed`
 
@@ -8,7 +8,7 @@ use serde_json::json;
 
 use crate::client::{Client, UNSAVED, repository};
 
-/// What a keystroke may take, half of them less.
+/// Limit for the median duration of a keystroke.
 const MEDIAN: Duration = Duration::from_millis(50);
 
 fn description(name: &str) -> String {
@@ -16,7 +16,7 @@ fn description(name: &str) -> String {
     std::fs::read_to_string(path).expect("a description")
 }
 
-/// Types a text before another, one letter after the other; the times, sorted.
+/// Types a text before another, one letter after the other; returns the durations, sorted.
 fn typed(before: &str, text: &str, after: &str) -> Vec<Duration> {
     let mut client = Client::start();
     client.open(UNSAVED, &format!("{before}{after}"));
@@ -56,7 +56,8 @@ fn last_lines(name: &str, lines: usize) -> Vec<Duration> {
     typed(&body[..start], &body[start..], "\n}\n")
 }
 
-/// Types a comment into a description: every text in between is whole, so that all of its equations are derived every time.
+/// Types a comment into a description: every intermediate text is complete, so that all of its equations are derived
+/// every time.
 fn comment(name: &str) -> Vec<Duration> {
     let text = description(name);
     let (before, after) = text.split_at(text.rfind('}').expect("a closing brace"));

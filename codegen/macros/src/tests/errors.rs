@@ -1,4 +1,4 @@
-//! The findings in the text that is made of tokens are those in the text that was written, at the same tokens.
+//! Errors in the text made of tokens equal those in the original text, at the same tokens.
 
 use linkwright_codegen::diagnostic::{Diagnostic, Label, Source, Span};
 use linkwright_codegen::generate;
@@ -7,7 +7,7 @@ use proc_macro2::LineColumn;
 use super::{descriptions, tokens};
 use crate::written::Written;
 
-/// The errors of a description, or its warnings where it has no error.
+/// Errors of a description, or its warnings if it has no error.
 fn findings(source: &Source) -> Vec<Diagnostic> {
     match generate(source) {
         Ok(generated) => generated.warnings.into_sorted(),
@@ -15,7 +15,7 @@ fn findings(source: &Source) -> Vec<Diagnostic> {
     }
 }
 
-/// A finding without its places.
+/// Finding without its locations.
 fn words(finding: &Diagnostic) -> Diagnostic {
     let words = |label: &Label| Label {
         span: Span::empty(0),
@@ -32,24 +32,30 @@ fn words(finding: &Diagnostic) -> Diagnostic {
 fn every_finding_is_at_its_token() {
     let (mut files, mut places) = (0, 0);
     for source in descriptions("tests/cases/errors") {
-        // What is not made of tokens is refused by the compiler.
+        // The compiler refuses text that is not made of tokens.
         let Some(tokens) = tokens(&source.text) else {
             continue;
         };
         let written = Written::of(&tokens);
         let expected = findings(&source);
-        let found = findings(&Source {
+        let from_tokens = findings(&Source {
             text: written.text.clone(),
             ..source.clone()
         });
-        let all_words = |found: &[Diagnostic]| found.iter().map(words).collect::<Vec<_>>();
-        assert_eq!(all_words(&found), all_words(&expected), "{}", source.name);
-        for (found, expected) in found.iter().zip(&expected) {
+        let all_words =
+            |from_tokens: &[Diagnostic]| from_tokens.iter().map(words).collect::<Vec<_>>();
+        assert_eq!(
+            all_words(&from_tokens),
+            all_words(&expected),
+            "{}",
+            source.name
+        );
+        for (from_tokens, expected) in from_tokens.iter().zip(&expected) {
             let labels = |finding: &Diagnostic| {
                 let labels = std::iter::once(&finding.primary).chain(&finding.secondary);
                 labels.map(|label| label.span).collect::<Vec<_>>()
             };
-            for (place, expected) in labels(found).into_iter().zip(labels(expected)) {
+            for (place, expected) in labels(from_tokens).into_iter().zip(labels(expected)) {
                 let [first, last] = written.tokens_at(place);
                 let position = source.position(expected.start);
                 let position = LineColumn {
@@ -58,10 +64,14 @@ fn every_finding_is_at_its_token() {
                 };
                 if expected.range().is_empty() {
                     // Between two tokens, or at the end of the file.
-                    assert!(first.start() <= position, "{}: {found:?}", source.name);
+                    assert!(
+                        first.start() <= position,
+                        "{}: {from_tokens:?}",
+                        source.name
+                    );
                 } else {
                     let within = first.start() <= position && position < first.end();
-                    assert!(within, "{}: {position:?} {found:?}", source.name);
+                    assert!(within, "{}: {position:?} {from_tokens:?}", source.name);
                     let end = source.position(expected.end);
                     let end = (end.line, end.column - 1);
                     let last = last.end();

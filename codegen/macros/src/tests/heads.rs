@@ -1,4 +1,4 @@
-//! What is said before the description.
+//! Heads of invocations: attributes, visibility and options.
 
 use crate::expansion::expand;
 
@@ -10,13 +10,13 @@ const CRANK: &str = "mechanism crank {
     drive phi(1) = t;
 }";
 
-/// The expansion as text.
+/// Expansion as text.
 fn expanded(head: &str, description: &str) -> String {
     let input = format!("{head}\n{description}").parse().expect("tokens");
     expand(input).to_string()
 }
 
-/// The errors, without a word about where.
+/// Errors without their locations.
 fn errors(head: &str, description: &str) -> Vec<String> {
     let text = expanded(head, description);
     let parts = text.split(":: core :: compile_error ! {").skip(1);
@@ -37,8 +37,8 @@ fn attributes_and_visibility_are_those_of_the_module() {
     let text = expanded("", &format!("{CRANK}\n/// Both.\n{walker}"));
     assert!(text.contains("] pub mod walker {"), "{text}");
     assert!(text.starts_with("# [doc = \" Both.\"]"), "{text}");
-    let found = errors("pub", &format!("{CRANK}\n{walker}"));
-    assert!(!found.is_empty(), "{found:?}");
+    let errors_of_several = errors("pub", &format!("{CRANK}\n{walker}"));
+    assert!(!errors_of_several.is_empty(), "{errors_of_several:?}");
     let text = expanded("pub", &CRANK.replace("crank", "type"));
     assert!(text.contains("pub mod r#type {"), "{text}");
     let text = expanded("pub", &CRANK.replace("crank", "BigCrank"));
@@ -72,14 +72,14 @@ fn options_that_do_not_exist_are_errors() {
         ("#![scalar(f32)] #![scalar(f32)]", "`scalar` is given twice"),
         ("#![math(1)]", "which is no path of a module"),
     ] {
-        let found = expanded(head, CRANK);
-        assert!(found.contains("compile_error"), "{head}: {found}");
-        assert!(found.contains(expected), "{head}: {found}");
+        let expansion = expanded(head, CRANK);
+        assert!(expansion.contains("compile_error"), "{head}: {expansion}");
+        assert!(expansion.contains(expected), "{head}: {expansion}");
     }
     // Together with those of the description.
-    let found = errors("#![scalar(f16)]", &CRANK.replace("= t", "= s"));
-    assert_eq!(found.len(), 2, "{found:?}");
-    assert!(found[1].contains("K11: "), "{found:?}");
+    let both_errors = errors("#![scalar(f16)]", &CRANK.replace("= t", "= s"));
+    assert_eq!(both_errors.len(), 2, "{both_errors:?}");
+    assert!(both_errors[1].contains("K11: "), "{both_errors:?}");
 }
 
 #[test]
@@ -90,10 +90,13 @@ fn errors_say_code_cause_and_help() {
             "\"K13: unknown function `sine`\\nnot a function of this language\\nhelp: did you mean `sin`?\" }"
         ]
     );
-    let found = errors("", "");
-    assert!(found[0].contains("K06: "), "{found:?}");
-    let found = errors("", &CRANK.replace("crank", "super"));
-    assert!(found[0].contains("Rust reserves this word"), "{found:?}");
+    let error_texts = errors("", "");
+    assert!(error_texts[0].contains("K06: "), "{error_texts:?}");
+    let error_texts = errors("", &CRANK.replace("crank", "super"));
+    assert!(
+        error_texts[0].contains("Rust reserves this word"),
+        "{error_texts:?}"
+    );
 }
 
 #[test]

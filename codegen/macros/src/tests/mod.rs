@@ -1,4 +1,5 @@
-//! The descriptions of the repository as tokens: what they mean, where their errors are, and what becomes of them when they are mutated.
+//! The descriptions of the repository as tokens: their meaning, the locations of their errors, and the effects of
+//! mutations.
 
 mod errors;
 mod heads;
@@ -15,7 +16,7 @@ use proc_macro2::{Group, Span, TokenStream, TokenTree};
 use crate::head::Head;
 use crate::tokens::{Token, flat};
 
-/// The descriptions in a folder of the repository, in the order of their names.
+/// Descriptions in a folder of the repository, in the order of their names.
 fn descriptions(folder: &str) -> Vec<Source> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("../..")
@@ -33,13 +34,13 @@ fn descriptions(folder: &str) -> Vec<Source> {
     paths.into_iter().map(read).collect()
 }
 
-/// The tokens of a description, where it is made of tokens.
+/// Tokens of a description; `None` if it is not made of tokens.
 fn tokens(text: &str) -> Option<Vec<Token>> {
     let stream: TokenStream = text.parse().ok()?;
     Some(flat(Head::read(stream).description))
 }
 
-/// The same tokens from nowhere, as a macro may hand them on.
+/// Tokens without locations, as a macro may pass them on.
 fn displaced(stream: TokenStream) -> TokenStream {
     let trees = stream.into_iter().map(|tree| {
         let mut tree = match tree {
@@ -55,11 +56,11 @@ fn displaced(stream: TokenStream) -> TokenStream {
     trees.collect()
 }
 
-/// Numbers that look random and are the same on every run: xorshift, after Marsaglia 2003.
+/// Pseudorandom numbers that are equal on every run: xorshift, after Marsaglia 2003.
 struct Random(u64);
 
 impl Random {
-    /// A number below `limit`, which is not 0.
+    /// Returns a number below `limit`, which is not 0.
     fn below(&mut self, limit: usize) -> usize {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;

@@ -1,11 +1,11 @@
-//! Whatever the tokens are: items come out, with a module or with errors, and nothing panics.
+//! Any tokens expand to items, with a module or with errors, without a panic.
 
 use proc_macro2::{Delimiter, Group, Literal, Punct, Spacing, TokenStream, TokenTree};
 
 use super::{Random, descriptions, displaced};
 use crate::expansion::expand;
 
-/// How many changed descriptions are expanded.
+/// Number of changed descriptions that are expanded.
 const CASES: usize = 1500;
 
 /// Pieces of the language, of Rust and of trouble.
@@ -57,12 +57,12 @@ fn is_warning(item: &syn::Item) -> bool {
     matches!(item, syn::Item::Const(it) if it.ident == "_")
 }
 
-/// What an expansion must be: items, which are one module or nothing but errors.
+/// Requires that an expansion consists of items, which are one module or only errors; returns true for a module.
 fn assert_items(input: &TokenStream) -> bool {
     let output = expand(input.clone());
     let file: syn::File =
         syn::parse2(output).unwrap_or_else(|error| panic!("{error} in the items of {input}"));
-    // Beside errors there may be warnings.
+    // Besides errors there may be warnings.
     let is_finding = |item: &syn::Item| matches!(item, syn::Item::Macro(_)) || is_warning(item);
     let is_module = matches!(file.items.as_slice(), [syn::Item::Mod(_)]);
     let is_wrong = file.items.iter().all(is_finding) && !file.items.iter().all(is_warning);
@@ -120,7 +120,7 @@ fn tokens_that_nobody_can_write_are_told_apart() {
         number(),
     ];
     assert!(!assert_items(&trees.into_iter().collect()));
-    // Deeper than anybody counts.
+    // Far deeper than any description.
     let mut nested = TokenStream::new();
     for _ in 0..2000 {
         nested = TokenTree::Group(Group::new(Delimiter::Parenthesis, nested)).into();

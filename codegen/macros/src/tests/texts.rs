@@ -1,4 +1,4 @@
-//! What is read from tokens is what was written.
+//! The text written from tokens equals the original text.
 
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::generate;
@@ -9,7 +9,7 @@ use crate::head::Head;
 use crate::tokens::flat;
 use crate::written::Written;
 
-/// The module of a description.
+/// Module of a description.
 fn module(source: &Source) -> String {
     match generate(source) {
         Ok(generated) => generated.code,
@@ -17,7 +17,7 @@ fn module(source: &Source) -> String {
     }
 }
 
-/// A line without the comment that it ends with, if that documents nothing, and without blanks at its end.
+/// Line without the comment that ends it, if that documents nothing, and without trailing blanks.
 fn without_comment(line: &str) -> &str {
     let documents = |it: &str| it.starts_with("///") || it.starts_with("//!");
     match line.find("//").filter(|&at| !documents(&line[at..])) {
@@ -69,7 +69,7 @@ fn lines_and_columns_are_those_that_are_written() {
 }
 
 #[test]
-fn what_stands_side_by_side_or_apart_does_so_again() {
+fn adjacent_and_separate_tokens_stay_so() {
     for text in [
         "mechanism a { x = 1.P; }",
         "mechanism a{drive   d:a.x=30deg+1e-3mm*2^-1->b;}",

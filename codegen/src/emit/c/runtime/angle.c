@@ -15,7 +15,7 @@ $real linkwright$f_cos($real angle)
     return cosine;
 }
 
-/* The angle of a vector whose larger component is of ordinary size. */
+/* Angle of a vector whose larger component is of ordinary magnitude. */
 static $real ordinary_angle$f($real y, $real x)
 {
     const $real across = fabs$f(y);
@@ -39,12 +39,12 @@ static $real ordinary_angle$f($real y, $real x)
         start = PI$f;
         lacking = 4.0$f * QUARTER_REST$f;
     } else {
-        /* It is within pi/4 of the x axis. */
+        /* The vector is within pi/4 of the x axis. */
     }
     return copysign$f(start + (((is_steep == is_behind) ? octant : -octant) + lacking), y);
 }
 
-/* A component of a vector that is not, brought to ordinary size. */
+/* Component of another vector, scaled to ordinary magnitude. */
 static $real scaled_component$f($real component, $real scale, bool is_infinite, bool is_zero, $real otherwise)
 {
     $real size = scale * fabs$f(component);
@@ -81,7 +81,7 @@ $real linkwright$f_atan2($real y, $real x)
     return ordinary_angle$f(scaled_y, scaled_x);
 }
 
-/* The angle that differs from another one by whole turns and is nearest to a third (rad). */
+/* Angle that differs from another one by whole turns and is nearest to a third (rad). */
 static $real nearest_turn$f($real angle, $real near_angle)
 {
     const $real gap = near_angle - angle;
@@ -92,7 +92,7 @@ static $real nearest_turn$f($real angle, $real near_angle)
     return turned;
 }
 
-/* From one frame to the next an angle moves little: it is measured from the multiple of pi/4 next to the last one. */
+/* From one frame to the next an angle moves little: it is measured from the multiple of pi/4 next to the last angle. */
 $real linkwright$f_angle_near($real sine, $real cosine, $real near_angle)
 {
     const $real moved = (near_angle * (4.0$f / PI$f)) + ROUNDER$f;

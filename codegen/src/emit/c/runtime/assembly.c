@@ -1,27 +1,26 @@
 
 /* Assembly from a poor estimate. */
 
-/* The largest number of times that one step is shortened, and the smallest part of a step that is taken. */
+/* Largest number of times that one step is shortened, and smallest part of a step that is taken. */
 #define SHORTENINGS$F 8U
 static const $real SMALLEST_PART$f = 1e-4$f;
 
-/* The ratio of two consecutive corrections at full length below which plain Newton-Raphson takes over, and the share
-   of the part of a step by which the next correction must at least be shorter. */
+/* Ratio of two consecutive corrections at full length below which plain Newton-Raphson continues. The next
+   correction must be shorter by at least the second part of the step's fraction. */
 static const $real NEAR_RATIO$f = 0.25$f;
 static const $real LEAST_GAIN$f = 0.25$f;
 
-/* The largest number of steps of the least squares, and the scaled residual at which their estimate is good enough.
-   */
+/* Largest number of least-squares steps, and scaled residual at which their estimate is good enough. */
 #define STEPS$F 60U
 static const $real GOOD$f = 1e-4$f;
 
-/* The first damping of the least squares, relative to the largest entry of the diagonal, and the smallest part of it
-   that a step may leave which gains what it promised. */
+/* First damping of the least squares, relative to the largest entry of the diagonal, and smallest factor of the
+   damping after a step with the predicted gain. */
 static const $real FIRST_DAMPING$f = 1e-2$f;
 static const $real LARGEST_EASING$f = 1.0$f / 3.0$f;
 
-/* Moves an estimate to a pose by damped steps as long as they are needed (Deuflhard, Newton Methods for Nonlinear
-   Problems, 2004, section 3.3.3, algorithm NLEQ-ERR), and on by Newton-Raphson. */
+/* Moves an estimate to a pose by damped steps while they are needed (Deuflhard, Newton Methods for Nonlinear
+   Problems, 2004, section 3.3.3, algorithm NLEQ-ERR), then by Newton-Raphson. */
 static linkwright_status solved_damped$f(const linkwright$f_equations *equations, $real pose[],
     const linkwright$f_conditions *conditions)
 {
@@ -39,7 +38,7 @@ static linkwright_status solved_damped$f(const linkwright$f_equations *equations
     linkwright$f_factorization factorization;
     Convergence$f convergence = {0U, {0.0$f, 0U}};
     Watch$f unwatched = {LINKWRIGHT_NEAREST, false, false, 0.0$f, NULL};
-    /* The length of the step before, and its part. */
+    /* Length of the step before, and its part. */
     bool is_expected = false;
     $real last_length = 0.0$f;
     $real last_part = 0.0$f;
@@ -88,13 +87,13 @@ static linkwright_status solved_damped$f(const linkwright$f_equations *equations
                 (void)memcpy(pose, trial, n * sizeof($real));
                 convergence.residual = after;
             } else {
-                /* How far the correction is from the one that a linear system would have left. */
+                /* Difference of the correction from that of a linear system. */
                 for (size_t k = 0U; k < n; k += 1U) {
                     linear[k] = update[k] * (1.0$f - part);
                 }
                 const $real bend = distance$f(equations, correction, linear);
                 const $real better = (((0.5$f * length) * part) * part) / bend;
-                /* The smaller of the two, and the half if the other is no number. */
+                /* The smaller of the two, and the half if the other is NaN. */
                 part = smaller$f(0.5$f * part, better);
                 shortenings++;
                 if ((part < SMALLEST_PART$f) || (shortenings > SHORTENINGS$F)) {
@@ -112,7 +111,7 @@ static linkwright_status solved_damped$f(const linkwright$f_equations *equations
     return solved$f(equations, pose, &unwatched, &convergence, conditions);
 }
 
-/* Scales residuals and gives the sum of their squares. */
+/* Scales residuals and returns the sum of their squares. */
 static $real sum_of_squares$f(const linkwright$f_equations *equations, $real phi[])
 {
     $real sum = 0.0$f;
@@ -123,7 +122,7 @@ static $real sum_of_squares$f(const linkwright$f_equations *equations, $real phi
     return sum;
 }
 
-/* Scales a Jacobian J, and gives J^T J and J^T Phi. */
+/* Scales a Jacobian J, and computes J^T J and J^T Phi. */
 static void assemble_normal$f(const linkwright$f_equations *equations, $real jacobian[], const $real phi[],
     $real normal[], $real gradient[])
 {
@@ -194,7 +193,7 @@ static void approach$f(const linkwright$f_equations *equations, $real q[], $real
         }
         negated$f(step, gradient, n);
         linkwright$f_solve_factorized(&factorization, step);
-        /* What a linear system would gain. */
+        /* Gain that the linear system predicts. */
         $real promised = 0.0$f;
         for (size_t k = 0U; k < n; k += 1U) {
             promised += step[k] * ((damping * step[k]) - gradient[k]);
@@ -220,7 +219,7 @@ static void approach$f(const linkwright$f_equations *equations, $real q[], $real
     }
 }
 
-/* Goes on to a frame from a start, with the branch at its end if one is asked for. */
+/* Solves for a frame from a start, with a required branch at its end if any. */
 static linkwright_status finished$f(const linkwright$f_equations *equations, const $real start[],
     linkwright_branch branch, linkwright$f_tears *found, const linkwright$f_conditions *conditions)
 {
@@ -229,14 +228,14 @@ static linkwright_status finished$f(const linkwright$f_equations *equations, con
     return completed$f(equations, found, &watch, conditions);
 }
 
-/* Assembles from an estimate that may be poor: least squares first, then Newton-Raphson, plain and damped, on the
-   estimate as it is. */
+/* Assembles from an estimate that may be poor: least squares first, then plain and damped Newton-Raphson from the
+   given estimate. */
 static linkwright_status assembled_from_afar$f(const linkwright$f_equations *equations, const $real estimate[],
     linkwright_branch branch, linkwright$f_tears *found, const linkwright$f_conditions *conditions)
 {
     const size_t n = equations->order;
     linkwright$f_failure *const failure = conditions->failure;
-    /* Nothing else uses the end of the room. */
+    /* Nothing else uses the end of the workspace. */
     $real *const start = &equations->reals[(LINKWRIGHT_NEWTON_REALS(n)) - n];
     (void)memcpy(start, estimate, n * sizeof($real));
     approach$f(equations, start, conditions->t);
@@ -266,12 +265,12 @@ static linkwright_status assembled_from_afar$f(const linkwright$f_equations *equ
     } else if (status != LINKWRIGHT_WRONG_BRANCH) {
         *failure = first;
     } else {
-        /* It is noted already. */
+        /* The failure is noted already. */
     }
     return failure->status;
 }
 
-/* Whether the equations hold at a pose. */
+/* True if the equations hold at a pose. */
 static bool holds$f(const linkwright$f_equations *equations, const $real q[], $real phi[],
     const linkwright$f_conditions *conditions)
 {
@@ -279,13 +278,13 @@ static bool holds$f(const linkwright$f_equations *equations, const $real q[], $r
     return residual_of$f(equations, phi).magnitude <= conditions->settings->tolerance;
 }
 
-/* Takes whole turns off the angles that a search from afar has wound up, as far as the equations hold without them: of all
-   together, or else one by one. A rack counts the turns of its wheel. */
+/* Removes whole turns from angles that a search from far away has wound up, if the equations hold without them: from
+   all together, otherwise one by one. A rack counts the turns of its wheel. */
 static void unwind$f(const linkwright$f_equations *equations, $real q[], const $real near[],
     const linkwright$f_conditions *conditions)
 {
     const size_t n = equations->order;
-    /* The room is free after the search. */
+    /* The workspace is free after the search. */
     $real *const unwound = equations->reals;
     $real *const phi = &equations->reals[n];
     bool is_wound = false;
@@ -295,7 +294,7 @@ static void unwind$f(const linkwright$f_equations *equations, $real q[], const $
         is_wound = is_wound || (unwound[k] != q[k]);
     }
     if (!is_wound) {
-        /* As found. */
+        /* The angles stay as computed. */
     } else if (holds$f(equations, unwound, phi, conditions)) {
         (void)memcpy(q, unwound, n * sizeof($real));
     } else {
@@ -309,8 +308,8 @@ static void unwind$f(const linkwright$f_equations *equations, $real q[], const $
     }
 }
 
-/* Assembles a block near an estimate, with angles near those of the estimate where the equations leave it open how often
-   they have gone round. */
+/* Assembles a block near an estimate, with angles near those of the estimate if the equations do not count their
+   turns. */
 static linkwright_status assembled_block$f(const linkwright$f_equations *equations,
     const linkwright$f_tears *estimate, linkwright_branch *branch, linkwright$f_tears *found,
     linkwright$f_measure *measure, const linkwright$f_conditions *conditions)

@@ -1,31 +1,31 @@
 
-/* Chains of cells: two unknowns each, two equations that link a cell to the next one, and two more that may read every
-   cell. Where an equation is not met, every cell before its link follows from the first one, and every cell behind it
-   from the last one, as if nothing had happened: so the inverse C of the Jacobian has rank two on either side of the
-   links, and is never written out. */
+/* Chains of cells: two unknowns each, two equations that link a cell to the next one, and two more that may read
+   every cell. If one equation is off, every cell before its link follows from the first cell as in an exact chain.
+   Every cell behind the link follows from the last cell. The inverse C of the Jacobian therefore has rank two on
+   either side of the links, and is never written out. */
 
-/* The largest derivative of an unknown by those of the first or the last cell. Beyond it rounding grows along the
-   chain. */
+/* Largest derivative of an unknown by those of the first or the last cell. Beyond it, rounding grows along the chain. */
 static const $real LARGEST_TRANSFER$f = 64.0$f;
 
 /* Each array holds two numbers for each of n unknowns or equations. */
 typedef struct linked$f {
     const linkwright$f_chord *chord;
     size_t order;
-    /* The derivatives of each unknown by those of the first and of the last cell, where all links hold. */
+    /* Derivatives of each unknown by those of the first and of the last cell if all links hold. */
     $real *from_first;
     $real *from_last;
-    /* What the unknowns of the first and of the last cell do where an equation is off by 1. */
+    /* Changes of the first and of the last cell's unknowns for an equation that is off by 1. */
     $real *first;
     $real *last;
-    /* What the columns of the product of C and what turns do to the first cell, to the last one, and to their own. */
+    /* Effects of the columns of the product of C and the rotating columns on the first cell, on the last one, and on
+       their own. */
     $real *turned_first;
     $real *turned_last;
     $real *turned_own;
     $real *vector;
 } linked$f;
 
-/* The derivatives of the equations of a link by the unknowns of a cell, row by row. */
+/* Derivatives of the equations of a link by the unknowns of a cell, row by row. */
 static void square$f(const linked$f *chain, size_t link, size_t cell, $real found[4])
 {
     for (size_t row = 0U; row < 2U; row += 1U) {
@@ -67,8 +67,8 @@ static void product$f(const $real left[4], const $real right[4], $real found[4])
     }
 }
 
-/* The derivatives of all unknowns by those of the first cell, or in reverse of the last one. False where a link does
-   not determine one of its cells from the other, or only just. */
+/* Derivatives of all unknowns by those of the first cell, or in reverse of the last one. False if a link does not
+   determine one of its cells from the other, or is nearly singular. */
 static bool transfers$f(const linked$f *chain, bool is_reversed, $real found[])
 {
     const size_t cells = chain->order / 2U;
@@ -102,14 +102,14 @@ static bool transfers$f(const linked$f *chain, bool is_reversed, $real found[])
     return is_small;
 }
 
-/* What the unknowns of the first cell do where an equation is off by 1, or in reverse those of the last one. */
+/* Changes of the first cell's unknowns for an equation that is off by 1, or in reverse those of the last cell. */
 static bool responses$f(const linked$f *chain, bool is_reversed, $real found[])
 {
     const size_t cells = chain->order / 2U;
     $real seen[4];
     $real answer[4];
     bool is_regular = true;
-    /* What the last equations see where a cell moves, and all cells behind it follow. */
+    /* Change of the last equations for a moved cell if all cells behind it follow. */
     square$f(chain, cells - 1U, is_reversed ? 0U : (cells - 1U), seen);
     for (size_t place = cells - 1U; (place > 0U) && is_regular; place -= 1U) {
         const size_t far_cell = is_reversed ? ((cells - 1U) - place) : place;
@@ -153,7 +153,7 @@ static bool responses$f(const linked$f *chain, bool is_reversed, $real found[])
     return is_regular;
 }
 
-/* Adds what some equations of a column of what turns do to the first or the last cell. */
+/* Adds the effect of some equations of a rotating column on the first or the last cell. */
 static void respond$f(const linked$f *chain, const $real responses[], size_t link, size_t column, $real sum[2])
 {
     for (size_t row = 2U * link; row < ((2U * link) + 2U); row += 1U) {
@@ -163,7 +163,7 @@ static void respond$f(const linked$f *chain, const $real responses[], size_t lin
     }
 }
 
-/* The product of C and what turns. */
+/* Product of C and the rotating columns. */
 static void turn_chain$f(const linked$f *chain)
 {
     const size_t cells = chain->order / 2U;
@@ -195,7 +195,7 @@ static void turn_chain$f(const linked$f *chain)
     }
 }
 
-/* Adds what both places of a cell or a link do, or how large that is. */
+/* Adds the effects of both entries of a cell or a link, or their magnitudes. */
 static void gather$f(const $real responses[], size_t cell, bool is_size, const $real vector[], $real sum[2])
 {
     for (size_t place = 2U * cell; place < ((2U * cell) + 2U); place += 1U) {
@@ -206,8 +206,9 @@ static void gather$f(const $real responses[], size_t cell, bool is_size, const $
     }
 }
 
-/* What the places of a vector do to all cells, by what each of them does to the first and the last one: from behind a
-   cell to those before it, and the other way round. Those of a link are behind its cell, and those of a cell nowhere. */
+/* Effects of a vector's entries on all cells, from their effects on the first and the last cell: entries behind a
+   cell act on the cells before them, and the others the other way round. Entries of a link are behind its cell; those
+   of a cell act on neither side. */
 static void sides$f(const linked$f *chain, const $real *const ends[2], bool are_links, bool is_size, const $real vector[],
     $real found[])
 {
@@ -235,14 +236,14 @@ static void sides$f(const linked$f *chain, const $real *const ends[2], bool are_
     }
 }
 
-/* The product of C, or of the magnitudes that it has, with a vector. */
+/* Product of C, or of its magnitudes, with a vector. */
 static void times_chain$f(const linked$f *chain, const $real vector[], bool is_size, $real found[])
 {
     const $real *const ends[2] = {chain->first, chain->last};
     sides$f(chain, ends, true, is_size, vector, found);
 }
 
-/* The product of the magnitudes of C and what turns with a vector. */
+/* Product of the magnitudes of C and the rotating columns with a vector. */
 static void spread_chain$f(const linked$f *chain, const $real vector[], $real found[])
 {
     const $real *const ends[2] = {chain->turned_first, chain->turned_last};
@@ -255,7 +256,7 @@ static void spread_chain$f(const linked$f *chain, const $real vector[], $real fo
     }
 }
 
-/* What the operator of Newton leaves of the line at least. */
+/* Least remainder of the Newton operator on the chord. */
 static void begin_chain$f(const linked$f *chain, const linkwright$f_isolation *isolation)
 {
     const linkwright$f_chord *const chord = chain->chord;
@@ -279,8 +280,7 @@ static void begin_chain$f(const linked$f *chain, const linkwright$f_isolation *i
         off[row] += chord->bounds[row];
     }
     times_chain$f(chain, second, false, least);
-    /* What is left beside second derivatives: half of d to the fourth of the cosine's, and the cube of d of the
-       sine's. */
+    /* Remainder beside second derivatives: half of d to the fourth for the cosine, and the cube of d for the sine. */
     for (size_t k = 0U; k < n; k += 1U) {
         const $real square = chord->changes[k] * chord->changes[k];
         chain->vector[k] = (0.5$f * square) * square;
@@ -297,7 +297,7 @@ static void begin_chain$f(const linked$f *chain, const linkwright$f_isolation *i
     }
 }
 
-/* Where the operator takes the deviations: |sin d| is at most d, and 1 - cos d at most d^2 / 2. */
+/* Image of the deviations under the operator: |sin d| is at most d, and 1 - cos d at most d^2 / 2. */
 static void spread_deviations$f(const linked$f *chain, const linkwright$f_isolation *isolation)
 {
     const $real *const changes = chain->chord->changes;
@@ -357,7 +357,7 @@ void linkwright$f_isolate_chain(linkwright$f_isolation *isolation, uint16_t orde
     if (!isolation->is_shown && (window->steps <= 1.0$f)) {
         linkwright$f_isolate(isolation, order, blocks, chord, variation, reals);
         while (linkwright$f_isolation_needs_variation(isolation)) {
-            /* What turns does not vary beside. */
+            /* The rotating columns do not vary otherwise. */
         }
     }
 }

@@ -1,26 +1,25 @@
 
-/* What closed-form blocks need besides arithmetic. */
+/* Functions of closed-form blocks besides arithmetic. */
 
 const linkwright$f_settings LINKWRIGHT$F_SETTINGS = {$tolerance, 25U, 64.0$f * $FLT_EPSILON, true, 256U};
 
-/* The multiple of the rounding below which the square of a sine is rounding: links that enclose so small an angle
-   are in line. */
+/* Multiple of the rounding below which the square of a sine is rounding: links that enclose so small an angle are
+   collinear. */
 static const $real FOLD$f = 16.0$f;
 
-/* The multiple of the smallest normal number below which the square of a half chord is no longer rounded in
-   proportion. */
+/* Multiple of the smallest normal number below which the square of a half chord is no longer rounded in proportion. */
 static const $real UNDERFLOW$f = 8.0$f;
 
-/* The multiple of the rounding below which a change of a coordinate, or a residual, is rounding. */
+/* Multiple of the rounding below which a change of a coordinate, or a residual, is rounding. */
 static const $real ROUNDING$f = 4.0$f;
 
-/* The larger of two numbers; the other one if one is NaN. */
+/* Larger of two numbers; the other one if one is NaN. */
 static $real larger$f($real a, $real b)
 {
     return ((a > b) || (isnan(b) != 0)) ? a : b;
 }
 
-/* The smaller of two numbers; the other one if one is NaN. */
+/* Smaller of two numbers; the other one if one is NaN. */
 static $real smaller$f($real a, $real b)
 {
     return ((a < b) || (isnan(b) != 0)) ? a : b;
@@ -74,7 +73,7 @@ linkwright_status linkwright$f_fail_out_of_reach($real distance, $real longest, 
         status = LINKWRIGHT_OUT_OF_REACH;
         value = least - distance;
     } else {
-        /* They do, and are in line. */
+        /* The links reach, and are collinear. */
     }
     return noted$f(conditions->failure, status, value, 0U, conditions->t, block);
 }
@@ -146,7 +145,7 @@ static size_t pieces_begun$f(const linkwright$f_table *table, $real x)
     if (table->spacing > 0.0$f) {
         const $real place = (x - table->starts[0]) / table->spacing;
         size_t guess = 0U;
-        /* Negative quotients and NaN are the first place, and large ones the last. */
+        /* Negative quotients and NaN become the first index, and large ones the last. */
         if (place >= ($real)(count - 1U)) {
             guess = count - 1U;
         } else if (place > 0.0$f) {
@@ -154,7 +153,7 @@ static size_t pieces_begun$f(const linkwright$f_table *table, $real x)
         } else {
             /* The first. */
         }
-        /* Rounding may put a place beside a start into the neighbouring piece. */
+        /* Rounding may move an argument beside a start into the neighbouring piece. */
         if (!(table->starts[guess] <= x)) {
             begun = guess;
         } else if (((guess + 1U) < count) && (table->starts[guess + 1U] <= x)) {
@@ -185,7 +184,7 @@ void linkwright$f_table_at(const linkwright$f_table *table, $real x, $real found
     }
     size_t begun = pieces_begun$f(table, inside);
     if ((begun == 0U) && (table->period > 0.0$f)) {
-        /* Rounding may bring a place into the period just before its start, where the first piece goes on. */
+        /* Rounding may move an argument into the period just before its start, where the first piece continues. */
         begun = 1U;
     }
     if (begun == 0U) {

@@ -1,7 +1,7 @@
 
-/* Frames on both sides of a pose at which modes meet: the smooth path through it. Four frames on each side know it. Their
-   even and odd differences of the highest order vanish for a smooth motion; a kink shows in them. Near the meeting,
-   where equations are nearly singular, frames are interpolated between these eight. */
+/* Frames on both sides of a change point, and the smooth path through it. Four frames on each side determine it.
+   Their even and odd differences of the highest order vanish for a smooth motion; a kink shows in them. Near the
+   change point, where equations are nearly singular, frames are interpolated between these eight. */
 
 /* Number of frames on each side. */
 #define NODES$F 4U
@@ -11,32 +11,32 @@
 static const $real EVEN$f[NODES$F] = {-7.0$f, 14.0$f, -9.0$f, 2.0$f};
 static const $real ODD$f[NODES$F] = {-14.0$f, 14.0$f, -6.0$f, 1.0$f};
 
-/* Largest difference of the smooth path, as a part of the distance of the modes: where it is gone through, and where it
-   is interpolated. */
+/* Largest difference of the smooth path, relative to the distance of the modes, for passing a change point, and for
+   interpolation. */
 static const $real SMOOTH$f = 1.0$f / 64.0$f;
 static const $real EXACT$f = 1.0$f / 16384.0$f;
 
-/* Multiple of the square of the distance of the modes up to which those of other blocks meet in the same instant. */
+/* Multiple of the squared distance of the modes up to which modes of other blocks meet at the same instant. */
 static const $real ALIKE$f = 64.0$f;
 
-/* Number of the times, each closer to a meeting than the one before, at which modes of another block are looked at, and
-   part to which the square of their distance falls there if they meet. */
+/* Number of times at which modes of another block are compared, each closer to a change point than the one before.
+   The square of their distance falls by the factor there if they meet. */
 #define NEARER$F 3U
 static const $real FALLEN$f = 0.25$f;
 
 /* Number of the first blocks whose modes may be exchanged. */
 #define MEETING_BLOCKS$F 64U
 
-/* The modes before a meeting and beyond it. */
+/* Modes before a change point and beyond it. */
 typedef struct Sides$f {
     const void *before;
     const void *beyond;
 } Sides$f;
 
-/* The weights of a frame: its side, its distance from the meeting and the index of that. */
+/* Weights of a frame: from its side, its distance from the change point and the index of that. */
 typedef void Weights$f($real place, $real side, $real distance, size_t index, $real weights[2]);
 
-/* Those of the highest differences. */
+/* Weights of the highest differences. */
 static void differences$f($real place, $real side, $real distance, size_t index, $real weights[2])
 {
     (void)place;
@@ -45,7 +45,7 @@ static void differences$f($real place, $real side, $real distance, size_t index,
     weights[1] = side * ODD$f[index];
 }
 
-/* Those of interpolation at a place, but for their sum. */
+/* Weights of interpolation at a time, without the factor of their sum. */
 static void parts$f($real place, $real side, $real distance, size_t index, $real weights[2])
 {
     weights[0] = (side * ODD$f[index]) / (place - (side * distance));
@@ -58,7 +58,7 @@ static void set_number$f(void *frame, size_t k, $real number)
     (void)memcpy(&((unsigned char *)frame)[k * sizeof number], &number, sizeof number);
 }
 
-/* Adds a multiple of the difference of two frames to a third one, in all numbers but the time. */
+/* Adds a multiple of the difference of two frames to a third one, in all numbers except for the time. */
 static void add_difference$f(size_t frame_size, void *sum, $real multiple, const void *frame, const void *base)
 {
     const size_t count = frame_size / sizeof($real);
@@ -68,8 +68,8 @@ static void add_difference$f(size_t frame_size, void *sum, $real multiple, const
     }
 }
 
-/* Finds the nearest frame before a meeting, in frames[0], and two weighted sums of the differences of all eight from it,
-   on top of it, in frames[1] and frames[2]. */
+/* Computes the nearest frame before a change point, in frames[0], plus two weighted sums of the differences of all
+   eight from it, in frames[1] and frames[2]. */
 static bool are_sums$f(Way$f *way, const void *near_frame, const Meeting$f *meeting, Sides$f sides, $real place,
     $real divisor, Weights$f *weigh)
 {
@@ -101,8 +101,8 @@ static bool are_sums$f(Way$f *way, const void *near_frame, const Meeting$f *meet
     return are_found;
 }
 
-/* The highest differences of the path with these modes, as a part of the distance of the own modes from changed ones,
-   along it, in what others do not change; false where it is larger than a limit. */
+/* Highest differences of the path with these modes, in the values that the others do not change. They are relative
+   to the distance of the current modes from changed ones, and along it. False if they exceed a limit. */
 static bool is_smooth$f(Way$f *way, const void *near_frame, const Meeting$f *meeting, Sides$f sides, const void *own,
     const void *changed, const void *others, $real limit)
 {
@@ -128,8 +128,8 @@ static bool is_smooth$f(Way$f *way, const void *near_frame, const Meeting$f *mee
     return (roughness / sum_of_products$f(blocks, apart)) <= limit;
 }
 
-/* True if the highest differences of the path with these modes are at most a part of its change before the meeting, in
-   all coordinates together. */
+/* True if the highest differences of the path with these modes are at most a part of its change before the change
+   point, in all coordinates together. */
 static bool is_whole_smooth$f(Way$f *way, const void *near_frame, const Meeting$f *meeting, Sides$f sides, $real part)
 {
     const linkwright$f_blocks *const blocks = way->mechanism->blocks;
@@ -146,7 +146,7 @@ static bool is_whole_smooth$f(Way$f *way, const void *near_frame, const Meeting$
     return larger$f(even, odd) <= ((part * part) * square_of_distance$f(blocks, first, base));
 }
 
-/* Finds the width of a meeting by the modes of a block; false where they do not meet there. */
+/* Computes the width of a change point by the modes of a block; false if they do not meet there. */
 static bool is_width$f(Way$f *way, uint16_t block, const void *near_frame, const Meeting$f *meeting, $real *width)
 {
     $real last = 0.0$f;
@@ -169,7 +169,8 @@ static bool is_width$f(Way$f *way, uint16_t block, const void *near_frame, const
     return false;
 }
 
-/* Gives a meeting the least width of all blocks whose modes meet there: some modes part faster than others. */
+/* Sets the width of a change point to the least of all blocks whose modes meet there: some modes separate faster
+   than others. */
 static void narrow$f(Way$f *way, const void *near_frame, Meeting$f *meeting)
 {
     $real narrowed = meeting->width;
@@ -182,7 +183,7 @@ static void narrow$f(Way$f *way, const void *near_frame, Meeting$f *meeting)
     meeting->width = narrowed;
 }
 
-/* The blocks of which two modes are as near to each other as those of the meeting. */
+/* Blocks with two modes as near to each other as those of the change point. */
 static void blocks_that_meet$f(Way$f *way, uint16_t own, const void *near_frame, const Meeting$f *meeting,
     bool meets[MEETING_BLOCKS$F])
 {
@@ -195,7 +196,7 @@ static void blocks_that_meet$f(Way$f *way, uint16_t own, const void *near_frame,
     }
 }
 
-/* The sides with the own modes before the meeting, or beyond it. */
+/* Sides with the current modes before the change point, or beyond it. */
 static Sides$f sides_of$f(const void *own, const void *other, bool is_before)
 {
     Sides$f sides;
@@ -204,8 +205,8 @@ static Sides$f sides_of$f(const void *own, const void *other, bool is_before)
     return sides;
 }
 
-/* Finds the modes on the other side of a meeting on the smooth path, which has the own ones before it, or beyond it;
-   false where no path is smooth. */
+/* Selects the modes on the other side of a change point on the smooth path, which has the current ones before it, or
+   beyond it; false if no path is smooth. */
 static bool are_sides$f(Way$f *way, uint16_t own_block, const void *near_frame, const Meeting$f *meeting,
     bool is_before, void *found)
 {
@@ -219,7 +220,7 @@ static bool are_sides$f(Way$f *way, uint16_t own_block, const void *near_frame, 
     bool is_exchanged = false;
     blocks_that_meet$f(way, own_block, near_frame, meeting, meets);
     (void)memcpy(found, own, size);
-    /* Each block by what no later one changes, because those are not decided yet. */
+    /* Each block is judged by values that no later block changes, because later blocks are not decided yet. */
     for (uint16_t block = 0U; block < MEETING_BLOCKS$F; block++) {
         if (!meets[block]) {
             continue;
@@ -251,7 +252,7 @@ static bool are_sides$f(Way$f *way, uint16_t own_block, const void *near_frame, 
         && is_whole_smooth$f(way, near_frame, meeting, sides_of$f(own, found, is_before), SMOOTH$f);
 }
 
-/* Finds the frame at a time near a meeting, in frames[1]; false where the path is too rough to be interpolated. */
+/* Interpolates the frame at a time near a change point, in frames[1]; false if the path is too rough for that. */
 static bool is_interpolated$f(Way$f *way, const void *near_frame, const Meeting$f *meeting, Sides$f sides, $real t)
 {
     if (!is_smooth$f(way, near_frame, meeting, sides, sides.before, sides.beyond, sides.before, EXACT$f)
@@ -276,7 +277,7 @@ static bool is_interpolated$f(Way$f *way, const void *near_frame, const Meeting$
     return is_found;
 }
 
-/* The square of the distance of two frames in the rates of coordinates, which follow on coordinates, and these on the
+/* Square of the distance of two frames in the rates of coordinates, which follow the coordinates, and these the
    time. */
 static $real distance_of_rates$f(const linkwright$f_blocks *blocks, const void *first, const void *second)
 {
@@ -289,8 +290,8 @@ static $real distance_of_rates$f(const linkwright$f_blocks *blocks, const void *
     return square;
 }
 
-/* Finds by how much the rates of the path with the own modes before a meeting, or beyond it, miss those of a frame near
-   it. */
+/* Computes the difference in rates between the path with the current modes before a change point, or beyond it, and
+   a frame near it. */
 static bool misses$f(Way$f *way, uint16_t block, const void *frame, const Meeting$f *meeting, bool is_before,
     void *found, $real *missed)
 {
@@ -301,7 +302,7 @@ static bool misses$f(Way$f *way, uint16_t block, const void *frame, const Meetin
     return is_found;
 }
 
-/* The square of the distance of the rates of both modes at the nearest time before a meeting, or -1. */
+/* Square of the distance of the rates of both modes at the nearest time before a change point, or -1. */
 static $real rates_apart$f(Way$f *way, uint16_t block, const void *near_frame, const Meeting$f *meeting)
 {
     const linkwright$f_blocks *const blocks = way->mechanism->blocks;
@@ -312,8 +313,8 @@ static $real rates_apart$f(Way$f *way, uint16_t block, const void *near_frame, c
     return are_found ? distance_of_rates$f(blocks, way->frames[0], way->frames[1]) : -1.0$f;
 }
 
-/* Finds the modes on the other side of a meeting on the smooth path through a frame near it; false where that is not
-   told. */
+/* Selects the modes on the other side of a change point on the smooth path through a frame near it; false if the
+   path is undecided. */
 static bool are_sides_through$f(Way$f *way, uint16_t block, const void *frame, const Meeting$f *meeting,
     bool *is_before, void *found)
 {
@@ -322,7 +323,7 @@ static bool are_sides_through$f(Way$f *way, uint16_t block, const void *frame, c
     $real second;
     const bool is_first = misses$f(way, block, frame, meeting, true, found, &first);
     const bool is_second = misses$f(way, block, frame, meeting, false, way->kept_branches, &second);
-    /* Where one of both is too rough to be interpolated. */
+    /* If one of the two paths is too rough to be interpolated. */
     const $real apart = (is_first != is_second) ? rates_apart$f(way, block, frame, meeting) : 0.0$f;
     const bool is_own = is_first && (first <= (part * (is_second ? second : apart)));
     const bool is_other = is_second && (second <= (part * (is_first ? first : apart)));

@@ -1,47 +1,46 @@
 
-/* A pose near which two assembly modes of a block meet: its time, and the modes on both sides of it on the smooth path.
-   Before the meeting the square of the distance between the modes is a smooth function of time; where it vanishes to
-   rounding they meet. */
+/* Change points of a block, with the modes on both sides on the smooth path. Before the change point the square of
+   the distance between the modes is a smooth function of time; if it vanishes to rounding, the modes meet. */
 
-/* Part to which the square of the distance is fallen where the meeting is looked at, and the multiple of the rounding
-   above which it is known there. */
+/* Factor of the squared distance at which a change point is located, and multiple of the rounding above which it is
+   known there. */
 static const $real NEAR_MEETING$f = 1.0$f / 4294967296.0$f;
 static const $real KNOWN_DISTANCE$f = 16384.0$f;
 
-/* Part of that below which rounding is all that is seen. */
+/* Part of that below which only rounding is left. */
 static const $real TOO_NEAR_MEETING$f = 1.0$f / 64.0$f;
 
-/* Multiple of the rounding to which the square of the distance must fall at the meeting. */
+/* Multiple of the rounding to which the square of the distance must fall at the change point. */
 static const $real MEETING_ROUNDING$f = 1024.0$f;
 
-/* Part of the largest square above which it is no parabola, and its vertex is not gone to. */
+/* Part of the largest square above which it is not a parabola, and its vertex is not used. */
 static const $real BENT_DISTANCE$f = 1.0$f / 256.0$f;
 
-/* Factor by which the times before the meeting are brought closer to it or taken farther away. */
+/* Factor by which the times before the change point move closer to it or farther away. */
 static const $real CLOSER$f = 4.0$f;
 
-/* Distance of the vertex from the middle, in distances of the times, at which these may come closer, at which it is
-   looked at, and to which it is followed at once. */
+/* Distance of the vertex from the middle, in distances of the times: up to the first, these may come closer; up to
+   the second, the vertex is examined; up to the third, the search moves to it at once. */
 static const $real REACHED_VERTEX$f = 1.5$f;
 static const $real AT_VERTEX$f = 1.0$f / 16.0$f;
 static const $real LARGEST_SHIFT$f = 4.0$f;
 
-/* Number of attempts to find the meeting, and of the ways at which the modes are seen well apart. */
+/* Number of attempts to locate the change point, and of distances at which the modes are compared far from it. */
 #define REFINEMENTS$F 32U
 #define WAYS$F 12U
 
-/* The first of these ways, which is no part of a turn. */
+/* First of these distances relative to the path, which is not a rational part of a turn. */
 static const $real SHORTER$f = 0.3819660112501051$f;
 
-/* A pose at which modes meet: its time, the time from it to the nearest frames by which the path is told (s), and the
-   square of the distance of the modes there. */
+/* Change point: its time, the time from it to the nearest frames that determine the path (s), and the square of the
+   distance of the modes there. */
 typedef struct Meeting$f {
     $real time;
     $real width;
     $real edge;
 } Meeting$f;
 
-/* The frame at a time in these modes, from one nearby; no path leads there. */
+/* Solves the frame at a time in these modes, from one nearby; no path leads there. */
 static bool is_frame_at$f(Way$f *way, $real t, const void *near_frame, const void *branches, void *found)
 {
     const linkwright$f_mechanism *const mechanism = way->mechanism;
@@ -56,7 +55,7 @@ static bool is_frame_at$f(Way$f *way, $real t, const void *near_frame, const voi
     return solve_all$f(mechanism, found, near_frame, way->solved_branches, &conditions) == LINKWRIGHT_OK;
 }
 
-/* The number k of a frame, which is nothing but numbers: the time, coordinates, their rates and accelerations, others. */
+/* Number k of a frame, which consists of numbers only: the time, coordinates, their rates and accelerations, others. */
 static $real number_of$f(const void *frame, size_t k)
 {
     $real number;
@@ -64,14 +63,15 @@ static $real number_of$f(const void *frame, size_t k)
     return number;
 }
 
-/* The difference of two frames in the coordinate k, or where they hold none, in the component k of their points. */
+/* Difference of two frames in the coordinate k, or if they hold none, in the component k of their points. */
 static $real difference$f(const linkwright$f_blocks *blocks, const void *first, const void *second, uint16_t k)
 {
     return blocks->holds_coordinates ? (number_of$f(first, 1U + (size_t)k) - number_of$f(second, 1U + (size_t)k))
                                      : (blocks->value(first, k) - blocks->value(second, k));
 }
 
-/* The sum of the sizes of the products of the differences of two pairs of frames in what is equal in a third pair. */
+/* Sum of the magnitudes of the products of the differences of two pairs of frames, over the values that are equal in
+   a third pair. */
 static $real sum_of_products$f(const linkwright$f_blocks *blocks, const void *const pairs[3][2])
 {
     $real sum = 0.0$f;
@@ -84,14 +84,14 @@ static $real sum_of_products$f(const linkwright$f_blocks *blocks, const void *co
     return sum;
 }
 
-/* The square of the distance of two frames. */
+/* Square of the distance of two frames. */
 static $real square_of_distance$f(const linkwright$f_blocks *blocks, const void *first, const void *second)
 {
     const void *const pairs[3][2] = {{first, second}, {first, second}, {first, first}};
     return sum_of_products$f(blocks, pairs);
 }
 
-/* The square of the distance between the poses in both modes of a block. */
+/* Square of the distance between the poses in both modes of a block. */
 static bool distance_of_modes$f(Way$f *way, uint16_t block, $real t, const void *near_frame, $real *square)
 {
     const linkwright$f_blocks *const blocks = way->mechanism->blocks;
@@ -104,7 +104,7 @@ static bool distance_of_modes$f(Way$f *way, uint16_t block, $real t, const void 
     return is_found;
 }
 
-/* The square of the distance of the modes where they are well apart. */
+/* Square of the distance of the modes far from the change point. */
 static bool largest_distance$f(Way$f *way, uint16_t block, const void *near_frame, $real place, $real *largest)
 {
     bool is_found = false;
@@ -123,14 +123,14 @@ static bool largest_distance$f(Way$f *way, uint16_t block, const void *near_fram
     return is_found;
 }
 
-/* The square of the distance of modes at the width of a meeting, of that elsewhere: what rounding leaves of frames there,
-   and what interpolation between them leaves, are alike. */
+/* Squared distance of modes at the width of a change point, from that elsewhere: the errors of rounding in frames
+   there, and of interpolation between them, are similar. */
 static $real edge_of$f($real whole)
 {
     return sqrt$f(sqrt$f($FLT_EPSILON)) * whole;
 }
 
-/* The squares of the distances at four times before another one. */
+/* Squares of the distances at four times before another one. */
 static bool are_distances$f(Way$f *way, uint16_t block, const void *near_frame, $real middle, $real step,
     $real squares[4])
 {
@@ -148,8 +148,8 @@ static bool are_distances$f(Way$f *way, uint16_t block, const void *near_frame, 
     return are_found;
 }
 
-/* Where the modes of a block meet near a time, if they do; times of the distance step (s) before it are looked at
-   first. */
+/* Locates the change point of a block near a time, if there is one; the search begins at times of the distance step
+   (s) before it. */
 static bool meet$f(Way$f *way, uint16_t block, const void *near_frame, $real place, $real first_step, $real whole,
     Meeting$f *meeting)
 {
@@ -159,7 +159,8 @@ static bool meet$f(Way$f *way, uint16_t block, const void *near_frame, $real pla
     $real step = first_step;
     for (uint16_t round = 0U; (round < REFINEMENTS$F) && (step > 0.0$f) && (whole > 0.0$f); round++) {
         $real squares[4];
-        /* Beyond the meeting other blocks may have left the smooth path, so that the distance has a kink there. */
+        /* Beyond the change point, other blocks may have left the smooth path, so that the distance has a kink
+           there. */
         if (!are_distances$f(way, block, near_frame, middle, step, squares)) {
             nearest_step *= SHORTER$f;
             middle = place;
@@ -173,14 +174,14 @@ static bool meet$f(Way$f *way, uint16_t block, const void *near_frame, $real pla
         const bool is_bent = larger$f(curvature, squares[0]) > (BENT_DISTANCE$f * whole);
         const bool is_near = curvature <= (known * whole);
         if (!is_lowest || is_bent) {
-            /* What was seen from too far away may have led elsewhere. */
+            /* A prediction from too far away may have led elsewhere. */
             nearest_step *= SHORTER$f;
             middle = place;
             step = nearest_step;
         } else if (is_near && (curvature < ((TOO_NEAR_MEETING$f * known) * whole))) {
             step *= CLOSER$f;
         } else if (is_near && (fabs$f(vertex) <= AT_VERTEX$f)) {
-            /* The polynomial of the third degree, at the middle; below zero there is a gap between two dead points. */
+            /* Polynomial of the third degree, at the middle; below zero there is a gap between two dead points. */
             const $real at_middle = ((4.0$f * (squares[0] + squares[2])) - (6.0$f * squares[1])) - squares[3];
             const $real lowest = at_middle - (((0.5$f * curvature) * vertex) * vertex);
             const $real edge = edge_of$f(whole);
@@ -189,7 +190,7 @@ static bool meet$f(Way$f *way, uint16_t block, const void *near_frame, $real pla
             meeting->edge = edge;
             return fabs$f(lowest) <= ((MEETING_ROUNDING$f * $FLT_EPSILON) * whole);
         } else if (fabs$f(vertex) > LARGEST_SHIFT$f) {
-            /* Seen from so far away, what is between is known better from a larger step. */
+            /* From so far away, a larger step determines the middle better. */
             step *= CLOSER$f;
         } else {
             middle += (way->direction * vertex) * step;

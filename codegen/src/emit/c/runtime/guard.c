@@ -1,21 +1,21 @@
 
-/* The frames of a mechanism, one after another: whether each lies on the smooth path of the last one. */
+/* Path guard: verifies that frames continue one smooth path. */
 
-/* How many steps are looked ahead at first, at least and at most. */
+/* Number of steps of the look-ahead: at first, at least and at most. */
 static const $real AHEAD$f = 16.0$f;
 static const $real LEAST_AHEAD$f = 2.0$f;
 static const $real MOST_AHEAD$f = 1024.0$f;
 
-/* By how much farther after a success, and less far after a failure. */
+/* Factor of the look-ahead after a success; its inverse after a failure. */
 static const $real AHEAD_GROWTH$f = 1.125$f;
 static const $real AHEAD_SHRINKING$f = 0.625$f;
 
 /* Rounding that must not make a frame singular: links that enclose less than some 6e-4 rad leave accelerations few
-   digits; and the multiple of it for what is found beyond the frame. */
+   digits; and multiple of it for frames beyond. */
 static const $real WEAK$f = 1.0$f / 67108864.0$f;
 static const $real FAR_FROM_WEAK$f = 64.0$f;
 
-/* The signals of both frames and of the way between them stay where the window supposes them. */
+/* True if the signals of both frames and between them stay within the bounds of the window. */
 static bool holds_signals$f(const linkwright$f_mechanism *mechanism, const linkwright$f_pair *pair, $real since)
 {
     const linkwright$f_blocks *const blocks = mechanism->blocks;
@@ -31,14 +31,14 @@ static bool holds_signals$f(const linkwright$f_mechanism *mechanism, const linkw
     return holds;
 }
 
-/* The window from one frame to the next one, which is the time step (s) away. */
+/* Window from one frame to the next one, which is the time step (s) away. */
 static linkwright$f_time_window window_between$f($real step)
 {
     const linkwright$f_time_window window = {step, fabs$f(step), 1.0$f, 0.125$f, 0.0$f, window_rounding$f(1.0$f)};
     return window;
 }
 
-/* So many steps before the second frame and after it. */
+/* Window of so many steps on both sides of the second frame. */
 static linkwright$f_time_window window_around$f($real step, $real steps)
 {
     const linkwright$f_time_window window = {step, fabs$f(step) * steps, steps, 0.5$f + (0.5$f / steps), 1.0$f,
@@ -46,14 +46,14 @@ static linkwright$f_time_window window_around$f($real step, $real steps)
     return window;
 }
 
-/* The same window with at least this rounding. */
+/* Window with at least this rounding. */
 static linkwright$f_time_window at_least$f(linkwright$f_time_window window, $real rounding)
 {
     window.rounding = larger$f(window.rounding, rounding);
     return window;
 }
 
-/* The first block that such a rounding might make singular in the second of two frames. */
+/* Finds the first block that such a rounding might make singular in the second of two frames. */
 static bool is_weak$f(const linkwright$f_mechanism *mechanism, const linkwright$f_pair *pair, $real rounding,
     uint16_t *block)
 {
@@ -62,8 +62,8 @@ static bool is_weak$f(const linkwright$f_mechanism *mechanism, const linkwright$
     return !mechanism->blocks->verify_nonsingular(&same, &window, block);
 }
 
-/* Whether something can be shown of a window: of closed forms one after another, or of all equations together, which
-   fills the enclosures. */
+/* True if a window can be verified: by closed forms in sequence, or by all equations together, which fills the
+   enclosures. */
 static bool shown$f(const linkwright$f_mechanism *mechanism, const linkwright$f_pair *pair,
     const linkwright$f_time_window *window, bool is_closed, uint16_t *block)
 {
@@ -73,8 +73,8 @@ static bool shown$f(const linkwright$f_mechanism *mechanism, const linkwright$f_
                      : blocks->verify_path(pair, window, mechanism->enclosures, block);
 }
 
-/* Keeps the widest window about two frames, at most so many steps, of which something can be shown; false where no window
-   beyond the frames is one. Afterwards steps is how many steps to begin with next. */
+/* Keeps the widest verified window about two frames, of at most so many steps; false if no window beyond the frames
+   can be verified. Afterwards steps is the number to begin with next. */
 static bool finds_window$f(const linkwright$f_mechanism *mechanism, const linkwright$f_pair *pair, $real step,
     bool is_closed, $real *steps)
 {
@@ -97,13 +97,13 @@ static bool finds_window$f(const linkwright$f_mechanism *mechanism, const linkwr
         }
         tried *= AHEAD_SHRINKING$f;
     }
-    /* Where it could not look beyond the frames at all, some frames go by before it tries again. */
+    /* After a look-ahead that failed altogether, some frames pass before the next attempt. */
     *steps = (*steps < LEAST_AHEAD$f) ? (tried * AHEAD_GROWTH$f) : tried;
     return false;
 }
 
-/* Looks at the path between two frames, and beyond: first at closed forms one after another, which takes little, then
-   at all equations together. */
+/* Verifies the path between two frames, and beyond: first by closed forms in sequence, which costs little, then by
+   all equations together. */
 static linkwright_status look$f(const linkwright$f_mechanism *mechanism, const linkwright$f_pair *pair,
     bool may_be_weak)
 {
@@ -119,7 +119,7 @@ static linkwright_status look$f(const linkwright$f_mechanism *mechanism, const l
             || shown$f(mechanism, pair, &between, true, &block)) {
             return LINKWRIGHT_OK;
         }
-        /* Where it is not far from singular, what is found beyond the frames may be nearer. */
+        /* Near a singular pose, frames beyond may be nearer to it. */
         is_far = !is_weak$f(mechanism, pair, WEAK$f * FAR_FROM_WEAK$f, &block);
         if (!is_far && !may_be_weak && is_weak$f(mechanism, pair, WEAK$f, &block)) {
             return noted$f(pair->conditions->failure, LINKWRIGHT_STEP_TOO_LARGE, 0.0$f, 0U, t, block);
@@ -132,8 +132,8 @@ static linkwright_status look$f(const linkwright$f_mechanism *mechanism, const l
     return noted$f(pair->conditions->failure, LINKWRIGHT_STEP_TOO_LARGE, 0.0$f, 0U, t, block);
 }
 
-/* Asks that a frame lies on the path of the last one. The first frame of a path lies on it. A frame that is nearly
-   singular is refused but where it may be. */
+/* Requires that a frame lies on the path of the last one; the first frame of a path does. A nearly singular frame is
+   refused unless it may be weak. */
 static linkwright_status admitted$f(const linkwright$f_mechanism *mechanism, const linkwright$f_pair *pair,
     bool may_be_weak)
 {

@@ -1,20 +1,20 @@
-/* Equations along a straight line through two frames: whether they have one solution near it all the while. */
+/* Verifies that equations have one solution near the chord through two frames, at every time of a window. */
 
-/* The multiple of the least deviations that is tried first. */
+/* Multiple of the least deviations that is tried first. */
 static const $real FIRST$f = 2.0$f;
 
-/* By how much deviations are widened that the operator does not map into themselves, and how often. */
+/* Factor of deviations that the operator does not map into themselves, and number of such inflations. */
 static const $real INFLATION$f = 1.25$f;
 #define WIDENED$F 8U
 
-/* The round from which on deviations must come nearer to being mapped into themselves. */
+/* Round from which on deviations must approach being mapped into themselves. */
 #define SETTLED$F 2U
 
-/* How often the variation is asked for before deviations are spread. */
+/* Number of times that the variation is required before deviations are spread. */
 #define FIRST_ROUND$F 2U
 
-/* Makes a row that of the identity, by its column, and puts the row of the inverse in its place. Room for n numbers.
-   */
+/* Makes a row that of the identity, by its column, and stores the row of the inverse in its place. Workspace of n
+   numbers. */
 static void eliminate$f($real matrix[], size_t n, size_t row, $real own[])
 {
     const $real reciprocal = 1.0$f / matrix[(row * n) + row];
@@ -25,7 +25,7 @@ static void eliminate$f($real matrix[], size_t n, size_t row, $real own[])
     }
     for (size_t column = 0U; column < n; column += 1U) {
         const $real factor = matrix[(row * n) + column];
-        /* A block reads nothing of those after it. */
+        /* A block does not depend on the blocks after it. */
         if ((column != row) && (factor != 0.0$f)) {
             matrix[(row * n) + column] = 0.0$f;
             for (size_t k = 0U; k < n; k += 1U) {
@@ -35,12 +35,12 @@ static void eliminate$f($real matrix[], size_t n, size_t row, $real own[])
     }
 }
 
-/* The inverse of a matrix (n x n), by elimination in place with the largest pivot of each row. Room for 2 n numbers.
-   False, and the row, where every pivot vanishes. */
+/* Inverse of a matrix (n x n), by elimination in place with the largest pivot of each row. Workspace of 2 n numbers.
+   False, and the row, if every pivot vanishes. */
 static bool invert$f(const $real matrix[], size_t n, $real inverse[], uint16_t *failed, $real reals[])
 {
     $real *const own = reals;
-    /* Which columns were exchanged, as numbers that are exact. */
+    /* Exchanged columns, as exact numbers. */
     $real *const exchanged = &reals[n];
     (void)memcpy(inverse, matrix, (n * n) * sizeof($real));
     for (uint16_t row = 0U; row < n; row++) {
@@ -75,7 +75,7 @@ static bool invert$f(const $real matrix[], size_t n, $real inverse[], uint16_t *
     return true;
 }
 
-/* A matrix (n x n) times a vector. */
+/* Product of a matrix (n x n) and a vector. */
 static void times$f(const $real matrix[], const $real vector[], size_t n, $real product[])
 {
     for (size_t row = 0U; row < n; row += 1U) {
@@ -87,7 +87,7 @@ static void times$f(const $real matrix[], const $real vector[], size_t n, $real 
     }
 }
 
-/* The magnitude of every number. */
+/* Replaces every number by its magnitude. */
 static void magnitudes$f($real values[], size_t count)
 {
     for (size_t k = 0U; k < count; k += 1U) {
@@ -95,10 +95,10 @@ static void magnitudes$f($real values[], size_t count)
     }
 }
 
-/* With C the inverse of the Jacobian, the operator of Newton with C maps the deviations R into themselves where what it leaves
-   of the line and |I - C J| R are together no more than R; then the equations have one solution near the line
-   (Krawczyk). Arms turn with their angle, so that a column J of the Jacobian becomes J cos d + J' sin d where C J is
-   known, and what arms of one angle do through many equations is added up with its signs. */
+/* Let C be the inverse of the Jacobian. The Newton operator with C maps the deviations R into themselves if its
+   remainder on the chord plus |I - C J| R is at most R. The equations then have one solution near the chord
+   (Krawczyk). Arms rotate with their angle, so that a column J of the Jacobian becomes J cos d + J' sin d, with C J
+   known. Effects of one angle through many equations are added with their signs. */
 void linkwright$f_isolate(linkwright$f_isolation *isolation, uint16_t order, const uint16_t blocks[],
     const linkwright$f_chord *chord, const $real variation[], $real reals[])
 {
@@ -123,7 +123,7 @@ void linkwright$f_isolate(linkwright$f_isolation *isolation, uint16_t order, con
     magnitudes$f(isolation->deviations, n);
 }
 
-/* How far each equation may be from zero on the line: what the bounds say, and what rounding may leave. */
+/* Bound on each equation's residual on the chord: that of the chord, and that of rounding. */
 static void off_line$f(const linkwright$f_isolation *isolation, $real off[])
 {
     const linkwright$f_chord *const chord = isolation->chord;
@@ -140,7 +140,7 @@ static void off_line$f(const linkwright$f_isolation *isolation, $real off[])
     }
 }
 
-/* Puts the product with the inverse in the place of what turns, column by column. */
+/* Replaces the rotating columns by their products with the inverse, column by column. */
 static void turn_inverse$f(const linkwright$f_isolation *isolation, $real product[])
 {
     const linkwright$f_chord *const chord = isolation->chord;
@@ -166,8 +166,8 @@ static void turn_inverse$f(const linkwright$f_isolation *isolation, $real produc
     }
 }
 
-/* What is left of the line at least: arms on it are A cos d + J sin d, and the second derivative of A is J'. Both frames
-   satisfy their equations but for rounding. */
+/* Least remainder on the chord: arms on it are A cos d + J sin d, and the second derivative of A is J'. Both frames
+   satisfy their equations up to rounding. */
 static void begin_isolation$f(linkwright$f_isolation *isolation)
 {
     const linkwright$f_chord *const chord = isolation->chord;
@@ -183,8 +183,8 @@ static void begin_isolation$f(linkwright$f_isolation *isolation)
     for (size_t row = 0U; row < n; row += 1U) {
         const $real change = chord->changes[row];
         $real second = 0.0$f;
-        /* What is left beside second derivatives: half of d to the fourth of the cosine's, and the cube of d of the
-           sine's. */
+        /* Remainder beside second derivatives: half of d to the fourth for the cosine, and the cube of d for the
+           sine. */
         $real fourth = 0.0$f;
         const $real third = chord->turns[row] ? (change * (change * change)) : 0.0$f;
         for (size_t column = 0U; column < n; column += 1U) {
@@ -197,20 +197,20 @@ static void begin_isolation$f(linkwright$f_isolation *isolation)
             }
         }
         least[row] = (chord->remainder * ((fabs$f(second + least[row]) + fourth) + third)) + needed[row];
-        /* Where a map least + k R + a R^2 of one deviation takes any R into itself, the largest that it does so with is
-           2 least or more. */
+        /* If a map least + k R + a R^2 of one deviation takes any R into itself, the largest such R is 2 least or
+           more. */
         isolation->deviations[row] = least[row] * FIRST$f;
     }
 }
 
-/* What deviations become where the operator takes them: |sin d| is at most d, and 1 - cos d at most d^2 / 2. */
+/* Image of the deviations under the operator: |sin d| is at most d, and 1 - cos d at most d^2 / 2. */
 static void spread$f(const linkwright$f_isolation *isolation)
 {
     const linkwright$f_chord *const chord = isolation->chord;
     const size_t n = isolation->order;
     $real *const spread = isolation->rest;
     bool varies = false;
-    /* Every column either turns or varies. */
+    /* Every column either rotates or varies. */
     for (size_t column = 0U; column < n; column += 1U) {
         varies = varies || !chord->turns[column];
         isolation->needed[column] = 0.0$f;
@@ -233,7 +233,7 @@ static void spread$f(const linkwright$f_isolation *isolation)
     }
 }
 
-/* Whether the operator, which has spread the deviations, maps them into themselves. */
+/* True if the operator, which has spread the deviations, maps them into themselves. */
 static bool is_mapped_inside$f(linkwright$f_isolation *isolation)
 {
     const size_t n = isolation->order;
@@ -242,7 +242,7 @@ static bool is_mapped_inside$f(linkwright$f_isolation *isolation)
     for (uint16_t row = 0U; row < n; row++) {
         const $real needed = isolation->needed[row];
         const $real deviation = isolation->deviations[row];
-        /* Written so that NaN is refused, and bounds that have become infinite. */
+        /* Written so that NaN and infinite bounds are refused. */
         is_inside = is_inside && (needed <= deviation) && linkwright$f_is_finite(deviation);
         if (!(needed <= (largest * deviation))) {
             isolation->farthest = row;
@@ -254,13 +254,12 @@ static bool is_mapped_inside$f(linkwright$f_isolation *isolation)
     return is_inside;
 }
 
-/* Whether wider deviations are to be tried, and widens them: where those of this round are not mapped into themselves, and
-   come nearer to it. */
+/* Widens deviations that this round does not map into themselves if they approach it; true if another round follows. */
 static bool widens$f(linkwright$f_isolation *isolation, uint16_t round)
 {
     bool is_wider = false;
     if (is_mapped_inside$f(isolation)) {
-        /* What the operator maps them to holds the solution as well. */
+        /* The image of the deviations contains the solution as well. */
     } else if (((round + 1U) < WIDENED$F) && ((round < SETTLED$F) || isolation->is_nearing)) {
         for (size_t k = 0U; k < isolation->order; k += 1U) {
             isolation->deviations[k] = isolation->needed[k] * INFLATION$f;
@@ -279,7 +278,7 @@ bool linkwright$f_isolation_needs_variation(linkwright$f_isolation *isolation)
     const uint16_t round = isolation->rounds;
     isolation->rounds++;
     if (!isolation->is_shown) {
-        /* There is no inverse. */
+        /* The inverse does not exist. */
     } else if (round == 0U) {
         asks = true;
     } else if (round == 1U) {

@@ -1,8 +1,7 @@
 
-/* A Jacobian and its scales: the factors of the scaled matrix, or the verdict that it is singular. Matrices are
-   stored row by row. */
+/* Factorizes a Jacobian in its scales, or decides that it is singular. Matrices are stored row by row. */
 
-/* Why something cannot be solved: a status with what it says. */
+/* Status of a solve, with its value and column. */
 typedef struct Verdict$f {
     linkwright_status status;
     $real value;
@@ -15,7 +14,7 @@ static Verdict$f verdict_of$f(linkwright_status status)
     return verdict;
 }
 
-/* The entry of a column that is largest in size, from a row on; the first of equal ones. */
+/* Row of the entry with the largest magnitude in a column, from a row on; the first of equal ones. */
 static uint16_t pivot_row$f(const $real matrix[], size_t n, uint16_t column, $real *magnitude)
 {
     $real largest = 0.0$f;
@@ -50,8 +49,8 @@ static void exchange$f($real x[], size_t stride, size_t first, size_t second)
     x[second * stride] = kept;
 }
 
-/* Factorizes a matrix (n x n) in room for n x n + n numbers and n exchanges, judged in the scales. The elimination
-   is Golub & Van Loan, Matrix Computations (4th ed.), algorithm 3.4.1, with partial pivoting. */
+/* Factorizes a matrix (n x n) in a workspace of n x n + n numbers and n exchanges, judged in the scales. The
+   elimination is Golub & Van Loan, Matrix Computations (4th ed.), algorithm 3.4.1, with partial pivoting. */
 static Verdict$f factorized$f(linkwright$f_factorization *found, const $real matrix[],
     const linkwright$f_equations *equations, const $real row_scales[], const $real column_scales[],
     $real smallest_pivot_ratio, $real reals[])
@@ -148,7 +147,7 @@ static void solve_scaled_transposed$f(const linkwright$f_factorization *factoriz
         }
         x[k] = (x[k] - sum) / factors[(k * n) + k];
     }
-    /* The multipliers of each column before its exchange, in the reverse order of the elimination. */
+    /* Multipliers of each column before its exchange, in the reverse order of the elimination. */
     for (size_t k = n; k > 0U; k -= 1U) {
         const size_t column = k - 1U;
         $real sum = 0.0$f;
@@ -160,7 +159,7 @@ static void solve_scaled_transposed$f(const linkwright$f_factorization *factoriz
     }
 }
 
-/* The sign of the determinant. */
+/* Sign of the determinant. */
 static linkwright_branch branch_of$f(const linkwright$f_factorization *factorization)
 {
     const size_t n = factorization->order;
@@ -182,7 +181,7 @@ static $real sum_of_magnitudes$f(const $real x[], size_t n)
     return sum;
 }
 
-/* The position of the first entry of largest magnitude; 0 if there is none. */
+/* Position of the first entry of largest magnitude; 0 if there is none. */
 static uint16_t position_of_largest$f(const $real x[], size_t n)
 {
     uint16_t place = 0U;
@@ -196,11 +195,11 @@ static uint16_t position_of_largest$f(const $real x[], size_t n)
     return place;
 }
 
-/* The largest number of unit vectors that are tried for the norm of an inverse. */
+/* Largest number of unit vectors that are tried for the norm of an inverse. */
 #define TRIALS$F 5U
 
-/* A vector with 1-norm 1 through the inverse of the scaled matrix, such that its norm is an estimate of that of the
-   inverse (Hager 1984; Higham, ACM Transactions on Mathematical Software 14 (1988), algorithm 4.1). Room for 3 n
+/* Image of a vector with 1-norm 1 under the inverse of the scaled matrix; its norm estimates that of the inverse
+   (Hager 1984; Higham, ACM Transactions on Mathematical Software 14 (1988), algorithm 4.1). Workspace of 3 n
    numbers. */
 static void largest_image$f(const linkwright$f_factorization *factorization, $real image[], $real reals[])
 {
@@ -218,13 +217,13 @@ static void largest_image$f(const linkwright$f_factorization *factorization, $re
     uint16_t unit = 0U;
     bool goes_on = true;
     for (uint16_t trial = 0U; (trial < TRIALS$F) && goes_on; trial++) {
-        /* The gradient of the norm of the image. */
+        /* Gradient of the norm of the image. */
         for (size_t k = 0U; k < n; k += 1U) {
             gradient[k] = (image[k] < 0.0$f) ? -1.0$f : 1.0$f;
         }
         solve_scaled_transposed$f(factorization, gradient);
         const uint16_t steepest = position_of_largest$f(gradient, n);
-        /* A unit vector that comes back is a local maximum. */
+        /* A unit vector that returns is a local maximum. */
         goes_on = !(has_unit && (unit == steepest));
         if (goes_on) {
             has_unit = true;
@@ -241,7 +240,7 @@ static void largest_image$f(const linkwright$f_factorization *factorization, $re
             }
         }
     }
-    /* A vector of alternating signs, for the matrices on which the search above is misled. */
+    /* Vector of alternating signs, for the matrices on which the search above is misled. */
     $real total = 0.0$f;
     for (size_t k = 0U; k < n; k += 1U) {
         const $real magnitude = 1.0$f + (($real)k / count);
@@ -257,7 +256,7 @@ static void largest_image$f(const linkwright$f_factorization *factorization, $re
     }
 }
 
-/* How far a scaled matrix is from singular; its columns count by their directions alone. Room for 2 n numbers. */
+/* Distance of a scaled matrix from singular; only the directions of its columns count. Workspace of 2 n numbers. */
 static linkwright$f_measure measured$f(const linkwright$f_factorization *factorization, const $real matrix[],
     $real reals[])
 {
@@ -296,7 +295,7 @@ static linkwright$f_measure measured$f(const linkwright$f_factorization *factori
         }
     }
     const $real ratio = sqrt$f(($real)n / square);
-    /* Rounding may leave a little more than what can be. */
+    /* Rounding may leave a little more than the limits. */
     found.determinant = smaller$f(larger$f(determinant, -1.0$f), 1.0$f);
     found.reciprocal_condition = linkwright$f_is_finite(ratio) ? smaller$f(ratio, 1.0$f) : 0.0$f;
     return found;

@@ -20,7 +20,7 @@ static double of_bits(uint64_t bits)
     return value;
 }
 
-/* The product of two words: its lower word, and through high its upper one. */
+/* Product of two words: its lower word, and through high its upper one. */
 static uint64_t multiplied(uint64_t a, uint64_t b, uint64_t *high)
 {
     const uint64_t a_low = a & 0xffffffffU;
@@ -34,17 +34,17 @@ static uint64_t multiplied(uint64_t a, uint64_t b, uint64_t *high)
     return (second << 32) | (low & 0xffffffffU);
 }
 
-/* The first of two words, shifted to the left with what follows it. */
+/* First of two words, shifted to the left with the leading bits of the second. */
 static uint64_t shifted(uint64_t high, uint64_t low, uint32_t shift)
 {
     return (shift == 0U) ? high : ((high << shift) | (low >> (64U - shift)));
 }
 
-/* A positive angle that is large, or close to a multiple of pi/2: its quadrant, and how far it is from the quadrant's
-   middle, as an unevaluated sum (M. Payne and R. Hanek, 1983). */
+/* Quadrant of a positive angle that is large, or close to a multiple of pi/2. The difference of the angle from that
+   multiple is an unevaluated sum (M. Payne and R. Hanek, 1983). */
 static uint32_t far_angle(double x, double *rest, double *tail)
 {
-    /* The bits of 2/pi, after 64 zeros. */
+    /* Bits of 2/pi, after 64 zeros. */
     static const uint64_t two_over_pi[20] = {
         0x0000000000000000U, 0xa2f9836e4e441529U, 0xfc2757d1f534ddc0U, 0xdb6295993c439041U, 0xfe5163abdebbc561U,
         0xb7246e3a424dd2e0U, 0x06492eea09d1921cU, 0xfe1deb1cb129a73eU, 0xe88235f52ebb4484U, 0xe99c7026b45f7e41U,
@@ -60,7 +60,7 @@ static uint32_t far_angle(double x, double *rest, double *tail)
         return 0U;
     }
     const uint64_t m = (bits & fraction_bits) | (fraction_bits + 1U);
-    /* Where the bits with a weight of 2 and less begin. */
+    /* Index of the first bits with a weight of 2 and less. */
     const uint32_t place = (uint32_t)(exponent - 1013U);
     const uint64_t *const words = &two_over_pi[place / 64U];
     const uint32_t shift = place % 64U;
@@ -96,7 +96,7 @@ static uint32_t far_angle(double x, double *rest, double *tail)
 }
 
 /* The angle is brought within pi/4 of a multiple of pi/2 by subtracting that multiple in parts (W. J. Cody and W.
-   Waite, 1980); what remains goes into two minimax polynomials. */
+   Waite, 1980); the remainder is the argument of two minimax polynomials. */
 void linkwright_sin_cos(double angle, double *sine, double *cosine)
 {
     /* Adding it to a number of moderate size leaves the nearest integer in the last bits. */
@@ -105,12 +105,11 @@ void linkwright_sin_cos(double angle, double *sine, double *cosine)
     uint32_t quadrant = 0U;
     double y = size;
     double tail = 0.0;
-    /* Positive numbers are in the order of their bits, which are compared faster where double is computed in
-       software. */
+    /* Positive numbers are ordered like their bits, which are compared faster if double is computed in software. */
     if (bits_of(size) > bits_of(QUARTER_PI)) {
         const double moved = (size * 0.6366197723675814) + rounder;
         const double quadrants = moved - rounder;
-        /* The leading 36 bits of pi/2, and the rest of it. */
+        /* Leading 36 bits of pi/2, and the rest of it. */
         const double above = size - (quadrants * 1.5707963267923333);
         const double below = quadrants * 2.563344151594519e-12;
         y = above - below;
@@ -121,7 +120,7 @@ void linkwright_sin_cos(double angle, double *sine, double *cosine)
         }
     }
     const double z = y * y;
-    /* In pairs that do not wait for one another. */
+    /* In independent pairs. */
     const double fourth = z * z;
     const double eighth = fourth * fourth;
     const double cube = y * z;
@@ -157,7 +156,7 @@ static double bend_of(double x)
     return x * (square * (low + (eighth * (middle + (eighth * high)))));
 }
 
-/* The same for |x| up to 7/16, with fewer operations. */
+/* x - atan(x) for |x| up to 7/16, with fewer operations. */
 static double slight_bend_of(double x)
 {
     const double square = x * x;
@@ -169,10 +168,10 @@ static double slight_bend_of(double x)
     return x * ((square * even) + (fourth * odd));
 }
 
-/* What the rounded pi/4 lacks. */
+/* Difference of pi/4 from its rounded value. */
 static const double QUARTER_REST = 3.061616997868383e-17;
 
-/* The sizes of vectors whose components neither overflow nor become subnormal when they are doubled or halved. */
+/* Magnitudes of vectors whose components neither overflow nor become subnormal when they are doubled or halved. */
 static const double SMALLEST_VECTOR = 1e-290;
 static const double LARGEST_VECTOR = 1e307;
 
@@ -184,20 +183,20 @@ static uint32_t last_bits(double value)
 static const double ROUNDER = 6755399441055744.0;
 static const double SCALE_OF_TINY = 1152921504606846976.0;
 
-/* cos(k pi/4) for k = 0 ... 7; the sine of the same is two places further back. */
+/* cos(k pi/4) for k = 0 ... 7; the sine of such an angle is two entries further back. */
 static const double COSINES[8] = {
     1.0, 0.7071067811865476, 0.0, -0.7071067811865476, -1.0, -0.7071067811865476, 0.0, 0.7071067811865476,
 };
 
-/* The exponential function: x less a multiple of ln 2 that leaves little, in two parts, into a rational function of a minimax
-   polynomial, with the coefficients of FDLIBM (K. C. Ng, 1993), which are those of the Rust runtime. */
+/* Exponential function: x minus a multiple of ln 2, in two parts, is the argument of a rational function of a
+   minimax polynomial, with the coefficients of FDLIBM (K. C. Ng, 1993), which are those of the Rust runtime. */
 double linkwright_exp(double x)
 {
     const uint64_t size = bits_of(fabs(x)) >> 32;
     const int sign = (signbit(x) != 0) ? -1 : 1;
     int power = 0;
     if (!(fabs(x) <= DBL_MAX)) {
-        /* Infinite, or no number: below zero nothing is left. */
+        /* Infinite or NaN: below zero nothing is left. */
         return (sign < 0) && (isnan(x) == 0) ? 0.0 : x;
     }
     if (x > 709.782712893383973096) {
@@ -214,7 +213,7 @@ double linkwright_exp(double x)
     } else if (size <= 0x3e300000U) {
         return 1.0 + x;
     } else {
-        /* It is within ln 2 / 2 of zero. */
+        /* The remainder is within ln 2 / 2 of zero. */
     }
     const double high = x - ((double)power * 6.93147180369123816490e-01);
     const double low = (double)power * 1.90821492927058770002e-10;

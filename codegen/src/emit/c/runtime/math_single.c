@@ -1,5 +1,5 @@
 
-/* Elementary functions of float, which take no double. */
+/* Elementary functions of float, which use no double. */
 
 static const float PIf = 3.1415927f;
 static const float HALF_PIf = 1.5707964f;
@@ -20,17 +20,17 @@ static float of_bitsf(uint32_t bits)
     return value;
 }
 
-/* The first of two words, shifted to the left with what follows it. */
+/* First of two words, shifted to the left with the leading bits of the second. */
 static uint32_t shiftedf(uint32_t high, uint32_t low, uint32_t shift)
 {
     return (shift == 0U) ? high : ((high << shift) | (low >> (32U - shift)));
 }
 
-/* A positive angle that is large, or close to a multiple of pi/2: its quadrant, and how far it is from the quadrant's
-   middle, as an unevaluated sum (M. Payne and R. Hanek, 1983). */
+/* Quadrant of a positive angle that is large, or close to a multiple of pi/2. The difference of the angle from that
+   multiple is an unevaluated sum (M. Payne and R. Hanek, 1983). */
 static uint32_t far_anglef(float x, float *rest, float *tail)
 {
-    /* The bits of 2/pi, after 32 zeros. */
+    /* Bits of 2/pi, after 32 zeros. */
     static const uint32_t two_over_pi[8] = {
         0x00000000U, 0xa2f9836eU, 0x4e441529U, 0xfc2757d1U, 0xf534ddc0U, 0xdb629599U, 0x3c439041U, 0xfe5163abU,
     };
@@ -43,7 +43,7 @@ static uint32_t far_anglef(float x, float *rest, float *tail)
         return 0U;
     }
     const uint32_t m = (bits & fraction_bits) | (fraction_bits + 1U);
-    /* Where the bits with a weight of 2 and less begin. */
+    /* Index of the first bits with a weight of 2 and less. */
     const uint32_t place = exponent - 120U;
     const uint32_t *const words = &two_over_pi[place / 32U];
     const uint32_t shift = place % 32U;
@@ -72,7 +72,7 @@ static uint32_t far_anglef(float x, float *rest, float *tail)
 }
 
 /* The angle is brought within pi/4 of a multiple of pi/2 by subtracting that multiple in parts (W. J. Cody and W.
-   Waite, 1980); what remains goes into two minimax polynomials. */
+   Waite, 1980); the remainder is the argument of two minimax polynomials. */
 void linkwrightf_sin_cos(float angle, float *sine, float *cosine)
 {
     /* Adding it to a number of moderate size leaves the nearest integer in the last bits. */
@@ -84,7 +84,7 @@ void linkwrightf_sin_cos(float angle, float *sine, float *cosine)
     if (size > QUARTER_PIf) {
         const float moved = (size * 0.63661975f) + rounder;
         const float quadrants = moved - rounder;
-        /* The leading 11 bits of pi/2, the next 11, and the rest of it. */
+        /* Leading 11 bits of pi/2, the next 11, and the rest of it. */
         const float above = (size - (quadrants * 1.5703125f)) - (quadrants * 0.0004837513f);
         const float below = quadrants * 7.54979e-8f;
         y = above - below;
@@ -117,7 +117,7 @@ static float bend_off(float x)
         + (fourth * ((0.14174205f + (square * -0.10155718f)) + (fourth * 0.05125411f)))));
 }
 
-/* The same for |x| up to 7/16, with a smaller error. */
+/* x - atan(x) for |x| up to 7/16, with a smaller error. */
 static float slight_bend_off(float x)
 {
     const float square = x * x;
@@ -126,10 +126,10 @@ static float slight_bend_off(float x)
         + (fourth * ((0.14230172f + (square * -0.10494107f)) + (fourth * 0.05825629f)))));
 }
 
-/* What the rounded pi/4 lacks. */
+/* Difference of pi/4 from its rounded value. */
 static const float QUARTER_RESTf = -2.1855695e-8f;
 
-/* The sizes of vectors whose components neither overflow nor become subnormal when they are doubled or halved. */
+/* Magnitudes of vectors whose components neither overflow nor become subnormal when they are doubled or halved. */
 static const float SMALLEST_VECTORf = 1e-28f;
 static const float LARGEST_VECTORf = 1e38f;
 
@@ -141,20 +141,20 @@ static uint32_t last_bitsf(float value)
 static const float ROUNDERf = 12582912.0f;
 static const float SCALE_OF_TINYf = 1152921504606846976.0f;
 
-/* cos(k pi/4) for k = 0 ... 7; the sine of the same is two places further back. */
+/* cos(k pi/4) for k = 0 ... 7; the sine of such an angle is two entries further back. */
 static const float COSINESf[8] = {
     1.0f, 0.70710677f, 0.0f, -0.70710677f, -1.0f, -0.70710677f, 0.0f, 0.70710677f,
 };
 
-/* The exponential function: x less a multiple of ln 2 that leaves little, in two parts, into a rational function of a minimax
-   polynomial, with the coefficients of FDLIBM (K. C. Ng, 1993), which are those of the Rust runtime. */
+/* Exponential function: x minus a multiple of ln 2, in two parts, is the argument of a rational function of a
+   minimax polynomial, with the coefficients of FDLIBM (K. C. Ng, 1993), which are those of the Rust runtime. */
 float linkwrightf_exp(float x)
 {
     const uint32_t size = bits_off(fabsf(x));
     const int sign = (signbit(x) != 0) ? -1 : 1;
     int power = 0;
     if (!(fabsf(x) <= FLT_MAX)) {
-        /* Infinite, or no number: below zero nothing is left. */
+        /* Infinite or NaN: below zero nothing is left. */
         return (sign < 0) && (isnan(x) == 0) ? 0.0f : x;
     }
     if (x >= 88.722839f) {
@@ -171,7 +171,7 @@ float linkwrightf_exp(float x)
     } else if (size <= 0x39000000U) {
         return 1.0f + x;
     } else {
-        /* It is within ln 2 / 2 of zero. */
+        /* The remainder is within ln 2 / 2 of zero. */
     }
     const float high = x - ((float)power * 6.9314575195e-01f);
     const float low = (float)power * 1.4286067653e-06f;

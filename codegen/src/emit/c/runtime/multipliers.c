@@ -1,5 +1,5 @@
 
-/* A Jacobian and generalized forces: the multipliers of its transpose. */
+/* Solves a transposed Jacobian and generalized forces for the multipliers. */
 
 linkwright_status linkwright$f_multipliers(uint16_t n, const $real jacobian[], $real forces[], $real reals[],
     uint16_t exchanges[], const linkwright$f_conditions *conditions, uint16_t block)

@@ -1,52 +1,52 @@
 
-/* Newton-Raphson: equations, an estimate of the pose and a time give the pose at which the equations hold, or a
-   failure. Residuals are measured in the scales of the rows, steps in those of the unknowns. */
+/* Newton-Raphson: solves equations for the pose at a time from an estimate, or returns a failure. Residuals are
+   measured in the scales of the rows, steps in those of the unknowns. */
 
-/* The longest step, in scales, that still counts as progress. */
+/* Longest step, in scales, that still counts as progress. */
 static const $real LONGEST_STEP$f = 1e6$f;
 
-/* By how much the scaled residual may exceed the first one, or 1 if that is larger. */
+/* Largest growth of the scaled residual over the first one, or over 1 if that is larger. */
 static const $real LARGEST_GROWTH$f = 1e4$f;
 
-/* The number of consecutive steps with growing residual that count as divergence. */
+/* Number of consecutive steps with growing residual that count as divergence. */
 #define GROWING_STEPS$F 5U
 
-/* A polishing step that leaves more than this part of the residual ends a solve: what is left is rounding. */
+/* Part of the residual above which a polishing step ends a solve: the remaining residual is rounding. */
 static const $real NOISE$f = 0.75$f;
 
-/* The largest ratio of the lengths of two consecutive steps on a path that is being followed. */
+/* Largest ratio of the lengths of two consecutive steps on a path that is being followed. */
 static const $real LARGEST_CONTRACTION$f = 0.5$f;
 
-/* A pose is looked at where the square of its pivot ratio is below this multiple of its residual. */
+/* Multiple of the residual below which the square of the pivot ratio makes a pose doubtful. */
 static const $real DOUBT$f = 256.0$f;
 
-/* The uncertainty of a coordinate, in its scale, beyond which a pose is refused. */
+/* Largest uncertainty of a coordinate, in its scale; a pose beyond it is refused. */
 static const $real LARGEST_UNCERTAINTY$f = 1e-3$f;
 
-/* The change of the Jacobian, relative to itself, beyond which a pose is not regular. */
+/* Largest change of the Jacobian, relative to itself, at a regular pose. */
 static const $real LARGEST_CHANGE$f = 0.125$f;
 
-/* The scaled residual of a pose, and the equation with it. */
+/* Scaled residual of a pose, and the equation with it. */
 typedef struct Residual$f {
     $real magnitude;
     uint16_t row;
 } Residual$f;
 
-/* What is asked of the Jacobians and steps of a solve. */
+/* Conditions on the Jacobians and steps of a solve. */
 typedef struct Watch$f {
-    /* The sign that the determinant must have; LINKWRIGHT_NEAREST where nothing is asked. */
+    /* Required sign of the determinant; LINKWRIGHT_NEAREST without a requirement. */
     linkwright_branch branch;
-    /* Whether that is asked on the way too, and steps must become shorter. */
+    /* True if intermediate Jacobians must have it too, and steps must become shorter. */
     bool on_the_way;
     bool has_last;
     $real last;
-    /* Where the Jacobian that is found is measured, or null. */
+    /* Measure of the Jacobian at the returned pose, or null. */
     linkwright$f_measure *measure;
 } Watch$f;
 
-/* What is remembered of earlier steps to tell progress from its absence. */
+/* Record of earlier steps. */
 typedef struct Progress$f {
-    /* The earlier pose that new ones are compared with (Brent, BIT 20 (1980), 176-184). */
+    /* Earlier pose that new ones are compared with (Brent, BIT 20 (1980), 176-184). */
     $real *checkpoint;
     uint32_t age;
     uint32_t lifetime;
@@ -55,7 +55,7 @@ typedef struct Progress$f {
     uint16_t growing;
 } Progress$f;
 
-/* How far a solve has come. */
+/* Progress of a solve. */
 typedef struct Convergence$f {
     uint16_t iterations;
     Residual$f residual;
@@ -88,7 +88,7 @@ static bool scales_are_valid$f(const linkwright$f_equations *equations)
     return are_valid;
 }
 
-/* The length of a step in scales. */
+/* Length of a step in scales. */
 static $real step_length$f(const linkwright$f_equations *equations, const $real update[])
 {
     $real longest = 0.0$f;
@@ -98,7 +98,7 @@ static $real step_length$f(const linkwright$f_equations *equations, const $real 
     return longest;
 }
 
-/* The distance of two vectors in scales. */
+/* Distance of two vectors in scales. */
 static $real distance$f(const linkwright$f_equations *equations, const $real a[], const $real b[])
 {
     $real longest = 0.0$f;
@@ -108,7 +108,7 @@ static $real distance$f(const linkwright$f_equations *equations, const $real a[]
     return longest;
 }
 
-/* Whether no coordinate of two poses differs by more than a part of its scale. */
+/* True if no coordinate of two poses differs by more than a part of its scale. */
 static bool are_close$f(const linkwright$f_equations *equations, const $real a[], const $real b[], $real part)
 {
     bool are_close = true;
@@ -118,7 +118,7 @@ static bool are_close$f(const linkwright$f_equations *equations, const $real a[]
     return are_close;
 }
 
-/* Whether no entry of a change exceeds a part of its coordinate or of its scale, whichever is larger. */
+/* True if no entry of a change exceeds a part of its coordinate or of its scale, whichever is larger. */
 static bool is_negligible$f(const linkwright$f_equations *equations, const $real update[], const $real pose[],
     $real part)
 {
@@ -130,7 +130,7 @@ static bool is_negligible$f(const linkwright$f_equations *equations, const $real
     return is_negligible;
 }
 
-/* Whether no coordinate of two poses differs by more than a part of itself or of its scale, whichever is larger. */
+/* True if no coordinate of two poses differs by more than a part of its value or of its scale, whichever is larger. */
 static bool coincide$f(const linkwright$f_equations *equations, const $real a[], const $real b[], $real part)
 {
     bool coincide = true;
@@ -151,7 +151,7 @@ static linkwright_status gave_up$f(const linkwright$f_equations *equations, Verd
     return verdict.status;
 }
 
-/* Judges a Jacobian on the way, or where it ends. */
+/* Judges an intermediate Jacobian, or the last one. */
 static linkwright_status judged_jacobian$f(const Watch$f *watch, const linkwright$f_factorization *factorization,
     bool has_arrived)
 {
@@ -159,7 +159,7 @@ static linkwright_status judged_jacobian$f(const Watch$f *watch, const linkwrigh
     return (is_asked && (branch_of$f(factorization) != watch->branch)) ? LINKWRIGHT_WRONG_BRANCH : LINKWRIGHT_OK;
 }
 
-/* Judges a step, which has not been taken yet. */
+/* Judges a step before it is taken. */
 static linkwright_status judged_step$f(Watch$f *watch, const linkwright$f_equations *equations, const $real update[])
 {
     linkwright_status status = LINKWRIGHT_OK;
@@ -174,7 +174,7 @@ static linkwright_status judged_step$f(Watch$f *watch, const linkwright$f_equati
     return status;
 }
 
-/* Judges the step that led to a pose, where the residual is still above the tolerance. */
+/* Judges the step that led to a pose, while the residual is above the tolerance. */
 static linkwright_status judged_progress$f(Progress$f *progress, const linkwright$f_equations *equations,
     const $real pose[], const $real update[], $real residual)
 {
@@ -200,14 +200,14 @@ static linkwright_status judged_progress$f(Progress$f *progress, const linkwrigh
     return LINKWRIGHT_OK;
 }
 
-/* The residual, or rounding where it is lower. */
+/* Residual, or rounding if the residual is lower. */
 static $real level$f($real residual)
 {
     return larger$f(residual, ROUNDING$f * $FLT_EPSILON);
 }
 
-/* Requires that a pose cannot be taken for a singular one within what its residual leaves uncertain (Deuflhard,
-   Newton Methods for Nonlinear Problems, 2004, section 2.1). Room for n x n + 6 n numbers. */
+/* Requires that a pose can be told from a singular one within the uncertainty of its residual (Deuflhard, Newton
+   Methods for Nonlinear Problems, 2004, section 2.1). Workspace of n x n + 6 n numbers. */
 static Verdict$f regular$f(const linkwright$f_equations *equations, const $real q[], $real t, $real residual,
     const $real jacobian[], const linkwright$f_factorization *factorization, $real reals[])
 {
@@ -218,7 +218,7 @@ static Verdict$f regular$f(const linkwright$f_equations *equations, const $real 
     $real *const image = &moved[n];
     largest_image$f(factorization, uncertain, &image[n]);
     const Verdict$f singular = {LINKWRIGHT_SINGULAR, factorization->pivot_ratio, position_of_largest$f(uncertain, n)};
-    /* The residual may have either sign, so two poses that both fit are apart by twice the uncertainty. */
+    /* The residual may have either sign, so two poses that both fit differ by twice the uncertainty. */
     const $real reach = level$f(residual) + level$f(residual);
     for (size_t k = 0U; k < n; k += 1U) {
         uncertain[k] *= reach * equations->column_scales[k];
@@ -248,7 +248,7 @@ static bool is_worth_polishing$f(Residual$f residual, const linkwright$f_setting
     return settings->polish && (residual.magnitude > (ROUNDING$f * $FLT_EPSILON));
 }
 
-/* The right-hand side of a step. */
+/* Right-hand side of a step. */
 static void negated$f($real update[], const $real phi[], size_t n)
 {
     for (size_t k = 0U; k < n; k += 1U) {
@@ -256,8 +256,8 @@ static void negated$f($real update[], const $real phi[], size_t n)
     }
 }
 
-/* Moves an estimate to a pose at which the equations hold. One step more follows that brings the residual to
-   rounding level; a pose that has not settled by then is not returned. */
+/* Moves an estimate to a pose at which the equations hold. One more step polishes the residual to rounding level; a
+   pose that has not settled by then is not returned. */
 static linkwright_status solved$f(const linkwright$f_equations *equations, $real pose[], Watch$f *watch,
     Convergence$f *convergence, const linkwright$f_conditions *conditions)
 {
@@ -296,7 +296,8 @@ static linkwright_status solved$f(const linkwright$f_equations *equations, $real
         Verdict$f verdict = factorized$f(&factorization, jacobian, equations, equations->row_scales,
             equations->column_scales, settings->pivot_ratio, factors);
         if (is_limit) {
-            /* Why a pose that meets the tolerance has not settled: it is singular, or there were too few steps. */
+            /* A pose that meets the tolerance has not settled because it is singular, or because there were too few
+               steps. */
             if (verdict.status == LINKWRIGHT_OK) {
                 verdict = regular$f(equations, pose, t, convergence->residual.magnitude, jacobian, &factorization,
                     rest);
@@ -307,7 +308,7 @@ static linkwright_status solved$f(const linkwright$f_equations *equations, $real
             return gave_up$f(equations, verdict, *convergence, conditions);
         }
         if (verdict.status != LINKWRIGHT_OK) {
-            /* A pose that meets the tolerance is good as it is; a singular Jacobian only prevents polishing it. */
+            /* A pose that meets the tolerance is good already; a singular Jacobian only prevents polishing it. */
             return (is_solved && !is_unsettled) ? LINKWRIGHT_OK : gave_up$f(equations, verdict, *convergence,
                 conditions);
         }
@@ -341,7 +342,7 @@ static linkwright_status solved$f(const linkwright$f_equations *equations, $real
                 return LINKWRIGHT_OK;
             }
         }
-        /* The pose is solved. One more step, which is taken only if it does not make the residual larger. */
+        /* The pose is solved. One more step is taken unless it makes the residual larger. */
         negated$f(update, phi, n);
         linkwright$f_solve_factorized(&factorization, update);
         for (size_t k = 0U; k < n; k += 1U) {
@@ -352,11 +353,11 @@ static linkwright_status solved$f(const linkwright$f_equations *equations, $real
         const bool is_better = (after.magnitude <= convergence->residual.magnitude) && linkwright$f_all_finite(update,
             n);
         const bool is_rounding = after.magnitude <= (ROUNDING$f * $FLT_EPSILON);
-        /* Written so that a residual that is no number is not an improvement. */
+        /* Written so that a NaN residual is not an improvement. */
         const bool improves = after.magnitude < (NOISE$f * convergence->residual.magnitude);
         const $real settled = (0.5$f * settings->tolerance) * (convergence->residual.magnitude / after.magnitude);
         is_unsettled = is_better && !is_rounding && improves && !are_close$f(equations, pose, update, settled);
-        /* Only the step of a Jacobian at this very pose says that nothing but noise is left. */
+        /* Only the step of a Jacobian at this very pose shows that nothing but noise is left. */
         const bool again = !is_rounding && (improves || !is_solved)
             && (convergence->iterations < settings->iterations);
         if (is_better) {

@@ -1,21 +1,21 @@
 
-/* A way that ends near a pose at which modes meet, or has broken there: the way beyond it, or its end, on the smooth
-   path. Frames that are nearly singular are not solved but interpolated, and only they. */
+/* Continues a path through change points near its ends, or where it has broken. Only nearly singular frames are
+   interpolated instead of solved. */
 
-/* Least distance of the first times about a meeting, as a part of the way so far. */
+/* Least distance of the first times about a change point, relative to the path so far. */
 static const $real FIRST_STEP$f = 1.0$f / 16.0$f;
 
-/* The square of the distance of modes, as a part of that elsewhere, below which nothing tells in which a motion goes on. */
+/* Square of the distance of modes, relative to that elsewhere, below which the mode of the motion is undecided. */
 static const $real UNDECIDED$f = 1.0$f / 1048576.0$f;
 
-/* What comes of a meeting of modes: it is passed, there is none, or nothing shows the path through it. */
+/* Result at a change point: it is passed, there is none, or no path through it can be verified. */
 typedef enum Passage$f {
     PASSED$F = 0,
     NO_MEETING$F = 1,
     NO_PATH$F = 2
 } Passage$f;
 
-/* Finds the frame at the end of the way or beyond a meeting, in frames[1]. */
+/* Solves the frame at the end of the path or beyond a change point, in frames[1]. */
 static bool is_passed$f(Way$f *way, const Meeting$f *meeting, Sides$f sides, $real beyond, bool lands,
     const void *modes)
 {
@@ -27,8 +27,9 @@ static bool is_passed$f(Way$f *way, const Meeting$f *meeting, Sides$f sides, $re
     return is_frame_at$f(way, lands ? way->end : beyond, way->reached, modes, way->frames[1]);
 }
 
-/* Goes through a meeting of modes near a time, or to the end where that is near it. Times of the distance step (s) before
-   it are looked at first; a meeting at an end may lie on both sides of it. Signals then go on from there. */
+/* Passes a change point near a time, or advances to the end if that is near it. The search begins at times of the
+   distance step (s) before it; a change point at an end may lie on both sides of it. Signals then continue from
+   there. */
 static Passage$f pass$f(Way$f *way, $real place, uint16_t block, $real step, Law$f law)
 {
     const linkwright$f_mechanism *const mechanism = way->mechanism;
@@ -56,20 +57,20 @@ static Passage$f pass$f(Way$f *way, $real place, uint16_t block, $real step, Law
     const bool is_outside = (way->direction * (before - origin)) > 0.0$f;
     bool is_before = true;
     void *const found = way->found_branches;
-    /* A frame beside the meeting may lie before it or beyond it, as its rates tell. */
+    /* A frame beside the change point may lie before it or beyond it, as its rates tell. */
     const bool are_found = is_outside ? are_sides$f(way, block, near_frame, &meeting, true, found)
                                       : are_sides_through$f(way, block, way->origin, &meeting, &is_before, found);
     if (!are_found) {
         return NO_PATH$F;
     }
-    /* The way may have come nearer than the modes can be told apart: what lies before the meeting must lie on the path. */
+    /* The path may have come nearer than the modes can be told apart: the last frame before the change point must
+       lie on it. */
     (void)memcpy(way->reached, way->origin, blocks->frame_size);
     mechanism->state->has_window = false;
     if (is_outside && (steps_to$f(way, before) != LINKWRIGHT_OK)) {
         return NO_PATH$F;
     }
-    /* From where the way has led, angles go on without a jump; what was found from farther away may be off by whole
-       turns. */
+    /* Angles continue without a jump from the last frame; a solution from farther away may be off by whole turns. */
     const Sides$f sides = sides_of$f(way->branches, found, is_before);
     const bool lands = (way->direction * (way->end - beyond)) < 0.0$f;
     const bool stays_before = lands && ((way->direction * (way->end - meeting.time)) < 0.0$f);
@@ -86,7 +87,7 @@ static Passage$f pass$f(Way$f *way, $real place, uint16_t block, $real step, Law
     return PASSED$F;
 }
 
-/* The first block that is nearly singular in a frame, as far as closed forms tell. */
+/* Finds the first block that closed forms show to be nearly singular in a frame. */
 static bool is_weak_frame$f(Way$f *way, const void *frame, $real t, uint16_t *block)
 {
     const linkwright$f_mechanism *const mechanism = way->mechanism;
@@ -97,7 +98,7 @@ static bool is_weak_frame$f(Way$f *way, const void *frame, $real t, uint16_t *bl
     return is_weak$f(mechanism, &pair, WEAK$f, block);
 }
 
-/* The block whose modes are nearest to each other at the time t (s), and the square of their distance. */
+/* Finds the block with the nearest modes at the time t (s), and the square of their distance. */
 static bool nearest_modes$f(Way$f *way, $real t, uint16_t *nearest, $real *least)
 {
     bool is_found = false;
@@ -112,8 +113,8 @@ static bool nearest_modes$f(Way$f *way, $real t, uint16_t *nearest, $real *least
     return is_found;
 }
 
-/* Finds a block that cannot be solved at the time t (s), or whose modes are far nearer to each other than elsewhere on
-   the way. */
+/* Finds a block that cannot be solved at the time t (s), or whose modes are far nearer to each other than elsewhere
+   on the path. */
 static bool has_near_modes$f(Way$f *way, $real t, uint16_t *block)
 {
     const $real elsewhere = way->from + (SHORTER$f * (way->end - way->from));
@@ -129,7 +130,7 @@ static bool has_near_modes$f(Way$f *way, $real t, uint16_t *block)
         && (square <= (sqrt$f(sqrt$f($FLT_EPSILON)) * whole));
 }
 
-/* Goes through meetings of modes where the way begins or ends so near to one that equations are nearly singular. */
+/* Passes change points so near to the start or the end of the path that equations are nearly singular there. */
 static void pass_ends$f(Way$f *way)
 {
     const linkwright$f_blocks *const blocks = way->mechanism->blocks;
@@ -137,7 +138,7 @@ static void pass_ends$f(Way$f *way)
     uint16_t block = 0U;
     Passage$f passage = PASSED$F;
     const bool is_closed = blocks->verify_nonsingular != NULL;
-    /* The other mode of Newton-Raphson takes too long to be looked for in each step that is divided. */
+    /* The other mode of Newton-Raphson takes too long to be sought in each step that is divided. */
     if ((blocks->is_within != NULL) || !blocks->holds_coordinates || (way->start == LINKWRIGHT_ESTIMATE)
         || (way->from == way->end)) {
         return;
@@ -162,12 +163,12 @@ static void pass_ends$f(Way$f *way)
     way->may_be_weak = passage == NO_MEETING$F;
 }
 
-/* Goes through the pose at which the modes of a block meet, if it is where the way has broken. */
+/* Passes the change point of a block at which the path has broken, if there is one. */
 static bool is_crossed$f(Way$f *way)
 {
     const linkwright$f_blocks *const blocks = way->mechanism->blocks;
     const linkwright_status status = way->failure.status;
-    /* Where modes meet, links may be apart by rounding. */
+    /* At a change point, links may be apart by rounding. */
     const bool may_meet = (status == LINKWRIGHT_STEP_TOO_LARGE) || (status == LINKWRIGHT_SINGULAR)
         || (status == LINKWRIGHT_WRONG_BRANCH) || (status == LINKWRIGHT_OUT_OF_REACH);
     if (!may_meet || (way->start == LINKWRIGHT_ESTIMATE)) {
@@ -186,8 +187,7 @@ static bool is_crossed$f(Way$f *way)
     return pass$f(way, near_time, block, step, LAW_OF_WAY$F) == PASSED$F;
 }
 
-/* True if modes of a block are far nearer to each other where the way has broken than elsewhere, though the motion goes
-   on. */
+/* True if modes of a block are far nearer to each other at the break than elsewhere, though the motion continues. */
 static bool is_undecided$f(Way$f *way)
 {
     const linkwright$f_blocks *const blocks = way->mechanism->blocks;
@@ -196,7 +196,7 @@ static bool is_undecided$f(Way$f *way)
         || (status == LINKWRIGHT_WRONG_BRANCH);
     const $real near_time = blocks->time(way->reached);
     const $real length = near_time - blocks->time(way->origin);
-    /* A motion that turns back at a dead center has been followed to it, as far as rounding lets it. */
+    /* A motion that turns back at a dead point has been followed to it, as far as rounding permits. */
     const $real beyond = way->failure.time + (sqrt$f(sqrt$f($FLT_EPSILON)) * length);
     uint16_t block = 0U;
     $real square = 0.0$f;

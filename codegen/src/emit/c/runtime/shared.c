@@ -7,11 +7,11 @@
 #ifdef __clang__
 #pragma STDC FP_CONTRACT OFF
 #endif
-/* GCC 12 fuses them where it vectorizes straight lines of code, whatever its options say. */
+/* GCC 12 fuses them where it vectorizes straight lines of code, whatever its options are. */
 #if defined(__GNUC__) && !defined(__clang__) && (defined(__FP_FAST_FMA) || defined(__FP_FAST_FMAF))
 #pragma GCC optimize ("no-tree-slp-vectorize")
 #endif
-/* Equal is meant wherever it is written, for example to zero, or to a time that was given before. */
+/* Comparisons for equality are intended, for example with zero, or with an earlier time. */
 #if defined(__GNUC__)
 #pragma GCC diagnostic ignored "-Wfloat-equal"
 #endif

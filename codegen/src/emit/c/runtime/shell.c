@@ -1,6 +1,6 @@
 
-/* The mechanism that a user holds: assembly and motion. It keeps two frames, the last one and the one that the next
-   solution is written to; only a solution that succeeded takes the place of the last one. */
+/* Assembly and motion of a mechanism. It keeps two frames, the last one and the one that the next solution is
+   written to; only a successful solution replaces the last frame. */
 
 static void *frame_of$f(const linkwright$f_mechanism *mechanism, bool is_last)
 {
@@ -49,7 +49,7 @@ linkwright_status linkwright$f_assemble(const linkwright$f_mechanism *mechanism,
     return status;
 }
 
-/* Keeps what was solved. */
+/* Keeps a solved frame. */
 static void keep$f(const linkwright$f_mechanism *mechanism, const void *inputs)
 {
     linkwright$f_state *const state = mechanism->state;
@@ -79,7 +79,7 @@ linkwright_status linkwright$f_advance(const linkwright$f_mechanism *mechanism, 
     return status;
 }
 
-/* Goes to the end of a way, through the poses at which modes meet. */
+/* Advances to the end of a path, through change points. */
 static linkwright_status gone$f(Way$f *way)
 {
     const linkwright$f_passage *const passage = way->mechanism->blocks->passage;
@@ -110,7 +110,7 @@ linkwright_status linkwright$f_advance_in_steps(const linkwright$f_mechanism *me
     const linkwright$f_blocks *const blocks = mechanism->blocks;
     const linkwright$f_state *const state = mechanism->state;
     const void *const last = frame_of$f(mechanism, true);
-    /* No way leads to inputs that may not be. */
+    /* No path leads to inputs that are not allowed. */
     const bool is_driven_so = (blocks->signals > 0U) && (mechanism->failure->status == LINKWRIGHT_NOT_POSITIVE);
     if (is_of_input$f(mechanism->failure) || is_driven_so || (state->settings.substeps <= 1U)) {
         return mechanism->failure->status;
@@ -154,7 +154,7 @@ linkwright_status linkwright$f_advance_in_steps(const linkwright$f_mechanism *me
     if (is_without_length$f(&way) && is_changed$f(&way)) {
         status = changed$f(&way);
     } else if ((way.from == t) && (way.start == LINKWRIGHT_ESTIMATE)) {
-        /* The last frame answers to no parameters but its own. */
+        /* The last frame belongs to its own parameters only. */
         status = way.failure.status;
     } else {
         status = gone$f(&way);
@@ -185,7 +185,7 @@ $real linkwright$f_time_after(const linkwright$f_mechanism *mechanism, $real dur
 {
     const linkwright$f_state *const state = mechanism->state;
     const $real t = mechanism->blocks->time(frame_of$f(mechanism, true));
-    /* What is left of a sum counts where that is its time. */
+    /* The remainder of a sum counts if t is its time. */
     const $real whole = duration + ((state->sum == t) ? state->rest : 0.0$f);
     const $real sum = t + whole;
     const $real added = sum - t;

@@ -1,23 +1,22 @@
 
-/* Two frames and the bounds of what moves between them: whether the second one lies on the path of the first. */
+/* Bounds on signals and unknowns between two frames: whether the second one lies on the path of the first. */
 
-/* The multiple of the rounding by which a value that Newton-Raphson finds may be off. */
+/* Multiple of the rounding by which a value of Newton-Raphson may be off. */
 static const $real TUBE_ROUNDING$f = 65536.0$f;
 
-/* The multiple of the rounding by which a solved equation may be off zero. */
+/* Multiple of the rounding by which a solved equation may be off zero. */
 static const $real LEFT_BY_ROUNDING$f = 64.0$f;
 
-/* The multiple of the rounding by which the difference of two values may be off, as a part of their size. */
+/* Multiple of the rounding by which the difference of two values may be off, relative to their magnitude. */
 static const $real OF_DIFFERENCES$f = 32.0$f;
 
-/* How far rounding leaves what frames hold, and what differences of two of them lead to that are multiplied by
-   steps. */
+/* Bound on the rounding of values in frames, and of their differences multiplied by steps. */
 static $real window_rounding$f($real steps)
 {
     return $FLT_EPSILON * (LEFT_BY_ROUNDING$f + (OF_DIFFERENCES$f * steps));
 }
 
-/* How far a signal is from a straight line between two values that are h (s) apart. */
+/* Bound on the deviation of a signal from the chord between two values that are h (s) apart. */
 static $real remainder_of_signal$f($real h, const linkwright$f_signal *before, const linkwright$f_signal *now)
 {
     const $real moved = now->value - before->value;
@@ -28,7 +27,7 @@ static $real remainder_of_signal$f($real h, const linkwright$f_signal *before, c
     return (0.2$f * (rate_before + rate_now)) + (0.018$f * (acceleration_before + acceleration_now));
 }
 
-/* How far a signal that moves so far in one step may be from the straight line beyond the frames. */
+/* Deviation from the chord that a signal with this change in one step may have beyond the frames. */
 static $real allowance_of_signal$f(const linkwright$f_time_window *window, $real moved)
 {
     return (0.25$f * window->steps) * moved;
@@ -38,15 +37,15 @@ void linkwright$f_window_signal(const linkwright$f_time_window *window, const li
     const linkwright$f_signal *now, $real found[2])
 {
     const $real moved = fabs$f(now->value - before->value);
-    /* Where no time passes, it goes straight. */
+    /* If no time passes, the signal follows the chord. */
     const $real remainder = (window->step == 0.0$f) ? 0.0$f : remainder_of_signal$f(window->step, before, now);
     const $real deviation = remainder + (window->beyond * allowance_of_signal$f(window, moved));
     found[0] = (window->steps * moved) + deviation;
     found[1] = deviation;
 }
 
-/* Whether a signal that goes from last to next in the time h stays as near to the straight line from before to now
-   as is supposed; the line ends so long (s) before next. */
+/* True if a signal that goes from last to next in the time h stays as near to the chord from before to now as is
+   assumed; the chord ends so long (s) before next. */
 static bool holds_signal$f(const linkwright$f_time_window *window, const linkwright$f_signal *before,
     const linkwright$f_signal *now, const linkwright$f_signal *last, const linkwright$f_signal *next, $real h,
     $real since)
@@ -59,8 +58,8 @@ static bool holds_signal$f(const linkwright$f_time_window *window, const linkwri
         && (remainder_of_signal$f(h, last, next) <= allowance);
 }
 
-/* What a signal is at a part of the time h (s) that it takes from one value to another, by the polynomial of the
-   fifth degree that has value, rate and acceleration of both ends. */
+/* Signal at a part of the time h (s) from one value to another, by the polynomial of the fifth degree with value,
+   rate and acceleration of both ends. */
 static linkwright$f_signal signal_towards$f(const linkwright$f_signal *first, const linkwright$f_signal *last,
     $real h, $real part)
 {

@@ -1,35 +1,34 @@
 
-/* Blocks whose unknowns follow one after another from a few of them, the tears: Newton-Raphson on these alone. That is
-   a shortcut and decides nothing: where it does not lead to a pose at which all equations hold to rounding, all are
-   solved at once. */
+/* Blocks whose unknowns follow explicitly from a few tearing variables: Newton-Raphson on these alone. Tearing only
+   saves work: unless it leads to a pose at which all equations hold to rounding, all are solved at once. */
 
-/* Evaluations at most; from the last frame two or three suffice. */
+/* Largest number of evaluations; from the last frame two or three suffice. */
 #define EVALUATIONS$F 6U
 
-/* The multiple of the rounding unit of its terms below which the residual of a tear is rounding where no step makes it
-   smaller. Of more unknowns than that each adds a unit, as what the closed forms round they hand on along a chain. */
+/* Multiple of the rounding unit of its terms below which a tearing residual is rounding, once no step makes it
+   smaller. Each unknown beyond that number adds a unit, because closed forms pass their rounding on along a chain. */
 static const $real AMPLIFIED$f = 16.0$f;
 
-/* The largest derivative of an unknown by a tear, in their scales, with which rates are as accurate as those of all
-   equations together. */
+/* Largest derivative of an unknown by a tearing variable, in their scales, with which rates are as accurate as those
+   of all equations together. */
 static const $real LARGEST_RESPONSE$f = 64.0$f;
 
-/* The larger of a magnitude and a value's, or what is not finite. */
+/* Larger of a magnitude and that of a value, or one that is not finite. */
 static $real largest_of$f($real largest, $real value)
 {
     const $real magnitude = fabs$f(value);
     return ((largest < magnitude) || !linkwright$f_is_finite(magnitude)) ? magnitude : largest;
 }
 
-/* The rounding of one equation when as many unknowns are found one after another. */
+/* Rounding of one equation after many unknowns in sequence. */
 static $real handed_on$f(const linkwright$f_equations *equations)
 {
     const $real units = ($real)equations->order / AMPLIFIED$f;
     return $FLT_EPSILON * ((units > 1.0$f) ? units : 1.0$f);
 }
 
-/* All unknowns with their rates at tears at which the residuals vanish; false where they are not as good as all
-   equations together would find them. */
+/* Computes all unknowns and their rates at tearing variables with vanishing residuals; false if they are not as good
+   as those of all equations together. */
 static bool torn_completed$f(const linkwright$f_tearing *tearing, const $real tears[], const linkwright$f_tears *last,
     const $real memory[], linkwright$f_tears *found, const linkwright$f_conditions *conditions)
 {
@@ -55,8 +54,8 @@ static bool torn_completed$f(const linkwright$f_tearing *tearing, const $real te
         found->q[k] = equations->angles[k] ? linkwright$f_angle_near(sines[k], cosines[k], last->q[k]) : cosines[k];
         found->qd[k] = cosines[(2U * n) + k];
         found->qdd[k] = cosines[(3U * n) + k];
-        /* That all equations hold as well as all together would leave them does not rely on how the unknowns were found.
-           Written so that NaN is refused. */
+        /* All equations must hold as well as a solve of all together would leave them; this does not depend on the
+           method. Written so that NaN is refused. */
         is_met = is_met && (fabs$f(residual[k]) <= (left * equations->row_scales[k]));
     }
     for (size_t k = 0U; k < tearing->count; k += 1U) {
@@ -71,7 +70,7 @@ static bool torn_completed$f(const linkwright$f_tearing *tearing, const $real te
     return are_finite && is_met && (response <= LARGEST_RESPONSE$f);
 }
 
-/* The next frame by way of the tears, where that is sure to be as good as by way of all equations. */
+/* Advances by the tearing variables if the frame is certain to be as good as by all equations. */
 static bool torn_advanced$f(const linkwright$f_tearing *tearing, const linkwright$f_tears *last, const $real memory[],
     linkwright$f_tears *found, const linkwright$f_conditions *conditions)
 {
@@ -127,7 +126,7 @@ static bool torn_advanced$f(const linkwright$f_tearing *tearing, const linkwrigh
     return false;
 }
 
-/* What the next frame is found with, from a pose that all equations together have given. */
+/* Memory for the next frame, from a pose that all equations together have given. */
 static void remembered$f(const linkwright$f_tearing *tearing, const $real q[], $real memory[],
     const linkwright$f_conditions *conditions)
 {
@@ -141,7 +140,7 @@ static void remembered$f(const linkwright$f_tearing *tearing, const $real q[], $
     tearing->signs(equations->context, q, conditions->t, &memory[1]);
     bool leads_here = tearing->evaluate(equations->context, tears, &memory[1], conditions->t, tearing->evaluated);
     for (size_t k = 0U; (k < count) && leads_here; k += 1U) {
-        /* The closed forms must lead to this very pose. */
+        /* The closed forms must lead to this pose. */
         leads_here = fabs$f(residual[k]) <= (conditions->settings->tolerance * tearing->scales[k]);
     }
     memory[0] = leads_here ? residual[(count + 1U) * count] : 0.0$f;

@@ -1,48 +1,48 @@
 
-/* The way from one frame of a mechanism to another time, in as many steps as it takes. Where one fails, half the way
-   is tried; where the modes of a block meet, the way goes straight on in the other one. */
+/* Advances a mechanism along its path from one frame to another time, in as many steps as needed. If one fails, half
+   the distance is tried; at a change point of a block, the path continues straight in the other mode. */
 
-/* The part of the whole way below which a step is so short that what its attempt has met lies on the path. */
+/* Part of the whole distance below which a step is so short that a failure of its attempt lies on the path. */
 static const $real REFINED$f = 1.0$f / 256.0$f;
 
-/* The part of the way to the foreseen end of reach that the next attempt leaves, so that it as a rule lies on the
+/* Part of the distance to the predicted end of reach that the next attempt leaves, so that it usually lies on the
    same side. */
 static const $real LEFT$f = 1.0$f / 16.0$f;
 
-/* How many meetings of modes one way may pass. */
+/* Maximum number of change points per path. */
 #define CROSSINGS$F 8U
 
-/* The signals on a way: its own, or those that go on from its first or last ones. */
+/* Signals on a path: its own, or those that continue from its first or last ones. */
 typedef enum Law$f {
     LAW_OF_WAY$F = 0,
     FIRST_LAW$F = 1,
     LAST_LAW$F = 2
 } Law$f;
 
-/* A way, and how far it has been gone. */
+/* Path to a time, with the progress on it. */
 typedef struct Way$f {
     const linkwright$f_mechanism *mechanism;
-    /* When it begins and ends (s), and the signals at both ends. */
+    /* Start and end (s), and the signals at both ends. */
     $real from;
     $real end;
     const void *first_inputs;
     const void *last_inputs;
-    /* Whether it has no length, so that the inputs alone are changed, and the part of their change that was made. */
+    /* True if it has no duration, so that the inputs alone change, and the completed part of their change. */
     bool is_change;
     $real part;
     linkwright_start start;
-    /* The last frame on the way, where the modes were exchanged last, or else its first frame, and where the next is
-       written. */
+    /* Last frame on the path, frame of the last exchange of modes or else its first frame, and storage of the next
+       frame. */
     void *reached;
     void *origin;
     void *next;
     void *branches;
-    /* Whether the frame at the end may be nearly singular, because no modes meet there. */
+    /* True if the frame at the end may be nearly singular, because no modes meet there. */
     bool may_be_weak;
-    /* 1 where time grows on the way, and else -1, and the signals at a meeting. */
+    /* 1 if time grows on the path, otherwise -1, and the signals at a change point. */
     $real direction;
     Law$f law;
-    /* Room for frames of meetings, for other modes, and for the inputs of two times. */
+    /* Workspace for frames at change points, for other modes, and for the inputs of two times. */
     void *frames[6];
     void *others;
     void *kept_branches;
@@ -53,17 +53,17 @@ typedef struct Way$f {
     void *inputs;
     void *before;
     linkwright$f_failure failure;
-    /* That of a frame which is only tried. */
+    /* Failure of a frame that is only tried. */
     linkwright$f_failure tried;
 } Way$f;
 
-/* The element of an array of elements of any size. */
+/* Element of an array of elements of any size. */
 static void *element$f(void *array, size_t size, size_t index)
 {
     return &((unsigned char *)array)[index * size];
 }
 
-/* The signal after a time (s) in which its acceleration does not change. */
+/* Signal after a time (s) with constant acceleration. */
 static void go_on$f(linkwright$f_signal *signal, $real time)
 {
     if (time != 0.0$f) {
@@ -73,7 +73,7 @@ static void go_on$f(linkwright$f_signal *signal, $real time)
     }
 }
 
-/* Signals at a time on the way; beyond it, and by the law of one of its ends, they go on from there. */
+/* Signals at a time on the path; beyond it, and by the law of one of its ends, they continue from there. */
 static void inputs_at$f(const Way$f *way, $real t, Law$f law, void *inputs)
 {
     const linkwright$f_blocks *const blocks = way->mechanism->blocks;
@@ -101,7 +101,7 @@ static bool is_finite_signal$f(const linkwright$f_signal *signal)
         && linkwright$f_is_finite(signal->acceleration);
 }
 
-/* The failure of an instant whose parameters or inputs are not finite: it names the first such input. */
+/* Failure of an instant whose parameters or inputs are not finite: it names the first such input. */
 static LINKWRIGHT_APART linkwright_status names_input$f(const linkwright$f_blocks *blocks,
     const linkwright$f_conditions *conditions)
 {
@@ -119,7 +119,7 @@ static bool is_of_input$f(const linkwright$f_failure *failure)
     return (failure->status == LINKWRIGHT_NOT_FINITE) && (failure->column > 0U);
 }
 
-/* Solves all blocks for numbers that are finite. */
+/* Solves all blocks if all numbers are finite. */
 static linkwright_status solve_all$f(const linkwright$f_mechanism *mechanism, void *at, const void *last,
     void *branches, const linkwright$f_conditions *conditions)
 {
@@ -134,7 +134,7 @@ static linkwright_status solve_all$f(const linkwright$f_mechanism *mechanism, vo
     return are_finite ? blocks->solve(at, last, branches, conditions) : names_input$f(blocks, conditions);
 }
 
-/* The number at a part of the straight way from one to another. */
+/* Number at a part of the straight path from one to another. */
 static $real between$f($real first, $real last, $real part)
 {
     return first + (part * (last - first));
@@ -157,7 +157,7 @@ static void changed_inputs$f(const Way$f *way, $real part, void *inputs)
     }
 }
 
-/* Goes on to a place: a time, or a part of the change of the inputs, which is then the time of a failure. */
+/* Advances to a time, or to a part of the change of the inputs, which is then the time of a failure. */
 static linkwright_status stepped$f(Way$f *way, $real place)
 {
     const linkwright$f_mechanism *const mechanism = way->mechanism;
@@ -176,7 +176,7 @@ static linkwright_status stepped$f(Way$f *way, $real place)
     }
     linkwright_status status = solve_all$f(mechanism, way->next, way->reached, way->branches, &conditions);
     if (status == LINKWRIGHT_OK) {
-        /* What lies on the way is nobody's answer. */
+        /* Frames between the ends are not returned to the caller. */
         status = admitted$f(mechanism, &pair, way->may_be_weak || (t != way->end) || way->is_change);
     }
     if (status == LINKWRIGHT_OK) {
@@ -193,8 +193,8 @@ static linkwright_status stepped$f(Way$f *way, $real place)
     return status;
 }
 
-/* A time shortly beyond that at which links cease to reach, from two times at which they do not, by the rule of the
-   secant. False where what is missing does not fall towards what was reached. */
+/* Time shortly beyond the end of reach, from two times beyond it, by the secant rule. False if the missing distance
+   does not fall towards the reached time. */
 static bool end_of_reach$f($real reached, const linkwright$f_failure *nearer, const linkwright$f_failure *farther,
     $real *aim)
 {
@@ -209,14 +209,14 @@ static bool end_of_reach$f($real reached, const linkwright$f_failure *nearer, co
     return is_found;
 }
 
-/* True of numbers that are refused, and do not say of which block there is no pose. */
+/* True for numbers that are refused: they do not tell which block has no pose. */
 static bool refuses_number$f(linkwright_status status)
 {
     return (status == LINKWRIGHT_NOT_POSITIVE) || (status == LINKWRIGHT_NOT_FINITE)
         || (status == LINKWRIGHT_LOAD_NOT_FINITE);
 }
 
-/* The status of a failure that no shorter step would have avoided. */
+/* Status of a failure that no shorter step would have avoided. */
 static linkwright_status lasting$f(linkwright_status status, bool is_coarse)
 {
     const bool may_last = (status == LINKWRIGHT_SINGULAR) || (status == LINKWRIGHT_WRONG_BRANCH)
@@ -230,7 +230,7 @@ static bool is_end$f(const linkwright$f_failure *failure)
     return (failure->status == LINKWRIGHT_OUT_OF_REACH) || (failure->status == LINKWRIGHT_SINGULAR);
 }
 
-/* Another status in a failure, with what it says. */
+/* Changes the status of a failure, with its value and column. */
 static void restate$f(linkwright$f_failure *failure, linkwright_status status, $real value, uint16_t column)
 {
     failure->status = status;
@@ -238,8 +238,8 @@ static void restate$f(linkwright$f_failure *failure, linkwright_status status, $
     failure->column = column;
 }
 
-/* Moves on to a time by as many steps as it takes, within the budget of the settings; the failure of the way says
-   why it ends. */
+/* Advances to a time in as many steps as needed, within the budget of the settings; the failure of the path gives
+   the reason for its end. */
 static linkwright_status in_steps$f(Way$f *way, $real from, $real to)
 {
     const uint16_t budget = way->mechanism->state->settings.substeps;
@@ -247,13 +247,13 @@ static linkwright_status in_steps$f(Way$f *way, $real from, $real to)
     $real reached = from;
     $real step = to - from;
     bool has_succeeded = false;
-    /* Whether the last attempt was aimed at a time that two others have foreseen. */
+    /* True if the last attempt was aimed at a time that two others have predicted. */
     bool is_aimed = false;
     bool is_refused = false;
     linkwright$f_failure refused = way->failure;
     linkwright$f_failure whole = way->failure;
     bool has_whole = false;
-    /* The nearest time at which there is no pose. */
+    /* Nearest time without a pose. */
     linkwright$f_failure beyond = way->failure;
     bool has_beyond = false;
     bool has_latest = false;
@@ -262,7 +262,7 @@ static linkwright_status in_steps$f(Way$f *way, $real from, $real to)
     bool goes_on = true;
     while (goes_on) {
         const $real rest = to - reached;
-        /* Written so that a time that is no number is tried, and refused by the attempt. */
+        /* Written so that a NaN time is tried, and refused by the attempt. */
         const bool is_shorter = fabs$f(step) < fabs$f(rest);
         const $real target = is_shorter ? (reached + step) : to;
         bool is_in_line = false;
@@ -272,10 +272,10 @@ static linkwright_status in_steps$f(Way$f *way, $real from, $real to)
                 return LINKWRIGHT_OK;
             }
             reached = target;
-            /* What was refused from farther away may have been passed. */
+            /* A failure from farther away may have been passed. */
             is_refused = is_refused && ((from < to) ? (target < refused.time) : (refused.time < target));
             if (is_refused && (refused.status == LINKWRIGHT_OUT_OF_REACH)) {
-                /* From nearer the links reach no farther. */
+                /* From nearer, the links reach no farther. */
                 step = 0.5$f * (refused.time - reached);
             } else if (has_succeeded) {
                 step += step;
@@ -286,11 +286,11 @@ static linkwright_status in_steps$f(Way$f *way, $real from, $real to)
             is_aimed = false;
         } else {
             const linkwright$f_failure failure = way->failure;
-            /* From farther away, what is missing may belong to another gap than the next one. */
+            /* From farther away, the missing distance may belong to another gap than the next one. */
             const bool is_near = fabs$f(target - reached) <= refined;
             $real aim = 0.0$f;
             const bool has_aim = is_refused && is_near && end_of_reach$f(reached, &failure, &refused, &aim);
-            /* Links that reach by less than rounding are in line. */
+            /* Links that reach by less than rounding are collinear. */
             is_in_line = is_aimed && (failure.status == LINKWRIGHT_SINGULAR);
             is_aimed = has_aim || is_in_line;
             if (attempts == 1U) {
@@ -314,11 +314,11 @@ static linkwright_status in_steps$f(Way$f *way, $real from, $real to)
         goes_on = !is_in_line && (attempts < budget) && is_distinct;
     }
     if (!is_refused) {
-        /* Nothing stands in the way but the budget, which some block has used up. */
+        /* The only obstacle is the budget, which some block has used up. */
         return noted$f(&way->failure, LINKWRIGHT_STEP_TOO_LARGE, 0.0$f, 0U, reached, has_latest ? latest : 0U);
     }
-    /* Where the steps of a block have become as short, and it has no pose farther on, or none has shortly beyond, that is
-       why. */
+    /* If the steps of a block have become as short, and it has no pose farther on, or none shortly beyond, that is
+       the reason. */
     const bool has_end = has_beyond
         && (refuses_number$f(beyond.status) ? (fabs$f(beyond.time - reached) <= refined)
                                         : (beyond.block == refused.block));
@@ -327,12 +327,12 @@ static linkwright_status in_steps$f(Way$f *way, $real from, $real to)
         refused = beyond;
         refused.time = time;
     }
-    /* Written so that a way of no length, or of a length that is no number, counts as refined. */
+    /* Written so that a motion of zero or NaN duration counts as refined. */
     const bool is_coarse = (fabs$f(step) > refined) && !is_aimed;
     way->failure = refused;
     if (is_end$f(&refused) && has_whole && (whole.status == LINKWRIGHT_OUT_OF_REACH)
         && (whole.block == refused.block)) {
-        /* How much is missing at the end says more than that nothing is where the reach ends. */
+        /* The distance missing at the end says more than the zero at the end of reach. */
         restate$f(&way->failure, whole.status, whole.value, whole.column);
     } else {
         const linkwright_status status = lasting$f(refused.status, is_coarse);
@@ -343,7 +343,7 @@ static linkwright_status in_steps$f(Way$f *way, $real from, $real to)
     return way->failure.status;
 }
 
-/* Goes on to a time. */
+/* Advances to a time. */
 static linkwright_status steps_to$f(Way$f *way, $real end)
 {
     const $real from = way->mechanism->blocks->time(way->reached);
@@ -371,7 +371,7 @@ static bool is_changed$f(const Way$f *way)
     return is_found;
 }
 
-/* Goes to the end of a way that has no length, in steps of the inputs. */
+/* Advances to the end of a path without duration, in steps of the inputs. */
 static linkwright_status changed$f(Way$f *way)
 {
     way->is_change = true;
