@@ -1,7 +1,7 @@
 //! Finds the closest approach of each subsystem to a singular pose along a motion, and its time.
 //!
-//! The rates of the measures are known. A minimum between two instants is located where the rate changes its sign, or where the measure
-//! itself does, by bisection to the last digit of t that the solver resolves. Only the lowest few candidates are kept.
+//! The rates of the measures are known. A minimum between two instants lies where the rate changes its sign, or where the measure
+//! itself does. Bisection locates it to the last digit of t that the solver resolves. Only the lowest few candidates are kept.
 
 use linkwright::Shell;
 

@@ -63,8 +63,8 @@ pub struct Assemblies {
     pub iterated: usize,
     /// Existing assemblies: that of the design configuration first, then by signs, positive ones first, and by poses.
     pub found: Vec<Assembly>,
-    /// True if every block without a closed form has no further pose, except for `undecided` ranges, and no pose was left out for being too
-    /// close to singular.
+    /// True if blocks without a closed form have no further pose, except for `undecided` ranges. False if a pose was left out for being
+    /// too close to singular.
     pub proven: bool,
     /// Ranges in which existence of poses is undecided.
     pub undecided: Vec<Undecided>,

@@ -1,7 +1,7 @@
 //! Evaluates the requests of `transmission` and `sensitivity` statements as named columns.
 //!
-//! A transmission is the derivative of a point or coordinate by the value of a driver, a sensitivity that of a coordinate and its
-//! rate by a parameter, both at a fixed time. Units are SI units.
+//! A transmission is the derivative of a point or coordinate by the value of a driver. A sensitivity is that of a coordinate and its
+//! rate by a parameter. Both hold at a fixed time, in SI units.
 
 use linkwright_codegen::stages::joint::Quantity;
 use linkwright_codegen::stages::model::{Dimension, Requested};

@@ -17,7 +17,7 @@ pub(crate) struct KnownPoses {
     pub poses: Vec<(State, Modes)>,
     /// Index of the pose that is found from the last values; `None` if that is not among them.
     pub drawn: Option<usize>,
-    /// True if there are no further poses, except for `undecided` ranges.
+    /// True if no further poses exist, except for `undecided` ranges.
     pub are_all: bool,
     /// Ranges in which existence of poses is undecided.
     pub undecided: Vec<Undecided>,

@@ -35,7 +35,7 @@ pub enum Unassembled {
         block: usize,
         /// Number of known poses.
         known: usize,
-        /// True if there are no further poses.
+        /// True if no further poses exist.
         are_all: bool,
         /// Time (s).
         t: f64,
@@ -120,8 +120,8 @@ impl ModeSelection {
     /// Assembles the mechanism at time `t` (s) as requested, block by block, with its nominal parameters and inputs.
     ///
     /// # Errors
-    /// The first block that cannot be solved, with [`WrongBranch`](linkwright::FailureKind::WrongBranch) if no pose of the requested mode
-    /// was found, or that has no pose of the requested letter.
+    /// The first block without the requested pose. A block that cannot be solved is reported with [`WrongBranch`](linkwright::FailureKind::WrongBranch) if no
+    /// pose of the requested mode was found.
     pub fn assembled(
         &self,
         interpreted: &Interpreted,

@@ -19,9 +19,9 @@ use crate::operation::{Operation, Writer, run};
 #[derive(Clone, Debug)]
 pub(crate) struct InterpretedPath {
     /// Verification of all equations together.
-    whole: Shown,
+    whole: WindowCheck,
     /// Verification of closed forms in their order; `None` if there are none.
-    closed: Option<Shown>,
+    closed: Option<WindowCheck>,
     /// Number of each block of the plan.
     numbers: Vec<u16>,
     /// Indices of the unknowns of Newton-Raphson, and bounds on their deviations from the chord if they move.
@@ -30,7 +30,7 @@ pub(crate) struct InterpretedPath {
 
 /// Verification of a window as operations.
 #[derive(Clone, Debug)]
-struct Shown {
+struct WindowCheck {
     code: Code,
     /// Registers of the time, the steps, the remainder, the margin beyond the window, and the rounding.
     window: [Register; 5],
@@ -76,7 +76,7 @@ impl InterpretedPath {
             .collect();
         let deviations = unknowns.iter().filter_map(|(_, deviation)| *deviation);
         let bounds = &path.window;
-        let context = Given {
+        let context = CheckWriter {
             system,
             program,
             window: [
@@ -88,9 +88,9 @@ impl InterpretedPath {
             ],
             layout,
         };
-        let (whole, deviations) = context.shown(&path.function, deviations.collect());
+        let (whole, deviations) = context.write(&path.function, deviations.collect());
         let closed = path.closed.as_ref();
-        let closed = closed.map(|function| context.shown(function, Vec::new()).0);
+        let closed = closed.map(|function| context.write(function, Vec::new()).0);
         let mut deviations = deviations.into_iter();
         let enclosures = unknowns.into_iter().map(|(position, deviation)| {
             let deviation = deviation.and_then(|_| deviations.next());
@@ -132,7 +132,7 @@ impl InterpretedPath {
         enclosures: &mut Vec<PathEnclosure>,
         registers: &mut [f64],
     ) -> Result<(), u16> {
-        self.whole.show(pair, window, &self.numbers, registers)?;
+        self.whole.verify(pair, window, &self.numbers, registers)?;
         let instants = [pair.at, pair.last].map(Instant::values);
         let enclosure = |&(slot, deviation): &(usize, Option<Register>)| {
             let [now, before] = instants.map(|values| values[slot]);
@@ -161,14 +161,14 @@ impl InterpretedPath {
         registers: &mut [f64],
     ) -> Result<(), u16> {
         match &self.closed {
-            Some(closed) => closed.show(pair, window, &self.numbers, registers),
+            Some(closed) => closed.verify(pair, window, &self.numbers, registers),
             None => Err(0),
         }
     }
 }
 
 /// Context in which verifications are written as operations.
-struct Given<'a> {
+struct CheckWriter<'a> {
     system: &'a System,
     program: &'a Program,
     /// Symbols of the time, the steps, the remainder, the margin beyond the window, and the rounding.
@@ -176,7 +176,7 @@ struct Given<'a> {
     layout: &'a Layout,
 }
 
-impl Given<'_> {
+impl CheckWriter<'_> {
     fn slot(&self, symbol: SymbolId) -> usize {
         let slot = self.layout.slot(symbol);
         slot.unwrap_or_else(|| {
@@ -186,7 +186,7 @@ impl Given<'_> {
     }
 
     /// Writes a function as operations; returns the registers of the requested symbols.
-    fn shown(&self, function: &Function, symbols: Vec<SymbolId>) -> (Shown, Vec<Register>) {
+    fn write(&self, function: &Function, symbols: Vec<SymbolId>) -> (WindowCheck, Vec<Register>) {
         let mut writer = Writer::new(self.system, self.program);
         let window = self.window.map(|symbol| writer.found(symbol));
         writer.body(function);
@@ -201,7 +201,7 @@ impl Given<'_> {
             }
         }
         let (code, _) = writer.finish();
-        let verification = Shown {
+        let verification = WindowCheck {
             code,
             window,
             read,
@@ -211,12 +211,12 @@ impl Given<'_> {
     }
 }
 
-impl Shown {
+impl WindowCheck {
     /// Verifies a window.
     ///
     /// # Errors
     /// The number of the block whose verification fails.
-    fn show(
+    fn verify(
         &self,
         pair: &Pair<'_, Interpreted>,
         window: &TimeWindow,

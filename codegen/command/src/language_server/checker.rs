@@ -65,10 +65,10 @@ impl Checker {
     /// Starts a thread that waits for texts and sends its findings.
     pub fn start(events: Sender<Event>) -> Checker {
         let waiting = Arc::new(Waiting::default());
-        let texts_to_check = Arc::clone(&waiting);
+        let queue = Arc::clone(&waiting);
         thread::spawn(move || {
             loop {
-                let (name, number, source) = texts_to_check.next();
+                let (name, number, source) = queue.next();
                 let say = |findings, equations, is_final| {
                     let message = Found {
                         name: name.clone(),
@@ -80,7 +80,7 @@ impl Checker {
                     // After the end of the session, the receiver is gone.
                     let _ = events.send(Event::Found(message));
                 };
-                let is_stale = || texts_to_check.texts().contains_key(&name);
+                let is_stale = || queue.texts().contains_key(&name);
                 look(&source, is_stale, say);
             }
         });

@@ -18,7 +18,7 @@ use super::requests::Refusal;
 /// Returns the place of the name at an offset.
 ///
 /// # Errors
-/// There is no name that can be changed, or the text has errors.
+/// No name at the offset can be changed, or the text has errors.
 pub fn place(
     document: &Document,
     description: &Description,

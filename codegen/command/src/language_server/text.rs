@@ -141,7 +141,7 @@ mod tests {
             let text = Text::new(SAMPLE.to_string(), encoding);
             for (at, _) in SAMPLE.char_indices().chain([(SAMPLE.len(), ' ')]) {
                 let back = text.offset(text.position(at));
-                // There is no position between the two characters of a line break.
+                // A line break of two characters has no position inside.
                 let expected = if &SAMPLE[..at] == "a\u{e4}b\r" {
                     at - 1
                 } else {

@@ -59,7 +59,7 @@ impl<const N: usize> Curve<N> {
         self.filled = 1;
     }
 
-    /// Returns the first and the last time (s); `None` if there is no instant.
+    /// Returns the first and the last time (s); `None` without instants.
     pub fn range(&self) -> Option<[f64; 2]> {
         self.ends.map(|ends| ends.map(|end| end.0[0][0].0))
     }

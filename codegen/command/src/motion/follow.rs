@@ -156,7 +156,7 @@ impl<V: View> Followed<V> {
                     false => Some(Vec::new()),
                     true => self.view.derivatives(instant),
                 };
-                let instant_data = Shown {
+                let solved = Shown {
                     instant,
                     motions: &motions,
                     derivatives: derivatives.as_deref(),
@@ -164,7 +164,7 @@ impl<V: View> Followed<V> {
                     measures: &measures,
                 };
                 for sink in sinks.iter_mut() {
-                    sink.take(&instant_data)?;
+                    sink.take(&solved)?;
                 }
             }
             if is_row {

@@ -46,7 +46,7 @@ impl Why {
     }
 }
 
-/// Returns the type of the file at a path, links followed; `None` if there is no file.
+/// Returns the type of the file at a path, links followed; `None` if no file exists.
 pub(super) fn existing(path: &Path) -> Result<Option<fs::FileType>, Why> {
     match fs::metadata(path) {
         Ok(found) => Ok(Some(found.file_type())),

@@ -1,7 +1,7 @@
 //! Names the description that an output was made from, and tells it from others.
 //!
 //! A record is the path of the description relative to the folder of the output, as a relative URL (RFC 3986). It is ASCII without
-//! blanks, quotes, angle brackets and double hyphens, and so fits into a comment of XML, an attribute of HTML and a line of text.
+//! blanks, quotes, angle brackets and double hyphens. So it fits into a comment of XML, an attribute of HTML and a line of text.
 
 use std::fs;
 use std::path::{Component, Path, PathBuf};
@@ -46,7 +46,7 @@ pub(super) struct Source {
 }
 
 impl Source {
-    /// Returns the description at a path; `None` if there is no such file.
+    /// Returns the description at a path; `None` if no such file exists.
     pub fn new(path: &Path) -> Option<Source> {
         let place = match path == Path::new(STDIN) {
             true => None,

@@ -22,20 +22,17 @@ pub fn section(system: &System, check: &Check) -> String {
         let joints = (0..system.mechanism.joints.len()).filter(|&joint| of_role(joint));
         let mut rows = String::new();
         for joint in joints {
-            let mechanism_joint = &system.mechanism.joints[joint];
+            let labeled = &system.mechanism.joints[joint];
             let count = system.rows.iter().filter(|row| row.joint == joint).count();
-            let docs = match mechanism_joint.docs.is_empty() {
+            let docs = match labeled.docs.is_empty() {
                 true => String::new(),
-                false => format!(
-                    "<br><small>{}</small>",
-                    escaped(&mechanism_joint.docs.join(" "))
-                ),
+                false => format!("<br><small>{}</small>", escaped(&labeled.docs.join(" "))),
             };
             let _ = writeln!(
                 rows,
                 "<tr {}><td><code>{}</code>{docs}</td><td>{}.</td><td class=\"count\">{count}</td></tr>",
                 about(system, joint, None),
-                escaped(&mechanism_joint.label.replace("->", "→")),
+                escaped(&labeled.label.replace("->", "→")),
                 capitalized(&words[joint]),
             );
         }

@@ -12,12 +12,8 @@ pub const LARGEST_MATRIX: usize = 9;
 
 /// Returns the equations as a section.
 pub fn section(system: &System) -> String {
-    let equations_of_system = equations(system);
-    let names: Vec<&str> = equations_of_system
-        .coordinates
-        .iter()
-        .map(|it| it[0].as_str())
-        .collect();
+    let listed = equations(system);
+    let names: Vec<&str> = listed.coordinates.iter().map(|it| it[0].as_str()).collect();
     let mut text = format!(
         "<p><math><mi mathvariant=\"normal\" class=\"bold\">q</mi></math> = ({})</p>\n",
         names
@@ -33,32 +29,22 @@ pub fn section(system: &System) -> String {
     text += "<h3 id=\"phi\">Constraint equations Φ(q, t) = 0</h3>\n";
     text += &rows(
         system,
-        &equations_of_system,
+        &listed,
         &|row| Some(row.residual.as_str()),
         "<mo>=</mo><mn>0</mn>",
     );
     text += "<h3 id=\"phi-q\">Jacobian Φ<sub>q</sub> = ∂Φ/∂q</h3>\n";
     text += &match names.len() <= LARGEST_MATRIX {
-        true => matrix(system, &equations_of_system, &names),
-        false => entries(system, &equations_of_system, &names),
+        true => matrix(system, &listed, &names),
+        false => entries(system, &listed, &names),
     };
     text += "<h3 id=\"phi-t\">Φ<sub>t</sub> = ∂Φ/∂t, for the velocities: Φ<sub>q</sub> q̇ = −Φ<sub>t</sub></h3>\n";
-    text += &rows(
-        system,
-        &equations_of_system,
-        &|row| row.time_derivative.as_deref(),
-        "",
-    );
+    text += &rows(system, &listed, &|row| row.time_derivative.as_deref(), "");
     text += "<h3 id=\"gamma\">γ, for the accelerations: Φ<sub>q</sub> q̈ = γ</h3>\n";
-    text += &rows(
-        system,
-        &equations_of_system,
-        &|row| row.gamma.as_deref(),
-        "",
-    );
-    if !equations_of_system.monitored.is_empty() {
+    text += &rows(system, &listed, &|row| row.gamma.as_deref(), "");
+    if !listed.monitored.is_empty() {
         text += "<h3>Redundant equations, monitored but not solved</h3>\n";
-        for (joint, residual) in &equations_of_system.monitored {
+        for (joint, residual) in &listed.monitored {
             text += &equation(
                 &about(system, *joint, None),
                 "",
@@ -67,14 +53,14 @@ pub fn section(system: &System) -> String {
             );
         }
     }
-    for (cause, entries) in &equations_of_system.directions {
+    for (cause, entries) in &listed.directions {
         let _ = writeln!(
             text,
             "<h3>Partial derivative of Φ with respect to <code>{}</code></h3>",
             escaped(cause)
         );
         for (row, entry) in entries {
-            let joint = equations_of_system.rows[*row].joint;
+            let joint = listed.rows[*row].joint;
             text += &equation(
                 &about(system, joint, Some(*row)),
                 &numbered(*row),
@@ -83,9 +69,9 @@ pub fn section(system: &System) -> String {
             );
         }
     }
-    if !equations_of_system.points.is_empty() {
+    if !listed.points.is_empty() {
         text += "<h3 id=\"points\">Points</h3>\n";
-        for (place, (name, position)) in equations_of_system.points.iter().enumerate() {
+        for (place, (name, position)) in listed.points.iter().enumerate() {
             for (axis, value) in ["x", "y"].iter().zip(position) {
                 let left = format!(
                     "<msub><mi>{axis}</mi><mi mathvariant=\"normal\">{}</mi></msub><mo>=</mo>",
@@ -96,9 +82,9 @@ pub fn section(system: &System) -> String {
             }
         }
     }
-    if !equations_of_system.definitions.is_empty() {
+    if !listed.definitions.is_empty() {
         text += "<h3>where</h3>\n";
-        for definition in &equations_of_system.definitions {
+        for definition in &listed.definitions {
             let row = format!("{}<mo>=</mo>{}", definition.name, definition.value);
             text += &equation("", "", &row, "");
         }

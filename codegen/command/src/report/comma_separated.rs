@@ -118,7 +118,7 @@ pub fn size<V: View>(motion: &Followed<V>, frames: usize) -> u64 {
     (header(motion, &ColumnUnits::of(motion)).len() * frames) as u64 * BYTES
 }
 
-/// Returns values in their units; empty cells if there are no values.
+/// Returns values in their units; empty cells without values.
 fn written<'a>(
     values: Option<&[f64]>,
     units: impl IntoIterator<Item = &'a OutputUnit>,

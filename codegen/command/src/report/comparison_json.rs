@@ -7,7 +7,7 @@
 //! | `rows`, `from`, `to` | number of rows, and their first and last time (s) |
 //! | `columns` | `{column, quantity, how, doubt, unit, unit_from, count, rms, largest, t, tolerance, within}` each, in the unit of the column; `counts_turns` is true of the rate of an angle in `1/min` or `Hz`; `how` is `name`, `option` or `guess`, `unit_from` is `header`, `option` or `assumed` |
 //! | `left_out` | `{column, why}` each |
-//! | `within` | true if all differences are within their tolerances; absent if there are no tolerances |
+//! | `within` | true if all differences are within their tolerances; absent without tolerances |
 //! | `error` | reason of an early end of the motion, if there is one |
 
 use std::io::{self, Write};

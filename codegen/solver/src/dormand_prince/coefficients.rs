@@ -1,5 +1,6 @@
-//! Lists the coefficients of the method of order 8 of Dormand and Prince with its embedded formulas of orders 5 and 3, and of its dense
-//! output of order 7 (Hairer, Nørsett and Wanner 1993, Solving Ordinary Differential Equations I, section II.10).
+//! Lists the coefficients of the method of order 8 of Dormand and Prince: embedded formulas of orders 5 and 3, dense output of order 7.
+//!
+//! The source is Hairer, Nørsett and Wanner (1993), Solving Ordinary Differential Equations I, section II.10.
 //!
 //! Stages are numbered from 0. The thirteenth holds the rates at the end of the step.
 

@@ -153,8 +153,9 @@ impl Step {
         &self.end
     }
 
-    /// Returns the length in units of the fastest decay time among the first components, estimated from two stages at the end of a finished
-    /// step, or the rounding of this estimate.
+    /// Returns the length in units of the fastest decay time among the first components.
+    ///
+    /// Two stages at the end of a finished step yield the estimate, or the rounding of the stages.
     ///
     /// Beyond [`STABLE`], stability limits a step and not its error (Hairer and Wanner 1996, Solving Ordinary Differential Equations II,
     /// section IV.2).

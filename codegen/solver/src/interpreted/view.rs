@@ -128,7 +128,7 @@ impl Interpreted {
 
     /// Returns the frame after the last one that was rejected for a number that is not finite, in the modes of the design configuration.
     ///
-    /// `None` for other failures, and if there is no frame in these modes.
+    /// `None` for other failures, and without a frame in these modes.
     fn refused(&self, failure: &Failure, last: Option<&Instant>) -> Option<Instant> {
         if failure.kind != FailureKind::NotFinite || failure.input.is_some() {
             return None;

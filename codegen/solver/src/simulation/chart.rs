@@ -156,7 +156,7 @@ impl Chart {
     /// Finds the pose, rates and accelerations of coordinates u and their rates at a time, measured from `reference`.
     ///
     /// # Errors
-    /// There is no such pose near that of the chart, or forces give it no acceleration.
+    /// No such pose is near that of the chart, or forces do not determine its acceleration.
     pub fn solve(
         &self,
         equations: &MotionEquations,

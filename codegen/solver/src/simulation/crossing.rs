@@ -1,7 +1,7 @@
 //! Continues a motion smoothly over a pose in which the constraints lose rank.
 //!
 //! Near such a pose the null space has no digits. A collocation method with an even number of Gauss points evaluates the exact equations
-//! on both sides and never close to the pose, which lies in the middle between its points. The continuation counts only if it is a
+//! on both sides and never close to the pose. The pose lies in the middle between its points. The continuation counts only if it is a
 //! polynomial motion of that degree: all points lie on the constraints, its highest coefficients are within tolerances, and the
 //! constraints have a singular pose in the middle. If branches only come close, none of the three holds.
 
@@ -80,7 +80,7 @@ fn points() -> Vec<(f64, f64)> {
 }
 
 impl Crossing {
-    /// Continues a motion smoothly from a frame over a singular pose in the middle of the interval; `None` if there is no such continuation.
+    /// Continues a motion smoothly from a frame over a singular pose in the middle of the interval; `None` if none is verified.
     pub fn attempt(
         right_side: &mut RightSide,
         start: &Instant,
@@ -249,7 +249,7 @@ impl Crossing {
     /// Returns the solution at the end, with the work (J).
     ///
     /// # Errors
-    /// There is no acceleration.
+    /// The acceleration does not exist.
     pub fn end(&self, right_side: &mut RightSide) -> Result<(Solved, f64), Stop> {
         let (end, work) = self.at(right_side, self.to);
         Ok((right_side.projected(&end)?, work))

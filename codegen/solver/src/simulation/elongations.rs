@@ -100,7 +100,7 @@ impl Elongations {
         }
     }
 
-    /// True if there are no elongations.
+    /// True without elongations.
     pub fn is_empty(&self) -> bool {
         self.scales.is_empty()
     }

@@ -2,7 +2,7 @@
 //!
 //! A motion is stiff if explicit steps come near the limit of their stability, where the estimate of their error is unreliable. Over
 //! several steps [`dormand_prince::Step::stiffness`] detects that (Hairer and Wanner 1996, section IV.2), and eigenvalues of the rates
-//! confirm it. The motion stops being stiff when an explicit step twice as long as the implicit one would be stable.
+//! confirm it. The motion stops being stiff when an explicit step of twice the implicit length would be stable.
 
 use crate::dormand_prince::{self, STABLE};
 use crate::radau::{self, Differences};

@@ -61,7 +61,7 @@ impl RightSide {
     /// Solves a state.
     ///
     /// # Errors
-    /// There is no such pose, or no acceleration in it.
+    /// The pose or its acceleration does not exist.
     pub fn solve(&mut self, t: f64, state: &[f64]) -> Result<Solved, Stop> {
         self.evaluations += 1;
         let count = self.chart.dimension();
@@ -73,7 +73,7 @@ impl RightSide {
     /// Solves the pose on the constraints that is nearest to a pose, with the nearest rates.
     ///
     /// # Errors
-    /// There is no such pose, or no acceleration in it.
+    /// The pose or its acceleration does not exist.
     pub fn projected(&mut self, pose: &Instant) -> Result<Solved, Stop> {
         let t = pose.t();
         self.evaluations += 1;

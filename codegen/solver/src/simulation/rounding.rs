@@ -1,7 +1,7 @@
 //! Bounds the effect of rounding on a motion beside poses in which the constraints lose rank.
 //!
-//! At a distance m from the loss of rank a pose is known to ε/m along the lost directions, its tangent to ε/m², and accelerations from γ
-//! to ε/m³, in squares of the speed. The sum of that over the steps beside one pose is compared with the tolerances.
+//! At a distance m from the loss of rank, a pose is known to ε/m along the lost directions, and its tangent to ε/m². Accelerations from γ
+//! are known to ε/m³, in squares of the speed. The sum of that over the steps beside one pose is compared with the tolerances.
 
 use crate::tolerances::Tolerances;
 

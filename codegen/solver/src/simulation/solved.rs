@@ -39,7 +39,7 @@ impl Chart {
     /// Finds the pose, rates and accelerations of coordinates u and their rates at a time, from an estimate of the pose.
     ///
     /// # Errors
-    /// There is no such pose near the estimate, or forces give it no acceleration.
+    /// No such pose is near the estimate, or forces do not determine its acceleration.
     pub fn settle(
         &self,
         equations: &MotionEquations,

@@ -72,7 +72,7 @@ pub fn run(arguments: &View) -> Result<Outcome, Problem> {
     }
 }
 
-/// Time and size of a file, by which changes are detected; `None` if there is no file.
+/// Time and size of a file, by which changes are detected; `None` without a file.
 type Stamp = Option<(SystemTime, u64)>;
 
 fn stamp_of(path: &Path) -> Stamp {

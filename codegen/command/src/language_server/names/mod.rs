@@ -1,7 +1,7 @@
 //! Finds the meaning, the declaration and the mentions of names from statements.
 //!
-//! Scopes are those of the generator: points belong to the bodies that carry them, a joint's name is that of its point, the names of a
-//! motion are visible in that motion only. Afterwards every mention belongs to one symbol. Symbols of one point are known as equal: the
+//! Scopes are those of the generator. Points belong to the bodies that carry them, and a joint's name is that of its point. The names of
+//! a motion are visible in that motion only. Afterwards every mention belongs to one symbol. Symbols of one point are known as equal: the
 //! joint `P(1, 2)` makes the points P of both bodies one. Values of names are not computed, and an undeclared name is not a mention. A
 //! repeated statement, or one in a part, has one name for each place in the text.
 
