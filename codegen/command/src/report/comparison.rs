@@ -12,7 +12,7 @@ use crate::data::{Data, Measured, Origin};
 /// Decimals of numbers in scientific notation.
 const DIGITS: usize = 3;
 
-/// Units of measured data: name, number per SI unit, powers of SI base units.
+/// Common units of measured data: name, number per SI unit, powers of m, s, kg and rad.
 const HINTS: [(&str, f64, [i32; 4]); 4] = [
     ("mm", 1000.0, [1, 0, 0, 0]),
     ("cm", 100.0, [1, 0, 0, 0]),

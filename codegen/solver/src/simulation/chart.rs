@@ -126,7 +126,7 @@ impl Chart {
         moved.chain(along.iter().copied()).collect()
     }
 
-    /// Returns [Φ_q; Vᵀ] in a pose, with the residuals of the constraints and of `wanted`.
+    /// Returns [Φ_q; Vᵀ] in a pose, with the residuals of the constraints and those of the coordinates, which `missed` holds.
     pub(super) fn bordered(
         &self,
         equations: &MotionEquations,

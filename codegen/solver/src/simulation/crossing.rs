@@ -56,7 +56,7 @@ fn legendre(part: f64, degree: usize) -> Vec<f64> {
     values
 }
 
-/// Returns the integrals from 0 of polynomials from the values of neighboring degrees, for each degree but the last.
+/// Returns the integrals from 0 of polynomials with these values, for each degree but the last; `first` is that of degree 0.
 fn integrated(values: &[f64], first: f64) -> Vec<f64> {
     let inner = (1..values.len() - 1)
         .map(|k| (values[k + 1] - values[k - 1]) / (2.0 * (2.0 * k as f64 + 1.0)));
