@@ -1,7 +1,7 @@
-//! *A message for stderr* → *the same with colors*, where a terminal shows it.
+//! Colors messages for stderr if a terminal shows them.
 //!
-//! Nothing is colored that goes to a file or to another program, where `NO_COLOR` is set to anything, or where the terminal says that
-//! it is dumb. Messages are not changed otherwise.
+//! Output to a file or another program has no colors, nor has a terminal if `NO_COLOR` is set or the terminal is dumb. The text of a
+//! message is unchanged.
 
 use std::env;
 use std::io::IsTerminal as _;
@@ -13,7 +13,7 @@ const YELLOW: &str = "\u{1b}[1;33m";
 const BLUE: &str = "\u{1b}[1;34m";
 const GREEN: &str = "\u{1b}[1;32m";
 
-/// The message as stderr shows it best.
+/// Returns the message in the form that stderr displays best.
 pub fn on_terminal(text: &str) -> String {
     let is_set = |name: &str| env::var_os(name).is_some_and(|value| !value.is_empty());
     let is_dumb = env::var_os("TERM").is_some_and(|terminal| terminal == "dumb");
@@ -23,7 +23,7 @@ pub fn on_terminal(text: &str) -> String {
     }
 }
 
-/// The message with colors, line by line.
+/// Colors the message line by line.
 pub fn colored(text: &str) -> String {
     let lines = text.split('\n').map(line);
     lines.collect::<Vec<_>>().join("\n")
@@ -31,7 +31,7 @@ pub fn colored(text: &str) -> String {
 
 fn line(text: &str) -> String {
     for (word, color) in [("error", RED), ("warning", YELLOW)] {
-        // `error: …` and `error[K07]: …`
+        // The line is `error: …` or `error[K07]: …`.
         if let Some((head, rest)) = text.split_once(": ")
             && let Some(code) = head.strip_prefix(word)
             && (code.is_empty() || code.starts_with('[') && code.ends_with(']'))
@@ -51,7 +51,7 @@ fn line(text: &str) -> String {
             return format!("{indent}{color}{mark}{RESET}{rest}");
         }
     }
-    // `12 | the line`, and `   |    ^^^ what is wrong there`.
+    // The line is `12 | the line` or `   |    ^^^ the fault`.
     if let Some((number, rest)) = trimmed.split_once('|')
         && number.trim_end().bytes().all(|it| it.is_ascii_digit())
         && (rest.is_empty() || rest.starts_with(' '))

@@ -1,15 +1,15 @@
-//! *How many of all times are visited → a bar on the terminal, if it takes long.*
+//! Shows a progress bar on the terminal during long work.
 //!
-//! The bar goes to stderr, only if that is a terminal, and only after [`PATIENCE`]. The module does not know what is counted.
+//! The bar goes to stderr, only if that is a terminal, and only after [`PATIENCE`].
 
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// How long nothing is shown.
+/// Time before the bar appears.
 pub const PATIENCE: Duration = Duration::from_secs(1);
 
-/// A bar that appears when it is needed, and disappears at the end.
+/// Bar that appears when work takes long, and disappears at its end.
 pub struct Progress {
     begin: Instant,
     total: usize,
@@ -17,7 +17,7 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// A bar for `total` times; the clock starts.
+    /// Creates a bar for `total` times, and starts the clock.
     pub fn new(total: usize) -> Progress {
         Progress {
             begin: Instant::now(),
@@ -26,12 +26,12 @@ impl Progress {
         }
     }
 
-    /// `count` of the times are visited.
+    /// Reports that `count` of the times are visited.
     pub fn reached(&mut self, count: usize) {
         match &self.bar {
             Some(bar) => bar.set_position(count as u64),
             None if self.begin.elapsed() > PATIENCE => {
-                // `ProgressBar` draws on stderr, and nothing at all if that is no terminal.
+                // `ProgressBar` draws on stderr, and only if that is a terminal.
                 let bar = ProgressBar::new(self.total as u64);
                 let template = "solving {wide_bar} {pos}/{len} frames, {eta} left";
                 if let Ok(style) = ProgressStyle::with_template(template) {
@@ -44,7 +44,7 @@ impl Progress {
         }
     }
 
-    /// Removes the bar; the time it took in all.
+    /// Removes the bar, and returns the total time.
     pub fn finish(self) -> Duration {
         if let Some(bar) = self.bar {
             bar.finish_and_clear();

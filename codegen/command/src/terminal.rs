@@ -1,25 +1,25 @@
-//! *A text, and the width of the terminal* → *lines that fit on it*.
+//! Folds text to the width of the terminal.
 //!
-//! Formulas are broken before an operator or after a comma, sentences also between words, and go on below where they began. What goes to a file or to another
-//! program is never broken.
+//! Formulas are broken before an operator or after a comma, sentences also between words. They continue below their beginning. Output
+//! to a file or another program is never broken.
 
 use std::io::IsTerminal as _;
 
 use linkwright_codegen::stages::emit::text::shown_width;
 
-/// A terminal that is narrower is treated as if it had these columns.
+/// Smallest width that text is folded to, in columns.
 const NARROWEST: usize = 40;
 
-/// How far a line that goes on is indented beyond the beginning of its formula.
+/// Indentation of a continued line from the beginning of its formula.
 const HANGING: usize = 2;
 
-/// A formula begins after the last gap of two spaces that lies in this part of the line.
+/// Part of a line in which the beginning of a formula is sought, after the last gap of two spaces.
 const LEFT_HALF: f64 = 0.5;
 
-/// What a line is broken before.
+/// Operators that a line is broken before.
 const SIGNS: [&str; 4] = ["+", "-", "−", "="];
 
-/// The columns of the terminal that stdout goes to; `None` where it goes elsewhere.
+/// Returns the width of the terminal that shows stdout, in columns; `None` if stdout is not a terminal.
 pub fn columns() -> Option<usize> {
     if !std::io::stdout().is_terminal() {
         return None;
@@ -28,7 +28,7 @@ pub fn columns() -> Option<usize> {
     Some(usize::from(columns).max(NARROWEST))
 }
 
-/// The text as the terminal shows it whole; as it is where stdout goes elsewhere.
+/// Folds the text for the terminal; returns it unchanged if stdout is not a terminal.
 pub fn fitted(text: String) -> String {
     match columns() {
         Some(columns) => folded(&text, columns),
@@ -36,7 +36,7 @@ pub fn fitted(text: String) -> String {
     }
 }
 
-/// The text with no line longer than so many columns, as far as it has places to be broken at.
+/// Folds the text to lines of at most `columns` columns, if it has places for a break.
 pub fn folded(text: &str, columns: usize) -> String {
     let mut folded = String::with_capacity(text.len());
     for line in text.split_inclusive('\n') {
@@ -61,7 +61,7 @@ fn fold(line: &str, columns: usize, folded: &mut String) {
     folded.push_str(rest);
 }
 
-/// The column after the last gap of two spaces on the left.
+/// Returns the column after the last gap of two spaces on the left.
 fn start_of_formula(line: &str, columns: usize) -> usize {
     let left = (LEFT_HALF * columns as f64) as usize;
     let end = line.char_indices().nth(left).map_or(line.len(), |it| it.0);
@@ -69,13 +69,14 @@ fn start_of_formula(line: &str, columns: usize) -> usize {
     shown_width(&line[..gap])
 }
 
-/// The last place at which a line can be broken so that so many columns suffice: before an operator or after a comma, otherwise
-/// between words; the first one where none is early enough.
+/// Returns the last place at which a line fits the room: before an operator or after a comma, otherwise between words.
+///
+/// If no place is early enough, the first one is returned; `None` if there is none.
 fn last_break(line: &str, room: usize) -> Option<usize> {
     let words = line.char_indices().filter(|&(place, character)| {
         let before = line[..place].chars().next_back();
         let last_word = line[..place].split_whitespace().next_back();
-        // A sign stays with what follows it.
+        // A sign stays with the word behind it.
         let is_word = last_word.is_some_and(|it| !SIGNS.contains(&it));
         before == Some(' ') && character != ' ' && is_word
     });
@@ -130,7 +131,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_place_to_break_stays_whole() {
+    fn words_without_break_stay_whole() {
         let name = "x".repeat(90);
         assert_eq!(folded(&name, 40), name);
     }

@@ -1,8 +1,7 @@
-//! *The instants of a motion, one after another* → *how close each part comes to a singular pose, and when*.
+//! Finds the closest approach of each subsystem to a singular pose along a motion, and its time.
 //!
-//! The rates of the measures are known, so that a smallest value between two instants is found where the rate changes its sign, or
-//! where the measure itself does, by bisection to the last digit of t that the solver can tell apart, and not where values happen to
-//! have been sampled. Only the lowest few places are remembered. The module does not know names.
+//! The rates of the measures are known. A minimum between two instants lies where the rate changes its sign, or where the measure
+//! itself does. Bisection locates it to the last digit of t that the solver resolves. Only the lowest few candidates are kept.
 
 use linkwright::Shell;
 
@@ -11,32 +10,32 @@ use crate::measures::{MeasuredPart, Measures, Sample};
 use crate::supplied::{InputLaws, Modes};
 use crate::view::View;
 
-/// How many places of each part wait to be refined: those that turn out higher than others need not be.
+/// Largest number of candidates per subsystem that wait for refinement: higher ones need none if lower ones were refined.
 const WAITING: usize = 64;
 
-/// Measures that differ by less are the same one, come back to.
+/// Difference below which two measures count as the same minimum, reached again.
 pub const SAME: f64 = 1e-9;
 
-/// The closest approach of one part to a singular pose.
+/// Closest approach of one subsystem to a singular pose.
 #[derive(Clone, Debug)]
 pub struct Approach {
-    /// The part.
+    /// Subsystem.
     pub part: MeasuredPart,
-    /// The smallest size of the measure: 0 is singular, 1 is as far from it as can be.
+    /// Smallest magnitude of the measure: 0 is singular, 1 is the largest possible distance.
     pub measure: f64,
-    /// The same before it was divided by the largest, where only its course says how large it can be.
+    /// Magnitude before it was divided by the largest of the motion; differs from `measure` only for relative measures.
     pub size: f64,
-    /// The instant at which it is first so small.
+    /// First instant of this magnitude.
     pub instant: Instant,
-    /// How often it is, up to [`SAME`].
+    /// Number of times of this magnitude, up to [`SAME`].
     pub times: usize,
-    /// Whether it is an end of the motion, where it might become smaller still beyond.
+    /// True if it is an end of the motion, beyond which the measure might fall further.
     pub at_end: bool,
-    /// Whether the measure changes its sign there: the motion passes straight through a singular pose.
+    /// True if the measure changes its sign there: the motion passes straight through a singular pose.
     pub crosses: bool,
 }
 
-/// Sees the instants of a motion in their order.
+/// Observer of the instants of a motion in their order.
 #[derive(Clone, Debug)]
 pub struct Watch {
     measures: Measures,
@@ -45,36 +44,36 @@ pub struct Watch {
     last: Option<(Instant, Modes, Vec<Sample>)>,
 }
 
-/// What is remembered of a part.
+/// Candidates of a subsystem.
 #[derive(Clone, Debug)]
 struct Watched {
     part: MeasuredPart,
     largest: f64,
-    /// A size of the measure than which the lowest is no higher.
+    /// Upper bound of the smallest magnitude.
     bound: f64,
-    /// Where it is lowest or zero, in no order.
+    /// Candidates for a minimum or a zero, in no order.
     brackets: Vec<Bracket>,
-    /// The size of the measure at the ends and at the places that were refined, and when.
+    /// Magnitudes at the ends and at refined minima, with their times.
     sizes: Vec<[f64; 2]>,
-    /// The first of the lowest of these, up to [`SAME`], and any that is lower than it.
+    /// First of the smallest of these, up to [`SAME`], and any that is lower.
     first: Option<Low>,
-    /// Whether the measure changes its sign at any of them.
+    /// True if the measure changes its sign at any of them.
     crosses: bool,
 }
 
-/// A place between two instants at which the measure is lowest or zero.
+/// Interval between two instants that may contain a minimum or a zero of the measure.
 #[derive(Clone, Debug)]
 struct Bracket {
-    /// Where the tangents at both ends meet: no lower is a measure that is curved upwards.
+    /// Value where the tangents at both ends meet: a lower bound of a convex measure.
     least: f64,
     near: Instant,
-    /// The modes before it.
+    /// Modes at the beginning.
     modes: Modes,
     far: f64,
     crosses: bool,
 }
 
-/// An instant with the size of the measure.
+/// Instant with the magnitude of the measure.
 #[derive(Clone, Debug)]
 struct Low {
     size: f64,
@@ -84,7 +83,7 @@ struct Low {
 }
 
 impl Watch {
-    /// Nothing has been seen yet.
+    /// Creates an observer before the first instant.
     pub fn new(measures: Measures, laws: InputLaws) -> Watch {
         let watched = measures.parts().iter().map(|part| Watched {
             part: part.clone(),
@@ -103,7 +102,7 @@ impl Watch {
         }
     }
 
-    /// Sees where a mechanism is next; gives the size of the measure of each part.
+    /// Observes the next instant; returns the magnitude of each subsystem's measure.
     pub fn see<V: View>(&mut self, shell: &Shell<V>) -> Vec<f64> {
         let (instant, modes) = (shell.frame(), shell.branches());
         let samples = self.measures.at(instant);
@@ -136,7 +135,7 @@ impl Watch {
         sizes
     }
 
-    /// The closest approach of every part; `shell` is any state of the mechanism.
+    /// Returns the closest approach of every subsystem; `shell` may be in any state.
     pub fn finish<V: View>(mut self, shell: &Shell<V>) -> Vec<Approach> {
         if let Some((instant, _, samples)) = self.last.take() {
             for (watched, [value, _]) in self.watched.iter_mut().zip(samples) {
@@ -148,7 +147,7 @@ impl Watch {
         watched.filter_map(Watched::approach).collect()
     }
 
-    /// Refines whatever may be as low as the lowest, and forgets the rest.
+    /// Refines all candidates that may be as low as the lowest, and discards the others.
     fn refine_all<V: View>(&mut self, shell: &Shell<V>) {
         let mut all = std::mem::take(&mut self.watched);
         for (place, watched) in all.iter_mut().enumerate() {
@@ -162,7 +161,7 @@ impl Watch {
         self.watched = all;
     }
 
-    /// The last time in a bracket before the measure is stationary or zero, as closely as times can be told apart.
+    /// Returns the last time in a bracket before the measure is stationary or zero, to the resolution of times.
     fn refine<V: View>(&self, place: usize, bracket: &Bracket, shell: &Shell<V>) -> Low {
         let sample = |instant: &Instant| self.measures.at(instant)[place];
         let sign = sample(&bracket.near)[0].signum();
@@ -193,7 +192,7 @@ impl Watch {
         }
         let mut size = sample(&near)[0].abs();
         if bracket.crosses {
-            // Nearer than the modes can be told apart the measure goes to zero at its rate.
+            // Where modes can no longer be told apart, the measure falls to zero at its rate.
             let [value, rate] = sample(&near);
             let left = -value / rate;
             if left.abs() <= (bracket.far - bracket.near.t()).abs() {
@@ -222,7 +221,7 @@ impl Low {
 }
 
 impl Watched {
-    /// What sizes are compared with.
+    /// Returns the unit of magnitudes.
     fn unit(&self) -> f64 {
         match self.part.is_relative && self.largest > 0.0 {
             true => self.largest,
@@ -230,7 +229,7 @@ impl Watched {
         }
     }
 
-    /// Remembers the place between two instants, if the measure is lowest or zero there.
+    /// Keeps the interval between two instants if the measure may have a minimum or a zero there.
     fn bracket(&mut self, [near, far]: [&Instant; 2], modes: &Modes, [before, after]: [Sample; 2]) {
         let h = far.t() - near.t();
         let slope = |[value, rate]: Sample| rate * value.signum() * h.signum();
@@ -241,7 +240,7 @@ impl Watched {
         }
         let [first, last] = [before[0].abs(), after[0].abs()];
         let after_first = (first - last + rising * h.abs()) / (rising - falling);
-        // Written so that what is curved downwards, or is no number, is refined.
+        // Negated so that concave measures and NaN are refined.
         let least = match !crosses && after_first >= 0.0 {
             true => first + falling * after_first,
             false => 0.0,
@@ -255,7 +254,7 @@ impl Watched {
         });
     }
 
-    /// Takes an end, or a place that was refined.
+    /// Records an end of the motion or a refined minimum.
     fn note(&mut self, low: Low) {
         let (size, t) = (low.size, low.instant.t());
         let same = SAME * self.unit();
@@ -270,7 +269,7 @@ impl Watched {
         }
     }
 
-    /// The closest approach of all that was noted.
+    /// Returns the closest approach of all records; `None` without records.
     fn approach(self) -> Option<Approach> {
         let unit = self.unit();
         let sizes = self.sizes.iter().map(|&[_, size]| size);
@@ -279,7 +278,7 @@ impl Watched {
         let lowest = lowest.filter(|[_, size]| *size <= smallest + SAME * unit);
         let mut times: Vec<f64> = lowest.map(|&[t, _]| t).collect();
         times.sort_by(f64::total_cmp);
-        // An end that is a stationary value too counts once.
+        // An end that is also stationary counts once.
         times.dedup_by(|a, b| (*a - *b).abs() <= SAME);
         let first = self.first?;
         Some(Approach {

@@ -1,9 +1,9 @@
-//! *A mechanism and a time* → *every pose in which it can be assembled, as far as that is known*.
+//! Finds all poses in which a mechanism can be assembled at a time, as far as they are known.
 //!
-//! Each closed form has two solutions, told apart by a sign, so k of them allow up to 2^k assemblies. They are found by trying
-//! both signs block by block: where links do not reach, everything that would follow is dropped at once. A block without a
-//! closed form has the poses that Newton-Raphson finds from the drawing and from a number of poses at random; there may be
-//! more. Afterwards every assembly satisfies the textbook equations: Newton-Raphson on Φ confirms it from the blocks' pose.
+//! Each closed form has two solutions, told apart by a sign, so k of them allow up to 2^k assemblies. Both signs are tried block by
+//! block; if links do not reach, all assemblies that would follow are skipped. A block without a closed form has the poses that
+//! Newton-Raphson finds from the design configuration and from random poses; there may be more. Afterwards every assembly satisfies the
+//! textbook equations: Newton-Raphson on Φ confirms it from the pose of the blocks.
 
 use linkwright::{Blocks, Branch, Equations, Settings, assemble};
 use linkwright_codegen::stages::assemblies::counts_turns;
@@ -18,34 +18,33 @@ use crate::supplied::Modes;
 use crate::textbook::TextbookEquations;
 use crate::view::View;
 
-/// How many combinations of signs are tried at most; each pose at random from which a block without a closed form is solved
-/// counts as one.
+/// Largest number of tried combinations of signs. Each random pose from which a block without a closed form is solved counts as one.
 pub const LARGEST: usize = 4096;
 
-/// One of the poses of a block without a closed form.
+/// Pose of a block without a closed form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Pose {
-    /// Which of the known ones, from 0.
+    /// Index among the known poses.
     pub place: usize,
-    /// Whether it is the one that is found from the drawing.
+    /// True if the pose is found from the design configuration.
     pub is_drawn: bool,
 }
 
-/// One way of putting the mechanism together.
+/// One assembly of the mechanism.
 #[derive(Clone, Debug)]
 pub struct Assembly {
-    /// The assembly modes.
+    /// Assembly modes.
     pub modes: Modes,
-    /// Which of its poses each block without a closed form has, in the order of the blocks.
+    /// Pose of each block without a closed form, in the order of the blocks.
     pub poses: Vec<Pose>,
-    /// Whether all of these are the drawing's.
+    /// True if all modes and poses are those of the design configuration.
     pub drawn: bool,
-    /// The pose with its velocities and accelerations.
+    /// Pose, rates and accelerations.
     pub instant: Instant,
 }
 
 impl Assembly {
-    /// `+-`, or `+-b` with a block without a closed form in its second pose, which is what `--branch` calls it.
+    /// Label as in `--branch`: `+-`, or `+-b` with a block without a closed form in its second pose.
     pub fn label(&self) -> String {
         let signs = self.modes.closed.iter();
         let signs = signs.map(|it| if *it == Branch::Positive { '+' } else { '-' });
@@ -58,25 +57,25 @@ impl Assembly {
 /// All assemblies at one time.
 #[derive(Clone, Debug)]
 pub struct Assemblies {
-    /// How many assembly modes the closed forms have.
+    /// Number of assembly modes of the closed forms.
     pub modes: usize,
-    /// How many blocks have no closed form.
+    /// Number of blocks without a closed form.
     pub iterated: usize,
-    /// Those that exist, the drawing's first, then by their signs, positive ones first, and their poses.
+    /// Existing assemblies: that of the design configuration first, then by signs, positive ones first, and by poses.
     pub found: Vec<Assembly>,
-    /// Whether every block without a closed form has no other poses than these, but in `undecided` ranges, and no pose was left out that
-    /// is too close to singular.
+    /// True if blocks without a closed form have no further pose, except for `undecided` ranges. False if a pose was left out for being
+    /// too close to singular.
     pub proven: bool,
-    /// Where it is not known whether there are poses.
+    /// Ranges in which existence of poses is undecided.
     pub undecided: Vec<Undecided>,
-    /// Which part of all that could be is decided, at most 1: of the block of which the least is; 0 where nothing is proven.
+    /// Part of the candidate volume in which existence is decided, at most 1: the smallest of all blocks; 0 without a proof.
     pub decided: f64,
-    /// Whether combinations were left untried because there are more than [`LARGEST`].
+    /// True if some combinations were left untried because there are more than [`LARGEST`].
     pub cut_short: bool,
 }
 
 impl Assemblies {
-    /// Returns those of a mechanism with a value that no assembly may have: none.
+    /// Returns an empty set, for a mechanism with a value that no assembly may have.
     pub(crate) fn refused(interpreted: &Interpreted) -> Assemblies {
         let modes = interpreted.drawn_branches();
         Assemblies {
@@ -90,13 +89,13 @@ impl Assemblies {
         }
     }
 
-    /// Whether it is proven that there are no others.
+    /// True if a proof excludes further assemblies.
     pub fn are_all(&self) -> bool {
         self.proven && self.undecided.is_empty()
     }
 }
 
-/// Tries every combination of signs and poses at `t`.
+/// Tries every combination of signs and poses at `t` (s).
 pub fn assemblies(interpreted: &Interpreted, t: f64) -> Assemblies {
     let drawn = interpreted.drawn_branches();
     let textbook = TextbookEquations::new(interpreted.system());
@@ -145,7 +144,7 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Tries all signs and poses of this block and those after it.
+    /// Tries all signs and poses of this block and of those after it.
     fn below(&mut self, block: usize, modes: &Modes, poses: &[Pose], state: &State) {
         let blocks = &self.interpreted.compiled().blocks;
         let Some(own) = blocks.get(block) else {
@@ -153,7 +152,7 @@ impl Search<'_> {
             return;
         };
         let is_iterated = own.newton.is_some();
-        // Positive signs first, the first of them changing fastest.
+        // Positive signs come first; the first sign changes fastest.
         for choice in 0..1_usize << own.closed.len().min(usize::BITS as usize - 2) {
             self.tried += if is_iterated { STARTS as usize } else { 1 };
             if self.tried > LARGEST {
@@ -185,7 +184,7 @@ impl Search<'_> {
         }
     }
 
-    /// Keeps the pose if the textbook equations hold there. Where they cannot be solved it may be one all the same, too close to singular.
+    /// Keeps the pose if the textbook equations hold. If they cannot be solved, the pose may still exist, too close to singular.
     fn confirm(&mut self, modes: &Modes, poses: &[Pose], state: &State) {
         let mut instant = self.interpreted.instant(state);
         let q = DVector::from_column_slice(instant.q());

@@ -1,6 +1,4 @@
-//! *A mechanism and a schedule* → *what can be said about its assemblies and its singular poses*.
-//!
-//! The module does not know how it is printed.
+//! Checks a mechanism over a schedule: its assemblies and its singular poses.
 
 use std::convert::Infallible;
 
@@ -22,49 +20,49 @@ use crate::trajectory::follow;
 use crate::view::View;
 use crate::warnings::warnings;
 
-/// A measure below this is worth a warning: links within about half a degree of being in line.
+/// Measure below which a warning is given: links within about half a degree of collinear.
 pub const CLOSE: f64 = 0.01;
 
-/// One part of the plan.
+/// Subsystem of the plan.
 #[derive(Clone, Debug)]
 pub struct CheckedPart {
-    /// Where it is singular, in words.
+    /// Singular poses in words.
     pub pose: SingularPose,
-    /// How many solutions its closed form has; `None` for Newton-Raphson.
+    /// Number of solutions of its closed form; `None` for Newton-Raphson.
     pub solutions: Option<usize>,
-    /// Where it comes closest to singular; `None` where it never is singular or the motion could not be followed.
+    /// Closest approach to a singular pose; `None` if it is never singular, or if the motion could not be followed.
     pub approach: Option<Approach>,
-    /// The reciprocal condition of the dimensionless Φ_q there.
+    /// Reciprocal condition of the dimensionless Φ_q there.
     pub reciprocal: Option<f64>,
 }
 
-/// Everything that is checked.
+/// Results of all checks.
 #[derive(Clone, Debug)]
 pub struct Check {
-    /// The mechanism.
+    /// Mechanism.
     pub interpreted: Interpreted,
-    /// KDOF: coordinates less the equations of joints.
+    /// KDOF: number of coordinates minus number of joint equations.
     pub kinematic_freedom: i64,
-    /// NDOF: the same less the equations of drivers.
+    /// NDOF: KDOF minus number of driver equations.
     pub net_freedom: i64,
-    /// The parts in solve order.
+    /// Subsystems in solve order.
     pub parts: Vec<CheckedPart>,
-    /// When the mechanism is assembled (s).
+    /// Time of the assembly (s).
     pub start: f64,
-    /// The first and the last time that could be solved (s); `None` where the mechanism cannot be assembled.
+    /// First and last time that could be solved (s); `None` if the mechanism cannot be assembled.
     pub range: Option<[f64; 2]>,
-    /// The assemblies at the start.
+    /// Assemblies at the start.
     pub assemblies: Assemblies,
-    /// What to look at.
+    /// Warnings.
     pub warnings: Vec<String>,
-    /// Why the motion ends early, if it does.
+    /// Reason of an early end of the motion; `None` if it is complete.
     pub error: Option<String>,
-    /// True if a length, a ratio or a mass that must be positive is not, so that there is no assembly to be looked for.
+    /// True if a length, a ratio or a mass that must be positive is not, so that no assembly exists.
     pub is_refused: bool,
 }
 
 impl Check {
-    /// Checks a mechanism over a schedule whose times are all wanted; `reached` hears how many were visited.
+    /// Checks a mechanism over a schedule whose times are all requested; `reached` receives the number of visited times.
     pub fn new(
         interpreted: Interpreted,
         schedule: &Schedule,
@@ -110,7 +108,7 @@ impl Check {
                     Ok::<(), Infallible>(())
                 };
                 if let Ok(Some(end)) = follow(&mut shell, &laws, &schedule.forward, seen) {
-                    // Where a motion ends its last pose counts too.
+                    // The last pose of a motion that ends early counts too.
                     watch.see(&shell);
                     error = Some(interpreted.ended(&end.failure, &end.last));
                 }
@@ -133,19 +131,19 @@ impl Check {
         }
     }
 
-    /// Proves the motion over the schedule that was checked; the places of these outputs are wanted.
+    /// Proves the motion over the checked schedule, with bounds of the positions of these outputs.
     pub fn prove(&self, schedule: &Schedule, points: &[usize]) -> Proof {
         Proof::new(&self.interpreted, schedule, &self.parts, points)
     }
 
-    /// What a part of a block finds, in words; empty where it is never singular.
+    /// Unknowns of a subsystem in words; empty if it is never singular.
     pub fn unknowns_of(&self, block: usize, part: usize) -> &str {
         let mut poses = self.parts.iter().map(|it| &it.pose);
-        let own = poses.find(|it| (it.block, it.part) == (block, part));
-        own.map_or("", |it| &it.unknowns)
+        let singular_pose = poses.find(|it| (it.block, it.part) == (block, part));
+        singular_pose.map_or("", |it| &it.unknowns)
     }
 
-    /// The part that comes closest to singular.
+    /// Returns the subsystem that comes closest to singular; `None` if none is ever singular.
     pub fn closest(&self) -> Option<&CheckedPart> {
         let measured = self.parts.iter().filter(|it| it.approach.is_some());
         let measure = |it: &CheckedPart| it.approach.as_ref().map_or(1.0, |it| it.measure);
@@ -153,7 +151,7 @@ impl Check {
     }
 }
 
-/// How many scalar equations come from joints of `role`.
+/// Number of scalar equations of joints of `role`.
 pub fn equation_count(system: &System, role: Role) -> usize {
     let joints = &system.mechanism.joints;
     system
@@ -167,10 +165,10 @@ fn parts(interpreted: &Interpreted, approaches: &[Approach]) -> Vec<CheckedPart>
     let textbook = TextbookEquations::new(interpreted.system());
     let poses = interpreted.singular_poses().iter();
     let checked = poses.map(|pose| {
-        let own = (pose.block, pose.part);
+        let subsystem = (pose.block, pose.part);
         let approach = approaches
             .iter()
-            .find(|it| (it.part.block, it.part.part) == own);
+            .find(|it| (it.part.block, it.part.part) == subsystem);
         CheckedPart {
             solutions: interpreted.program().forms[pose.block][pose.part].modes(),
             approach: approach.cloned(),
@@ -181,7 +179,7 @@ fn parts(interpreted: &Interpreted, approaches: &[Approach]) -> Vec<CheckedPart>
     checked.collect()
 }
 
-/// The reciprocal condition of the dimensionless Φ_q at the closest approach.
+/// Returns the reciprocal condition of the dimensionless Φ_q at the closest approach.
 fn reciprocal(textbook: &TextbookEquations, approach: &Approach) -> f64 {
     let q = DVector::from_column_slice(approach.instant.q());
     let matrix = jacobian(textbook, &q, approach.instant.t());

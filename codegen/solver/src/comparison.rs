@@ -1,21 +1,21 @@
-//! *Measured and solved values* → *how far they are apart*: the root of the mean square, the largest difference, and when.
+//! Compares measured and solved values: root mean square, largest difference and its time.
 
 use std::f64::consts::TAU;
 
-/// How far a column is from the motion.
+/// Differences of a column from the motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Comparison {
-    /// How many values were compared.
+    /// Number of compared values.
     pub count: usize,
-    /// The root of the mean square of the differences.
+    /// Root mean square of the differences.
     pub rms: f64,
-    /// The difference of the largest size, measured less solved.
+    /// Difference of the largest magnitude, measured minus solved.
     pub largest: f64,
-    /// When (s).
+    /// Time of the largest difference (s).
     pub at: f64,
 }
 
-/// Measured less solved; of angles the difference that is nearest to zero, since whole turns are no difference.
+/// Returns measured minus solved. Of angles, the difference nearest to zero is taken, since whole turns do not count.
 pub fn difference(measured: f64, solved: f64, is_angle: bool) -> f64 {
     let difference = measured - solved;
     match is_angle {
@@ -25,7 +25,7 @@ pub fn difference(measured: f64, solved: f64, is_angle: bool) -> f64 {
 }
 
 impl Comparison {
-    /// Of times and differences; `None` where there are none.
+    /// Compares from pairs of a time and a difference; `None` without pairs.
     pub fn of(differences: impl Iterator<Item = (f64, f64)>) -> Option<Comparison> {
         let (mut count, mut square) = (0, 0.0);
         let mut largest: Option<(f64, f64)> = None;
@@ -52,10 +52,13 @@ mod tests {
 
     #[test]
     fn the_largest_difference_keeps_its_sign_and_its_time() {
-        let found = Comparison::of([(0.0, 3.0), (1.0, -4.0), (2.0, 0.0)].into_iter());
-        let found = found.expect("there are some");
-        assert_eq!((found.count, found.largest, found.at), (3, -4.0, 1.0));
-        assert!((found.rms - (25.0_f64 / 3.0).sqrt()).abs() < 1e-15);
+        let comparison = Comparison::of([(0.0, 3.0), (1.0, -4.0), (2.0, 0.0)].into_iter());
+        let comparison = comparison.expect("there are some");
+        assert_eq!(
+            (comparison.count, comparison.largest, comparison.at),
+            (3, -4.0, 1.0)
+        );
+        assert!((comparison.rms - (25.0_f64 / 3.0).sqrt()).abs() < 1e-15);
         assert_eq!(Comparison::of(std::iter::empty()), None);
     }
 

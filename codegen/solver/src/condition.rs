@@ -1,43 +1,41 @@
-//! *The Jacobian Φ_q at a pose* → *how close it is to being singular, and in which directions*.
+//! Measures how close Φ_q is to singular in a pose, and finds its weakest directions.
 //!
 //! The reciprocal condition is 1 / (‖A‖₁ ‖A⁻¹‖₁), computed from the inverse itself (not estimated): 1 at best, 0 for a
 //! singular matrix, and up to a factor n the relative distance to the nearest singular matrix (Golub & Van Loan, *Matrix
-//! Computations*, 4th ed., section 2.6.2). Of Φ_q in SI units it depends on the unit of length, so verdicts are made on
+//! Computations*, 4th ed., section 2.6.2). Of Φ_q in SI units the reciprocal condition depends on the unit of length, so verdicts use
 //! the [`dimensionless`] matrix.
-//!
-//! The module does not know joints or bodies: indices of rows and columns become names in [`crate::singular_participants`].
 
 use linkwright::{Equations, Factorization, Scales};
 use nalgebra::{DMatrix, DVector, Dyn};
 
-/// How well-conditioned a matrix is.
+/// Condition of a matrix.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Condition {
-    /// The determinant with its sign; infinite or zero where it leaves the range of `f64`.
+    /// Determinant with its sign; infinite or zero if it leaves the range of `f64`.
     pub determinant: f64,
-    /// -1, 0 or 1, also where the determinant itself cannot be represented; 0 only where a pivot is exactly zero.
+    /// Sign -1, 0 or 1, even if the determinant cannot be represented; 0 only if a pivot is exactly zero.
     pub sign: i8,
-    /// The reciprocal condition number in the 1-norm, 0 for a singular matrix.
+    /// Reciprocal condition number in the 1-norm; 0 for a singular matrix.
     pub reciprocal: f64,
 }
 
-/// The directions in which a matrix is closest to being singular.
+/// Directions in which a matrix is closest to singular.
 #[derive(Clone, Debug)]
 pub struct Weakness {
-    /// The left singular vector of the smallest singular value (n): which equations depend on each other.
+    /// Left singular vector of the smallest singular value (n): the dependent combination of equations.
     pub equations: DVector<f64>,
-    /// The right singular vector of the smallest singular value (n): which coordinates can move.
+    /// Right singular vector of the smallest singular value (n): the motion of coordinates that the equations permit.
     pub coordinates: DVector<f64>,
 }
 
-/// Φ_q (n × n) at the pose `q` and time `t`.
+/// Returns Φ_q (n × n) at the pose `q` and time `t` (s).
 pub fn jacobian(equations: &impl Equations<f64, Dyn>, q: &DVector<f64>, t: f64) -> DMatrix<f64> {
     let mut matrix = DMatrix::zeros(q.len(), q.len());
     equations.jacobian(q, t, &mut matrix);
     matrix
 }
 
-/// R⁻¹ Φ_q C with the row scales R and the coordinate scales C: lengths in characteristic lengths of the mechanism.
+/// Returns R⁻¹ Φ_q C with row scales R and coordinate scales C: lengths are divided by the characteristic length.
 pub fn dimensionless(
     equations: &impl Equations<f64, Dyn>,
     mut matrix: DMatrix<f64>,
@@ -51,10 +49,10 @@ pub fn dimensionless(
 }
 
 impl Condition {
-    /// The condition of a square matrix; of a matrix with an entry that is not finite, that of a singular one.
+    /// Returns the condition of a square matrix. A matrix with an entry that is not finite counts as singular.
     pub fn of(matrix: &DMatrix<f64>) -> Condition {
         let n = matrix.nrows();
-        // With a limit of zero only exactly singular matrices are refused.
+        // With a limit of zero, only exactly singular matrices fail.
         let Ok(factorization) = Factorization::new(matrix, &Scales::unit(Dyn(n)), 0.0) else {
             return Condition {
                 determinant: 0.0,
@@ -63,7 +61,7 @@ impl Condition {
             };
         };
         let norm = |column: &[f64]| column.iter().map(|entry| entry.abs()).sum::<f64>();
-        let own = matrix
+        let matrix_norm = matrix
             .column_iter()
             .map(|column| norm(column.as_slice()))
             .fold(0.0, f64::max);
@@ -76,10 +74,14 @@ impl Condition {
             inverse = inverse.max(norm(column.as_slice()));
         }
         let determinant = factorization.determinant();
-        let reciprocal = if n == 0 { 1.0 } else { 1.0 / (own * inverse) };
+        let reciprocal = if n == 0 {
+            1.0
+        } else {
+            1.0 / (matrix_norm * inverse)
+        };
         Condition {
             determinant,
-            // A determinant that underflows keeps its sign in the sign of zero.
+            // An underflowing determinant keeps its sign in the sign of zero.
             sign: if determinant.is_sign_negative() {
                 -1
             } else {
@@ -95,12 +97,12 @@ impl Condition {
 }
 
 impl Weakness {
-    /// The weakest directions of a square matrix; `None` if an entry is not finite or the matrix is empty.
+    /// Returns the weakest directions of a square matrix; `None` if an entry is not finite or the matrix is empty.
     pub fn of(matrix: &DMatrix<f64>) -> Option<Weakness> {
         if matrix.is_empty() || matrix.iter().any(|entry| !entry.is_finite()) {
             return None;
         }
-        // QR sweeps need two or three per singular value; the limit only bounds what cannot happen.
+        // QR takes two or three sweeps per singular value; the limit only guarantees an end.
         let sweeps = 100 * matrix.nrows();
         let decomposition = matrix.clone().try_svd(true, true, f64::EPSILON, sweeps)?;
         let (smallest, _) = decomposition.singular_values.argmin();

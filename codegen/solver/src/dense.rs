@@ -1,4 +1,4 @@
-//! *A [`System`]* → *all of its equations, solved at once*: the textbook view as one block.
+//! Solves all equations of a [`System`] at once: the textbook formulation as one block.
 
 use std::cell::Cell;
 use std::sync::Arc;
@@ -20,7 +20,7 @@ use crate::supplied::{InputSignals, ModeName, Modes, Numbers, ParameterValues, P
 use crate::textbook::TextbookEquations;
 use crate::view::View;
 
-/// Φ(q, t) = 0 as one dense system, in SI units: m, rad, s.
+/// Φ(q, t) = 0 as one dense system in SI units: m, rad, s.
 #[derive(Clone, Debug)]
 pub struct Dense {
     system: Arc<System>,
@@ -31,14 +31,14 @@ pub struct Dense {
     solves: Cell<u64>,
 }
 
-/// What the one block is called.
+/// Name of the block.
 const ALL: BlockName<'static> = BlockName {
     name: "all equations",
     singular: "Φ_q is singular",
 };
 
 impl Dense {
-    /// The equations of `system`, which must have as many rows as coordinates: `linkwright_codegen::check` says so.
+    /// Creates the equations of `system`, which must have as many rows as coordinates; `linkwright_codegen::check` verifies that.
     ///
     /// # Panics
     /// If the system is not square.
@@ -54,16 +54,18 @@ impl Dense {
         }
     }
 
-    /// The same of a mechanism that forces move: what is free carries nothing, so that forces are known wherever the joints are regular.
+    /// Creates the equations of a mechanism that forces move.
+    ///
+    /// Multipliers of free coordinates vanish, so that forces are determined wherever the joints are regular.
     ///
     /// # Panics
-    /// The same.
+    /// If the system is not square.
     pub fn moved_by_forces(system: &System) -> Dense {
         let mut view = Dense::new(system);
         let mechanism = &system.mechanism;
         let free = &mechanism.forces.free;
         let is_free = |joint: usize| free.iter().any(|it| it.joint == joint);
-        // What other drivers follow carries their efforts.
+        // Drivers that depend on a free one have driving forces.
         let mut others = system.rows.iter().filter(|row| !is_free(row.joint));
         let is_followed = others.any(|row| {
             let symbols = mechanism.graph.symbols(row.residual);
@@ -72,13 +74,13 @@ impl Dense {
         });
         if let Some(forces) = view.forces.as_mut().filter(|_| !is_followed) {
             let rows = system.rows.iter().enumerate();
-            let own = rows.filter(|(_, row)| is_free(row.joint));
-            forces.release(own.map(|(row, _)| row).collect());
+            let free_rows = rows.filter(|(_, row)| is_free(row.joint));
+            forces.release(free_rows.map(|(row, _)| row).collect());
         }
         view
     }
 
-    /// The equations themselves.
+    /// Equations.
     pub fn equations(&self) -> &TextbookEquations {
         &self.equations
     }
@@ -93,7 +95,7 @@ impl Blocks for Dense {
     type Inputs = InputSignals;
     type PathEnclosures = ();
 
-    /// Each step looks by itself whether it may have left the path; see [`linkwright::path::step`].
+    /// False, since each step of [`linkwright::path::step`] verifies its path itself.
     fn is_guarded(&self) -> bool {
         false
     }
@@ -171,11 +173,11 @@ impl Blocks for Dense {
         let Conditions {
             t, start, settings, ..
         } = *conditions;
-        let found = match (start, *mode) {
+        let frame = match (start, *mode) {
             (Start::LastFrame, Some(branch)) => path::step(&counted, &last, branch, t, settings)?,
             _ => block::solve(&counted, &last, Start::Estimate, mode, t, settings)?,
         };
-        at.set_frame(&found);
+        at.set_frame(&frame);
         at.set_given(conditions.parameters, conditions.inputs);
         Ok(())
     }
@@ -291,7 +293,7 @@ impl View for Dense {
     }
 }
 
-/// The equations, and how often the residual is evaluated.
+/// Equations that count evaluations of the residual.
 struct Counted<'a>(&'a Dense);
 
 impl Equations<f64, Dyn> for Counted<'_> {

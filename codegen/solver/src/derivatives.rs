@@ -1,7 +1,7 @@
-//! *What `transmission` and `sensitivity` statements ask for* → *named columns of numbers*.
+//! Evaluates the requests of `transmission` and `sensitivity` statements as named columns.
 //!
-//! A transmission is the derivative of a point or coordinate by the value of a driver, a sensitivity that of a coordinate and its
-//! rate by a parameter, both at a fixed time. Units are those of SI. The module does not know how columns are written.
+//! A transmission is the derivative of a point or coordinate by the value of a driver. A sensitivity is that of a coordinate and its
+//! rate by a parameter. Both hold at a fixed time, in SI units.
 
 use linkwright_codegen::stages::joint::Quantity;
 use linkwright_codegen::stages::model::{Dimension, Requested};
@@ -10,9 +10,9 @@ use linkwright_codegen::stages::system::{Cause, System};
 
 use crate::instant::Layout;
 
-/// Returns the names of derivatives, each with its unit of SI: `K_x per length(N, M)`, `phi2 per L2`, `phi2_d per L2`.
+/// Returns the names of derivatives, each with its SI unit: `K_x per length(N, M)`, `phi2 per L2`, `phi2_d per L2`.
 ///
-/// First come all transmissions, quantity by quantity and driver by driver, then for each parameter all coordinates and all of their
+/// Transmissions come first, quantity by quantity and driver by driver, then for each parameter all coordinates and all of their
 /// rates. Empty if nothing is requested.
 pub fn names(system: &System) -> Vec<(String, String)> {
     let mechanism = &system.mechanism;
@@ -45,7 +45,7 @@ pub fn names(system: &System) -> Vec<(String, String)> {
     names
 }
 
-/// Name and unit of what a derivative is taken by.
+/// Returns name and unit of the denominator of a derivative.
 fn cause(system: &System, cause: Cause) -> (&str, String) {
     let mechanism = &system.mechanism;
     match cause {
@@ -59,18 +59,18 @@ fn cause(system: &System, cause: Cause) -> (&str, String) {
             )
         }
         Cause::Parameter(place) => {
-            let own = &mechanism.parameters[place];
-            let unit = match own.dimension {
-                Dimension::Angle | Dimension::Marked { .. } => own.dimension.unit(),
-                // Its unit is not known.
+            let parameter = &mechanism.parameters[place];
+            let unit = match parameter.dimension {
+                Dimension::Angle | Dimension::Marked { .. } => parameter.dimension.unit(),
+                // The unit is unknown.
                 Dimension::Number | Dimension::OfTime => String::new(),
             };
-            (own.name.as_str(), unit)
+            (parameter.name.as_str(), unit)
         }
     }
 }
 
-/// Unit of SI of a quantity; empty for plain numbers.
+/// Returns the SI unit of a quantity; empty for plain numbers.
 fn si(quantity: Quantity) -> String {
     match quantity {
         Quantity::Angle => "rad".to_string(),
@@ -80,16 +80,16 @@ fn si(quantity: Quantity) -> String {
     }
 }
 
-/// Unit of a quotient, `m/rad`; empty for a plain number.
+/// Returns the unit of a quotient, `m/rad`; empty for a plain number.
 fn quotient(over: &str, under: &str) -> String {
     if over == under {
         return String::new();
     }
-    // The rate of a length by a length is in 1/s.
+    // The rate of a length per length is in 1/s.
     if let Some(rest) = over.strip_prefix(under).filter(|it| it.starts_with('/')) {
         return format!("1{rest}");
     }
-    // Each factor of the divisor is divided by: m/(N*m) is m/N/m.
+    // Each factor of the divisor divides: m/(N*m) is m/N/m.
     let divisor: String = under
         .chars()
         .map(|it| match it {
@@ -105,7 +105,7 @@ fn quotient(over: &str, under: &str) -> String {
     }
 }
 
-/// Components of what a transmission requests, each with its unit.
+/// Returns the components of a requested transmission, each with its unit.
 fn components(system: &System, requested: Requested) -> Vec<(String, String)> {
     match requested {
         Requested::Point(place) => {
@@ -114,28 +114,28 @@ fn components(system: &System, requested: Requested) -> Vec<(String, String)> {
             axes.to_vec()
         }
         Requested::Coordinate(place) => {
-            let own = &system.coordinates[place];
-            vec![(own.name.clone(), si(own.quantity))]
+            let coordinate = &system.coordinates[place];
+            vec![(coordinate.name.clone(), si(coordinate.quantity))]
         }
     }
 }
 
-/// Where an instant holds a derivative.
+/// Source of a derivative.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Derivative {
-    /// At a place among its values.
+    /// Index among the values of an instant.
     Kept(usize),
-    /// Nowhere: it is always the same.
+    /// Constant value.
     Constant(f64),
 }
 
-/// What the program of a mechanism computes, in the order of [`names`].
+/// Returns the sources of derivatives in a program, in the order of [`names`].
 pub(crate) fn of_program(program: &Program, layout: &Layout) -> Vec<Derivative> {
     let kept = |symbol| match layout.slot(symbol) {
         Some(slot) => Derivative::Kept(slot),
         None => Derivative::Constant(f64::NAN),
     };
-    let found = |found: &Found| match *found {
+    let derivative = |derivative: &Found| match *derivative {
         Found::Field(symbol) => kept(symbol),
         Found::Constant(value) => Derivative::Constant(value),
     };
@@ -148,7 +148,7 @@ pub(crate) fn of_program(program: &Program, layout: &Layout) -> Vec<Derivative> 
     for sensitivity in &program.sensitivities {
         for level in 0..2 {
             let coordinates = sensitivity.coordinates.iter().flatten();
-            all.extend(coordinates.map(|both| found(&both[level])));
+            all.extend(coordinates.map(|both| derivative(&both[level])));
         }
     }
     all

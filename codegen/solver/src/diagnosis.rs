@@ -1,6 +1,6 @@
-//! *How the solution of all equations at once fails* → *a sentence with times, joints and bodies*.
+//! Explains a failure of all equations at once in a sentence with times, joints and bodies.
 //!
-//! The module does not solve anything; it evaluates Φ and Φ_q where the solver stopped.
+//! Nothing is solved; Φ and Φ_q are evaluated where the solver stopped.
 
 use linkwright::{Equations, Failure, FailureKind};
 use linkwright_codegen::stages::joint::Quantity;
@@ -15,15 +15,14 @@ use crate::singular_participants::SingularParticipants;
 use crate::textbook::TextbookEquations;
 use crate::view::View;
 
-/// A reciprocal condition below this is that of a singular pose, about the square root of ε: half of the digits of an acceleration
-/// may be lost.
+/// Reciprocal condition of a singular pose, about the square root of ε: half of the digits of an acceleration may be lost.
 pub const ABSOLUTE: f64 = 1e-8;
 
-/// The last pose before the end of a motion is called singular below this. Near a turning point the reciprocal condition falls with the
-/// square root of the time that is left.
+/// Reciprocal condition below which the last pose of a motion is called singular. Near a turning point the reciprocal condition falls
+/// with the square root of the remaining time.
 const NEAR_END: f64 = 1e-5;
 
-/// Why there is no motion beyond the last instant, or none at all, and which joints are concerned.
+/// Returns the reason that the motion ends at the last instant or does not begin, with the joints concerned.
 pub fn cause(dense: &Dense, failure: &Failure, last: Option<&Instant>) -> String {
     let (system, equations) = (dense.system(), dense.equations());
     let (q, t) = match last {
@@ -52,7 +51,7 @@ pub fn cause(dense: &Dense, failure: &Failure, last: Option<&Instant>) -> String
     sentence
 }
 
-/// What happened, with the joint whose equation is farthest from being satisfied.
+/// Returns the event, with the joint whose equation has the largest residual.
 fn reason(
     system: &System,
     equations: &TextbookEquations,
@@ -101,7 +100,7 @@ fn reason(
     )
 }
 
-/// The first equation with a time derivative that is not finite where the motion ends.
+/// Returns the first equation whose time derivative is not finite at the end of the motion; `None` if all are.
 fn row_of_infinite_rate(
     equations: &TextbookEquations,
     t: f64,
@@ -115,7 +114,7 @@ fn row_of_infinite_rate(
     (0..rate.len()).find(|row| !(rate[*row].is_finite() && gamma[*row].is_finite()))
 }
 
-/// By how much the drawing violates its worst equation.
+/// Describes the largest residual in the design configuration.
 fn drawing(system: &System, equations: &TextbookEquations, t: f64) -> String {
     let q = equations.estimate();
     let mut phi = DVector::zeros(q.len());
@@ -138,7 +137,7 @@ fn drawing(system: &System, equations: &TextbookEquations, t: f64) -> String {
     }
 }
 
-/// What the residual of a row is measured in.
+/// Unit of the residual of a row.
 pub fn unit(system: &System, row: usize) -> String {
     match system.rows[row].quantity {
         Quantity::Length => "m".to_string(),

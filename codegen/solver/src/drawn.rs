@@ -1,11 +1,11 @@
-//! A solved instant → the pose of a drawing.
+//! Converts a solved instant to the pose of a drawing.
 
 use linkwright_codegen::stages::emit::drawing::Pose;
 
 use crate::instant::Instant;
 use crate::view::View;
 
-/// An instant as the drawing room takes it, with what was given at it and how fast all moves.
+/// Returns an instant as a pose for drawings, with parameters, inputs, rates and accelerations.
 pub fn pose<V: View>(view: &V, instant: &Instant) -> Pose {
     let symbols = view.layout().symbols().iter().copied();
     let known = symbols.zip(instant.values().iter().copied());

@@ -1,6 +1,6 @@
-//! *A block without a closed form and what is known before it* → *all of its poses, as far as that can be proven*.
+//! Finds all poses of a block without a closed form, as far as a proof exists.
 //!
-//! Intervals isolate the poses; from each of them the block is assembled as from any other estimate.
+//! Intervals isolate the poses; the block is then assembled from each of them as from any other estimate.
 
 use linkwright::math::nearest_turn;
 use linkwright_codegen::stages::assemblies::{Interval, poses};
@@ -11,27 +11,27 @@ use crate::interpreted::{Interpreted, State};
 use crate::search::Sought;
 use crate::supplied::Modes;
 
-/// How many parts of what could be a pose are looked at.
+/// Largest number of examined parts of the candidate volume.
 const MOST_PARTS: usize = 100_000;
 
-/// The poses of a block.
+/// Poses of a block.
 pub(crate) struct EveryPose {
-    /// In an order of their own, each with its modes.
+    /// Poses with their modes, in an order of their own.
     pub poses: Vec<(State, Modes)>,
-    /// Which of the block's unknowns were sought, from 0.
+    /// Indices of the block's unknowns that were sought.
     pub sought: Vec<usize>,
-    /// Where it is not known whether there are others: unknowns of the vector form with a range of each.
+    /// Ranges in which further poses are undecided: unknowns of the vector form with a range of each.
     pub undecided: Vec<Undecided>,
-    /// Which part of all that could be is decided, at most 1.
+    /// Part of the candidate volume in which existence is decided, at most 1.
     pub decided: f64,
 }
 
-/// A part of the values of some unknowns.
+/// Range of the values of some unknowns.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Undecided(pub Vec<(usize, [f64; 2])>);
 
 impl Interpreted {
-    /// All poses of a block after those before it; `None` where that cannot be proven for such a block.
+    /// Returns all poses of a block after those before it; `None` if such a block admits no proof.
     pub(crate) fn every_pose(
         &self,
         index: usize,
@@ -54,7 +54,7 @@ impl Interpreted {
         let ranges = all.undecided.iter().cloned();
         let mut undecided: Vec<Undecided> = ranges.map(part).collect();
         let last = newton.last_frame(&state.registers, state.t).q;
-        let mut found: Vec<(State, Modes)> = Vec::new();
+        let mut poses: Vec<(State, Modes)> = Vec::new();
         for pose in all.found {
             let places = pose.unknowns.iter().enumerate();
             let near = places.map(|(place, &value)| match newton.is_angle[place] {
@@ -67,16 +67,16 @@ impl Interpreted {
             let solved = self.assemble_block(index, &mut start, &mut modes, Sought::Near);
             let there = newton.pose(&start.registers);
             match solved.is_ok() && self.is_same_pose(index, &there, &pose) {
-                true => found.push((start, modes)),
-                // It exists, but is too close to singular to be a pose.
+                true => poses.push((start, modes)),
+                // The pose exists, but is too close to singular to be solved.
                 false => {
-                    let own = all.sought.iter();
-                    undecided.push(part(own.map(|&place| [pose[place]; 2]).collect()));
+                    let sought = all.sought.iter();
+                    undecided.push(part(sought.map(|&place| [pose[place]; 2]).collect()));
                 }
             }
         }
         Some(EveryPose {
-            poses: found,
+            poses,
             sought: all.sought,
             undecided,
             decided: all.decided,

@@ -1,4 +1,4 @@
-//! *A pose that is not yet a solution* → *the first Newton-Raphson step from it*, of the textbook's equations as a person writes it.
+//! Computes the first Newton-Raphson step from an estimate, with the equations of the textbook formulation.
 
 use linkwright::{Equations, Factorization, Scales};
 use linkwright_codegen::System;
@@ -7,20 +7,20 @@ use nalgebra::{DMatrix, DVector, Dyn};
 use crate::condition::jacobian;
 use crate::textbook::TextbookEquations;
 
-/// Φ_q Δq = −Φ at a pose of n coordinates.
+/// Linear system Φ_q Δq = −Φ at a pose of n coordinates.
 #[derive(Clone, Debug)]
 pub struct FirstStep {
-    /// The pose (n).
+    /// Pose (n).
     pub q: DVector<f64>,
     /// Φ_q (n × n).
     pub jacobian: DMatrix<f64>,
     /// Φ (n).
     pub residual: DVector<f64>,
-    /// Δq (n); `None` where Φ_q is singular.
+    /// Δq (n); `None` if Φ_q is singular.
     pub correction: Option<DVector<f64>>,
 }
 
-/// The step from the pose `q` at the time `t` (Haug 1989, section 4.5).
+/// Returns the step from the pose `q` at the time `t` (s) (Haug 1989, section 4.5).
 pub fn first_step(system: &System, q: &[f64], t: f64) -> FirstStep {
     let equations = TextbookEquations::new(system);
     let q = DVector::from_column_slice(q);
@@ -47,7 +47,7 @@ mod tests {
     use super::first_step;
     use linkwright_codegen::diagnostic::Source;
 
-    /// The crank of length 1 at 0 instead of at t: φ₁ becomes t, and the rest follows from the tangent.
+    /// A crank of length 1 is estimated at 0 and driven to t: φ₁ becomes t, and the rest follows from the tangent.
     #[test]
     fn a_crank_steps_along_its_tangent() {
         let text = "mechanism crank { body 1 at (0, 0) { O: (0, 0) } revolute O(ground, 1); drive phi(1) = t; }";

@@ -1,7 +1,6 @@
-//! *What `effort`, `reaction` and `energy` statements ask for* → *named columns of numbers*, in SI units.
+//! Evaluates the requests of `effort`, `reaction` and `energy` statements as named columns in SI units.
 //!
-//! The names are those of the functions of generated code: `effort_crank`, `reaction_p_x`, `kinetic_energy`. The module does not know
-//! how columns are written.
+//! The names are those of the functions of generated code: `effort_crank`, `reaction_p_x`, `kinetic_energy`.
 
 use linkwright::multipliers;
 use linkwright_codegen::stages::expr::ExprId;
@@ -13,11 +12,11 @@ use nalgebra::{DMatrix, DVector};
 use crate::instant::{Instant, Layout};
 use crate::reader::Reader;
 
-/// The columns, each with its unit: efforts with their powers, then reactions, then energies. Nothing where none is asked for.
+/// Returns the columns, each with its unit: driving forces with their powers, then reactions, then energies. Empty if none is requested.
 pub fn names(system: &System) -> Vec<(String, &'static str)> {
-    let wanted = &system.mechanism.forces;
+    let requests = &system.mechanism.forces;
     let mut names = Vec::new();
-    if wanted.efforts {
+    if requests.efforts {
         for (_, joint, quantity) in system.driven() {
             let slug = &system.mechanism.joints[joint].slug;
             let unit = match quantity.power_of_length() {
@@ -28,17 +27,19 @@ pub fn names(system: &System) -> Vec<(String, &'static str)> {
             names.push((format!("power_{slug}"), "W"));
         }
     }
-    if !wanted.reactions.is_empty() {
-        // What a joint carries is said in terms of expressions that nothing else needs.
-        let mut asked = system.clone();
-        for &joint in &wanted.reactions {
-            let components = asked.passing(joint).carried.components();
+    if !requests.reactions.is_empty() {
+        // Reactions need expressions that nothing else needs, so a copy of the system receives them.
+        let mut system = system.clone();
+        for &joint in &requests.reactions {
+            let components = system.passing(joint).carried.components();
             let slug = &system.mechanism.joints[joint].slug;
-            let own = components.iter();
-            names.extend(own.map(|it| (format!("reaction_{slug}_{}", it.suffix()), it.unit())));
+            let components = components.iter();
+            names.extend(
+                components.map(|it| (format!("reaction_{slug}_{}", it.suffix()), it.unit())),
+            );
         }
     }
-    if wanted.energy {
+    if requests.energy {
         names.extend([
             ("kinetic_energy".to_string(), "J"),
             ("potential_energy".to_string(), "J"),
@@ -48,45 +49,46 @@ pub fn names(system: &System) -> Vec<(String, &'static str)> {
     names
 }
 
-/// Where instants of a program keep the columns.
+/// Returns the indices in instants of a program's columns; `None` for a column that the program does not compute.
 pub(crate) fn of_program(program: &Program, layout: &Layout) -> Vec<Option<usize>> {
     let fields = program.forces.asked().into_iter();
     fields.map(|field| layout.slot(field)).collect()
 }
 
-/// The same from the textbook's equations: Φ_qᵀ λ = Q − M q̈ as one dense system. Every column is a sum of multipliers with factors,
-/// or a value of its own.
+/// Columns from the textbook formulation: Φ_qᵀ λ = Q − M q̈ as one dense system.
+///
+/// A column is a sum of multipliers with factors, or a value of its own.
 #[derive(Clone, Debug)]
 pub(crate) struct DenseForces {
-    /// The entries of Φ_q, then Q − M q̈, then the factors of the terms and of the magnitudes, then the values of columns.
+    /// Evaluator of the entries of Φ_q, then Q − M q̈, then the factors of terms and magnitudes, then the values of columns.
     values: Reader,
-    /// The row and the column of each entry.
+    /// Row and column of each entry.
     entries: Vec<(usize, usize)>,
-    /// The column and the row of each term; rows that are monitored follow the others.
+    /// Column and row of each term; monitored rows follow the others.
     terms: Vec<(usize, usize)>,
-    /// The column and the row of each multiplier whose magnitude counts.
+    /// Column and row of each multiplier whose magnitude counts.
     magnitudes: Vec<(usize, usize)>,
     columns: usize,
     rows: usize,
-    /// How many rows are monitored, where they carry what makes all of it smallest.
+    /// Number of monitored rows with multipliers, which minimize the weighted reactions; 0 without `least_norm`.
     shared: usize,
-    /// The last columns, which are those that are to be smallest: what each is multiplied by.
+    /// Weights of the last columns, which are minimized.
     weights: Vec<f64>,
-    /// Rows that carry nothing, since forces alone move what they would hold.
+    /// Rows without a multiplier, because forces alone move the coordinates that they would hold.
     released: Vec<usize>,
 }
 
-/// What a column is made of.
+/// Terms of a column.
 #[derive(Default)]
 struct Column {
     terms: Vec<(usize, ExprId)>,
-    /// The rows of multipliers whose magnitudes count, each with a factor.
+    /// Rows of multipliers whose magnitudes count, each with a factor.
     magnitudes: Vec<(usize, ExprId)>,
     value: Option<ExprId>,
 }
 
 impl DenseForces {
-    /// The columns in the order of [`names`]; `None` where none is asked for.
+    /// Creates the columns in the order of [`names`]; `None` if none is requested.
     pub(crate) fn new(system: &System, layout: &Layout) -> Option<DenseForces> {
         let loads = system.forces.clone()?;
         let mut system = system.clone();
@@ -94,7 +96,7 @@ impl DenseForces {
         if columns.is_empty() {
             return None;
         }
-        let asked = columns.len();
+        let column_count = columns.len();
         let shared = match system.mechanism.forces.least_norm {
             true => system.monitored.len(),
             false => 0,
@@ -123,8 +125,8 @@ impl DenseForces {
             }
         }
         let zero = system.mechanism.graph.zero();
-        let own = loads.loads.iter().copied().chain(std::iter::repeat(zero));
-        roots.extend(own.take(system.coordinates.len()));
+        let right_side = loads.loads.iter().copied().chain(std::iter::repeat(zero));
+        roots.extend(right_side.take(system.coordinates.len()));
         let mut terms = Vec::new();
         for (place, column) in columns.iter().enumerate() {
             terms.extend(column.terms.iter().map(|(row, _)| (place, *row)));
@@ -150,7 +152,7 @@ impl DenseForces {
             entries,
             terms,
             magnitudes,
-            columns: asked,
+            columns: column_count,
             rows: system.coordinates.len(),
             shared,
             weights,
@@ -158,12 +160,12 @@ impl DenseForces {
         })
     }
 
-    /// Has these rows carry nothing.
+    /// Removes the multipliers of these rows.
     pub(crate) fn release(&mut self, rows: Vec<usize>) {
         self.released = rows;
     }
 
-    /// The columns at an instant; `None` where Φ_q is singular.
+    /// Returns the columns at an instant; `None` if Φ_q is singular.
     pub(crate) fn at(&self, instant: &Instant) -> Option<Vec<f64>> {
         let values = self.values.values(instant);
         let (entries, rest) = values.split_at(self.entries.len());
@@ -176,11 +178,11 @@ impl DenseForces {
         }
         let mut jacobian = all.rows(0, self.rows).into_owned();
         self.border(&mut jacobian);
-        let mut found = DVector::from_column_slice(loads);
-        multipliers::solve(&jacobian, &mut found).ok()?;
-        found.resize_vertically_mut(self.rows + self.shared, 0.0);
+        let mut multipliers = DVector::from_column_slice(loads);
+        multipliers::solve(&jacobian, &mut multipliers).ok()?;
+        multipliers.resize_vertically_mut(self.rows + self.shared, 0.0);
         if self.shared > 0 {
-            // What each monitored row makes the others carry, and the components of all.
+            // One unit of each monitored multiplier, with those of the other rows that balance it; `of_units` are their components.
             let mut units = DMatrix::zeros(self.rows + self.shared, self.shared);
             for place in 0..self.shared {
                 let mut unit = -all.row(self.rows + place).transpose();
@@ -188,35 +190,35 @@ impl DenseForces {
                 units.view_mut((0, place), (self.rows, 1)).copy_from(&unit);
                 units[(self.rows + place, place)] = 1.0;
             }
-            let mut weighed = DMatrix::zeros(self.weights.len(), found.len());
+            let mut weighed = DMatrix::zeros(self.weights.len(), multipliers.len());
             for ((column, row), factor) in self.terms.iter().zip(factors) {
                 if let Some(place) = column.checked_sub(self.columns) {
                     weighed[(place, *row)] += self.weights[place] * factor;
                 }
             }
             let of_units = &weighed * &units;
-            let mut shares = -of_units.tr_mul(&(&weighed * &found));
+            let mut shares = -of_units.tr_mul(&(&weighed * &multipliers));
             multipliers::solve(&of_units.tr_mul(&of_units), &mut shares).ok()?;
-            found += units * shares;
+            multipliers += units * shares;
         }
         let mut columns = own.to_vec();
         columns.truncate(self.columns);
         for &row in &self.released {
-            found[row] = 0.0;
+            multipliers[row] = 0.0;
         }
         let terms = self.terms.iter().zip(factors);
         for ((column, row), factor) in terms.filter(|((column, _), _)| *column < self.columns) {
-            columns[*column] += factor * found[*row];
+            columns[*column] += factor * multipliers[*row];
         }
         for ((column, row), factor) in self.magnitudes.iter().zip(of_magnitudes) {
-            columns[*column] += factor * found[*row].abs();
+            columns[*column] += factor * multipliers[*row].abs();
         }
         Some(columns)
     }
 }
 
 impl DenseForces {
-    /// Puts the null space of the other rows in place of those that carry nothing.
+    /// Replaces rows without a multiplier by the null space of the other rows.
     fn border(&self, jacobian: &mut DMatrix<f64>) {
         if self.released.is_empty() {
             return;
@@ -232,11 +234,11 @@ impl DenseForces {
     }
 }
 
-/// What every column is made of.
+/// Returns the terms of every column.
 fn columns(system: &mut System) -> Vec<Column> {
-    let wanted = system.mechanism.forces.clone();
+    let requests = system.mechanism.forces.clone();
     let mut columns = Vec::new();
-    if wanted.efforts {
+    if requests.efforts {
         let driven: Vec<(usize, usize)> = system
             .driven()
             .map(|(place, joint, _)| (place, joint))
@@ -245,7 +247,7 @@ fn columns(system: &mut System) -> Vec<Column> {
             let column = system.directions[direction].column.clone();
             let value = system.mechanism.joints[joint].operands.value;
             let graph = &mut system.mechanism.graph;
-            let value = value.filter(|_| !wanted.at_rest);
+            let value = value.filter(|_| !requests.at_rest);
             let rate = value.map_or(graph.zero(), |value| system.vector_form.rate(value, graph));
             let zero = graph.zero();
             let terms: Vec<(usize, ExprId)> = column
@@ -264,12 +266,12 @@ fn columns(system: &mut System) -> Vec<Column> {
             }
         }
     }
-    for joint in wanted.reactions {
-        let mut own = carried(joint, system);
-        add_teeth(joint, &mut own, system);
-        columns.extend(own);
+    for joint in requests.reactions {
+        let mut reaction = carried(joint, system);
+        add_teeth(joint, &mut reaction, system);
+        columns.extend(reaction);
     }
-    if let (true, Some(forces)) = (wanted.energy, &system.forces) {
+    if let (true, Some(forces)) = (requests.energy, &system.forces) {
         let values = [forces.kinetic, forces.potential, forces.added];
         columns.extend(values.map(|value| Column {
             value: Some(value),
@@ -279,7 +281,7 @@ fn columns(system: &mut System) -> Vec<Column> {
     columns
 }
 
-/// Adds the forces of teeth to the columns x and y of a joint.
+/// Adds the tooth forces to the columns x and y of a joint.
 fn add_teeth(joint: usize, columns: &mut [Column], system: &mut System) {
     for (place, is_opposite) in system.teeth_of(joint) {
         let gear = system.mechanism.forces.teeth[place].gear;
@@ -301,21 +303,21 @@ fn add_teeth(joint: usize, columns: &mut [Column], system: &mut System) {
     }
 }
 
-/// The columns of what a joint carries without the forces of teeth, those of rows that are monitored among them.
+/// Returns the columns of a joint's reaction without tooth forces, with the terms of monitored rows.
 fn carried(joint: usize, system: &mut System) -> Vec<Column> {
     let passing = system.passing(joint);
     let direction = passing.carried.direction();
     let coordinates = system.mechanism.bodies[passing.body.0].coordinates;
     let graph = &mut system.mechanism.graph;
-    let own = system.rows.iter().chain(&system.monitored).enumerate();
-    let own: Vec<_> = own.filter(|(_, row)| row.joint == joint).collect();
-    // What one unit of each multiplier exerts: forces, and a moment about the place of the joint.
+    let rows = system.rows.iter().chain(&system.monitored).enumerate();
+    let rows: Vec<_> = rows.filter(|(_, row)| row.joint == joint).collect();
+    // A wrench is the action of one unit of a multiplier: forces, and a moment about the joint.
     let mut wrenches = Vec::new();
-    for (row, stated) in own {
+    for (row, stated) in rows {
         let mut wrench = [0, 1, 2].map(|axis| {
-            let wanted = coordinates[axis].map(|it| it.place);
+            let coordinate = coordinates[axis].map(|it| it.place);
             let mut entries = stated.jacobian.iter();
-            let entry = entries.find(|it| Some(it.coordinate) == wanted);
+            let entry = entries.find(|it| Some(it.coordinate) == coordinate);
             let value = entry.map_or(graph.zero(), |it| it.value);
             match passing.is_opposite {
                 true => value,
@@ -338,7 +340,7 @@ fn carried(joint: usize, system: &mut System) -> Vec<Column> {
             let factor = match (component, direction) {
                 (Component::X, _) => x,
                 (Component::Y, _) => y,
-                // The row of wheels has the slope 1 in the angle of the second one.
+                // The row of meshing wheels has the slope 1 in the angle of the second one.
                 (Component::Moment, _) if passing.carried.turns_wheel() => {
                     let one = graph.one();
                     graph.negate(one)
@@ -363,7 +365,7 @@ fn carried(joint: usize, system: &mut System) -> Vec<Column> {
     columns.collect()
 }
 
-/// What the components of what a joint carries are multiplied by to be forces: moments are divided by the characteristic length.
+/// Returns the weights of a reaction's components: moments are divided by the characteristic length.
 fn weights_of(joint: usize, system: &mut System) -> Vec<f64> {
     let length = system.mechanism.characteristic_length;
     let mut rows = system.rows.iter().chain(&system.monitored);

@@ -1,4 +1,4 @@
-//! What is kept of one solved instant, and where.
+//! Stores the values of one solved instant, and their layout.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -10,15 +10,15 @@ use nalgebra::{DVector, Dyn};
 
 use crate::supplied::{InputSignals, ParameterValues};
 
-/// One solved instant, in m, rad and s: the time, what was given, q, q̇, q̈, and what else a [`Layout`] says.
+/// Solved instant in m, rad and s: the time, parameters and inputs, q, q̇, q̈, and the further values of a [`Layout`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Instant {
     values: Vec<f64>,
-    /// Where q begins, and how many coordinates there are.
+    /// Index of the first coordinate, and number of coordinates.
     pose: [usize; 2],
 }
 
-/// Where instants keep what.
+/// Layout of the values of instants.
 #[derive(Clone, Debug)]
 pub struct Layout {
     slots: HashMap<SymbolId, usize>,
@@ -29,7 +29,7 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// Instants of a system that keep these values too.
+    /// Creates the layout of a system's instants, with these further values.
     pub(crate) fn new(system: &System, fields: &[SymbolId]) -> Layout {
         let mechanism = &system.mechanism;
         let mut symbols = vec![mechanism.time];
@@ -48,12 +48,12 @@ impl Layout {
         }
     }
 
-    /// The place of a symbol's value; `None` where instants do not keep it.
+    /// Returns the index of a symbol's value; `None` if instants do not store the symbol.
     pub fn slot(&self, symbol: SymbolId) -> Option<usize> {
         self.slots.get(&symbol).copied()
     }
 
-    /// An instant of zeros.
+    /// Returns an instant of zeros.
     pub(crate) fn empty(&self) -> Instant {
         Instant {
             values: vec![0.0; self.symbols.len()],
@@ -61,56 +61,56 @@ impl Layout {
         }
     }
 
-    /// The places of parameters and inputs.
+    /// Indices of parameters and inputs.
     pub(crate) fn given(&self) -> Range<usize> {
         1..1 + self.parameters + self.inputs
     }
 
-    /// The inputs that an instant was solved with.
+    /// Returns the inputs that an instant was solved with.
     pub(crate) fn inputs(&self, instant: &Instant) -> InputSignals {
-        let given = &instant.values()[self.given()];
-        let signals = given[self.parameters..].chunks_exact(3);
+        let supplied = &instant.values()[self.given()];
+        let signals = supplied[self.parameters..].chunks_exact(3);
         InputSignals(signals.map(|it| Signal::new(it[0], it[1], it[2])).collect())
     }
 
-    /// The places of what is solved for: q, q̇, q̈ and all that follows.
+    /// Indices of solved values: q, q̇, q̈ and all that follows.
     pub(crate) fn solved(&self) -> Range<usize> {
         self.given().end..self.symbols.len()
     }
 
-    /// The symbols by place.
+    /// Symbols by index.
     pub(crate) fn symbols(&self) -> &[SymbolId] {
         &self.symbols
     }
 }
 
 impl Instant {
-    /// The time (s).
+    /// Time (s).
     pub fn t(&self) -> f64 {
         self.values[0]
     }
 
-    /// The coordinates q.
+    /// Coordinates q.
     pub fn q(&self) -> &[f64] {
         self.level(0)
     }
 
-    /// Their rates q̇.
+    /// Rates q̇.
     pub fn qd(&self) -> &[f64] {
         self.level(1)
     }
 
-    /// Their accelerations q̈.
+    /// Accelerations q̈.
     pub fn qdd(&self) -> &[f64] {
         self.level(2)
     }
 
-    /// All values by [`Layout::slot`].
+    /// All values, by [`Layout::slot`].
     pub fn values(&self) -> &[f64] {
         &self.values
     }
 
-    /// Adds a multiple of the difference of two instants to all values but the time.
+    /// Adds a multiple of the difference of two instants to all values except for the time.
     pub(crate) fn add(&mut self, multiple: f64, instant: &Instant, base: &Instant) {
         let values = instant.values.iter().zip(&base.values);
         for (sum, (value, base)) in self.values.iter_mut().zip(values).skip(1) {
@@ -122,7 +122,7 @@ impl Instant {
         &mut self.values
     }
 
-    /// The same for solvers of one dense system.
+    /// Returns the instant as a frame for solvers of one dense system.
     pub fn frame(&self) -> Frame<f64, Dyn> {
         Frame {
             t: self.t(),
@@ -140,7 +140,7 @@ impl Instant {
         }
     }
 
-    /// A coordinate with its rate and its acceleration.
+    /// Returns a coordinate with its rate and its acceleration; `None` if there is none of this index.
     pub fn coordinate(&self, index: usize) -> Option<[f64; 3]> {
         Some([
             *self.q().get(index)?,
@@ -154,8 +154,8 @@ impl Instant {
             .0
             .iter()
             .flat_map(|it| [it.value, it.rate, it.acceleration]);
-        let given = parameters.0.iter().copied().chain(signals);
-        for (place, value) in self.values[1..].iter_mut().zip(given) {
+        let supplied = parameters.0.iter().copied().chain(signals);
+        for (place, value) in self.values[1..].iter_mut().zip(supplied) {
             *place = value;
         }
     }

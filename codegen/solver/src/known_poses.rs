@@ -1,7 +1,7 @@
-//! *A block and what is known before it* → *its poses in an order of their own, so that each has a letter*.
+//! Orders the poses of a block, so that each has a letter.
 //!
-//! Where all poses can be proven they ascend in what is sought; otherwise the one that is found from the drawing comes first, and others
-//! as they are found from starts at random. Both are the same on every run.
+//! If a proof exists, the poses ascend in the sought unknowns. Otherwise the pose that is found from the design configuration comes
+//! first, and the others follow as they are found from random starts. Both orders are equal on every run.
 
 use linkwright::FailureKind;
 use linkwright_codegen::stages::assemblies::order;
@@ -11,28 +11,28 @@ use crate::interpreted::{Interpreted, State};
 use crate::search::Sought;
 use crate::supplied::Modes;
 
-/// The poses of a block.
+/// Poses of a block.
 pub(crate) struct KnownPoses {
-    /// Each with its modes.
+    /// Poses with their modes.
     pub poses: Vec<(State, Modes)>,
-    /// Which of them is found from the last values.
+    /// Index of the pose that is found from the last values; `None` if that is not among them.
     pub drawn: Option<usize>,
-    /// Whether there are no others, but in `undecided` ranges.
+    /// True if no further poses exist, except for `undecided` ranges.
     pub are_all: bool,
-    /// Where it is not known whether there are poses.
+    /// Ranges in which existence of poses is undecided.
     pub undecided: Vec<Undecided>,
-    /// Which part of all that could be is decided, at most 1.
+    /// Part of the candidate volume in which existence is decided, at most 1.
     pub decided: f64,
 }
 
-/// The letter of a pose: `a` of the first one.
+/// Returns the letter of a pose: `a` of the first; `None` beyond `z`.
 pub(crate) fn letter(pose: usize) -> Option<char> {
     let letter = u8::try_from(pose).ok()?.checked_add(b'a')?;
     letter.is_ascii_lowercase().then_some(char::from(letter))
 }
 
 impl Interpreted {
-    /// The poses of a block in the modes of its closed forms, after the blocks before it.
+    /// Returns the poses of a block in the modes of its closed forms, after the blocks before it.
     pub(crate) fn known_poses(&self, block: usize, modes: &Modes, state: &State) -> KnownPoses {
         if self.compiled().blocks[block].newton.is_none() {
             return self.closed_poses(block, modes, state);
@@ -58,7 +58,7 @@ impl Interpreted {
             let solved = self.assemble_block(block, &mut near, &mut own, Sought::Near);
             solved.is_ok().then_some((near, own))
         };
-        // Some may be where intervals could not decide.
+        // Undecided ranges may contain further poses.
         let others = match undecided.is_empty() {
             true => Vec::new(),
             false => self.poses(block, modes, state),
@@ -94,8 +94,9 @@ impl Interpreted {
         }
     }
 
-    /// The one pose of a block with closed forms in these modes. Only where links do not reach there is none for certain: in line they
-    /// may be a pose that cannot be solved.
+    /// Returns the one pose of a block with closed forms in these modes.
+    ///
+    /// Only links that do not reach exclude a pose for certain: collinear links may have a pose that cannot be solved.
     fn closed_poses(&self, block: usize, modes: &Modes, state: &State) -> KnownPoses {
         let (mut state, mut modes) = (state.clone(), modes.clone());
         let solved = self.assemble_block(block, &mut state, &mut modes, Sought::Near);

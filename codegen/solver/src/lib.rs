@@ -1,9 +1,8 @@
-//! *A description's equations* → *its motion, solved at once*, without a compile step.
+//! Solves the motion of a description immediately, without a compile step.
 //!
-//! [`interpreted`] runs the blocks of the generated code, in the same shell and so with the same bits, modes, path and failures;
-//! [`dense`] solves the textbook view as one system. Around them are assemblies, the closest approach to a singular pose, residuals
-//! and trajectories. Deliberately unknown here: files, arguments and how anything is printed; the package also builds for
-//! `wasm32-unknown-unknown`.
+//! [`interpreted`] runs the blocks of the generated code in the same shell, and so with the same bits, modes, path and failures.
+//! [`dense`] solves the textbook formulation as one system. Further modules find assemblies, closest approaches to singular poses,
+//! residuals and trajectories. The package also builds for `wasm32-unknown-unknown`.
 
 #![doc(html_root_url = "https://docs.rs/linkwright-solver/0.1.0")]
 

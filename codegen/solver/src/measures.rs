@@ -1,9 +1,9 @@
-//! *A mechanism* → *how far each of its parts is from singular at an instant, and how fast that changes*.
+//! Measures the distance of each subsystem from a singular pose, and its rate.
 //!
-//! The measure of a part is its determinant divided by the lengths of its Jacobian's columns (Hadamard's ratio): the sine of
-//! the angle between two links, between a link and its slide, between two lines. It is dimensionless, at most 1 in size, and
-//! zero exactly where the part is singular. One equation encloses no angle: it is measured by its slope, which is compared with the
-//! largest on the way; that of a Newton-Raphson is scaled as its equation and its unknown are.
+//! The measure of a subsystem is its determinant divided by the lengths of its Jacobian's columns (Hadamard's ratio): the sine of
+//! the angle between two links, between a link and its slide, between two lines. It is dimensionless, at most 1 in magnitude, and
+//! zero exactly in singular poses. One equation encloses no angle: its measure is its slope, relative to the largest of the motion.
+//! The slope of a Newton-Raphson is scaled by its equation and its unknown.
 
 use linkwright::Measure;
 use linkwright_codegen::stages::expr::ExprId;
@@ -17,41 +17,41 @@ use crate::interpreted::Interpreted;
 use crate::reader::Reader;
 use crate::view::View;
 
-/// A measure with its rate.
+/// Measure and its rate.
 pub type Sample = [f64; 2];
 
-/// A part of the plan that can be singular.
+/// Subsystem of the plan that can be singular.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeasuredPart {
-    /// The block of the plan, from 0.
+    /// Block of the plan, from 0.
     pub block: usize,
-    /// The part in its block, from 0.
+    /// Subsystem of its block, from 0.
     pub part: usize,
-    /// What it finds: `phi_c3`, `phi_c10`.
+    /// Unknowns: `phi_c3`, `phi_c10`.
     pub unknowns: Vec<String>,
-    /// Whether only its course says how large the measure can be.
+    /// True if the largest value of the measure is known only from the motion.
     pub is_relative: bool,
-    /// The size of the Jacobian that has to be evaluated; `None` for a closed form, of which measure and rate are evaluated.
+    /// Order of the evaluated Jacobian; `None` for a closed form, whose measure and rate are evaluated.
     size: Option<usize>,
-    /// What the slope of a single equation is multiplied by.
+    /// Factor of the slope of a single equation.
     scale: f64,
 }
 
-/// The measures of all parts that can be singular.
+/// Measures of all subsystems that can be singular.
 #[derive(Clone, Debug)]
 pub struct Measures {
     parts: Vec<MeasuredPart>,
     reader: Reader,
 }
 
-/// What the measures are made of: for each part first values, then as many rates.
+/// Returns the evaluated expressions of each subsystem: values, then as many rates.
 pub(crate) fn measured(
     system: &mut System,
     plan: &SolvedPlan,
     program: &Program,
 ) -> (Vec<MeasuredPart>, Vec<ExprId>) {
     let zero = system.mechanism.graph.zero();
-    // What moves a driver for the sake of a derivative is zero.
+    // Changes of drivers for the sake of derivatives are zero.
     let drivers = system
         .directions
         .iter()
@@ -63,13 +63,13 @@ pub(crate) fn measured(
     let mut single_newtons = Vec::new();
     for (block, forms) in program.forms.iter().enumerate().take(plan.blocks.len()) {
         for (part, own) in forms.iter().enumerate() {
-            let found = own.determinant(form, graph);
+            let determinant = own.determinant(form, graph);
             // One equation for one unknown encloses no angle.
-            let is_single = found.normalized.is_none() && found.jacobian.len() <= 1;
-            let values: Vec<ExprId> = match found.normalized {
+            let is_single = determinant.normalized.is_none() && determinant.jacobian.len() <= 1;
+            let values: Vec<ExprId> = match determinant.normalized {
                 Some(value) => vec![value],
-                None if is_single => found.value.into_iter().collect(),
-                None => found.jacobian.concat(),
+                None if is_single => determinant.value.into_iter().collect(),
+                None => determinant.jacobian.concat(),
             };
             let values: Vec<ExprId> = values
                 .iter()
@@ -102,7 +102,8 @@ pub(crate) fn measured(
                 scale,
                 unknowns: unknowns.collect(),
                 is_relative: is_single,
-                size: (found.normalized.is_none() && !is_single).then_some(found.jacobian.len()),
+                size: (determinant.normalized.is_none() && !is_single)
+                    .then_some(determinant.jacobian.len()),
             });
         }
     }
@@ -115,17 +116,17 @@ pub(crate) fn measured(
 }
 
 impl MeasuredPart {
-    /// The order of the Jacobian that is evaluated; `None` where its measure is.
+    /// Order of the evaluated Jacobian; `None` if the measure itself is evaluated.
     pub(crate) fn order(&self) -> Option<usize> {
         self.size
     }
 
-    /// What the value of its measure is multiplied by.
+    /// Factor of the measure's value.
     pub(crate) fn scale(&self) -> f64 {
         self.scale
     }
 
-    /// The size of its measure as a number up to 1, also where it is relative; see [`Measure::slope`].
+    /// Returns the magnitude as a number up to 1, also for relative measures; see [`Measure::slope`].
     pub fn bounded(&self, size: f64) -> f64 {
         match self.is_relative {
             true => Measure::slope(size).reciprocal_condition,
@@ -135,7 +136,7 @@ impl MeasuredPart {
 }
 
 impl Measures {
-    /// The measures of a mechanism.
+    /// Creates the measures of a mechanism.
     pub fn new(interpreted: &Interpreted) -> Measures {
         let compiled = interpreted.compiled();
         let graph = &interpreted.system().mechanism.graph;
@@ -146,12 +147,12 @@ impl Measures {
         }
     }
 
-    /// What is measured.
+    /// Measured subsystems.
     pub fn parts(&self) -> &[MeasuredPart] {
         &self.parts
     }
 
-    /// The measure of each part with its rate.
+    /// Returns the measure of each subsystem with its rate.
     pub fn at(&self, instant: &Instant) -> Vec<Sample> {
         let values = self.reader.values(instant);
         let mut rest = values.as_slice();
@@ -172,7 +173,7 @@ impl Measures {
     }
 }
 
-/// det J over the product of the lengths of its columns, and its rate: with d(det J) = det J · tr(J⁻¹ dJ).
+/// Returns det J over the product of the lengths of its columns, and its rate: d(det J) = det J · tr(J⁻¹ dJ).
 fn hadamard(jacobian: &DMatrix<f64>, rates: &DMatrix<f64>) -> Sample {
     let lengths: Vec<f64> = jacobian.column_iter().map(|it| it.norm()).collect();
     if lengths.contains(&0.0) {

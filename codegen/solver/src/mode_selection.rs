@@ -1,4 +1,4 @@
-//! *ModeSelection like `phi2=other` or `loop_p=c`* → *the modes in which a mechanism is assembled, and a pose of them*.
+//! Selects the modes and the pose of an assembly from texts like `phi2=other` or `loop_p=c`.
 
 use linkwright::{Blocks, Branch, Failure, FailureKind};
 use linkwright_codegen::diagnostic::nearest;
@@ -11,39 +11,39 @@ use crate::search::Sought;
 use crate::supplied::{ModeName, Modes};
 use crate::view::View;
 
-/// The modes that are wanted of some loops; those of the others are the drawing's.
+/// Requested modes of some loops; the others have those of the design configuration.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ModeSelection(Vec<(ModeName, Wish)>);
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Wish {
     Mode(Sought),
-    /// The pose with this letter, of a loop without a closed form.
+    /// Pose with this letter, of a loop without a closed form.
     Pose(char),
 }
 
-/// Why a mechanism cannot be assembled as wished.
+/// Reason that a mechanism cannot be assembled as requested.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Unassembled {
     /// A block cannot be solved.
     Failed(Failure),
-    /// The block of this index has only so many poses.
+    /// The block of this index has fewer poses.
     NoPose {
-        /// The letter that was wished.
+        /// Requested letter.
         letter: char,
-        /// The block.
+        /// Index of the block.
         block: usize,
-        /// How many poses are known.
+        /// Number of known poses.
         known: usize,
-        /// Whether these are all.
+        /// True if no further poses exist.
         are_all: bool,
-        /// The time (s).
+        /// Time (s).
         t: f64,
     },
 }
 
 impl Unassembled {
-    /// The reason as a sentence.
+    /// Returns the reason as a sentence.
     pub fn explained(&self, interpreted: &Interpreted) -> String {
         match *self {
             Unassembled::Failed(failure) => {
@@ -72,13 +72,13 @@ impl Unassembled {
 }
 
 impl ModeSelection {
-    /// Reads `LOOP=positive`, `LOOP=negative`, `LOOP=other`, or of a loop without a closed form the letter of a pose, as `check` lists them.
+    /// Reads `LOOP=positive`, `LOOP=negative`, `LOOP=other`, or of a loop without a closed form the letter of a pose, as `check` lists it.
     ///
     /// # Errors
-    /// A sentence where a wish cannot be read, or names no loop.
+    /// A sentence: a text cannot be read, or does not name a loop.
     pub fn read(interpreted: &Interpreted, texts: &[String]) -> Result<ModeSelection, String> {
         let known = interpreted.mode_names();
-        let mut found: Vec<(ModeName, Wish)> = Vec::new();
+        let mut selected: Vec<(ModeName, Wish)> = Vec::new();
         for text in texts {
             let Some((name, mode)) = text.split_once('=') else {
                 return Err(format!(
@@ -109,19 +109,19 @@ impl ModeSelection {
                     ));
                 }
             };
-            if found.iter().any(|(taken, _)| taken == own) {
+            if selected.iter().any(|(taken, _)| taken == own) {
                 return Err(format!("the mode of `{name}` is chosen twice"));
             }
-            found.push((own.clone(), wish));
+            selected.push((own.clone(), wish));
         }
-        Ok(ModeSelection(found))
+        Ok(ModeSelection(selected))
     }
 
-    /// Assembles the mechanism at time `t` (s) as wished, block by block, with its nominal parameters and inputs.
+    /// Assembles the mechanism at time `t` (s) as requested, block by block, with its nominal parameters and inputs.
     ///
     /// # Errors
-    /// The first block that cannot be solved, with [`WrongBranch`](linkwright::FailureKind::WrongBranch) where no pose of the wanted mode
-    /// was found, or that has no pose of the wanted letter.
+    /// The first block without the requested pose. A block that cannot be solved is reported with [`WrongBranch`](linkwright::FailureKind::WrongBranch) if no
+    /// pose of the requested mode was found.
     pub fn assembled(
         &self,
         interpreted: &Interpreted,
@@ -138,9 +138,10 @@ impl ModeSelection {
         }
         let mut state = interpreted.before_assembly(t);
         for (index, block) in interpreted.compiled().blocks.iter().enumerate() {
-            let mut own = self.0.iter();
-            let own = own.find(|(name, _)| !name.is_closed && name.place == block.iterated);
-            let sought = match own.filter(|_| block.newton.is_some()) {
+            let mut selections = self.0.iter();
+            let requested =
+                selections.find(|(name, _)| !name.is_closed && name.place == block.iterated);
+            let sought = match requested.filter(|_| block.newton.is_some()) {
                 None => Sought::Near,
                 Some((_, Wish::Mode(sought))) => *sought,
                 Some((_, Wish::Pose(letter))) => {
@@ -158,7 +159,7 @@ impl ModeSelection {
     }
 }
 
-/// The pose of a block with a letter.
+/// Returns the pose of a block with a letter.
 fn lettered(
     interpreted: &Interpreted,
     block: usize,
@@ -168,8 +169,8 @@ fn lettered(
 ) -> Result<(State, Modes), Unassembled> {
     let KnownPoses { poses, are_all, .. } = interpreted.known_poses(block, modes, state);
     let place = (0..poses.len()).find(|&place| known_poses::letter(place) == Some(letter));
-    let found = place.and_then(|place| poses.get(place));
-    found.cloned().ok_or(Unassembled::NoPose {
+    let pose = place.and_then(|place| poses.get(place));
+    pose.cloned().ok_or(Unassembled::NoPose {
         letter,
         block,
         known: poses.len(),

@@ -1,4 +1,4 @@
-//! *The equations of a block without a closed form* → [`Equations`] on registers.
+//! Evaluates the [`Equations`] of a block without a closed form on registers.
 
 use std::cell::RefCell;
 
@@ -13,20 +13,20 @@ use nalgebra::{DMatrix, DVector, Dyn};
 use crate::operation::{Operation, Writer, run};
 use crate::torn::Tearing;
 
-/// The Newton-Raphson of a block.
+/// Newton-Raphson of a block.
 #[derive(Clone, Debug)]
 pub(crate) struct Newton {
-    /// The tears with their rates and accelerations.
+    /// Tearing variables with their rates and accelerations.
     pub tears: [Vec<Register>; 3],
-    /// The same at the last instant.
+    /// Tearing variables, rates and accelerations at the last instant.
     pub last: [Vec<Register>; 3],
-    /// The determinant and the reciprocal condition, where they are asked for.
+    /// Determinant and reciprocal condition; `None` if they are not requested.
     pub measure: Option<[Register; 2]>,
-    /// What the functions read of what is known before.
+    /// Symbols and registers that the functions read of earlier blocks.
     pub known: Vec<(SymbolId, Register)>,
-    /// The shortcut by way of fewer unknowns, where there is one.
+    /// Solution with fewer unknowns; `None` if the block is not torn.
     pub tearing: Option<Tearing>,
-    /// Which tears are angles, whose whole turns make no other pose.
+    /// True for tearing variables that are angles, whose whole turns are the same pose.
     pub is_angle: Vec<bool>,
     residual: Part,
     jacobian: Part,
@@ -34,19 +34,19 @@ pub(crate) struct Newton {
     gamma: Part,
     rows: Vec<Quantity>,
     columns: Vec<Quantity>,
-    /// What lengths are scaled by in the rows, and in the columns.
+    /// Scale of lengths in the rows, and in the columns.
     scaled_by: [ScaledBy; 2],
 }
 
-/// The lengths that others are scaled by; the largest counts.
+/// Scale of lengths: the largest of some lengths.
 #[derive(Clone, Debug)]
 struct ScaledBy {
     following: Option<Part>,
-    /// At the nominal parameters, in m.
+    /// Value with nominal parameters, in m.
     nominal: f64,
 }
 
-/// One of the functions.
+/// Function on registers.
 #[derive(Clone, Debug)]
 pub(crate) struct Part {
     pub operations: Vec<Operation>,
@@ -54,7 +54,7 @@ pub(crate) struct Part {
 }
 
 impl Newton {
-    /// Writes the equations of a block, and binds its tears.
+    /// Writes the equations of a block, and binds its tearing variables; `None` if the block has closed forms only.
     pub fn new(block: &Block, system: &System, writer: &mut Writer<'_>) -> Option<Newton> {
         let newton = block.newton.as_ref()?;
         let unknowns = newton
@@ -102,7 +102,7 @@ impl Newton {
         })
     }
 
-    /// The equations after the blocks before them; `count` hears of every evaluation of the residual.
+    /// Returns the equations after the blocks before them; `count` is called at every evaluation of the residual.
     pub fn at<'a>(
         &'a self,
         code: &'a Code,
@@ -122,27 +122,27 @@ impl Newton {
         }
     }
 
-    /// The tears at the last instant, at time `t`.
+    /// Returns the tearing variables at the last instant, for time `t` (s).
     pub fn last_frame(&self, registers: &[f64], t: f64) -> Frame<f64, Dyn> {
         let [q, qd, qdd] = [0, 1, 2].map(|level| vector(&self.last[level], registers));
         Frame { t, q, qd, qdd }
     }
 
-    /// Sets the tears of the last instant, from which an assembly starts.
+    /// Sets the tearing variables of the last instant, from which an assembly starts.
     pub fn set_last(&self, pose: &DVector<f64>, registers: &mut [f64]) {
         for (place, value) in self.last[0].iter().zip(pose.iter()) {
             registers[place.index()] = *value;
         }
     }
 
-    /// What a change of a tear is scaled by, at the nominal parameters.
+    /// Scale of a tearing variable with nominal parameters.
     pub fn scale(&self, place: usize) -> f64 {
         self.scaled_by[1]
             .nominal
             .powi(self.columns[place].power_of_length())
     }
 
-    /// The tears that were found.
+    /// Returns the solved tearing variables.
     pub fn pose(&self, registers: &[f64]) -> DVector<f64> {
         vector(&self.tears[0], registers)
     }
@@ -169,7 +169,7 @@ impl ScaledBy {
         else {
             return self.nominal;
         };
-        // Nothing in it depends on time, and nothing fails.
+        // The function does not depend on time and cannot fail.
         let ran = operations
             .iter()
             .all(|it| run(it, code, registers, 0.0, 0).is_ok());
@@ -196,7 +196,7 @@ impl Part {
     }
 }
 
-/// The equations of a block at one instant.
+/// Equations of a block at one instant.
 pub(crate) struct NewtonEquations<'a> {
     pub newton: &'a Newton,
     code: &'a Code,
@@ -206,7 +206,7 @@ pub(crate) struct NewtonEquations<'a> {
 }
 
 impl NewtonEquations<'_> {
-    /// Writes the tears that were found.
+    /// Writes the solved tearing variables.
     pub fn set(&self, frame: &Frame<f64, Dyn>) {
         let levels = [&frame.q, &frame.qd, &frame.qdd];
         for (places, values) in self.newton.tears.iter().zip(levels) {
@@ -214,18 +214,18 @@ impl NewtonEquations<'_> {
         }
     }
 
-    /// Hears of an evaluation of the residual.
+    /// Counts an evaluation of the residual.
     pub fn count(&self) {
         (self.count)();
     }
 
-    /// What registers hold.
+    /// Returns the values of registers.
     pub fn read(&self, places: &[Register]) -> Vec<f64> {
         let registers = &*self.registers.borrow();
         places.iter().map(|it| registers[it.index()]).collect()
     }
 
-    /// The results of a function, whose arguments are written; `None` where it fails.
+    /// Returns the results of a function whose arguments are written; `None` if it fails.
     pub fn results(&self, part: &Part, t: f64) -> Option<Vec<f64>> {
         let registers = &mut *self.registers.borrow_mut();
         let mut operations = part.operations.iter();
@@ -242,7 +242,7 @@ impl NewtonEquations<'_> {
         }
     }
 
-    /// Evaluates at these tears.
+    /// Evaluates a function for these tearing variables.
     fn evaluate(&self, part: &Part, t: f64, tears: &DVector<f64>, mut see: impl FnMut(usize, f64)) {
         self.write(&self.newton.tears[0], tears);
         let registers = &mut *self.registers.borrow_mut();

@@ -1,4 +1,4 @@
-//! Names what is not finite in a frame: a load, or else the block that finds it.
+//! Names the load that is not finite in a frame, or else the block.
 
 use linkwright_codegen::stages::expr::{ExprId, SymbolId};
 use linkwright_codegen::stages::program::Statement;
@@ -9,7 +9,7 @@ use crate::interpreted::Interpreted;
 use crate::reader::Reader;
 use crate::view::View;
 
-/// Returns the first load that is not finite at an instant, as the description writes it; `None` if all are.
+/// Returns the first load that is not finite at an instant, as the description writes it; `None` if all are finite.
 pub fn load(system: &System, layout: &Layout, instant: &Instant) -> Option<String> {
     let loads = Loads::of(system, layout)?;
     let values = loads.reader.values(instant);
@@ -39,7 +39,7 @@ struct Loads {
 }
 
 impl Loads {
-    /// `None` if the mechanism has none.
+    /// Returns the components; `None` if the mechanism has no loads.
     fn of(system: &System, layout: &Layout) -> Option<Loads> {
         let mut system = system.clone();
         let forces = system.forces.take()?;
@@ -67,7 +67,7 @@ impl Loads {
     }
 }
 
-/// Returns the words for the first block that finds a number which is not finite; `None` if all numbers are.
+/// Describes the first block with a result that is not finite; `None` if all are finite.
 pub(crate) fn block(view: &Interpreted, instant: &Instant) -> Option<String> {
     let layout = view.layout();
     let is_infinite = |symbol: &SymbolId| {
@@ -85,7 +85,7 @@ pub(crate) fn block(view: &Interpreted, instant: &Instant) -> Option<String> {
     Some(words.name.clone())
 }
 
-/// Returns the symbols that a statement of a block finds.
+/// Returns the symbols that a statement of a block computes.
 fn found(statement: &Statement) -> Vec<SymbolId> {
     match statement {
         Statement::Let { target, .. } | Statement::Angle { target, .. } => vec![*target],

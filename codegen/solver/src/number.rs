@@ -1,6 +1,6 @@
-//! *A number* → *its text for a person*. Exponents have a sign and two digits, as most tools print them.
+//! Formats numbers for readers. Exponents have a sign and two digits, as most tools print them.
 
-/// `digits` decimals and an exponent: `-1.343628e-02`.
+/// Returns a number with `digits` decimals and an exponent: `-1.343628e-02`.
 pub fn scientific(value: f64, digits: usize) -> String {
     let text = format!("{value:.digits$e}");
     match text.split_once('e') {
@@ -15,7 +15,7 @@ pub fn scientific(value: f64, digits: usize) -> String {
     }
 }
 
-/// `decimals` decimals, without the sign of what is rounded to zero.
+/// Returns a number with `decimals` decimals, without the sign of a rounded zero.
 pub fn fixed(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     match text.strip_prefix('-') {
@@ -24,13 +24,13 @@ pub fn fixed(value: f64, decimals: usize) -> String {
     }
 }
 
-/// A time with the digits to which it was located, without trailing zeros.
+/// Returns a time with the digits to which it was located, without trailing zeros.
 pub fn time(t: f64) -> String {
     let text = fixed(t, 9);
     text.trim_end_matches('0').trim_end_matches('.').to_string()
 }
 
-/// `1 frame`, `2 frames`.
+/// Returns a count with its noun: `1 frame`, `2 frames`.
 pub fn counted(count: usize, noun: &str) -> String {
     format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
 }

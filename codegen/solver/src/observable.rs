@@ -1,8 +1,7 @@
-//! *A system* → *what of its motion can be measured*, by the names that tables of frames have: coordinates, their rates and
-//! accelerations, points, and the forces that are asked for.
+//! Lists the measurable quantities of a motion by their names in tables of frames: coordinates, their rates and accelerations, points,
+//! and requested forces.
 //!
-//! Names that other programs give are guessed at by their parts, an object and a component; whoever uses a guess says so. The module
-//! does not know tables.
+//! Names of other programs are guessed from an object and a component; the caller reports the use of a guess.
 
 use linkwright_codegen::stages::columns::Unit;
 use linkwright_codegen::stages::joint::Quantity;
@@ -12,63 +11,63 @@ use linkwright_codegen::stages::system::System;
 use crate::instant::Instant;
 use crate::view::View;
 
-/// Something of a motion that is a number at every instant.
+/// Quantity of a motion with a number at every instant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Observable {
-    /// A coordinate (0), its rate (1) or its acceleration (2).
+    /// Coordinate (level 0), its rate (1) or its acceleration (2).
     Coordinate {
-        /// Its place among the coordinates.
+        /// Index among the coordinates.
         place: usize,
-        /// How often it is differentiated.
+        /// Order of differentiation.
         level: usize,
     },
-    /// A component of a point.
+    /// Component of a point.
     Point {
-        /// Its place among the outputs.
+        /// Index among the outputs.
         place: usize,
         /// 0 for x, 1 for y.
         axis: usize,
-        /// 0 for its position, 1 for its velocity, 2 for its acceleration.
+        /// 0 for position, 1 for velocity, 2 for acceleration.
         level: usize,
     },
-    /// A force that is asked for: its place among [`crate::forces::names`].
+    /// Requested force: index among [`crate::forces::names`].
     Force(usize),
 }
 
-/// An observable with its name.
+/// Observable with its name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Named {
-    /// As in tables of frames: `phi2`, `phi2_d`, `K_x`, `K_vx`, `effort_crank`.
+    /// Name in tables of frames: `phi2`, `phi2_d`, `K_x`, `K_vx`, `effort_crank`.
     pub name: String,
-    /// What it is.
+    /// Quantity.
     pub observable: Observable,
     /// Powers of m, s, kg and rad.
     pub powers: [i32; 4],
-    /// The unit that tables of frames have.
+    /// Unit in tables of frames.
     pub unit: &'static str,
 }
 
-/// What a name is taken for.
+/// Interpretation of a name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Guess {
-    /// The place among all observables.
+    /// Index among all observables.
     pub place: usize,
-    /// What else it could be, in words; empty where there is nothing.
+    /// Alternatives in words; empty if there are none.
     pub doubt: String,
 }
 
-/// What follows the name of a coordinate.
+/// Suffixes of a coordinate, its rate and its acceleration.
 const RATES: [&str; 3] = ["", "_d", "_dd"];
 
-/// What follows the name of a point.
+/// Suffixes of a point's components, by order of differentiation.
 const OF_POINT: [[&str; 2]; 3] = [["x", "y"], ["vx", "vy"], ["ax", "ay"]];
 
-/// Units of the three levels, by what is measured.
+/// Units of the three orders of differentiation, by dimension.
 const LENGTHS: [&str; 3] = ["m", "m/s", "m/s²"];
 const ANGLES: [&str; 3] = ["rad", "rad/s", "rad/s²"];
 const NUMBERS: [&str; 3] = ["", "1/s", "1/s²"];
 
-/// All observables of a system, in the order of tables of frames.
+/// Returns all observables of a system, in the order of tables of frames.
 pub fn all(system: &System) -> Vec<Named> {
     let mut all = Vec::new();
     for (level, suffix) in RATES.iter().enumerate() {
@@ -111,7 +110,7 @@ pub fn all(system: &System) -> Vec<Named> {
 }
 
 impl Observable {
-    /// Whether it is an angle, of which whole turns cannot be told apart.
+    /// True for an angle, whose whole turns are indistinguishable.
     pub fn is_angle(&self, system: &System) -> bool {
         match *self {
             Observable::Coordinate { place, level: 0 } => {
@@ -122,7 +121,7 @@ impl Observable {
     }
 }
 
-/// The values of observables at an instant, in SI units; NaN for forces where the equations are singular.
+/// Returns the values of observables at an instant, in SI units; NaN for forces if the equations are singular.
 pub fn values<V: View>(view: &V, observables: &[Observable], instant: &Instant) -> Vec<f64> {
     let has = |is: fn(&Observable) -> bool| observables.iter().any(is);
     let points = match has(|it| matches!(it, Observable::Point { .. })) {
@@ -140,20 +139,20 @@ pub fn values<V: View>(view: &V, observables: &[Observable], instant: &Instant) 
             .map(|it| [it.position, it.velocity, it.acceleration][level][axis]),
         Observable::Force(place) => forces.get(place).copied(),
     };
-    let found = observables.iter().map(value);
-    found.map(|it| it.unwrap_or(f64::NAN)).collect()
+    let results = observables.iter().map(value);
+    results.map(|it| it.unwrap_or(f64::NAN)).collect()
 }
 
-/// A component of a motion: x, y or the angle, and how often it is differentiated.
+/// Component of a motion: axis and order of differentiation.
 type Component = (usize, usize);
 
-/// x, y or the angle of a body.
+/// x (0), y (1) or the angle (2) of a body.
 type Axis = usize;
 
-/// Angles are the third coordinate of a body.
+/// Axis of the angle.
 const TURN: Axis = 2;
 
-/// What stands for x, y and the angle.
+/// Words for x, y and the angle.
 const AXES: [(&str, usize); 9] = [
     ("x", 0),
     ("y", 1),
@@ -166,7 +165,7 @@ const AXES: [(&str, usize); 9] = [
     ("rz", TURN),
 ];
 
-/// What stands for a rate or an acceleration, before or after an axis or for itself.
+/// Words for a rate or an acceleration, before or after an axis, or alone.
 const LEVELS: [(&str, usize); 16] = [
     ("d", 1),
     ("dd", 2),
@@ -186,7 +185,7 @@ const LEVELS: [(&str, usize); 16] = [
     ("rate", 1),
 ];
 
-/// What stands for the rate or the acceleration of an angle.
+/// Words for the rate or the acceleration of an angle.
 const TURNING: [(&str, Component); 4] = [
     ("omega", (TURN, 1)),
     ("ω", (TURN, 1)),
@@ -198,7 +197,7 @@ fn found<T: Copy>(list: &[(&str, T)], part: &str) -> Option<T> {
     list.iter().find(|it| it.0 == part).map(|it| it.1)
 }
 
-/// `x`, `xd`, `vx`, `phi_dd` without its separators, `omega`.
+/// Reads a component: `x`, `xd`, `vx`, `phi_dd` without its separators, `omega`.
 fn component(part: &str) -> Option<Component> {
     if let Some(axis) = found(&AXES, part) {
         return Some((axis, 0));
@@ -213,7 +212,7 @@ fn component(part: &str) -> Option<Component> {
     })
 }
 
-/// What a name that is none of the observables' probably means.
+/// Guesses the observable of a name from another program; `None` without a unique guess.
 pub fn guess(system: &System, all: &[Named], name: &str) -> Option<Guess> {
     let folded = name.to_lowercase();
     let mut alike = (0..all.len()).filter(|&place| all[place].name.to_lowercase() == folded);
@@ -222,7 +221,7 @@ pub fn guess(system: &System, all: &[Named], name: &str) -> Option<Guess> {
         return Some(Guess { place, doubt });
     }
     let place = |wanted: Observable| all.iter().position(|it| it.observable == wanted);
-    // A coordinate, and a word for its rate.
+    // The name may be a coordinate and a word for its rate.
     let coordinates = system.coordinates.iter().enumerate();
     let mut rates = coordinates.filter_map(|(own, it)| {
         let rest = folded.strip_prefix(&it.name.to_lowercase())?;
@@ -246,7 +245,7 @@ pub fn guess(system: &System, all: &[Named], name: &str) -> Option<Guess> {
         };
         let mut object: Vec<&str> = parts.clone();
         object.remove(own);
-        // `x_K_dd` has its level elsewhere.
+        // The level of `x_K_dd` is at the end.
         if let (0, true, Some(further)) = (
             level,
             object.len() > 1,
@@ -265,12 +264,12 @@ pub fn guess(system: &System, all: &[Named], name: &str) -> Option<Guess> {
             .and_then(|it| it.coordinates[axis]);
         let point = system.outputs.iter().position(|it| it.name == object);
         if let Some(coordinate) = body {
-            let wanted = Observable::Coordinate {
+            let observable = Observable::Coordinate {
                 place: coordinate.place,
                 level,
             };
             let doubt = String::new();
-            guesses.extend(place(wanted).map(|place| Guess { place, doubt }));
+            guesses.extend(place(observable).map(|place| Guess { place, doubt }));
         }
         match (point, axis) {
             (None, _) => {}
@@ -291,24 +290,24 @@ pub fn guess(system: &System, all: &[Named], name: &str) -> Option<Guess> {
                     [_] => String::new(),
                     names => format!("{object} is on {}; `{name}` is the first", names.join(", ")),
                 };
-                let wanted = Observable::Coordinate {
+                let observable = Observable::Coordinate {
                     place: place_of_angle,
                     level,
                 };
-                guesses.extend(place(wanted).map(|place| Guess { place, doubt }));
+                guesses.extend(place(observable).map(|place| Guess { place, doubt }));
             }
             (Some(point), axis) => {
-                let wanted = Observable::Point {
+                let observable = Observable::Point {
                     place: point,
                     axis,
                     level,
                 };
                 let doubt = String::new();
-                guesses.extend(place(wanted).map(|place| Guess { place, doubt }));
+                guesses.extend(place(observable).map(|place| Guess { place, doubt }));
             }
         }
     }
-    // Two meanings are none.
+    // A name with two interpretations has none.
     match guesses.len() {
         1 => guesses.pop(),
         _ => None,

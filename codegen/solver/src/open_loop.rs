@@ -1,7 +1,7 @@
-//! A mechanism that cannot be assembled → the pose in which all joints but one hold and the ends of that one are closest.
+//! Finds the pose of a mechanism that cannot be assembled in which all joints but one hold and the gap of that one is smallest.
 //!
-//! The open joint is a pin of the block that fails, or else a link without a body. Its equations count less and less while the sum of squares is minimized
-//! (Nocedal and Wright 2006, section 17.1), so that in the end the others hold to rounding.
+//! The open joint is a pin of the block that fails, or else a link without a body. The weight of its equations falls while the sum of
+//! squares is minimized (Nocedal and Wright 2006, section 17.1), so that in the end the others hold to rounding.
 
 use linkwright::Equations;
 use linkwright_codegen::stages::emit::drawing;
@@ -17,29 +17,29 @@ use crate::interpreted::Interpreted;
 use crate::textbook::TextbookEquations;
 use crate::view::View;
 
-/// Weights of the open joint beside the others, one after another.
+/// Weights of the open joint relative to the others, in order.
 const WEIGHTS: [f64; 5] = [1.0, 1e-1, 1e-2, 1e-3, 1e-4];
 
-/// Iterations for each weight at most.
+/// Largest number of iterations per weight.
 const ITERATIONS: usize = 200;
 
-/// Steps shorter than this, in scales of coordinates, end an iteration.
+/// Step, in scales of coordinates, below which an iteration ends.
 const SHORTEST_STEP: f64 = 1e-12;
 
-/// Residual of the other joints, beside their scales, above which more than one loop is open.
+/// Residual of the other joints, relative to their scales, above which more than one loop is open.
 const HELD: f64 = 1e-5;
 
-/// Damping at the beginning, and the bounds between which it is tried.
+/// Initial damping, and its bounds.
 const DAMPING: f64 = 1e-3;
 const LEAST_DAMPING: f64 = 1e-15;
 const MOST_DAMPING: f64 = 1e8;
 
-/// A mechanism with one loop open.
+/// Mechanism with one open loop.
 #[derive(Clone, Debug)]
 pub struct OpenLoop {
-    /// Joint that is open: an index into the joints.
+    /// Open joint: an index into the joints.
     pub joint: usize,
-    /// Its two points, in m; of a link the end that does not arrive, and the point at which it should.
+    /// Its two points, in m; of a link, its free end and the point that the end does not reach.
     pub ends: [[f64; 2]; 2],
     /// Values of the time, the inputs and the coordinates.
     values: Vec<(SymbolId, f64)>,
@@ -52,14 +52,15 @@ impl OpenLoop {
         (b[0] - a[0]).hypot(b[1] - a[1])
     }
 
-    /// Pose for a drawing.
+    /// Returns the pose for a drawing.
     pub fn pose(&self, system: &System) -> drawing::Pose {
         drawing::Pose::new(system, self.values.iter().copied())
     }
 }
 
-/// Opens the loop that cannot close at the time `t`; `None` if the mechanism can be assembled as drawn, if its failing block has no pin, or
-/// if opening one joint is not enough.
+/// Opens the loop that cannot close at the time `t` (s).
+///
+/// `None` if the mechanism can be assembled as drawn, if its failing block has no pin, or if opening one joint is not enough.
 pub fn open_loop(view: &Interpreted, t: f64) -> Option<OpenLoop> {
     let system = view.system();
     let joint = open_joint(view, t)?;
@@ -77,8 +78,8 @@ pub fn open_loop(view: &Interpreted, t: f64) -> Option<OpenLoop> {
     let mut values: Vec<(SymbolId, f64)> = vec![(mechanism.time, t)];
     let signals = view.input_laws().at(t);
     for (input, signal) in mechanism.inputs.iter().zip(&signals.0) {
-        let own = [signal.value, signal.rate, signal.acceleration];
-        values.extend(input.symbols.into_iter().zip(own));
+        let values_of_signal = [signal.value, signal.rate, signal.acceleration];
+        values.extend(input.symbols.into_iter().zip(values_of_signal));
     }
     values.extend(coordinates.map(|(it, value)| (it.position, *value)));
     Some(OpenLoop {
@@ -88,7 +89,7 @@ pub fn open_loop(view: &Interpreted, t: f64) -> Option<OpenLoop> {
     })
 }
 
-/// The last pin of the block that fails, rather one between bodies that move, or else its last link without a body.
+/// Returns the last pin of the block that fails, preferably between moving bodies, or else its last link without a body.
 fn open_joint(view: &Interpreted, t: f64) -> Option<usize> {
     let failure = view.assembled_as_drawn(t).err()?;
     let block = view.plan().blocks.get(usize::from(failure.block))?;
@@ -104,7 +105,7 @@ fn open_joint(view: &Interpreted, t: f64) -> Option<usize> {
     pin.or_else(|| block.joints.iter().rfind(is_link)).copied()
 }
 
-/// The length of a link without a body; `None` for other joints.
+/// Length of a link without a body; `None` for other joints.
 fn link_length(mechanism: &Mechanism, joint: usize) -> Option<ExprId> {
     let joint = &mechanism.joints[joint];
     let feature = joint
@@ -113,7 +114,7 @@ fn link_length(mechanism: &Mechanism, joint: usize) -> Option<ExprId> {
     joint.operands.value.filter(|_| feature == Feature::Link)
 }
 
-/// Φ divided by the scales of its rows; the rows of the open joint count by `weight`.
+/// Returns Φ divided by the scales of its rows; the rows of the open joint have the weight `weight`.
 fn weighted(
     system: &System,
     equations: &TextbookEquations,
@@ -137,15 +138,15 @@ fn factor(
     weight: f64,
     row: usize,
 ) -> f64 {
-    let own = if system.rows[row].joint == open {
+    let factor = if system.rows[row].joint == open {
         weight
     } else {
         1.0
     };
-    own / equations.row_scale(row)
+    factor / equations.row_scale(row)
 }
 
-/// The pose with the least sum of squares that is found from a pose (Levenberg 1944, Marquardt 1963).
+/// Minimizes the sum of squares from a pose (Levenberg 1944, Marquardt 1963).
 fn closest(
     system: &System,
     equations: &TextbookEquations,
@@ -180,9 +181,9 @@ fn closest(
             let decomposed = stacked.clone().svd(true, true);
             let solved = decomposed.solve(&right, 0.0).ok()?;
             let next = &q + solved.component_mul(&scales);
-            let own = weighted(system, equations, open, weight, &next, t);
-            if own.norm() < residual.norm() {
-                step = Some((next, own, solved.amax()));
+            let next_residual = weighted(system, equations, open, weight, &next, t);
+            if next_residual.norm() < residual.norm() {
+                step = Some((next, next_residual, solved.amax()));
                 damping = (0.1 * damping).max(LEAST_DAMPING);
                 break;
             }
@@ -199,7 +200,7 @@ fn closest(
     Some(q)
 }
 
-/// Places of the two points of a joint.
+/// Returns the two points of a joint.
 fn ends(system: &System, joint: usize, values: &[(SymbolId, f64)]) -> Option<[[f64; 2]; 2]> {
     let mechanism = &system.mechanism;
     let mut graph = mechanism.graph.clone();
@@ -210,15 +211,15 @@ fn ends(system: &System, joint: usize, values: &[(SymbolId, f64)]) -> Option<[[f
     let places = [first, second].map(|mark| mark.position(&mut graph));
     let zero = graph.zero();
     let length = link_length(mechanism, joint);
-    let wanted = [places.as_flattened(), &[length.unwrap_or(zero)]].concat();
+    let expressions = [places.as_flattened(), &[length.unwrap_or(zero)]].concat();
     let mut symbols = vec![0.0; graph.symbol_count()];
     graph.fill_nominal(&mut symbols);
     for (symbol, value) in values {
         symbols[symbol.index()] = *value;
     }
-    let mut found = [0.0; 5];
-    Tape::new(&graph, &wanted).evaluate(&symbols, &mut Vec::new(), &mut found);
-    let [x, y, to_x, to_y, length_now] = found;
+    let mut results = [0.0; 5];
+    Tape::new(&graph, &expressions).evaluate(&symbols, &mut Vec::new(), &mut results);
+    let [x, y, to_x, to_y, length_now] = results;
     if length.is_none() {
         return Some([[x, y], [to_x, to_y]]);
     }

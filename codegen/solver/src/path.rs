@@ -1,4 +1,4 @@
-//! *What shows that blocks stay on their path* → whether an instant lies on the path of the last one.
+//! Verifies that blocks stay on their path: an instant continues the path of the last one.
 //!
 //! The statements are those of generated code; see [`linkwright::guard`].
 
@@ -15,36 +15,36 @@ use crate::instant::{Instant, Layout};
 use crate::interpreted::Interpreted;
 use crate::operation::{Operation, Writer, run};
 
-/// The path of a mechanism.
+/// Path of a mechanism.
 #[derive(Clone, Debug)]
 pub(crate) struct InterpretedPath {
-    /// All equations together.
-    whole: Shown,
-    /// Closed forms one after another.
-    closed: Option<Shown>,
-    /// The number of each block of the plan.
+    /// Verification of all equations together.
+    whole: WindowCheck,
+    /// Verification of closed forms in their order; `None` if there are none.
+    closed: Option<WindowCheck>,
+    /// Number of each block of the plan.
     numbers: Vec<u16>,
-    /// The places of what Newton-Raphson finds, and how far it may be from a straight line where it moves.
+    /// Indices of the unknowns of Newton-Raphson, and bounds on their deviations from the chord if they move.
     enclosures: Vec<(usize, Option<Register>)>,
 }
 
-/// What shows something of a window.
+/// Verification of a window as operations.
 #[derive(Clone, Debug)]
-struct Shown {
+struct WindowCheck {
     code: Code,
-    /// The time, the stretch, the remainder, what lies beyond, and the rounding.
+    /// Registers of the time, the steps, the remainder, the margin beyond the window, and the rounding.
     window: [Register; 5],
-    /// What is read of the instant, and of the last one, and where it is there.
+    /// Registers that are read of the instant, and of the last one, with their indices there.
     read: [Vec<(Register, usize)>; 2],
     operations: Vec<Operation>,
 }
 
-/// How far unknowns may be from a straight line, as registers; see [`isolate_all`].
+/// Bounds on deviations from the chord, as registers; see [`isolate_all`].
 #[derive(Clone, Debug)]
 pub(crate) struct Isolation {
-    /// See [`isolate_whole_chain`].
+    /// True for a chain; see [`isolate_whole_chain`].
     pub is_chain: bool,
-    /// The block of each equation, by its place in the plan.
+    /// Block of each equation: an index into the plan.
     pub blocks: Vec<usize>,
     pub bounds: Vec<Register>,
     pub curvatures: Vec<Register>,
@@ -53,17 +53,17 @@ pub(crate) struct Isolation {
     pub jacobian: Vec<([usize; 2], Register)>,
     pub turns: Vec<bool>,
     pub turning: Vec<([usize; 2], Register)>,
-    /// One deviation an unknown.
+    /// Deviation of each unknown.
     pub found: Vec<Register>,
     pub variation: Vec<Operation>,
     pub varied: Vec<([usize; 2], Register)>,
 }
 
 impl InterpretedPath {
-    /// `None` where nobody asks for it.
+    /// Returns the path; `None` if the program does not verify paths.
     ///
     /// # Panics
-    /// Where a path mentions what instants do not keep.
+    /// If a path mentions values that instants do not store.
     pub fn new(system: &System, program: &Program, layout: &Layout) -> Option<InterpretedPath> {
         let path = program.path.as_ref()?;
         let newtons = program.blocks.iter().flat_map(|block| &block.newton);
@@ -75,20 +75,26 @@ impl InterpretedPath {
             })
             .collect();
         let deviations = unknowns.iter().filter_map(|(_, deviation)| *deviation);
-        let own = &path.window;
-        let given = Given {
+        let bounds = &path.window;
+        let context = CheckWriter {
             system,
             program,
-            window: [own.time, own.steps, own.remainder, own.beyond, own.rounding],
+            window: [
+                bounds.time,
+                bounds.steps,
+                bounds.remainder,
+                bounds.beyond,
+                bounds.rounding,
+            ],
             layout,
         };
-        let (whole, deviations) = given.shown(&path.function, deviations.collect());
+        let (whole, deviations) = context.write(&path.function, deviations.collect());
         let closed = path.closed.as_ref();
-        let closed = closed.map(|function| given.shown(function, Vec::new()).0);
+        let closed = closed.map(|function| context.write(function, Vec::new()).0);
         let mut deviations = deviations.into_iter();
         let enclosures = unknowns.into_iter().map(|(position, deviation)| {
             let deviation = deviation.and_then(|_| deviations.next());
-            (given.slot(position), deviation)
+            (context.slot(position), deviation)
         });
         let enclosures = enclosures.collect();
         let places = program.blocks.iter().filter_map(|block| block.place);
@@ -101,24 +107,24 @@ impl InterpretedPath {
         })
     }
 
-    /// What both of its functions compute with.
+    /// Returns the registers of both verifications.
     pub fn registers(&self) -> [Vec<f64>; 2] {
         let closed = self.closed.as_ref();
         let closed = closed.map_or(Vec::new(), |shown| shown.code.registers().to_vec());
         [self.whole.code.registers().to_vec(), closed]
     }
 
-    /// See [`Blocks::is_closed`](linkwright::Blocks::is_closed).
+    /// True if the path closes; see [`Blocks::is_closed`](linkwright::Blocks::is_closed).
     pub fn is_closed(&self) -> bool {
         self.closed.is_some()
     }
 
-    /// How many enclosures there are.
+    /// Number of enclosures.
     pub fn enclosure_count(&self) -> usize {
         self.enclosures.len()
     }
 
-    /// See [`Blocks::verify_path`](linkwright::Blocks::verify_path).
+    /// Verifies a path; see [`Blocks::verify_path`](linkwright::Blocks::verify_path).
     pub fn keep(
         &self,
         pair: &Pair<'_, Interpreted>,
@@ -126,7 +132,7 @@ impl InterpretedPath {
         enclosures: &mut Vec<PathEnclosure>,
         registers: &mut [f64],
     ) -> Result<(), u16> {
-        self.whole.show(pair, window, &self.numbers, registers)?;
+        self.whole.verify(pair, window, &self.numbers, registers)?;
         let instants = [pair.at, pair.last].map(Instant::values);
         let enclosure = |&(slot, deviation): &(usize, Option<Register>)| {
             let [now, before] = instants.map(|values| values[slot]);
@@ -141,13 +147,13 @@ impl InterpretedPath {
         Ok(())
     }
 
-    /// See [`Blocks::is_within`](linkwright::Blocks::is_within).
+    /// True if an instant lies in enclosures; see [`Blocks::is_within`](linkwright::Blocks::is_within).
     pub fn are_within(&self, at: &Instant, enclosures: &[PathEnclosure], steps: f64) -> bool {
         let mut enclosures = self.enclosures.iter().zip(enclosures);
         enclosures.all(|(&(slot, _), enclosure)| enclosure.holds(at.values()[slot], steps))
     }
 
-    /// See [`Blocks::verify_nonsingular`](linkwright::Blocks::verify_nonsingular).
+    /// Verifies that blocks stay nonsingular; see [`Blocks::verify_nonsingular`](linkwright::Blocks::verify_nonsingular).
     pub fn stay(
         &self,
         pair: &Pair<'_, Interpreted>,
@@ -155,22 +161,22 @@ impl InterpretedPath {
         registers: &mut [f64],
     ) -> Result<(), u16> {
         match &self.closed {
-            Some(closed) => closed.show(pair, window, &self.numbers, registers),
+            Some(closed) => closed.verify(pair, window, &self.numbers, registers),
             None => Err(0),
         }
     }
 }
 
-/// What functions that show something of a window are written with.
-struct Given<'a> {
+/// Context in which verifications are written as operations.
+struct CheckWriter<'a> {
     system: &'a System,
     program: &'a Program,
-    /// The time, the stretch, the remainder, what lies beyond, and the rounding.
+    /// Symbols of the time, the steps, the remainder, the margin beyond the window, and the rounding.
     window: [SymbolId; 5],
     layout: &'a Layout,
 }
 
-impl Given<'_> {
+impl CheckWriter<'_> {
     fn slot(&self, symbol: SymbolId) -> usize {
         let slot = self.layout.slot(symbol);
         slot.unwrap_or_else(|| {
@@ -179,14 +185,14 @@ impl Given<'_> {
         })
     }
 
-    /// A function as operations, and where they leave what is asked for.
-    fn shown(&self, function: &Function, asked: Vec<SymbolId>) -> (Shown, Vec<Register>) {
+    /// Writes a function as operations; returns the registers of the requested symbols.
+    fn write(&self, function: &Function, symbols: Vec<SymbolId>) -> (WindowCheck, Vec<Register>) {
         let mut writer = Writer::new(self.system, self.program);
         let window = self.window.map(|symbol| writer.found(symbol));
         writer.body(function);
         let operations = writer.take();
-        let asked = asked.into_iter().map(|it| writer.assembler.symbol(it));
-        let asked = asked.collect();
+        let requested = symbols.into_iter().map(|it| writer.assembler.symbol(it));
+        let requested = requested.collect();
         let mut read = [Vec::new(), Vec::new()];
         for &(symbol, register) in writer.assembler.unbound() {
             match self.system.roles[symbol.index()] {
@@ -195,20 +201,22 @@ impl Given<'_> {
             }
         }
         let (code, _) = writer.finish();
-        let shown = Shown {
+        let verification = WindowCheck {
             code,
             window,
             read,
             operations,
         };
-        (shown, asked)
+        (verification, requested)
     }
 }
 
-impl Shown {
+impl WindowCheck {
+    /// Verifies a window.
+    ///
     /// # Errors
-    /// The number of the block of which it cannot be shown.
-    fn show(
+    /// The number of the block whose verification fails.
+    fn verify(
         &self,
         pair: &Pair<'_, Interpreted>,
         window: &TimeWindow,
@@ -244,8 +252,8 @@ impl Shown {
                     required(registers[value.index()], numbers[*block])?;
                 }
                 Operation::Isolate(isolation) => {
-                    let found = isolation.find(window, &self.code, registers);
-                    found.map_err(|block| numbers[block])?;
+                    let isolated = isolation.find(window, &self.code, registers);
+                    isolated.map_err(|block| numbers[block])?;
                 }
                 _ => run(operation, &self.code, registers, 0.0, 0)
                     .map_err(|failure| failure.block)?,
@@ -256,8 +264,10 @@ impl Shown {
 }
 
 impl Isolation {
+    /// Finds the deviations of all unknowns.
+    ///
     /// # Errors
-    /// The block of the plan of which it cannot be shown.
+    /// The index in the plan of the block whose verification fails.
     fn find(&self, window: &TimeWindow, code: &Code, registers: &mut [f64]) -> Result<(), usize> {
         let order = self.found.len();
         let fill =
@@ -291,7 +301,7 @@ impl Isolation {
                     registers[register.index()] = *deviation;
                 }
                 for operation in &self.variation {
-                    // What bounds are made of cannot fail.
+                    // Functions of bounds cannot fail.
                     let _ = run(operation, code, registers, 0.0, 0);
                 }
                 fill(variation, &self.varied, registers);

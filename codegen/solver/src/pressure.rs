@@ -1,4 +1,4 @@
-//! *Instants* → *the largest pressure angle of every contact over all of them*.
+//! Finds the largest pressure angle of every contact over a motion.
 
 use linkwright::contact::pressure_angle;
 use linkwright_codegen::stages::expr::ExprId;
@@ -7,32 +7,31 @@ use linkwright_codegen::stages::system::System;
 use crate::instant::{Instant, Layout};
 use crate::reader::Reader;
 
-/// The largest pressure angle of one contact over a motion.
+/// Largest pressure angle of one contact over a motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LargestPressureAngle {
-    /// The joint as the description writes it.
+    /// Joint as the description writes it.
     pub joint: String,
-    /// The angle between the common normal and the velocity of the follower's point, in rad; `None` where the follower rests
-    /// all the time.
+    /// Angle between the common normal and the velocity of the follower's point, in rad; `None` if the follower always rests.
     pub angle: Option<f64>,
-    /// When it is that large, in s.
+    /// Time of the largest angle, in s.
     pub t: f64,
 }
 
-/// Evaluates the pressure angles at one instant after another.
+/// Observer of pressure angles.
 #[derive(Clone, Debug)]
 pub struct PressureCheck {
-    /// For each contact the velocity of the follower along and across the normal, and the square of the sliding speed.
+    /// Evaluator, for each contact, of the velocity of the follower along and across the normal, and of the square of the sliding speed.
     reader: Reader,
-    /// The largest so far, in the order of [`System::pressures`].
+    /// Largest angles so far, in the order of [`System::pressures`].
     pub largest: Vec<LargestPressureAngle>,
 }
 
 impl PressureCheck {
-    /// Nothing has been seen yet.
+    /// Creates an observer before the first instant.
     ///
     /// # Panics
-    /// Where instants of this layout do not keep what the equations mention.
+    /// If instants of this layout do not store what the equations mention.
     pub fn new(system: &System, layout: &Layout) -> PressureCheck {
         let pressures = system.pressures.iter();
         let roots: Vec<ExprId> = pressures
@@ -51,7 +50,7 @@ impl PressureCheck {
         }
     }
 
-    /// Sees an instant.
+    /// Observes an instant.
     pub fn see(&mut self, instant: &Instant) {
         if self.largest.is_empty() {
             return;

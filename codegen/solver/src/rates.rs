@@ -1,27 +1,27 @@
-//! Rates of a state, which may not exist everywhere, as methods of integration ask for them.
+//! Defines the rates of a state that methods of integration need.
 
-/// Rates of a state at a time; an error where there are none.
+/// Rates of a state at a time, which may not exist everywhere.
 pub trait Rates {
-    /// Why there are none.
+    /// Reason that rates do not exist.
     type Failure;
 
-    /// Writes the rates.
+    /// Writes the rates of a state at a time (s).
     ///
     /// # Errors
-    /// They do not exist there.
+    /// The rates do not exist there.
     fn rates(&mut self, t: f64, state: &[f64], rates: &mut [f64]) -> Result<(), Self::Failure>;
 
-    /// Number of components, from the first, whose error counts. Rates depend on them alone: all others are integrals along the way.
+    /// Number of components, from the first, whose error counts. Rates depend on them alone: the others are integrals along the motion.
     fn judged(&self) -> usize;
 
-    /// Size beyond which a component allows no larger error: angles grow with every turn, and what happens at them does not.
+    /// Largest magnitude that raises the tolerance of a component: angles grow with every turn, but their effects do not.
     fn largest(&self, _component: usize) -> f64 {
         f64::INFINITY
     }
 
-    /// Sizes of judged components, beside which rates change slowly, at a state with these rates before a step of a length.
+    /// Returns scales of the judged components within which rates change slowly, at a state with these rates before a step of a length.
     fn scales(&self, state: &[f64], _slope: &[f64], _length: f64) -> Vec<f64> {
-        let own = state.iter().take(self.judged());
-        own.map(|it| it.abs().max(1.0)).collect()
+        let judged = state.iter().take(self.judged());
+        judged.map(|it| it.abs().max(1.0)).collect()
     }
 }

@@ -1,26 +1,25 @@
-//! *Instants* → *the largest residuals of position, velocity and acceleration over all of them*.
+//! Finds the largest residuals of position, velocity and acceleration over a motion.
 //!
-//! The equations are evaluated again at each instant, independently of what the solver believed. The module does not judge
-//! the figures.
+//! The equations are evaluated again at each instant, independently of the solver.
 
 use linkwright_codegen::stages::system::System;
 
 use crate::instant::{Instant, Layout};
 use crate::reader::Reader;
 
-/// The largest residuals over a motion.
+/// Largest residuals over a motion.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Residuals {
     /// max |Φ_i|, in m or rad.
     pub position: f64,
-    /// The row of `position`.
+    /// Row of `position`.
     pub row: usize,
     /// max |Φ_i| / m_i, where m_i is the sum of the absolute values of the terms of Φ_i, or the scale of the row if that is
-    /// larger: a multiple of ε = 2.2e-16 where the rest is rounding.
+    /// larger: a small multiple of ε = 2.2e-16 if only rounding remains.
     pub scaled: f64,
-    /// The largest residual of the redundant equations, which are not solved, in m or rad; `None` where there are none.
+    /// Largest residual of the redundant equations, which are not solved, in m or rad; `None` if there are none.
     pub monitored: Option<f64>,
-    /// The redundant equation of `monitored`.
+    /// Redundant equation of `monitored`.
     pub monitored_row: usize,
     /// max |Φ_q q̇ + Φ_t|, in m/s or rad/s.
     pub velocity: f64,
@@ -28,29 +27,29 @@ pub struct Residuals {
     pub acceleration: f64,
 }
 
-/// Evaluates the equations at one instant after another.
+/// Observer of residuals.
 #[derive(Clone, Debug)]
 pub struct ResidualCheck {
-    /// For each row its residual, its magnitude, Φ_t, γ and the entries of Φ_q; then the residuals that are monitored.
+    /// Evaluator, for each row, of its residual, its magnitude, Φ_t, γ and the entries of Φ_q; then of the monitored residuals.
     reader: Reader,
     rows: Vec<CheckedRow>,
     values: Vec<f64>,
-    /// The largest so far.
+    /// Largest residuals so far.
     pub largest: Residuals,
 }
 
 #[derive(Clone, Debug)]
 struct CheckedRow {
     scale: f64,
-    /// The coordinates of the entries of Φ_q.
+    /// Coordinates of the entries of Φ_q.
     columns: Vec<usize>,
 }
 
 impl ResidualCheck {
-    /// Nothing has been seen yet.
+    /// Creates an observer before the first instant.
     ///
     /// # Panics
-    /// Where instants of this layout do not keep what the equations mention.
+    /// If instants of this layout do not store what the equations mention.
     pub fn new(system: &System, layout: &Layout) -> ResidualCheck {
         let reader = Reader::recorded(&system.mechanism.graph, layout, |recorder| {
             let mut results = Vec::new();
@@ -81,7 +80,7 @@ impl ResidualCheck {
         }
     }
 
-    /// Sees an instant.
+    /// Observes an instant.
     pub fn see(&mut self, instant: &Instant) {
         self.reader.read(instant, &mut self.values);
         let mut rest = self.values.as_slice();

@@ -1,31 +1,30 @@
-//! *From, to, step, or single instants* → *the times to visit*.
+//! Plans the times to visit from a range and a step, or from single instants.
 //!
-//! Times on the way are `start + k · step` with a whole number k, so that rounding does not accumulate. Every leg moves away from the
-//! start strictly monotonically, and every instant that was asked for is on a leg exactly. The module does not know what is solved
-//! at these times.
+//! Intermediate times are `start + k · step` with a whole number k, so that rounding does not accumulate. Every leg moves away from the
+//! start strictly monotonically, and every requested instant is on a leg exactly.
 
-/// How many times may be visited at most.
+/// Largest number of visited times.
 pub const LARGEST: usize = 10_000_000;
 
-/// How many times lie at least between the ends of a range that is visited as a whole.
+/// Smallest number of times between the ends of a range that is visited as a whole.
 pub const BETWEEN: usize = 64;
 
-/// The relative deviation from a whole number of steps that is put down to rounding.
+/// Relative deviation from a whole number of steps that is put down to rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// A time to visit.
+/// Time to visit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Visit {
-    /// The time (s).
+    /// Time (s).
     pub t: f64,
-    /// Whether it is part of the result, or only on the way.
+    /// True if the time is part of the result, false if it is only visited on the path to another.
     pub wanted: bool,
 }
 
-/// The times to visit, each leg beginning at the start.
+/// Times to visit; each leg begins at the start.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Schedule {
-    /// Where the mechanism is assembled.
+    /// Time of the assembly.
     pub start: Visit,
     /// Earlier times, descending.
     pub backward: Leg,
@@ -38,20 +37,22 @@ pub struct Schedule {
 pub struct Leg {
     from: f64,
     step: f64,
-    /// How many steps there are.
+    /// Number of steps.
     count: usize,
-    /// Where the last step ends, if that is known exactly.
+    /// Exact end of the last step; `None` if only the steps determine it.
     end: Option<f64>,
-    /// The times that are wanted, in their order; `None` where every step is.
+    /// Requested times in their order; `None` if every step is requested.
     instants: Option<Vec<f64>>,
 }
 
 impl Schedule {
-    /// Every step from `from` to `to`. The last time is the last whole step that is not beyond `to`; it is `to` exactly if
-    /// `to` is a whole number of steps away, up to rounding.
+    /// Plans every step from `from` to `to` (s).
+    ///
+    /// The last time is the last whole step that is not beyond `to`; it is `to` exactly if `to` is a whole number of steps away, up to
+    /// rounding.
     ///
     /// # Errors
-    /// A sentence that says which number cannot be used.
+    /// A sentence with the number that cannot be used.
     pub fn range(from: f64, to: f64, step: f64) -> Result<Schedule, String> {
         if to < from {
             return Err(format!(
@@ -68,14 +69,14 @@ impl Schedule {
         })
     }
 
-    /// Both ends of a range and steps between them, of which the last one may be shorter. There are at least [`BETWEEN`] times
-    /// between the ends, where they can be told apart.
+    /// Plans both ends of a range (s) and steps between them, of which the last one may be shorter. There are at least [`BETWEEN`] times
+    /// between the ends, if `f64` can tell them apart.
     ///
     /// # Errors
-    /// A sentence that says which number cannot be used.
+    /// A sentence with the number that cannot be used.
     pub fn whole(from: f64, to: f64, step: f64) -> Result<Schedule, String> {
         let usable = step.is_finite() && step != 0.0;
-        // Twice what can be told apart, so that a short last step is no copy of the end.
+        // Twice the resolution, so that a short last step does not repeat the end.
         let least = 4.0 * from.abs().max(to.abs()) * f64::EPSILON;
         let longest = ((to - from) / (BETWEEN + 1) as f64).max(least);
         let step = match usable && to > from {
@@ -91,10 +92,10 @@ impl Schedule {
         Ok(schedule)
     }
 
-    /// Only the times `instants`, reached by steps from `from`; they may lie before it.
+    /// Plans the times `instants` (s), reached by steps from `from`; they may be earlier.
     ///
     /// # Errors
-    /// A sentence that says which number cannot be used.
+    /// A sentence with the number that cannot be used.
     pub fn instants(from: f64, instants: &[f64], step: f64) -> Result<Schedule, String> {
         let mut instants = instants.to_vec();
         instants.sort_by(f64::total_cmp);
@@ -116,12 +117,12 @@ impl Schedule {
         })
     }
 
-    /// How many times are visited at most.
+    /// Largest number of visited times.
     pub fn visits(&self) -> usize {
         1 + self.forward.length() + self.backward.length()
     }
 
-    /// How many times are part of the result.
+    /// Number of times that are part of the result.
     pub fn wanted(&self) -> usize {
         usize::from(self.start.wanted) + self.forward.wanted() + self.backward.wanted()
     }
@@ -141,7 +142,7 @@ impl Leg {
                 "{count:.1e} steps are too many (at most {LARGEST}): use a larger `--step`"
             ));
         }
-        // Below the resolution of `f64` at these times, times would repeat.
+        // Below the resolution of `f64`, times would repeat.
         let resolution = from.abs().max(end.abs()) * f64::EPSILON;
         if count > 0.0 && step.abs() <= 2.0 * resolution {
             return Err(format!(
@@ -158,17 +159,17 @@ impl Leg {
         })
     }
 
-    /// How many times there are at most.
+    /// Largest number of times.
     pub fn length(&self) -> usize {
         self.count + self.instants.as_ref().map_or(0, Vec::len)
     }
 
-    /// How many of them are part of the result.
+    /// Number of times that are part of the result.
     pub fn wanted(&self) -> usize {
         self.instants.as_ref().map_or(self.count, Vec::len)
     }
 
-    /// The times in their order.
+    /// Returns the times in their order.
     pub fn visits(&self) -> impl Iterator<Item = Visit> + '_ {
         let grid = (1..=self.count).map(|k| match self.end {
             Some(end) if k == self.count => end,
@@ -249,14 +250,14 @@ mod tests {
         assert_eq!(times(&schedule.backward), [-0.1, -0.15]);
         assert_eq!(schedule.wanted(), 3);
         assert!(!schedule.start.wanted);
-        let wanted: Vec<bool> = schedule.forward.visits().map(|it| it.wanted).collect();
-        assert_eq!(wanted, [false, true, true]);
+        let are_requested: Vec<bool> = schedule.forward.visits().map(|it| it.wanted).collect();
+        assert_eq!(are_requested, [false, true, true]);
         let schedule = Schedule::instants(0.0, &[0.0], 0.1).expect("good");
         assert_eq!((schedule.visits(), schedule.wanted()), (1, 1));
     }
 
     #[test]
-    fn what_cannot_be_visited_is_refused() {
+    fn rejects_unusable_numbers() {
         for (from, to, step) in [
             (0.0, -1.0, 0.1),
             (0.0, 1.0, 0.0),

@@ -1,7 +1,7 @@
-//! *A block and what is known before it* → *its poses*: in the mode that is sought, or all that are found.
+//! Searches for the poses of a block: one in a sought mode, or all that are found.
 //!
-//! A closed form has one pose for each choice of its signs. Of a block without one Newton-Raphson finds a pose near where it starts,
-//! and there may be more: it is started from the last values and from poses at random about them.
+//! A closed form has one pose for each choice of its signs. Of a block without a closed form, Newton-Raphson finds a pose near its start,
+//! and there may be more: it starts from the last values and from random poses about them.
 
 use std::f64::consts::PI;
 
@@ -14,27 +14,27 @@ use crate::interpreted::{Interpreted, State};
 use crate::newton::Newton;
 use crate::supplied::Modes;
 
-/// From how many poses at random a mode is looked for, if it is not found from the last values.
+/// Number of random poses from which a mode is sought if it is not found from the last values.
 pub const STARTS: u32 = 200;
 
-/// How far these poses are from the last values at most: half a turn, and this many characteristic lengths.
+/// Largest distance of these poses from the last values: half a turn, and this many characteristic lengths.
 const SCATTER: f64 = PI;
 
-/// Poses closer than this, in the scale of each unknown, are the same.
+/// Distance below which poses are equal, in the scale of each unknown.
 pub const SAME: f64 = 1e-6;
 
-/// Which mode is sought of a block without a closed form.
+/// Sought mode of a block without a closed form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sought {
-    /// The one near the last values.
+    /// Pose near the last values.
     Near,
-    /// The one with this sign of its Jacobian's determinant, from wherever it is found.
+    /// Pose with this sign of its Jacobian's determinant, wherever it is found.
     Sign(Branch),
-    /// The one that is not near.
+    /// Pose other than the near one.
     Other,
 }
 
-/// A reproducible sequence of numbers in [-1, 1) (xorshift64*, Vigna 2016).
+/// Reproducible sequence of numbers in [-1, 1) (xorshift64*, Vigna 2016).
 struct Random(u64);
 
 impl Random {
@@ -48,8 +48,9 @@ impl Random {
 }
 
 impl Interpreted {
-    /// Solves a block in the mode that is sought, after those before it. The modes of closed forms are taken from `modes`, and that of a
-    /// Newton-Raphson is noted there.
+    /// Solves a block in the sought mode, after those before it.
+    ///
+    /// The modes of closed forms are taken from `modes`, and that of a Newton-Raphson is recorded there.
     pub(crate) fn assemble_block(
         &self,
         index: usize,
@@ -88,24 +89,25 @@ impl Interpreted {
         state: &mut State,
         modes: &mut Modes,
     ) -> Result<(), Failure> {
-        let mut found = None;
+        let mut solution = None;
         self.try_starts(newton, state, |mut start| {
             modes.iterated[self.compiled().blocks[index].iterated] = Some(branch);
             let solved = self.solve_block(index, &mut start, Start::Estimate, modes);
-            found = solved.ok().map(|()| start);
-            found.is_some()
+            solution = solved.ok().map(|()| start);
+            solution.is_some()
         });
-        match found {
-            Some(found) => {
-                *state = found;
+        match solution {
+            Some(solution) => {
+                *state = solution;
                 Ok(())
             }
             None => Err(failed(FailureKind::WrongBranch, state.t, 0)),
         }
     }
 
-    /// The poses of a block without a closed form that are found in these modes, after those before it: that from the last values first.
-    /// Angles are those nearest to the last values.
+    /// Returns the poses of a block without a closed form that are found in these modes, after those before it.
+    ///
+    /// The pose found from the last values comes first. Angles are those nearest to the last values.
     pub(crate) fn poses(&self, index: usize, modes: &Modes, state: &State) -> Vec<(State, Modes)> {
         let solved_from = |mut start: State| {
             let mut modes = modes.clone();
@@ -116,7 +118,7 @@ impl Interpreted {
             return Vec::new();
         };
         let last = newton.last_frame(&state.registers, state.t).q;
-        let mut found: Vec<DVector<f64>> = Vec::new();
+        let mut distinct: Vec<DVector<f64>> = Vec::new();
         self.try_starts(newton, state, |start| {
             if let Some((reached, _)) = solved_from(start) {
                 let mut pose = newton.pose(&reached.registers);
@@ -125,13 +127,13 @@ impl Interpreted {
                         *value = nearest_turn(*value, last[place]);
                     }
                 }
-                if !found.iter().any(|other| is_same(newton, other, &pose)) {
-                    found.push(pose);
+                if !distinct.iter().any(|other| is_same(newton, other, &pose)) {
+                    distinct.push(pose);
                 }
             }
             false
         });
-        let poses = found.iter().filter_map(|pose| {
+        let poses = distinct.iter().filter_map(|pose| {
             let mut start = state.clone();
             newton.set_last(pose, &mut start.registers);
             solved_from(start)
@@ -139,7 +141,7 @@ impl Interpreted {
         poses.collect()
     }
 
-    /// Offers the last values and poses at random about them until one is taken.
+    /// Offers the last values, and random poses about them, until one is taken.
     fn try_starts(&self, newton: &Newton, state: &State, mut take: impl FnMut(State) -> bool) {
         let last = newton.last_frame(&state.registers, state.t).q;
         let mut random = Random(1);
@@ -158,13 +160,13 @@ impl Interpreted {
 }
 
 impl Interpreted {
-    /// The unknowns that a block without a closed form has found.
+    /// Returns the unknowns of a solved block without a closed form.
     pub(crate) fn pose_of(&self, index: usize, state: &State) -> DVector<f64> {
         let newton = self.compiled().blocks[index].newton.as_ref();
         newton.map_or_else(|| DVector::zeros(0), |newton| newton.pose(&state.registers))
     }
 
-    /// Whether two poses of a block without a closed form differ by rounding alone, or by whole turns.
+    /// True if two poses of a block without a closed form differ by rounding alone, or by whole turns.
     pub(crate) fn is_same_pose(
         &self,
         index: usize,
@@ -176,7 +178,7 @@ impl Interpreted {
     }
 }
 
-/// Whether two poses of the tears differ by rounding alone, or by whole turns.
+/// True if two poses of the tearing variables differ by rounding alone, or by whole turns.
 fn is_same(newton: &Newton, one: &DVector<f64>, other: &DVector<f64>) -> bool {
     (0..one.len()).all(|place| {
         let other = match newton.is_angle[place] {

@@ -1,30 +1,29 @@
-//! *Weak directions of Φ_q* → *the joints and bodies they concern, by name*.
+//! Names the joints and bodies that take part in weak directions of Φ_q.
 //!
-//! At a singular pose a combination of equations restricts nothing new (left null vector) and some coordinates can move
-//! although every driver stands still (right null vector). What takes part with less than [`SHARE`] of the largest
-//! component is left out. Names come in written order, each once. The module does not know how the directions were found.
-
+//! In a singular pose a combination of equations restricts nothing new (left null vector), and some coordinates can move while every
+//! driver stands still (right null vector). Components below [`SHARE`] of the largest are left out. Names are in written order, each
+//! once.
 use linkwright_codegen::stages::system::System;
 
 use crate::condition::Weakness;
 
-/// The smallest component, relative to the largest, that counts as taking part.
+/// Smallest component of a participant, relative to the largest.
 pub const SHARE: f64 = 0.1;
 
-/// How many names a sentence lists before it counts the rest.
-const LISTED: usize = 6;
+/// Largest number of names in a sentence, which counts the rest.
+const MAX_LISTED: usize = 6;
 
-/// Who takes part in a singularity.
+/// Participants in a singularity.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SingularParticipants {
-    /// Labels of joints and drivers, as the description writes them.
+    /// Labels of joints and drivers, as in the description.
     pub joints: Vec<String>,
     /// Names of bodies that can move.
     pub bodies: Vec<String>,
 }
 
 impl SingularParticipants {
-    /// The names behind the directions of `weakness`.
+    /// Returns the names of the directions of `weakness`.
     pub fn of(system: &System, weakness: &Weakness) -> SingularParticipants {
         let mechanism = &system.mechanism;
         let joints = taking_part(
@@ -38,7 +37,7 @@ impl SingularParticipants {
                 .coordinates
                 .iter()
                 .filter_map(|coordinate| coordinate.describes.body()),
-            // The poses come first; where a joint touches its curve follows from them.
+            // The poses come first; contact points on curves follow from them.
             weakness.coordinates.as_slice(),
         );
         SingularParticipants {
@@ -63,7 +62,7 @@ impl std::fmt::Display for SingularParticipants {
     }
 }
 
-/// The groups whose largest component is at least [`SHARE`] of the largest of all.
+/// Returns the groups whose largest component is at least [`SHARE`] of the largest of all.
 fn taking_part(
     groups: usize,
     group_of: impl Iterator<Item = usize>,
@@ -77,11 +76,15 @@ fn taking_part(
     (0..groups).filter(move |group| largest[*group] >= limit && largest[*group] > 0.0)
 }
 
-/// `a, b, c and 4 more`.
+/// Lists names: `a, b, c and 4 more`.
 pub fn listed(names: &[String]) -> String {
     match names.len() {
         0 => "none".to_string(),
-        count if count <= LISTED => names.join(", "),
-        count => format!("{} and {} more", names[..LISTED].join(", "), count - LISTED),
+        count if count <= MAX_LISTED => names.join(", "),
+        count => format!(
+            "{} and {} more",
+            names[..MAX_LISTED].join(", "),
+            count - MAX_LISTED
+        ),
     }
 }

@@ -1,4 +1,4 @@
-//! What a caller supplies of a described mechanism: pose, parameters, inputs and assembly modes, in the order of its description.
+//! Holds the values that a caller supplies: pose, parameters, inputs and assembly modes, in the order of the description.
 
 use linkwright::{Branch, Signal, Signals, Values};
 use linkwright_codegen::stages::expr::Tape;
@@ -8,38 +8,38 @@ use linkwright_codegen::stages::system::System;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Numbers(pub Vec<f64>);
 
-/// A value for each coordinate.
+/// Value of each coordinate.
 pub type Pose = Numbers;
 
-/// The parameters of a description.
+/// Parameters of a description.
 pub type ParameterValues = Numbers;
 
-/// The inputs of a description at one time, in its order and in SI units.
+/// Inputs of a description at one time, in its order and in SI units.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct InputSignals(pub Vec<Signal>);
 
-/// The assembly mode of every loop.
+/// Assembly mode of every loop.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Modes {
-    /// Of those that are solved in closed form and have two.
+    /// Modes of loops in closed form that have two.
     pub closed: Vec<Branch>,
-    /// Of those that Newton-Raphson solves; `None` for what the estimate decides.
+    /// Modes of loops that Newton-Raphson solves; `None` if the estimate decides.
     pub iterated: Vec<Option<Branch>>,
 }
 
-/// What an assembly mode is called, and where it is among the [`Modes`].
+/// Name of an assembly mode, and its index in [`Modes`].
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ModeName {
-    /// The name that generated code has for it.
+    /// Name in generated code.
     pub name: String,
-    /// Its place in [`Modes::closed`], or else in [`Modes::iterated`].
+    /// Index in [`Modes::closed`], or else in [`Modes::iterated`].
     pub place: usize,
-    /// Whether it is one of a closed form.
+    /// True for the mode of a closed form.
     pub is_closed: bool,
 }
 
 impl Numbers {
-    /// The parameters of a description.
+    /// Returns the nominal parameters of a description.
     pub fn nominal_parameters(system: &System) -> ParameterValues {
         let mechanism = &system.mechanism;
         let nominal = |symbol| mechanism.graph.nominal(symbol).unwrap_or(f64::NAN);
@@ -49,7 +49,7 @@ impl Numbers {
 }
 
 impl InputSignals {
-    /// Those of the description, at rest.
+    /// Returns the initial inputs of the description, at rest.
     pub fn initial(system: &System) -> InputSignals {
         let mechanism = &system.mechanism;
         let value = |expr| mechanism.graph.constant_value(expr).unwrap_or(f64::NAN);
@@ -108,18 +108,18 @@ impl Signals<f64> for InputSignals {
     }
 }
 
-/// The inputs of a description as functions of time: what they are while nobody supplies them.
+/// Inputs of a description as functions of time, which hold unless a caller supplies inputs.
 #[derive(Clone, Debug)]
 pub struct InputLaws {
     tape: Tape,
-    /// By symbol, with the nominal parameters.
+    /// Values by symbol, with the nominal parameters.
     symbols: Vec<f64>,
     time: usize,
     count: usize,
 }
 
 impl InputLaws {
-    /// The laws that the description, or who reads it, gives the inputs.
+    /// Returns the laws of the inputs of a system.
     pub fn of(system: &System) -> InputLaws {
         let mechanism = &system.mechanism;
         let mut symbols = vec![0.0; mechanism.graph.symbol_count()];
@@ -133,7 +133,7 @@ impl InputLaws {
         }
     }
 
-    /// The inputs at time `t` (s).
+    /// Returns the inputs at time `t` (s).
     pub fn at(&self, t: f64) -> InputSignals {
         if self.count == 0 {
             return InputSignals::default();

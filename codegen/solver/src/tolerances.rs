@@ -1,29 +1,29 @@
-//! *The error of a step* → *the same in tolerances, and the length of the next step*.
+//! Measures the error of a step in tolerances, and finds the length of the next step.
 
 use crate::rates::Rates;
 
-/// Largest growth of a step beside the one before it.
+/// Largest ratio of the lengths of successive steps.
 const LARGEST_GROWTH: f64 = 6.0;
 
-/// Part of the length that the error estimate allows which is taken.
+/// Part of the length permitted by the error estimate that the next step takes.
 const SAFETY: f64 = 0.9;
 
-/// The largest error of a step.
+/// Largest error of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerances {
-    /// Of each component, relative to itself.
+    /// Relative error of each component.
     pub relative: f64,
-    /// Added to that, in the unit of each component.
+    /// Additional absolute error, in the unit of each component.
     pub absolute: f64,
 }
 
 impl Tolerances {
-    /// The error that a component may have which is as large as the larger of two values, at most `largest`.
+    /// Returns the permitted error of a component with the larger magnitude of two values, at most `largest`.
     pub(crate) fn of(&self, one: f64, other: f64, largest: f64) -> f64 {
         self.absolute + self.relative * one.abs().max(other.abs()).min(largest)
     }
 
-    /// The root of the mean square of values in tolerances, for components that are as large as in the larger of two states.
+    /// Returns the root mean square of values in tolerances, for components of the larger magnitude in two states.
     pub(crate) fn mean<R: Rates>(&self, values: &[f64], states: [&[f64]; 2], rates: &R) -> f64 {
         let judged = rates.judged();
         let squares = (0..judged).map(|component| {
@@ -34,10 +34,12 @@ impl Tolerances {
     }
 }
 
-/// The length of the step after one with an error in tolerances, which falls with a power of the length, or of the next attempt where the
-/// error is too large. An attempt keeps at least the part `kept` of the length; a step that is `held` is not longer.
+/// Returns the length of the next step after one with an error in tolerances, or of the next attempt if the error is too large.
+///
+/// The error falls with a power of the length. An attempt keeps at least the part `kept` of the length; a step that is `held` is not
+/// longer.
 pub(crate) fn next_length(length: f64, error: f64, power: f64, kept: f64, held: bool) -> f64 {
-    // An error that is no number is as large as can be.
+    // An error that is not finite counts as infinite.
     let allowed = match error.is_finite() {
         true => SAFETY * error.max(f64::MIN_POSITIVE).powf(-1.0 / power),
         false => kept,

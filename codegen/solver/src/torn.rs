@@ -1,4 +1,4 @@
-//! *The tearing of a block's equations* → [`Torn`] on registers.
+//! Evaluates [`Torn`] equations of a block on registers.
 
 use linkwright::torn::{self, Completion, Evaluation, Found, Memory};
 use linkwright::{Branch, Equations, Failure, Frame, Settings, Start, Torn};
@@ -10,20 +10,20 @@ use nalgebra::{DMatrix, DVector, Dyn};
 use crate::newton::{NewtonEquations, Part};
 use crate::operation::Writer;
 
-/// A torn block.
+/// Torn block.
 #[derive(Clone, Debug)]
 pub(crate) struct Tearing {
-    /// Which unknowns are tears.
+    /// Indices of the unknowns that are tearing variables.
     tears: Vec<usize>,
-    /// Where the functions find the tears, and the signs.
+    /// Registers of the tearing variables and the signs, as arguments of the functions.
     given: Vec<Register>,
     signs: Vec<Register>,
-    /// The determinant and the signs, at the last instant and now.
+    /// Registers of the determinant and the signs, at the last instant and now.
     last: Vec<Register>,
     memory: Vec<Register>,
-    /// The sine and the cosine of each angle.
+    /// Registers of the sine and the cosine of each angle.
     directions: Vec<Option<[Register; 2]>>,
-    /// The row that scales each residual.
+    /// Row that scales each residual.
     rows: Vec<usize>,
     terms: Vec<f64>,
     scales: Part,
@@ -51,7 +51,7 @@ impl Tearing {
         let signs = signs.collect();
         let scales = Part::new(&tearing.scales, writer);
         let sign_values = Part::new(&tearing.sign_values, writer);
-        // What is carried from the one to the other stays in its registers.
+        // Intermediate values that both functions use stay in their registers.
         let (_, [evaluate, complete]) = writer.apart(|writer| {
             [&tearing.evaluate, &tearing.complete].map(|function| {
                 let results = writer.body(function);
@@ -61,10 +61,10 @@ impl Tearing {
                 }
             })
         });
-        // The functions have rates of their own.
+        // The functions include rates.
         for (place, &unknown) in newton.unknowns.iter().enumerate() {
-            let own = &system.vector_form.unknowns[unknown];
-            for (symbol, registers) in [own.position, own.rate, own.acceleration]
+            let form = &system.vector_form.unknowns[unknown];
+            for (symbol, registers) in [form.position, form.rate, form.acceleration]
                 .into_iter()
                 .zip(unknowns)
             {
@@ -101,7 +101,7 @@ impl Tearing {
         })
     }
 
-    /// Solves the block as [`torn::solve`] says, and writes what is found.
+    /// Solves the block with [`torn::solve`], and writes the solution.
     pub fn solve(
         &self,
         equations: &NewtonEquations<'_>,
@@ -116,12 +116,12 @@ impl Tearing {
             determinant: kept[0],
             signs: kept[1..].to_vec(),
         };
-        let found = match self.tears.len() {
+        let solution = match self.tears.len() {
             2 => self.solved::<2>(equations, last, &memory, start, branch, t, settings),
             _ => self.solved::<1>(equations, last, &memory, start, branch, t, settings),
         }?;
-        equations.set(&found.frame);
-        let Memory { determinant, signs } = found.memory;
+        equations.set(&solution.frame);
+        let Memory { determinant, signs } = solution.memory;
         let memory = [determinant].into_iter().chain(signs);
         equations.write(
             &self.memory,
@@ -129,7 +129,7 @@ impl Tearing {
         );
         for (place, pair) in self.directions.iter().enumerate() {
             if let Some(pair) = pair {
-                let values = [found.sines[place], found.cosines[place]];
+                let values = [solution.sines[place], solution.cosines[place]];
                 equations.write(pair, &DVector::from_column_slice(&values));
             }
         }
@@ -155,7 +155,7 @@ impl Tearing {
     }
 }
 
-/// A torn block with its equations, at one instant.
+/// Torn block with its equations, at one instant.
 struct TornEquations<'a, 'b, const K: usize> {
     tearing: &'a Tearing,
     whole: &'a NewtonEquations<'b>,
@@ -209,7 +209,7 @@ impl<const K: usize> TornEquations<'_, '_, K> {
 
 impl<const K: usize> Torn<f64, Dyn, K> for TornEquations<'_, '_, K> {
     type Signs = Vec<f64>;
-    /// What is carried stays in registers.
+    /// Unit: intermediate values stay in registers.
     type Carried = ();
 
     fn tears(&self) -> [usize; K] {
@@ -236,13 +236,13 @@ impl<const K: usize> Torn<f64, Dyn, K> for TornEquations<'_, '_, K> {
     ) -> Option<Evaluation<f64, K, ()>> {
         self.whole.count();
         self.set(tears, signs);
-        let found = self.whole.results(&self.tearing.evaluate, t)?;
+        let results = self.whole.results(&self.tearing.evaluate, t)?;
         Some(Evaluation {
-            residual: std::array::from_fn(|row| found[row]),
+            residual: std::array::from_fn(|row| results[row]),
             inverse: std::array::from_fn(|row| {
-                std::array::from_fn(|column| found[K + row * K + column])
+                std::array::from_fn(|column| results[K + row * K + column])
             }),
-            determinant: found[K + K * K],
+            determinant: results[K + K * K],
             carried: (),
         })
     }
@@ -255,10 +255,10 @@ impl<const K: usize> Torn<f64, Dyn, K> for TornEquations<'_, '_, K> {
         t: f64,
     ) -> Completion<f64, Dyn> {
         self.set(tears, signs);
-        let found = self.whole.results(&self.tearing.complete, t);
+        let results = self.whole.results(&self.tearing.complete, t);
         let size = self.whole.dimension().0;
-        let part = |place: usize| match &found {
-            Some(found) => DVector::from_column_slice(&found[place * size..(place + 1) * size]),
+        let part = |place: usize| match &results {
+            Some(results) => DVector::from_column_slice(&results[place * size..(place + 1) * size]),
             None => DVector::from_element(size, f64::NAN),
         };
         Completion {
@@ -267,9 +267,9 @@ impl<const K: usize> Torn<f64, Dyn, K> for TornEquations<'_, '_, K> {
             rates: part(2),
             accelerations: part(3),
             residual: part(4),
-            response: found
+            response: results
                 .as_ref()
-                .map_or(f64::NAN, |found| torn::largest_of(&found[5 * size..])),
+                .map_or(f64::NAN, |results| torn::largest_of(&results[5 * size..])),
         }
     }
 

@@ -1,7 +1,6 @@
-//! *A mechanism and times* → *its instants one after another, or how far the motion goes*.
+//! Follows a mechanism over times, and finds the end of its motion.
 //!
-//! The mechanism is moved from time to time by its shell, which stays on its path. Nothing is kept: whoever follows sees every
-//! instant once. The module does not know what is done with them.
+//! The shell of the mechanism moves it from time to time and stays on its path. Instants are not kept: the caller sees each once.
 
 use linkwright::{Failure, Shell};
 
@@ -10,23 +9,25 @@ use crate::schedule::{Leg, Visit};
 use crate::supplied::InputLaws;
 use crate::view::View;
 
-/// How closely the end of a motion is found, beside the larger of the time and one second.
+/// Precision of the end of a motion, relative to the larger of the time and one second.
 pub const END: f64 = 1e-12;
 
-/// The end of a motion.
+/// End of a motion.
 #[derive(Clone, Debug)]
 pub struct End {
-    /// Why it ends.
+    /// Reason.
     pub failure: Failure,
-    /// The last instant that could be solved, next to the end, at which the mechanism then is.
+    /// Last instant that could be solved, at which the mechanism then is.
     pub last: Instant,
 }
 
-/// Moves a mechanism to one time after another; `see` is shown it at every instant, and whether the instant is wanted. Gives how the motion ends where
-/// it does not go as far as the times do.
+/// Moves a mechanism to one time after another.
+///
+/// `see` receives the mechanism at every instant, and true if the instant is requested. Returns the end of the motion if it is early,
+/// otherwise `None`.
 ///
 /// # Errors
-/// Those of `see`, which end it.
+/// Errors of `see`, which end the motion.
 pub fn follow<V: View, E>(
     shell: &mut Shell<V>,
     laws: &InputLaws,
@@ -45,7 +46,7 @@ pub fn follow<V: View, E>(
     Ok(None)
 }
 
-/// The last instant before a time that cannot be reached, by bisection.
+/// Returns the last instant before a time that cannot be reached, by bisection.
 fn last_before<V: View>(shell: &mut Shell<V>, laws: &InputLaws, mut beyond: f64) -> Instant {
     loop {
         let t = shell.frame().t();

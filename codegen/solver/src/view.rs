@@ -1,4 +1,4 @@
-//! What can be solved and reported on, whichever equations it is solved by.
+//! Defines what a formulation of a mechanism provides for solutions and reports.
 
 use linkwright::{Blocks, Failure, PointMotion};
 use linkwright_codegen::stages::emit::derivation::SingularPose;
@@ -8,7 +8,7 @@ use crate::instant::{Instant, Layout};
 use crate::measures::Measures;
 use crate::supplied::{InputLaws, InputSignals, ModeName, Modes, ParameterValues, Pose};
 
-/// A way of solving a described mechanism: block by block, or all equations at once.
+/// Formulation of a described mechanism: block by block, or all equations at once.
 pub trait View:
     Clone
     + Blocks<
@@ -20,42 +20,42 @@ pub trait View:
         Inputs = InputSignals,
     >
 {
-    /// The equations of the mechanism.
+    /// Equations of the mechanism.
     fn system(&self) -> &System;
 
-    /// Where instants keep what.
+    /// Layout of the values of instants.
     fn layout(&self) -> &Layout;
 
-    /// The names of the assembly modes that can be chosen: first those of closed forms, then the others.
+    /// Names of the assembly modes that can be selected: first those of closed forms, then the others.
     fn mode_names(&self) -> Vec<ModeName>;
 
-    /// How many Newton-Raphson steps were taken so far, and by how many solves.
+    /// Number of Newton-Raphson steps so far, and of solves.
     fn newton_steps(&self) -> [u64; 2];
 
-    /// The motion of all points of the description, in its order.
+    /// Returns the motion of all points of the description, in its order.
     fn points(&self, instant: &Instant) -> Vec<PointMotion>;
 
-    /// What `transmission` and `sensitivity` statements ask for, in the order of [`crate::derivatives::names`];
-    /// `None` where the equations are singular.
+    /// Returns the requested transmissions and sensitivities, in the order of [`crate::derivatives::names`];
+    /// `None` if the equations are singular.
     fn derivatives(&self, instant: &Instant) -> Option<Vec<f64>>;
 
-    /// What `effort`, `reaction` and `energy` statements ask for, in the order of [`crate::forces::names`]; `None` where the equations
+    /// Returns the requested driving forces, reactions and energies, in the order of [`crate::forces::names`]; `None` if the equations
     /// are singular.
     fn forces(&self, instant: &Instant) -> Option<Vec<f64>>;
 
-    /// How far its parts are from singular; `None` where that is not known part by part.
+    /// Returns the distances of its subsystems from singular; `None` if the formulation has no subsystems.
     fn measures(&self) -> Option<Measures>;
 
-    /// Where its parts are singular, in words; nothing where that is not known part by part.
+    /// Singular poses of its subsystems, in words; empty if the formulation has no subsystems.
     fn singular_poses(&self) -> &[SingularPose];
 
-    /// That and why the mechanism cannot be assembled in the modes of its drawing.
+    /// Reports that the mechanism cannot be assembled in the modes of its design configuration, with the reason.
     fn not_assembled(&self, failure: &Failure) -> String;
 
-    /// Where and why a motion ends whose last instant this is.
+    /// Reports the end of a motion with this last instant, with the reason.
     fn ended(&self, failure: &Failure, last: &Instant) -> String;
 
-    /// The laws of the inputs.
+    /// Returns the laws of the inputs.
     fn input_laws(&self) -> InputLaws {
         InputLaws::of(self.system())
     }

@@ -1,11 +1,11 @@
-//! *The closest approaches of a motion to singular poses* → *sentences*.
+//! Warns of singular poses that a motion passes or comes close to.
 
 use linkwright_codegen::stages::emit::derivation::SingularPose;
 
 use crate::approach::Approach;
 use crate::number::{scientific, time};
 
-/// One sentence for each part that passes through a singular pose, or comes closer to one than `limit`.
+/// Returns one sentence for each subsystem that passes through a singular pose, or comes closer to one than `limit`.
 pub fn warnings(approaches: &[Approach], poses: &[SingularPose], limit: f64) -> Vec<String> {
     let sentences = approaches.iter().filter_map(|approach| {
         let pose = pose_of(approach, poses)?;
@@ -31,13 +31,15 @@ pub fn warnings(approaches: &[Approach], poses: &[SingularPose], limit: f64) -> 
     sentences.collect()
 }
 
-/// Where the part of an approach is singular.
+/// Returns the singular poses of the subsystem of an approach; `None` if there are none.
 pub fn pose_of<'a>(approach: &Approach, poses: &'a [SingularPose]) -> Option<&'a SingularPose> {
-    let own = (approach.part.block, approach.part.part);
-    poses.iter().find(|pose| (pose.block, pose.part) == own)
+    let subsystem = (approach.part.block, approach.part.part);
+    poses
+        .iter()
+        .find(|pose| (pose.block, pose.part) == subsystem)
 }
 
-/// `, and 3 more times`; empty for once.
+/// Returns `, and 3 more times`; empty for once.
 pub fn times(count: usize) -> String {
     match count {
         0 | 1 => String::new(),

@@ -1,4 +1,4 @@
-//! Which motion of which description, as most commands ask.
+//! Defines the arguments that select a motion of a description.
 
 use std::path::PathBuf;
 

@@ -1,4 +1,4 @@
-//! What `linkwright compare` and `linkwright calibrate` are asked.
+//! Defines the arguments of `linkwright compare` and `linkwright calibrate`.
 
 use std::path::PathBuf;
 
@@ -38,7 +38,7 @@ pub struct Table {
     pub decimal: Option<Mark>,
 }
 
-/// What separates cells.
+/// Separator of cells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Separator {
     /// `,`
@@ -53,7 +53,7 @@ pub enum Separator {
     Spaces,
 }
 
-/// What separates decimals.
+/// Decimal separator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Mark {
     /// `0.5`

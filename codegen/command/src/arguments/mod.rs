@@ -1,4 +1,4 @@
-//! *The command line → typed arguments.* Numbers are finite and steps positive afterwards; files are not opened here.
+//! Parses the command line into typed arguments. Numbers are finite and steps positive afterwards; files are not opened.
 
 mod described;
 mod measured;
@@ -60,7 +60,7 @@ Exit codes: 0 done, 1 the mechanism cannot be solved (or `generate --check` or `
 difference, `check --deny-warnings` something to look at, `compare` a difference beyond its
 tolerance), 2 bad input, 70 an error of linkwright itself.";
 
-/// The commands.
+/// Commands.
 #[derive(Subcommand, Debug)]
 pub enum Command {
     /// Solve the motion: print it, write CSV and plots
@@ -256,7 +256,7 @@ pub struct Generate {
     pub scalar: Precision,
 }
 
-/// The languages of modules.
+/// Languages of modules.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Lang {
     /// A Rust module
@@ -265,7 +265,7 @@ pub enum Lang {
     C,
 }
 
-/// The numbers that generated code computes with.
+/// Number types of generated code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Precision {
     /// Double precision
@@ -301,7 +301,7 @@ pub struct Inspect {
     pub fragment: bool,
 }
 
-/// How formulas are written.
+/// Notations of formulas.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Format {
     /// As one types them: x1 + cos(phi1)

@@ -1,4 +1,4 @@
-//! What is printed and written of a motion.
+//! Defines the arguments that select what a command prints and writes of a motion.
 
 use std::path::PathBuf;
 
@@ -45,13 +45,13 @@ pub struct Reported {
 }
 
 impl Reported {
-    /// Returns the units that are requested; `None` if only their names are, or nothing.
+    /// Returns the requested units; `None` if only their names in headers are requested, or nothing is.
     pub fn units(&self) -> Option<OutputUnits> {
         let requested = self.units.clone();
         requested.filter(|it| *it != OutputUnits::default())
     }
 
-    /// Returns the units of what is printed and drawn, where files of numbers are in these.
+    /// Returns the units of printed text and pictures; `units` are those of files of numbers.
     pub fn printed(&self, units: OutputUnits) -> OutputUnits {
         match self.angles {
             None => units,
@@ -61,7 +61,7 @@ impl Reported {
     }
 }
 
-/// A unit of angles.
+/// Unit of angles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum TurnUnit {
     /// Radians

@@ -1,4 +1,4 @@
-//! Where a motion departs from its description.
+//! Defines the arguments by which a motion departs from its description.
 
 use clap::Args;
 

@@ -1,4 +1,4 @@
-//! What the commands around a description are asked: formatting, new crates, completions, manual pages.
+//! Defines the arguments of formatting, new crates, the language server, completions and manual pages.
 
 use std::path::PathBuf;
 

@@ -1,4 +1,4 @@
-//! What `linkwright simulate` is asked.
+//! Defines the arguments of `linkwright simulate`.
 
 use clap::{Args, ValueEnum};
 
@@ -47,7 +47,7 @@ pub struct Simulate {
     pub reported: Reported,
 }
 
-/// The methods of steps.
+/// Integration methods.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum StepMethod {
     /// DOP853: explicit, of order 8

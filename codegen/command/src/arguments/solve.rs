@@ -1,4 +1,4 @@
-//! What `linkwright solve` is asked.
+//! Defines the arguments of `linkwright solve`.
 
 use clap::{Args, ValueEnum};
 
@@ -52,7 +52,7 @@ pub struct Solve {
     pub monitor: bool,
 }
 
-/// A formulation of the equations.
+/// Formulation of the equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Formulation {
     /// Block by block, as a generated module does

@@ -1,4 +1,4 @@
-//! The units in which a command reports.
+//! Defines the argument that selects the units of a report.
 
 use clap::Args;
 use linkwright_codegen::stages::units::OutputUnits;
@@ -17,7 +17,7 @@ pub fn units(text: &str) -> Result<OutputUnits, String> {
     OutputUnits::listed(text).map_err(|[message, help]| format!("{message}: {help}"))
 }
 
-/// Reads the same list; nothing says that headers name the units.
+/// Reads a list of units; an empty list stands for units named in headers.
 pub fn units_or_names(text: &str) -> Result<OutputUnits, String> {
     match text {
         "" => Ok(OutputUnits::default()),

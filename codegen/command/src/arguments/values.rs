@@ -1,14 +1,14 @@
-//! The text of an argument → a number with its meaning, or why it has none.
+//! Reads the text of an argument as a number with a meaning.
 
 use linkwright_codegen::stages::columns::Unit;
 
-/// The units of time, longest names first.
+/// Units of time. Longer names precede the names that they end in.
 const UNITS: [&str; 3] = ["min", "ms", "s"];
 
-/// The smallest tolerance: below it steps only follow rounding.
+/// Smallest tolerance of an integration; below it, steps follow rounding only.
 const SMALLEST_TOLERANCE: f64 = 1e-15;
 
-/// A time in s, written in s or with a unit: `0.5`, `500ms`.
+/// Reads a time in s, written in s or with a unit: `0.5`, `500ms`.
 pub fn time(text: &str) -> Result<f64, String> {
     let with_unit = UNITS.iter().find_map(|unit| {
         let number = text.strip_suffix(unit)?.trim_end().parse::<f64>();
@@ -22,7 +22,7 @@ pub fn time(text: &str) -> Result<f64, String> {
     }
 }
 
-/// A positive time in s.
+/// Reads a positive time in s.
 pub fn step(text: &str) -> Result<f64, String> {
     match time(text)? {
         value if value > 0.0 => Ok(value),
@@ -30,7 +30,7 @@ pub fn step(text: &str) -> Result<f64, String> {
     }
 }
 
-/// The error that a step of an integration may have.
+/// Reads the largest error of an integration step.
 pub fn tolerance(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(value) if (SMALLEST_TOLERANCE..1.0).contains(&value) => Ok(value),
@@ -41,7 +41,7 @@ pub fn tolerance(text: &str) -> Result<f64, String> {
     }
 }
 
-/// `800x600`, from a thumbnail to what a printer wants.
+/// Reads a size in pixels, `800x600`, from a thumbnail to a print.
 pub fn size(text: &str) -> Result<[u32; 2], String> {
     let sides = text.split_once('x').map(|(width, height)| [width, height]);
     let sides = sides.and_then(|it| Some([it[0].parse().ok()?, it[1].parse().ok()?]));

@@ -1,4 +1,4 @@
-//! What `linkwright view` is asked.
+//! Defines the arguments of `linkwright view`.
 
 use std::path::PathBuf;
 

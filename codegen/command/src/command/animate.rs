@@ -1,4 +1,4 @@
-//! A description → its motion as an animation, an SVG or a GIF.
+//! Draws the motion of a description as an animation, an SVG or a GIF.
 
 use linkwright_codegen::stages::emit::drawing::{Animation, Options};
 use linkwright_solver::schedule::Schedule;
@@ -11,17 +11,17 @@ use crate::arguments::Draw;
 use crate::motion;
 use crate::report::drawing::tick_steps;
 
-/// Time between two pictures at least, in s: 25 a second.
+/// Smallest interval between two pictures, in s: 25 per second.
 const INTERVAL: f64 = 0.04;
 
-/// Most pictures of one animation.
+/// Largest number of pictures of an animation.
 const PICTURES: usize = 250;
 
 /// Draws the motion.
 ///
 /// # Errors
-/// The description has errors, an option cannot be used, or the picture cannot be written. A mechanism that cannot be assembled, or whose
-/// motion ends early, is an outcome.
+/// The description has errors, an option cannot be used, or the picture cannot be written. An [`Outcome`] reports a mechanism that
+/// cannot be assembled or whose motion ends early.
 pub fn run(arguments: &Draw) -> Result<Outcome, Problem> {
     let format = AnimationFormat::of(arguments)?;
     let refused = |text: String| Problem(format!("error: {text}"));

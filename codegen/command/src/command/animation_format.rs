@@ -12,7 +12,7 @@ use crate::report::picture;
 /// File format of an animation.
 #[derive(Clone, Copy, Debug)]
 pub struct AnimationFormat {
-    /// Beginning of such a file.
+    /// Signature of such a file.
     pub signature: Signature,
     /// Returns the bytes of a file with this time between two pictures, in s.
     pub encode: fn(&Animation, f64) -> Result<Vec<u8>, Problem>,
@@ -22,7 +22,7 @@ impl AnimationFormat {
     /// Returns the format that the file is named after, otherwise SVG.
     ///
     /// # Errors
-    /// The file is named after a format that does not move, or a GIF, which this build leaves out.
+    /// The file has the extension of a format without motion, or of a GIF, which this build leaves out.
     pub fn of(arguments: &Draw) -> Result<AnimationFormat, Problem> {
         let path = arguments.out.as_deref();
         let Some(extension) = path.and_then(Path::extension) else {

@@ -1,4 +1,4 @@
-//! *A description and times → its assemblies and where it comes closest to singular.*
+//! Lists the assemblies of a description, and finds its closest approach to a singular pose.
 
 use linkwright_solver::check::Check;
 use linkwright_solver::schedule::Schedule;
@@ -12,14 +12,14 @@ use crate::progress::Progress;
 use crate::report::{check_json, check_text, drawing, picture, proof_text};
 use crate::terminal;
 
-/// The width of tables, in characters, where no terminal is narrower.
+/// Width of tables in characters, unless the terminal is narrower.
 const WIDTH: usize = 110;
 
-/// Checks the mechanism and reports it.
+/// Checks the mechanism and reports the results.
 ///
 /// # Errors
 /// The description has errors, its equations do not determine the motion, an option cannot be used, or the picture cannot be
-/// written. That the mechanism cannot be solved is an outcome.
+/// written. An [`Outcome`] reports a mechanism that cannot be solved.
 pub fn run(arguments: &Arguments) -> Result<Outcome, Problem> {
     let source =
         source(&arguments.described.file)?.reported_in(arguments.reported_in.units.clone());

@@ -1,4 +1,4 @@
-//! *A description and a table* → *how far the measured motion is from the solved one*.
+//! Compares a measured motion with the solved one.
 
 use std::io;
 
@@ -17,11 +17,11 @@ use crate::progress::Progress;
 use crate::report::comparison::{self, Column, Report};
 use crate::report::{comparison_json, comparison_plot, picture};
 
-/// Compares and reports it.
+/// Compares a table with a description and reports the differences.
 ///
 /// # Errors
-/// The description or the table has errors, an option cannot be used, or a picture cannot be written. That the mechanism cannot be
-/// solved is an outcome, and so is a difference.
+/// The description or the table has errors, an option cannot be used, or a picture cannot be written. An [`Outcome`] reports a mechanism
+/// that cannot be solved and differences beyond their tolerances.
 pub fn run(arguments: &Compare) -> Result<Outcome, Problem> {
     let source =
         source(&arguments.described.file)?.reported_in(arguments.reported_in.units.clone());
@@ -48,7 +48,7 @@ pub fn run(arguments: &Compare) -> Result<Outcome, Problem> {
     }
     let interpreted = interpreted(&system, &source, &arguments.described.file)?;
     let chosen = chosen(&arguments.setting.branch, &interpreted, start)?;
-    let wanted = Wanted {
+    let selection = Wanted {
         points: Vec::new(),
         coordinates: Vec::new(),
         monitor: false,
@@ -64,7 +64,7 @@ pub fn run(arguments: &Compare) -> Result<Outcome, Problem> {
         times: Vec::new(),
         values: Vec::new(),
     };
-    let mut motion = Followed::new(interpreted, wanted, start, chosen);
+    let mut motion = Followed::new(interpreted, selection, start, chosen);
     let mut progress = Progress::new(schedule.visits());
     motion
         .follow(&schedule, &mut [&mut collected], |count| {
@@ -128,7 +128,7 @@ pub fn run(arguments: &Compare) -> Result<Outcome, Problem> {
     })
 }
 
-/// What is compared, instant by instant.
+/// Compared values, instant by instant.
 struct Collected {
     view: Interpreted,
     observables: Vec<Observable>,
@@ -137,7 +137,7 @@ struct Collected {
 }
 
 impl Collected {
-    /// The values at a time that was visited.
+    /// Returns the values at a visited time; `None` if the time was not visited.
     fn at(&self, t: f64) -> Option<&[f64]> {
         let place = self.times.binary_search_by(|it| it.total_cmp(&t)).ok()?;
         self.values.get(place).map(Vec::as_slice)

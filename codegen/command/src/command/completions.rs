@@ -1,4 +1,4 @@
-//! *The arguments of this command → a script that completes them in a shell*, on stdout.
+//! Prints a script that completes the arguments of this command in a shell.
 
 use clap::Command;
 
@@ -8,7 +8,7 @@ use crate::arguments::Completions;
 /// Prints the script for `interface`.
 ///
 /// # Errors
-/// Those of stdout.
+/// Errors of stdout.
 pub fn run(mut interface: Command, arguments: &Completions) -> Result<Outcome, Problem> {
     let mut script = Vec::new();
     clap_complete::generate(arguments.shell, &mut interface, "linkwright", &mut script);

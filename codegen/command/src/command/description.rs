@@ -1,4 +1,4 @@
-//! *A path → the source and the system of each motion, findings printed.* What every command begins with.
+//! Reads a description and the systems of its motions, and prints findings. Most commands begin with this.
 
 use std::io::Read as _;
 use std::path::Path;
@@ -17,15 +17,15 @@ use linkwright_solver::supplied::Modes;
 use super::{Problem, say};
 use crate::output::Outputs;
 
-/// What a description is called that is read from stdin.
+/// Name in messages of a description from stdin.
 const STDIN: &str = "<stdin>";
 
-/// Whether a description is to be read from stdin.
+/// True if the path stands for stdin.
 pub fn is_stdin(path: &Path) -> bool {
     path == Path::new("-")
 }
 
-/// The text of the description at `path`, under the name that was given; of `-` what stdin holds.
+/// Returns the text of the description at `path`, under this name; the contents of stdin if the path is `-`.
 ///
 /// # Errors
 /// The file cannot be read, or it is not UTF-8.
@@ -44,7 +44,7 @@ pub fn text(path: &Path) -> Result<Source, Problem> {
     })
 }
 
-/// All that stdin holds; of more than is read, one byte more than that.
+/// Reads stdin, at most one byte more than the largest description.
 fn from_stdin() -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     let mut limited = io::stdin().lock().take(Source::LARGEST as u64 + 1);
@@ -52,10 +52,10 @@ fn from_stdin() -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// The same with the tables that it names.
+/// Returns the description at `path` with the tables that it names.
 ///
 /// # Errors
-/// Those of [`text`].
+/// Errors of [`text`].
 pub fn source(path: &Path) -> Result<Source, Problem> {
     let source = text(path)?;
     Ok(linkwright_codegen::attach_files(
@@ -64,12 +64,12 @@ pub fn source(path: &Path) -> Result<Source, Problem> {
     ))
 }
 
-/// The files that a command writes besides those that it reads: the description, and the tables that it names.
+/// Creates the set of output files of a command that reads the description and its tables.
 pub fn outputs(path: &Path, source: &Source, is_forced: bool) -> Outputs {
     outputs_besides(path, source, None, is_forced)
 }
 
-/// The same where the command reads one more file.
+/// Creates the set of output files of a command that reads `besides` as well.
 pub fn outputs_besides(
     path: &Path,
     source: &Source,
@@ -82,9 +82,9 @@ pub fn outputs_besides(
     Outputs::of(path, other.chain(tables).collect(), is_forced)
 }
 
-/// Why a description cannot be read; of a folder, a description in it.
+/// Returns the error of a description that cannot be read; of a folder, its help names a description in it.
 fn unreadable(path: &Path, error: &io::Error) -> Problem {
-    let shown = path.display();
+    let name = path.display();
     let reason = files::reason(error);
     let help = match fs::read_dir(path) {
         Ok(entries) => {
@@ -102,26 +102,26 @@ fn unreadable(path: &Path, error: &io::Error) -> Problem {
         Err(_) if path.exists() && !path.is_file() => {
             "a description is a regular file, and its tables lie beside it".to_string()
         }
-        Err(_) => return Problem(format!("error: cannot read `{shown}`: {reason}")),
+        Err(_) => return Problem(format!("error: cannot read `{name}`: {reason}")),
     };
     Problem(format!(
-        "error: cannot read `{shown}`: {reason}\n  = help: {help}"
+        "error: cannot read `{name}`: {reason}\n  = help: {help}"
     ))
 }
 
-/// Carries out the assignments of `--set`.
+/// Applies the assignments of `--set`.
 ///
 /// # Errors
-/// One of them cannot be.
+/// An assignment cannot be applied.
 pub fn set_all(system: &mut System, assignments: &[String]) -> Result<(), Problem> {
     let mut assignments = assignments.iter();
     assignments.try_for_each(|it| set(&mut system.mechanism, it).map_err(Problem))
 }
 
-/// The equations of every motion of a description, or of the one that is wanted; warnings go to stderr.
+/// Returns the equations of each motion of a description, or of the motion `wanted`; prints warnings on stderr.
 ///
 /// # Errors
-/// All errors of the description, rendered; no motion of the wanted name.
+/// All errors of the description, rendered; or an unknown name of a motion.
 pub fn motions(source: &Source, wanted: Option<&str>) -> Result<Vec<System>, Problem> {
     let mut warnings = Diagnostics::new();
     let motions = read(source, wanted, &mut warnings);
@@ -129,7 +129,7 @@ pub fn motions(source: &Source, wanted: Option<&str>) -> Result<Vec<System>, Pro
     motions
 }
 
-/// The same; warnings are given.
+/// Returns the equations of each motion, and collects warnings.
 fn read(
     source: &Source,
     wanted: Option<&str>,
@@ -146,10 +146,10 @@ fn read(
     }
 }
 
-/// The equations of the wanted motion of a description, or of its only one, which determine the motion; warnings go to stderr.
+/// Returns the equations of a motion, named or the only one, if they determine it; prints warnings on stderr.
 ///
 /// # Errors
-/// All errors of the description, too few and too many equations among them; several motions where none is named.
+/// All errors of the description, with surplus and missing equations; or several motions without a selection.
 pub fn determined(source: &Source, wanted: Option<&str>) -> Result<System, Problem> {
     let mut warnings = Diagnostics::new();
     let system = determined_with(source, wanted, &mut warnings);
@@ -157,10 +157,10 @@ pub fn determined(source: &Source, wanted: Option<&str>) -> Result<System, Probl
     system
 }
 
-/// The same; warnings are given.
+/// Returns the equations as [`determined`] does, and collects warnings.
 ///
 /// # Errors
-/// Those of [`determined`].
+/// Errors of [`determined`].
 pub fn determined_with(
     source: &Source,
     wanted: Option<&str>,
@@ -170,22 +170,22 @@ pub fn determined_with(
     if motions.len() > 1 {
         return Err(several(source, &motions));
     }
-    // There is always one.
+    // A description has at least one motion.
     let system = motions.remove(0);
-    let mut found = Diagnostics::new();
-    let is_determined = structure::analyze(&system, &mut found);
-    let found = found.respelled(&system.mechanism.spellings);
+    let mut diagnostics = Diagnostics::new();
+    let is_determined = structure::analyze(&system, &mut diagnostics);
+    let diagnostics = diagnostics.respelled(&system.mechanism.spellings);
     match is_determined {
-        true => warnings.extend(found),
-        false => return Err(rendered(&found, source)),
+        true => warnings.extend(diagnostics),
+        false => return Err(rendered(&diagnostics, source)),
     }
     Ok(system)
 }
 
-/// The blocks of a system; warnings go to stderr.
+/// Returns the blocks of a system; prints warnings on stderr.
 ///
 /// # Errors
-/// Numbers in them become infinite or undefined, or there is no order in which they could be solved.
+/// Numbers in the blocks become infinite or undefined, or the blocks have no order of solution.
 pub fn interpreted(system: &System, source: &Source, path: &Path) -> Result<Interpreted, Problem> {
     let mut warnings = Diagnostics::new();
     let interpreted = interpreted_with(system, source, path, &mut warnings);
@@ -193,10 +193,10 @@ pub fn interpreted(system: &System, source: &Source, path: &Path) -> Result<Inte
     interpreted
 }
 
-/// The same; warnings are given.
+/// Returns the blocks as [`interpreted`] does, and collects warnings.
 ///
 /// # Errors
-/// Those of [`interpreted`].
+/// Errors of [`interpreted`].
 pub fn interpreted_with(
     system: &System,
     source: &Source,
@@ -209,10 +209,10 @@ pub fn interpreted_with(
     interpreted.ok_or_else(|| no_order(path))
 }
 
-/// The pose and the modes that are wished for by `LOOP=MODE`, where some are.
+/// Returns the pose and the modes that `LOOP=MODE` selects; `None` without such options.
 ///
 /// # Errors
-/// A wish cannot be read, or there is no such assembly.
+/// An option cannot be read, or selects no assembly.
 pub fn chosen(
     wished: &[String],
     interpreted: &Interpreted,
@@ -232,7 +232,7 @@ pub fn chosen(
     assembled.map(Some)
 }
 
-/// That a mechanism has no order in which its blocks could be solved.
+/// Returns the error of a mechanism whose blocks have no order of solution.
 pub fn no_order(path: &Path) -> Problem {
     Problem(format!(
         "error: the equations of `{}` determine the motion, but no order in which they can be solved one block after the other",
@@ -240,7 +240,7 @@ pub fn no_order(path: &Path) -> Problem {
     ))
 }
 
-/// The names of the motions in backticks.
+/// Returns the names of the motions in backticks.
 fn names(motions: &[System]) -> Vec<String> {
     let named = motions
         .iter()
@@ -248,7 +248,7 @@ fn names(motions: &[System]) -> Vec<String> {
     named.map(|motion| format!("`{}`", motion.name)).collect()
 }
 
-/// That one of several motions is to be named.
+/// Returns the error of a description with several motions if none is selected.
 pub fn several(source: &Source, motions: &[System]) -> Problem {
     let first = motions
         .iter()
@@ -279,14 +279,14 @@ fn no_motion(wanted: &str, motions: &[System]) -> Problem {
     ))
 }
 
-/// Prints findings that stop nothing.
+/// Prints warnings.
 pub fn warn(found: &Diagnostics, source: &Source) {
     if !found.is_empty() {
         say(&found.render(source));
     }
 }
 
-/// Findings as the end of a command.
+/// Returns findings as the error that ends a command.
 pub fn rendered(found: &Diagnostics, source: &Source) -> Problem {
     Problem(found.render(source))
 }

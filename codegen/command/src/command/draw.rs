@@ -1,4 +1,4 @@
-//! *A description and an instant* → *a picture of the mechanism*, as an SVG or a PNG.
+//! Draws a mechanism at an instant, as an SVG or a PNG.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -21,17 +21,17 @@ use crate::motion::{self, Followed, Shown, Sink, Wanted};
 use crate::progress::Progress;
 use crate::report::drawing::{tick_steps, traced};
 
-/// How many poses a drawing is made for at most, beside the one that is shown.
+/// Largest number of poses for which a drawing has room, besides the displayed one.
 const POSES: usize = 200;
 
-/// How many places a path goes through at most.
+/// Largest number of positions on a path.
 const PLACES: usize = 2000;
 
 /// Draws the mechanism.
 ///
 /// # Errors
-/// The description has errors, an option cannot be used, or the picture cannot be written. That the mechanism cannot be assembled, or
-/// that its motion ends before what is wanted, is an outcome.
+/// The description has errors, an option cannot be used, or the picture cannot be written. An [`Outcome`] reports a mechanism that
+/// cannot be assembled or whose motion ends before the requested time.
 pub fn run(arguments: &Draw) -> Result<Outcome, Problem> {
     let format = PictureFormat::of(arguments)?;
     let source =
@@ -40,12 +40,12 @@ pub fn run(arguments: &Draw) -> Result<Outcome, Problem> {
     let mut system = match arguments.initial_estimate {
         false => determined(&source, motion)?,
         true => {
-            let mut found = motions(&source, motion)?;
-            if found.len() > 1 {
-                return Err(several(&source, &found));
+            let mut systems = motions(&source, motion)?;
+            if systems.len() > 1 {
+                return Err(several(&source, &systems));
             }
-            // There is always one.
-            found.remove(0)
+            // A description has at least one motion.
+            systems.remove(0)
         }
     };
     set_all(&mut system, &arguments.setting.set)?;
@@ -102,15 +102,15 @@ pub fn run(arguments: &Draw) -> Result<Outcome, Problem> {
     })
 }
 
-/// What is drawn.
+/// Contents of a drawing.
 #[derive(Default)]
 struct Solved {
     shown: Option<Pose>,
     others: Vec<Pose>,
     paths: Vec<Traced>,
-    /// What the caption says besides the name.
+    /// Caption behind the name.
     caption: String,
-    /// Why the mechanism cannot be assembled, or its motion ends early.
+    /// Reason that the mechanism cannot be assembled, or that its motion ends early; `None` without such a failure.
     error: Option<String>,
 }
 
@@ -147,12 +147,12 @@ fn solved(arguments: &Draw, source: &Source, system: &System) -> Result<Solved, 
     Ok(solved)
 }
 
-/// A time without the rounding of a product.
+/// Removes the rounding of a product from a time.
 fn rounded(time: f64) -> f64 {
     format!("{time:.12e}").parse().unwrap_or(time)
 }
 
-/// Follows the motion; why it ends early, where it does.
+/// Follows the motion and returns the reason of an early end; `None` if the motion is complete.
 pub(super) fn follow(
     arguments: &Draw,
     view: &Interpreted,
@@ -161,27 +161,27 @@ pub(super) fn follow(
     frames: &mut Frames,
 ) -> Result<Option<String>, Problem> {
     let start = chosen(&arguments.setting.branch, view, schedule.start.t)?;
-    let wanted = Wanted {
+    let selection = Wanted {
         points,
         coordinates: Vec::new(),
         monitor: false,
         curves: false,
     };
     let mut progress = Progress::new(schedule.visits());
-    let mut motion = Followed::new(view.clone(), wanted, schedule.start.t, start);
+    let mut motion = Followed::new(view.clone(), selection, schedule.start.t, start);
     let followed = motion.follow(schedule, &mut [frames], |count| progress.reached(count));
     progress.finish();
     followed.map_err(Problem::of)?;
     Ok(motion.error)
 }
 
-/// Instants, as far as a drawing needs them.
+/// Instants of a motion, as many as a drawing needs.
 pub(super) struct Frames {
-    /// Every instant whose number is a multiple of this is kept.
+    /// Stride of the instants that are kept.
     every: usize,
     count: usize,
     instants: Vec<Instant>,
-    /// Of every instant the places of the wanted points.
+    /// Positions of the selected points at every instant.
     places: Vec<Vec<[f64; 2]>>,
 }
 
@@ -202,13 +202,13 @@ impl Frames {
 }
 
 impl Frames {
-    /// The paths of these points, with a tick at every so many instants.
+    /// Returns the paths of these points, with a tick at every `ticks`-th instant.
     pub fn paths(&self, system: &System, points: &[usize], ticks: usize) -> Vec<Traced> {
         let every = (self.places.len() / PLACES).max(1);
         let path = |(place, point): (usize, &usize)| {
             let places: Vec<[f64; 2]> = self.places.iter().map(|it| it[place]).collect();
             let mut path = traced(&system.outputs[*point].name, &places, ticks);
-            // A tick stays where it is although not every place of the path is kept.
+            // Ticks are placed before positions are left out.
             path.points = path.points.into_iter().step_by(every).collect();
             path
         };
@@ -228,15 +228,15 @@ impl Sink for Frames {
     }
 }
 
-/// The bodies of these names.
+/// Returns the bodies of these names.
 pub(super) fn frames(system: &System, names: &[String]) -> Result<Vec<usize>, Problem> {
     let bodies = &system.mechanism.bodies;
     let known = || bodies.iter().map(|body| body.name.as_str());
-    let mut found = Vec::new();
+    let mut indices = Vec::new();
     for name in names {
         match known().position(|it| it == name) {
-            Some(body) if found.contains(&body) => {}
-            Some(body) => found.push(body),
+            Some(body) if indices.contains(&body) => {}
+            Some(body) => indices.push(body),
             None => {
                 let guess = match nearest(name, known()) {
                     Some(guess) => format!("; did you mean `{guess}`?"),
@@ -251,10 +251,10 @@ pub(super) fn frames(system: &System, names: &[String]) -> Result<Vec<usize>, Pr
             }
         }
     }
-    Ok(found)
+    Ok(indices)
 }
 
-/// Where the picture goes.
+/// Returns the path of the picture's file.
 pub(super) fn path(arguments: &Draw, system: &System) -> PathBuf {
     if let Some(path) = &arguments.out {
         return path.clone();
@@ -262,7 +262,7 @@ pub(super) fn path(arguments: &Draw, system: &System) -> PathBuf {
     let mechanism = &system.mechanism;
     let motion = mechanism.motion.as_ref();
     let motion = motion.map_or(String::new(), |motion| format!("_{}", motion.name));
-    // A still picture is not replaced by a moving one.
+    // An animation does not replace a picture.
     let moving = if arguments.animate { "_animated" } else { "" };
     let ending = if arguments.png { "png" } else { "svg" };
     PathBuf::from(format!("{}{motion}{moving}.{ending}", mechanism.name))

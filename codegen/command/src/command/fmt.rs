@@ -1,4 +1,4 @@
-//! *Descriptions → the same, formatted*, in their files or on stdout.
+//! Formats descriptions in their files or on stdout.
 
 use std::fs;
 use std::io;
@@ -11,10 +11,10 @@ use super::{Outcome, Problem, print, say};
 use crate::arguments::Fmt;
 use crate::output::replaceable;
 
-/// Formats every file, also those after one that cannot be read.
+/// Formats every file, also those after a file that cannot be read.
 ///
 /// # Errors
-/// Those of the last file that cannot be read or written; the others have been printed.
+/// The error of the last file that cannot be read or written; earlier errors are printed.
 pub fn run(arguments: &Fmt) -> Result<Outcome, Problem> {
     let mut outcome = Outcome::Done;
     let mut problem = None;
@@ -40,7 +40,7 @@ pub fn run(arguments: &Fmt) -> Result<Outcome, Problem> {
     problem.map_or(Ok(outcome), Err)
 }
 
-/// The file itself, or the descriptions in a folder, by name.
+/// Returns the file itself, or the descriptions in a folder, by name.
 fn descriptions(place: &Path) -> Result<Vec<PathBuf>, Problem> {
     if !place.is_dir() {
         return Ok(vec![place.to_path_buf()]);
@@ -52,27 +52,27 @@ fn descriptions(place: &Path) -> Result<Vec<PathBuf>, Problem> {
             place.display()
         ))
     };
-    let mut found = Vec::new();
+    let mut paths = Vec::new();
     for entry in fs::read_dir(place).map_err(unreadable)? {
         let path = entry.map_err(unreadable)?.path();
         let is_hidden = path
             .file_name()
             .is_some_and(|it| it.as_encoded_bytes().starts_with(b"."));
         if path.extension().is_some_and(|it| it == "mech") && !is_hidden && path.is_file() {
-            found.push(path);
+            paths.push(path);
         }
     }
-    found.sort();
-    match found.is_empty() {
+    paths.sort();
+    match paths.is_empty() {
         true => Err(Problem(format!(
             "error: the folder `{}` holds no `.mech` file",
             place.display()
         ))),
-        false => Ok(found),
+        false => Ok(paths),
     }
 }
 
-/// Formats one file, or says that it is not formatted.
+/// Formats one file, or reports that it is not formatted.
 fn formatted(path: &Path, is_check: bool) -> Result<Outcome, Problem> {
     let source = text(path)?;
     let formatted = linkwright_codegen::format(&source);

@@ -1,4 +1,4 @@
-//! *A description → the files of its module, on stdout or in a folder.*
+//! Writes the files of a generated module on stdout or in a folder.
 
 use std::path::{Path, PathBuf};
 
@@ -12,7 +12,7 @@ use super::{Outcome, Problem, print, say};
 use crate::arguments::{Generate, Lang, Precision};
 use crate::output::{Beginning, Record, Signature};
 
-/// How a generated module is known again.
+/// Signature of a generated Rust module.
 const RUST: Signature = Signature {
     noun: "a generated module",
     beginning: Beginning::Line(|line| {
@@ -21,7 +21,7 @@ const RUST: Signature = Signature {
     record: Record::None,
 };
 
-/// How generated C is known again.
+/// Signature of generated C.
 const C: Signature = Signature {
     noun: "generated C",
     beginning: Beginning::Line(|line| {
@@ -31,9 +31,9 @@ const C: Signature = Signature {
     record: Record::None,
 };
 
-/// Writes the module, or compares it with the files that should hold it.
+/// Writes the module, or compares it with existing files.
 ///
-/// A file that already holds what would be written is left alone, so that nothing that depends on it is built again.
+/// A file with the same contents is left alone, so that nothing that depends on it is built again.
 ///
 /// # Errors
 /// The description has errors, or a file cannot be written.
@@ -84,7 +84,7 @@ pub fn run(arguments: &Generate) -> Result<Outcome, Problem> {
     Ok(Outcome::Done)
 }
 
-/// What the command line chooses as the language.
+/// Returns the language that the arguments select.
 fn language(arguments: &Generate) -> Language {
     match arguments.lang {
         Lang::Rust => Language::Rust,
@@ -92,7 +92,7 @@ fn language(arguments: &Generate) -> Language {
     }
 }
 
-/// Refuses a file that is named as something else than a module of Rust.
+/// Rejects a file with an extension of another language.
 fn check_extension(arguments: &Generate, path: &Path) -> Result<(), Problem> {
     let Some(extension) = path.extension().filter(|it| *it != "rs") else {
         return Ok(());
@@ -100,18 +100,18 @@ fn check_extension(arguments: &Generate, path: &Path) -> Result<(), Problem> {
     if language(arguments) == Language::C {
         return Ok(());
     }
-    let shown = path.display();
+    let name = path.display();
     let help = match extension.to_str() {
         Some("c" | "h") => "`--lang c` writes C; a module of Rust ends in `.rs`",
         _ => "name a file that ends in `.rs`; `--lang c` writes one that ends in `.c`",
     };
     Err(Problem(format!(
-        "error: cannot write `{shown}`: no module can be written as `.{}`\n  = help: {help}",
+        "error: cannot write `{name}`: no module can be written as `.{}`\n  = help: {help}",
         extension.display()
     )))
 }
 
-/// How what this command writes is known again.
+/// Returns the signature of the files that this command writes.
 fn signature(arguments: &Generate) -> Signature {
     match language(arguments) {
         Language::Rust => RUST,
@@ -119,21 +119,21 @@ fn signature(arguments: &Generate) -> Signature {
     }
 }
 
-/// What the files of a module are called after.
+/// Returns the stem of the names of a module's files.
 fn stem(path: &Path) -> String {
     let stem = path.file_stem().unwrap_or_default();
     stem.to_string_lossy().into_owned()
 }
 
-/// What the source of C is called without its ending, which its header is called too.
+/// Returns the stem of a C source, which is also that of its header.
 ///
 /// # Errors
-/// It is not called like a source, like the runtime, or so that no line of C could name its header.
+/// The file has no extension of a source, the name of the runtime, or a name that a C include directive cannot contain.
 fn source_stem(path: &Path) -> Result<String, Problem> {
     let refused = |why: &str| {
-        let shown = path.display();
+        let name = path.display();
         Problem(format!(
-            "error: cannot write C to `{shown}`: {why}\n  = help: name it after the mechanism, such as `-o arm.c`"
+            "error: cannot write C to `{name}`: {why}\n  = help: name it after the mechanism, such as `-o arm.c`"
         ))
     };
     if path.extension().is_none_or(|it| it != "c") {
@@ -152,14 +152,14 @@ fn source_stem(path: &Path) -> Result<String, Problem> {
     Ok(stem)
 }
 
-/// Where the files of a module will be: the first one where it is wanted, the others beside it.
+/// Returns the paths of a module's files: the requested one, and the others beside it.
 fn paths(path: &Path, names: &[String]) -> Vec<PathBuf> {
     let folder = files::folder_of(path);
     let others = names.iter().skip(1).map(|name| folder.join(name));
     [path.to_path_buf()].into_iter().chain(others).collect()
 }
 
-/// The files of the module.
+/// Returns the files of the module.
 fn generated(
     arguments: &Generate,
     source: &Source,
@@ -168,7 +168,7 @@ fn generated(
     written(source, language(arguments), stem, &options(arguments))
 }
 
-/// Says so where a file does not hold what is generated.
+/// Reports files that differ from what is generated.
 fn compared(
     arguments: &Generate,
     path: &Path,
@@ -198,7 +198,7 @@ fn compared(
     Outcome::Failed
 }
 
-/// What the command line chooses about the code.
+/// Returns the options of the code that the arguments select.
 fn options(arguments: &Generate) -> Options {
     Options {
         scalar: match arguments.scalar {

@@ -1,4 +1,4 @@
-//! *A description → its equations and the blocks that generated code solves, on stdout.*
+//! Prints the equations of a description and the blocks that generated code solves.
 
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::stages::emit::derivation::{self, Script, SingularPose};
@@ -14,17 +14,17 @@ use super::{Outcome, Problem, print};
 use crate::arguments::{Format, Inspect};
 use crate::terminal;
 
-/// Prints Φ, Φ_q, Φ_t and γ in the chosen format, as text also what generated code solves.
+/// Prints Φ, Φ_q, Φ_t and γ in the selected format; as text, also the blocks that generated code solves.
 ///
 /// # Errors
-/// The description has errors; for Rust also where its equations do not determine the motion.
+/// The description has errors; for Rust, also if its equations do not determine the motion.
 pub fn run(arguments: &Inspect) -> Result<Outcome, Problem> {
     if arguments.fragment && arguments.format != Format::Latex {
         return Err(no_fragment());
     }
     let source = source(&arguments.file)?;
-    let wanted = arguments.motion.as_deref();
-    let text = match (arguments.format, wanted) {
+    let motion = arguments.motion.as_deref();
+    let text = match (arguments.format, motion) {
         (Format::Rust, None) => {
             let module = written(&source, Language::Rust, "", &Options::default())?;
             module.into_iter().map(|file| file.text).collect()
@@ -36,8 +36,8 @@ pub fn run(arguments: &Inspect) -> Result<Outcome, Problem> {
             ));
         }
         (format, _) => {
-            let motions = motions(&source, wanted)?;
-            // Every page begins with the name of its motion.
+            let motions = motions(&source, motion)?;
+            // Each page begins with the name of its motion.
             let pages = |notation| {
                 let pages = motions.iter().map(|system| equations(system, notation));
                 pages.collect::<Vec<_>>().join("\n")
@@ -72,7 +72,7 @@ pub fn run(arguments: &Inspect) -> Result<Outcome, Problem> {
     Ok(Outcome::Done)
 }
 
-/// Refuses a fragment of something else than LaTeX.
+/// Returns the error of a fragment in a format other than LaTeX.
 pub(super) fn no_fragment() -> Problem {
     Problem(
         "error: only LaTeX has a preamble that `--fragment` leaves out\n  = help: add `--format latex`"
@@ -80,10 +80,10 @@ pub(super) fn no_fragment() -> Problem {
     )
 }
 
-/// The equations and, where they determine the motion, what the solved view computes and leaves out.
+/// Returns the equations and, if they determine the motion, what the solved formulation computes and omits.
 fn equations(system: &System, notation: Notation) -> String {
     let page = emit::text::inspect(system, notation);
-    // The counts by rank stand below the counts by number.
+    // The counts by rank are below the counts by number.
     let (first, rest) = page.split_once('\n').unwrap_or((&page, ""));
     let mut text = format!("{first}\n{}\n{rest}", freedom(system));
     let mut lowered = system.clone();
@@ -101,7 +101,7 @@ fn equations(system: &System, notation: Notation) -> String {
         }
     }
     let script = Script::Text(notation);
-    // The plan of the motion is another one only where the values of drivers are shifted.
+    // The plan of the motion differs only if the values of drivers are shifted.
     let mut directions = system.directions.iter();
     let poses = match directions.all(|it| it.is_parameter()) {
         true => derivation::singular_poses(&lowered, &plan, &program.forms, script),
@@ -111,7 +111,7 @@ fn equations(system: &System, notation: Notation) -> String {
     text
 }
 
-/// The determinant of each block up to its sign, and what the pose is like where it is zero; nothing where there are none.
+/// Describes the determinant of each block up to its sign, and the poses in which it is zero; empty without such blocks.
 fn determinants(poses: Vec<SingularPose>) -> String {
     if poses.is_empty() {
         return String::new();
@@ -128,7 +128,7 @@ fn determinants(poses: Vec<SingularPose>) -> String {
     text
 }
 
-/// Where each block is singular; nothing where the equations do not determine the motion.
+/// Returns the singular poses of each block; empty if the equations do not determine the motion.
 fn poses(system: &System, script: Script) -> Vec<SingularPose> {
     let mut system = system.clone();
     let Some(plan) = structure::plan_of_motion(&mut system) else {
@@ -138,20 +138,20 @@ fn poses(system: &System, script: Script) -> Vec<SingularPose> {
     derivation::singular_poses(&system, &plan, &forms, script)
 }
 
-/// The degrees of freedom by the rank of the equations.
+/// Describes the degrees of freedom by the rank of the equations.
 fn freedom(system: &System) -> String {
-    let found = Freedom::of(system);
-    let redundant = match found.redundant {
+    let freedom = Freedom::of(system);
+    let redundant = match freedom.redundant {
         0 => String::new(),
         number => format!(", {}", counted(number, "redundant equation")),
     };
     format!(
         "KDOF = {}, NDOF = {}{redundant}",
-        found.kinematic, found.net
+        freedom.kinematic, freedom.net
     )
 }
 
-/// The files of the generated module; warnings go to stderr.
+/// Returns the files of the generated module; prints warnings on stderr.
 ///
 /// # Errors
 /// All errors of the description.

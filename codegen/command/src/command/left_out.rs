@@ -1,4 +1,4 @@
-//! Refuses what this build leaves out.
+//! Reports features that this build leaves out.
 
 use super::Problem;
 
@@ -14,13 +14,13 @@ const FEATURES: [(&str, bool); 4] = [
 ///
 /// `effect` completes the sentence "`feature`, which …".
 pub fn refusal(feature: &str, effect: &str) -> Problem {
-    let wanted = FEATURES
+    let features = FEATURES
         .iter()
         .filter(|(name, is_built)| *is_built || *name == feature);
-    let wanted: Vec<&str> = wanted.map(|(name, _)| *name).collect();
+    let features: Vec<&str> = features.map(|(name, _)| *name).collect();
     let install = format!(
         "cargo install --profile optimized --path codegen/cli --no-default-features --features {}",
-        wanted.join(",")
+        features.join(",")
     );
     let error = format!("this `linkwright` was built without `{feature}`, which {effect}");
     let help = format!("install it with the feature `{feature}`: `{install}`");

@@ -1,4 +1,4 @@
-//! *The arguments of this command → manual pages*, one for it and one for each of its commands.
+//! Writes manual pages: one for this command, and one for each of its subcommands.
 
 use std::io;
 
@@ -9,7 +9,7 @@ use super::{Outcome, Problem, print};
 use crate::arguments::Man;
 use crate::output::{Beginning, Outputs, Record, Signature};
 
-/// How a manual page is known again.
+/// Signature of a manual page.
 const SIGNATURE: Signature = Signature {
     noun: "a manual page of this command",
     beginning: Beginning::Bytes(|start| {
@@ -22,7 +22,7 @@ const SIGNATURE: Signature = Signature {
 /// Writes the pages of `interface`.
 ///
 /// # Errors
-/// A page cannot be written; all were looked at before the first was.
+/// A page cannot be written. All pages are checked before the first is written.
 pub fn run(interface: Command, arguments: &Man) -> Result<Outcome, Problem> {
     let mut command = interface.disable_help_subcommand(true);
     command.build();

@@ -1,7 +1,7 @@
-//! *Arguments → what is printed, what is written, and an exit code.* One file per command.
+//! Runs the commands, one file each: prints, writes files and returns an exit code.
 //!
-//! Results go to stdout, findings and errors to stderr. A reader of stdout that goes away early is no error. What cannot
-//! be done because of the input ends as a [`Problem`], printed once, with exit code 2.
+//! Results go to stdout, findings and errors to stderr. A reader of stdout that closes its pipe early does not cause an error. Input that
+//! cannot be processed ends as a [`Problem`], printed once, with exit code 2.
 
 pub mod animate;
 mod animation_format;
@@ -43,19 +43,19 @@ use crate::arguments::{Arguments, Command, units};
 use crate::colors;
 use crate::output::Refused;
 
-/// Licenses of what the command is built from; a test of the binary writes them.
+/// Licenses of the components of the command; a test of the binary writes them.
 const NOTICES: &str = include_str!("../../NOTICES.txt");
 
-/// How a command ended; the discriminant is the exit code.
+/// Outcome of a command; the discriminant is the exit code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
-    /// Everything was done.
+    /// The command succeeded.
     Done = 0,
-    /// The mechanism cannot be solved, or a file is not what it should be.
+    /// The mechanism cannot be solved, or a file does not have the expected contents.
     Failed = 1,
 }
 
-/// Input that a command cannot work with: what is printed about it, without a closing line break.
+/// Input that a command cannot process: the printed message, without a closing line break.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Problem(pub String);
 
@@ -66,7 +66,7 @@ impl From<Refused> for Problem {
 }
 
 impl Problem {
-    /// Why something could not be written.
+    /// Converts an error of writing.
     pub fn of(error: io::Error) -> Problem {
         Problem(format!("error: {error}"))
     }
@@ -91,7 +91,7 @@ pub fn run(version: &'static str) -> ExitCode {
     }))
 }
 
-/// Adds to an error how a list of units is written that was taken for another argument.
+/// Adds a help on the syntax of units if a list of units was taken for another argument.
 fn units_apart(mut error: clap::Error) -> clap::Error {
     let unexpected = match error.get(ContextKind::InvalidArg) {
         Some(ContextValue::String(text)) if error.kind() == ErrorKind::UnknownArgument => text,
@@ -135,7 +135,7 @@ fn outcome(command: Command, interface: clap::Command) -> Result<Outcome, Proble
     }
 }
 
-/// Exit code of a command, after what is to be said of a refusal or of an error of Linkwright itself.
+/// Returns the exit code of a command, after printing a refusal or an internal error.
 fn ended(outcome: Result<Result<Outcome, Problem>, InternalError>) -> ExitCode {
     match outcome {
         Ok(Ok(outcome)) => ExitCode::from(outcome as u8),
@@ -154,7 +154,7 @@ fn ended(outcome: Result<Result<Outcome, Problem>, InternalError>) -> ExitCode {
 /// Writes to stdout.
 ///
 /// # Errors
-/// Those of stdout, but not that nobody reads it any more.
+/// Errors of stdout, except for a closed pipe.
 pub fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Problem> {
     let mut output = BufWriter::new(io::stdout().lock());
     match write(&mut output).and_then(|()| output.flush()) {
@@ -162,17 +162,17 @@ pub fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(),
             Err(Problem(format!("error: cannot write to stdout: {error}")))
         }
         _ => {
-            // What is still buffered for a reader that is gone must not be tried again.
+            // The buffered rest must not be written to the closed pipe.
             let _ = output.into_parts();
             Ok(())
         }
     }
 }
 
-/// A file in a folder for pictures.
+/// Returns the path of a file in a folder for pictures.
 ///
 /// # Errors
-/// The folder is `-`, which elsewhere is stdout.
+/// The folder is `-`, which stands for stdout in other options.
 pub fn in_folder(folder: &Path, name: &str) -> Result<PathBuf, Problem> {
     match folder == Path::new("-") {
         true => Err(Problem(
@@ -182,7 +182,7 @@ pub fn in_folder(folder: &Path, name: &str) -> Result<PathBuf, Problem> {
     }
 }
 
-/// Writes a line to stderr; if that is closed there is nobody to tell.
+/// Writes a line to stderr; an error is ignored because stderr is the place for errors.
 pub fn say(text: &str) {
     let text = colors::on_terminal(text.trim_end_matches('\n'));
     let _ = writeln!(io::stderr(), "{text}");

@@ -1,6 +1,6 @@
-//! *A name → a crate with a mechanism, a loop and a test*, which builds as it is.
+//! Writes a crate with a mechanism, a loop and a test, which builds without changes.
 //!
-//! The folder of the crate is made by this command with all its files at once, or nothing is: what exists is never touched.
+//! The folder of the crate is created with all its files, or not at all; existing files are never touched.
 
 use std::fs;
 use std::io;
@@ -11,7 +11,7 @@ use linkwright_codegen::stages::files;
 use super::{Outcome, Problem, print};
 use crate::arguments::New;
 
-/// The files of a crate and what they are made of.
+/// Files of a crate, each with its template.
 const FILES: [(&str, &str); 8] = [
     ("Cargo.toml", include_str!("../template/manifest.toml")),
     ("build.rs", include_str!("../template/build.rs")),
@@ -26,7 +26,7 @@ const FILES: [(&str, &str); 8] = [
     (".gitignore", include_str!("../template/gitignore")),
 ];
 
-/// Names that are words of Rust, crates that every crate sees, or folders of a build.
+/// Names that are keywords of Rust, crates of its distribution, or folders of a build.
 const TAKEN: [&str; 64] = [
     "abstract",
     "alloc",
@@ -97,7 +97,7 @@ const TAKEN: [&str; 64] = [
 /// Writes the crate.
 ///
 /// # Errors
-/// The name is none that a crate can have, its folder exists, or it cannot be written.
+/// The name is not a valid crate name, its folder exists, or it cannot be written.
 pub fn run(arguments: &New) -> Result<Outcome, Problem> {
     let folder = &arguments.name;
     let name = crate_name(folder)?;
@@ -126,11 +126,11 @@ pub fn run(arguments: &New) -> Result<Outcome, Problem> {
     Ok(Outcome::Done)
 }
 
-/// The last part of the path, where a crate may be called so.
+/// Returns the last part of the path if it is a valid crate name.
 fn crate_name(folder: &Path) -> Result<&str, Problem> {
     let refused = |why: String| {
-        let shown = folder.display();
-        Problem(format!("error: no crate can be called `{shown}`: {why}"))
+        let name = folder.display();
+        Problem(format!("error: no crate can be called `{name}`: {why}"))
     };
     let name = folder
         .file_name()
@@ -149,7 +149,7 @@ fn crate_name(folder: &Path) -> Result<&str, Problem> {
     Ok(name)
 }
 
-/// How the manifest names the runtime and the generator.
+/// Returns the dependencies on the runtime and the generator for the manifest.
 fn dependencies(clone: Option<&Path>) -> Result<[String; 2], Problem> {
     let Some(clone) = clone else {
         let version = env!("CARGO_PKG_VERSION");
@@ -170,13 +170,13 @@ fn dependencies(clone: Option<&Path>) -> Result<[String; 2], Problem> {
         let path = path
             .to_str()
             .ok_or_else(|| refused("its path is not UTF-8"))?;
-        // A string of TOML, whose escapes are among those of Rust.
+        // Escapes of TOML strings include those that Rust writes here.
         Ok(format!("{{ path = {path:?} }}"))
     };
     Ok([manifest("runtime")?, manifest("codegen")?])
 }
 
-/// Whether cargo could take the crate for a part of a workspace.
+/// True if cargo may assign the crate to a surrounding workspace.
 fn lies_in_package(folder: &Path) -> bool {
     let parent = fs::canonicalize(files::folder_of(folder));
     parent.is_ok_and(|it| {
@@ -185,7 +185,7 @@ fn lies_in_package(folder: &Path) -> bool {
     })
 }
 
-/// Makes the folder with all files in it, or nothing.
+/// Creates the folder with all files in it, or nothing.
 fn write(folder: &Path, texts: &[(&str, String)]) -> Result<(), Problem> {
     let above = files::folder_of(folder);
     files::sweep(above);

@@ -10,9 +10,9 @@ use crate::report::picture;
 /// File format of a drawing.
 #[derive(Clone, Copy, Debug)]
 pub struct PictureFormat {
-    /// Beginning of such a file.
+    /// Signature of such a file.
     pub signature: Signature,
-    /// Returns the bytes of a file from the text of an SVG. The flag is true if the arguments name a size, which is that of the file.
+    /// Encodes the text of an SVG. The flag is true if the arguments name a size, which becomes that of the file.
     pub encode: fn(&str, bool) -> Result<Vec<u8>, Problem>,
 }
 
@@ -20,8 +20,7 @@ impl PictureFormat {
     /// Returns the format that the arguments request.
     ///
     /// # Errors
-    /// The arguments request a format that is not among those that can be written, another one than the file is named after, or a PNG,
-    /// which this build leaves out.
+    /// The requested format is unknown, differs from the extension of the file, or is a PNG, which this build leaves out.
     pub fn of(arguments: &Draw) -> Result<PictureFormat, Problem> {
         let path = arguments.out.as_deref();
         let named = match path.and_then(Path::extension) {
@@ -45,13 +44,13 @@ impl PictureFormat {
     }
 }
 
-/// Returns a file format, or why this build does not have it.
+/// Function that returns a file format, or the reason that this build does not have it.
 type Available = fn() -> Result<PictureFormat, Problem>;
 
 /// File formats of drawings by the extensions of their files.
 const FORMATS: [(&str, Available); 2] = [("svg", svg), ("png", png)];
 
-/// Refuses a file whose extension is that of no format.
+/// Returns the error of a file whose extension belongs to no format.
 fn unknown(path: Option<&Path>, extension: &str) -> Problem {
     let names: Vec<String> = FORMATS
         .iter()

@@ -1,4 +1,4 @@
-//! *A description → the derivation of its solution on stdout.*
+//! Prints the derivation of a description's solution.
 
 use linkwright_codegen::stages::emit::Notation;
 use linkwright_codegen::stages::emit::derivation::Derivation;
@@ -10,7 +10,7 @@ use super::{Outcome, Problem, print};
 use crate::arguments::{Plan, Script};
 use crate::terminal;
 
-/// Prints the derivation in the chosen format.
+/// Prints the derivation in the selected format.
 ///
 /// # Errors
 /// The description has errors, or its equations do not determine the motion.

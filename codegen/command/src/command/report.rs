@@ -1,6 +1,4 @@
-//! *A motion that is about to be followed* → *what is printed and written of it*: a summary, JSON or CSV, and plots.
-//!
-//! How the motion is found is not known here.
+//! Prints and writes a motion while it is followed: a summary, JSON or CSV, and plots.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -18,16 +16,16 @@ use crate::report::comma_separated::{self, Table};
 use crate::report::json::Object;
 use crate::report::summary::{self, Layout};
 
-/// A table of more gigabytes than this is announced.
-const LARGE: f64 = 1.0;
+/// Size of a table, in gigabytes, above which the size is announced.
+const ANNOUNCED_SIZE: f64 = 1.0;
 
-/// In bytes.
+/// Number of bytes in a gigabyte.
 const GIGABYTE: f64 = 1e9;
 
-/// Refuses two texts on one stdout.
+/// Checks that at most one text goes to stdout.
 ///
 /// # Errors
-/// Both are asked for.
+/// Two texts are requested on stdout.
 pub(super) fn check_stdout(reported: &Reported) -> Result<(), Problem> {
     match is_stdout(&reported.csv) && reported.json {
         true => Err(Problem(
@@ -37,10 +35,10 @@ pub(super) fn check_stdout(reported: &Reported) -> Result<(), Problem> {
     }
 }
 
-/// How a motion goes on over the times of a schedule: it hands wanted instants to sinks, and says how many times were visited.
+/// Continuation of a motion over a schedule: passes requested instants to sinks, and reports the number of visited times.
 ///
 /// # Errors
-/// Those of the sinks, which end it.
+/// Errors of the sinks, which end the motion.
 pub(super) type Course<'a, V> = &'a mut dyn FnMut(
     &mut Followed<V>,
     &Schedule,
@@ -60,11 +58,11 @@ pub(super) fn report<V: View>(
     mut files: Files,
     course: Course<'_, V>,
 ) -> Result<Outcome, Problem> {
-    // Nothing is written of a motion without a frame.
+    // Without a frame, no file is written.
     let table = files.frames.take().filter(|_| motion.is_assembled);
     if let Some(table) = &table {
         let size = comma_separated::size(&motion, schedule.wanted()) as f64 / GIGABYTE;
-        if size > LARGE {
+        if size > ANNOUNCED_SIZE {
             say(&format!(
                 "warning: `{}` will take about {size:.1} GB\n  = help: `--no-files` writes none, and `--step` makes fewer frames",
                 table.path().display()
@@ -103,7 +101,7 @@ pub(super) fn report<V: View>(
     }
     let elapsed = progress.finish();
     if to_stdout {
-        // If stderr is closed there is nobody to tell.
+        // An error is ignored because stderr is the place for errors.
         let _ = summary::write(&motion, &layout, &mut io::stderr());
     } else if !reported.json {
         print(|output| {
@@ -136,7 +134,7 @@ pub(super) fn report<V: View>(
     })
 }
 
-/// Follows the motion, and writes its frames to a file too, where they are wanted there. What is refused there is the inner error.
+/// Follows the motion, and writes its frames to a file if that is requested. The inner error is that of the file.
 fn follow<V: View>(
     motion: &mut Followed<V>,
     schedule: &Schedule,
@@ -151,7 +149,7 @@ fn follow<V: View>(
     };
     let written = table.write(|output| {
         let mut table = Table::new(motion, has_units, output)?;
-        // The file is completed although a reader of stdout has gone away.
+        // The file is completed even if the reader of stdout has closed its pipe.
         let mut patient = sink.map(Patient);
         let mut sinks: Vec<&mut dyn Sink> = Vec::new();
         sinks.extend(patient.as_mut().map(|it| it as &mut dyn Sink));
@@ -162,7 +160,7 @@ fn follow<V: View>(
     Ok(written)
 }
 
-/// A sink whose reader may go away early.
+/// Sink whose reader may close its pipe early.
 struct Patient<'a>(&'a mut dyn Sink);
 
 impl Sink for Patient<'_> {

@@ -1,4 +1,4 @@
-//! *A description with free coordinates* → *the motion that forces give it*: printed, and written as CSV and plots.
+//! Simulates a description with free coordinates under its forces, and reports the motion as text, CSV and plots.
 
 use linkwright_codegen::stages::model::Role;
 use linkwright_codegen::stages::system::System;
@@ -17,8 +17,8 @@ use crate::report::summary::Layout;
 /// Simulates the motion and reports it.
 ///
 /// # Errors
-/// The description has errors, or nothing in it is free, an option cannot be used, or a file cannot be written. That the motion ends
-/// early is an outcome.
+/// The description has errors or no free coordinate, an option cannot be used, or a file cannot be written. An [`Outcome`] reports a
+/// motion that ends early.
 pub fn run(arguments: &Simulate) -> Result<Outcome, Problem> {
     let reported = &arguments.reported;
     check_stdout(reported)?;
@@ -33,7 +33,7 @@ pub fn run(arguments: &Simulate) -> Result<Outcome, Problem> {
             missing_statement(&system)
         )));
     }
-    // The drift of the energy is always said.
+    // The drift of energy is always reported.
     forces.energy = true;
     let schedule = Schedule::range(0.0, arguments.to, arguments.step);
     let schedule = schedule.map_err(|text| Problem(format!("error: {text}")))?;
@@ -47,7 +47,7 @@ pub fn run(arguments: &Simulate) -> Result<Outcome, Problem> {
         [&points, &coordinates],
         &schedule,
     )?;
-    let wanted = Wanted {
+    let selection = Wanted {
         points,
         coordinates,
         monitor: false,
@@ -66,7 +66,7 @@ pub fn run(arguments: &Simulate) -> Result<Outcome, Problem> {
             Some(StepMethod::Implicit) => Method::Implicit,
         },
     };
-    let motion = Followed::moved_by_forces(&view, wanted, chosen.clone());
+    let motion = Followed::moved_by_forces(&view, selection, chosen.clone());
     let mut is_hinted = false;
     let mut taken = |effort: &Effort| {
         if let Some(hint) = hint(effort, options.method).filter(|_| !is_hinted) {
@@ -92,7 +92,7 @@ pub fn run(arguments: &Simulate) -> Result<Outcome, Problem> {
     )
 }
 
-/// Returns the `free` statement that takes the place of the first driver, in words.
+/// Returns a `free` statement that would replace the first driver.
 fn missing_statement(system: &System) -> String {
     let mut joints = system.mechanism.joints.iter();
     let driver = joints.find(|joint| joint.role == Role::Driver);

@@ -1,4 +1,4 @@
-//! *A description and times* → *its motion*: printed, and written as CSV and plots.
+//! Solves the motion of a description, and reports it as text, CSV and plots.
 
 use std::io;
 
@@ -20,7 +20,7 @@ use crate::report::summary::Layout;
 ///
 /// # Errors
 /// The description has errors, its equations do not determine the motion, an option cannot be used, or a file cannot
-/// be written. That the mechanism cannot be solved is an outcome.
+/// be written. An [`Outcome`] reports a mechanism that cannot be solved.
 pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
     check_stdout(&arguments.reported)?;
     let source = source(&arguments.described.file)?.reported_in(arguments.reported.units());
@@ -57,7 +57,7 @@ pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
         first_steps,
         ..Layout::of(reported, &system.mechanism)
     };
-    let wanted = Wanted {
+    let selection = Wanted {
         points,
         coordinates,
         monitor: arguments.monitor,
@@ -66,19 +66,19 @@ pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
     match arguments.formulation {
         Formulation::Textbook => {
             let dense = Dense::new(&system);
-            let motion = Followed::new(dense, wanted, schedule.start.t, None);
+            let motion = Followed::new(dense, selection, schedule.start.t, None);
             report(reported, layout, motion, &schedule, files, &mut follow)
         }
         Formulation::Solved => {
             let interpreted = interpreted(&system, &source, &arguments.described.file)?;
             let chosen = chosen(&arguments.setting.branch, &interpreted, schedule.start.t)?;
-            let motion = Followed::new(interpreted, wanted, schedule.start.t, chosen);
+            let motion = Followed::new(interpreted, selection, schedule.start.t, chosen);
             report(reported, layout, motion, &schedule, files, &mut follow)
         }
     }
 }
 
-/// The motion as its drivers and inputs have it.
+/// Follows the motion of drivers and inputs.
 fn follow<V: View>(
     motion: &mut Followed<V>,
     schedule: &Schedule,
@@ -99,7 +99,7 @@ fn schedule(arguments: &Solve) -> Result<Schedule, Problem> {
     .map_err(|text| Problem(format!("error: {text}")))
 }
 
-/// The points and the coordinates that are shown: what is chosen, otherwise all points and all angles.
+/// Returns the selected points and coordinates; without a selection, all points and all angles.
 pub(super) fn shown(reported: &Reported, system: &System) -> Result<[Vec<usize>; 2], Problem> {
     let refused = |text| Problem(format!("error: {text}"));
     let [mut coordinates, others] = motion::shown(system, &reported.show).map_err(refused)?;

@@ -1,4 +1,4 @@
-//! *What `solve` is asked, before the work* → *the files that it will write*, and afterwards their contents.
+//! Announces the files of `solve` before its work, and writes them afterwards.
 
 use std::path::{Path, PathBuf};
 
@@ -13,12 +13,12 @@ use crate::motion::Followed;
 use crate::output::{Output, Outputs, Refused};
 use crate::report::{comma_separated, paths, picture, plot};
 
-/// What is said of a file that cannot be written and that nobody asked for.
+/// Help for a file that cannot be written and was not requested.
 const ELSEWHERE: &str = "`--out DIR` writes to another folder, and `--no-files` writes none";
 
-/// The files that are wanted.
+/// Files that are requested.
 pub struct Files {
-    /// The table of all frames.
+    /// Table of all frames.
     pub frames: Option<Output>,
     points: Vec<Picture>,
     coordinates: Vec<Picture>,
@@ -27,17 +27,17 @@ pub struct Files {
     folder: PathBuf,
 }
 
-/// A file without its ending, and where it goes.
+/// Stem of a picture's file, and its output.
 struct Picture {
     name: String,
     output: Output,
 }
 
 impl Files {
-    /// Those of a motion of which these points and coordinates are shown; of a brief one only what is asked for.
+    /// Announces the files of a motion with these selected points and coordinates; for a brief motion, only the requested ones.
     ///
     /// # Errors
-    /// One of them cannot be written.
+    /// A file cannot be written.
     pub fn new(
         reported: &Reported,
         mut outputs: Outputs,
@@ -66,22 +66,22 @@ impl Files {
             paths: None,
             folder: reported.plot.clone().or(default).unwrap_or_default(),
         };
-        // A curve needs two frames.
+        // A curve has at least two frames.
         if files.folder == Path::new("") || schedule.wanted() < 2 {
             return Ok(files);
         }
         let names = points.iter().map(|&it| system.outputs[it].name.as_str());
-        // Angles that `--show` does not name are in the tables alone.
+        // Without `--show`, angles are in the tables only.
         let coordinates = match reported.show.is_empty() {
             true => &[],
             false => coordinates,
         };
-        let shown = coordinates.iter();
-        let shown = shown.map(|&it| system.coordinates[it].name.as_str());
+        let coordinate_names = coordinates.iter();
+        let coordinate_names = coordinate_names.map(|&it| system.coordinates[it].name.as_str());
         let paths = (!points.is_empty()).then_some("paths");
         let forces = linkwright_solver::forces::names(system);
         let forces = forces.iter().map(|(name, _)| name.as_str());
-        let names = distinct(names.chain(shown).chain(forces).chain(paths));
+        let names = distinct(names.chain(coordinate_names).chain(forces).chain(paths));
         let is_asked = reported.plot.is_some() || reported.out.is_some();
         let mut pictures = Vec::with_capacity(names.len());
         for name in names {
@@ -96,12 +96,12 @@ impl Files {
         Ok(files)
     }
 
-    /// Whether something is drawn.
+    /// True if a picture is drawn.
     pub fn has_pictures(&self) -> bool {
         !self.points.is_empty() || !self.coordinates.is_empty()
     }
 
-    /// Draws what moves, if there are frames to draw; a line about what is written.
+    /// Draws what moves, if there are frames; prints a line about each file.
     ///
     /// # Errors
     /// A file cannot be written.
@@ -126,7 +126,7 @@ impl Files {
         let pictures = pictures.chain(self.paths.into_iter().zip([paths]));
         let mut names = Vec::new();
         for (Picture { name, output }, text) in pictures {
-            // What stands still has no picture.
+            // Quantities at rest have no picture.
             let Some(text) = text else { continue };
             output.write(|output| output.write_all(text.as_bytes()))?;
             names.push(name);
@@ -148,7 +148,7 @@ impl Files {
     }
 }
 
-/// What nobody asked for, and cannot be written, can be asked for elsewhere.
+/// Adds the help to the refusal of a file that was not requested.
 fn placed(is_asked: bool, output: Result<Output, Refused>) -> Result<Output, Refused> {
     output.map_err(|refused| match is_asked {
         false => refused.or_help(ELSEWHERE),
@@ -156,8 +156,9 @@ fn placed(is_asked: bool, output: Result<Output, Refused>) -> Result<Output, Ref
     })
 }
 
-/// The folder for what is written unasked: in a folder with a `Cargo.toml` `target/linkwright/excavator`, and elsewhere `excavator`;
-/// below it one of the motion, where there are several.
+/// Folder of files that are not requested: `target/linkwright/excavator` if there is a `Cargo.toml`, otherwise `excavator`.
+///
+/// A mechanism with several motions has a folder for each below it.
 fn folder(system: &System) -> PathBuf {
     let mechanism = &system.mechanism;
     let motion = mechanism.motion.as_ref().map(|motion| motion.name.as_str());
@@ -169,7 +170,7 @@ fn folder(system: &System) -> PathBuf {
     above.join(names.collect::<PathBuf>())
 }
 
-/// File names: where two differ in case only, the later one gets a number, since some file systems cannot tell them apart.
+/// Makes names distinct without regard to case, since some file systems ignore it: later ones get a number.
 fn distinct<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
     let mut taken: Vec<String> = Vec::new();
     names

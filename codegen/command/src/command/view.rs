@@ -1,4 +1,4 @@
-//! *A description* → *a page that shows the mechanism and its equations*, as a file, or served while the description is edited.
+//! Makes a page of a mechanism and its equations, as a file, or served while the description is edited.
 
 use std::path::{Path, PathBuf};
 
@@ -16,7 +16,7 @@ use crate::arguments::View;
 use crate::output::{Beginning, Record, Signature};
 use crate::page::{Live, Page, page};
 
-/// How a page is known again.
+/// Signature of a page.
 const SIGNATURE: Signature = Signature {
     noun: "a page that this command has made",
     beginning: Beginning::Bytes(|start| {
@@ -37,17 +37,17 @@ const SIGNATURE: Signature = Signature {
     },
 };
 
-/// What says in the head of a page that it is one of ours.
+/// Element in the head of a page that marks it as an output of Linkwright.
 const GENERATOR: &str = "<meta name=\"generator\" content=\"linkwright\">";
 
-/// How the element below it begins, which names the description.
+/// Beginning of the next element, which names the description.
 const SOURCE: &str = "<meta name=\"linkwright-source\" content=\"";
 
 /// Writes the page, or serves it.
 ///
 /// # Errors
 /// The description has errors, its equations do not determine the motion, an option cannot be used, or the page cannot be written.
-/// That the mechanism cannot be assembled, or that its motion ends early, is an outcome, and stands in the page.
+/// An [`Outcome`] and the page report a mechanism that cannot be assembled or whose motion ends early.
 pub fn run(arguments: &View) -> Result<Outcome, Problem> {
     if arguments.watch {
         return watch::run(arguments);
@@ -79,7 +79,7 @@ pub fn run(arguments: &View) -> Result<Outcome, Problem> {
     })
 }
 
-/// Refuses a file that is named as something else than a page.
+/// Rejects a file with an extension other than that of a page.
 fn check_extension(path: &Path) -> Result<(), Problem> {
     let Some(extension) = path.extension() else {
         return Ok(());
@@ -97,20 +97,20 @@ fn check_extension(path: &Path) -> Result<(), Problem> {
     )))
 }
 
-/// A page and what is to be known of it.
+/// Page and facts about it.
 pub struct Made {
-    /// The file.
+    /// Contents of the file.
     pub html: String,
-    /// What the file is called without an ending.
+    /// Stem of the file's name.
     pub name: String,
-    /// Why the motion ends early, or does not begin.
+    /// Reason that the motion ends early or does not begin; `None` if it is complete.
     pub error: Option<String>,
 }
 
-/// The page of a description.
+/// Makes the page of a description.
 ///
 /// # Errors
-/// Those of [`run`] but the last.
+/// Errors of [`run`], except for those of writing.
 pub fn made(arguments: &View, source: &Source, live: Live) -> Result<Made, Problem> {
     let mut warnings = Diagnostics::new();
     let made = made_with(arguments, source, live, &mut warnings);
@@ -118,7 +118,7 @@ pub fn made(arguments: &View, source: &Source, live: Live) -> Result<Made, Probl
     made
 }
 
-/// The same; warnings are given.
+/// Makes the page as [`made`] does, and collects warnings.
 fn made_with(
     arguments: &View,
     source: &Source,
@@ -132,7 +132,7 @@ fn made_with(
     let schedule = schedule.map_err(|text| Problem(format!("error: {text}")))?;
     let file = &arguments.described.file;
     let view = interpreted_with(&system, source, file, warnings).or_else(|problem| {
-        // Constant lengths that do not close are found before anything is solved, and the page shows them.
+        // Constant lengths that cannot close are found without solving; the page reports them.
         let view = Interpreted::new(&system);
         let is_open = |view: &Interpreted| open_loop(view, schedule.start.t).is_some();
         view.filter(is_open).ok_or(problem)

@@ -1,6 +1,6 @@
-//! Measured inputs: columns that drive the inputs of a mechanism.
+//! Drives the inputs of a mechanism by measured columns.
 //!
-//! An input passes through all its values, on a C² spline in between; angles go on without jumps by whole turns.
+//! An input passes through all its values, on a C² spline between them; angles continue without jumps by whole turns.
 
 use linkwright_codegen::stages::model::{Dimension, follow_points};
 use linkwright_codegen::stages::system::System;
@@ -8,20 +8,20 @@ use linkwright_solver::comparison::difference;
 
 use super::{Data, Scale};
 
-/// A column that drives an input.
+/// Column that drives an input.
 #[derive(Clone, Debug)]
 pub struct MeasuredInput {
-    /// What the table calls it.
+    /// Name in the table.
     pub name: String,
-    /// The place of the input.
+    /// Index of the input.
     pub input: usize,
-    /// Its unit.
+    /// Unit of the column.
     pub scale: Scale,
-    /// In SI units, row by row; `None` where it is missing.
+    /// Values in SI units, row by row; `None` if missing.
     pub values: Vec<Option<f64>>,
 }
 
-/// Powers of m, s, kg and rad of an input; those of its column if the description says none.
+/// Powers of m, s, kg and rad of an input; those of its column if the description does not state them.
 pub fn powers(dimension: Dimension, column: Option<[i32; 4]>) -> [i32; 4] {
     match dimension {
         Dimension::Angle => [0, 0, 0, 1],
@@ -54,7 +54,7 @@ impl Data {
                     continue;
                 };
                 match last {
-                    // Rows of one time have one input.
+                    // Rows of the same time share one input.
                     Some([before, _]) if *t <= before => {}
                     Some([_, last]) if is_angle => {
                         points.push([*t, last + difference(*value, last, true)]);

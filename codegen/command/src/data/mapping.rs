@@ -1,4 +1,4 @@
-//! *The names of columns* → *which one holds times, and what the others measure*.
+//! Finds the column of times and the quantities of the other columns.
 
 use linkwright_codegen::diagnostic::nearest;
 use linkwright_codegen::stages::columns::Columns;
@@ -7,38 +7,38 @@ use linkwright_solver::observable::{Named, all, guess};
 
 use crate::arguments::Table;
 
-/// What columns of times are called, in lower case.
+/// Names of columns of times, in lower case.
 const TIMES: [&str; 8] = [
     "t", "time", "times", "zeit", "temps", "tiempo", "tempo", "czas",
 ];
 
-/// How many names are listed of those that something could be called by.
-const LISTED: usize = 40;
+/// Largest number of names in a message.
+const MAX_LISTED: usize = 40;
 
-/// How it is known what a column measures.
+/// Source of a column's quantity.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum How {
-    /// It is called so.
+    /// The name of the column.
     Named,
-    /// An option says it.
+    /// An option.
     Chosen,
-    /// It is a guess; with what else it could mean.
+    /// A guess, with the alternatives.
     Guessed(String),
 }
 
-/// What is measured.
+/// Quantities of the columns.
 pub struct Mapped {
     pub time: usize,
     pub measured: Vec<(usize, Named, How)>,
-    /// Columns that drive inputs, with the place of the input.
+    /// Columns that drive inputs, with the index of the input.
     pub inputs: Vec<(usize, usize)>,
     pub left_out: Vec<(String, String)>,
 }
 
-/// The only column of a name.
+/// Returns the only column of a name.
 pub fn column(file: &str, columns: &Columns, name: &str) -> Result<usize, String> {
-    let mut found = columns.named(name);
-    match (found.next(), found.next()) {
+    let mut matches = columns.named(name);
+    match (matches.next(), matches.next()) {
         (Some(column), None) => Ok(column),
         (Some(first), Some(second)) => Err(format!(
             "error: columns {} and {} of `{file}` are both called `{name}`\n  = help: give them names of their own",
@@ -59,10 +59,10 @@ pub fn column(file: &str, columns: &Columns, name: &str) -> Result<usize, String
 }
 
 fn listed(names: &[&str]) -> String {
-    let shown = names[..names.len().min(LISTED)].join(", ");
-    match names.len() > LISTED {
-        true => format!("{shown}, … ({} in all)", names.len()),
-        false => shown,
+    let text = names[..names.len().min(MAX_LISTED)].join(", ");
+    match names.len() > MAX_LISTED {
+        true => format!("{text}, … ({} in all)", names.len()),
+        false => text,
     }
 }
 
@@ -72,12 +72,12 @@ fn time(asked: &Table, file: &str, columns: &Columns) -> Result<usize, String> {
     }
     let is_time =
         |place: &usize| TIMES.contains(&columns.columns[*place].name.to_lowercase().as_str());
-    let found: Vec<usize> = (0..columns.columns.len()).filter(is_time).collect();
+    let candidates: Vec<usize> = (0..columns.columns.len()).filter(is_time).collect();
     let names = |places: &mut dyn Iterator<Item = usize>| {
         let names: Vec<&str> = places.map(|it| columns.columns[it].name.as_str()).collect();
         listed(&names)
     };
-    match found.as_slice() {
+    match candidates.as_slice() {
         [column] => Ok(*column),
         [] => Err(format!(
             "error: no column of `{file}` is called `t` or `time`\n  = help: name the column of times with `--time`: {}",
@@ -90,7 +90,7 @@ fn time(asked: &Table, file: &str, columns: &Columns) -> Result<usize, String> {
     }
 }
 
-/// What the columns measure.
+/// Finds the quantities of the columns.
 pub fn mapped(
     asked: &Table,
     file: &str,
@@ -109,20 +109,20 @@ pub fn mapped(
                 "error: `--column` takes `COLUMN=QUANTITY`, such as `--column 'Sensor 3=phi2'`, not `{wish}`"
             ));
         };
-        let own = column(file, columns, name.trim())?;
+        let column_index = column(file, columns, name.trim())?;
         let quantity = quantity.trim();
         let is_quantity = quantities.iter().any(|it| it.name == quantity);
         if let Some(input) = input_named(quantity).filter(|_| !is_quantity) {
-            driving.push((own, input));
+            driving.push((column_index, input));
             continue;
         }
         let Some(place) = quantities.iter().position(|it| it.name == quantity) else {
             return Err(unknown(system, &quantities, quantity));
         };
-        if chosen.iter().any(|it| it.0 == own) {
+        if chosen.iter().any(|it| it.0 == column_index) {
             return Err(format!("error: `--column` names `{}` twice", name.trim()));
         }
-        chosen.push((own, place));
+        chosen.push((column_index, place));
     }
     let mut skipped = Vec::new();
     for name in &asked.skip {
@@ -164,7 +164,7 @@ pub fn mapped(
             mapped.inputs.push((place, input));
             continue;
         }
-        let found = match option {
+        let choice = match option {
             Some(quantity) => Some((quantity, How::Chosen)),
             None => match named() {
                 Some(quantity) => Some((quantity, How::Named)),
@@ -173,7 +173,7 @@ pub fn mapped(
                 }
             },
         };
-        match found {
+        match choice {
             None => leave("no quantity of the mechanism has this name"),
             Some(_) if own.values.iter().all(Option::is_none) => leave("it has no numbers"),
             Some((quantity, how)) => {

@@ -1,7 +1,7 @@
-//! *A table and a system* → *times, and what is measured of the motion at them*, in SI units.
+//! Reads a table of measured values: its times, and the quantities of a system that it measures, in SI units.
 //!
-//! Afterwards times never go back, every measured column has a quantity and a unit, and it is known of each how it came to them: by its
-//! name, by an option or by a guess. Columns that measure nothing known are listed. The module does not know what the values are for.
+//! Afterwards times never decrease. Every measured column has a quantity and a unit, and the source of both: its name, an option or a
+//! guess. Columns without a quantity of the system are listed.
 
 mod driving;
 mod mapping;
@@ -24,50 +24,50 @@ pub use mapping::How;
 pub use scale::{Origin, Scale};
 pub use sizes::{number_and_unit, sizes};
 
-/// The most decimals of a value that counts as rounded.
+/// Largest number of decimals of a rounded value.
 const MOST_DECIMALS: i32 = 12;
 
-/// How far a number of so many decimals may be from a whole number of steps, as a share of it: the rounding of doubles.
+/// Relative distance of a rounded value from a whole number of steps: the rounding of doubles.
 const ROUNDED: f64 = 1e-15;
 
-/// A table of measured values.
+/// Table of measured values.
 #[derive(Clone, Debug)]
 pub struct Data {
-    /// The file as it was named.
+    /// Path as the user named the file.
     pub name: String,
-    /// What stands in it.
+    /// Contents.
     pub columns: Columns,
-    /// Which column holds times, and their unit.
+    /// Index of the column of times, and its unit.
     pub time: (usize, Scale),
-    /// The time of each row (s).
+    /// Time of each row (s).
     pub times: Vec<f64>,
-    /// What is measured.
+    /// Measured quantities.
     pub measured: Vec<Measured>,
-    /// What drives inputs.
+    /// Columns that drive inputs.
     pub inputs: Vec<MeasuredInput>,
-    /// The other columns, each with why it is left out.
+    /// Names of the other columns, each with the reason that it is left out.
     pub left_out: Vec<(String, String)>,
 }
 
-/// A column that measures something.
+/// Column that measures a quantity.
 #[derive(Clone, Debug)]
 pub struct Measured {
-    /// What the table calls it.
+    /// Name in the table.
     pub name: String,
-    /// What it measures.
+    /// Measured quantity.
     pub quantity: Named,
-    /// How that is known.
+    /// Source of the quantity.
     pub how: How,
-    /// Its unit.
+    /// Unit of the column.
     pub scale: Scale,
-    /// Digits behind the decimal point, in the unit of the column, that write all its values; `None` if they are not rounded.
+    /// Number of decimals, in the unit of the column, that write all its values; `None` if the values are not rounded.
     pub decimals: Option<i32>,
-    /// In SI units, row by row; `None` where it is missing.
+    /// Values in SI units, row by row; `None` if missing.
     pub values: Vec<Option<f64>>,
 }
 
 impl Measured {
-    /// The step in SI units to which the values are rounded in the table: the largest power of ten that all are multiples of.
+    /// Returns the rounding step of the table in SI units: the largest power of ten that divides all values; `None` if there is none.
     pub fn rounding(&self) -> Option<f64> {
         let decimals = self.decimals?;
         Some(self.scale.unit.si(10.0_f64.powi(-decimals)))
@@ -75,10 +75,11 @@ impl Measured {
 }
 
 impl Data {
-    /// The table that is asked for.
+    /// Reads the requested table.
     ///
     /// # Errors
-    /// It cannot be read or is no table, an option cannot be used, or no column measures anything of the system; as it is printed.
+    /// The printed message: the file cannot be read or is not a table, an option cannot be used, or no column measures a quantity of the
+    /// system.
     pub fn read(asked: &Table, system: &System) -> Result<Data, String> {
         let name = asked.data.display().to_string();
         let bytes = bytes(&asked.data)?;
@@ -118,15 +119,15 @@ impl Data {
         let times = times(&name, &columns, mapped.time, &time_scale, asked.shift)?;
         let mut measured = Vec::with_capacity(mapped.measured.len());
         for (column, quantity, how) in mapped.measured {
-            let own = &columns.columns[column];
+            let source = &columns.columns[column];
             let scale = units.of(&columns, column, quantity.powers, quantity.unit);
             let scale = scale.map_err(|message| {
                 at(column, format!("{message}: it measures `{}`", quantity.name), "`--unit` says in which unit a column is, `--column` what it measures, and `--skip` leaves it out")
             })?;
             measured.push(Measured {
-                values: in_si(&own.values, &scale),
-                decimals: decimals(&own.values),
-                name: own.name.clone(),
+                values: in_si(&source.values, &scale),
+                decimals: decimals(&source.values),
+                name: source.name.clone(),
                 quantity,
                 how,
                 scale,
@@ -134,9 +135,9 @@ impl Data {
         }
         let mut inputs = Vec::with_capacity(mapped.inputs.len());
         for (column, input) in mapped.inputs {
-            let own = &columns.columns[column];
+            let source = &columns.columns[column];
             let dimension = system.mechanism.inputs[input].dimension;
-            let written = own.unit.as_deref().and_then(Unit::parse);
+            let written = source.unit.as_deref().and_then(Unit::parse);
             let powers = driving::powers(dimension, written.map(|it| it.powers));
             let scale = units.of(&columns, column, powers, &dimension.unit());
             let scale = scale.map_err(|message| {
@@ -147,8 +148,8 @@ impl Data {
                 )
             })?;
             inputs.push(MeasuredInput {
-                values: in_si(&own.values, &scale),
-                name: own.name.clone(),
+                values: in_si(&source.values, &scale),
+                name: source.name.clone(),
                 input,
                 scale,
             });
@@ -166,8 +167,8 @@ impl Data {
 }
 
 fn bytes(path: &Path) -> Result<Vec<u8>, String> {
-    let shown = path.display();
-    let refused = |reason: String| format!("error: cannot read `{shown}`: {reason}");
+    let name = path.display();
+    let refused = |reason: String| format!("error: cannot read `{name}`: {reason}");
     let bytes = files::read(path, LARGEST).map_err(|error| refused(files::reason(&error)))?;
     match bytes.len() > LARGEST {
         true => Err(refused(format!("it is larger than {} MiB", LARGEST >> 20))),
@@ -175,17 +176,17 @@ fn bytes(path: &Path) -> Result<Vec<u8>, String> {
     }
 }
 
-/// Faults of a table as they are printed.
+/// Renders faults of a table.
 fn rendered(name: &str, text: &str, faults: &[Fault]) -> String {
-    let mut found = Diagnostics::new();
+    let mut diagnostics = Diagnostics::new();
     for fault in faults {
         let diagnostic = Diagnostic::error(Code::UnreadableTable, fault.span, &fault.message);
-        found.push(diagnostic.help(&fault.help));
+        diagnostics.push(diagnostic.help(&fault.help));
     }
-    found.render(&Source::new(name, text))
+    diagnostics.render(&Source::new(name, text))
 }
 
-/// The time of each row (s).
+/// Returns the time of each row (s).
 fn times(
     name: &str,
     columns: &Columns,
@@ -193,7 +194,7 @@ fn times(
     scale: &Scale,
     shift: f64,
 ) -> Result<Vec<f64>, String> {
-    let own = &columns.columns[column];
+    let source = &columns.columns[column];
     let refused = |span: Span, message: String, help: &str| {
         let fault = Fault {
             span,
@@ -202,16 +203,16 @@ fn times(
         };
         rendered(name, &columns.text, &[fault])
     };
-    if own.is_text {
-        let message = format!("the cells of `{}` are words, not times", own.name);
+    if source.is_text {
+        let message = format!("the cells of `{}` are words, not times", source.name);
         return Err(refused(
-            own.span,
+            source.span,
             message,
             "export times as numbers, such as seconds from the start; `--time` names another column",
         ));
     }
-    let mut times: Vec<f64> = Vec::with_capacity(own.values.len());
-    for (value, span) in own.values.iter().zip(&own.spans) {
+    let mut times: Vec<f64> = Vec::with_capacity(source.values.len());
+    for (value, span) in source.values.iter().zip(&source.spans) {
         let Some(value) = value else {
             return Err(refused(
                 *span,
@@ -235,7 +236,7 @@ fn times(
     }
 }
 
-/// The values of a column in SI units.
+/// Returns the values of a column in SI units.
 fn in_si(values: &[Option<f64>], scale: &Scale) -> Vec<Option<f64>> {
     let values = values.iter();
     values
@@ -243,7 +244,7 @@ fn in_si(values: &[Option<f64>], scale: &Scale) -> Vec<Option<f64>> {
         .collect()
 }
 
-/// Decimals with which values are written, if all are rounded to them.
+/// Number of decimals of the values; `None` if they are not rounded.
 fn decimals(values: &[Option<f64>]) -> Option<i32> {
     let filled = || values.iter().flatten();
     (0..=MOST_DECIMALS).find(|decimals| {

@@ -1,36 +1,36 @@
-//! *Headers and options* → *the unit of each column*.
+//! Finds the unit of each column from headers and options.
 
 use linkwright_codegen::stages::columns::{Columns, Unit};
 
 use super::mapping::column;
 use crate::arguments::Table;
 
-/// Where the unit of a column is from.
+/// Source of a column's unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Origin {
     /// The header.
     Header,
     /// An option.
     Option,
-    /// Neither: it is that of SI.
+    /// Neither: the SI unit is assumed.
     Assumed,
 }
 
-/// The unit of a column.
+/// Unit of a column.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scale {
-    /// As it is printed.
+    /// Printed text.
     pub text: String,
-    /// What it is.
+    /// Unit.
     pub unit: Unit,
-    /// Where it is from.
+    /// Source of the unit.
     pub origin: Origin,
-    /// True if it counts turns: the rate of an angle in `1/min` or `Hz`.
+    /// True if the unit counts turns: the rate of an angle in `1/min` or `Hz`.
     pub counts_turns: bool,
 }
 
 impl Scale {
-    /// A unit as it measures what has these powers; `None` if it cannot.
+    /// Returns the unit for a quantity of these powers; `None` if the unit does not fit it.
     fn new(text: &str, unit: &Unit, powers: [i32; 4], origin: Origin) -> Option<Scale> {
         Some(Scale {
             text: text.to_string(),
@@ -41,7 +41,7 @@ impl Scale {
     }
 }
 
-/// Units that options give.
+/// Units that options give to columns.
 pub struct Units {
     of_columns: Vec<(usize, String, Unit)>,
     of_others: Vec<(String, Unit)>,
@@ -63,8 +63,10 @@ impl Units {
             })?;
             match name {
                 Some(name) => {
-                    let own = column(file, columns, name)?;
-                    units.of_columns.push((own, text.to_string(), unit));
+                    let column_index = column(file, columns, name)?;
+                    units
+                        .of_columns
+                        .push((column_index, text.to_string(), unit));
                 }
                 None => units.of_others.push((text.to_string(), unit)),
             }
@@ -72,7 +74,7 @@ impl Units {
         Ok(units)
     }
 
-    /// The unit of a column that measures what has these powers of m, s, kg and rad; or why it cannot.
+    /// Returns the unit of a column whose quantity has these powers of m, s, kg and rad, or the reason that there is none.
     pub fn of(
         &self,
         columns: &Columns,
@@ -80,20 +82,20 @@ impl Units {
         powers: [i32; 4],
         si: &str,
     ) -> Result<Scale, String> {
-        let own = &columns.columns[column];
+        let source = &columns.columns[column];
         let option = self.of_columns.iter().find(|it| it.0 == column);
-        let header = own
+        let header = source
             .unit
             .as_deref()
             .and_then(|it| Some((it, Unit::parse(it)?)));
-        let given = match (option, header) {
+        let stated = match (option, header) {
             (Some((_, text, unit)), _) => Some((text.as_str(), *unit, Origin::Option)),
             (None, Some((text, unit))) => Some((text, unit, Origin::Header)),
             (None, None) => None,
         };
-        if let Some((text, unit, origin)) = given {
+        if let Some((text, unit, origin)) = stated {
             return Scale::new(text, &unit, powers, origin)
-                .ok_or_else(|| format!("`{}` cannot be in {text}", own.name));
+                .ok_or_else(|| format!("`{}` cannot be in {text}", source.name));
         }
         let is_meant = |unit: &Unit| unit.powers == powers || unit.counts_turns_of(powers);
         if let Some((text, unit)) = self.of_others.iter().find(|it| is_meant(&it.1))
@@ -109,7 +111,7 @@ impl Units {
         }))
     }
 
-    /// `mm/s` where all lengths are in mm.
+    /// Returns `mm/s` if all lengths are in mm.
     fn of_rate(&self, powers: [i32; 4]) -> Option<Scale> {
         let [length, time, mass, angle] = powers;
         let base = match (length, mass, angle) {

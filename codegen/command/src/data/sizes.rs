@@ -1,22 +1,22 @@
-//! *What an option such as `--tolerance` says* → *a size for each measured column*, in SI units.
+//! Reads options such as `--tolerance` that give a size to each measured column, in SI units.
 
 use linkwright_codegen::stages::columns::Unit;
 
 use super::Data;
 
-/// The size of each measured column that the option gives one.
+/// Returns the size of each measured column; `None` if the option does not give one.
 ///
 /// # Errors
-/// One cannot be read, or belongs to no column.
+/// A size cannot be read, or belongs to no column.
 pub fn sizes(option: &str, asked: &[String], data: &Data) -> Result<Vec<Option<f64>>, String> {
     let mut sizes = vec![None; data.measured.len()];
-    let mut own = vec![false; data.measured.len()];
+    let mut is_individual = vec![false; data.measured.len()];
     for text in asked {
         let (name, value) = match text.rsplit_once('=') {
             Some((name, value)) => (Some(name.trim()), value.trim()),
             None => (None, text.trim()),
         };
-        // The longest beginning that is a number, so that `1e-3mm` and `2 deg` are read.
+        // The longest prefix that is a number is taken, so that `1e-3mm` and `2 deg` are read.
         let (number, unit) = match number_and_unit(value) {
             Some((number, "")) => (number, None),
             Some((number, unit)) => match Unit::parse(unit) {
@@ -43,7 +43,7 @@ pub fn sizes(option: &str, asked: &[String], data: &Data) -> Result<Vec<Option<f
                 None => {
                     let powers = measured.quantity.powers;
                     let is_same = |it: Unit| it.powers == powers || it.counts_turns_of(powers);
-                    !own[place] && unit.is_none_or(is_same)
+                    !is_individual[place] && unit.is_none_or(is_same)
                 }
             };
             if !is_meant {
@@ -60,7 +60,7 @@ pub fn sizes(option: &str, asked: &[String], data: &Data) -> Result<Vec<Option<f
                 None => None,
             };
             is_used = true;
-            own[place] |= name.is_some();
+            is_individual[place] |= name.is_some();
             sizes[place] = Some(unit.map_or(number, |it| it.si(number)));
         }
         if !is_used {
@@ -74,7 +74,7 @@ pub fn sizes(option: &str, asked: &[String], data: &Data) -> Result<Vec<Option<f
     Ok(sizes)
 }
 
-/// The longest number that a text begins with, and the unit behind it, which may be empty.
+/// Splits a text into the longest number at its beginning and the unit behind it, which may be empty.
 pub fn number_and_unit(text: &str) -> Option<(f64, &str)> {
     let ends = (1..=text.len()).rev();
     ends.filter(|&it| text.is_char_boundary(it))

@@ -1,4 +1,4 @@
-//! What the server offers to a client.
+//! Lists the capabilities of the server.
 
 use lsp_types::{
     CompletionOptions, HoverProviderCapability, OneOf, RenameOptions, ServerCapabilities,
@@ -8,7 +8,7 @@ use lsp_types::{
 
 use super::text::Encoding;
 
-/// Everything that is answered.
+/// Returns the capabilities with a position encoding.
 pub fn of(encoding: Encoding) -> ServerCapabilities {
     ServerCapabilities {
         position_encoding: Some(encoding.kind()),

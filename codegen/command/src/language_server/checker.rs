@@ -1,7 +1,7 @@
-//! *Texts → findings*, on a thread of its own, so that questions are answered while equations are derived.
+//! Checks texts on its own thread, so that requests are answered while equations are derived.
 //!
-//! Of every document only the newest text waits. The text and its names are checked first; whether the equations determine the motion,
-//! and what solves them, is checked afterwards, if no newer text has come meanwhile.
+//! Of each document only the newest text waits. Text and names are checked first. The equations and their solution are checked
+//! afterwards, unless a newer text has arrived meanwhile.
 
 use std::collections::BTreeMap;
 use std::sync::mpsc::Sender;
@@ -15,21 +15,21 @@ use linkwright_codegen::{Read, check, read};
 use super::document::Equations;
 use super::session::Event;
 
-/// What was found about a text.
+/// Findings about a text.
 pub struct Found {
-    /// The document.
+    /// Name of the document.
     pub name: String,
-    /// Which of its texts.
+    /// Number of the text.
     pub number: u64,
-    /// What is to be said about it.
+    /// Findings.
     pub findings: Diagnostics,
-    /// Its equations, where they could be derived.
+    /// Equations of the text; `None` if they could not be derived.
     pub equations: Option<Arc<Equations>>,
-    /// Whether nothing more will be found.
+    /// True if the findings are complete.
     pub is_final: bool,
 }
 
-/// The texts that wait, by their documents.
+/// Texts that wait, by document.
 #[derive(Default)]
 struct Waiting {
     texts: Mutex<BTreeMap<String, (u64, Source)>>,
@@ -38,7 +38,7 @@ struct Waiting {
 
 impl Waiting {
     fn texts(&self) -> MutexGuard<'_, BTreeMap<String, (u64, Source)>> {
-        // A text is replaced as a whole: what another thread left is complete.
+        // A text is replaced as a whole: the state of a thread that panicked is complete.
         self.texts.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -56,38 +56,38 @@ impl Waiting {
     }
 }
 
-/// Whoever checks.
+/// Handle of the checking thread.
 pub struct Checker {
     waiting: Arc<Waiting>,
 }
 
 impl Checker {
-    /// Waits for texts, and says what it finds about them.
+    /// Starts a thread that waits for texts and sends its findings.
     pub fn start(events: Sender<Event>) -> Checker {
         let waiting = Arc::new(Waiting::default());
-        let own = Arc::clone(&waiting);
+        let queue = Arc::clone(&waiting);
         thread::spawn(move || {
             loop {
-                let (name, number, source) = own.next();
+                let (name, number, source) = queue.next();
                 let say = |findings, equations, is_final| {
-                    let found = Found {
+                    let message = Found {
                         name: name.clone(),
                         number,
                         findings,
                         equations,
                         is_final,
                     };
-                    // Nobody listens any more where the session has ended.
-                    let _ = events.send(Event::Found(found));
+                    // After the end of the session, the receiver is gone.
+                    let _ = events.send(Event::Found(message));
                 };
-                let is_stale = || own.texts().contains_key(&name);
+                let is_stale = || queue.texts().contains_key(&name);
                 look(&source, is_stale, say);
             }
         });
         Checker { waiting }
     }
 
-    /// Has a text of a document checked, and no older one.
+    /// Queues a text of a document, instead of an older one.
     pub fn check(&self, name: &str, number: u64, source: Source) {
         self.waiting
             .texts()
@@ -95,20 +95,20 @@ impl Checker {
         self.waiting.more.notify_one();
     }
 
-    /// Checks nothing more of a document.
+    /// Removes a document from the queue.
     pub fn forget(&self, name: &str) {
         self.waiting.texts().remove(name);
     }
 }
 
-/// Says what is found about a text: first about the text and its names, then about its equations.
+/// Reports the findings about text and names, then those about equations.
 fn look(
     source: &Source,
     is_stale: impl Fn() -> bool,
     say: impl Fn(Diagnostics, Option<Arc<Equations>>, bool),
 ) {
-    let found = caught(|| read(source)).unwrap_or_else(|error| Err(error.findings()));
-    let read = match found {
+    let outcome = caught(|| read(source)).unwrap_or_else(|error| Err(error.findings()));
+    let read = match outcome {
         Ok(read) => read,
         Err(findings) => return say(findings, None, true),
     };
@@ -117,19 +117,19 @@ fn look(
         read,
     });
     let read = &equations.read;
-    let found = read.warnings.clone();
-    say(found.clone(), Some(Arc::clone(&equations)), false);
+    let warnings = read.warnings.clone();
+    say(warnings.clone(), Some(Arc::clone(&equations)), false);
     let Some(more) = of_equations(read, is_stale) else {
         return;
     };
-    let mut findings = found;
+    let mut findings = warnings;
     findings.extend(more);
     say(findings, None, true);
 }
 
-/// What the equations and what solves them give; `None` where a newer text has come.
+/// Returns the findings about equations and their solution; `None` if a newer text has arrived.
 fn of_equations(read: &Read, is_stale: impl Fn() -> bool) -> Option<Diagnostics> {
-    let mut found = Vec::new();
+    let mut by_motion = Vec::new();
     for system in &read.motions {
         if is_stale() {
             return None;
@@ -137,7 +137,7 @@ fn of_equations(read: &Read, is_stale: impl Fn() -> bool) -> Option<Diagnostics>
         let motion = system.mechanism.motion.as_ref();
         let name = motion.map_or("", |motion| motion.name.as_str());
         let checked = caught(|| check(system).unwrap_or_else(|found| found));
-        found.push((name, None, checked.unwrap_or_else(|error| error.findings())));
+        by_motion.push((name, None, checked.unwrap_or_else(|error| error.findings())));
     }
-    Some(merged(found))
+    Some(merged(by_motion))
 }

@@ -1,5 +1,6 @@
-//! *An offset → the words that can stand there.* Statements, kinds, functions and units are asked of the language's own tables, so
-//! that a new one appears by itself.
+//! Proposes words at an offset.
+//!
+//! Statements, kinds, functions and units come from the tables of the language, so that new ones appear without changes here.
 
 use std::collections::BTreeSet;
 
@@ -14,10 +15,10 @@ use super::document::Document;
 use super::names::{Sort, SymbolId};
 use super::statement::Statement;
 
-/// The two components of a point.
+/// Components of a point.
 const COMPONENTS: [&str; 2] = ["x", "y"];
 
-/// What can be written at an offset.
+/// Returns the words that are valid at an offset.
 pub fn items(document: &Document, description: &Description, offset: usize) -> Vec<CompletionItem> {
     let here = description.lexeme_at(offset);
     let written = here.filter(|it| it.start < offset);
@@ -41,7 +42,7 @@ pub fn items(document: &Document, description: &Description, offset: usize) -> V
         return offer.words(UNITS, CompletionItemKind::UNIT, "unit");
     }
     if number.is_some() {
-        // Digits alone may go on as a unit, or are the name of a body.
+        // More digits, a unit, or the end of a body's name can follow.
         let offer = Offer::new(document, description, offset, offset);
         return offer.words(UNITS, CompletionItemKind::UNIT, "unit");
     }
@@ -49,12 +50,12 @@ pub fn items(document: &Document, description: &Description, offset: usize) -> V
     Offer::new(document, description, start, offset).anything()
 }
 
-/// What is offered at a place.
+/// Context of the proposals at an offset.
 struct Offer<'a> {
     document: &'a Document,
     description: &'a Description,
     statement: Statement<'a>,
-    /// What is replaced: the word that has begun, up to the offset.
+    /// Replaced text: the word that has begun, up to the offset.
     replaced: Span,
 }
 
@@ -109,7 +110,7 @@ impl<'a> Offer<'a> {
         self.formula()
     }
 
-    /// Whether the value of the statement has begun.
+    /// True if the value of the statement has begun.
     fn is_behind_equals(&self) -> bool {
         let statement = &self.statement;
         let written = &statement.before[statement.first.unwrap_or(0)..];
@@ -122,7 +123,7 @@ impl<'a> Offer<'a> {
         items
     }
 
-    /// What can stand in the parentheses of a joint or a driver.
+    /// Returns proposals for the parentheses of a joint or a driver.
     fn operand(&self, slot: Option<Slot>) -> Vec<CompletionItem> {
         match slot {
             Some(Slot::Body | Slot::Counterpart | Slot::Carrier) => self.bodies(),
@@ -147,7 +148,7 @@ impl<'a> Offer<'a> {
         items
     }
 
-    /// Everything that a formula or a clause may begin with.
+    /// Returns all beginnings of a formula or a clause.
     fn formula(&self) -> Vec<CompletionItem> {
         let mut items = self.named(|sort| !matches!(sort, Sort::Mechanism | Sort::Motion));
         items.extend(self.words(FUNCTIONS, CompletionItemKind::FUNCTION, "function"));
@@ -161,8 +162,9 @@ impl<'a> Offer<'a> {
         items
     }
 
-    /// What stands behind `OWNER.`: the points of a body, the bodies and points of a part, and the components of a point or an origin.
-    /// Which repetition is meant makes no difference.
+    /// Returns proposals behind `OWNER.`: points of a body, bodies and points of a part, components of a point or an origin.
+    ///
+    /// All repetitions of an owner have the same members.
     fn members(&self, owner: &str) -> Vec<CompletionItem> {
         if owner == "ground" {
             return self.named(|sort| sort == Sort::Point);
@@ -186,8 +188,8 @@ impl<'a> Offer<'a> {
         let inside = format!("{owner}.");
         let mut seen = BTreeSet::new();
         for id in self.known() {
-            let own = spelled(id);
-            if let Some(rest) = own.strip_prefix(&inside)
+            let symbol_name = spelled(id);
+            if let Some(rest) = symbol_name.strip_prefix(&inside)
                 && !rest.contains('.')
                 && seen.insert(rest.to_string())
             {
@@ -200,7 +202,7 @@ impl<'a> Offer<'a> {
         items
     }
 
-    /// The symbols that are known at the place: those declared above, of no other motion.
+    /// Returns the symbols that are visible at the offset: those declared above it, except for those of other motions.
     fn known(&self) -> impl Iterator<Item = SymbolId> + '_ {
         let at = self.replaced.start;
         let symbols = self.description.names.symbols.iter().enumerate();
@@ -241,7 +243,7 @@ impl<'a> Offer<'a> {
         }
     }
 
-    /// Joints or drivers, each with an example.
+    /// Returns joints or drivers, each with an example.
     fn kinds(&self, kinds: &[&dyn JointKind], detail: &str) -> Vec<CompletionItem> {
         let each = kinds.iter().map(|kind| CompletionItem {
             documentation: Some(Documentation::String(kind.example().to_string())),
@@ -265,7 +267,7 @@ impl<'a> Offer<'a> {
         }
     }
 
-    /// The edit that puts a word in the place of what has been written of it.
+    /// Returns the edit that completes the word that has begun.
     fn edit(&self, word: &str) -> CompletionTextEdit {
         CompletionTextEdit::Edit(TextEdit {
             range: self.document.text.range(self.replaced),
@@ -274,7 +276,7 @@ impl<'a> Offer<'a> {
     }
 }
 
-/// A name without what stands in brackets.
+/// Removes the indices in brackets from a name.
 fn without_indices(name: &str) -> String {
     let mut depth = 0_usize;
     let mut kept = String::new();
@@ -289,7 +291,7 @@ fn without_indices(name: &str) -> String {
     kept
 }
 
-/// Whether something has coordinates.
+/// True if symbols of this sort have coordinates.
 fn is_place(sort: Sort) -> bool {
     matches!(sort, Sort::Body | Sort::Point)
 }

@@ -1,4 +1,4 @@
-//! *A name → where it is declared, and where it is mentioned.*
+//! Finds declarations and mentions of a name.
 
 use linkwright_codegen::diagnostic::Span;
 use lsp_types::Location;
@@ -6,7 +6,7 @@ use lsp_types::Location;
 use super::document::Document;
 use super::names::Names;
 
-/// Where the name at an offset is declared; a point that several bodies list under one name, on each of them.
+/// Returns the declarations of the name at an offset. A point that several bodies list under one name has one on each of them.
 pub fn definitions(names: &Names, offset: usize) -> Vec<Span> {
     let Some(mention) = names.mention_at(offset) else {
         return Vec::new();
@@ -18,7 +18,7 @@ pub fn definitions(names: &Names, offset: usize) -> Vec<Span> {
     places
 }
 
-/// Where the name at an offset is mentioned, perhaps with its declarations.
+/// Returns the mentions of the name at an offset, with its declarations if `is_with_declaration`.
 pub fn references(names: &Names, offset: usize, is_with_declaration: bool) -> Vec<Span> {
     let Some(mention) = names.mention_at(offset) else {
         return Vec::new();
@@ -30,7 +30,7 @@ pub fn references(names: &Names, offset: usize, is_with_declaration: bool) -> Ve
     places
 }
 
-/// Places as a client wants them.
+/// Converts places to locations of the protocol.
 pub fn locations(document: &Document, places: &[Span]) -> Vec<Location> {
     let location = |place: &Span| Location::new(document.uri.clone(), document.text.range(*place));
     places.iter().map(location).collect()

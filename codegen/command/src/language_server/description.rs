@@ -1,31 +1,31 @@
-//! *A text → what can be said of it at once:* its tokens, its statements, its names. No equation is derived here.
+//! Reads a text without deriving equations: its tokens, statements and names.
 //!
-//! Half of a description is one, too: statements that cannot be read are left out, and the others have their names.
+//! An incomplete description is read as well: statements with errors are left out, and the others keep their names.
 
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
 use linkwright_codegen::stages::syntax::{self, Document, Kind, Lexeme};
 
 use super::names::Names;
 
-/// A description that has been read.
+/// Description that has been read.
 pub struct Description {
-    /// The text, with the files that it names.
+    /// Text with the files that it names.
     pub source: Source,
-    /// Its words, numbers, marks and brackets.
+    /// Words, numbers, marks and brackets.
     pub lexemes: Vec<Lexeme>,
-    /// Its statements, where a mechanism was found.
+    /// Statements; `None` if the text has no mechanism.
     pub document: Option<Document>,
-    /// Whether every statement could be read.
+    /// True if every statement could be read.
     pub is_whole: bool,
-    /// Its names.
+    /// Names.
     pub names: Names,
 }
 
 impl Description {
     /// Reads a text.
     pub fn of(source: Source) -> Description {
-        let mut found = Diagnostics::new();
-        let document = syntax::parse(&source, &mut found);
+        let mut diagnostics = Diagnostics::new();
+        let document = syntax::parse(&source, &mut diagnostics);
         let lexemes = syntax::lexemes(&source.text);
         let names = document
             .as_ref()
@@ -33,19 +33,19 @@ impl Description {
         Description {
             lexemes,
             names: names.unwrap_or_default(),
-            is_whole: document.is_some() && !found.has_errors(),
+            is_whole: document.is_some() && !diagnostics.has_errors(),
             document,
             source,
         }
     }
 
-    /// The word, number, mark or bracket that an offset is in, or that ends there.
+    /// Returns the lexeme that contains an offset or ends there; `None` if there is none.
     pub fn lexeme_at(&self, offset: usize) -> Option<Lexeme> {
         let after = self.lexemes.partition_point(|it| it.start <= offset);
         let reaching = self.lexemes[..after].iter().rev().take(2);
         let mut touching = reaching.filter(|it| offset <= it.end).copied();
         let last = touching.next()?;
-        // Between a word and a mark the word is meant.
+        // Between a word and a mark, the word is preferred.
         let is_name = |it: &Lexeme| matches!(it.kind, Kind::Word | Kind::Number);
         match is_name(&last) {
             true => Some(last),
@@ -53,12 +53,12 @@ impl Description {
         }
     }
 
-    /// What is written at a lexeme.
+    /// Returns the text of a lexeme.
     pub fn written(&self, lexeme: Lexeme) -> &str {
         &self.source.text[lexeme.start..lexeme.end]
     }
 
-    /// Whether an offset is inside a comment: behind the last lexeme before it and the first after it.
+    /// True if an offset is inside a comment, which is behind the last lexeme before the offset.
     pub fn is_in_comment(&self, offset: usize) -> bool {
         let after = self.lexemes.partition_point(|it| it.end <= offset);
         let start = after.checked_sub(1).map_or(0, |it| self.lexemes[it].end);

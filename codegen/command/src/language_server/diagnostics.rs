@@ -1,4 +1,4 @@
-//! *Findings → diagnostics of the protocol*, with the texts and at the places of the command line.
+//! Converts findings to diagnostics of the protocol, with the texts and places of the command line.
 
 use linkwright_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Severity};
 use lsp_types::{
@@ -8,27 +8,27 @@ use lsp_types::{
 
 use super::text::Text;
 
-/// Whose findings these are.
+/// Source of the diagnostics.
 const SOURCE: &str = "linkwright";
 
-/// What a client can show.
+/// Capabilities of a client.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Shown {
-    /// Other places that explain a finding.
+    /// True if the client shows other places that explain a finding.
     pub related_places: bool,
-    /// That something is not used.
+    /// True if the client shows that something is unused.
     pub unused: bool,
 }
 
-/// All findings, by place.
+/// Returns all findings, by place.
 pub fn diagnostics(
     found: &Diagnostics,
     uri: &Uri,
     text: &Text,
     shown: Shown,
 ) -> Vec<lsp::Diagnostic> {
-    let found = found.clone().into_sorted();
-    let each = found.iter().map(|it| diagnostic(it, uri, text, shown));
+    let sorted = found.clone().into_sorted();
+    let each = sorted.iter().map(|it| diagnostic(it, uri, text, shown));
     each.collect()
 }
 
@@ -39,7 +39,7 @@ fn diagnostic(found: &Diagnostic, uri: &Uri, text: &Text, shown: Shown) -> lsp::
     };
     let places = found.secondary.iter().map(|label| {
         let location = Location::new(uri.clone(), text.range(label.span));
-        // A place without words is marked as the command line marks it.
+        // A place without words is marked as on the command line.
         let words = match label.text.is_empty() {
             true => found.message.clone(),
             false => label.text.clone(),
@@ -74,7 +74,7 @@ fn diagnostic(found: &Diagnostic, uri: &Uri, text: &Text, shown: Shown) -> lsp::
     }
 }
 
-/// What is said of a finding, a line each: what is wrong, the words beside its place, background, and what to do.
+/// Returns the text of a finding, a line each: message, label, background, help.
 pub fn words(found: &Diagnostic) -> String {
     let mut lines = vec![found.message.clone()];
     lines.extend((!found.primary.text.is_empty()).then(|| found.primary.text.clone()));

@@ -1,4 +1,4 @@
-//! A document that is open in an editor: its text as it is there, and what is known about that text.
+//! Holds an open document: its text in the editor, and what has been derived from the text.
 
 use std::path::PathBuf;
 use std::rc::Rc;
@@ -13,35 +13,35 @@ use lsp_types::{TextDocumentContentChangeEvent, TextDocumentItem, Uri};
 use super::description::Description;
 use super::text::{Encoding, Text};
 
-/// Why a document that is no file has no tables.
+/// Reason that a document without a file has no tables.
 const UNSAVED: &str = "the description is not saved yet";
 
-/// A document.
+/// Open document.
 pub struct Document {
-    /// Its name for the client.
+    /// Name for the client.
     pub uri: Uri,
-    /// The text, which need not be saved.
+    /// Text in the editor, which may be unsaved.
     pub text: Text,
-    /// The client's number of the text.
+    /// Number that the client gives to the text; `None` if the client does not count.
     pub version: Option<i32>,
-    /// The server's number of the text.
+    /// Number that the server gives to the text.
     pub number: u64,
-    /// The equations of a text that could be read as a whole; maybe not the newest.
+    /// Equations of a text without errors, perhaps an older one; `None` if there was none yet.
     pub equations: Option<Arc<Equations>>,
     path: Option<PathBuf>,
     description: Option<Rc<Description>>,
 }
 
-/// The equations of a text.
+/// Equations of a text.
 pub struct Equations {
-    /// The text.
+    /// Text.
     pub text: String,
-    /// Its motions.
+    /// Motions of the description.
     pub read: Read,
 }
 
 impl Document {
-    /// What the client opens.
+    /// Creates a document that the client opens.
     pub fn new(item: TextDocumentItem, encoding: Encoding) -> Document {
         Document {
             path: path(&item.uri),
@@ -54,7 +54,7 @@ impl Document {
         }
     }
 
-    /// Changes the text.
+    /// Applies changes to the text.
     pub fn change(&mut self, version: i32, changes: &[TextDocumentContentChangeEvent]) {
         for change in changes {
             self.text.replace(change.range, &change.text);
@@ -63,7 +63,7 @@ impl Document {
         self.description = None;
     }
 
-    /// The text with the files that it names, from the folder of the document.
+    /// Returns the text with the files that it names, from the folder of the document.
     pub fn source(&self) -> Source {
         let text = self.text.as_str();
         match &self.path {
@@ -81,7 +81,7 @@ impl Document {
         }
     }
 
-    /// The text, read; once for each text.
+    /// Returns the text as a description, which is read once for each text.
     pub fn description(&mut self) -> Rc<Description> {
         if let Some(known) = &self.description {
             return Rc::clone(known);
@@ -91,18 +91,18 @@ impl Document {
         description
     }
 
-    /// The equations of the newest text, where they have been derived.
+    /// Returns the equations of the current text; `None` if they have not been derived.
     pub fn equations(&self) -> Option<&Read> {
         let equations = self.equations.as_ref()?;
         (equations.text == self.text.as_str()).then_some(&equations.read)
     }
 }
 
-/// The file that an address means.
+/// Returns the file of an address; `None` for addresses that are not files.
 fn path(uri: &Uri) -> Option<PathBuf> {
     let is_file = uri.scheme()?.as_str().eq_ignore_ascii_case("file");
     let path = uri.path().as_estr().decode().into_string().ok()?;
-    // On Windows a drive follows the first stroke.
+    // On Windows, a drive follows the first slash.
     let has_drive = path.as_bytes().get(2) == Some(&b':') && path.starts_with('/');
     let path = if has_drive { &path[1..] } else { &path };
     is_file.then(|| PathBuf::from(path))

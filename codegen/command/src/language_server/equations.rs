@@ -1,4 +1,4 @@
-//! *A place of a description → the equations and values that belong to it*, in the words of the generator's own printer.
+//! Finds the equations and values that belong to a place of a description, as text.
 
 use linkwright_codegen::Read;
 use linkwright_codegen::diagnostic::Span;
@@ -6,10 +6,10 @@ use linkwright_codegen::stages::emit::{Notation, text};
 use linkwright_codegen::stages::expr::ExprId;
 use linkwright_codegen::stages::system::System;
 
-/// So many equations of a statement are shown.
-const SHOWN: usize = 12;
+/// Largest number of equations of a statement.
+const MAX_EQUATIONS: usize = 12;
 
-/// The equations of the joints and drivers that a statement writes, a line each; those of the first motion that has them.
+/// Returns the equations of the joints and drivers of a statement, one per line, from the first motion that has them.
 pub fn of_statement(read: &Read, statement: Span) -> Vec<String> {
     let all = read.motions.iter().map(|system| rows(system, statement));
     all.into_iter()
@@ -20,8 +20,9 @@ pub fn of_statement(read: &Read, statement: Span) -> Vec<String> {
 fn rows(system: &System, statement: Span) -> Vec<String> {
     let joints = &system.mechanism.joints;
     let rows = system.rows.iter().chain(&system.monitored);
-    let own = rows.filter(|row| joints[row.joint].span == statement);
-    own.take(SHOWN)
+    let of_joint = rows.filter(|row| joints[row.joint].span == statement);
+    of_joint
+        .take(MAX_EQUATIONS)
         .filter_map(|row| {
             let residual = text::readable(system, &row.bodies, Notation::Unicode, row.residual)?;
             Some(format!("{residual} = 0"))
@@ -29,7 +30,7 @@ fn rows(system: &System, statement: Span) -> Vec<String> {
         .collect()
 }
 
-/// What a declared value is, in words: a constant, a parameter, an input. Nothing where there is none of the name at the place.
+/// Describes a constant, a parameter or an input; `None` if none of this name is declared at the place.
 pub fn of_value(read: &Read, name: &str, place: Span) -> Option<String> {
     read.motions.iter().find_map(|it| value(it, name, place))
 }
@@ -57,21 +58,21 @@ fn value(system: &System, name: &str, place: Span) -> Option<String> {
         return Some(format!("= {} {unit} unless it is set", plain(own.nominal)?));
     }
     let mut inputs = mechanism.inputs.iter();
-    let own = inputs.find(|it| is_own((&it.name, it.span)))?;
-    let unit = own.dimension.unit();
+    let input = inputs.find(|it| is_own((&it.name, it.span)))?;
+    let unit = input.dimension.unit();
     Some(format!(
         "= {} {unit}, constant unless it is supplied",
-        plain(own.initial)?
+        plain(input.initial)?
     ))
 }
 
-/// The coordinates of a body, as the equations call them.
+/// Returns the names of a body's coordinates in the equations; `None` if no body of this name is declared at the place.
 pub fn of_body(read: &Read, name: &str, place: Span) -> Option<Vec<String>> {
     let system = read.motions.first()?;
     let bodies = &system.mechanism.bodies;
     let body = bodies
         .iter()
         .find(|it| it.name == name && it.span == place)?;
-    let own = &system.coordinates[body.places()];
-    (!own.is_empty()).then(|| own.iter().map(|it| it.name.clone()).collect())
+    let coordinates = &system.coordinates[body.places()];
+    (!coordinates.is_empty()).then(|| coordinates.iter().map(|it| it.name.clone()).collect())
 }

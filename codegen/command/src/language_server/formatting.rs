@@ -1,11 +1,11 @@
-//! *A text → what changes it into the usual layout.* A text with errors is left as it is: its diagnostics say what is wrong.
+//! Formats a text as edits. A text with errors is left unchanged: its diagnostics report them.
 
 use linkwright_codegen::diagnostic::Span;
 use lsp_types::TextEdit;
 
 use super::document::Document;
 
-/// The lines that change, in one piece; nothing where none does.
+/// Returns one edit of all lines that change; empty if none does.
 pub fn edits(document: &Document) -> Vec<TextEdit> {
     let text = document.text.as_str();
     let Ok(formatted) = linkwright_codegen::format(&document.source()) else {
@@ -26,7 +26,7 @@ pub fn edits(document: &Document) -> Vec<TextEdit> {
     }]
 }
 
-/// The bytes of the first lines that are the same.
+/// Returns the number of bytes of the first lines that agree.
 fn common<'a>(one: impl Iterator<Item = &'a str>, other: impl Iterator<Item = &'a str>) -> usize {
     let same = one.zip(other).take_while(|(one, other)| one == other);
     same.map(|(line, _)| line.len()).sum()

@@ -1,4 +1,4 @@
-//! *An offset → what stands there:* what a name is, how it is declared, what it is worth, and the equations of a joint.
+//! Describes what is at an offset: the meaning of a name, its declaration, its value, and the equations of a joint.
 
 use linkwright_codegen::Read;
 use linkwright_codegen::diagnostic::Span;
@@ -13,13 +13,13 @@ use super::document::Document;
 use super::equations;
 use super::names::{Sort, SymbolId};
 
-/// The longest declaration that is shown, in lines.
-const LONGEST: usize = 12;
+/// Largest number of lines of a declaration.
+const MAX_LINES: usize = 12;
 
-/// So many declarations or bodies are listed.
-const LISTED: usize = 6;
+/// Largest number of listed declarations or bodies.
+const MAX_LISTED: usize = 6;
 
-/// What an editor shows beside the pointer.
+/// Returns the text beside the pointer; `None` if there is nothing to describe.
 pub fn hover(document: &Document, description: &Description, offset: usize) -> Option<Hover> {
     let about = About {
         description,
@@ -44,15 +44,15 @@ struct About<'a> {
 }
 
 impl About<'_> {
-    /// What a name stands for; where it is the name of a joint's statement, with its equations.
+    /// Describes a symbol; at the name of a joint's statement, with its equations.
     fn symbol(&self, id: SymbolId, place: Span) -> String {
         let names = &self.description.names;
         let symbol = &names.symbols[id];
         let here = names.mentioned_at(place).map(|it| &names.symbols[it]);
         let mut written: Vec<(Span, &str)> = here.map(|it| (it.written, it.opening)).collect();
-        // What is repeated is declared once.
+        // Repetitions share one declaration.
         written.dedup();
-        let declared = written.iter().take(LISTED);
+        let declared = written.iter().take(MAX_LISTED);
         let declared: Vec<String> = declared
             .map(|(written, opening)| self.declaration(opening, *written))
             .collect();
@@ -77,7 +77,7 @@ impl About<'_> {
             }
             _ => {}
         }
-        // What is repeated has a value of its own each time.
+        // Each repetition has its own value.
         let is_one = names.mentioned_at(place).take(2).count() == 1;
         let read = self.read.filter(|_| is_one);
         let value = read.and_then(|read| equations::of_value(read, &symbol.name, symbol.place));
@@ -100,27 +100,27 @@ impl About<'_> {
         parts.join("\n\n")
     }
 
-    /// A declaration as it is written, without its further lines where it is long.
+    /// Returns a declaration as it is written, cut off after [`MAX_LINES`] lines.
     fn declaration(&self, opening: &str, written: Span) -> String {
         let text = self.description.source.text.get(written.range());
         let lines: Vec<&str> = text.unwrap_or_default().lines().collect();
-        let mut shown = lines[..lines.len().min(LONGEST)].join("\n");
-        if lines.len() > LONGEST {
-            shown.push_str("\n…");
+        let mut text = lines[..lines.len().min(MAX_LINES)].join("\n");
+        if lines.len() > MAX_LINES {
+            text.push_str("\n…");
         }
-        format!("{opening}{shown}")
+        format!("{opening}{text}")
     }
 
-    /// The joint whose name stands at a place.
+    /// Returns the statement of the joint that is named at a place; `None` if there is none.
     fn statement_named_at(&self, place: Span) -> Option<Span> {
-        let found = self.statements().find(|statement| {
+        let statement = self.statements().find(|statement| {
             let Statement::Joint(joint) = statement else {
                 return false;
             };
             let name = joint.name.as_ref().map(|it| it.span.start);
             name == Some(place.start)
         });
-        found.map(Statement::span)
+        statement.map(Statement::span)
     }
 
     fn statements(&self) -> impl Iterator<Item = &Statement> {
@@ -140,7 +140,7 @@ impl About<'_> {
         (!rows.is_empty()).then(|| format!("```text\n{}\n```", rows.join("\n")))
     }
 
-    /// A word of the language: the kind of a joint, a unit, a number.
+    /// Describes a word of the language: a kind of joint, a unit, a number.
     fn word(&self, offset: usize) -> Option<(Span, String)> {
         let lexeme = self.description.lexeme_at(offset)?;
         let span = Span::new(lexeme.start, lexeme.end);
@@ -153,11 +153,11 @@ impl About<'_> {
         Some((span, text))
     }
 
-    /// A kind of joint or a driven quantity: how it is written, and the equations of this one.
+    /// Describes a kind of joint or driver: its syntax, and the equations of this statement.
     fn kind(&self, word: &str, place: Span) -> Option<String> {
         let lies_in = |it: &Span| it.start <= place.start && place.end <= it.end;
         let spans = self.statements().map(Statement::span);
-        // Of a motion and a statement in it, the statement.
+        // A statement in a motion is preferred to the motion.
         let statement = spans.filter(lies_in).min_by_key(|it| it.end - it.start);
         let equations = statement.and_then(|it| self.equations(it));
         let mut kinds = CONSTRAINTS.iter().chain(DRIVERS);
@@ -173,10 +173,10 @@ impl About<'_> {
     }
 }
 
-/// One body or several.
+/// Lists the names of bodies.
 fn bodies(names: &[String]) -> String {
     match names {
-        [first, .., last] if names.len() > LISTED => {
+        [first, .., last] if names.len() > MAX_LISTED => {
             format!("{} bodies from {first} to {last}", names.len())
         }
         [only] => format!("body {only}"),
@@ -185,7 +185,7 @@ fn bodies(names: &[String]) -> String {
     }
 }
 
-/// A number with a unit, in SI units.
+/// Converts a number with a unit to SI units; `None` if the text is not one.
 fn quantity(text: &str) -> Option<String> {
     let suffix = UNITS.iter().filter(|it| text.ends_with(**it));
     let suffix = suffix.max_by_key(|it| it.len())?;
@@ -202,7 +202,7 @@ fn quantity(text: &str) -> Option<String> {
     ))
 }
 
-/// Meanings of names that are always there, and values that teeth are given.
+/// Describes a predefined name, or a value that gears assign.
 fn built_in(word: &str) -> Option<String> {
     Some(match word {
         "t" => "the time, in s".to_string(),

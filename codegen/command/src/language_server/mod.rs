@@ -1,12 +1,13 @@
-//! *An editor's questions about an open description → answers*, in the language server protocol on stdin and stdout.
+//! Answers requests of an editor about open descriptions, in the language server protocol on stdin and stdout.
 //!
 //! ```text
 //! transport ── messages ──> session ── texts ──> checker ── findings ──> diagnostics
 //!                              └── questions ──> requests ──> hover, definition, completion, rename, outline, formatting
 //! ```
-//! Texts and places of findings are the generator's own, layout is that of `linkwright fmt`, formulas are those of `linkwright
-//! inspect`. What names stand for is found by [`names`], from the statements alone. Every answer is a function of the text and an
-//! offset in it; only `session` knows that there are several documents and that they change.
+//!
+//! Texts and places of findings are those of the generator, the layout is that of `linkwright fmt`, formulas are those of `linkwright
+//! inspect`. [`names`] finds the meaning of names from the statements alone. Every answer is a function of the text and an offset in
+//! the text; only `session` holds several documents and their changes.
 
 mod capabilities;
 mod checker;

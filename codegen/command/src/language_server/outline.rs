@@ -1,4 +1,4 @@
-//! *A description → its statements, as an editor lists them.*
+//! Lists the statements of a description for an editor.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,17 +10,17 @@ use super::description::Description;
 use super::document::Document;
 use super::names::{Sort, Symbol, Whole, mechanisms};
 
-/// The longest text of an entry, in characters.
-const LONGEST: usize = 60;
+/// Largest number of characters of an entry.
+const MAX_CHARACTERS: usize = 60;
 
-/// The mechanism with its statements; bodies with their points, motions with their statements.
+/// Returns the mechanism with its statements; bodies contain their points, motions their statements.
 pub fn outline(document: &Document, description: &Description) -> Vec<DocumentSymbol> {
     let mut declared: BTreeMap<Span, Vec<&Symbol>> = BTreeMap::new();
     for symbol in &description.names.symbols {
         declared.entry(symbol.statement).or_default().push(symbol);
     }
     for symbols in declared.values_mut() {
-        // What is repeated stands at one place.
+        // Repetitions share one place.
         symbols.sort_by_key(|it| it.declared);
         symbols.dedup_by_key(|it| it.declared);
     }
@@ -46,23 +46,23 @@ pub fn outline(document: &Document, description: &Description) -> Vec<DocumentSy
 struct Outline<'a> {
     document: &'a Document,
     description: &'a Description,
-    /// What each statement declares, by place.
+    /// Declarations of each statement, by place.
     declared: BTreeMap<Span, Vec<&'a Symbol>>,
 }
 
 impl Outline<'_> {
-    /// The statements that are written in a part of the text, each once.
+    /// Returns the statements that are written in a range of the text, each once.
     fn statements(&self, statements: &[Statement], part: Span) -> Vec<DocumentSymbol> {
         let inside = |it: &Span| part.start <= it.start && it.end <= part.end;
         let mut seen = BTreeSet::new();
-        let own = statements.iter().filter(|it| {
+        let in_range = statements.iter().filter(|it| {
             let span = it.span();
             inside(&span) && seen.insert(span)
         });
-        own.flat_map(|it| self.statement(it)).collect()
+        in_range.flat_map(|it| self.statement(it)).collect()
     }
 
-    /// One entry, or one for each point of a `point` statement.
+    /// Returns one entry, or one for each point of a `point` statement.
     fn statement(&self, statement: &Statement) -> Vec<DocumentSymbol> {
         let span = statement.span();
         let declared = self.declared.get(&span).map_or(&[][..], Vec::as_slice);
@@ -78,9 +78,9 @@ impl Outline<'_> {
             }
             _ => Vec::new(),
         };
-        let own = declared.first().filter(|it| it.written == span);
-        let kind = own.map_or(SymbolKind::EVENT, |it| kind(it.sort));
-        let selected = own.map_or(span, |it| it.declared);
+        let whole = declared.first().filter(|it| it.written == span);
+        let kind = whole.map_or(SymbolKind::EVENT, |it| kind(it.sort));
+        let selected = whole.map_or(span, |it| it.declared);
         vec![self.entry(self.head(span), kind, span, selected, children)]
     }
 
@@ -100,11 +100,11 @@ impl Outline<'_> {
         text.unwrap_or_default()
     }
 
-    /// How a statement begins: without what stands in braces, on one line.
+    /// Returns the beginning of a statement on one line, without the contents of braces.
     fn head(&self, span: Span) -> String {
         let head = self.written(span);
         let head = head.split(['{', ';', '\n']).next().unwrap_or_default();
-        let head: String = head.trim().chars().take(LONGEST).collect();
+        let head: String = head.trim().chars().take(MAX_CHARACTERS).collect();
         match head.is_empty() {
             true => "…".to_string(),
             false => head,
@@ -134,7 +134,7 @@ impl Outline<'_> {
     }
 }
 
-/// The nearest of the kinds that editors know.
+/// Returns the nearest kind that editors have.
 fn kind(sort: Sort) -> SymbolKind {
     match sort {
         Sort::Mechanism => SymbolKind::MODULE,

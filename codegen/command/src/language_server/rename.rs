@@ -1,6 +1,6 @@
-//! *A name and another → the edits that give everything that it means the other.*
+//! Renames an object in all its mentions.
 //!
-//! Whether a name can be had is said by the generator: it reads the text as it would be. Afterwards every name means what it meant.
+//! The generator reads the changed text and decides if the new name is available. Afterwards every name means the same object as before.
 
 use std::collections::HashMap;
 
@@ -15,10 +15,10 @@ use super::document::Document;
 use super::names::{Mention, Names, SymbolId};
 use super::requests::Refusal;
 
-/// The name at an offset, which can be changed.
+/// Returns the place of the name at an offset.
 ///
 /// # Errors
-/// There is none, or the text has errors.
+/// No name at the offset can be changed, or the text has errors.
 pub fn place(
     document: &Document,
     description: &Description,
@@ -32,11 +32,11 @@ pub fn place(
 }
 
 fn mention(description: &Description, offset: usize) -> Result<Mention, Refusal> {
-    // In a statement that cannot be read, a name would be left behind.
+    // In a statement with errors, a mention would be missed.
     if !description.is_whole {
-        let mut found = Diagnostics::new();
-        let _ = parse(&description.source, &mut found);
-        let first = errors(found).into_iter().next();
+        let mut diagnostics = Diagnostics::new();
+        let _ = parse(&description.source, &mut diagnostics);
+        let first = errors(diagnostics).into_iter().next();
         let why = first.map_or(String::new(), |it| format!(": {}", words(&it)));
         return Err(Refusal::failed(format!(
             "the description has an error, correct it first{why}"
@@ -48,10 +48,10 @@ fn mention(description: &Description, offset: usize) -> Result<Mention, Refusal>
         .ok_or_else(|| Refusal::failed("expected a name that the description declares".to_string()))
 }
 
-/// The edits that change a name everywhere.
+/// Returns the edits that change a name everywhere.
 ///
 /// # Errors
-/// The new name cannot be had: what would be wrong is said as in a diagnostic.
+/// The new name is not available; the message is that of a diagnostic.
 pub fn rename(
     document: &Document,
     description: &Description,
@@ -66,7 +66,7 @@ pub fn rename(
         text: replaced(&source.text, &places, new),
         ..source.clone()
     };
-    // A text whose equations are known has no errors.
+    // A text with equations has no errors.
     let before = match document.equations() {
         Some(_) => Vec::new(),
         None => errors(findings(source)),
@@ -106,7 +106,7 @@ pub fn rename(
     })
 }
 
-/// The text with another one at these places.
+/// Returns the text with `by` at these places.
 fn replaced(text: &str, places: &[Span], by: &str) -> String {
     let mut renamed = text.to_string();
     for place in places.iter().rev() {
@@ -129,13 +129,13 @@ fn errors(found: Diagnostics) -> Vec<Diagnostic> {
     errors.collect()
 }
 
-/// What a finding says, whatever it says it about.
+/// Returns the message of a finding without its place.
 fn sentence(finding: &Diagnostic) -> (Code, String) {
     let outside = finding.message.split('`').step_by(2);
     (finding.code, outside.collect())
 }
 
-/// Whether a text is one identifier or one integer, and nothing beside it.
+/// True if a text is one identifier or one integer.
 fn is_one_name(text: &str) -> bool {
     let [only] = lexemes(text)[..] else {
         return false;
@@ -144,7 +144,7 @@ fn is_one_name(text: &str) -> bool {
     is_name && (only.start, only.end) == (0, text.len())
 }
 
-/// Whether a name means something else after a change: what it means then, where that can be said.
+/// Finds a name that means something else after a change: outer `None` if there is none, inner `None` if its meaning is unknown.
 fn other_meaning(before: &Names, after: &Names) -> Option<Option<SymbolId>> {
     let mut pairs = before.mentions.iter().zip(&after.mentions);
     let same = |one: &Mention, other: &Mention| before.are_same(one.symbol, other.symbol);

@@ -1,4 +1,4 @@
-//! *A question about a document → its answer.* Which question goes to which room, and where in the text it was asked.
+//! Dispatches requests about a document to the modules that answer them.
 
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -14,17 +14,17 @@ use super::description::Description;
 use super::document::Document;
 use super::{completion, definition, formatting, hover, outline, rename};
 
-/// Why a question has no answer.
+/// Reason that a request has no answer.
 #[derive(Debug)]
 pub struct Refusal {
-    /// The class of reasons.
+    /// Class of reasons.
     pub code: ErrorCode,
-    /// The reason.
+    /// Reason.
     pub message: String,
 }
 
 impl Refusal {
-    /// A reason of a class.
+    /// Creates a refusal of a class.
     pub fn new(code: ErrorCode, message: &str) -> Refusal {
         Refusal {
             code,
@@ -32,7 +32,7 @@ impl Refusal {
         }
     }
 
-    /// What was asked cannot be done.
+    /// Creates the refusal of a request that failed.
     pub fn failed(message: String) -> Refusal {
         Refusal {
             code: ErrorCode::RequestFailed,
@@ -41,25 +41,25 @@ impl Refusal {
     }
 }
 
-/// Parameters of a question.
+/// Reads the parameters of a request.
 ///
 /// # Errors
-/// They are not what the protocol says.
+/// The parameters do not follow the protocol.
 pub fn read<T: DeserializeOwned>(params: Value) -> Result<T, Refusal> {
     serde_json::from_value(params)
         .map_err(|error| Refusal::new(ErrorCode::InvalidParams, &error.to_string()))
 }
 
-/// An answer as JSON.
+/// Returns an answer as JSON.
 ///
 /// # Errors
-/// It cannot be written.
+/// The answer cannot be serialized.
 pub fn written(answer: &impl Serialize) -> Result<Value, Refusal> {
     serde_json::to_value(answer)
         .map_err(|error| Refusal::new(ErrorCode::InternalError, &error.to_string()))
 }
 
-/// Where in a document something was asked.
+/// Document and offset of a request.
 struct Asked<'a> {
     document: &'a Document,
     description: Rc<Description>,
@@ -88,10 +88,10 @@ fn asked<'a>(
     })
 }
 
-/// The answer to a question.
+/// Answers a request.
 ///
 /// # Errors
-/// The question is not known, or cannot be answered.
+/// The method is unknown, or the request cannot be answered.
 pub fn answer(method: &str, params: Value, documents: &mut Documents) -> Result<Value, Refusal> {
     match method {
         "textDocument/hover" => {
@@ -102,22 +102,22 @@ pub fn answer(method: &str, params: Value, documents: &mut Documents) -> Result<
         "textDocument/definition" => {
             let params: lsp::GotoDefinitionParams = read(params)?;
             let at = asked(documents, &params.text_document_position_params)?;
-            let found = definition::definitions(&at.description.names, at.offset);
-            written(&definition::locations(at.document, &found))
+            let declarations = definition::definitions(&at.description.names, at.offset);
+            written(&definition::locations(at.document, &declarations))
         }
         "textDocument/references" => {
             let params: lsp::ReferenceParams = read(params)?;
             let at = asked(documents, &params.text_document_position)?;
             let is_with_declaration = params.context.include_declaration;
             let names = &at.description.names;
-            let found = definition::references(names, at.offset, is_with_declaration);
-            written(&definition::locations(at.document, &found))
+            let mentions = definition::references(names, at.offset, is_with_declaration);
+            written(&definition::locations(at.document, &mentions))
         }
         "textDocument/documentHighlight" => {
             let params: lsp::DocumentHighlightParams = read(params)?;
             let at = asked(documents, &params.text_document_position_params)?;
-            let found = definition::references(&at.description.names, at.offset, true);
-            let ranges = found.into_iter().map(|span| lsp::DocumentHighlight {
+            let mentions = definition::references(&at.description.names, at.offset, true);
+            let ranges = mentions.into_iter().map(|span| lsp::DocumentHighlight {
                 range: at.document.text.range(span),
                 kind: None,
             });

@@ -1,5 +1,6 @@
-//! *Messages of a client → answers.* The documents that are open, and the order of things: changes are taken in at once, what was
-//! asked is answered in its order, and of a document that is being typed only the newest text is checked.
+//! Holds the open documents of a session and orders its work.
+//!
+//! Changes are applied at once, requests are answered in their order, and only the newest text of a document is checked.
 
 use std::collections::{BTreeMap, VecDeque};
 use std::io;
@@ -19,29 +20,29 @@ use super::requests::{self, Refusal};
 use super::text::Encoding;
 use super::{capabilities, transport};
 
-/// So long the findings of the text alone wait for those of its equations: both are shown together where these come soon.
+/// Time for which findings about the text wait for those about equations, so that both are shown together.
 const TOGETHER: Duration = Duration::from_millis(100);
 
-/// What happens to a session.
+/// Event of a session.
 pub enum Event {
-    /// The client says something.
+    /// A message of the client.
     Message(Message),
-    /// The client says something that is no message.
+    /// Input of the client that is not a message.
     Unreadable(String),
-    /// The client has ended its output.
+    /// The end of the client's output.
     Gone,
-    /// Something was found out about a document.
+    /// Findings about a document.
     Found(Found),
 }
 
-/// Where a session stands.
+/// State of a session.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum State {
-    /// Nothing has been agreed on.
+    /// Not initialized.
     Fresh,
-    /// Documents are served.
+    /// Serving documents.
     Open,
-    /// The client will end the session.
+    /// Shutting down.
     ShutDown,
 }
 
@@ -51,16 +52,16 @@ struct Session {
     encoding: Encoding,
     shown: Shown,
     checker: Checker,
-    /// Every text that a document has had has another number.
+    /// Number of texts so far, which numbers the next text of any document.
     texts: u64,
-    /// Findings that wait for more, and until when.
+    /// Findings that wait for more, and the ends of their waiting times.
     waiting: BTreeMap<String, (Instant, Found)>,
 }
 
-/// Serves a client on stdin and stdout until it goes; whether it took its leave.
+/// Serves a client on stdin and stdout until its output ends; returns true if the client has shut the session down.
 ///
 /// # Errors
-/// Those of stdout.
+/// Errors of stdout.
 pub fn serve() -> io::Result<bool> {
     let (sender, events) = channel();
     transport::listen(sender.clone());
@@ -76,15 +77,15 @@ pub fn serve() -> io::Result<bool> {
     session.run(&events)
 }
 
-/// Result of taking something in. An error of the server itself is shown to the client, and the session goes on.
+/// Handles an event. An internal error is shown to the client, and the session continues.
 fn survived(work: impl FnOnce() -> io::Result<()>) -> io::Result<()> {
     caught(work).unwrap_or_else(|error| {
         let params = lsp::ShowMessageParams {
             typ: lsp::MessageType::ERROR,
             message: error.to_string(),
         };
-        let shown = Notification::new("window/showMessage".to_string(), params);
-        transport::send(&shown.into())
+        let notification = Notification::new("window/showMessage".to_string(), params);
+        transport::send(&notification.into())
     })
 }
 
@@ -117,13 +118,13 @@ impl Session {
                     let answer = self.answer(it);
                     transport::send(&answer.into())?;
                 }
-                // The server asks nothing.
+                // The server sends no requests.
                 Event::Message(Message::Response(_)) => {}
             }
         }
     }
 
-    /// The next event; findings that have waited long enough are shown meanwhile.
+    /// Returns the next event; shows findings whose waiting time ends meanwhile.
     fn next(&mut self, events: &Receiver<Event>) -> io::Result<Option<Event>> {
         let Some(until) = self.waiting.values().map(|(until, _)| *until).min() else {
             return Ok(Some(events.recv().unwrap_or(Event::Gone)));
@@ -162,7 +163,7 @@ impl Session {
                 self.state = State::ShutDown;
                 Ok(Value::Null)
             }
-            // Whatever is wrong with one answer, the next question is answered.
+            // An error in one answer does not affect the next request.
             (State::Open, _) => caught(|| requests::answer(&method, params, &mut self.documents))
                 .unwrap_or_else(|error| {
                     let text = format!("`{method}` failed: {error}");
@@ -199,7 +200,7 @@ impl Session {
         requests::written(&result)
     }
 
-    /// Takes in what a client says; what cannot be understood is passed, since nobody waits for an answer.
+    /// Handles a notification. An unknown one is ignored, since notifications have no answer.
     fn note(&mut self, notification: Notification) -> io::Result<()> {
         if self.state != State::Open {
             return Ok(());
@@ -224,7 +225,7 @@ impl Session {
                     self.check(&name);
                 }
             }
-            // Tables beside the description may be others now.
+            // Tables beside the description may have changed.
             "textDocument/didSave" | "workspace/didChangeWatchedFiles" => {
                 let names: Vec<String> = self.documents.keys().cloned().collect();
                 names.iter().for_each(|name| self.check(name));
@@ -243,7 +244,7 @@ impl Session {
         Ok(())
     }
 
-    /// Has the newest text of a document checked.
+    /// Queues the newest text of a document for the checker.
     fn check(&mut self, name: &str) {
         if let Some(document) = self.documents.get_mut(name) {
             self.texts += 1;
@@ -253,7 +254,7 @@ impl Session {
         }
     }
 
-    /// Takes in what was found about a text, if it is still the newest.
+    /// Handles the findings about a text if it is still the newest.
     fn take(&mut self, found: Found) -> io::Result<()> {
         let Some(document) = self.documents.get_mut(&found.name) else {
             return Ok(());
@@ -277,8 +278,8 @@ impl Session {
         let Some(document) = self.documents.get(&found.name) else {
             return Ok(());
         };
-        let found = diagnostics(&found.findings, &document.uri, &document.text, self.shown);
-        show(document.uri.clone(), found, document.version)
+        let to_show = diagnostics(&found.findings, &document.uri, &document.text, self.shown);
+        show(document.uri.clone(), to_show, document.version)
     }
 }
 
@@ -288,12 +289,12 @@ fn show(uri: lsp::Uri, found: Vec<lsp::Diagnostic>, version: Option<i32>) -> io:
     transport::send(&Notification::new(method, params).into())
 }
 
-/// What a notification gives, where it can be understood.
+/// Reads the parameters of a notification; `None` if they do not follow the protocol.
 fn given<T: DeserializeOwned>(params: Value) -> Option<T> {
     serde_json::from_value(params).ok()
 }
 
-/// The request that is taken back.
+/// Returns the request that the client cancels; `None` for other events.
 fn cancelled(event: &Event) -> Option<RequestId> {
     let Event::Message(Message::Notification(it)) = event else {
         return None;

@@ -1,37 +1,38 @@
-//! *An offset → what is being written there:* the statement that has begun, and the brackets that are open. From the tokens alone,
-//! so that it is known also of a statement that cannot be read yet.
+//! Finds the unfinished statement at an offset and its open brackets.
+//!
+//! Only tokens are used, so that statements with errors are found as well.
 
 use linkwright_codegen::diagnostic::Span;
 use linkwright_codegen::stages::syntax::{Kind, Lexeme};
 
 use super::description::Description;
 
-/// A bracket that is open.
+/// Open bracket.
 #[derive(Clone, Copy, Debug)]
 pub struct Open {
-    /// The bracket.
+    /// Bracket.
     pub bracket: u8,
-    /// Where the statement begins that it is part of: the place of a lexeme.
+    /// Index of the first lexeme of its statement; `None` if no statement has begun.
     pub statement: Option<usize>,
-    /// How many commas stand in it so far.
+    /// Number of commas behind the bracket.
     pub commas: usize,
-    /// Whether it belongs to a formula, as those of a choice do.
+    /// True if the bracket belongs to a formula, as the braces of a choice do.
     pub is_formula: bool,
 }
 
-/// What is being written at an offset.
+/// Unfinished statement at an offset.
 pub struct Statement<'a> {
     description: &'a Description,
-    /// The lexemes before the one that is being written.
+    /// Lexemes before the unfinished one.
     pub before: &'a [Lexeme],
-    /// Where the statement begins; nothing where none has begun.
+    /// Index of the first lexeme; `None` if no statement has begun.
     pub first: Option<usize>,
-    /// The brackets that are open.
+    /// Open brackets.
     pub open: Vec<Open>,
 }
 
 impl<'a> Statement<'a> {
-    /// What is being written where a word begins.
+    /// Finds the unfinished statement at the beginning of a word.
     pub fn before(description: &'a Description, offset: usize) -> Statement<'a> {
         let end = description.lexemes.partition_point(|it| it.end <= offset);
         let mut statement = Statement {
@@ -49,7 +50,7 @@ impl<'a> Statement<'a> {
     fn pass(&mut self, place: usize) {
         match self.before[place].kind {
             Kind::Open(bracket) => {
-                // The braces of a choice stand in a formula.
+                // The braces of a choice belong to a formula.
                 let is_formula = bracket == b'{' && self.has_choice(place);
                 self.open.push(Open {
                     bracket,
@@ -86,24 +87,24 @@ impl<'a> Statement<'a> {
         (start..place).any(|it| self.word(it) == Some("if"))
     }
 
-    /// The word at a place.
+    /// Returns the word at an index; `None` if there is none.
     pub fn word(&self, place: usize) -> Option<&'a str> {
         let lexeme = self.before.get(place)?;
         (lexeme.kind == Kind::Word).then(|| self.description.written(*lexeme))
     }
 
-    /// The word that the statement begins with.
+    /// Returns the first word of the statement; `None` if there is none.
     pub fn opening(&self) -> Option<&'a str> {
         self.word(self.first?)
     }
 
-    /// The last lexeme, as it is written.
+    /// Returns the last lexeme with its text; `None` if there is none.
     pub fn last(&self) -> Option<(Kind, &'a str)> {
         let last = self.before.last()?;
         Some((last.kind, self.description.written(*last)))
     }
 
-    /// What stands before the `.` that comes last: a name with its indices, perhaps of a part.
+    /// Returns the name before the last `.`, with its indices and its part.
     pub fn owner(&self) -> String {
         let mut depth = 0_usize;
         let mut parts = Vec::new();
@@ -123,14 +124,14 @@ impl<'a> Statement<'a> {
         parts.concat()
     }
 
-    /// Whether this stands in the braces of a statement.
+    /// True if the offset is in the braces of a statement.
     pub fn is_inside(&self, statement: Span) -> bool {
         let opened = self.open.iter().filter_map(|it| it.statement);
         let mut starts = opened.map(|it| self.before[it].start);
         starts.any(|it| it == statement.start as usize)
     }
 
-    /// The statement in whose braces another would stand here.
+    /// Returns the first word of the statement around a new statement at the offset; `None` outside of braces.
     pub fn around(&self) -> Option<&'a str> {
         let braces = self.open.iter().rev().find(|it| it.bracket == b'{')?;
         self.word(braces.statement?)

@@ -1,23 +1,23 @@
-//! *The text of an open description ↔ positions of the protocol.* Lines end as the protocol says: with `\n`, `\r\n` or `\r`.
+//! Converts between offsets in the text of an open description and positions of the protocol.
 //!
-//! Every position of a client is a place in the text afterwards, however wrong it was: beyond a line it is the line's end, beyond the
-//! text the text's end, and inside a character the character's beginning.
+//! Lines end with `\n`, `\r\n` or `\r`, as in the protocol. Every position of a client becomes a valid offset: beyond a line its end,
+//! beyond the text the end of the text, inside a character its beginning.
 
 use linkwright_codegen::diagnostic::Span;
 use lsp_types::{Position, PositionEncodingKind, Range};
 
-/// What columns count.
+/// Unit of columns.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Encoding {
     /// Bytes.
     Utf8,
-    /// Units of 16 bits, which every client knows.
+    /// Units of 16 bits, which every client supports.
     #[default]
     Utf16,
 }
 
 impl Encoding {
-    /// Bytes, where the client offers them.
+    /// Selects bytes if the client offers them.
     pub fn agreed(offered: Option<&[PositionEncodingKind]>) -> Encoding {
         match offered.is_some_and(|it| it.contains(&PositionEncodingKind::UTF8)) {
             true => Encoding::Utf8,
@@ -25,7 +25,7 @@ impl Encoding {
         }
     }
 
-    /// How the protocol calls it.
+    /// Name in the protocol.
     pub fn kind(self) -> PositionEncodingKind {
         match self {
             Encoding::Utf8 => PositionEncodingKind::UTF8,
@@ -41,7 +41,7 @@ impl Encoding {
     }
 }
 
-/// A text and where its lines start.
+/// Text and the beginnings of its lines.
 #[derive(Clone, Debug)]
 pub struct Text {
     text: String,
@@ -50,7 +50,7 @@ pub struct Text {
 }
 
 impl Text {
-    /// A text whose positions are counted so.
+    /// Creates a text whose positions are counted in `encoding`.
     pub fn new(text: String, encoding: Encoding) -> Text {
         let starts = starts(&text);
         Text {
@@ -60,12 +60,12 @@ impl Text {
         }
     }
 
-    /// The text itself.
+    /// Returns the text.
     pub fn as_str(&self) -> &str {
         &self.text
     }
 
-    /// The byte that a position means.
+    /// Returns the byte offset of a position.
     pub fn offset(&self, position: Position) -> usize {
         let line = usize::try_from(position.line).unwrap_or(usize::MAX);
         let Some(&start) = self.starts.get(line) else {
@@ -85,7 +85,7 @@ impl Text {
         start + line.len()
     }
 
-    /// The position of a byte; inside a character that of the character, beyond the text the text's end.
+    /// Returns the position of a byte; inside a character, that of the character, beyond the text, the end.
     pub fn position(&self, offset: usize) -> Position {
         let mut offset = offset.min(self.text.len());
         while !self.text.is_char_boundary(offset) {
@@ -98,13 +98,13 @@ impl Text {
         Position::new(count(line), count(widths.sum()))
     }
 
-    /// The range of some bytes.
+    /// Returns the range of a span.
     pub fn range(&self, span: Span) -> Range {
         let bytes = span.range();
         Range::new(self.position(bytes.start), self.position(bytes.end))
     }
 
-    /// Puts a text in the place of a range; in that of the whole text where none is given.
+    /// Replaces a range; without a range, the whole text.
     pub fn replace(&mut self, range: Option<Range>, by: &str) {
         match range {
             None => self.text = by.to_string(),
@@ -141,7 +141,7 @@ mod tests {
             let text = Text::new(SAMPLE.to_string(), encoding);
             for (at, _) in SAMPLE.char_indices().chain([(SAMPLE.len(), ' ')]) {
                 let back = text.offset(text.position(at));
-                // Between the two characters of a line break is no position.
+                // A line break of two characters has no position inside.
                 let expected = if &SAMPLE[..at] == "a\u{e4}b\r" {
                     at - 1
                 } else {
@@ -168,7 +168,7 @@ mod tests {
         let text = Text::new(SAMPLE.to_string(), Encoding::Utf16);
         assert_eq!(text.offset(Position::new(0, 99)), 4);
         assert_eq!(text.offset(Position::new(99, 0)), SAMPLE.len());
-        // Inside the character that takes two units.
+        // The position is inside a character of two units.
         assert_eq!(text.offset(Position::new(1, 1)), 6);
         let most = Position::new(u32::MAX, u32::MAX);
         assert_eq!(text.offset(most), SAMPLE.len());

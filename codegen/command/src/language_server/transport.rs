@@ -1,4 +1,4 @@
-//! *Bytes of a client ↔ messages.* What cannot be read as a message is an [`Event`] of its own, and reading goes on behind it.
+//! Reads and writes messages. Input that is not a message becomes an [`Event`], and reading continues behind it.
 
 use std::io::{self, BufRead, Read as _, Write as _};
 use std::sync::mpsc::Sender;
@@ -9,13 +9,13 @@ use serde_json::json;
 
 use super::session::Event;
 
-/// The longest message that is read, in bytes: several times the largest description.
+/// Largest message in bytes: several times the largest description.
 const LONGEST_MESSAGE: usize = 64 << 20;
 
-/// The longest line of a header that is read, in bytes.
+/// Largest line of a header in bytes.
 const LONGEST_HEADER: u64 = 4096;
 
-/// Reads messages from stdin until it ends or nobody listens.
+/// Reads messages from stdin until the input ends or the receiver is gone.
 pub fn listen(events: Sender<Event>) {
     thread::spawn(move || {
         let mut input = io::stdin().lock();
@@ -32,7 +32,7 @@ pub fn listen(events: Sender<Event>) {
     });
 }
 
-/// The next message, or that there is none which can be read; `None` at the end.
+/// Returns the next message, or the event of an unreadable one; `None` at the end.
 fn read(input: &mut impl BufRead) -> io::Result<Option<Event>> {
     let Some(length) = length(input)? else {
         return Ok(None);
@@ -53,7 +53,7 @@ fn read(input: &mut impl BufRead) -> io::Result<Option<Event>> {
     }))
 }
 
-/// The length that the next header gives. Lines that are none of a header are passed.
+/// Returns the length in the next header; `None` at the end. Unknown lines are ignored.
 fn length(input: &mut impl BufRead) -> io::Result<Option<usize>> {
     let mut length = None;
     loop {
@@ -80,15 +80,15 @@ fn length(input: &mut impl BufRead) -> io::Result<Option<usize>> {
 /// Sends a message to the client.
 ///
 /// # Errors
-/// Those of stdout: the client is gone.
+/// Errors of stdout, which the client has closed.
 pub fn send(message: &Message) -> io::Result<()> {
     message.write(&mut io::stdout().lock())
 }
 
-/// Says that a message could not be read; whose answer that is is not known.
+/// Reports a message that could not be read. The report has no request id, since that is unknown.
 ///
 /// # Errors
-/// Those of stdout.
+/// Errors of stdout.
 pub fn refuse(reason: &str) -> io::Result<()> {
     let code = lsp_server::ErrorCode::ParseError as i32;
     let answer = json!({
@@ -106,17 +106,17 @@ pub fn refuse(reason: &str) -> io::Result<()> {
 mod tests {
     use super::*;
 
-    /// What is read from some bytes: the methods of messages, and `?` for what cannot be read.
+    /// Returns the methods of messages in some bytes, and `?` for unreadable ones.
     fn all(bytes: &str) -> Vec<String> {
         let mut input = bytes.as_bytes();
-        let mut found = Vec::new();
+        let mut methods = Vec::new();
         while let Some(event) = read(&mut input).expect("bytes can be read") {
-            found.push(match event {
+            methods.push(match event {
                 Event::Message(Message::Notification(it)) => it.method,
                 _ => "?".to_string(),
             });
         }
-        found
+        methods
     }
 
     fn framed(text: &str) -> String {

@@ -1,25 +1,25 @@
-//! *Instants of a motion* → *what pictures of it are drawn from*: the course of each shown point and coordinate, and paths.
+//! Collects the data of plots and pictures of a motion: the course of each selected point and coordinate, and paths.
 
 use linkwright::PointMotion;
 use linkwright_solver::instant::Instant;
 
 use super::{Curve, Path, Wanted, of_coordinate};
 
-/// What pictures are drawn from.
+/// Data of plots and pictures.
 #[derive(Clone, Debug)]
 pub struct Course {
-    /// Of each shown point x, y, their rates and their accelerations.
+    /// x, y, their rates and their accelerations, per selected point.
     pub points: Vec<Curve<6>>,
-    /// The path of each shown point.
+    /// Path of each selected point.
     pub paths: Vec<Path>,
-    /// Each shown coordinate, its rate and its acceleration.
+    /// Value, rate and acceleration of each selected coordinate.
     pub coordinates: Vec<Curve<3>>,
-    /// Each force that is asked for.
+    /// Requested forces.
     pub forces: Vec<Curve<1>>,
 }
 
 impl Course {
-    /// Nothing yet of what is wanted.
+    /// Creates an empty course of the selection `wanted` and of `forces` forces.
     pub fn of(wanted: &Wanted, forces: usize) -> Course {
         Course {
             points: vec![Curve::default(); wanted.points.len()],
@@ -29,7 +29,7 @@ impl Course {
         }
     }
 
-    /// Takes the next instant.
+    /// Adds the next instant.
     pub fn push(
         &mut self,
         instant: &Instant,

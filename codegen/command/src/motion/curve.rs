@@ -1,23 +1,24 @@
-//! *Several values, instant by instant* → *its extremes in a bounded number of stretches*, so that no peak of a long motion is
-//! lost.
+//! Keeps the extremes of values that change with time, in a bounded number of stretches.
+//!
+//! No peak of a motion is lost, however long the motion is.
 
-/// How many stretches there are at most.
+/// Largest number of stretches.
 const STRETCHES: usize = 2000;
 
-/// A value and when it was taken (s).
+/// A value, and its time (s).
 pub type Extreme = (f64, f64);
 
-/// The course of some values.
+/// Course of `N` values.
 #[derive(Clone, Debug)]
 pub struct Curve<const N: usize> {
     stretches: Vec<Stretch<N>>,
-    /// How many instants a full stretch has, and how many the last one has.
+    /// Number of instants in a full stretch, and in the last one.
     length: usize,
     filled: usize,
     ends: Option<[Stretch<N>; 2]>,
 }
 
-/// The smallest and the largest value of each component, with their times.
+/// Smallest and largest value of each component, with their times.
 #[derive(Clone, Copy, Debug)]
 struct Stretch<const N: usize>([[Extreme; 2]; N]);
 
@@ -33,13 +34,13 @@ impl<const N: usize> Default for Curve<N> {
 }
 
 impl<const N: usize> Curve<N> {
-    /// Takes the next instant.
+    /// Adds the next instant.
     pub fn push(&mut self, t: f64, values: [f64; N]) {
-        let own = Stretch(values.map(|value| [(t, value); 2]));
-        self.ends = Some([self.ends.map_or(own, |[first, _]| first), own]);
+        let stretch = Stretch(values.map(|value| [(t, value); 2]));
+        self.ends = Some([self.ends.map_or(stretch, |[first, _]| first), stretch]);
         match self.stretches.last_mut() {
             Some(last) if self.filled < self.length => {
-                last.extend(&own);
+                last.extend(&stretch);
                 self.filled += 1;
                 return;
             }
@@ -54,16 +55,16 @@ impl<const N: usize> Curve<N> {
             self.stretches = pairs.collect();
             self.length *= 2;
         }
-        self.stretches.push(own);
+        self.stretches.push(stretch);
         self.filled = 1;
     }
 
-    /// The first and the last time.
+    /// Returns the first and the last time (s); `None` without instants.
     pub fn range(&self) -> Option<[f64; 2]> {
         self.ends.map(|ends| ends.map(|end| end.0[0][0].0))
     }
 
-    /// The extremes of a value in the order of time, with the ends of the motion.
+    /// Returns the extremes of a component in the order of time, with both ends of the motion.
     pub fn component(&self, component: usize) -> Vec<Extreme> {
         let mut points = Vec::with_capacity(2 * self.stretches.len() + 2);
         points.extend(self.ends.map(|[first, _]| first.0[component][0]));

@@ -1,4 +1,4 @@
-//! *A motion that is assembled, and a schedule* → *its wanted instants, handed on in the order of time*, and what is remembered of them.
+//! Follows an assembled motion over a schedule, and hands its instants on in the order of time.
 
 use std::io;
 
@@ -14,15 +14,16 @@ use linkwright_solver::warnings::warnings;
 
 use super::{Followed, Row, Shown, Sink, of_coordinate};
 
-/// A measure below this is worth a warning: three digits fewer can be trusted there than elsewhere.
-const CLOSE: f64 = 1e-3;
+/// Measure below which a warning is given: results there have three correct digits fewer than elsewhere.
+const WARNING_LIMIT: f64 = 1e-3;
 
 impl<V: View> Followed<V> {
-    /// Follows the motion over the rest of the schedule, and hands wanted instants on in the order of time; `reached` hears how many
-    /// times were visited.
+    /// Follows the motion over the rest of the schedule, and hands requested instants on in the order of time.
+    ///
+    /// `reached` receives the number of visited times.
     ///
     /// # Errors
-    /// Those of the sinks, which end it.
+    /// Errors of the sinks, which end the motion.
     pub fn follow(
         &mut self,
         schedule: &Schedule,
@@ -75,14 +76,14 @@ impl<V: View> Followed<V> {
             })?;
             approaches.extend(watch.map_or(Vec::new(), |watch| watch.finish(&shell)));
         }
-        self.warnings = warnings(&approaches, self.view.singular_poses(), CLOSE);
+        self.warnings = warnings(&approaches, self.view.singular_poses(), WARNING_LIMIT);
         self.error = end.map(|end| self.view.ended(&end.failure, &end.last));
         self.finish();
         self.view = shell.blocks().clone();
         Ok(())
     }
 
-    /// What is said once all instants have been seen.
+    /// Adds the warnings that need all instants.
     pub(super) fn finish(&mut self) {
         let pulls = self.force_names.iter().zip(&self.pulls);
         let pulls = pulls.filter_map(|((name, _), t)| Some((name, (*t)?)));
@@ -150,12 +151,12 @@ impl<V: View> Followed<V> {
                 course.push(instant, &motions, &self.wanted.coordinates, forces);
             }
             if !sinks.is_empty() {
-                let asked = !self.derivative_names.is_empty();
-                let derivatives = match asked {
+                let is_requested = !self.derivative_names.is_empty();
+                let derivatives = match is_requested {
                     false => Some(Vec::new()),
                     true => self.view.derivatives(instant),
                 };
-                let shown = Shown {
+                let solved = Shown {
                     instant,
                     motions: &motions,
                     derivatives: derivatives.as_deref(),
@@ -163,7 +164,7 @@ impl<V: View> Followed<V> {
                     measures: &measures,
                 };
                 for sink in sinks.iter_mut() {
-                    sink.take(&shown)?;
+                    sink.take(&solved)?;
                 }
             }
             if is_row {
@@ -182,7 +183,7 @@ impl<V: View> Followed<V> {
         Ok(())
     }
 
-    /// Notes the first load that is not finite, where forces are not.
+    /// Records the first load that is not finite, if the forces are not.
     fn see_infinite(&mut self, instant: &Instant, forces: Option<&[f64]>) {
         let are_finite = forces.is_some_and(|forces| forces.iter().all(|it| it.is_finite()));
         if self.infinite_load.is_none() && !are_finite {
@@ -196,7 +197,7 @@ impl<V: View> Followed<V> {
         self.wanted.points.iter().map(|&point| all[point]).collect()
     }
 
-    /// The forces that are asked for; `None` where they are not known.
+    /// Returns the requested forces; `None` if they are undetermined.
     fn forces(&self, instant: &Instant) -> Option<Vec<f64>> {
         match self.force_names.is_empty() {
             true => Some(Vec::new()),

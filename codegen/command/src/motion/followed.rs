@@ -1,4 +1,4 @@
-//! *A mechanism, and what is wanted of it* → *its motion from the start on*: everything that reports and pictures are made of.
+//! Holds a motion from its start on: the source of all reports and pictures.
 
 use linkwright::Shell;
 use linkwright_codegen::stages::system::System;
@@ -14,60 +14,60 @@ use nalgebra::DVector;
 
 use super::{Course, Rows, Simulated, Wanted};
 
-/// A motion that is being followed, and what is to be said of it.
+/// Motion that is being followed, and its findings.
 pub struct Followed<V: View> {
-    /// What is solved.
+    /// Formulation that is solved.
     pub view: V,
-    /// What is wanted.
+    /// Selection of the user.
     pub wanted: Wanted,
-    /// How well-conditioned Φ_q is at the start, in SI units; of the drawing if it cannot be assembled.
+    /// Condition of Φ_q at the start in SI units; in the design configuration if the mechanism cannot be assembled.
     pub condition: Condition,
-    /// The same with all lengths in characteristic lengths of the mechanism.
+    /// Condition of Φ_q with all lengths in characteristic lengths of the mechanism.
     pub dimensionless_condition: Condition,
-    /// When the motion starts (s).
+    /// Start of the motion (s).
     pub start: f64,
-    /// Whether it could be assembled there.
+    /// True if the mechanism could be assembled at the start.
     pub is_assembled: bool,
-    /// How many wanted instants were found.
+    /// Number of requested instants that were reached.
     pub count: usize,
-    /// How many times were visited.
+    /// Number of visited times.
     pub visits: usize,
-    /// A readable number of instants.
+    /// Readable number of instants.
     pub rows: Rows,
-    /// What pictures are drawn from, where they are wanted.
+    /// Data of pictures; `None` if no picture is requested.
     pub course: Option<Course>,
-    /// The largest residuals.
+    /// Largest residuals.
     pub residuals: ResidualCheck,
-    /// The largest pressure angles.
+    /// Largest pressure angles.
     pub pressure: PressureCheck,
-    /// Names of what transmissions and sensitivities request, each with its unit of SI.
+    /// Names of the requested transmissions and sensitivities, each with its SI unit.
     pub derivative_names: Vec<(String, String)>,
-    /// The names of the forces that are asked for, each with its unit.
+    /// Names of the requested forces, each with its unit.
     pub force_names: Vec<(String, &'static str)>,
-    /// The largest size of each force, and when.
+    /// Largest magnitude of each force, and its time (s).
     pub largest_forces: Vec<(f64, f64)>,
-    /// When bodies that press on one another would first have to pull, by the place of the force.
+    /// First time (s) at which bodies that press on one another would have to pull, by index of the force; `None` if there is none.
     pub pulls: Vec<Option<f64>>,
-    /// The names of the measures, where they are wanted.
+    /// Names of the measures; empty unless they are requested.
     pub measure_names: Vec<String>,
-    /// The smallest measure: its place among the names, when, and itself.
+    /// Smallest measure: index of its name, time (s), value.
     pub smallest_measure: Option<(usize, f64, f64)>,
-    /// One sentence for each thing to look at.
+    /// Warnings, one sentence each.
     pub warnings: Vec<String>,
-    /// Why the motion ends early, if it does.
+    /// Reason of an early end; `None` if the motion is complete.
     pub error: Option<String>,
-    /// What its integration has taken, where forces move it.
+    /// Cost of the integration; `None` if drivers determine the motion.
     pub simulated: Option<Simulated>,
-    /// The first load that is not finite, and when (s).
+    /// First load that is not finite, and its time (s).
     pub(super) infinite_load: Option<(String, f64)>,
-    /// The last wanted instant.
+    /// Last requested instant.
     pub(super) last: Option<Instant>,
     pub(super) shell: Option<Shell<V>>,
     pub(super) measured: Vec<MeasuredPart>,
 }
 
 impl<V: View> Followed<V> {
-    /// Assembles the mechanism at the start: as it is drawn, or in the given pose and modes.
+    /// Assembles the mechanism at the start, from the design configuration or from a pose and modes.
     pub fn new(
         view: V,
         wanted: Wanted,
@@ -141,7 +141,7 @@ impl<V: View> Followed<V> {
         }
     }
 
-    /// The same before its first instant, seen by another view of the same mechanism.
+    /// Converts a motion without instants to another formulation of the same mechanism.
     pub(super) fn seen_by<W: View>(self, view: W) -> Followed<W> {
         Followed {
             residuals: ResidualCheck::new(view.system(), view.layout()),
@@ -172,34 +172,34 @@ impl<V: View> Followed<V> {
         }
     }
 
-    /// The equations.
+    /// Equations of the mechanism.
     pub fn system(&self) -> &System {
         self.view.system()
     }
 
-    /// The name of the mechanism.
+    /// Name of the mechanism.
     pub fn name(&self) -> &str {
         &self.system().mechanism.name
     }
 
-    /// The name of the motion, where the mechanism has several.
+    /// Name of the motion; `None` if the mechanism has only one.
     pub fn motion(&self) -> Option<&str> {
         let motion = self.system().mechanism.motion.as_ref();
         motion.map(|motion| motion.name.as_str())
     }
 
-    /// How a person names it: with its motion, where it has several.
+    /// Name of the mechanism, followed by that of the motion if there are several.
     pub fn title(&self) -> String {
         self.system().mechanism.title()
     }
 
-    /// The names of the shown points.
+    /// Names of the selected points.
     pub fn point_names(&self) -> impl Iterator<Item = &str> {
         let points = self.wanted.points.iter();
         points.map(|&point| self.system().outputs[point].name.as_str())
     }
 
-    /// The names of the shown coordinates.
+    /// Names of the selected coordinates.
     pub fn coordinate_names(&self) -> impl Iterator<Item = &str> {
         let coordinates = self.wanted.coordinates.iter();
         coordinates.map(|&it| self.system().coordinates[it].name.as_str())

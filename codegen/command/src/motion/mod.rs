@@ -1,7 +1,6 @@
-//! *A mechanism and a schedule* → *its motion, instant by instant, and what is to be said of it afterwards*.
+//! Follows a mechanism over a schedule, instant by instant, and collects findings.
 //!
-//! Instants are handed on as they are found and not kept, so that a motion of any length takes the same memory. The module does not
-//! know how anything is printed.
+//! Instants are handed on when they are solved, and are not kept: a motion of any length takes the same memory.
 
 mod course;
 mod curve;
@@ -25,43 +24,43 @@ use std::io;
 use linkwright::PointMotion;
 use linkwright_solver::instant::Instant;
 
-/// What is wanted of a motion.
+/// Selection of quantities of a motion.
 #[derive(Clone, Debug)]
 pub struct Wanted {
-    /// Which points are shown: indices into the system's outputs.
+    /// Selected points: indices into the system's outputs.
     pub points: Vec<usize>,
-    /// Which coordinates are shown: indices into the system's coordinates.
+    /// Selected coordinates: indices into the system's coordinates.
     pub coordinates: Vec<usize>,
-    /// Whether to say how close each part is to a singular pose.
+    /// True if the distance of each block from a singular pose is measured.
     pub monitor: bool,
-    /// Whether to keep what pictures are drawn from.
+    /// True if the data of pictures are kept.
     pub curves: bool,
 }
 
-/// One wanted instant of a motion.
+/// One requested instant of a motion.
 pub struct Shown<'a> {
-    /// The instant.
+    /// Pose, rates and accelerations.
     pub instant: &'a Instant,
-    /// The motion of each shown point.
+    /// Motion of each selected point.
     pub motions: &'a [PointMotion],
-    /// What transmissions and sensitivities ask for, in the order of their names; `None` where the equations are singular.
+    /// Requested transmissions and sensitivities in the order of their names; `None` if the equations are singular.
     pub derivatives: Option<&'a [f64]>,
-    /// What drivers exert, joints carry and bodies store, in the order of their names; `None` where the equations are singular.
+    /// Driving forces, reactions and energies in the order of their names; `None` if the equations are singular.
     pub forces: Option<&'a [f64]>,
-    /// How close each part is to a singular pose, where that is wanted.
+    /// Distance of each block from a singular pose; empty unless it is requested.
     pub measures: &'a [f64],
 }
 
-/// Where wanted instants go.
+/// Receiver of requested instants.
 pub trait Sink {
-    /// Takes the next one.
+    /// Receives the next instant.
     ///
     /// # Errors
-    /// Those of what it is written to.
+    /// Errors of the output that the sink writes.
     fn take(&mut self, shown: &Shown<'_>) -> io::Result<()>;
 }
 
-/// A coordinate, its rate and its acceleration.
+/// Returns a coordinate, its rate and its acceleration.
 fn of_coordinate(instant: &Instant, coordinate: usize) -> [f64; 3] {
     [instant.q(), instant.qd(), instant.qdd()].map(|level| level[coordinate])
 }

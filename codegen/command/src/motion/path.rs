@@ -1,9 +1,9 @@
-//! *Where a point is, instant by instant* → *a bounded number of places along its path*.
+//! Keeps a bounded number of positions along the path of a point.
 
-/// How many places are kept at most.
+/// Largest number of positions.
 const PLACES: usize = 4000;
 
-/// The places that a point has been at: every one of a short motion, every second, fourth, … of a long one.
+/// Positions of a point: every one of a short motion, every second, fourth, … of a long one.
 #[derive(Clone, Debug)]
 pub struct Path {
     places: Vec<[f64; 2]>,
@@ -24,7 +24,7 @@ impl Default for Path {
 }
 
 impl Path {
-    /// Takes the next place.
+    /// Adds the next position.
     pub fn push(&mut self, place: [f64; 2]) {
         if self.count.is_multiple_of(self.stride) {
             if self.places.len() == PLACES {
@@ -35,7 +35,7 @@ impl Path {
                 });
                 self.stride *= 2;
             }
-            // The number that made the list too long may lie between the longer strides.
+            // The position that exceeded the limit may lie between the longer strides.
             if self.count.is_multiple_of(self.stride) {
                 self.places.push(place);
             }
@@ -44,7 +44,7 @@ impl Path {
         self.last = Some(place);
     }
 
-    /// The places in their order, the last one included.
+    /// Returns the positions in order, with the last one of the motion.
     pub fn places(&self) -> impl Iterator<Item = [f64; 2]> + '_ {
         let last = self.last.filter(|last| self.places.last() != Some(last));
         self.places.iter().copied().chain(last)

@@ -1,22 +1,22 @@
-//! *Instants of a motion of unknown length* → *a readable number of them, evenly spread*.
+//! Keeps a readable, evenly spread number of instants of a motion of unknown length.
 
 use linkwright::PointMotion;
 
-/// How many instants are kept at most.
-const KEPT: usize = 1000;
+/// Largest number of instants.
+const MAX_ROWS: usize = 1000;
 
-/// What is kept of an instant.
+/// Quantities that are kept of an instant.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// Its number among all of the motion.
+    /// Index among all instants of the motion.
     pub number: usize,
-    /// The time (s).
+    /// Time (s).
     pub t: f64,
-    /// The motion of each shown point.
+    /// Motion of each selected point.
     pub motions: Vec<PointMotion>,
-    /// Each shown coordinate with its rate and its acceleration.
+    /// Value, rate and acceleration of each selected coordinate.
     pub coordinates: Vec<[f64; 3]>,
-    /// The forces that are asked for; NaN where they are not known.
+    /// Requested forces; NaN if they are undetermined.
     pub forces: Vec<f64>,
 }
 
@@ -24,20 +24,20 @@ pub struct Row {
 #[derive(Clone, Debug, Default)]
 pub struct Rows {
     rows: Vec<Row>,
-    /// Every instant whose number is a multiple of this power of ten is kept.
+    /// Exponent of ten: an instant is kept if its index is a multiple of this power.
     power: u32,
 }
 
 impl Rows {
-    /// Whether the instant of this number is kept.
+    /// True if the instant of this index is kept.
     pub fn keeps(&self, number: usize) -> bool {
         number.is_multiple_of(10_usize.pow(self.power))
     }
 
-    /// Takes an instant; numbers come in their order.
+    /// Adds an instant; indices ascend.
     pub fn push(&mut self, row: Row) {
         self.rows.push(row);
-        if self.rows.len() > KEPT {
+        if self.rows.len() > MAX_ROWS {
             self.power += 1;
             let rows = std::mem::take(&mut self.rows);
             self.rows = rows
@@ -47,7 +47,7 @@ impl Rows {
         }
     }
 
-    /// Takes the last instant, which is kept whatever its number is.
+    /// Adds the last instant, which is always kept.
     pub fn end(&mut self, row: Row) {
         if self
             .rows
@@ -58,7 +58,7 @@ impl Rows {
         }
     }
 
-    /// The instants with these numbers, as far as they are kept.
+    /// Returns the instants with these indices, if they are kept.
     pub fn numbered(&self, numbers: &[usize]) -> Vec<&Row> {
         let rows = self.rows.iter();
         rows.filter(|row| numbers.binary_search(&row.number).is_ok())

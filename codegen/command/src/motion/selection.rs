@@ -1,16 +1,16 @@
-//! Names as a user writes them → which points and coordinates are shown.
+//! Finds the points and coordinates that a user names.
 
 use linkwright_codegen::diagnostic::nearest;
 use linkwright_codegen::stages::joint::geometry::Mark;
 use linkwright_codegen::stages::system::{Described, System};
 
-/// Axes of a pose, as coordinates are called.
+/// Axes of a pose in names of coordinates.
 const AXES: [&str; 3] = ["x", "y", "phi"];
 
 /// Endings of the names of rates and accelerations in tables of frames.
 const RATES: [&str; 2] = ["_dd", "_d"];
 
-/// Fields of a frame of generated code in which coordinates, rates and accelerations are.
+/// Fields of coordinates, rates and accelerations in a frame of generated code.
 const FIELDS: [&str; 3] = ["q.", "qd.", "qdd."];
 
 /// Components of a point, as tables of frames and descriptions write them.
@@ -19,34 +19,34 @@ const COMPONENTS: [&str; 8] = ["_x", "_y", "_vx", "_vy", "_ax", "_ay", ".x", ".y
 /// Function of generated code that returns a point.
 const FUNCTION: &str = "point_";
 
-/// The indices of the named outputs, in the order of the names; all outputs if none is named. `3.P` is the point P of body 3.
+/// Returns the indices of the named outputs, in the order of the names; all outputs if none is named. `3.P` is the point P of body 3.
 ///
 /// # Errors
-/// A sentence that names the first unknown point and the known ones.
+/// A sentence with the first unknown point and the known ones.
 pub fn points(system: &System, names: &[String]) -> Result<Vec<usize>, String> {
     if names.is_empty() {
         return Ok((0..system.outputs.len()).collect());
     }
     let mut selected = Vec::with_capacity(names.len());
     for name in names {
-        let found = point(system, name);
-        let found = found.ok_or_else(|| unknown(system, "point", name, &point_names(system)));
-        add(&mut selected, found?);
+        let output = point(system, name);
+        let output = output.ok_or_else(|| unknown(system, "point", name, &point_names(system)));
+        add(&mut selected, output?);
     }
     Ok(selected)
 }
 
-/// The indices of the named coordinates and of the named outputs, in the order of the names.
+/// Returns the indices of the named coordinates and of the named outputs, in the order of the names.
 ///
 /// # Errors
-/// A sentence that names the first unknown name and the known ones.
+/// A sentence with the first unknown name and the known ones.
 pub fn shown(system: &System, names: &[String]) -> Result<[Vec<usize>; 2], String> {
     let [mut coordinates, mut points] = [Vec::new(), Vec::new()];
     for name in names {
         let exact = system.coordinates.iter().position(|it| it.name == *name);
         let is_point = exact.is_none() && point_names(system).contains(&name.as_str());
-        let found = exact.or_else(|| coordinate(system, name).filter(|_| !is_point));
-        match (found, point(system, name)) {
+        let selected_coordinate = exact.or_else(|| coordinate(system, name).filter(|_| !is_point));
+        match (selected_coordinate, point(system, name)) {
             (Some(coordinate), _) => add(&mut coordinates, coordinate),
             (None, Some(point)) => add(&mut points, point),
             (None, None) => return Err(unknown_of_both(system, name)),
@@ -65,7 +65,7 @@ fn point_names(system: &System) -> Vec<&str> {
     system.outputs.iter().map(|it| it.name.as_str()).collect()
 }
 
-/// The coordinate of a name: its own, that of a table of frames or of generated code, `phi(2)`, or that of an angle.
+/// Coordinate of a name, which may be that in a table of frames or in generated code, `phi(2)`, or that of an angle.
 fn coordinate(system: &System, name: &str) -> Option<usize> {
     let field = FIELDS.iter().find_map(|it| name.strip_prefix(it));
     let name = field.unwrap_or(name);
@@ -90,12 +90,12 @@ fn coordinate_itself(system: &System, name: &str) -> Option<usize> {
                     .trim();
                 of_pose(system, body, axis)
             });
-            // An angle without a body has no other coordinate.
+            // An angle without a body has only this coordinate.
             of.or_else(|| of_pose(system, name, 2).filter(|_| is_angle(system, name)))
         })
 }
 
-/// The coordinate of an axis of a body.
+/// Coordinate of an axis of a body.
 fn of_pose(system: &System, body: &str, axis: usize) -> Option<usize> {
     let body = body_of(system, body)?;
     let described = Described::Pose { body, axis };
@@ -113,7 +113,7 @@ fn is_angle(system: &System, name: &str) -> bool {
     body_of(system, name).is_some_and(|body| system.mechanism.bodies[body].is_angle())
 }
 
-/// The output of a name: its own, that of one of its components, or that of a function of generated code.
+/// Output of a name, which may be that of one of its components or of a function of generated code.
 fn point(system: &System, name: &str) -> Option<usize> {
     let component = COMPONENTS.iter().find_map(|it| name.strip_suffix(it));
     // x(1.P)
@@ -135,11 +135,11 @@ fn point(system: &System, name: &str) -> Option<usize> {
 
 fn point_itself(system: &System, name: &str) -> Option<usize> {
     let called = called(system, name);
-    let own = system.outputs.iter().position(|it| it.name == called);
-    own.or_else(|| of_body(system, &called))
+    let output = system.outputs.iter().position(|it| it.name == called);
+    output.or_else(|| of_body(system, &called))
 }
 
-/// What is called otherwise than it is written, `rod[3]`, `phi_rod[3]`, by what it is called.
+/// Name of an element of an array in the system, written `rod[3]` or `phi_rod[3]`.
 fn called(system: &System, written: &str) -> String {
     let axes = ["x_", "y_", "phi_"].into_iter();
     let axes = axes.filter(|it| written.starts_with(it)).chain([""]);
@@ -151,7 +151,7 @@ fn called(system: &System, written: &str) -> String {
     called.next().unwrap_or_else(|| written.to_string())
 }
 
-/// Returns how the description would name a point, by its first moving body.
+/// Returns an example of a point's name in the description: a point of the first moving body.
 pub fn named_point(system: &System) -> String {
     let mut bodies = system.mechanism.moving_bodies().iter();
     let body = bodies.find(|body| !body.is_angle());
@@ -199,13 +199,13 @@ fn unknown_of_both(system: &System, name: &str) -> String {
     text
 }
 
-/// The output of a point that is named by a body that carries it, perhaps after another one that it is pinned to.
+/// Output of a point that is named by a body that carries the point. The point may belong to another body that is pinned to it.
 fn of_body(system: &System, name: &str) -> Option<usize> {
     let mechanism = &system.mechanism;
     let (body, point) = name.split_once('.')?;
     let body = mechanism.bodies.iter().find(|it| it.name == body)?;
-    let own = body.marks.iter().find(|it| it.name == point)?.mark;
-    let mut seen: Vec<Mark> = vec![own];
+    let own_mark = body.marks.iter().find(|it| it.name == point)?.mark;
+    let mut seen: Vec<Mark> = vec![own_mark];
     let mut next = 0;
     while let Some(&mark) = seen.get(next) {
         next += 1;

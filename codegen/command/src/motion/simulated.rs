@@ -1,4 +1,4 @@
-//! *A mechanism that forces move* → *its instants, and how well its energy is kept*.
+//! Moves a mechanism by forces, and checks its energy.
 
 use std::io;
 
@@ -16,36 +16,35 @@ use super::{Followed, Sink, Wanted};
 /// Number of evaluations beyond which another method is proposed.
 const MANY_EVALUATIONS: u64 = 1_000_000;
 
-/// What an integration has taken, and how well it keeps the energy.
+/// Cost of an integration, and its conservation of energy.
 #[derive(Clone, Debug, Default)]
 pub struct Simulated {
     /// Evaluations and steps.
     pub effort: Effort,
-    /// The method that was asked for.
+    /// Requested method.
     pub method: Method,
-    /// What of a change of the energy the work of forces, torques, dampers and drivers does not account for: the largest over all frames
-    /// (J) and when.
+    /// Largest part of a change of energy (J) that the work of forces, torques, dampers and drivers does not explain, and its time (s).
     pub drift: (f64, f64),
-    /// The largest kinetic energy (J), which that is to be compared with.
+    /// Largest kinetic energy (J): the scale of the drift.
     pub kinetic: f64,
 }
 
-/// Callers that hear how far a simulation is.
+/// Receivers of the progress of a simulation.
 pub struct Listeners<'a> {
-    /// Hears how many times of the schedule were visited.
+    /// Receives the number of visited times of the schedule.
     pub reached: &'a mut dyn FnMut(usize),
-    /// Hears after every step what all steps have taken.
+    /// Receives the cost of all steps, after each step.
     pub taken: &'a mut dyn FnMut(&Effort),
 }
 
 impl Simulated {
-    /// Returns the option that may save evaluations; `None` if there are few.
+    /// Returns the option that may save evaluations; `None` if there are few evaluations.
     pub fn hint(&self) -> Option<&'static str> {
         hint(&self.effort, self.method)
     }
 }
 
-/// Returns the option that may save evaluations of a motion that has taken many; `None` if there are few.
+/// Returns the option that may save evaluations of an expensive motion; `None` if there are few evaluations.
 pub fn hint(effort: &Effort, method: Method) -> Option<&'static str> {
     let is_implicit = match method {
         Method::Implicit => true,
@@ -59,7 +58,7 @@ pub fn hint(effort: &Effort, method: Method) -> Option<&'static str> {
     })
 }
 
-/// Moves the mechanism to a time, and says after every step what all have taken.
+/// Moves the mechanism to a time, and reports the cost after each step.
 fn advance(
     simulation: &mut Simulation,
     t: f64,
@@ -72,7 +71,7 @@ fn advance(
 }
 
 impl Followed<Dense> {
-    /// A motion that forces will give a mechanism from t = 0 on, from its drawing or from a chosen pose.
+    /// Prepares a motion under forces from t = 0 on, from the design configuration or from a chosen pose.
     pub fn moved_by_forces(
         view: &Interpreted,
         wanted: Wanted,
@@ -82,11 +81,10 @@ impl Followed<Dense> {
         start.seen_by(Dense::moved_by_forces(view.system()))
     }
 
-    /// Lets the forces move the mechanism from t = 0 over the rest of the schedule, and hands its instants on in the order of time;
-    /// `listeners` hear how far it is.
+    /// Lets the forces move the mechanism from t = 0 over the rest of the schedule, and hands its instants on in the order of time.
     ///
     /// # Errors
-    /// Those of the sinks, which end it.
+    /// Errors of the sinks, which end the motion.
     pub fn simulate(
         &mut self,
         (described, chosen): (&Interpreted, Option<(Instant, Modes)>),
@@ -107,7 +105,7 @@ impl Followed<Dense> {
                 return Ok(());
             }
         };
-        let mut found = Simulated {
+        let mut simulated = Simulated {
             method: options.method,
             ..Simulated::default()
         };
@@ -122,12 +120,12 @@ impl Followed<Dense> {
                 (listeners.reached)(self.visits);
             }
             self.show(simulation.frame(), &[], sinks)?;
-            self.weigh(&mut simulation, &mut first, &mut found);
+            self.weigh(&mut simulation, &mut first, &mut simulated);
         }
-        found.effort = simulation.effort();
+        simulated.effort = simulation.effort();
         self.say_passed(simulation.passed());
         self.error = stop.map(|stop| stop.explained(simulation.view(), simulation.frame()));
-        self.simulated = Some(found);
+        self.simulated = Some(simulated);
         self.finish();
         Ok(())
     }

@@ -1,4 +1,4 @@
-//! *A path → whether a file can be written there, and where that is without links*, or why not.
+//! Checks that a file can be written at a path, and resolves links in the path.
 
 use std::fs::{self, File};
 use std::io::{self, BufRead as _, BufReader, Read as _};
@@ -9,10 +9,10 @@ use linkwright_codegen::stages::files;
 use super::record::{LONGEST_RECORD, Source};
 use super::{Beginning, LONGEST_BEGINNING, Record, Refused, Signature};
 
-/// The longest first line that is looked at: a table of ten thousand bodies has one of two megabytes.
+/// Number of bytes of a first line that are read. A table of ten thousand bodies has a first line of two megabytes.
 const LONGEST_LINE: u64 = 16 << 20;
 
-/// Why a file cannot be written, where it is clear which.
+/// Reason why a file cannot be written.
 pub(super) struct Why {
     reason: String,
     help: Option<String>,
@@ -46,7 +46,7 @@ impl Why {
     }
 }
 
-/// What stands at a path, or what a link there leads to; `None` where nothing does.
+/// Returns the type of the file at a path, links followed; `None` if no file exists.
 pub(super) fn existing(path: &Path) -> Result<Option<fs::FileType>, Why> {
     match fs::metadata(path) {
         Ok(found) => Ok(Some(found.file_type())),
@@ -69,7 +69,7 @@ fn leads_nowhere(error: &io::Error) -> bool {
     )
 }
 
-/// Where a file that does not exist will be, without links: its folders exist or can be made.
+/// Returns the path without links of a file that does not exist; its folders exist or can be created.
 pub(super) fn missing(path: &Path) -> Result<PathBuf, Why> {
     let (Some(name), false) = (path.file_name(), ends_as_folder(path)) else {
         return Err(Why::new("this names no file"));
@@ -97,7 +97,7 @@ pub(super) fn missing(path: &Path) -> Result<PathBuf, Why> {
         .fold(place, |place, name| place.join(name)))
 }
 
-/// Whether a path can only be that of a folder.
+/// True if a path can only be that of a folder.
 fn ends_as_folder(path: &Path) -> bool {
     let text = path.as_os_str().as_encoded_bytes();
     text.last()
@@ -114,18 +114,18 @@ fn may_write_in(folder: &Path, shown: &Path) -> Result<(), Why> {
     })
 }
 
-/// Whether an existing file can be replaced by another.
+/// Checks that another file can replace an existing one.
 pub(super) fn replaceable(place: &Path) -> Result<(), Why> {
     if fs::metadata(place)?.permissions().readonly() {
         return Err(Why::new("the file is write-protected"));
     }
-    // Opened to be extended, since that changes nothing.
+    // Opening a file for appending changes nothing.
     File::options().append(true).open(place)?;
     let folder = files::folder_of(place);
     may_write_in(folder, folder)
 }
 
-/// Whether a file, named `shown` by the user, is empty, or begins like what may replace it and is not that of another source.
+/// Checks that a file, which the user calls `shown`, is empty, or begins like an output and is not that of another source.
 pub(super) fn ours(
     place: &Path,
     shown: &Path,
@@ -161,7 +161,7 @@ pub(super) fn ours(
     Err(why.help("name another file, or replace this one with `--force`"))
 }
 
-/// Whether a file does not say that it was made from another source.
+/// Checks that a file does not name another source.
 fn same_source(
     place: &Path,
     shown: &Path,
@@ -180,7 +180,7 @@ fn same_source(
     }
 }
 
-/// Whether what is written to something of this kind is for somebody else to keep.
+/// True if another program receives what is written to a file of this kind.
 #[cfg(unix)]
 pub(super) fn is_stream(kind: fs::FileType) -> bool {
     use std::os::unix::fs::FileTypeExt as _;

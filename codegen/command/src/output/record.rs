@@ -1,7 +1,7 @@
 //! Names the description that an output was made from, and tells it from others.
 //!
 //! A record is the path of the description relative to the folder of the output, as a relative URL (RFC 3986). It is ASCII without
-//! blanks, quotes, angle brackets and double hyphens, and so fits into a comment of XML, an attribute of HTML and a line of text.
+//! blanks, quotes, angle brackets and double hyphens. So it fits into a comment of XML, an attribute of HTML and a line of text.
 
 use std::fs;
 use std::path::{Component, Path, PathBuf};
@@ -10,19 +10,19 @@ use linkwright_codegen::stages::files;
 
 use super::place::Why;
 
-/// Where outputs of a kind name their source.
+/// Place where outputs of a kind name their source.
 #[derive(Clone, Copy, Debug)]
 pub enum Record {
-    /// Nowhere: such outputs have one text wherever they lie, or no description is their source.
+    /// No place: such outputs have the same text in each folder, or are not made from a description.
     None,
-    /// In their first bytes.
+    /// First bytes of the output.
     Inside {
         /// Returns the record of such a file from its beginning, `None` if there is none.
         found: fn(&[u8]) -> Option<String>,
         /// Returns the contents with a record.
         added: fn(&[u8], &str) -> Vec<u8>,
     },
-    /// In a file beside them.
+    /// File beside the output.
     Beside,
 }
 
@@ -30,23 +30,23 @@ pub enum Record {
 /// what surrounds it.
 pub(super) const LONGEST_RECORD: u64 = 3 * 4096 + 1024;
 
-/// How the reason begins that an output has another source.
+/// Beginning of the reason that an output has another source.
 pub(super) const OTHER: &str = "it was made from ";
 
-/// What a description from stdin is called.
+/// Path that stands for stdin.
 const STDIN: &str = "-";
 
-/// A description that outputs are made from.
+/// Description that outputs are made from.
 #[derive(Clone, Debug)]
 pub(super) struct Source {
-    /// The path as it was named.
+    /// Path as the user named it.
     shown: PathBuf,
-    /// The path without links, `None` for stdin.
+    /// Path without links; `None` for stdin.
     place: Option<PathBuf>,
 }
 
 impl Source {
-    /// Returns the description at a path, `None` if there is no such file.
+    /// Returns the description at a path; `None` if no such file exists.
     pub fn new(path: &Path) -> Option<Source> {
         let place = match path == Path::new(STDIN) {
             true => None,
@@ -58,7 +58,7 @@ impl Source {
         })
     }
 
-    /// Record in an output at `output`, which is a path without links.
+    /// Returns the record for an output at `output`, a path without links.
     pub fn record(&self, output: &Path) -> String {
         match &self.place {
             None => STDIN.to_string(),
@@ -66,16 +66,16 @@ impl Source {
         }
     }
 
-    /// Refuses an output at `output`, named `shown` by the user, if `record` in it is that of another description.
+    /// Checks that `record`, read from an output at `output`, is that of this description. The user calls the output `shown`.
     ///
     /// # Errors
-    /// Which one.
+    /// The record is that of another description, which the error names.
     pub fn check(&self, record: &str, output: &Path, shown: &Path) -> Result<(), Why> {
         if record == self.record(output) {
             return Ok(());
         }
         let named = decoded(record);
-        // Another name of the file, or one with a link in it.
+        // The path may be another name of the file, or contain a link.
         let recorded = files::folder_of(output).join(&named);
         let is_same = |place: &PathBuf| same_file::is_same_file(place, &recorded).unwrap_or(false);
         if record != STDIN && self.place.as_ref().is_some_and(is_same) {
@@ -88,16 +88,16 @@ impl Source {
                 format!("`{}`", path.display())
             }
         };
-        let own = match &self.place {
+        let expected = match &self.place {
             None => "what stdin holds".to_string(),
             Some(_) => format!("`{}`", self.shown.display()),
         };
-        let why = Why::new(format!("{OTHER}{other}, not from {own}"));
+        let why = Why::new(format!("{OTHER}{other}, not from {expected}"));
         Err(why.help("name another file, or replace this one with `--force`"))
     }
 }
 
-/// Path of a file relative to a folder, both without links. Nothing but its name is left of a file on another drive.
+/// Returns the path of a file relative to a folder, both without links. Of a file on another drive, only the name remains.
 fn relative(file: &Path, folder: &Path) -> PathBuf {
     let [from, to] = [folder, file].map(|it| it.components().collect::<Vec<_>>());
     let shared = from.iter().zip(&to).take_while(|(a, b)| a == b).count();
@@ -108,20 +108,20 @@ fn relative(file: &Path, folder: &Path) -> PathBuf {
     up.chain(to[shared..].iter().copied()).collect()
 }
 
-/// The path without a folder that is left again at once.
+/// Removes each `folder/..` from a path.
 fn folded(path: &Path) -> PathBuf {
-    let mut found = PathBuf::new();
+    let mut folded = PathBuf::new();
     for part in path.components() {
-        let is_folder = matches!(found.components().next_back(), Some(Component::Normal(_)));
+        let is_folder = matches!(folded.components().next_back(), Some(Component::Normal(_)));
         match part {
             Component::CurDir => {}
             Component::ParentDir if is_folder => {
-                found.pop();
+                folded.pop();
             }
-            _ => found.push(part),
+            _ => folded.push(part),
         }
     }
-    found
+    folded
 }
 
 fn encoded(path: &Path) -> String {
@@ -182,7 +182,7 @@ mod tests {
             assert_eq!(decoded(record), path, "{file} from {folder}");
             assert_eq!(folded(&Path::new(folder).join(path)), Path::new(file));
         }
-        // Nothing but what this writes is read, and whatever is read ends.
+        // The decoder reads only what the encoder writes, and ends on any input.
         assert_eq!(decoded("%zz%4"), Path::new("%zz%4"));
         assert_eq!(folded(Path::new("../x/./../y")), Path::new("../y"));
     }

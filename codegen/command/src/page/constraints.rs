@@ -1,4 +1,4 @@
-//! *A system* → *its constraints in words*, and how many degrees of freedom they leave.
+//! Writes the constraints of a system in words, and the degrees of freedom that they leave.
 
 use std::fmt::Write as _;
 
@@ -10,7 +10,7 @@ use linkwright_solver::check::Check;
 
 use super::equations::about;
 
-/// The table of constraints and drivers, and the count.
+/// Returns the table of constraints and drivers, and the count of degrees of freedom.
 pub fn section(system: &System, check: &Check) -> String {
     let words = constraints_in_html(system);
     let mut text = String::from("<div class=\"wide\"><table>\n");
@@ -22,17 +22,17 @@ pub fn section(system: &System, check: &Check) -> String {
         let joints = (0..system.mechanism.joints.len()).filter(|&joint| of_role(joint));
         let mut rows = String::new();
         for joint in joints {
-            let own = &system.mechanism.joints[joint];
+            let labeled = &system.mechanism.joints[joint];
             let count = system.rows.iter().filter(|row| row.joint == joint).count();
-            let docs = match own.docs.is_empty() {
+            let docs = match labeled.docs.is_empty() {
                 true => String::new(),
-                false => format!("<br><small>{}</small>", escaped(&own.docs.join(" "))),
+                false => format!("<br><small>{}</small>", escaped(&labeled.docs.join(" "))),
             };
             let _ = writeln!(
                 rows,
                 "<tr {}><td><code>{}</code>{docs}</td><td>{}.</td><td class=\"count\">{count}</td></tr>",
                 about(system, joint, None),
-                escaped(&own.label.replace("->", "→")),
+                escaped(&labeled.label.replace("->", "→")),
                 capitalized(&words[joint]),
             );
         }
@@ -63,7 +63,7 @@ pub fn section(system: &System, check: &Check) -> String {
     text
 }
 
-/// A sentence from words that may begin with a tag.
+/// Capitalizes the first letter of words that may begin with a tag.
 fn capitalized(words: &str) -> String {
     let mut letters = words.chars();
     match letters.next() {

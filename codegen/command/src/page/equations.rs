@@ -1,4 +1,4 @@
-//! *A system* → *Φ, Φ_q, Φ_t, γ and the points in MathML*.
+//! Writes Φ, Φ_q, Φ_t, γ and the points of a system in MathML.
 
 use std::fmt::Write as _;
 
@@ -7,13 +7,13 @@ use linkwright_codegen::stages::emit::mathml::{Equation, Equations, equations, l
 use linkwright_codegen::stages::model::Joint;
 use linkwright_codegen::stages::system::System;
 
-/// A matrix with more columns than these is listed by its nonzero entries.
+/// Largest number of columns of a matrix that is shown whole; nonzero entries of wider ones are listed.
 pub const LARGEST_MATRIX: usize = 9;
 
-/// The equations as a section.
+/// Returns the equations as a section.
 pub fn section(system: &System) -> String {
-    let found = equations(system);
-    let names: Vec<&str> = found.coordinates.iter().map(|it| it[0].as_str()).collect();
+    let listed = equations(system);
+    let names: Vec<&str> = listed.coordinates.iter().map(|it| it[0].as_str()).collect();
     let mut text = format!(
         "<p><math><mi mathvariant=\"normal\" class=\"bold\">q</mi></math> = ({})</p>\n",
         names
@@ -29,22 +29,22 @@ pub fn section(system: &System) -> String {
     text += "<h3 id=\"phi\">Constraint equations Φ(q, t) = 0</h3>\n";
     text += &rows(
         system,
-        &found,
+        &listed,
         &|row| Some(row.residual.as_str()),
         "<mo>=</mo><mn>0</mn>",
     );
     text += "<h3 id=\"phi-q\">Jacobian Φ<sub>q</sub> = ∂Φ/∂q</h3>\n";
     text += &match names.len() <= LARGEST_MATRIX {
-        true => matrix(system, &found, &names),
-        false => entries(system, &found, &names),
+        true => matrix(system, &listed, &names),
+        false => entries(system, &listed, &names),
     };
     text += "<h3 id=\"phi-t\">Φ<sub>t</sub> = ∂Φ/∂t, for the velocities: Φ<sub>q</sub> q̇ = −Φ<sub>t</sub></h3>\n";
-    text += &rows(system, &found, &|row| row.time_derivative.as_deref(), "");
+    text += &rows(system, &listed, &|row| row.time_derivative.as_deref(), "");
     text += "<h3 id=\"gamma\">γ, for the accelerations: Φ<sub>q</sub> q̈ = γ</h3>\n";
-    text += &rows(system, &found, &|row| row.gamma.as_deref(), "");
-    if !found.monitored.is_empty() {
+    text += &rows(system, &listed, &|row| row.gamma.as_deref(), "");
+    if !listed.monitored.is_empty() {
         text += "<h3>Redundant equations, monitored but not solved</h3>\n";
-        for (joint, residual) in &found.monitored {
+        for (joint, residual) in &listed.monitored {
             text += &equation(
                 &about(system, *joint, None),
                 "",
@@ -53,14 +53,14 @@ pub fn section(system: &System) -> String {
             );
         }
     }
-    for (cause, entries) in &found.directions {
+    for (cause, entries) in &listed.directions {
         let _ = writeln!(
             text,
             "<h3>Partial derivative of Φ with respect to <code>{}</code></h3>",
             escaped(cause)
         );
         for (row, entry) in entries {
-            let joint = found.rows[*row].joint;
+            let joint = listed.rows[*row].joint;
             text += &equation(
                 &about(system, joint, Some(*row)),
                 &numbered(*row),
@@ -69,9 +69,9 @@ pub fn section(system: &System) -> String {
             );
         }
     }
-    if !found.points.is_empty() {
+    if !listed.points.is_empty() {
         text += "<h3 id=\"points\">Points</h3>\n";
-        for (place, (name, position)) in found.points.iter().enumerate() {
+        for (place, (name, position)) in listed.points.iter().enumerate() {
             for (axis, value) in ["x", "y"].iter().zip(position) {
                 let left = format!(
                     "<msub><mi>{axis}</mi><mi mathvariant=\"normal\">{}</mi></msub><mo>=</mo>",
@@ -82,9 +82,9 @@ pub fn section(system: &System) -> String {
             }
         }
     }
-    if !found.definitions.is_empty() {
+    if !listed.definitions.is_empty() {
         text += "<h3>where</h3>\n";
-        for definition in &found.definitions {
+        for definition in &listed.definitions {
             let row = format!("{}<mo>=</mo>{}", definition.name, definition.value);
             text += &equation("", "", &row, "");
         }
@@ -92,7 +92,7 @@ pub fn section(system: &System) -> String {
     text
 }
 
-/// What an element that comes from a joint is about: attributes.
+/// Returns the attributes of an element that belongs to a joint.
 pub fn about(system: &System, joint: usize, row: Option<usize>) -> String {
     let bodies = moved(&system.mechanism.joints[joint]);
     let bodies: Vec<String> = bodies.iter().map(|it| format!("b{it}")).collect();
@@ -100,7 +100,7 @@ pub fn about(system: &System, joint: usize, row: Option<usize>) -> String {
     format!("data-is=\"j{joint}{is}\" data-of=\"{}\"", bodies.join(" "))
 }
 
-/// The moving bodies that a joint holds, each once.
+/// Returns the moving bodies of a joint, each once.
 pub fn moved(joint: &Joint) -> Vec<usize> {
     let marks = joint.operands.marks.iter().map(|it| it.frame.body.0);
     let curve = joint.operands.curve.map(|it| it.frame.body.0);
@@ -118,7 +118,7 @@ fn numbered(row: usize) -> String {
     format!("{}", row + 1)
 }
 
-/// One equation with its number and where it comes from. It can be pointed at, by keyboard too.
+/// Returns one equation with its number and its origin, as an element for pointer and keyboard.
 fn equation(about: &str, number: &str, row: &str, note: &str) -> String {
     format!(
         "<div class=\"equation\" tabindex=\"0\" {about}><b>{number}</b><span>{}</span><small>{note}</small></div>\n",
@@ -126,7 +126,7 @@ fn equation(about: &str, number: &str, row: &str, note: &str) -> String {
     )
 }
 
-/// One line for each row that is not zero.
+/// Returns one line for each nonzero row.
 fn rows<'a>(
     system: &System,
     found: &'a Equations,
@@ -158,7 +158,7 @@ fn rows<'a>(
     text
 }
 
-/// Φ_q as a table with the names of its rows and columns.
+/// Returns Φ_q as a table with the names of its rows and columns.
 fn matrix(system: &System, found: &Equations, names: &[&str]) -> String {
     let mut text = String::from("<div class=\"wide\"><table class=\"matrix\"><thead><tr><th></th>");
     for name in names {
@@ -173,8 +173,8 @@ fn matrix(system: &System, found: &Equations, names: &[&str]) -> String {
             index + 1
         );
         for coordinate in 0..names.len() {
-            let own = row.jacobian.iter().find(|it| it.coordinate == coordinate);
-            match own {
+            let entry = row.jacobian.iter().find(|it| it.coordinate == coordinate);
+            match entry {
                 Some(entry) => {
                     let _ = write!(text, "<td><math>{}</math></td>", entry.value);
                 }
@@ -186,7 +186,7 @@ fn matrix(system: &System, found: &Equations, names: &[&str]) -> String {
     text + "</tbody></table></div>\n"
 }
 
-/// Φ_q by its entries that are not zero.
+/// Returns the nonzero entries of Φ_q.
 fn entries(system: &System, found: &Equations, names: &[&str]) -> String {
     let mut text = String::from("<p>Nonzero entries, row by row:</p>\n");
     for (index, row) in found.rows.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! *A system* → *its parameters and inputs with their values*, and what its documentation says.
+//! Writes the parameters and inputs of a system with their values and documentation.
 
 use std::fmt::Write as _;
 
@@ -8,7 +8,7 @@ use linkwright_codegen::stages::system::System;
 
 use super::number::number;
 
-/// Paragraphs of documentation.
+/// Returns paragraphs of documentation.
 pub fn docs(lines: &[String]) -> String {
     let text = lines.iter().map(|line| line.trim()).collect::<Vec<_>>();
     let paragraphs = text.split(|line| line.is_empty());
@@ -18,7 +18,7 @@ pub fn docs(lines: &[String]) -> String {
         .collect()
 }
 
-/// What moves: the heading, and one of what moves.
+/// Returns the heading of moving bodies or angles, and the word for one of them.
 pub fn moving(system: &System) -> (&'static str, &'static str) {
     let bodies = &system.mechanism.bodies[1..];
     let has_angles = bodies.iter().any(|it| it.is_angle());
@@ -30,7 +30,7 @@ pub fn moving(system: &System) -> (&'static str, &'static str) {
     }
 }
 
-/// The bodies and angles with what is said of them.
+/// Returns the bodies and angles with their documentation.
 pub fn bodies(system: &System) -> String {
     let (_, one) = moving(system);
     let bodies = system.mechanism.bodies.iter().enumerate().skip(1);
@@ -53,7 +53,7 @@ pub fn bodies(system: &System) -> String {
     }
 }
 
-/// A table of what is given; nothing where nothing is.
+/// Returns a table of parameters and inputs; empty if there are none.
 pub fn values(system: &System) -> String {
     let mechanism = &system.mechanism;
     let mut rows = String::new();

@@ -1,9 +1,8 @@
-//! *A description and its motion* → *one HTML file that needs nothing else*.
+//! Makes one self-contained HTML file of a description and its motion.
 //!
-//! The text comes from the rooms that say the same elsewhere: drawings, formulas and derivations from the generator, motions from
-//! the solver. Here it gets its places. The page moves the drawing and draws curves by itself, from the numbers that it holds;
-//! it asks nobody for anything. Every name and every line of documentation is escaped where it enters the page, and numbers are
-//! JSON in which no tag can end.
+//! Drawings, formulas and derivations come from the generator, motions from the solver; this module arranges them. Scripts move the
+//! drawing and draw curves from the numbers in the page, and load nothing. Every name and every line of documentation is escaped when
+//! it enters the page. Numbers are JSON, in which no tag can end.
 
 mod constraints;
 mod equations;

@@ -1,20 +1,20 @@
-//! *A number* → *its text for a reader*: six significant digits, and no zeros at the end.
+//! Formats a number for a reader: six significant digits, without trailing zeros.
 
-/// What is less than this beside one is rounding.
+/// Magnitude that counts as rounding beside one.
 const ROUNDING: f64 = 1e-12;
 
-/// Sizes from the one to below the other are written without an exponent.
-const PLAIN: [f64; 2] = [1e-3, 1e7];
+/// Magnitudes without an exponent: from the first value to below the second.
+const PLAIN_RANGE: [f64; 2] = [1e-3, 1e7];
 
-/// How many digits are written.
+/// Number of significant digits.
 const DIGITS: i32 = 6;
 
-/// The number as text, with a minus sign as it is printed.
+/// Returns the number as text, with a typographic minus sign.
 pub fn number(value: f64) -> String {
     plain(value).replace('-', "−")
 }
 
-/// The number as MathML.
+/// Returns the number as MathML.
 pub fn mathml(value: f64) -> String {
     let text = plain(value);
     let (sign, size) = match text.strip_prefix('-') {
@@ -35,7 +35,7 @@ fn plain(value: f64) -> String {
     if size < ROUNDING {
         return "0".to_string();
     }
-    if !(PLAIN[0]..PLAIN[1]).contains(&size) {
+    if !(PLAIN_RANGE[0]..PLAIN_RANGE[1]).contains(&size) {
         let text = format!("{value:.5e}");
         return match text.split_once('e') {
             Some((significand, exponent)) => format!("{}e{exponent}", shortened(significand)),
@@ -47,7 +47,7 @@ fn plain(value: f64) -> String {
     shortened(&format!("{value:.decimals$}")).to_string()
 }
 
-/// Without zeros behind the point.
+/// Removes trailing zeros behind the point.
 fn shortened(text: &str) -> &str {
     match text.contains('.') {
         true => text.trim_end_matches('0').trim_end_matches('.'),

@@ -1,4 +1,4 @@
-//! *A mechanism with all its motions* → *what the page plays*: one JSON object.
+//! Collects the motions of all assemblies that a page plays, as one JSON object.
 
 use std::collections::BTreeMap;
 
@@ -19,19 +19,19 @@ use super::equations::moved;
 use super::recorded::{Columns, Recorded, recorded};
 use super::shown_units::{ShownUnits, shown_units};
 
-/// How many instants of the drawing's motion are kept.
-const KEPT: usize = 1001;
+/// Largest number of instants that are kept of the displayed motion.
+const MAX_INSTANTS: usize = 1001;
 
-/// How many bytes the motions of all other assemblies may take, as numbers.
+/// Largest number of bytes of the motions of all other assemblies, as numbers.
 const BYTES: usize = 400_000;
 
-/// No motion is kept in fewer instants, between which the page interpolates with rates and accelerations.
-const FEWEST: usize = 21;
+/// Smallest number of instants of a motion; the page interpolates between them with rates and accelerations.
+const MIN_INSTANTS: usize = 21;
 
-/// How many assemblies are shown.
-const SHOWN: usize = 64;
+/// Largest number of assemblies.
+const MAX_ASSEMBLIES: usize = 64;
 
-/// Everything that the page plays.
+/// Data that the page plays.
 #[derive(Debug, Serialize)]
 pub struct Players {
     title: String,
@@ -41,15 +41,15 @@ pub struct Players {
     joints: Vec<Joint>,
     measures: Vec<String>,
     units: ShownUnits,
-    /// The forces that are requested, each with its unit of SI.
+    /// Requested forces, each with its SI unit.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     forces: Vec<(String, &'static str)>,
     columns: Columns,
-    /// The first is that of the drawing.
+    /// Assemblies, that of the drawing first.
     pub assemblies: Vec<Player>,
 }
 
-/// A body, by its number in the drawing; the ground has no coordinates, and an angle has no place.
+/// Body by its number in the drawing. The ground has no coordinates, and an angle has no position.
 #[derive(Debug, Serialize)]
 struct Body {
     name: String,
@@ -61,11 +61,11 @@ struct Coordinate {
     name: String,
     mathml: String,
     body: Option<usize>,
-    /// Group of curves that it belongs to.
+    /// Group of curves that the force belongs to.
     kind: &'static str,
 }
 
-/// A joint, as the drawing names it.
+/// Joint with its name in the drawing.
 #[derive(Debug, Serialize)]
 struct Joint {
     slug: String,
@@ -77,28 +77,28 @@ struct Point {
     name: String,
     body: usize,
     local: [f64; 2],
-    /// Whether no joint holds it, so that its path is what one wants to see.
+    /// True if no joint holds the point, whose path is then of interest.
     free: bool,
 }
 
-/// An assembly and its motion.
+/// Assembly and its motion.
 #[derive(Debug, Serialize)]
 pub struct Player {
-    /// Its signs and letters.
+    /// Signs and letters of the assembly.
     pub label: String,
-    /// Its motion, or why it has none.
+    /// Motion, or the reason that there is none.
     #[serde(flatten)]
     pub motion: Motion,
-    /// The columns of the arrows of loads, x and y of each.
+    /// Columns of the arrows of loads, x and y of each.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     arrows: Vec<[usize; 2]>,
-    /// The elements of the drawing that are others here, by their ids.
+    /// Elements of the drawing that differ in this assembly, by their ids.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub elements: BTreeMap<String, String>,
 }
 
 impl Player {
-    /// The instants that are kept of its motion.
+    /// Returns the instants that are kept of the motion.
     pub fn instants(&self) -> &[Instant] {
         match &self.motion {
             Motion::Solved(recorded) => &recorded.instants,
@@ -107,15 +107,15 @@ impl Player {
     }
 }
 
-/// The motion of an assembly.
+/// Motion of an assembly.
 #[derive(Debug, Serialize)]
 #[serde(untagged)]
 pub enum Motion {
-    /// As far as it goes.
+    /// Solved motion, which may end early.
     Solved(Recorded),
-    /// Why it has none.
+    /// No motion.
     None {
-        /// A sentence.
+        /// Reason as a sentence.
         error: String,
     },
 }
@@ -133,7 +133,7 @@ impl Players {
             (false, None) => "as drawn".to_string(),
             (true, _) => "as chosen".to_string(),
         };
-        let first = recorded(view, schedule, chosen, KEPT, &mut columns);
+        let first = recorded(view, schedule, chosen, MAX_INSTANTS, &mut columns);
         let mut assemblies = Vec::new();
         let mut points = Vec::new();
         if let Ok(first) = &first {
@@ -145,9 +145,9 @@ impl Players {
             .found
             .iter()
             .filter(|it| !it.drawn || is_chosen);
-        let others: Vec<_> = others.take(SHOWN - 1).collect();
+        let others: Vec<_> = others.take(MAX_ASSEMBLIES - 1).collect();
         let numbers = 3 * system.coordinates.len() * others.len().max(1);
-        let most = (BYTES / size_of::<f32>() / numbers).clamp(FEWEST, KEPT);
+        let most = (BYTES / size_of::<f32>() / numbers).clamp(MIN_INSTANTS, MAX_INSTANTS);
         for assembly in others {
             let chosen = Some((assembly.instant.clone(), assembly.modes.clone()));
             let motion = recorded(view, schedule, chosen, most, &mut columns);
@@ -184,7 +184,7 @@ impl Players {
         }
     }
 
-    /// The first motion, where there is one.
+    /// Returns the first motion; `None` if there is none.
     pub fn drawn(&self) -> Option<&Recorded> {
         match &self.assemblies.first()?.motion {
             Motion::Solved(recorded) => Some(recorded),
@@ -192,7 +192,7 @@ impl Players {
         }
     }
 
-    /// Why the first motion ends early, or does not begin.
+    /// Returns the reason that the first motion ends early or does not begin; `None` if it is complete.
     pub fn error(&self) -> Option<&str> {
         match &self.assemblies.first()?.motion {
             Motion::Solved(recorded) => recorded.error.as_deref(),
@@ -213,7 +213,7 @@ fn player(label: String, motion: Result<Recorded, String>) -> Player {
     }
 }
 
-/// Records the arrows of loads in all motions, as parts of the longest of all.
+/// Records the arrows of loads in all motions, relative to the longest of all.
 fn arrows(view: &Interpreted, players: &mut [Player], columns: &mut Columns) {
     let system = view.system();
     let count = system.mechanism.forces.loads.len();
@@ -222,8 +222,8 @@ fn arrows(view: &Interpreted, players: &mut [Player], columns: &mut Columns) {
     }
     let instants = players.iter().flat_map(|it| it.instants());
     let poses: Vec<Pose> = instants.map(|it| pose(view, it)).collect();
-    let found = ActingLoads::new(system).arrows(&poses);
-    let mut rest = &found[..];
+    let acting = ActingLoads::new(system).arrows(&poses);
+    let mut rest = &acting[..];
     for player in players {
         let (own, others) = rest.split_at(player.instants().len());
         rest = others;
@@ -239,8 +239,11 @@ fn arrows(view: &Interpreted, players: &mut [Player], columns: &mut Columns) {
 
 fn bodies(system: &System) -> Vec<Body> {
     let place = |body: usize, axis: usize| {
-        let own = Described::Pose { body, axis };
-        system.coordinates.iter().position(|it| it.describes == own)
+        let coordinate = Described::Pose { body, axis };
+        system
+            .coordinates
+            .iter()
+            .position(|it| it.describes == coordinate)
     };
     let bodies = system.mechanism.bodies.iter().enumerate();
     bodies
@@ -270,7 +273,7 @@ fn coordinates(system: &System) -> Vec<Coordinate> {
         .collect()
 }
 
-/// The points by their places in the frames of their bodies.
+/// Returns the points by their positions in the frames of their bodies.
 fn points(check: &Check, instant: &Instant) -> Vec<Point> {
     let view = &check.interpreted;
     let system = view.system();

@@ -1,7 +1,7 @@
-//! *The motion of each assembly* → *columns of numbers that a page plays back*.
+//! Records the motion of each assembly as columns of numbers that a page plays back.
 //!
-//! A column is what one coordinate, rate, acceleration, measure or force is at all kept instants. What assemblies have in common, and what
-//! stands still, is written once.
+//! A column holds one coordinate, rate, acceleration, measure or force at all kept instants. Columns that assemblies share, and constants,
+//! are written once.
 
 use std::collections::HashMap;
 use std::io;
@@ -16,7 +16,7 @@ use serde::Serialize;
 
 use crate::motion::{Followed, Shown, Sink, Wanted};
 
-/// The numbers of all motions.
+/// Numbers of all motions.
 #[derive(Debug, Default, Serialize)]
 #[serde(transparent)]
 pub struct Columns {
@@ -25,41 +25,41 @@ pub struct Columns {
     places: HashMap<Vec<u8>, usize>,
 }
 
-/// The values of one quantity.
+/// Values of one quantity.
 #[derive(Debug, Serialize)]
 #[serde(untagged)]
 enum Column {
-    /// The same at all times.
+    /// Value at all times.
     Constant(f32),
-    /// Single precision, the lowest byte first, in Base64.
+    /// Values in single precision, little-endian, in Base64.
     Changing(String),
 }
 
 /// One motion.
 #[derive(Debug, Serialize)]
 pub struct Recorded {
-    /// When the kept instants are (s).
+    /// Times of the kept instants (s).
     pub times: Vec<f64>,
-    /// The columns of q, q̇ and q̈, coordinate by coordinate.
+    /// Columns of q, q̇ and q̈, coordinate by coordinate.
     pub coordinates: Vec<[usize; 3]>,
-    /// The columns of what says how close each part is to a singular pose.
+    /// Columns of the distances of blocks from a singular pose.
     pub measures: Vec<usize>,
-    /// The columns of the forces that are asked for.
+    /// Columns of the requested forces.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub forces: Vec<usize>,
-    /// Why it ends early, if it does.
+    /// Reason of an early end; `None` if the motion is complete.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub error: Option<String>,
-    /// What to look at.
+    /// Warnings.
     #[serde(skip)]
     pub warnings: Vec<String>,
-    /// The kept instants.
+    /// Kept instants.
     #[serde(skip)]
     pub instants: Vec<Instant>,
 }
 
 impl Columns {
-    /// The place of a column of these values.
+    /// Returns the index of a column of these values, adding it if necessary.
     pub fn place(&mut self, values: impl Iterator<Item = f64>) -> usize {
         let values: Vec<f32> = values.map(|value| value as f32).collect();
         let is_constant = values.iter().all(|it| *it == values[0]) && !values.is_empty();
@@ -77,10 +77,10 @@ impl Columns {
     }
 }
 
-/// Follows a motion and keeps at most so many of its instants.
+/// Follows a motion and keeps at most `most` of its instants.
 ///
 /// # Errors
-/// Why the mechanism cannot be assembled.
+/// The reason that the mechanism cannot be assembled.
 pub fn recorded(
     view: &Interpreted,
     schedule: &Schedule,
@@ -88,13 +88,13 @@ pub fn recorded(
     most: usize,
     columns: &mut Columns,
 ) -> Result<Recorded, String> {
-    let wanted = Wanted {
+    let selection = Wanted {
         points: Vec::new(),
         coordinates: Vec::new(),
         monitor: true,
         curves: false,
     };
-    let mut motion = Followed::new(view.clone(), wanted, schedule.start.t, chosen);
+    let mut motion = Followed::new(view.clone(), selection, schedule.start.t, chosen);
     let mut kept = Kept {
         every: schedule.wanted().div_ceil(most.max(2)).max(1),
         count: 0,
@@ -132,10 +132,10 @@ pub fn recorded(
     })
 }
 
-/// An instant, its measures and its forces.
+/// Instant, its measures and its forces.
 type KeptInstant = (Instant, Vec<f64>, Vec<f64>);
 
-/// Every so manieth instant, and the last.
+/// Every `every`-th instant, and the last.
 struct Kept {
     every: usize,
     count: usize,
@@ -146,17 +146,17 @@ struct Kept {
 impl Sink for Kept {
     fn take(&mut self, shown: &Shown<'_>) -> io::Result<()> {
         let forces = shown.forces.unwrap_or_default();
-        let own = (
+        let kept = (
             shown.instant.clone(),
             shown.measures.to_vec(),
             forces.to_vec(),
         );
         match self.count.is_multiple_of(self.every) {
             true => {
-                self.instants.push(own);
+                self.instants.push(kept);
                 self.last = None;
             }
-            false => self.last = Some(own),
+            false => self.last = Some(kept),
         }
         self.count += 1;
         Ok(())

@@ -1,4 +1,4 @@
-//! Units in which a page shows values, as its scripts read them.
+//! Finds the units of values on a page for its scripts.
 
 use std::collections::BTreeMap;
 
@@ -6,10 +6,10 @@ use linkwright_codegen::stages::system::System;
 
 use crate::report::units::{ANGLES, LENGTHS, OTHERS};
 
-/// Names of units of a group of curves and what values in SI units are multiplied by, for values, rates and accelerations.
+/// Units of groups of curves: name and factor from SI units, of values, rates and accelerations.
 pub type ShownUnits = BTreeMap<&'static str, Vec<(String, f64)>>;
 
-/// Groups of forces with their units of SI.
+/// Groups of forces with their SI units.
 const FORCES: [(&str, &str); 4] = [
     ("forces", "N"),
     ("torques", "N*m"),
@@ -20,7 +20,7 @@ const FORCES: [(&str, &str); 4] = [
 /// Returns the units of all groups of curves of a mechanism.
 pub fn shown_units(system: &System) -> ShownUnits {
     let units = system.mechanism.units.of_messages();
-    let shown = |si: &str| {
+    let converted = |si: &str| {
         let unit = units.of(si);
         let scale = unit.of_si(1.0);
         (unit.name, scale)
@@ -31,7 +31,7 @@ pub fn shown_units(system: &System) -> ShownUnits {
         ("points", LENGTHS),
         ("contacts", OTHERS),
     ];
-    let motions = motions.map(|(group, si)| (group, si.map(shown).to_vec()));
-    let forces = FORCES.map(|(group, si)| (group, vec![shown(si)]));
+    let motions = motions.map(|(group, si)| (group, si.map(converted).to_vec()));
+    let forces = FORCES.map(|(group, si)| (group, vec![converted(si)]));
     motions.into_iter().chain(forces).collect()
 }

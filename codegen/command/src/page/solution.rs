@@ -1,4 +1,4 @@
-//! *A plan and what was checked* → *the derivation block by block, and the singular poses*.
+//! Writes the derivation of the solution block by block, and the singular poses.
 
 use std::fmt::Write as _;
 
@@ -10,10 +10,10 @@ use linkwright_solver::view::View as _;
 
 use super::number::number;
 
-/// A determinant that comes closer to zero than this, beside the largest that it could have, vanishes.
-const VANISHED: f64 = 1e-9;
+/// Normalized determinant below which it counts as zero.
+const ZERO_DETERMINANT: f64 = 1e-9;
 
-/// The plan as a table and the derivation of each block.
+/// Returns the plan as a table and the derivation of each block.
 pub fn derivation(check: &Check) -> String {
     let (system, plan) = (check.interpreted.system(), check.interpreted.plan());
     let derived = html(system, plan);
@@ -21,7 +21,7 @@ pub fn derivation(check: &Check) -> String {
         "<p>{}.</p>\n<div class=\"wide\"><table><thead><tr><th>Block</th><th>Unknowns</th><th>Method</th><th>Joints</th></tr></thead><tbody>\n{}</tbody></table></div>\n",
         derived.summary, derived.outline
     );
-    // The last section is about singular poses, which have a place of their own.
+    // The last section is about singular poses, which have their own section of the page.
     for (place, section) in derived.sections.iter().enumerate().take(plan.blocks.len()) {
         let joints: Vec<String> = plan.blocks[place]
             .joints
@@ -40,8 +40,9 @@ pub fn derivation(check: &Check) -> String {
     text
 }
 
-/// Where each block is singular, and how close the motion comes to that.
-/// Where another assembly was chosen than was checked, only where.
+/// Returns the singular poses of each block, and the closest approach of the motion to them.
+///
+/// The approach is left out if the displayed assembly is not the checked one.
 pub fn singular(check: &Check, determinant: Option<f64>, is_checked: bool) -> String {
     let program = check.interpreted.program();
     let (system, plan) = (check.interpreted.system(), check.interpreted.plan());
@@ -56,14 +57,14 @@ pub fn singular(check: &Check, determinant: Option<f64>, is_checked: bool) -> St
             None => String::new(),
             Some(approach) => {
                 let at = time(approach.instant.t());
-                let own = format!(" data-is=\"m{measured}\"");
+                let attribute = format!(" data-is=\"m{measured}\"");
                 measured += 1;
-                if approach.crosses || approach.measure < VANISHED {
-                    format!(" <b{own}>The motion reaches such a pose at t = {at} s.</b>")
+                if approach.crosses || approach.measure < ZERO_DETERMINANT {
+                    format!(" <b{attribute}>The motion reaches such a pose at t = {at} s.</b>")
                 } else {
                     let range = check.range.unwrap_or([check.start; 2]).map(time);
                     format!(
-                        " <span{own}>From t = {} s to {} s it is not zero: divided by the lengths of its columns it is smallest at t = {at} s, where it is {} (0: singular, 1: as far from singular as possible).</span>",
+                        " <span{attribute}>From t = {} s to {} s it is not zero: divided by the lengths of its columns it is smallest at t = {at} s, where it is {} (0: singular, 1: as far from singular as possible).</span>",
                         range[0],
                         range[1],
                         number(approach.measure)

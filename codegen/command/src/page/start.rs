@@ -1,4 +1,4 @@
-//! *The first instant* → *its coordinates and points with their rates, and the first Newton-Raphson step from it*.
+//! Writes the coordinates and points of the first instant with their rates, and the first Newton-Raphson step from it.
 
 use std::fmt::Write as _;
 
@@ -17,23 +17,23 @@ use nalgebra::{DMatrix, DVector};
 use super::number::{mathml, number};
 use crate::report::units::{LENGTHS, Units};
 
-/// A matrix with more columns than these is listed by its nonzero entries.
+/// Largest number of columns of a matrix that is shown whole; nonzero entries of wider ones are listed.
 const LARGEST_MATRIX: usize = 12;
 
-/// What is zero in a matrix of numbers: rounding beside its largest entry.
+/// Magnitude that counts as zero in a matrix, relative to its largest entry.
 const ROUNDING: f64 = 1e-12;
 
-/// q, q̇ and q̈ at the start, and the motion of the points.
+/// Returns q, q̇ and q̈ at the start, and the motion of the points.
 pub fn values(view: &Interpreted, instant: &Instant) -> String {
     let system = view.system();
-    let shown = system.mechanism.units.of_messages();
+    let message_units = system.mechanism.units.of_messages();
     let mut text = String::from(
         "<div class=\"wide\"><table class=\"numbers\"><thead><tr><th></th><th>position</th><th></th><th>rate</th><th>acceleration</th><th>unit</th></tr></thead><tbody>\n",
     );
     for place in 0..system.coordinates.len() {
         let [q, qd, qdd] = instant.coordinate(place).unwrap_or_default();
         let name = symbol(system, SymbolRole::Position(place));
-        let units = Units::of(system, place, shown).levels;
+        let units = Units::of(system, place, message_units).levels;
         let degrees = match units[0].name.as_str() {
             "rad" => format!("{}°", number(q.to_degrees())),
             _ => String::new(),
@@ -52,7 +52,7 @@ pub fn values(view: &Interpreted, instant: &Instant) -> String {
     if points.is_empty() {
         return text;
     }
-    let units = LENGTHS.map(|it| shown.of(it));
+    let units = LENGTHS.map(|it| message_units.of(it));
     let [position, velocity, acceleration] = units.each_ref().map(|it| escaped(&it.name));
     let _ = writeln!(
         text,
@@ -80,7 +80,7 @@ pub fn values(view: &Interpreted, instant: &Instant) -> String {
     text + "</tbody></table></div>\n"
 }
 
-/// Returns the name of the unit of a coordinate; the three names where one does not make the others.
+/// Returns the unit of a coordinate, or all three units if those of rates do not follow from it.
 fn names(units: &[OutputUnit; 3]) -> String {
     let [own, rate, acceleration] = units.each_ref().map(|it| it.name.as_str());
     let is_usual =
@@ -91,7 +91,7 @@ fn names(units: &[OutputUnit; 3]) -> String {
     })
 }
 
-/// The equation of the first Newton-Raphson step at `t`, from the pose of an instant before.
+/// Returns the equation of the first Newton-Raphson step at `t` (s), from the pose of an earlier instant.
 pub fn first_step(system: &System, instant: &Instant, t: f64) -> String {
     let FirstStep {
         jacobian: matrix,
@@ -124,7 +124,7 @@ pub fn first_step(system: &System, instant: &Instant, t: f64) -> String {
     text
 }
 
-/// The matrix as a whole.
+/// Returns the whole matrix.
 fn full(
     matrix: &DMatrix<f64>,
     right: &DVector<f64>,
@@ -169,7 +169,7 @@ fn column(cells: impl Iterator<Item = String>) -> String {
     format!("<mrow><mo>(</mo><mtable>{rows}</mtable><mo>)</mo></mrow>")
 }
 
-/// The rows by what is not zero in them.
+/// Returns the nonzero entries row by row.
 fn sparse(
     matrix: &DMatrix<f64>,
     right: &DVector<f64>,

@@ -1,4 +1,4 @@
-//! *The parts of a page* → *the page*.
+//! Assembles the sections of a page.
 
 use std::fmt::Write as _;
 
@@ -21,7 +21,7 @@ use super::{constraints, equations, given, solution, start};
 
 const STYLE: &str = include_str!("page.css");
 
-/// One script in parts, each of which knows those before it.
+/// Script in parts; each part uses those before it.
 const SCRIPT: &str = concat!(
     "\"use strict\";\n(() => {\n",
     include_str!("script/data.js"),
@@ -37,33 +37,33 @@ const SCRIPT: &str = concat!(
 );
 const RELOAD: &str = include_str!("reload.js");
 
-/// How many poses guides are made long enough for.
+/// Largest number of poses that guides are made long enough for.
 const POSES: usize = 200;
 
-/// What a page is made of.
+/// Contents of a page.
 pub struct Page<'a> {
-    /// What was checked, the mechanism in it.
+    /// Results of the checks, with the mechanism.
     pub check: &'a Check,
-    /// When the motion is shown.
+    /// Times of the displayed motion.
     pub schedule: &'a Schedule,
-    /// The time between frames (s).
+    /// Time between frames (s).
     pub step: f64,
-    /// Where and in which modes it starts, where that is not the drawing.
+    /// Pose and modes at the start; `None` for those of the drawing.
     pub chosen: Option<(Instant, Modes)>,
-    /// What the description's findings are, as the terminal shows them.
+    /// Findings of the description as text for the terminal.
     pub findings: &'a str,
 }
 
-/// Whether a page stands in a file, or is served and follows its description.
+/// Source of a page: a file, or a server that follows the description.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Live {
-    /// It stands in a file.
+    /// The page is a file.
     No,
-    /// It asks its server for the version after this one.
+    /// The page is served, and waits for the version after this one.
     Version(u64),
 }
 
-/// The page with its style and scripts, and why the motion ends early, where it does.
+/// Returns the page with its style and scripts, and the reason of an early end of the motion; `None` if it is complete.
 pub fn page(page: &Page<'_>, live: Live) -> (String, Option<String>) {
     let check = page.check;
     let view = &check.interpreted;
@@ -134,7 +134,7 @@ pub fn page(page: &Page<'_>, live: Live) -> (String, Option<String>) {
     (shell(&title, &body, live), error)
 }
 
-/// A page that says why there is none.
+/// Returns a page that shows an error instead of a mechanism.
 pub fn problem(name: &str, text: &str, version: u64) -> String {
     let title = escaped(name);
     let body = format!(
@@ -144,12 +144,12 @@ pub fn problem(name: &str, text: &str, version: u64) -> String {
     shell(&title, &body, Live::Version(version))
 }
 
-/// A text of several lines, escaped.
+/// Escapes a text of several lines.
 fn lines(text: &str) -> String {
     text.lines().map(|line| escaped(line) + "\n").collect()
 }
 
-/// What every page has around it. Nothing may be loaded, whatever names and documentation hold.
+/// Returns the frame of every page. The page cannot load anything, whatever names and documentation contain.
 fn shell(title: &str, body: &str, live: Live) -> String {
     let (connect, reload) = match live {
         Live::No => ("'none'", String::new()),
@@ -169,7 +169,7 @@ fn shell(title: &str, body: &str, live: Live) -> String {
     )
 }
 
-/// The drawing at the start, with room for the whole motion; what it shows otherwise of other assemblies goes to these.
+/// Draws the mechanism at the start, with room for the whole motion, and gives each other assembly the elements that differ.
 fn drawn(page: &Page<'_>, players: &mut Players) -> String {
     let view = &page.check.interpreted;
     let system = view.system();
@@ -182,7 +182,7 @@ fn drawn(page: &Page<'_>, players: &mut Players) -> String {
     let mut motions: Vec<Vec<Pose>> = players.assemblies.iter().map(motion).collect();
     let mut first = motions.remove(0).into_iter();
     let mut gap = None;
-    let shown = first.next().unwrap_or_else(|| {
+    let pose = first.next().unwrap_or_else(|| {
         let Some(open) = open_loop(view, page.schedule.start.t) else {
             return Pose::drawn(system);
         };
@@ -202,17 +202,17 @@ fn drawn(page: &Page<'_>, players: &mut Players) -> String {
         gap,
         ..Options::default()
     };
-    let moving = drawing::moving(system, &shown, &others, &motions, &options);
+    let moving = drawing::moving(system, &pose, &others, &motions, &options);
     let rest = players.assemblies.iter_mut().skip(1);
     for (player, elements) in rest.zip(moving.others) {
         player.elements = elements;
     }
-    // On paper everything is dark on white.
+    // Prints are dark on white.
     let picture = moving.picture;
     picture.replace("@media (prefers", "@media screen and (prefers")
 }
 
-/// Φ_q at the start.
+/// Returns the determinant of Φ_q at the start; `None` without a motion.
 fn determinant(check: &Check, players: &Players) -> Option<f64> {
     let first = players.drawn()?.instants.first()?;
     let textbook = TextbookEquations::new(check.interpreted.system());
@@ -220,7 +220,7 @@ fn determinant(check: &Check, players: &Players) -> Option<f64> {
     Some(Condition::of(&jacobian(&textbook, &q, first.t())).determinant)
 }
 
-/// What to look at before anything else.
+/// Returns the warnings at the top of a page.
 fn warnings(page: &Page<'_>, players: &Players) -> String {
     let mut text = String::new();
     if let Some(error) = players.error() {
@@ -255,9 +255,9 @@ fn warnings(page: &Page<'_>, players: &Players) -> String {
     }
 }
 
-/// The words about assemblies; their pictures are made of the drawing.
+/// Returns the text about assemblies; scripts make their pictures from the drawing.
 fn assemblies(check: &Check) -> String {
-    let found = &check.assemblies.found;
+    let assemblies = &check.assemblies.found;
     let names: Vec<String> = check
         .interpreted
         .mode_names()
@@ -275,14 +275,14 @@ fn assemblies(check: &Check) -> String {
         true => "; there are no others.",
         false => "; there may be others.",
     };
-    let choice = match found.len() {
+    let choice = match assemblies.len() {
         0 | 1 => "",
         _ => " Select one to see its motion.",
     };
     format!(
         "<p>At t = {} s the mechanism can be assembled in {} {}{rest}{modes}{choice}</p>\n<div id=\"thumbnails\" role=\"group\" aria-labelledby=\"assemblies\"></div>\n<p id=\"assembly-error\" class=\"error\" hidden></p>\n",
         number(check.start),
-        found.len(),
-        if found.len() == 1 { "way" } else { "ways" },
+        assemblies.len(),
+        if assemblies.len() == 1 { "way" } else { "ways" },
     )
 }

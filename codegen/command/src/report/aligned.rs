@@ -1,10 +1,10 @@
-//! *Rows of cells* → *a table of text*.
+//! Writes rows of cells as a table of text.
 
 use std::io::{self, Write};
 
 use linkwright_codegen::stages::emit::text::shown_width;
 
-/// Rows of cells as a table whose columns begin with their names.
+/// Writes rows of cells as a table; the first row holds the names of the columns.
 pub fn aligned(rows: &[Vec<String>], output: &mut dyn Write) -> io::Result<()> {
     let count = rows.first().map_or(0, Vec::len);
     let width = |column: usize| {

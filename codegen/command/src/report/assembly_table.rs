@@ -1,6 +1,6 @@
-//! *Assemblies* → *a table of the unknowns of every block*, each block with the signs and the letters that choose among its poses.
+//! Writes a table of assemblies: the unknowns of each block, with the signs and letters that select its pose.
 //!
-//! Blocks stand beside one another in solve order as far as the width allows; the table goes on below with the next ones.
+//! Blocks stand side by side in solve order if the width allows; the others follow below.
 
 use std::io::{self, Write};
 
@@ -13,24 +13,24 @@ use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::number::fixed;
 use linkwright_solver::view::View;
 
-/// The decimals of an angle in degrees, and of anything else.
+/// Decimals of an angle in degrees, and of any other unknown.
 const DECIMALS_OF_ANGLES: usize = 4;
 const DECIMALS: usize = 6;
 
-/// What stands behind the drawing's assembly.
+/// Mark behind the assembly of the design configuration.
 const DRAWN: &str = "  as drawn";
 
-/// What is known of one block.
+/// Columns of one block.
 struct Group {
     heading: String,
-    /// The first holds the signs, where there are any.
+    /// Columns, the signs first if there are any.
     columns: Vec<Column>,
 }
 
 struct Column {
     name: String,
     cells: Vec<String>,
-    /// Whether the next column belongs on the same line.
+    /// True if the column holds a sign, which stands on the line of the next column.
     is_sign: bool,
 }
 
@@ -41,10 +41,10 @@ impl Column {
     }
 }
 
-/// Writes the table, no line of which is wider than `width` as far as a single column fits.
+/// Writes the table. No line is wider than `width`, unless a single column is.
 ///
 /// # Errors
-/// Those of `output`.
+/// Errors of `output`.
 pub fn write(
     interpreted: &Interpreted,
     assemblies: &[Assembly],
@@ -75,7 +75,7 @@ pub fn write(
     tables(assemblies, &groups, width, output)
 }
 
-/// What a person asks for of a block: what its parts are solved for, then the angles that follow.
+/// Returns the unknowns of interest in a block: those that its subsystems are solved for, then the angles that follow.
 fn unknowns(interpreted: &Interpreted, block: usize) -> Vec<usize> {
     let (system, block) = (interpreted.system(), &interpreted.plan().blocks[block]);
     let solved = block.parts.iter().flat_map(|part| &part.unknowns).copied();
@@ -92,7 +92,7 @@ fn name(system: &System, unknown: usize) -> &str {
     &system.vector_form.unknowns[unknown].name
 }
 
-/// An unknown with its unit; `None` where instants do not keep it.
+/// Returns an unknown with its unit; `None` if instants do not keep the unknown.
 fn value(interpreted: &Interpreted, assembly: &Assembly, unknown: usize) -> Option<String> {
     let unknown = &interpreted.system().vector_form.unknowns[unknown];
     let slot = interpreted.layout().slot(unknown.position)?;
@@ -105,7 +105,7 @@ fn value(interpreted: &Interpreted, assembly: &Assembly, unknown: usize) -> Opti
     })
 }
 
-/// Returns a value in a unit; degrees have their sign.
+/// Returns a value with its unit; degrees have a degree sign.
 fn with_unit(value: f64, unit: &OutputUnit, decimals: usize) -> String {
     let value = fixed(unit.of_si(value), decimals);
     match unit.name.as_str() {
@@ -123,9 +123,9 @@ fn group(
     let program = interpreted.program();
     let signs = program.branches.iter().map(|it| Some(it.block));
     let iterated = program.blocks.iter().filter(|it| it.newton.is_some());
-    // In the order of the labels.
+    // Owners are in the order of the labels.
     let owners: Vec<Option<usize>> = signs.chain(iterated.map(|it| it.place)).collect();
-    let own = |assembly: &Assembly| {
+    let row = |assembly: &Assembly| {
         let label = assembly.label();
         let letters = label.chars().zip(&owners);
         let letters = letters.filter(|(_, owner)| **owner == Some(block));
@@ -133,7 +133,7 @@ fn group(
     };
     let signs = Column {
         name: String::new(),
-        cells: assemblies.iter().map(own).collect(),
+        cells: assemblies.iter().map(row).collect(),
         is_sign: true,
     };
     let values = unknowns.iter().filter_map(|&unknown| {
@@ -152,7 +152,7 @@ fn group(
     }
 }
 
-/// The columns of all groups below one another, as many on a line as fit on it.
+/// Arranges the columns of all groups, as many on a line as fit.
 fn tables(
     assemblies: &[Assembly],
     groups: &[Group],
@@ -168,7 +168,7 @@ fn tables(
     let mut after_sign = false;
     for group in groups {
         let mut is_named = false;
-        // A block that fits on a line is not divided.
+        // A block that fits on one line is not divided.
         let whole = group.columns.iter().map(|it| 2 + it.width()).sum::<usize>();
         let fits = indent + whole + DRAWN.len() <= width;
         for (place, column) in group.columns.iter().enumerate() {
@@ -177,7 +177,7 @@ fn tables(
                 true => whole,
                 false => 2 + column.width() + next.map_or(0, |it| 2 + it.width()),
             };
-            // A sign stands beside the first value of its block.
+            // A sign stands on the line of the first value of its block.
             let is_new = lines.is_empty() || used + needed + DRAWN.len() > width;
             if is_new && !after_sign {
                 flush(assemblies, &headings, &mut lines, output)?;
@@ -206,7 +206,7 @@ fn tables(
     flush(assemblies, &headings, &mut lines, output)
 }
 
-/// Writes the lines of a table and leaves none.
+/// Writes the columns that are collected, and removes them.
 fn flush(
     assemblies: &[Assembly],
     headings: &str,

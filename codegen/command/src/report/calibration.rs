@@ -1,15 +1,15 @@
-//! *A fit* → *tables of text, or one JSON object*.
+//! Reports a fit as tables of text or as one JSON object.
 //!
 //! | key | value |
 //! |---|---|
-//! | `mechanism`, `data`, `read` | as `compare` prints them |
-//! | `parameters` | `{name, unit, start, value, deviation, interval, bound}` each, in SI units or those that are requested; `deviation` and `interval` (of 95 %) are null where the motion does not determine it, `bound` is where the value ended at one |
-//! | `correlations` | a row for each parameter; null where one of both is not determined |
-//! | `columns` | `{column, quantity, unit, count, deviation, rms_before, rms_after, noise, reduced, chance, runs, expected_runs, explained}` each, in the unit of the column; what cannot be judged is null; `counts_turns` is true of the rate of an angle in `1/min` or `Hz` |
-//! | `trusted`, `reasons` | whether the fit is to be trusted, and why not, in sentences |
-//! | `freedom` | measured values less determined parameters |
-//! | `rank`, `condition` | how many combinations are determined, and the condition of the scaled sensitivities |
-//! | `indistinct` | `{parameters, changes, index}` each: what cannot be told apart, `index` null, or hardly |
+//! | `mechanism`, `data`, `read` | as in `compare` |
+//! | `parameters` | `{name, unit, start, value, deviation, interval, bound}` each, in SI or requested units; `deviation` and `interval` (of 95 %) are null if the motion does not determine the parameter, `bound` is the end of its range that the value has reached |
+//! | `correlations` | a row for each parameter; null if either parameter is undetermined |
+//! | `columns` | `{column, quantity, unit, count, deviation, rms_before, rms_after, noise, reduced, chance, runs, expected_runs, explained}` each, in the unit of the column; undetermined values are null; `counts_turns` is true of the rate of an angle in `1/min` or `Hz` |
+//! | `trusted`, `reasons` | true if the fit can be trusted, and the reasons against it, in sentences |
+//! | `freedom` | number of measured values minus number of determined parameters |
+//! | `rank`, `condition` | number of determined combinations, and condition of the scaled sensitivities |
+//! | `indistinct` | `{parameters, changes, index}` each: combinations that the data do not determine (`index` null) or barely determine |
 
 use std::io::{self, Write};
 
@@ -24,31 +24,31 @@ use super::aligned::aligned;
 use super::measured_data::{taken_for, write_data, write_notes};
 use crate::data::{Data, Measured};
 
-/// Decimals of what is printed in scientific notation.
+/// Decimals of numbers in scientific notation.
 const DIGITS: usize = 2;
 
-/// The same of residuals.
+/// Decimals of residuals.
 const RESIDUAL_DIGITS: usize = 3;
 
-/// The reduced χ² below which a column is refused for its runs.
-const LARGE: f64 = 2.0;
+/// Reduced χ² below which a column is refused for its runs.
+const RUNS_LIMIT: f64 = 2.0;
 
-/// Of how many parameters correlations are printed.
+/// Largest number of parameters whose correlations are printed.
 const TABLED: usize = 12;
 
-/// What was fitted.
+/// Fit to report.
 pub struct Report<'a> {
-    /// What messages call the mechanism.
+    /// Name of the mechanism in messages.
     pub title: String,
-    /// The measured values.
+    /// Measured values.
     pub data: &'a Data,
-    /// The equations.
+    /// Equations.
     pub system: &'a System,
-    /// The fitted parameters.
+    /// Names of the fitted parameters.
     pub names: &'a [String],
-    /// Their values at the start, in SI units.
+    /// Values of the parameters at the start, in SI units.
     pub start: &'a [f64],
-    /// What was found.
+    /// Result.
     pub fit: &'a Fit,
 }
 
@@ -57,15 +57,15 @@ impl Report<'_> {
     fn unit(&self, place: usize) -> OutputUnit {
         let mechanism = &self.system.mechanism;
         let mut parameters = mechanism.parameters.iter();
-        let own = parameters.find(|it| it.name == self.names[place]);
-        let si = match own.map(|it| it.dimension) {
+        let parameter = parameters.find(|it| it.name == self.names[place]);
+        let si = match parameter.map(|it| it.dimension) {
             Some(known @ (Dimension::Angle | Dimension::Marked { .. })) => known.unit(),
             _ => String::new(),
         };
         mechanism.units.of_tables().of(&si)
     }
 
-    /// What is left of a column before and after, root of mean square, in its unit.
+    /// Returns the residuals of a column before and after the fit (root mean square), in the unit of the column.
     fn left(&self, column: usize) -> [f64; 2] {
         let unit = self.data.measured[column].scale.unit;
         [0, 1].map(|stage: usize| {
@@ -79,7 +79,7 @@ impl Report<'_> {
 }
 
 impl Report<'_> {
-    /// Why the fit is not to be trusted, in one sentence each.
+    /// Returns the reasons against trusting the fit, one sentence each.
     pub fn reasons(&self) -> Vec<String> {
         let fit = self.fit;
         let mut reasons = Vec::new();
@@ -112,7 +112,7 @@ impl Report<'_> {
                 false => "neighboring rows show",
             };
             reasons.push(match goodness.runs {
-                Some((runs, expected, _)) if goodness.reduced.is_some_and(|it| it < LARGE) => {
+                Some((runs, expected, _)) if goodness.reduced.is_some_and(|it| it < RUNS_LIMIT) => {
                     format!(
                         "what is left of `{}` is not noise: its signs change in {runs} runs, where {expected:.0} are expected",
                         own.name
@@ -134,7 +134,7 @@ impl Report<'_> {
     }
 }
 
-/// Returns a value of SI with its unit.
+/// Returns a value, given in SI units, with its unit.
 fn with_unit(value: f64, unit: &OutputUnit) -> String {
     format!("{} {}", unit.of_si(value), unit.name)
         .trim_end()
@@ -145,10 +145,10 @@ fn count(measured: &Measured) -> usize {
     measured.values.iter().flatten().count()
 }
 
-/// Writes how the table was read and what this motion cannot tell apart, which is known before anything is fitted.
+/// Writes the interpretation of the table, and the parameters that this motion cannot distinguish. Both are known before the fit.
 ///
 /// # Errors
-/// Those of `output`.
+/// Errors of `output`.
 pub fn write_head(
     title: &str,
     data: &Data,
@@ -162,10 +162,10 @@ pub fn write_head(
     writeln!(output)
 }
 
-/// Writes the tables that follow the head.
+/// Writes the tables after the head.
 ///
 /// # Errors
-/// Those of `output`.
+/// Errors of `output`.
 pub fn write(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()> {
     let fit = report.fit;
     let mut rows = vec![
@@ -184,7 +184,7 @@ pub fn write(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()> {
     for (place, name) in report.names.iter().enumerate() {
         let unit = report.unit(place);
         let deviation = fit.deviations[place].map(|it| unit.of_si(it));
-        let shown = |value: f64| match deviation.filter(|it| *it > 0.0) {
+        let rounded = |value: f64| match deviation.filter(|it| *it > 0.0) {
             Some(deviation) => fixed(
                 value,
                 (1.0 - deviation.log10().floor()).clamp(0.0, 15.0) as usize,
@@ -192,15 +192,16 @@ pub fn write(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()> {
             None => value.to_string(),
         };
         let fitted = match deviation {
-            Some(_) => shown(unit.of_si(fit.values[place])),
+            Some(_) => rounded(unit.of_si(fit.values[place])),
             None => "not determined".to_string(),
         };
         let interval = fit.intervals[place];
-        let end = |place: usize| interval.map_or(String::new(), |it| shown(unit.of_si(it[place])));
+        let end =
+            |place: usize| interval.map_or(String::new(), |it| rounded(unit.of_si(it[place])));
         rows.push(vec![
             name.clone(),
             unit.name.clone(),
-            shown(unit.of_si(report.start[place])),
+            rounded(unit.of_si(report.start[place])),
             fitted,
             deviation.map_or(String::new(), |it| scientific(it, DIGITS)),
             end(0),
@@ -339,7 +340,7 @@ struct Combination<'a> {
 /// Writes the object and a line break.
 ///
 /// # Errors
-/// Those of `output`.
+/// Errors of `output`.
 pub fn write_json(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()> {
     let fit = report.fit;
     let parameters = report.names.iter().enumerate().map(|(place, name)| {

@@ -1,25 +1,25 @@
-//! *What was checked* → *one JSON object*.
+//! Writes the results of `check` as one JSON object.
 //!
 //! | key | value |
 //! |---|---|
-//! | `mechanism`, `motion` | its name, and that of the motion where it has several |
-//! | `kdof`, `ndof` | coordinates less equations of joints; the same less equations of drivers |
+//! | `mechanism`, `motion` | name of the mechanism, and of the motion if there are several |
+//! | `kdof`, `ndof` | number of coordinates minus number of joint equations; additionally minus number of driver equations |
 //! | `blocks` | `{block, unknowns, method, determinant, singular_where, solutions, closest}` each, in solve order |
-//! | `closest` there | `{measure, t, times, at_end, rcond}`: the smallest size of the normalised determinant, first when, how often, whether at an end of the range, and the reciprocal condition of the dimensionless Φ_q there |
-//! | `assembly_modes` | how many signs the closed forms have |
-//! | `coordinates` | their names, in the order of `q` |
-//! | `units` | those of each coordinate in `q`, and of a `point` |
-//! | `assemblies` | `{signs, poses, drawn, q}` each: those that exist at the start; `poses` has a number for each block without a closed form, 0 for its pose `a` of `--branch` |
-//! | `assemblies_cut_short` | whether more combinations were left untried |
-//! | `assemblies_proven` | whether it is proven that there are no others |
-//! | `assemblies_decided` | the part of all that could be assemblies of which it is proven whether they are, at most 1 |
+//! | `closest` there | `{measure, t, times, at_end, rcond}`: smallest magnitude of the normalized determinant, its first time, its number of times, true if it lies at an end of the range, and the reciprocal condition of the dimensionless Φ_q there |
+//! | `assembly_modes` | number of signs of the closed forms |
+//! | `coordinates` | names in the order of `q` |
+//! | `units` | units of each coordinate in `q`, and of a `point` |
+//! | `assemblies` | `{signs, poses, drawn, q}` each: the assemblies at the start; `poses` has a number for each block without a closed form, 0 for its pose `a` of `--branch` |
+//! | `assemblies_cut_short` | true if some combinations were left untried |
+//! | `assemblies_proven` | true if a proof excludes further assemblies |
+//! | `assemblies_decided` | part of the candidate volume in which existence is proven or excluded, at most 1 |
 //! | `assemblies_undecided` | the rest: objects with the lower and the upper end of a range of each unknown |
 //! | `proof` | with `--prove`: `{status, from, to, windows, shortest_window, determinants, coordinates, points, unproven}` |
-//! | `status` there | `proven`, or `sampled` where the motion cannot be proven |
-//! | `determinants` there | `{block, unknowns, at_least, located}` each: a bound of the size of the normalised determinant in the whole range, and the smallest that was located |
+//! | `status` there | `proven`, or `sampled` if the motion cannot be proven |
+//! | `determinants` there | `{block, unknowns, at_least, located}` each: a lower bound of the magnitude of the normalized determinant in the whole range, and the smallest located value |
 //! | `coordinates`, `points` there | by name, bounds in the whole range, in `units`; `{x, y}` for points |
 //! | `unproven` there | `{from, to, block, reason}`: the first window that cannot be proven |
-//! | `warnings`, `error` | sentences; `error` only where the motion ends early |
+//! | `warnings`, `error` | sentences; `error` only if the motion ends early |
 
 use std::collections::BTreeMap;
 use std::io::{self, Write};
@@ -182,18 +182,18 @@ fn proof_object<'a>(check: &'a Check, proof: &'a Proof) -> ProofObject<'a> {
     }
 }
 
-/// Writes the object, with a proof where one was asked for, and a line break.
+/// Writes the object, with a proof if one is requested, and a line break.
 ///
 /// # Errors
-/// Those of `output`.
+/// Errors of `output`.
 pub fn write(check: &Check, proof: Option<&Proof>, output: &mut dyn Write) -> io::Result<()> {
-    let found = &check.assemblies;
+    let search = &check.assemblies;
     let system = check.interpreted.system();
     let units = system.mechanism.units.of_tables();
     let coordinate_units: Vec<OutputUnit> = (0..system.coordinates.len())
         .map(|it| of_coordinate(system, it, &units))
         .collect();
-    let assemblies = found.found.iter().map(|assembly| Assembly {
+    let assemblies = search.found.iter().map(|assembly| Assembly {
         signs: assembly
             .modes
             .closed
@@ -230,7 +230,7 @@ pub fn write(check: &Check, proof: Option<&Proof>, output: &mut dyn Write) -> io
         kdof: check.kinematic_freedom,
         ndof: check.net_freedom,
         blocks: blocks.collect(),
-        assembly_modes: found.modes,
+        assembly_modes: search.modes,
         coordinates: system
             .coordinates
             .iter()
@@ -241,10 +241,10 @@ pub fn write(check: &Check, proof: Option<&Proof>, output: &mut dyn Write) -> io
             point: units.of("m").name,
         },
         assemblies: assemblies.collect(),
-        assemblies_cut_short: found.cut_short,
-        assemblies_proven: found.are_all(),
-        assemblies_decided: found.decided,
-        assemblies_undecided: found
+        assemblies_cut_short: search.cut_short,
+        assemblies_proven: search.are_all(),
+        assemblies_decided: search.decided,
+        assemblies_undecided: search
             .undecided
             .iter()
             .map(|Undecided(ranges)| {

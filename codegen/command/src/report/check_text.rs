@@ -1,4 +1,4 @@
-//! *What was checked* → *what a person reads*.
+//! Writes the results of `check` as text.
 
 use std::io::{self, Write};
 
@@ -12,19 +12,19 @@ use linkwright_solver::warnings::times;
 use super::assembly_table;
 use super::units::{enclosing, si_of};
 
-/// How many assemblies are listed.
-const LISTED: usize = 64;
+/// Largest number of listed assemblies.
+const MAX_LISTED: usize = 64;
 
-/// The part of all that could be that must be decided, for what is found to be called all there are.
+/// Part of the candidate volume that must be decided before the list of assemblies is called complete.
 const PROVEN: f64 = 0.999;
 
-/// How many parts are listed in which nothing is decided.
-const LISTED_PARTS: usize = 8;
+/// Largest number of listed undecided ranges.
+const MAX_LISTED_PARTS: usize = 8;
 
-/// Writes everything that was checked; no line of a table is wider than `width`.
+/// Writes all results; no line of a table is wider than `width`.
 ///
 /// # Errors
-/// Those of `output`.
+/// Errors of `output`.
 pub fn write(check: &Check, width: usize, output: &mut dyn Write) -> io::Result<()> {
     writeln!(output, "{}", check.interpreted.system().mechanism.title())?;
     let coordinates = check.interpreted.system().coordinates.len() as i64;
@@ -77,7 +77,7 @@ fn assemblies(check: &Check, width: usize, output: &mut dyn Write) -> io::Result
         "of 2^{} = {combinations} that the signs of closed forms allow",
         all.modes
     );
-    // What is proven needs no starts.
+    // A proof replaces the count of starting values.
     let is_proven = all.iterated > 0 && all.decided >= PROVEN;
     let starts = format!("{STARTS} starts at random find for each block without a closed form");
     let allowed = match (all.modes, all.iterated) {
@@ -106,15 +106,15 @@ fn assemblies(check: &Check, width: usize, output: &mut dyn Write) -> io::Result
     if all.iterated > 0 && all.proven {
         undecided(check, output)?;
     }
-    let listed = &all.found[..all.found.len().min(LISTED)];
+    let listed = &all.found[..all.found.len().min(MAX_LISTED)];
     assembly_table::write(&check.interpreted, listed, width, output)?;
-    match all.found.len().saturating_sub(LISTED) {
+    match all.found.len().saturating_sub(MAX_LISTED) {
         0 => Ok(()),
         more => writeln!(output, "  and {more} more"),
     }
 }
 
-/// Where it is not known whether there are assemblies.
+/// Writes the ranges in which existence of assemblies is undecided.
 fn undecided(check: &Check, output: &mut dyn Write) -> io::Result<()> {
     let all = &check.assemblies;
     if all.decided < PROVEN {
@@ -125,7 +125,7 @@ fn undecided(check: &Check, output: &mut dyn Write) -> io::Result<()> {
         )?;
     }
     let units = check.interpreted.system().mechanism.units.of_tables();
-    for Undecided(ranges) in all.undecided.iter().take(LISTED_PARTS) {
+    for Undecided(ranges) in all.undecided.iter().take(MAX_LISTED_PARTS) {
         let ranges = ranges.iter().map(|(unknown, [low, high])| {
             let system = check.interpreted.system();
             let unit = units.of(si_of(system.vector_form.unknowns[*unknown].quantity));
@@ -137,7 +137,7 @@ fn undecided(check: &Check, output: &mut dyn Write) -> io::Result<()> {
         let ranges: Vec<String> = ranges.collect();
         writeln!(output, "  undecided: {}", ranges.join(" with "))?;
     }
-    match all.undecided.len().saturating_sub(LISTED_PARTS) {
+    match all.undecided.len().saturating_sub(MAX_LISTED_PARTS) {
         0 => Ok(()),
         more => writeln!(output, "  and {more} more parts"),
     }

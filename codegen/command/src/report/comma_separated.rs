@@ -1,10 +1,16 @@
-//! *A motion* → *CSV*: a line per frame, every number with as few digits as restore it exactly.
+//! Writes a motion as CSV: a line per frame, each number with the fewest digits that restore it exactly.
 //!
-//! The columns are `t`; the coordinates by name (`x1`), their rates (`x1_d`) and accelerations (`x1_dd`); for each point `K`
-//! its position, velocity and acceleration `K_x, K_y, K_vx, K_vy, K_ax, K_ay`. Units are those that are requested, otherwise m, rad and s.
-//! The derivatives of `transmission` and `sensitivity` statements follow, `K_x per phi(1)`, empty where Φ_q is singular, and then what
-//! `effort`, `reaction` and `energy` statements request, `effort_crank`. Measures of `--monitor` follow, `normalized_determinant_phi2`,
-//! dimensionless. Where units are requested, each name is followed by its unit, `phi1_d (rad/s)`; dimensionless columns have none.
+//! The columns are:
+//!
+//! - `t`;
+//! - the coordinates by name (`x1`), their rates (`x1_d`) and accelerations (`x1_dd`);
+//! - for each point `K` its position, velocity and acceleration `K_x, K_y, K_vx, K_vy, K_ax, K_ay`;
+//! - the derivatives of `transmission` and `sensitivity` statements, `K_x per phi(1)`, empty where Φ_q is singular;
+//! - the quantities of `effort`, `reaction` and `energy` statements, `effort_crank`;
+//! - the measures of `--monitor`, `normalized_determinant_phi2`, dimensionless.
+//!
+//! Units are m, rad and s unless others are requested. Then each name is followed by its unit, `phi1_d (rad/s)`, unless it is
+//! dimensionless.
 
 use std::io::{self, Write};
 
@@ -15,16 +21,16 @@ use super::units::ColumnUnits;
 use crate::motion::{Followed, Shown, Sink};
 use crate::output::{Beginning, Record, Signature};
 
-/// What follows the name of a coordinate, its rate and its acceleration.
+/// Suffixes of a coordinate, its rate and its acceleration.
 const RATES: [&str; 3] = ["", "_d", "_dd"];
 
-/// What follows the name of a point.
+/// Suffixes of a point's components.
 const OF_POINT: [&str; 6] = ["_x", "_y", "_vx", "_vy", "_ax", "_ay"];
 
-/// How many bytes a number takes, about, with what separates it from the next one.
+/// Approximate number of bytes of a number and its separator.
 const BYTES: u64 = 20;
 
-/// What the names of columns begin with that follow those of coordinates and points.
+/// Beginnings of the names of columns after those of coordinates and points.
 const OTHERS: [&str; 7] = [
     "normalized_determinant_",
     "effort_",
@@ -35,14 +41,14 @@ const OTHERS: [&str; 7] = [
     "added_power",
 ];
 
-/// How such a table is known again, also that of another mechanism.
+/// Signature of such a table, also of that of another mechanism.
 pub const SIGNATURE: Signature = Signature {
     noun: "a table of frames that this command has written",
     beginning: Beginning::Line(is_header),
     record: Record::Beside,
 };
 
-/// The table of a motion, to which frames are added one by one.
+/// Table of a motion, written frame by frame.
 pub struct Table<'a> {
     writer: csv::Writer<&'a mut dyn Write>,
     fields: Vec<String>,
@@ -50,10 +56,10 @@ pub struct Table<'a> {
 }
 
 impl<'a> Table<'a> {
-    /// The table with its header.
+    /// Begins a table with its header.
     ///
     /// # Errors
-    /// Those of `output`.
+    /// Errors of `output`.
     pub fn new<V: View>(
         motion: &Followed<V>,
         has_units: bool,
@@ -78,7 +84,7 @@ impl<'a> Table<'a> {
     /// Ends the table.
     ///
     /// # Errors
-    /// Those of the output.
+    /// Errors of the output.
     pub fn finish(mut self) -> io::Result<()> {
         self.writer.flush()
     }
@@ -107,12 +113,12 @@ impl Sink for Table<'_> {
     }
 }
 
-/// How many bytes a table of so many frames takes, about.
+/// Returns the approximate number of bytes of a table of `frames` frames.
 pub fn size<V: View>(motion: &Followed<V>, frames: usize) -> u64 {
     (header(motion, &ColumnUnits::of(motion)).len() * frames) as u64 * BYTES
 }
 
-/// Returns values in their units; empty cells where there are none.
+/// Returns values in their units; empty cells without values.
 fn written<'a>(
     values: Option<&[f64]>,
     units: impl IntoIterator<Item = &'a OutputUnit>,
@@ -148,7 +154,7 @@ fn header<'a, V: View>(motion: &Followed<V>, units: &'a ColumnUnits) -> Vec<(Str
     names
 }
 
-/// Whether these are the names of the columns, in their order.
+/// True if these are names of columns in their order.
 fn is_header(line: &str) -> bool {
     let mut table = csv::ReaderBuilder::new()
         .has_headers(false)
@@ -162,7 +168,7 @@ fn is_header(line: &str) -> bool {
     };
     let names: Vec<&str> = names.iter().map(|it| without_unit(it)).collect();
     let names = names.as_slice();
-    // What follows the coordinates is the rate of the first of them.
+    // The rate of the first coordinate follows the coordinates.
     let is_first_rate = |name: &&str| name.strip_suffix(RATES[1]) == names.first().copied();
     let Some(count) = names.iter().position(is_first_rate) else {
         return false;
@@ -186,7 +192,7 @@ fn is_header(line: &str) -> bool {
         .all(|name| name.contains(" per ") || OTHERS.iter().any(|begin| name.starts_with(begin)))
 }
 
-/// `phi1_d` of `phi1_d (rad/s)`.
+/// Removes the unit of a column: `phi1_d` of `phi1_d (rad/s)`.
 fn without_unit(column: &str) -> &str {
     let name = column.strip_suffix(')').and_then(|it| it.rsplit_once(" ("));
     match name {
@@ -195,7 +201,7 @@ fn without_unit(column: &str) -> &str {
     }
 }
 
-/// The error of the output itself, whose kind the conversion of the standard library would hide.
+/// Returns the error of the output itself; the conversion of the standard library would hide its kind.
 fn cause(error: csv::Error) -> io::Error {
     match error.into_kind() {
         csv::ErrorKind::Io(cause) => cause,
@@ -203,7 +209,7 @@ fn cause(error: csv::Error) -> io::Error {
     }
 }
 
-/// The shortest text that restores a number exactly.
+/// Returns the shortest text that restores a number exactly.
 fn number(value: f64) -> String {
     format!("{value:?}")
 }

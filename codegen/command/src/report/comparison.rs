@@ -1,4 +1,4 @@
-//! *Measured and solved columns* → *a table*, and what is within its tolerance.
+//! Writes measured and solved columns as a table, and checks their tolerances.
 
 use std::io::{self, Write};
 
@@ -9,10 +9,10 @@ use super::aligned::aligned;
 use super::measured_data::{taken_for, write_data, write_notes};
 use crate::data::{Data, Measured, Origin};
 
-/// Decimals of what is printed in scientific notation.
+/// Decimals of numbers in scientific notation.
 const DIGITS: usize = 3;
 
-/// Units that people measure in, and how many of them the unit of SI has.
+/// Common units of measured data: name, number per SI unit, powers of m, s, kg and rad.
 const HINTS: [(&str, f64, [i32; 4]); 4] = [
     ("mm", 1000.0, [1, 0, 0, 0]),
     ("cm", 100.0, [1, 0, 0, 0]),
@@ -20,37 +20,37 @@ const HINTS: [(&str, f64, [i32; 4]); 4] = [
     ("deg", 180.0 / std::f64::consts::PI, [0, 0, 0, 1]),
 ];
 
-/// How near a ratio of values must be to that of units to be put down to them.
-const ALIKE: f64 = 0.02;
+/// Largest relative difference of a ratio of values from the ratio of two units that is put down to the units.
+const RATIO_TOLERANCE: f64 = 0.02;
 
-/// What was compared.
+/// Comparison to report.
 pub struct Report<'a> {
-    /// What messages call the mechanism.
+    /// Name of the mechanism in messages.
     pub title: String,
-    /// The measured values.
+    /// Measured values.
     pub data: &'a Data,
-    /// What was compared.
+    /// Compared columns.
     pub columns: Vec<Column<'a>>,
-    /// Why the motion ends early, if it does.
+    /// Reason of an early end; `None` if the motion is complete.
     pub error: Option<&'a str>,
 }
 
-/// One column.
+/// Compared column.
 pub struct Column<'a> {
-    /// What was measured.
+    /// Measured values.
     pub measured: &'a Measured,
-    /// In SI units, row by row.
+    /// Solved values in SI units, row by row; `None` if there is none.
     pub solved: Vec<Option<f64>>,
-    /// Whether whole turns are no difference.
+    /// True if whole turns do not count as a difference.
     pub is_angle: bool,
-    /// In SI units; `None` where no row has both.
+    /// Differences in SI units; `None` if no row has both values.
     pub comparison: Option<Comparison>,
-    /// In SI units.
+    /// Tolerance in SI units; `None` if there is none.
     pub tolerance: Option<f64>,
 }
 
 impl Column<'_> {
-    /// Whether it is within its tolerance, where it has one.
+    /// True if the column is within its tolerance; `None` if it has none.
     pub fn is_within(&self) -> Option<bool> {
         let largest = self.comparison.map(|it| it.largest.abs());
         self.tolerance
@@ -59,17 +59,17 @@ impl Column<'_> {
 }
 
 impl Report<'_> {
-    /// Whether every column is within its tolerance.
+    /// True if every column is within its tolerance.
     pub fn is_within(&self) -> bool {
         self.columns.iter().all(|it| it.is_within() != Some(false))
     }
 
-    /// Whether any has one.
+    /// True if any column has a tolerance.
     pub fn has_tolerances(&self) -> bool {
         self.columns.iter().any(|it| it.tolerance.is_some())
     }
 
-    /// Units that columns without one seem to have.
+    /// Returns a guess of the unit for each column without one whose values differ by the ratio of two units.
     pub fn hints(&self) -> Vec<String> {
         let mut hints = Vec::new();
         for column in self
@@ -86,7 +86,9 @@ impl Report<'_> {
             let ratio = both / square;
             let powers = column.measured.quantity.powers;
             let unit = HINTS.iter().find(|(_, factor, own)| {
-                own[0] == powers[0] && own[3] == powers[3] && (ratio / factor - 1.0).abs() < ALIKE
+                own[0] == powers[0]
+                    && own[3] == powers[3]
+                    && (ratio / factor - 1.0).abs() < RATIO_TOLERANCE
             });
             if let Some((unit, factor, _)) = unit {
                 let per = ["", "/s", "/s^2"]
@@ -105,7 +107,7 @@ impl Report<'_> {
 /// Writes the table.
 ///
 /// # Errors
-/// Those of `output`.
+/// Errors of `output`.
 pub fn write(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()> {
     write_data(&report.title, report.data, output)?;
     writeln!(output)?;
@@ -117,15 +119,15 @@ pub fn write(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()> {
     }
     let mut rows = vec![heading.into_iter().map(str::to_string).collect::<Vec<_>>()];
     for column in &report.columns {
-        let own = column.measured;
-        let [quantity, unit] = taken_for(own);
-        let shown = |value: f64| scientific(own.scale.unit.of_si(value), DIGITS);
-        let mut row = vec![own.name.clone(), quantity, unit];
+        let measured = column.measured;
+        let [quantity, unit] = taken_for(measured);
+        let in_unit = |value: f64| scientific(measured.scale.unit.of_si(value), DIGITS);
+        let mut row = vec![measured.name.clone(), quantity, unit];
         match &column.comparison {
             Some(it) => row.extend([
                 it.count.to_string(),
-                shown(it.rms),
-                shown(it.largest),
+                in_unit(it.rms),
+                in_unit(it.largest),
                 time(it.at),
             ]),
             None => row.extend(["0", "", "", ""].map(str::to_string)),
@@ -137,7 +139,7 @@ pub fn write(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()> {
                 None => "",
             };
             row.extend([
-                column.tolerance.map_or(String::new(), shown),
+                column.tolerance.map_or(String::new(), in_unit),
                 verdict.to_string(),
             ]);
         }

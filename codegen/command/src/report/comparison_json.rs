@@ -1,14 +1,14 @@
-//! *Measured and solved columns* → *one JSON object*.
+//! Writes measured and solved columns as one JSON object.
 //!
 //! | key | value |
 //! |---|---|
-//! | `mechanism`, `data` | the name of the mechanism, and the file |
-//! | `read` | how the file was read, in words |
-//! | `rows`, `from`, `to` | how many rows there are, and their first and last time (s) |
+//! | `mechanism`, `data` | name of the mechanism, and path of the data file |
+//! | `read` | interpretation of the file, in words |
+//! | `rows`, `from`, `to` | number of rows, and their first and last time (s) |
 //! | `columns` | `{column, quantity, how, doubt, unit, unit_from, count, rms, largest, t, tolerance, within}` each, in the unit of the column; `counts_turns` is true of the rate of an angle in `1/min` or `Hz`; `how` is `name`, `option` or `guess`, `unit_from` is `header`, `option` or `assumed` |
 //! | `left_out` | `{column, why}` each |
-//! | `within` | whether all differences are within their tolerances; absent where there are none |
-//! | `error` | why the motion ends early, where it does |
+//! | `within` | true if all differences are within their tolerances; absent without tolerances |
+//! | `error` | reason of an early end of the motion, if there is one |
 
 use std::io::{self, Write};
 
@@ -63,33 +63,33 @@ struct LeftOut<'a> {
 /// Writes the object and a line break.
 ///
 /// # Errors
-/// Those of `output`.
+/// Errors of `output`.
 pub fn write(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()> {
     let data = report.data;
     let columns = report.columns.iter().map(|column| {
         let comparison = column.comparison;
-        let own = column.measured;
-        let shown = |value: f64| own.scale.unit.of_si(value);
-        let (how, doubt) = match &own.how {
+        let measured = column.measured;
+        let in_unit = |value: f64| measured.scale.unit.of_si(value);
+        let (how, doubt) = match &measured.how {
             How::Named => ("name", ""),
             How::Chosen => ("option", ""),
             How::Guessed(doubt) => ("guess", doubt.as_str()),
         };
         Entry {
-            column: &own.name,
-            quantity: &own.quantity.name,
-            unit: &own.scale.text,
-            unit_from: match own.scale.origin {
+            column: &measured.name,
+            quantity: &measured.quantity.name,
+            unit: &measured.scale.text,
+            unit_from: match measured.scale.origin {
                 Origin::Header => "header",
                 Origin::Option => "option",
                 Origin::Assumed => "assumed",
             },
-            counts_turns: own.scale.counts_turns,
+            counts_turns: measured.scale.counts_turns,
             count: comparison.map_or(0, |it| it.count),
-            rms: comparison.map(|it| shown(it.rms)),
-            largest: comparison.map(|it| shown(it.largest)),
+            rms: comparison.map(|it| in_unit(it.rms)),
+            largest: comparison.map(|it| in_unit(it.largest)),
             t: comparison.map(|it| it.at),
-            tolerance: column.tolerance.map(shown),
+            tolerance: column.tolerance.map(in_unit),
             within: column.is_within(),
             how,
             doubt,

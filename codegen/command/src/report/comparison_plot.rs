@@ -1,4 +1,4 @@
-//! *A measured column and the motion* → *an SVG*: both curves over time, and below them their difference.
+//! Draws a measured column and the motion as an SVG: both curves over time, and below them their difference.
 
 use linkwright_solver::comparison::difference;
 
@@ -7,7 +7,7 @@ use super::plot::{self, Panel};
 use crate::data::Data;
 use crate::motion::Extreme;
 
-/// A file name for each column: what file systems refuse is replaced, and what is equal then gets a number.
+/// Returns a file name for each column. Characters that file systems refuse are replaced, and equal names get a number.
 pub fn file_names(data: &Data) -> Vec<String> {
     let mut taken: Vec<String> = Vec::new();
     let names = data.measured.iter().map(|it| {
@@ -29,27 +29,27 @@ pub fn file_names(data: &Data) -> Vec<String> {
     names.collect()
 }
 
-/// The picture of a column; `None` where fewer than two rows can be compared.
+/// Draws a column; `None` if fewer than two rows can be compared.
 ///
 /// # Errors
-/// What the drawing library refuses.
+/// Errors of the drawing library.
 pub fn picture(report: &Report<'_>, column: &Column<'_>) -> Result<Option<String>, String> {
-    let own = column.measured;
-    let shown = |value: f64| own.scale.unit.of_si(value);
+    let measured_column = column.measured;
+    let in_unit = |value: f64| measured_column.scale.unit.of_si(value);
     let (mut measured, mut solved, mut apart): (Vec<Extreme>, Vec<Extreme>, Vec<Extreme>) =
         Default::default();
     for (t, (a, b)) in report
         .data
         .times
         .iter()
-        .zip(own.values.iter().zip(&column.solved))
+        .zip(measured_column.values.iter().zip(&column.solved))
     {
         if let (Some(a), Some(b)) = (a, b) {
             let difference = difference(*a, *b, column.is_angle);
-            // Angles are drawn in the turn of the motion.
-            measured.push((*t, shown(b + difference)));
-            solved.push((*t, shown(*b)));
-            apart.push((*t, shown(difference)));
+            // Measured angles are drawn in the turn of the solved ones.
+            measured.push((*t, in_unit(b + difference)));
+            solved.push((*t, in_unit(*b)));
+            apart.push((*t, in_unit(difference)));
         }
     }
     if measured.len() < 2 || measured[0].0 == measured[measured.len() - 1].0 {
@@ -57,10 +57,10 @@ pub fn picture(report: &Report<'_>, column: &Column<'_>) -> Result<Option<String
     }
     let largest = |curve: &[Extreme]| curve.iter().fold(0.0_f64, |most, it| most.max(it.1.abs()));
     let positive = |value: f64| if value > 0.0 { value } else { 1.0 };
-    let unit = own.scale.text.as_str();
+    let unit = measured_column.scale.text.as_str();
     let panels = [
         Panel {
-            title: own.quantity.name.clone(),
+            title: measured_column.quantity.name.clone(),
             unit,
             reference: positive(largest(&solved)),
             curves: vec![("data", measured), ("solved", solved)],
@@ -72,8 +72,11 @@ pub fn picture(report: &Report<'_>, column: &Column<'_>) -> Result<Option<String
             curves: vec![("", apart)],
         },
     ];
-    let title = format!("{} and {} of {}", own.name, own.quantity.name, report.title);
+    let title = format!(
+        "{} and {} of {}",
+        measured_column.name, measured_column.quantity.name, report.title
+    );
     plot::picture(&title, &panels)
         .map(Some)
-        .map_err(|error| format!("cannot draw `{}`: {error}", own.name))
+        .map_err(|error| format!("cannot draw `{}`: {error}", measured_column.name))
 }

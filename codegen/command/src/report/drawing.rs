@@ -1,4 +1,4 @@
-//! *Solved instants* → *what the drawing room draws*: paths of points, and the sheet of all assemblies.
+//! Prepares solved instants for drawings: paths of points, and the sheet of all assemblies.
 
 use linkwright_codegen::stages::emit::drawing::{self, Panel, Traced};
 use linkwright_solver::assemblies::Assembly;
@@ -7,16 +7,16 @@ use linkwright_solver::view::View;
 
 use super::picture::signed;
 
-/// How many ticks a path has at most.
+/// Largest number of ticks of a path.
 const TICKS: f64 = 24.0;
 
-/// By which part an interval may fall short of the least: powers of ten are rounded.
+/// Relative amount by which an interval may fall short of the least: powers of ten are rounded.
 const ROUND_TO: f64 = 1e-9;
 
-/// How many assemblies are drawn.
+/// Largest number of assemblies that are drawn.
 const DRAWN: usize = 64;
 
-/// The time between two ticks of a path: one, two or five times a power of ten, as steps of the motion.
+/// Returns the number of steps between two ticks of a path. Their time is one, two or five times a power of ten.
 pub fn tick_steps(length: f64, step: f64) -> usize {
     let least = length / TICKS;
     let power = 10.0_f64.powf(least.log10().floor());
@@ -25,7 +25,7 @@ pub fn tick_steps(length: f64, step: f64) -> usize {
     ((interval.unwrap_or(least) / step).round() as usize).max(1)
 }
 
-/// The path of a point from its places, with a tick at every so many of them.
+/// Returns the path of a point, with a tick at every `ticks`-th position.
 pub fn traced(name: &str, places: &[[f64; 2]], ticks: usize) -> Traced {
     Traced {
         name: name.to_string(),
@@ -34,7 +34,7 @@ pub fn traced(name: &str, places: &[[f64; 2]], ticks: usize) -> Traced {
     }
 }
 
-/// The picture of all assemblies, each under its signs and letters, the drawing's first; empty where there are none.
+/// Draws all assemblies, that of the design configuration first, each above its signs and letters; empty if there are none.
 pub fn assemblies<V: View>(view: &V, found: &[Assembly]) -> String {
     let system = view.system();
     let panels = found.iter().take(DRAWN).map(|assembly| {

@@ -1,4 +1,4 @@
-//! *A mechanism in its drawing* → *the first Newton-Raphson step as it is written down by hand*: Φ_q Δq = -Φ, and the new q.
+//! Writes the first Newton-Raphson step from the design configuration, as for a calculation by hand: Φ_q Δq = -Φ, and the new q.
 
 use std::io::{self, Write};
 
@@ -8,16 +8,16 @@ use linkwright_solver::view::View;
 
 use super::motion_table::{Column, table};
 
-/// More coordinates than these make a matrix that is wider than a page; its nonzero entries are then listed row by row.
+/// Largest number of columns of a matrix that is printed whole; nonzero entries of wider ones are listed row by row.
 const LARGEST_MATRIX: usize = 9;
 
-/// The decimals of each number.
+/// Decimals of each number.
 const DECIMALS: usize = 6;
 
-/// Writes the step from the drawing at the time `t`.
+/// Writes the step from the design configuration at the time `t` (s).
 ///
 /// # Errors
-/// Those of `output`.
+/// Errors of `output`.
 pub fn write<V: View>(view: &V, t: f64, output: &mut dyn Write) -> io::Result<()> {
     let system = view.system();
     let step = first_step(system, &view.drawn_pose(&view.nominal_parameters()).0, t);

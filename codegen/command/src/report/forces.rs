@@ -1,4 +1,4 @@
-//! *What drivers exert and joints carry along a motion* → *tables, and the largest of each*.
+//! Writes driving forces and reactions along a motion as tables, with the largest magnitude of each.
 
 use std::io::{self, Write};
 
@@ -9,16 +9,16 @@ use linkwright_solver::view::View;
 use super::motion_table::{self, Column};
 use crate::motion::Followed;
 
-/// How wide a table may be, in characters.
+/// Width of a table in characters.
 const WIDEST: usize = 100;
 
-/// So many forces are printed as tables; of more only the largest values.
+/// Largest number of forces that are printed as tables; of more, only the largest values are printed.
 const TABLED: usize = 12;
 
-/// Writes what is asked for; nothing where nothing is.
+/// Writes the requested forces, if any.
 ///
 /// # Errors
-/// Those of `output`.
+/// Errors of `output`.
 pub fn write<V: View>(
     motion: &Followed<V>,
     units: &OutputUnits,
@@ -45,7 +45,7 @@ pub fn write<V: View>(
     Ok(())
 }
 
-/// As many columns beside one another as fit on a line.
+/// Writes as many columns side by side as fit on a line.
 fn tables<V: View>(
     motion: &Followed<V>,
     units: &OutputUnits,
@@ -83,7 +83,7 @@ fn tables<V: View>(
     Ok(())
 }
 
-/// A value with five digits.
+/// Returns a value with five digits.
 fn short(value: f64) -> String {
     match value == 0.0 {
         true => "0".to_string(),

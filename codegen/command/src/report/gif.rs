@@ -1,7 +1,7 @@
-//! An animation of the drawing room → a GIF that is repeated for ever.
+//! Writes an animation as a GIF that repeats forever.
 //!
-//! All pictures share one palette: the most frequent colors, and those that all others are near to. A picture holds only the part that differs from the one before. A GIF
-//! of ours says so in a comment behind its palette.
+//! All pictures share one palette: the most frequent colors, and colors near all others. A picture holds only the rectangle that
+//! differs from the picture before. A comment behind the palette marks a GIF of Linkwright.
 
 use std::collections::HashMap;
 
@@ -11,19 +11,19 @@ use linkwright_codegen::stages::emit::drawing::Animation;
 use super::raster::Rasterizer;
 use crate::output::{Beginning, Record, Signature};
 
-/// Colors of a palette, one of which is that of what does not change.
+/// Number of colors of a palette, the transparent one included.
 const COLORS: usize = 256;
 
-/// Place of the color of what does not change.
+/// Index of the transparent color, which keeps the pixel of the picture before.
 const UNCHANGED: u8 = 255;
 
-/// Steps in which the least distance of two colors grows until all fit.
+/// Increment of the least distance of two colors, which grows until all colors fit.
 const STEP: usize = 2;
 
-/// Most pictures in which colors are counted.
+/// Largest number of pictures in which colors are counted.
 const COUNTED: usize = 12;
 
-/// Bytes before the palette, and with it.
+/// Number of bytes before the palette, and up to its end.
 const HEAD: usize = 13;
 const PALETTE: usize = HEAD + 3 * COLORS;
 
@@ -33,10 +33,10 @@ const COMMENT: u8 = 0xfe;
 /// Comment behind the palette.
 const WORDS: &[u8] = b"linkwright";
 
-/// Beginning of the comment behind that one, which names the source.
+/// Beginning of the second comment, which names the source.
 const SOURCE: &[u8] = b"Generated from ";
 
-/// Recognizes a GIF of ours.
+/// Signature of a GIF of Linkwright.
 pub const SIGNATURE: Signature = Signature {
     noun: "a picture that this command has drawn",
     beginning: Beginning::Bytes(is_ours),
@@ -51,14 +51,14 @@ pub const SIGNATURE: Signature = Signature {
     },
 };
 
-/// Place of the second comment.
+/// Position of the second comment.
 const SECOND: usize = PALETTE + 2 + 1 + WORDS.len() + 1;
 
 fn is_ours(bytes: &[u8]) -> bool {
     bytes.starts_with(b"GIF89a") && bytes.get(PALETTE..SECOND) == Some(&comment(WORDS)[..])
 }
 
-/// Name of the source of a picture.
+/// Returns the name of the source of a picture.
 fn source(bytes: &[u8]) -> Option<String> {
     let mut rest = bytes.get(SECOND..)?.strip_prefix(&[b'!', COMMENT])?;
     let mut words = Vec::new();
@@ -74,7 +74,7 @@ fn source(bytes: &[u8]) -> Option<String> {
     String::from_utf8(words.strip_prefix(SOURCE)?.to_vec()).ok()
 }
 
-/// A comment as an extension, in blocks of at most 255 bytes.
+/// Encodes a comment extension, in blocks of at most 255 bytes.
 fn comment(words: &[u8]) -> Vec<u8> {
     let mut bytes = vec![b'!', COMMENT];
     for block in words.chunks(255) {
@@ -85,16 +85,16 @@ fn comment(words: &[u8]) -> Vec<u8> {
     bytes
 }
 
-/// The colors of all pixels of a picture.
+/// Colors of all pixels of a picture.
 struct Pixels {
     size: [u16; 2],
     colors: Vec<[u8; 3]>,
 }
 
-/// Returns the animation with this time between two pictures, in s.
+/// Encodes an animation with an interval between pictures, in s.
 ///
 /// # Errors
-/// A picture that is too large for a GIF or for the memory.
+/// A picture is too large for a GIF or for the memory.
 pub fn gif(animation: &Animation, interval: f64) -> Result<Vec<u8>, String> {
     let rasterizer = Rasterizer::with_letters();
     let pixels = |place: usize| -> Result<Pixels, String> {
@@ -124,11 +124,11 @@ pub fn gif(animation: &Animation, interval: f64) -> Result<Vec<u8>, String> {
         .write_raw_extension(extension, &[WORDS])
         .map_err(failed)?;
     encoder.set_repeat(Repeat::Infinite).map_err(failed)?;
-    let mut shown: Option<Vec<u8>> = None;
+    let mut previous: Option<Vec<u8>> = None;
     for place in 0..animation.count() {
-        let own = pixels(place)?;
-        let indices = palette.indices(&own.colors);
-        let mut frame = match &shown {
+        let picture = pixels(place)?;
+        let indices = palette.indices(&picture.colors);
+        let mut frame = match &previous {
             None => Frame {
                 width,
                 height,
@@ -137,18 +137,18 @@ pub fn gif(animation: &Animation, interval: f64) -> Result<Vec<u8>, String> {
             },
             Some(before) => difference(before, &indices, width),
         };
-        // Hundredths of a second, so that the pictures keep pace with the motion.
+        // Delays are rounded from the sum, in hundredths of a second, so that the pictures keep pace with the motion.
         let at = |place: usize| (100.0 * interval * place as f64).round();
         frame.delay = (at(place + 1) - at(place)) as u16;
         frame.dispose = DisposalMethod::Keep;
         encoder.write_frame(&frame).map_err(failed)?;
-        shown = Some(indices);
+        previous = Some(indices);
     }
     drop(encoder);
     Ok(bytes)
 }
 
-/// The rectangle in which two pictures differ.
+/// Returns the rectangle in which two pictures differ.
 fn difference(before: &[u8], now: &[u8], width: u16) -> Frame<'static> {
     let across = usize::from(width);
     let (mut low, mut high) = ([usize::MAX; 2], [0; 2]);
@@ -164,7 +164,7 @@ fn difference(before: &[u8], now: &[u8], width: u16) -> Frame<'static> {
         }
     }
     if low[0] == usize::MAX {
-        // A picture needs a pixel.
+        // A picture has at least one pixel.
         (low, high) = ([0; 2], [0; 2]);
     }
     let rows = low[1]..=high[1];
@@ -184,7 +184,7 @@ fn difference(before: &[u8], now: &[u8], width: u16) -> Frame<'static> {
     }
 }
 
-/// The square of the distance of two colors.
+/// Returns the squared distance of two colors.
 fn off(a: &[u8; 3], b: &[u8; 3]) -> i32 {
     let parts = a.iter().zip(b);
     parts
@@ -192,12 +192,12 @@ fn off(a: &[u8; 3], b: &[u8; 3]) -> i32 {
         .sum()
 }
 
-/// The colors of a GIF.
+/// Palette of a GIF.
 #[derive(Default)]
 struct Palette {
     counts: HashMap<[u8; 3], usize>,
     colors: Vec<[u8; 3]>,
-    /// The place of the nearest color; only looked up.
+    /// Index of the nearest color; only looked up.
     nearest: HashMap<[u8; 3], u8>,
 }
 
@@ -208,7 +208,7 @@ impl Palette {
         }
     }
 
-    /// Keeps the most frequent colors, and so many others that each color is as near to one of them as can be.
+    /// Keeps the most frequent colors, and adds others at the least distance of all colors from the palette that fits.
     fn choose(&mut self) {
         let mut all: Vec<([u8; 3], usize)> = self.counts.drain().collect();
         all.sort_by_key(|(color, count)| (std::cmp::Reverse(*count), *color));
@@ -235,12 +235,13 @@ impl Palette {
         bytes
     }
 
-    /// The places of the nearest colors.
+    /// Returns the indices of the nearest colors.
     fn indices(&mut self, colors: &[[u8; 3]]) -> Vec<u8> {
         let place = |color: &[u8; 3]| {
-            let own = &self.colors;
+            let palette = &self.colors;
             *self.nearest.entry(*color).or_insert_with(|| {
-                let places = (0..own.len()).min_by_key(|place| (off(&own[*place], color), *place));
+                let places =
+                    (0..palette.len()).min_by_key(|place| (off(&palette[*place], color), *place));
                 places.unwrap_or(0) as u8
             })
         };
@@ -256,7 +257,7 @@ mod tests {
 
     use super::*;
 
-    /// A bar of 1 m that stands in these angles.
+    /// Bar of 1 m at these angles.
     fn turning(angles: &[f64]) -> Animation {
         let text = "mechanism bar { point O = (0, 0); body arm at O { O, P: (1, 0) } revolute O(ground, arm); drive phi(arm) = t; }";
         let read = linkwright_codegen::read(&Source::new("bar.mech", text));
@@ -273,7 +274,7 @@ mod tests {
         Animation::new(&system, &poses, &[], &Options::default()).expect("a pose")
     }
 
-    /// All pictures as they are shown one upon the other, and how long each is, in hundredths of a second.
+    /// Decodes all pictures, each composed with those before, and their delays in hundredths of a second.
     fn shown(bytes: &[u8]) -> (Vec<Vec<[u8; 3]>>, Vec<u16>) {
         let mut options = DecodeOptions::new();
         options.set_color_output(ColorOutput::RGBA);
@@ -283,11 +284,11 @@ mod tests {
         let mut canvas = vec![[0; 3]; width * usize::from(decoder.height())];
         let (mut pictures, mut delays) = (Vec::new(), Vec::new());
         while let Some(frame) = decoder.read_next_frame().expect("a picture") {
-            let own = usize::from(frame.width);
+            let width = usize::from(frame.width);
             for (place, pixel) in frame.buffer.chunks_exact(4).enumerate() {
                 if pixel[3] > 0 {
-                    let row = usize::from(frame.top) + place / own;
-                    let column = usize::from(frame.left) + place % own;
+                    let row = usize::from(frame.top) + place / width;
+                    let column = usize::from(frame.left) + place % width;
                     canvas[row * width + column] = [pixel[0], pixel[1], pixel[2]];
                 }
             }
@@ -302,7 +303,7 @@ mod tests {
         let animation = turning(&[0.0, 0.4, 0.4, 0.8]);
         let bytes = gif(&animation, 0.035).expect("a GIF");
         let (pictures, delays) = shown(&bytes);
-        // 0, 3.5, 7, 10.5 and 14 hundredths, to whole ones.
+        // The times 0, 3.5, 7, 10.5 and 14 hundredths are rounded to whole ones.
         assert_eq!(delays, [4, 3, 4, 3]);
         assert_eq!(pictures.len(), 4);
         assert!(pictures[0] != pictures[1] && pictures[1] == pictures[2]);

@@ -1,23 +1,23 @@
-//! *A motion* → *one JSON object*.
+//! Writes a motion as one JSON object.
 //!
 //! | key | value |
 //! |---|---|
-//! | `mechanism` | its name |
-//! | `motion` | the name of the motion, where the mechanism has several |
-//! | `coordinates` | their names, in the order of `q`, `qd`, `qdd` |
-//! | `units` | those of `t`, of each coordinate in `q`, `qd` and `qdd`, and of `position`, `velocity` and `acceleration` |
-//! | `degrees_of_freedom` | before drivers |
+//! | `mechanism` | name of the mechanism |
+//! | `motion` | name of the motion, if there are several |
+//! | `coordinates` | names in the order of `q`, `qd`, `qdd` |
+//! | `units` | units of `t`, of each coordinate in `q`, `qd` and `qdd`, and of `position`, `velocity` and `acceleration` |
+//! | `degrees_of_freedom` | without drivers |
 //! | `det`, `rcond` | determinant and reciprocal condition (1-norm) of Φ_q at the start, in SI units |
-//! | `rcond_dimensionless` | the latter with lengths divided by the characteristic length |
-//! | `derivatives`, `derivative_units` | names and units of what `transmission` and `sensitivity` statements request, if any |
-//! | `forces` | the names of what `effort`, `reaction` and `energy` statements ask for, each with its unit, if any |
+//! | `rcond_dimensionless` | `rcond` with lengths divided by the characteristic length |
+//! | `derivatives`, `derivative_units` | names and units of the requested transmissions and sensitivities, if any |
+//! | `forces` | names of the quantities that `effort`, `reaction` and `energy` statements request, each with its unit, if any |
 //! | `frames` | `{t, q, qd, qdd, points: {NAME: {position, velocity, acceleration}}}` each; pairs are (x, y); and `derivatives` and `forces`, null where Φ_q is singular |
-//! | `residuals` | the largest over all frames, in SI units: `position`, `scaled`, `velocity`, `acceleration`, and `monitored` where equations are redundant |
-//! | `pressure_angles` | where bodies touch along curves: `{joint, angle, t}` each, the largest angle, in rad or the requested unit, and when; null at rest |
-//! | `newton_steps` | how many were taken in all |
+//! | `residuals` | the largest over all frames, in SI units: `position`, `scaled`, `velocity`, `acceleration`, and `monitored` if equations are redundant |
+//! | `pressure_angles` | of bodies that touch along curves: `{joint, angle, t}` each, the largest angle, in rad or the requested unit, and its time; null at rest |
+//! | `newton_steps` | total number of Newton-Raphson steps |
 //! | `simulation` | of a simulated motion: `evaluations`, `steps`, `implicit_steps` among them, `rejected`, `energy_drift` in J, and `kinetic_energy`, the largest |
 //! | `warnings` | sentences |
-//! | `error` | only if the motion ends early: why; `frames` then holds what could be solved |
+//! | `error` | only if the motion ends early: the reason; `frames` then holds the solved part |
 
 use std::io::{self, Write};
 
@@ -34,7 +34,7 @@ use serde::{Serialize, Serializer};
 use super::units::{ColumnUnits, UnitNames};
 use crate::motion::{Followed, Shown, Simulated, Sink};
 
-/// What is known before the motion is followed.
+/// Values that are known before the motion is followed.
 #[derive(Serialize)]
 struct Head<'a> {
     mechanism: &'a str,
@@ -54,7 +54,7 @@ struct Head<'a> {
     forces: Vec<(&'a str, &'a str)>,
 }
 
-/// What is known afterwards.
+/// Values that are known after the motion.
 #[derive(Serialize)]
 struct Tail<'a> {
     residuals: Largest,
@@ -125,7 +125,7 @@ struct Frame<'a> {
     qd: Vec<f64>,
     qdd: Vec<f64>,
     points: Points<'a>,
-    /// None where nothing is asked for; the inner one where there is no answer.
+    /// Outer `None` if nothing is requested, inner `None` if Φ_q is singular.
     #[serde(skip_serializing_if = "Option::is_none")]
     derivatives: Option<Option<Vec<f64>>>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -165,13 +165,13 @@ impl MotionValues {
     }
 }
 
-/// Returns values in their units from those in SI units.
+/// Converts values from SI units.
 fn scaled<'a>(values: &[f64], units: impl IntoIterator<Item = &'a OutputUnit>) -> Vec<f64> {
     let pairs = values.iter().zip(units);
     pairs.map(|(value, unit)| unit.of_si(*value)).collect()
 }
 
-/// The object of a motion, to which frames are added one by one, so that the whole text is never held.
+/// JSON object of a motion, written frame by frame: the whole text is never in memory.
 pub struct Object<'a> {
     output: &'a mut dyn Write,
     points: Vec<String>,
@@ -185,7 +185,7 @@ impl<'a> Object<'a> {
     /// Begins the object.
     ///
     /// # Errors
-    /// Those of `output`.
+    /// Errors of `output`.
     pub fn new<V: View>(motion: &Followed<V>, output: &'a mut dyn Write) -> io::Result<Object<'a>> {
         let coordinates = &motion.system().coordinates;
         let units = ColumnUnits::of(motion);
@@ -211,7 +211,7 @@ impl<'a> Object<'a> {
                 .map(|(it, unit)| (it.0.as_str(), unit.name.as_str()))
                 .collect(),
         })?;
-        // The object goes on.
+        // The object is continued.
         write!(output, "{},\"frames\":[", head.trim_end_matches('}'))?;
         Ok(Object {
             output,
@@ -226,7 +226,7 @@ impl<'a> Object<'a> {
     /// Ends the object.
     ///
     /// # Errors
-    /// Those of the output.
+    /// Errors of the output.
     pub fn finish<V: View>(self, motion: &Followed<V>) -> io::Result<()> {
         let Residuals {
             position,

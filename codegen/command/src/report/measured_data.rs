@@ -1,4 +1,4 @@
-//! *A table of measured values* → *the lines that say how it was read, and as what*.
+//! Reports the interpretation of a table of measured values.
 
 use std::io::{self, Write};
 
@@ -6,10 +6,10 @@ use linkwright_solver::number::{counted, fixed, time};
 
 use crate::data::{Data, How, Measured, Origin};
 
-/// How a table of data was read, and what its columns are: the first lines of what is printed.
+/// Writes the interpretation of a table and of its columns, which begins a report.
 ///
 /// # Errors
-/// Those of `output`.
+/// Errors of `output`.
 pub fn write_data(title: &str, data: &Data, output: &mut dyn Write) -> io::Result<()> {
     let (first, last) = (data.times.first(), data.times.last());
     let [first, last] = [first, last].map(|it| time(it.copied().unwrap_or(f64::NAN)));
@@ -33,7 +33,7 @@ pub fn write_data(title: &str, data: &Data, output: &mut dyn Write) -> io::Resul
     Ok(())
 }
 
-/// What a column was taken for, and how; and its unit.
+/// Returns the quantity of a column with the source of this choice, and its unit.
 pub fn taken_for(measured: &Measured) -> [String; 2] {
     let quantity = &measured.quantity.name;
     let taken = match &measured.how {
@@ -49,10 +49,10 @@ pub fn taken_for(measured: &Measured) -> [String; 2] {
     [taken, unit]
 }
 
-/// What is to be said of guesses, and of columns that are left out.
+/// Writes notes on guesses and on columns that are left out.
 ///
 /// # Errors
-/// Those of `output`.
+/// Errors of `output`.
 pub fn write_notes(data: &Data, output: &mut dyn Write) -> io::Result<()> {
     for measured in &data.measured {
         if let How::Guessed(doubt) = &measured.how

@@ -1,6 +1,6 @@
-//! *A motion, or what was checked of it* → *text, JSON, CSV and SVG*.
+//! Writes a motion and the results of checks as text, JSON, CSV and pictures: one file per output.
 //!
-//! One file per output. None of them evaluates more than the motion of points, and none knows where its output goes.
+//! No output evaluates more than the motion of points.
 
 pub mod aligned;
 pub mod assembly_table;

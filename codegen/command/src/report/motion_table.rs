@@ -1,28 +1,28 @@
-//! *The motion of points and coordinates* → *tables of a readable number of times*.
+//! Writes the motion of points and coordinates as tables of a readable number of times.
 //!
-//! Columns are aligned at the decimal point; a column is in exponents only where six decimals would not show it. Numbers
-//! below 1e-12 of the mechanism's size count as zero. The module does not know what is to be said beside the table.
+//! Columns are aligned at the decimal point. A column has exponents only if six decimals would not show it. Numbers below 1e-12 of
+//! the mechanism's size count as zero.
 
 use linkwright::PointMotion;
 use linkwright_codegen::stages::emit::text::shown_width;
 use linkwright_codegen::stages::units::OutputUnit;
 use linkwright_solver::number::{fixed, scientific};
 
-/// How many rows a table has at most.
+/// Largest number of rows of a table.
 const ROWS: usize = 11;
 
-/// The fraction of the mechanism's size (and of that per second) that is rounding.
+/// Fraction of the mechanism's size (and of that per second) that counts as rounding.
 const NOISE: f64 = 1e-12;
 
-/// A printed time is exact where it is off by less than this part of it, and has no more decimals than these.
-const EXACT: f64 = 1e-12;
+/// Relative error up to which a printed time counts as exact, and its largest number of decimals.
+const TIME_TOLERANCE: f64 = 1e-12;
 const MOST_DECIMALS: usize = 9;
 
-/// A column whose largest magnitude is from the first to below the second is written without exponents.
+/// Largest magnitude of a column without exponents: from the first value to below the second.
 const SMALLEST_PLAIN: f64 = 1e-2;
 const LARGEST_PLAIN: f64 = 1e7;
 
-/// Which of `count` frames are shown: all of a few, otherwise every k-th and the last, with k of the series 1, 2, 5, 10 …
+/// Returns the indices of the frames to print: all of a few, otherwise every k-th and the last, with k of the series 1, 2, 5, 10 …
 /// so that times stay round.
 pub fn shown(count: usize) -> Vec<usize> {
     let last = count.saturating_sub(1);
@@ -31,14 +31,14 @@ pub fn shown(count: usize) -> Vec<usize> {
         .take_while(|stride| *stride <= last)
         .find(|stride| last.div_ceil(*stride) < ROWS)
         .unwrap_or(last.max(1));
-    let mut shown: Vec<usize> = (0..count).step_by(stride).collect();
+    let mut indices: Vec<usize> = (0..count).step_by(stride).collect();
     if !last.is_multiple_of(stride) {
-        shown.push(last);
+        indices.push(last);
     }
-    shown
+    indices
 }
 
-/// Whether a point does not move at all, but for rounding. `size` is the characteristic length of the mechanism.
+/// True if a point rests up to rounding. `size` is the characteristic length of the mechanism.
 pub fn rests(motions: &[PointMotion<f64>], size: f64) -> bool {
     [0, 1].into_iter().all(|axis| {
         let values = motions
@@ -48,7 +48,7 @@ pub fn rests(motions: &[PointMotion<f64>], size: f64) -> bool {
     })
 }
 
-/// Whether a coordinate does not move at all, but for rounding; `size` is a characteristic value of it.
+/// True if a coordinate rests up to rounding. `size` is a characteristic value of the coordinate.
 pub fn stands(values: &[[f64; 3]], size: f64) -> bool {
     let noise = |value: f64| value.abs() <= NOISE * size;
     let Some(first) = values.first() else {
@@ -59,14 +59,14 @@ pub fn stands(values: &[[f64; 3]], size: f64) -> bool {
         .all(|it| noise(it[0] - first[0]) && noise(it[1]) && noise(it[2]))
 }
 
-/// A column with its name. `size` is a characteristic value of what it holds.
+/// Column with its name.
 pub struct Column {
     name: String,
     cells: Vec<String>,
 }
 
 impl Column {
-    /// Times, as exact as they are.
+    /// Creates a column of times with the decimals that they need.
     pub fn of_times(values: &[f64]) -> Column {
         Column {
             name: "t".to_string(),
@@ -74,7 +74,7 @@ impl Column {
         }
     }
 
-    /// Values with six decimals, or in exponents; `size` is a characteristic one.
+    /// Creates a column of values with six decimals or exponents. `size` is a characteristic value.
     pub fn new(name: impl Into<String>, values: &[f64], size: f64) -> Column {
         Column {
             name: name.into(),
@@ -82,7 +82,7 @@ impl Column {
         }
     }
 
-    /// What is written already.
+    /// Creates a column of texts.
     pub fn of_texts(name: impl Into<String>, cells: Vec<String>) -> Column {
         Column {
             name: name.into(),
@@ -90,14 +90,14 @@ impl Column {
         }
     }
 
-    /// How many characters it takes.
+    /// Width in characters.
     pub fn width(&self) -> usize {
         let texts = self.cells.iter().chain([&self.name]);
         texts.map(|it| shown_width(it)).max().unwrap_or(0)
     }
 }
 
-/// Returns the columns of one point, position, velocity and acceleration, each in its unit; `size` is in SI units.
+/// Returns position, velocity and acceleration of a point as columns in their units; `size` is in SI units.
 pub fn of_point(motions: &[PointMotion<f64>], units: &[OutputUnit; 3], size: f64) -> Vec<Column> {
     let column = |name: &str, unit: &OutputUnit, pick: &dyn Fn(&PointMotion<f64>) -> f64| {
         let values: Vec<f64> = motions.iter().map(|it| unit.of_si(pick(it))).collect();
@@ -114,7 +114,7 @@ pub fn of_point(motions: &[PointMotion<f64>], units: &[OutputUnit; 3], size: f64
     ]
 }
 
-/// Columns beside one another, of the same length, each aligned to the right.
+/// Returns columns of equal length side by side, each aligned to the right.
 pub fn table<'a>(columns: impl IntoIterator<Item = &'a Column>) -> String {
     let columns: Vec<&Column> = columns.into_iter().collect();
     let rows = columns.first().map_or(0, |it| it.cells.len());
@@ -134,13 +134,13 @@ pub fn table<'a>(columns: impl IntoIterator<Item = &'a Column>) -> String {
     text
 }
 
-/// All with as many decimals as the longest needs.
+/// Formats all values with as many decimals as the longest needs.
 fn exact(values: &[f64]) -> Vec<String> {
     let needed = |value: &f64| {
         (0..MOST_DECIMALS)
             .find(|decimals| {
-                let shown: f64 = fixed(*value, *decimals).parse().unwrap_or(f64::NAN);
-                (shown - value).abs() <= EXACT * value.abs()
+                let printed: f64 = fixed(*value, *decimals).parse().unwrap_or(f64::NAN);
+                (printed - value).abs() <= TIME_TOLERANCE * value.abs()
             })
             .unwrap_or(MOST_DECIMALS)
     };

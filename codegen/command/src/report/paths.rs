@@ -1,4 +1,4 @@
-//! *A motion* → *one SVG with the paths of its points*: x against y, both at one scale.
+//! Draws the paths of a motion's points as one SVG: x against y, both at one scale.
 
 use linkwright_codegen::stages::units::OutputUnit;
 use linkwright_solver::view::View;
@@ -7,18 +7,18 @@ use plotters::prelude::*;
 use super::plot::{Drawing, Refused, UNITS, drawn, extent, label_format};
 use crate::motion::{Course, Followed};
 
-/// The shorter side of what is drawn at least, and the longer one, in pixels.
+/// Smallest shorter side of the drawn area, and its longer side, in pixels.
 const SIDES: [f64; 2] = [240.0, 760.0];
 
-/// What is left free around all, the width of the labels on the left and the height of those below, in pixels.
+/// Margin of the picture, width of the labels on the left and height of those below, in pixels.
 const MARGIN: u32 = 8;
 const LABELS: [u32; 2] = [84, 42];
 
-/// What stands around the paths, the title included.
+/// Space around the paths, the title included.
 const AROUND: [u32; 2] = [LABELS[0] + 60, LABELS[1] + 90];
 
-/// The part of the extent that is left free around the paths.
-const FREE: f64 = 0.12;
+/// Part of the extent that stays empty around the paths.
+const PADDING: f64 = 0.12;
 
 /// The palette of Okabe and Ito without black and yellow, which remain distinct for the color-blind.
 const COLORS: [RGBColor; 6] = [
@@ -30,10 +30,10 @@ const COLORS: [RGBColor; 6] = [
     RGBColor(230, 159, 0),
 ];
 
-/// The paths of all points that move, and where each begins as a dot; `None` where nothing moves.
+/// Draws the paths of all points that move, each with a dot at its beginning; `None` if nothing moves.
 ///
 /// # Errors
-/// What the drawing library refuses.
+/// Errors of the drawing library.
 pub fn paths<V: View>(
     motion: &Followed<V>,
     course: &Course,
@@ -59,7 +59,7 @@ pub fn paths<V: View>(
     let ends = [0, 1].map(|axis| extent(places().map(|it| it[axis])));
     let lengths = ends.map(|(low, high)| high - low);
     let longer = lengths[0].max(lengths[1]);
-    // A narrow extent is shown with its surroundings.
+    // A narrow extent gets empty space on both sides.
     let sides = lengths.map(|it| (SIDES[1] * it / longer).max(SIDES[0]));
     let size = [0, 1].map(|axis| sides[axis] as u32 + 2 * MARGIN + AROUND[axis]);
     let title = format!("Paths of {}", motion.title());
@@ -82,7 +82,7 @@ fn draw(
         height - (2 * MARGIN + LABELS[1]) * UNITS,
     ];
     let scales = [0, 1].map(|axis| (ends[axis].1 - ends[axis].0) / f64::from(pixels[axis]));
-    let scale = (1.0 + FREE) * scales[0].max(scales[1]);
+    let scale = (1.0 + PADDING) * scales[0].max(scales[1]);
     let [across, up] = [0, 1].map(|axis| {
         let center = 0.5 * (ends[axis].0 + ends[axis].1);
         let half = 0.5 * scale * f64::from(pixels[axis]);
@@ -113,7 +113,7 @@ fn draw(
         let line = places.iter().map(|it| (it[0], it[1]));
         chart.draw_series(LineSeries::new(line, color.stroke_width(2 * UNITS)))?;
         let start = places.first().map(|it| (it[0], it[1]));
-        // The name stands beside the place where the path begins.
+        // The name stands beside the beginning of the path.
         chart.draw_series(start.map(|at| {
             EmptyElement::at(at)
                 + Circle::new((0, 0), 4 * units, color.filled())

@@ -1,6 +1,6 @@
-//! *A motion* → *one SVG per point and per coordinate*: value, rate and acceleration over time.
+//! Draws a motion as one SVG per point and per coordinate: value, rate and acceleration over time.
 //!
-//! What varies by less than rounding is drawn as a level line. The module does not know files.
+//! Variations within rounding are drawn as a level line.
 
 use std::ops::Range;
 
@@ -17,37 +17,37 @@ use crate::motion::{Course, Curve, Extreme, Followed};
 /// Width and height of a picture in pixels.
 const SIZE: (u32, u32) = (960, 900);
 
-/// The drawing library rounds coordinates to whole units, which would make curves ragged: it draws in quarters of a
-/// pixel, and every length below is multiplied by this.
+/// Number of units per pixel, a factor of all lengths below. The drawing library rounds coordinates to whole units, which would make
+/// curves ragged.
 pub(super) const UNITS: u32 = 4;
 
 /// Blue and vermillion of the palette of Okabe and Ito, which remain distinct for the color-blind.
 const COLORS: [RGBColor; 2] = [RGBColor(0, 114, 178), RGBColor(213, 94, 0)];
 
 /// A range below this fraction of the values' magnitude is rounding.
-const FLAT: f64 = 1e-9;
+const LEVEL_RANGE: f64 = 1e-9;
 
-/// What moves by less than this part of its scale stands still.
-const STILL: f64 = 1e-12;
+/// Range below which a quantity rests, relative to its scale.
+const REST_RANGE: f64 = 1e-12;
 
-/// Labels have no exponents where magnitudes are below the first and the range is above the second.
+/// Limits of labels without exponents: magnitudes below the first, ranges above the second.
 const LARGEST_PLAIN: f64 = 1e6;
 const SMALLEST_PLAIN: f64 = 1e-4;
 
 /// A label below this fraction of the range is zero.
 const ZERO: f64 = 1e-9;
 
-/// What one panel shows.
+/// Panel of a picture.
 pub(super) struct Panel<'a> {
     pub title: String,
     pub unit: &'a str,
-    /// Each curve with its symbol.
+    /// Curves, each with its symbol.
     pub curves: Vec<(&'static str, Vec<Extreme>)>,
-    /// The magnitude that variations are compared with.
+    /// Magnitude that variations are compared with.
     pub reference: f64,
 }
 
-/// The largest magnitude of a value among all.
+/// Returns the largest magnitude of a component.
 fn largest<'a, const N: usize>(
     curves: impl Iterator<Item = &'a Curve<N>>,
     components: Range<usize>,
@@ -56,21 +56,21 @@ fn largest<'a, const N: usize>(
     values.fold(0.0, |most, (_, it)| most.max(it.abs()))
 }
 
-/// Returns values in a unit from those in SI units.
+/// Converts values from SI units.
 fn scaled(values: Vec<Extreme>, unit: &OutputUnit) -> Vec<Extreme> {
     let values = values.into_iter();
     values.map(|(t, value)| (t, unit.of_si(value))).collect()
 }
 
-/// The first if it is positive, otherwise the second.
+/// Returns `value` if it is positive, otherwise `otherwise`.
 fn or(value: f64, otherwise: f64) -> f64 {
     if value > 0.0 { value } else { otherwise }
 }
 
-/// The picture of each shown point; `None` where it stands still.
+/// Draws each selected point; `None` if it rests.
 ///
 /// # Errors
-/// What the drawing library refuses.
+/// Errors of the drawing library.
 pub fn points<V: View>(
     motion: &Followed<V>,
     course: &Course,
@@ -112,17 +112,17 @@ pub fn points<V: View>(
     pictures.collect()
 }
 
-/// The picture of each shown coordinate; `None` where it stands still.
+/// Draws each selected coordinate; `None` if it rests.
 ///
 /// # Errors
-/// What the drawing library refuses.
+/// Errors of the drawing library.
 pub fn coordinates<V: View>(
     motion: &Followed<V>,
     course: &Course,
     units: &OutputUnits,
 ) -> Result<Vec<Option<String>>, String> {
-    let shown = motion.wanted.coordinates.iter();
-    let pictures = course.coordinates.iter().zip(shown);
+    let selected = motion.wanted.coordinates.iter();
+    let pictures = course.coordinates.iter().zip(selected);
     let pictures = pictures.map(|(curve, &coordinate)| {
         let units = Units::of(motion.system(), coordinate, units);
         let name = &motion.system().coordinates[coordinate].name;
@@ -153,10 +153,10 @@ pub fn coordinates<V: View>(
     pictures.collect()
 }
 
-/// The picture of each force that is asked for; `None` for powers, which the efforts show, and for what never changes.
+/// Draws each requested force; `None` for powers, which the driving forces show, and for constant values.
 ///
 /// # Errors
-/// What the drawing library refuses.
+/// Errors of the drawing library.
 pub fn forces<V: View>(
     motion: &Followed<V>,
     course: &Course,
@@ -185,16 +185,16 @@ pub fn forces<V: View>(
     pictures.collect()
 }
 
-/// Whether what a panel shows varies by rounding alone.
+/// True if the values of a panel vary by rounding alone.
 fn rests(panel: &Panel<'_>) -> bool {
     panel.curves.iter().all(|(_, curve)| {
         let values = curve.iter().map(|it| it.1);
         let (low, high) = extent(values);
-        high - low <= STILL * panel.reference
+        high - low <= REST_RANGE * panel.reference
     })
 }
 
-/// The smallest and the largest of all.
+/// Returns the smallest and the largest value.
 pub(super) fn extent(values: impl Iterator<Item = f64>) -> (f64, f64) {
     values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), it| {
         (low.min(it), high.max(it))
@@ -204,7 +204,7 @@ pub(super) fn extent(values: impl Iterator<Item = f64>) -> (f64, f64) {
 pub(super) type Drawing<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 pub(super) type Refused = Box<dyn std::error::Error>;
 
-/// Panels one below the other.
+/// Draws panels one below the other.
 pub(super) fn picture(title: &str, panels: &[Panel<'_>]) -> Result<String, Refused> {
     drawn(title, SIZE, |body| {
         for (area, panel) in body.split_evenly((panels.len(), 1)).iter().zip(panels) {
@@ -214,7 +214,7 @@ pub(super) fn picture(title: &str, panels: &[Panel<'_>]) -> Result<String, Refus
     })
 }
 
-/// A picture of this size in pixels with a title; the drawing library works in finer units.
+/// Draws a picture of this size in pixels with a title, in the finer units of [`UNITS`].
 pub(super) fn drawn(
     title: &str,
     size: (u32, u32),
@@ -230,9 +230,13 @@ pub(super) fn drawn(
         contents(&body)?;
         area.present()?;
     }
-    // The view box keeps the units; only the size at which it is shown changes.
-    let shown = |(width, height): (u32, u32)| format!("width=\"{width}\" height=\"{height}\"");
-    Ok(signed(&text.replacen(&shown(units), &shown(size), 1)))
+    // The view box keeps the units; only the displayed size changes.
+    let attributes = |(width, height): (u32, u32)| format!("width=\"{width}\" height=\"{height}\"");
+    Ok(signed(&text.replacen(
+        &attributes(units),
+        &attributes(size),
+        1,
+    )))
 }
 
 fn draw_panel(area: &Drawing<'_>, panel: &Panel<'_>) -> Result<(), Refused> {
@@ -279,7 +283,7 @@ fn draw_panel(area: &Drawing<'_>, panel: &Panel<'_>) -> Result<(), Refused> {
     Ok(())
 }
 
-/// A line of a legend, which stands beside the curves, where it hides nothing.
+/// Draws a line of a legend beside the curves, where it hides nothing.
 fn legend(
     area: &Drawing<'_>,
     left: i32,
@@ -301,17 +305,17 @@ fn legend(
     Ok(())
 }
 
-/// What the vertical axis shows: all values with a margin, or the surroundings of a level line.
+/// Returns the range of the vertical axis: all values with a margin, or the surroundings of a level line.
 fn range(values: impl Iterator<Item = f64>, reference: f64) -> (f64, f64) {
     let (low, high) = extent(values);
     let center = 0.5 * (low + high);
     let magnitude = low.abs().max(high.abs()).max(reference);
-    if high - low > FLAT * magnitude {
+    if high - low > LEVEL_RANGE * magnitude {
         let margin = 0.06 * (high - low);
         (low - margin, high + margin)
     } else {
-        // The level itself is rounded as well, so that zero is labelled 0.
-        let center = if center.abs() <= FLAT * magnitude {
+        // The level is rounded as well, so that zero is labeled 0.
+        let center = if center.abs() <= LEVEL_RANGE * magnitude {
             0.0
         } else {
             center
@@ -320,14 +324,14 @@ fn range(values: impl Iterator<Item = f64>, reference: f64) -> (f64, f64) {
     }
 }
 
-/// Labels with as many decimals as about ten steps across the range need.
+/// Formats labels with as many decimals as about ten steps across the range need.
 pub(super) fn label_format(low: f64, high: f64) -> impl Fn(&f64) -> String {
     let (span, magnitude) = (high - low, low.abs().max(high.abs()));
     let decimals = (1.0 - span.log10()).ceil().clamp(0.0, 12.0) as usize;
     let plain = magnitude < LARGEST_PLAIN && span > SMALLEST_PLAIN;
     let digits = (magnitude / span).log10().max(0.0) as usize + 2;
     move |value| {
-        // A label next to zero is zero up to the rounding of the axis.
+        // The rounding of the axis can move the label zero off zero.
         let value = if value.abs() < ZERO * span {
             0.0
         } else {

@@ -1,4 +1,4 @@
-//! *A proof of a motion* → *what a person reads*.
+//! Writes a proof of a motion as text.
 //!
 //! Bounds are rounded outwards.
 
@@ -12,15 +12,15 @@ use linkwright_solver::view::View;
 
 use super::units::enclosing;
 
-/// The digits after the point of a bound, and those of one whose range is shorter than [`NARROW`].
+/// Decimals of a bound, and of a bound whose range is shorter than [`NARROW_RANGE`].
 const DIGITS: usize = 9;
 const MORE_DIGITS: usize = 15;
-const NARROW: f64 = 1e-4;
+const NARROW_RANGE: f64 = 1e-4;
 
-/// Writes what is proven, or the first window that cannot be.
+/// Writes the proven bounds, or the first window that cannot be proven.
 ///
 /// # Errors
-/// Those of `output`.
+/// Errors of `output`.
 pub fn write(check: &Check, proof: &Proof, output: &mut dyn Write) -> io::Result<()> {
     let [from, to] = proof.range.map(time);
     let title = check.interpreted.system().mechanism.title();
@@ -99,7 +99,7 @@ fn write_proven(check: &Check, proven: &Proven, output: &mut dyn Write) -> io::R
 /// Returns bounds in a unit, rounded outwards.
 fn range(bounds: [f64; 2], unit: &OutputUnit) -> String {
     let [low, high] = enclosing(unit, bounds);
-    let digits = match high - low < NARROW {
+    let digits = match high - low < NARROW_RANGE {
         true => MORE_DIGITS,
         false => DIGITS,
     };
@@ -110,14 +110,14 @@ fn range(bounds: [f64; 2], unit: &OutputUnit) -> String {
     )
 }
 
-/// A bound with so many digits after the point, upwards or downwards.
+/// Returns a bound with this number of decimals, rounded up or down.
 fn rounded(value: f64, digits: usize, upwards: bool) -> String {
     let unit = 10_f64.powi(-i32::try_from(digits).unwrap_or(0));
     let mut tried = value;
     for _ in 0..4 {
         let text = format!("{tried:.digits$}");
         let read: f64 = text.parse().unwrap_or(f64::NAN);
-        // What is read is rounded itself, to less than the distance to the next number.
+        // Reading the text rounds again, by less than the distance to the next number.
         let is_outside = match upwards {
             true => read > value,
             false => read < value,

@@ -1,7 +1,6 @@
-//! *An SVG of the drawing room* → *a PNG*, with letters that come with the program.
+//! Turns an SVG of a drawing into a PNG, with letters that come with the program.
 //!
-//! Fonts of the machine are not asked for, so that the same drawing has the same bytes everywhere. A PNG of ours says so in its
-//! first chunk of text.
+//! Fonts of the machine are not used, so that a drawing has the same bytes everywhere. The first text chunk marks a PNG of Linkwright.
 
 use std::sync::Arc;
 
@@ -10,26 +9,26 @@ use resvg::usvg::{Options, Tree, fontdb::Database};
 
 use crate::output::{Beginning, Record, Signature};
 
-/// Pixels of a PNG for each of the drawing.
+/// Pixels of a PNG per pixel of the drawing.
 pub const FINE: f32 = 2.0;
 
-/// What a PNG begins with: its signature, and the chunk that holds its size.
+/// Number of bytes before the first text chunk: the signature of a PNG, and the chunk that holds its size.
 const HEAD: usize = 8 + 25;
 
-/// The chunk behind it: `Software` is the registered word for what has made an image.
+/// First text chunk; `Software` is the registered keyword for the program that made an image.
 const WORDS: &[u8] = b"tEXtSoftware\0linkwright";
 
-/// How the one behind that begins, which names the source.
+/// Beginning of the second text chunk, which names the source.
 const SOURCE: &[u8] = b"tEXtComment\0Generated from ";
 
-/// The letters are light ones.
+/// Style that compensates for the light letters.
 const BOLDER: &str = "\
 .linkwright text { stroke: #1c2024; stroke-width: 0.25; }
 .linkwright .point { stroke-width: 0.7; }
 .linkwright .note, .linkwright .caption { stroke: #57606a; }
 ";
 
-/// How a PNG is known again.
+/// Signature of a PNG of Linkwright.
 pub const SIGNATURE: Signature = Signature {
     noun: "a picture that this command has drawn",
     beginning: Beginning::Bytes(is_ours),
@@ -43,27 +42,27 @@ pub const SIGNATURE: Signature = Signature {
     },
 };
 
-/// Where the second chunk of text begins.
+/// Position of the second text chunk.
 const SECOND: usize = HEAD + 8 + WORDS.len();
 
 fn is_ours(bytes: &[u8]) -> bool {
     bytes.get(HEAD + 4..HEAD + 4 + WORDS.len()) == Some(WORDS)
 }
 
-/// Turns pictures into pixels, with its letters.
+/// Renderer of pictures with its letters.
 pub struct Rasterizer {
     options: Options<'static>,
 }
 
 impl Rasterizer {
-    /// Reads the letters.
+    /// Loads the letters.
     pub fn with_letters() -> Rasterizer {
         let mut fonts = Database::new();
         fonts.load_font_data(epaint_default_fonts::UBUNTU_LIGHT.to_vec());
         let families = fonts.faces().next().map(|face| face.families.clone());
         let family = families.and_then(|all| all.into_iter().next());
         let family = family.map_or(String::new(), |(name, _)| name);
-        // The drawing asks for any sans serif in the end.
+        // The last font that drawings name is a generic sans serif.
         fonts.set_sans_serif_family(&family);
         Rasterizer {
             options: Options {
@@ -74,10 +73,10 @@ impl Rasterizer {
         }
     }
 
-    /// The picture in pixels, `factor` to each of the drawing's.
+    /// Renders a picture with `factor` pixels per pixel of the drawing.
     ///
     /// # Errors
-    /// A picture without a size or too large for the memory.
+    /// The picture has no size, or is too large for the memory.
     pub fn pixels(&self, svg: &str, factor: f32) -> Result<Pixmap, String> {
         let svg = svg.replacen("</style>", &format!("{BOLDER}</style>"), 1);
         let tree = Tree::from_str(&svg, &self.options).map_err(|error| error.to_string())?;
@@ -91,17 +90,17 @@ impl Rasterizer {
     }
 }
 
-/// The picture as a PNG, `factor` pixels to each of the drawing's.
+/// Renders a picture as a PNG with `factor` pixels per pixel of the drawing.
 ///
 /// # Errors
-/// A picture without a size or too large for the memory.
+/// The picture has no size, or is too large for the memory.
 pub fn raster(svg: &str, factor: f32) -> Result<Vec<u8>, String> {
     let pixels = Rasterizer::with_letters().pixels(svg, factor)?;
     let png = pixels.encode_png().map_err(|error| error.to_string())?;
     Ok(marked(png))
 }
 
-/// Name of the source of a picture.
+/// Returns the name of the source of a picture.
 fn source(bytes: &[u8]) -> Option<String> {
     let (length, chunk) = bytes.get(SECOND..)?.split_first_chunk()?;
     let length = usize::try_from(u32::from_be_bytes(*length)).ok()?;
@@ -109,13 +108,13 @@ fn source(bytes: &[u8]) -> Option<String> {
     String::from_utf8(words.strip_prefix(SOURCE)?.to_vec()).ok()
 }
 
-/// The picture with the words that say whose it is.
+/// Inserts the text chunk that marks a picture of Linkwright.
 fn marked(mut png: Vec<u8>) -> Vec<u8> {
     insert(&mut png, HEAD, WORDS);
     png
 }
 
-/// Inserts a chunk of these words, which begin with its kind.
+/// Inserts a chunk; `words` begin with its kind.
 fn insert(png: &mut Vec<u8>, place: usize, words: &[u8]) {
     let mut chunk = (words.len() as u32 - 4).to_be_bytes().to_vec();
     chunk.extend(words);
@@ -123,7 +122,7 @@ fn insert(png: &mut Vec<u8>, place: usize, words: &[u8]) {
     png.splice(place..place, chunk);
 }
 
-/// The cyclic redundancy check of a chunk (PNG specification, annex D).
+/// Returns the cyclic redundancy check of a chunk (PNG specification, annex D).
 fn checksum(bytes: &[u8]) -> u32 {
     let step = |remainder: u32, byte: &u8| {
         (0..8).fold(remainder ^ u32::from(*byte), |it, _| match it & 1 {
@@ -140,7 +139,7 @@ mod tests {
 
     #[test]
     fn a_checksum_is_that_of_the_specification() {
-        // Every PNG ends with this chunk.
+        // Every PNG ends with the chunk IEND.
         assert_eq!(checksum(b"IEND"), 0xae42_6082);
     }
 
@@ -156,7 +155,7 @@ mod tests {
         assert_ne!(empty, written);
         assert_eq!(written, raster(&svg("Q"), 2.0).expect("a picture"));
         assert!(!is_ours(b"\x89PNG\r\n\x1a\n"));
-        // It is as readable with the name of its source.
+        // The picture stays readable with the name of its source.
         let Record::Inside { found, added } = SIGNATURE.record else {
             unreachable!("it is named inside")
         };

@@ -1,4 +1,4 @@
-//! Units of coordinates, points and columns of a motion in what is printed, written and drawn.
+//! Finds the units of coordinates, points and columns of a motion in reports, files and pictures.
 
 use linkwright_codegen::stages::joint::Quantity;
 use linkwright_codegen::stages::system::System;
@@ -13,20 +13,20 @@ pub const LENGTHS: [&str; 3] = ["m", "m/s", "m/s²"];
 /// SI units of an angle, its rate and its acceleration.
 pub const ANGLES: [&str; 3] = ["rad", "rad/s", "rad/s²"];
 
-/// SI units of a place on a curve, its rate and its acceleration.
+/// SI units of a parameter of a curve, its rate and its acceleration.
 pub const OTHERS: [&str; 3] = ["", "1/s", "1/s²"];
 
 /// Units of a coordinate.
 #[derive(Clone, Debug)]
 pub struct Units {
-    /// Those of the coordinate, its rate and its acceleration.
+    /// Units of the coordinate, its rate and its acceleration.
     pub levels: [OutputUnit; 3],
-    /// A characteristic value of the coordinate, in the first of them.
+    /// Characteristic value of the coordinate, in the first of these units.
     pub size: f64,
 }
 
 impl Units {
-    /// Returns those of a coordinate.
+    /// Returns the units of a coordinate.
     pub fn of(system: &System, coordinate: usize, units: &OutputUnits) -> Units {
         let quantity = system.coordinates[coordinate].quantity;
         let size = match quantity {
@@ -41,12 +41,12 @@ impl Units {
     }
 }
 
-/// Returns the unit of a coordinate itself.
+/// Returns the unit of a coordinate without its rates.
 pub fn of_coordinate(system: &System, coordinate: usize, units: &OutputUnits) -> OutputUnit {
     units.of(si_of(system.coordinates[coordinate].quantity))
 }
 
-/// Returns the unit of SI of a coordinate of this quantity.
+/// Returns the SI unit of a coordinate of this quantity.
 pub fn si_of(quantity: Quantity) -> &'static str {
     si_levels(quantity)[0]
 }
@@ -59,7 +59,7 @@ fn si_levels(quantity: Quantity) -> [&'static str; 3] {
     }
 }
 
-/// Names of the units of coordinates and points, as JSON has them.
+/// Names of the units of coordinates and points in JSON.
 #[derive(serde::Serialize)]
 pub struct UnitNames {
     t: &'static str,
@@ -73,13 +73,13 @@ pub struct UnitNames {
 
 /// Units of the columns of a motion.
 pub struct ColumnUnits {
-    /// Those of each coordinate, its rate and its acceleration.
+    /// Units of each coordinate, its rate and its acceleration.
     pub coordinates: Vec<[OutputUnit; 3]>,
-    /// Those of positions, velocities and accelerations of points.
+    /// Units of positions, velocities and accelerations of points.
     pub points: [OutputUnit; 3],
-    /// Those of what transmissions and sensitivities request.
+    /// Units of transmissions and sensitivities.
     pub derivatives: Vec<OutputUnit>,
-    /// Those of forces.
+    /// Units of forces.
     pub forces: Vec<OutputUnit>,
 }
 

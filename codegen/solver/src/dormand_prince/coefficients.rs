@@ -1,20 +1,21 @@
-//! The coefficients of the method of order 8 of Dormand and Prince with its embedded formulas of orders 5 and 3, and of its dense output
-//! of order 7 (Hairer, Nørsett and Wanner 1993, Solving Ordinary Differential Equations I, section II.10).
+//! Lists the coefficients of the method of order 8 of Dormand and Prince: embedded formulas of orders 5 and 3, dense output of order 7.
+//!
+//! The source is Hairer, Nørsett and Wanner (1993), Solving Ordinary Differential Equations I, section II.10.
 //!
 //! Stages are numbered from 0. The thirteenth holds the rates at the end of the step.
 
-/// A stage: where in the step it is, and which multiples of which earlier ones lead there.
+/// Stage: its time in the step, and its combination of earlier stages.
 pub struct Stage {
-    /// A part of the step.
+    /// Fraction of the step.
     pub node: f64,
-    /// Earlier stages with their factors.
+    /// Earlier stages with their coefficients.
     pub terms: &'static [Term],
 }
 
-/// A stage and its factor.
+/// Stage and its coefficient.
 pub type Term = (usize, f64);
 
-/// The stages of a step after the first, which is at its beginning.
+/// Stages of a step after the first, which is at the beginning.
 pub const STAGES: [Stage; 11] = [
     Stage {
         node: 0.05260015195876773,
@@ -115,7 +116,7 @@ pub const STAGES: [Stage; 11] = [
     },
 ];
 
-/// What leads to the end of the step.
+/// Combination of stages at the end of the step.
 pub const END: [Term; 8] = [
     (0, 0.054293734116568765),
     (5, 4.450312892752409),
@@ -127,7 +128,7 @@ pub const END: [Term; 8] = [
     (11, 0.04471061572777259),
 ];
 
-/// The error of the embedded formula of order 5.
+/// Error of the embedded formula of order 5.
 pub const FIFTH: [Term; 8] = [
     (0, 0.01312004499419488),
     (5, -1.2251564463762044),
@@ -139,14 +140,14 @@ pub const FIFTH: [Term; 8] = [
     (11, -0.022355307863886294),
 ];
 
-/// The embedded formula of order 3.
+/// Embedded formula of order 3.
 pub const THIRD: [Term; 3] = [
     (0, 0.2440944881889764),
     (8, 0.7338466882816118),
     (11, 0.022058823529411766),
 ];
 
-/// Three more stages for the dense output, from the fourteenth on.
+/// Three further stages for the dense output, from the fourteenth on.
 pub const DENSE_STAGES: [Stage; 3] = [
     Stage {
         node: 0.1,
@@ -189,7 +190,7 @@ pub const DENSE_STAGES: [Stage; 3] = [
     },
 ];
 
-/// The last four coefficients of the dense output.
+/// Last four coefficients of the dense output.
 pub const DENSE: [[Term; 12]; 4] = [
     [
         (0, -8.428938276109013),

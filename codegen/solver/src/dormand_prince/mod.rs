@@ -1,10 +1,8 @@
-//! *Rates of a state, which may not exist everywhere* → *steps of order 8, with an estimate of their error and a dense output of order 7*.
+//! Integrates with steps of order 8, an estimate of their error and a dense output of order 7.
 //!
 //! The method is DOP853 of Hairer, Nørsett and Wanner (1993, Solving Ordinary Differential Equations I, section II.10), with their
-//! choice of the first step. It is written here because what is integrated is solved on constraints: rates may fail to exist inside a step,
-//! which then has to be tried again shorter, and a step counts only once the mechanism has been moved along it. The module knows
-//! neither mechanisms nor how a step is followed.
-
+//! choice of the first step. It is implemented here because rates come from constraints: they may not exist inside a step, which is then
+//! tried again with a smaller length. A step counts only after the mechanism has been moved along it.
 mod coefficients;
 
 use coefficients::{DENSE, DENSE_STAGES, END, FIFTH, STAGES, Stage, THIRD, Term};
@@ -12,44 +10,44 @@ use coefficients::{DENSE, DENSE_STAGES, END, FIFTH, STAGES, Stage, THIRD, Term};
 use crate::rates::Rates;
 use crate::tolerances::{Tolerances, next_length};
 
-/// Part of its length that a step keeps at least when it is tried again.
+/// Smallest factor of a step's length for the next attempt.
 const LARGEST_LOSS: f64 = 1.0 / 3.0;
 
-/// The weight of the error of order 3 beside that of order 5.
+/// Weight of the error of order 3 beside that of order 5.
 const THIRD_WEIGHT: f64 = 0.01;
 
-/// The part of a first step for which the state changes by as much as it is.
+/// Length of a first step, as a part of the time in which the state changes by its own magnitude.
 const FIRST_PART: f64 = 0.01;
 
-/// The smallest first step, in s, where nothing says how long it should be.
+/// Smallest first step (s) if the state does not determine a length.
 const FIRST_STEP: f64 = 1e-6;
 
-/// The slope of a state below which it says nothing about the length of a step, in tolerances.
+/// Slope of a state, in tolerances, below which the slope does not determine the length of a step.
 const SMALL: f64 = 1e-5;
 
-/// Largest length of a stable step, in times of the fastest decay.
+/// Largest length of a stable step, in units of the fastest decay time.
 pub const STABLE: f64 = 6.1;
 
-/// A step that has been tried.
+/// Attempted step.
 #[derive(Clone, Debug)]
 pub struct Step {
-    /// Time of its beginning (s).
+    /// Time at the beginning (s).
     pub from: f64,
-    /// Time of its end (s).
+    /// Time at the end (s).
     pub to: f64,
-    /// Its error in tolerances: it may be taken up to 1.
+    /// Error in tolerances; a step is accepted up to 1.
     pub error: f64,
-    /// The state at its beginning.
+    /// State at the beginning.
     start: Vec<f64>,
-    /// The state at its end.
+    /// State at the end.
     end: Vec<f64>,
-    /// The rates of all stages.
+    /// Rates of all stages.
     stages: Vec<Vec<f64>>,
-    /// What the dense output is made of.
+    /// Coefficients of the dense output; `None` until they are requested.
     dense: Option<[Vec<f64>; 8]>,
 }
 
-/// A state and multiples of stages times a length.
+/// Returns the state plus a combination of stages times a length.
 fn moved(state: &[f64], stages: &[Vec<f64>], terms: &[Term], length: f64) -> Vec<f64> {
     let mut moved = state.to_vec();
     for (component, value) in moved.iter_mut().enumerate() {
@@ -65,10 +63,10 @@ fn combined(stages: &[Vec<f64>], terms: &[Term], component: usize) -> f64 {
         .sum()
 }
 
-/// The length of a first step from a state with these rates, at most `longest`.
+/// Returns the length of a first step (s) from a state with these rates, at most `longest`.
 ///
 /// # Errors
-/// Those of the rates.
+/// Errors of the rates.
 pub fn first_length<R: Rates>(
     rates: &mut R,
     t: f64,
@@ -105,7 +103,7 @@ impl Step {
     /// Tries a step of a length from a state with these rates.
     ///
     /// # Errors
-    /// There are no rates somewhere on the way.
+    /// Rates do not exist at one of the stages.
     pub fn attempt<R: Rates>(
         rates: &mut R,
         [from, to]: [f64; 2],
@@ -145,19 +143,22 @@ impl Step {
         })
     }
 
-    /// Length of the next step, or of the next attempt where this one is too inaccurate; `held` says that it may not be longer.
+    /// Returns the length of the next step, or of the next attempt if this one is too inaccurate. A `held` step may not be longer.
     pub fn next_length(&self, held: bool) -> f64 {
         next_length(self.to - self.from, self.error, 8.0, LARGEST_LOSS, held)
     }
 
-    /// The state at the end.
+    /// State at the end.
     pub fn end(&self) -> &[f64] {
         &self.end
     }
 
-    /// The length in times of the fastest decay among the first components, as two stages at the end of a finished step show it, or their
-    /// rounding: beyond [`STABLE`], stability limits a step and not its error (Hairer and Wanner 1996, Solving Ordinary Differential
-    /// Equations II, section IV.2).
+    /// Returns the length in units of the fastest decay time among the first components.
+    ///
+    /// Two stages at the end of a finished step yield the estimate, or the rounding of the stages.
+    ///
+    /// Beyond [`STABLE`], stability limits a step and not its error (Hairer and Wanner 1996, Solving Ordinary Differential Equations II,
+    /// section IV.2).
     pub fn stiffness(&self, judged: usize) -> f64 {
         let length = self.to - self.from;
         let last = STAGES.len();
@@ -175,10 +176,10 @@ impl Step {
         }
     }
 
-    /// Finds the rates at the end, with which the next step begins.
+    /// Evaluates the rates at the end, with which the next step begins.
     ///
     /// # Errors
-    /// There are none.
+    /// The rates do not exist.
     pub fn finish<R: Rates>(&mut self, rates: &mut R) -> Result<(), R::Failure> {
         let mut slope = vec![0.0; self.end.len()];
         rates.rates(self.to, &self.end, &mut slope)?;
@@ -186,15 +187,15 @@ impl Step {
         Ok(())
     }
 
-    /// The rates at the end of a finished step.
+    /// Rates at the end of a finished step.
     pub fn end_rates(&self) -> &[f64] {
         &self.stages[STAGES.len() + 1]
     }
 
-    /// The state at a time on a finished step.
+    /// Returns the state at a time within a finished step.
     ///
     /// # Errors
-    /// There are no rates at one of the places that the dense output needs.
+    /// Rates do not exist at one of the stages of the dense output.
     pub fn at<R: Rates>(&mut self, rates: &mut R, t: f64) -> Result<Vec<f64>, R::Failure> {
         if t == self.to {
             return Ok(self.end.clone());
@@ -205,8 +206,8 @@ impl Step {
             dense @ None => {
                 let mut stages = self.stages.clone();
                 for stage in &DENSE_STAGES {
-                    let found = rates_at(rates, stage, self.from, length, &self.start, &stages)?;
-                    stages.push(found);
+                    let slope = rates_at(rates, stage, self.from, length, &self.start, &stages)?;
+                    stages.push(slope);
                 }
                 dense.insert(dense_parts(&self.start, &self.end, &stages, length))
             }
@@ -235,12 +236,12 @@ fn rates_at<R: Rates>(
     stages: &[Vec<f64>],
 ) -> Result<Vec<f64>, R::Failure> {
     let at = moved(state, stages, stage.terms, length);
-    let mut found = vec![0.0; state.len()];
-    rates.rates(from + stage.node * length, &at, &mut found)?;
-    Ok(found)
+    let mut slope = vec![0.0; state.len()];
+    rates.rates(from + stage.node * length, &at, &mut slope)?;
+    Ok(slope)
 }
 
-/// The coefficients of the dense output, component by component.
+/// Returns the coefficients of the dense output, component by component.
 fn dense_parts(start: &[f64], end: &[f64], stages: &[Vec<f64>], length: f64) -> [Vec<f64>; 8] {
     let count = start.len();
     let mut parts = [const { Vec::new() }; 8].map(|_: Vec<f64>| vec![0.0; count]);
@@ -296,7 +297,7 @@ mod tests {
         (step, circle)
     }
 
-    /// The error of a step falls with the ninth power of its length, that between its ends with the eighth.
+    /// The error of a step is of order 9 in its length, that between its ends of order 8.
     #[test]
     fn the_orders_are_eight_and_seven() {
         let error = |length: f64, part: f64| {

@@ -1,7 +1,5 @@
-//! *The interpreted blocks* → *what a [`Shell`](linkwright::Shell) is generic over*, as a generated module gives it: modes, estimates,
-//! one frame from the last, names for failures.
-//!
-//! Deliberately unknown here: how a motion is followed.
+//! Implements the blocks of a [`Shell`](linkwright::Shell) as a generated module does: modes, estimates, the next frame from the last,
+//! names for failures.
 
 use linkwright::blocks::first_not_positive;
 use linkwright::closed_form::failed;

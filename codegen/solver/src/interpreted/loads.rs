@@ -1,4 +1,4 @@
-//! Ascribes the failure of an interpreted frame to the load that is not finite, as generated modules do.
+//! Attributes the failure of an interpreted frame to the load that is not finite, as generated modules do.
 
 use linkwright::Failure;
 use linkwright::closed_form::load_not_finite;
@@ -8,17 +8,17 @@ use super::compiled::Compiled;
 use crate::instant::Instant;
 use crate::reader::Reader;
 
-/// Evaluates loads that may become infinite.
+/// Evaluator of loads that may become infinite.
 #[derive(Clone, Debug)]
 pub(super) struct LoadReader {
     loads: Reader,
-    /// Places in instants of what the loads follow from.
+    /// Indices in instants of the values that the loads follow from.
     read: Vec<usize>,
     block: u16,
 }
 
 impl LoadReader {
-    /// `None` if no load of the program may become infinite.
+    /// Creates the evaluator; `None` if no load of the program may become infinite.
     pub(super) fn new(compiled: &Compiled) -> Option<LoadReader> {
         let loads = compiled.program.loads.as_ref()?;
         let values = loads.function.results.iter().map(|it| it.expr);
@@ -32,7 +32,7 @@ impl LoadReader {
         })
     }
 
-    /// Returns the failure of an instant, ascribed to the first load that is not finite there if the pose is.
+    /// Returns the failure of an instant, attributed to the first load that is not finite there if the pose is.
     pub(super) fn blame(&self, failure: Failure, at: &Instant) -> Failure {
         let read: Vec<f64> = self.read.iter().map(|&slot| at.values()[slot]).collect();
         load_not_finite(failure, &read, &self.loads.values(at), self.block)

@@ -1,8 +1,7 @@
-//! *A [`System`]* → *its blocks, solved without a compile step*.
+//! Solves the blocks of a [`System`] without a compile step.
 //!
-//! [`Interpreted`] runs the statements that generated code is made of, block by block, and is held by a [`Shell`] as
-//! generated code is: the same modes, the same path, the same failures in the same words. Nothing is left out: instants hold
-//! every coordinate, and every other unknown of the vector form, with rates and accelerations.
+//! [`Interpreted`] runs the statements of generated code, block by block, in the same [`Shell`]: modes, path, failures and their text are
+//! equal. Nothing is omitted: instants store every coordinate and every other unknown of the vector form, with rates and accelerations.
 
 mod blocks;
 mod compiled;
@@ -32,23 +31,23 @@ use crate::view::View;
 use compiled::Compiled;
 use loads::LoadReader;
 
-/// A mechanism that is solved block by block, in SI units: m, rad, s.
+/// Mechanism that is solved block by block, in SI units: m, rad, s.
 #[derive(Clone, Debug)]
 pub struct Interpreted {
     compiled: Arc<Compiled>,
     registers: RefCell<Vec<f64>>,
     path_registers: RefCell<[Vec<f64>; 2]>,
     points: Reader,
-    /// What a failure is ascribed to a load by; `None` if no load may become infinite.
+    /// Evaluator of loads for failures; `None` if no load may become infinite.
     loads: Option<LoadReader>,
     derivatives: Vec<Derivative>,
-    /// Where instants keep the forces that are asked for.
+    /// Indices in instants of the requested forces.
     forces: Vec<Option<usize>>,
     residuals: Cell<u64>,
     solves: Cell<u64>,
 }
 
-/// The values of all registers while blocks are solved one after another.
+/// Values of all registers while blocks are solved in order.
 #[derive(Clone, Debug)]
 pub(crate) struct State {
     pub t: f64,
@@ -56,7 +55,7 @@ pub(crate) struct State {
 }
 
 impl Interpreted {
-    /// The blocks of a system; `None` where its equations do not determine the motion.
+    /// Returns the blocks of a system; `None` if its equations do not determine the motion.
     pub fn new(system: &System) -> Option<Interpreted> {
         let mut system = system.in_full();
         let plan = structure::plan(&mut system)?;
@@ -64,10 +63,10 @@ impl Interpreted {
         Some(Interpreted::of(system, plan, program))
     }
 
-    /// The same with warnings about what solves the system.
+    /// Returns the blocks as [`Interpreted::new`] does, with warnings about their solution.
     ///
     /// # Errors
-    /// Numbers in the blocks that become infinite or undefined, and work beyond its bounds.
+    /// Numbers in the blocks become infinite or undefined, or the work exceeds its bounds.
     pub fn checked(system: &System) -> Result<(Option<Interpreted>, Diagnostics), Diagnostics> {
         let _work = work_at(system.mechanism.place());
         let mut system = system.in_full();
@@ -81,7 +80,7 @@ impl Interpreted {
                 let is_of_values = found.iter().all(|it| it.code == Code::NotFinite)
                     && !system.mechanism.parameters.is_empty();
                 let interpreted = is_of_values.then(|| Interpreted::of(system, plan, program));
-                // Where a length is refused or out of reach, that says more than a number that follows from it.
+                // A length that is rejected or out of reach explains more than a number that follows from it.
                 match interpreted.filter(Interpreted::is_refused_as_drawn) {
                     Some(interpreted) => Ok((Some(interpreted), Diagnostics::new())),
                     None => Err(found),
@@ -90,7 +89,7 @@ impl Interpreted {
         }
     }
 
-    /// True if the values of parameters and inputs at t = 0 are refused, or leave a loop open.
+    /// True if the values of parameters and inputs at t = 0 are rejected, or leave a loop open.
     fn is_refused_as_drawn(&self) -> bool {
         self.assembled_as_drawn(0.0).is_err_and(|failure| {
             matches!(
@@ -100,10 +99,10 @@ impl Interpreted {
         })
     }
 
-    /// Assembles the mechanism at the time `t` (s) from the pose and in the modes of the drawing.
+    /// Assembles the mechanism at the time `t` (s) from the pose and in the modes of the design configuration.
     ///
     /// # Errors
-    /// It cannot be assembled there.
+    /// The mechanism cannot be assembled.
     pub(crate) fn assembled_as_drawn(&self, t: f64) -> Result<Shell<Interpreted>, Failure> {
         let parameters = self.nominal_parameters();
         Shell::assemble(
@@ -143,12 +142,12 @@ impl Interpreted {
         }
     }
 
-    /// The plan that is followed.
+    /// Plan of the solution.
     pub fn plan(&self) -> &SolvedPlan {
         &self.compiled.plan
     }
 
-    /// The functions that are run.
+    /// Functions that are run.
     pub fn program(&self) -> &Program {
         &self.compiled.program
     }
@@ -157,14 +156,15 @@ impl Interpreted {
         &self.compiled
     }
 
-    /// Before the first block, with the drawing as the last instant, nominal parameters, and the inputs that their laws give.
+    /// Returns the state before the first block, with the design configuration as the last instant, nominal parameters, and the inputs of
+    /// their laws.
     pub(crate) fn before_assembly(&self, t: f64) -> State {
         let parameters = self.nominal_parameters();
         let drawn = self.drawn_pose(&parameters);
         self.before(&drawn, t, &self.input_laws().at(t))
     }
 
-    /// Before the first block, with a pose as the last instant, and nominal parameters.
+    /// Returns the state before the first block, with a pose as the last instant, and nominal parameters.
     pub(crate) fn before(&self, pose: &Pose, t: f64, inputs: &InputSignals) -> State {
         let parameters = self.nominal_parameters();
         let last = self.estimate(pose, &parameters, t);
@@ -174,7 +174,7 @@ impl Interpreted {
         State { t, registers }
     }
 
-    /// The instant that was found.
+    /// Returns the solved instant.
     pub(crate) fn instant(&self, state: &State) -> Instant {
         let mut instant = self.compiled.layout.empty();
         self.compiled.keep(&state.registers, state.t, &mut instant);

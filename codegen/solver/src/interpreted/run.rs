@@ -1,7 +1,6 @@
-//! *Registers before a block* → *registers after it*, or why it has no solution.
+//! Runs the operations of a block on registers.
 //!
-//! The operations of a block run one after another; where one of them is a Newton-Raphson, the runtime's solves it, and its
-//! factorization solves the rates. Deliberately unknown here: what registers mean outside of the block.
+//! A Newton-Raphson operation is solved by the runtime, and its factorization solves the rates.
 
 use linkwright::{Branch, Failure, Frame, Measure, Start, block, kinematics};
 
@@ -42,8 +41,8 @@ impl Interpreted {
                 (Operation::Factorize, Some(newton)) => {
                     let tears = newton.pose(registers);
                     let equations = newton.at(code, registers, &|| ());
-                    let found = kinematics::factorize(&equations, &tears, t, settings);
-                    factorization = Some(found.map_err(|failure| failure.in_block(number))?);
+                    let factors = kinematics::factorize(&equations, &tears, t, settings);
+                    factorization = Some(factors.map_err(|failure| failure.in_block(number))?);
                 }
                 (
                     Operation::Solve {
@@ -70,7 +69,7 @@ impl Interpreted {
         Ok(())
     }
 
-    /// Solves the equations of a block by Newton-Raphson, and says how far they are from singular.
+    /// Solves the equations of a block by Newton-Raphson, and measures their distance from singular.
     fn iterate(
         &self,
         newton: &Newton,
@@ -89,13 +88,13 @@ impl Interpreted {
             return Ok(Measure::sine(0.0));
         }
         let mut measure = Measure::sine(0.0);
-        let found: Frame<f64, nalgebra::Dyn> = match newton.measure {
+        let frame: Frame<f64, nalgebra::Dyn> = match newton.measure {
             None => block::solve(&equations, &last, start, mode, t, settings)?,
             Some(_) => {
                 block::solve_measured(&equations, &last, start, mode, t, settings, &mut measure)?
             }
         };
-        equations.set(&found);
+        equations.set(&frame);
         Ok(measure)
     }
 }

@@ -1,4 +1,4 @@
-//! *The interpreted blocks* → *what is looked at in a motion*: points, derivatives, forces, measures, and failures in words.
+//! Reports an interpreted motion: points, derivatives, forces, measures, and failures in words.
 
 use linkwright::{Blocks, Conditions, Failure, FailureKind, PointMotion, Settings, Start};
 use linkwright_codegen::stages::emit::derivation::SingularPose;
@@ -59,12 +59,12 @@ impl View for Interpreted {
     }
 
     fn derivatives(&self, instant: &Instant) -> Option<Vec<f64>> {
-        let found = self.derivatives.iter();
+        let derivatives = self.derivatives.iter();
         let value = |it: &Derivative| match *it {
             Derivative::Kept(slot) => instant.values()[slot],
             Derivative::Constant(value) => value,
         };
-        Some(found.map(value).collect())
+        Some(derivatives.map(value).collect())
     }
 
     fn forces(&self, instant: &Instant) -> Option<Vec<f64>> {
@@ -82,7 +82,7 @@ impl View for Interpreted {
 
     fn not_assembled(&self, failure: &Failure) -> String {
         let cause = self.cause(failure, None);
-        // What is refused is refused in every assembly.
+        // A rejected value is rejected in every assembly.
         let is_refused = matches!(failure.kind, FailureKind::NotPositive { .. });
         let others = match is_refused {
             true => 0,
@@ -104,7 +104,7 @@ impl View for Interpreted {
 }
 
 impl Interpreted {
-    /// The failure in words, without the time. A number that is not finite is ascribed to the load or the block that it comes from.
+    /// Describes a failure without the time. A number that is not finite is attributed to its load or its block.
     fn cause(&self, failure: &Failure, last: Option<&Instant>) -> String {
         if let FailureKind::LoadNotFinite { load } = failure.kind {
             let load = self.load_name(usize::from(load)).unwrap_or_default();
@@ -118,7 +118,7 @@ impl Interpreted {
         named.unwrap_or_else(|| self.reported(failure))
     }
 
-    /// Returns the failure in words, without the time, with lengths in the unit of messages.
+    /// Describes a failure without the time, with lengths in the unit of messages.
     pub(crate) fn reported(&self, failure: &Failure) -> String {
         let unit = self.system().mechanism.units.of_messages().of("m");
         let explained = self.explained(failure);
@@ -126,8 +126,9 @@ impl Interpreted {
         cause.to_string()
     }
 
-    /// The frame after the last one that was refused since a number in it is not finite, in the modes of the drawing; `None` for other
-    /// failures, and where there is none in these modes.
+    /// Returns the frame after the last one that was rejected for a number that is not finite, in the modes of the design configuration.
+    ///
+    /// `None` for other failures, and without a frame in these modes.
     fn refused(&self, failure: &Failure, last: Option<&Instant>) -> Option<Instant> {
         if failure.kind != FailureKind::NotFinite || failure.input.is_some() {
             return None;

@@ -1,4 +1,4 @@
-//! What is said of a whole motion: bounds of determinants, coordinates and points in each window, and how narrow they should be.
+//! Bounds determinants, coordinates and points in each window of a motion, and limits the width of these bounds.
 
 use linkwright_codegen::stages::assemblies::Interval;
 use linkwright_codegen::stages::joint::Quantity;
@@ -14,20 +14,19 @@ use crate::interpreted::Interpreted;
 use crate::measures::MeasuredPart;
 use crate::view::View;
 
-/// The part of the smallest determinant that was located which its bound must be; a half is promised.
+/// Smallest bound of a determinant as a part of its smallest located value; one half is promised.
 const LEAST: f64 = 0.625;
 
-/// The part of the range that frames sweep by which bounds may go beyond each of its ends; a tenth of it is promised for both together.
+/// Overshoot of bounds at each end, as a part of the range that frames sweep; a tenth of the range is promised for both ends together.
 const BEYOND: f64 = 0.04;
 
-/// The part of a radian, or of the largest length that is swept, that bounds may always go beyond what is swept: what is at rest sweeps
-/// nothing.
+/// Overshoot that is always permitted, as a part of a radian or of the largest swept length: a quantity at rest sweeps no range.
 const ALWAYS: f64 = 1e-6;
 
-/// Two bounds.
+/// Lower and upper bound.
 pub(super) type Bounds = [f64; 2];
 
-/// What bounds should lie in.
+/// Limit of bounds.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Limit(Bounds);
 
@@ -37,13 +36,13 @@ impl Limit {
     }
 }
 
-/// What is said.
+/// Quantities to be bounded.
 #[derive(Clone, Debug)]
 pub(super) struct Claims {
     measures: Vec<(MeasuredPart, Functions)>,
-    /// The smallest normalized determinant of each, located and as a size of its measure.
+    /// Smallest normalized determinant of each block: located, and as a magnitude of its measure.
     located: Vec<[f64; 2]>,
-    /// Whether each coordinate is an angle.
+    /// True for each coordinate that is an angle.
     are_angles: Vec<bool>,
     points: Vec<(usize, Functions)>,
 }
@@ -88,7 +87,7 @@ impl Claims {
         }
     }
 
-    /// The bounds in a window: of the sizes of measures, of coordinates, of points.
+    /// Returns the bounds in a window: of magnitudes of measures, of coordinates, of points.
     pub fn bounds(&self, verified: &Verified) -> Vec<Bounds> {
         let measures = self.measures.iter().map(|(part, functions)| {
             let values = verified.values(functions);
@@ -111,15 +110,15 @@ impl Claims {
         measures.chain(coordinates).chain(points).collect()
     }
 
-    /// What frames sweep, for all but the measures.
+    /// Returns the ranges that frames sweep, without those of measures.
     fn swept(&self, nodes: &[Node], windows: &[Window]) -> Vec<Bounds> {
         let first = windows.first().map(|window| window.ends[0]);
         let used = windows.iter().map(|window| window.ends[1]);
         let mut swept: Vec<Bounds> = Vec::new();
         for node in first.into_iter().chain(used) {
-            let found = self.bounds(&nodes[node].verified);
-            let own = found[self.measures.len()..].iter();
-            let middles = own.map(|[low, high]| low + 0.5 * (high - low));
+            let bounds = self.bounds(&nodes[node].verified);
+            let ranges = bounds[self.measures.len()..].iter();
+            let middles = ranges.map(|[low, high]| low + 0.5 * (high - low));
             if swept.is_empty() {
                 swept = middles.map(|it| [it; 2]).collect();
                 continue;
@@ -131,7 +130,7 @@ impl Claims {
         swept
     }
 
-    /// What the bounds of every window should lie in.
+    /// Returns the limits of the bounds in every window.
     pub fn limits(&self, nodes: &[Node], windows: &[Window]) -> Vec<Limit> {
         let swept = self.swept(nodes, windows);
         let is_angle = |place: usize| self.are_angles.get(place).copied().unwrap_or(false);
@@ -153,7 +152,7 @@ impl Claims {
         measures.chain(others).map(Limit).collect()
     }
 
-    /// What holds in all windows.
+    /// Returns the bounds that hold in all windows.
     pub fn proven(&self, system: &System, prover: &Prover<'_>, windows: &[Window]) -> Proven {
         let swept = self.swept(&prover.nodes, windows);
         let mut all: Vec<Bounds> = match windows.first() {
@@ -169,7 +168,7 @@ impl Claims {
         let determinants = self.measures.iter().zip(&self.located).zip(measures);
         let determinants = determinants.map(|(((part, _), &[located, _]), &[low, high])| {
             let least = match part.is_relative {
-                // What it is compared with is no larger than this.
+                // The reference of a relative measure is at most `high`.
                 true => (low / high).next_down().max(0.0),
                 false => low,
             };
@@ -205,7 +204,7 @@ impl Claims {
     }
 }
 
-/// The bounds of an interval, infinite where it says nothing.
+/// Returns the bounds of an interval; infinite if the interval is unbounded.
 fn bounds(value: Interval) -> Bounds {
     match is_bounded(value) {
         true => [value.low, value.high],
@@ -213,7 +212,7 @@ fn bounds(value: Interval) -> Bounds {
     }
 }
 
-/// The bounds of the size of a value.
+/// Returns the bounds of a magnitude.
 fn size(value: Interval) -> Bounds {
     let [low, high] = bounds(value);
     match low <= 0.0 && high >= 0.0 {

@@ -1,54 +1,55 @@
-//! Bounds of functions of time and unknowns along a chord through two frames.
+//! Bounds functions of time and unknowns along a chord through two frames.
 //!
-//! Every bound is computed in intervals that are rounded outwards, from expressions with the numbers of the description: whatever is not
-//! defined, or not known here, has no bounds.
+//! Every bound is computed in intervals that are rounded outwards, from expressions with the numbers of the description. An undefined or
+//! unknown value is unbounded.
 
 use linkwright_codegen::stages::assemblies::{Enclosed, Enclosing, Interval};
 use linkwright_codegen::stages::expr::{ExprId, SymbolId};
 use linkwright_codegen::stages::system::System;
 
-/// A chord: unknowns are c + d s at the time t_c + h s, where s goes from about −1 to 1.
+/// Chord: unknowns are c + d s at the time t_c + h s, where s goes from about −1 to 1.
 #[derive(Clone, Debug)]
 pub(super) struct Chord {
     /// t_c and h (s).
     pub time: [f64; 2],
     /// c and d of each unknown.
     pub line: Vec<[f64; 2]>,
-    /// All s of the window.
+    /// Range of s in the window.
     pub range: Interval,
 }
 
 /// Functions of time and of the unknowns of the vector form.
 #[derive(Clone, Debug)]
 pub(super) struct Functions {
-    /// Value and first derivative by s of each.
+    /// Values and first derivatives by s.
     taylor: Enclosed,
-    /// Its second derivative by s.
+    /// Second derivatives by s.
     second: Enclosed,
-    /// Its derivatives by the unknowns that it mentions.
+    /// Derivatives by the unknowns that each function mentions.
     gradient: Enclosed,
-    /// These unknowns.
+    /// Unknowns that each function mentions.
     pub mentioned: Vec<Vec<usize>>,
 }
 
-/// What functions are made of, in a system of its own that may grow.
+/// Symbols and expressions of functions, in a copy of the system that may grow.
 pub(super) struct Writing {
     system: System,
     /// s, t_c and h, then c of all unknowns, then d.
     symbols: Vec<SymbolId>,
-    /// What stands for inputs and for directions.
+    /// Expressions that replace inputs and directions.
     given: Vec<(SymbolId, ExprId)>,
 }
 
 impl Writing {
-    /// Functions of this system with nominal parameters and the inputs that their laws give.
+    /// Creates functions of this system with nominal parameters and the inputs of their laws.
     pub fn new(mut system: System) -> Writing {
         let zero = system.mechanism.graph.zero();
         let directions = system.directions.iter();
         let directions = directions.filter(|direction| !direction.is_parameter());
-        let mut given: Vec<(SymbolId, ExprId)> = directions.map(|it| (it.symbol, zero)).collect();
+        let mut replacements: Vec<(SymbolId, ExprId)> =
+            directions.map(|it| (it.symbol, zero)).collect();
         for input in &system.mechanism.inputs {
-            given.extend(input.symbols.into_iter().zip(input.signal));
+            replacements.extend(input.symbols.into_iter().zip(input.signal));
         }
         let names = ["s", "middle", "half"].map(|it| format!("chord {it}"));
         let count = system.vector_form.unknowns.len();
@@ -60,18 +61,18 @@ impl Writing {
         Writing {
             system,
             symbols,
-            given,
+            given: replacements,
         }
     }
 
-    /// An expression of time and unknowns alone: without arms, inputs and directions.
+    /// Returns an expression in time and unknowns alone: without rotated local vectors, inputs and directions.
     fn written(&mut self, expr: ExprId) -> ExprId {
         let graph = &mut self.system.mechanism.graph;
         let expr = self.system.vector_form.written_out(expr, graph);
         graph.substitute(expr, &self.given)
     }
 
-    /// `unknown − value`.
+    /// Returns `unknown − value`.
     pub fn definition(&mut self, unknown: usize, value: ExprId) -> ExprId {
         let position = self.system.vector_form.unknowns[unknown].position;
         let graph = &mut self.system.mechanism.graph;
@@ -79,7 +80,7 @@ impl Writing {
         graph.subtract(variable, value)
     }
 
-    /// The functions that these expressions are.
+    /// Returns the functions of these expressions.
     pub fn functions(&mut self, expressions: &[ExprId]) -> Functions {
         let expressions: Vec<ExprId> = expressions.iter().map(|&it| self.written(it)).collect();
         let positions: Vec<SymbolId> = {
@@ -99,16 +100,20 @@ impl Writing {
         };
         let mut lines = vec![(time, line(variables[1], variables[2]))];
         for (place, &position) in positions.iter().enumerate() {
-            let own = line(variables[3 + place], variables[3 + count + place]);
-            lines.push((position, own));
+            let chord_of_unknown = line(variables[3 + place], variables[3 + count + place]);
+            lines.push((position, chord_of_unknown));
         }
         let (mut taylor, mut second) = (Vec::new(), Vec::new());
         let (mut gradient, mut mentioned) = (Vec::new(), Vec::new());
         for &expr in &expressions {
-            let own = |unknown: &usize| graph.depends_on(expr, positions[*unknown]);
-            let own: Vec<usize> = (0..count).filter(own).collect();
-            gradient.extend(own.iter().map(|&it| graph.derivative(expr, positions[it])));
-            mentioned.push(own);
+            let is_mentioned = |unknown: &usize| graph.depends_on(expr, positions[*unknown]);
+            let unknowns: Vec<usize> = (0..count).filter(is_mentioned).collect();
+            gradient.extend(
+                unknowns
+                    .iter()
+                    .map(|&it| graph.derivative(expr, positions[it])),
+            );
+            mentioned.push(unknowns);
             let along = graph.substitute(expr, &lines);
             let first = graph.derivative(along, self.symbols[0]);
             taylor.extend([along, first]);
@@ -137,7 +142,7 @@ impl Writing {
 }
 
 impl Chord {
-    /// The chord from one frame to a later one.
+    /// Returns the chord from one frame to a later one.
     pub fn between(times: [f64; 2], poses: [&[f64]; 2]) -> Chord {
         let middle = times[0] + 0.5 * (times[1] - times[0]);
         let half = 0.5 * (times[1] - times[0]);
@@ -152,7 +157,7 @@ impl Chord {
         }
     }
 
-    /// The chord that is a single frame.
+    /// Returns the chord of a single frame.
     pub fn at(t: f64, pose: &[f64]) -> Chord {
         Chord {
             time: [t, 0.0],
@@ -161,41 +166,41 @@ impl Chord {
         }
     }
 
-    /// An unknown on the line at these s.
+    /// Returns an unknown on the chord in a range of s.
     pub fn unknown(&self, unknown: usize, s: Interval) -> Interval {
         let [at, along] = self.line[unknown];
         Interval::point(at).plus(Interval::point(along).times(s))
     }
 
-    /// Where a time lies on it.
+    /// Returns s at a time.
     pub fn place(&self, t: f64) -> Interval {
         place(t, self.time[0], self.time[1])
     }
 
-    /// The arguments of functions along it at these s.
+    /// Returns the arguments of functions along the chord in a range of s.
     pub fn arguments(&self, s: Interval) -> Vec<Interval> {
         let time = self.time.map(Interval::point);
         let starts = self.line.iter().map(|it| Interval::point(it[0]));
         let changes = self.line.iter().map(|it| Interval::point(it[1]));
-        let given = std::iter::once(s).chain(time);
-        given.chain(starts).chain(changes).collect()
+        let time_and_s = std::iter::once(s).chain(time);
+        time_and_s.chain(starts).chain(changes).collect()
     }
 
-    /// The times of the window.
+    /// Returns the times of the window.
     pub fn times(&self) -> Interval {
         let [middle, half] = self.time.map(Interval::point);
         middle.plus(half.times(self.range))
     }
 }
 
-/// s at a time.
+/// Returns s at a time for the middle and half the length of a window.
 fn place(t: f64, middle: f64, half: f64) -> Interval {
     let off = Interval::point(t).minus(Interval::point(middle));
     off.times(Interval::point(half).reciprocal())
 }
 
 impl Functions {
-    /// The values along the line itself; `arguments` are those of the chord at 0, and over its range.
+    /// Returns the values along the chord; `arguments` are those at s = 0, and over the range.
     pub fn along(&self, chord: &Chord, arguments: [&[Interval]; 2]) -> Vec<Interval> {
         let mut registers = Vec::new();
         let taylor = self.taylor.at(arguments[0], &mut registers);
@@ -209,7 +214,7 @@ impl Functions {
         values.map(value).collect()
     }
 
-    /// The derivatives of each by the unknowns that it mentions, at these times and unknowns.
+    /// Returns the derivatives of each function by the unknowns that it mentions, at these times and unknowns.
     pub fn derivatives(&self, at: &[Interval]) -> Vec<Vec<Interval>> {
         let all = self.gradient.at(at, &mut Vec::new());
         let mut rest = all.as_slice();
@@ -221,18 +226,18 @@ impl Functions {
         rows.collect()
     }
 
-    /// How many there are.
+    /// Number of functions.
     pub fn count(&self) -> usize {
         self.mentioned.len()
     }
 }
 
-/// Whether bounds say anything.
+/// True if both bounds are finite.
 pub(super) fn is_bounded(value: Interval) -> bool {
     value.defined && value.low.is_finite() && value.high.is_finite() && !value.is_empty()
 }
 
-/// The largest size of what lies in it.
+/// Returns the largest magnitude in an interval.
 pub(super) fn magnitude(value: Interval) -> f64 {
     value.low.abs().max(value.high.abs())
 }

@@ -1,22 +1,25 @@
-//! Inverses of matrices in numbers, and determinants of matrices of intervals.
+//! Inverts matrices of numbers, and bounds determinants of matrices of intervals.
 
 use linkwright_codegen::stages::assemblies::Interval;
 use nalgebra::DMatrix;
 
 use super::functions::{is_bounded, magnitude};
 
-/// An approximate inverse of what lies in the middle of a matrix; `None` where there is none.
+/// Returns an approximate inverse of the midpoints of a matrix; `None` if there is none.
 pub(super) fn inverse(matrix: &[Vec<Interval>]) -> Option<DMatrix<f64>> {
     let order = matrix.len();
     if !matrix.iter().flatten().all(|&it| is_bounded(it)) {
         return None;
     }
     let middle = DMatrix::from_fn(order, order, |row, column| matrix[row][column].middle());
-    let found = middle.try_inverse()?;
-    found.iter().all(|it| it.is_finite()).then_some(found)
+    let approximate = middle.try_inverse()?;
+    approximate
+        .iter()
+        .all(|it| it.is_finite())
+        .then_some(approximate)
 }
 
-/// C · A of a matrix in numbers.
+/// Returns C · A of a matrix in numbers.
 pub(super) fn product(inverse: &DMatrix<f64>, matrix: &[Vec<Interval>]) -> Vec<Vec<Interval>> {
     let order = matrix.len();
     let entry = |row: usize, column: usize| {
@@ -29,11 +32,10 @@ pub(super) fn product(inverse: &DMatrix<f64>, matrix: &[Vec<Interval>]) -> Vec<V
     (0..order).map(row).collect()
 }
 
-/// What the determinant of each matrix of these entries is at least in size, divided by the lengths of its columns; 0 where nothing is
-/// known.
+/// Returns a lower bound of the normalized determinant's magnitude of each matrix of these entries; 0 if nothing is known.
 ///
-/// With an inverse C, det A = det (C A) / det C, and |det (C A)| is at least the product of what the diagonal has more than the rest of its
-/// row (Ostrowski 1937).
+/// The determinant is divided by the lengths of its columns. With an inverse C, det A = det (C A) / det C, and |det (C A)| is at least
+/// the product over all rows of the diagonal entry minus the sum of the others (Ostrowski 1937).
 pub(super) fn normalized_determinant(matrix: &[Vec<Interval>]) -> f64 {
     let order = matrix.len();
     let Some(inverse) = inverse(matrix) else {
@@ -50,7 +52,7 @@ pub(super) fn normalized_determinant(matrix: &[Vec<Interval>]) -> f64 {
             sum.plus(Interval::point(magnitude(entry)))
         });
         let left = Interval::point(row[place].low).minus(others);
-        // Written so that NaN is refused.
+        // Negated comparisons would accept NaN.
         let is_dominant = left.low > 0.0;
         if !is_dominant {
             return 0.0;
@@ -73,33 +75,33 @@ pub(super) fn normalized_determinant(matrix: &[Vec<Interval>]) -> f64 {
     }
 }
 
-/// The size of the determinant of a matrix of numbers.
+/// Returns the magnitude of the determinant of a matrix of numbers; `None` if it cannot be bounded.
 fn determinant(matrix: &DMatrix<f64>) -> Option<Interval> {
     let order = matrix.nrows();
     let row = |row: usize| (0..order).map(move |column| Interval::point(matrix[(row, column)]));
     let mut rows: Vec<Vec<Interval>> = (0..order).map(|it| row(it).collect()).collect();
-    let mut found = Interval::point(1.0);
+    let mut product = Interval::point(1.0);
     for k in 0..order {
         let size = |row: &usize| rows[*row][k].middle().abs();
         let pivot = (k..order).max_by(|a, b| size(a).total_cmp(&size(b)))?;
         rows.swap(k, pivot);
         let (above, below) = rows.split_at_mut(k + 1);
-        let own = &above[k];
-        let reciprocal = own[k].reciprocal();
+        let pivot_row = &above[k];
+        let reciprocal = pivot_row[k].reciprocal();
         if !is_bounded(reciprocal) {
             return None;
         }
-        found = found.times(own[k]);
+        product = product.times(pivot_row[k]);
         for row in below {
             let factor = row[k].times(reciprocal);
             for column in k + 1..order {
-                row[column] = row[column].minus(factor.times(own[column]));
+                row[column] = row[column].minus(factor.times(pivot_row[column]));
             }
         }
     }
-    let size = match found.low > 0.0 {
-        true => found,
-        false => found.negated(),
+    let size = match product.low > 0.0 {
+        true => product,
+        false => product.negated(),
     };
     (is_bounded(size) && size.low > 0.0).then_some(size)
 }
@@ -113,7 +115,7 @@ mod tests {
         rows.map(|row| row.map(entry).to_vec()).to_vec()
     }
 
-    /// Two unit vectors whose angle is 30° have the ratio ½.
+    /// Two unit vectors at an angle of 30° have the ratio ½.
     #[test]
     fn a_determinant_is_bounded_from_below() {
         let sine = 0.75_f64.sqrt();

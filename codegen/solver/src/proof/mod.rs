@@ -1,8 +1,8 @@
-//! Proof that a mechanism moves on one smooth path over a whole range of time, and what holds all the while.
+//! Proves that a mechanism moves on one smooth path over a range of time, and bounds quantities over that range.
 //!
-//! The range is covered by windows between frames. In each of them the equations have one solution near the chord, which
-//! `window` verifies in intervals that are rounded outwards; every frame between two windows lies in both, so that their solutions are
-//! one path. A window that is too wide is halved. Frames are only where windows are looked for: how they were found proves nothing.
+//! The range is covered by windows between frames. In each window the equations have one solution near the chord, which `window`
+//! verifies in intervals that are rounded outwards. Every frame between two windows lies in both, so that their solutions are one path.
+//! A window that is too wide is halved. Frames only suggest where windows are: their computation proves nothing.
 
 mod claims;
 mod functions;
@@ -16,72 +16,73 @@ use crate::schedule::Schedule;
 use crate::view::View;
 use prover::{Prover, Window};
 
-/// What is proven of a whole motion, or where it cannot be.
+/// Proof of a motion, or its first gap.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Proof {
-    /// The range of time (s).
+    /// Range of time (s).
     pub range: [f64; 2],
-    /// The windows that cover it, or what was proven before the first one that cannot be.
+    /// Number of windows that cover the range, or those before the first gap.
     pub windows: usize,
-    /// The length of the shortest one (s).
+    /// Length of the shortest window (s).
     pub shortest: f64,
-    /// What holds all over the range; nothing where it cannot be proven.
+    /// Bounds over the range; `None` if the motion cannot be proven.
     pub proven: Option<Proven>,
-    /// The first window that cannot be proven.
+    /// First window that cannot be proven; `None` if all can.
     pub unproven: Option<Unproven>,
 }
 
-/// What holds all over a range.
+/// Bounds over a range of time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Proven {
-    /// The normalized determinants of blocks.
+    /// Normalized determinants of blocks.
     pub determinants: Vec<Determinant>,
-    /// The coordinates, in their order.
+    /// Coordinates in their order.
     pub coordinates: Vec<Enclosed>,
-    /// Both components of each point that was asked for.
+    /// Components of each requested point.
     pub points: Vec<[Enclosed; 2]>,
 }
 
-/// A bound on a normalized determinant.
+/// Bound on a normalized determinant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Determinant {
-    /// The block of the plan, from 0.
+    /// Block of the plan, from 0.
     pub block: usize,
-    /// The part of the block, from 0.
+    /// Subsystem of the block, from 0.
     pub part: usize,
-    /// What its size is at least.
+    /// Lower bound of its magnitude.
     pub least: f64,
-    /// The smallest size that was located.
+    /// Smallest located magnitude.
     pub located: f64,
 }
 
-/// A range in which a quantity stays.
+/// Range of a quantity.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Enclosed {
-    /// Its name.
+    /// Name.
     pub name: String,
-    /// Whether it is an angle (rad), or else a length (m).
+    /// True for an angle (rad), false for a length (m).
     pub is_angle: bool,
-    /// Its bounds.
+    /// Bounds.
     pub bounds: [f64; 2],
-    /// The smallest and the largest value in a frame.
+    /// Smallest and largest value in a frame.
     pub swept: [f64; 2],
 }
 
-/// Where a motion cannot be proven.
+/// Gap in the proof of a motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Unproven {
-    /// The window (s).
+    /// Window (s).
     pub window: [f64; 2],
-    /// The block of the plan, from 0; `None` where no block is to blame.
+    /// Block of the plan, from 0; `None` if no single block fails.
     pub block: Option<usize>,
-    /// Why.
+    /// Reason.
     pub reason: String,
 }
 
 impl Proof {
-    /// Proves the motion from its assembly as drawn over a schedule; `parts` are what was located of its blocks, and `points` the outputs
-    /// whose places are wanted.
+    /// Proves the motion from its assembly in the design configuration over a schedule.
+    ///
+    /// `parts` are the located minima of its blocks, and `points` the outputs whose positions are bounded.
     pub fn new(
         interpreted: &Interpreted,
         schedule: &Schedule,

@@ -1,6 +1,6 @@
-//! Search for windows that cover a range of time, each verified, with frames that join them.
+//! Searches for windows that cover a range of time, with frames that join them.
 //!
-//! Every window that is kept is verified, and holds both of its frames.
+//! Every window that is kept is verified, and contains both of its frames.
 
 use linkwright::{Blocks, Shell};
 use linkwright_codegen::stages::system::System;
@@ -15,13 +15,13 @@ use crate::interpreted::Interpreted;
 use crate::supplied::{InputLaws, Modes};
 use crate::view::View;
 
-/// How many windows there may be.
+/// Largest number of windows.
 const MOST_WINDOWS: usize = 200_000;
 
-/// How often a window may be halved.
+/// Largest number of halvings of a window.
 const HALVED: u32 = 20;
 
-/// A frame, and what is verified of it.
+/// Frame, and its verification.
 #[derive(Clone, Debug)]
 pub(super) struct Node {
     pub instant: Instant,
@@ -29,16 +29,16 @@ pub(super) struct Node {
     pub verified: Verified,
 }
 
-/// A window that is proven.
+/// Proven window.
 #[derive(Clone, Debug)]
 pub(super) struct Window {
-    /// Where its frames are among the nodes.
+    /// Indices of its frames among the nodes.
     pub ends: [usize; 2],
     halved: u32,
     pub bounds: Vec<Bounds>,
 }
 
-/// What windows are proven with.
+/// State of the search.
 pub(super) struct Prover<'a> {
     interpreted: &'a Interpreted,
     laws: InputLaws,
@@ -119,7 +119,7 @@ impl<'a> Prover<'a> {
         }
     }
 
-    /// Verifies the frame in which the mechanism is.
+    /// Verifies the current frame of the mechanism.
     pub fn node(&mut self) -> Result<usize, Unproven> {
         let instant = self.shell.frame().clone();
         let t = instant.t();
@@ -135,7 +135,7 @@ impl<'a> Prover<'a> {
         Ok(self.nodes.len() - 1)
     }
 
-    /// The frame at a time, from an earlier one.
+    /// Verifies the frame at a time (s), reached from an earlier one.
     fn node_at(&mut self, from: usize, t: f64) -> Result<usize, Unproven> {
         let Node { instant, modes, .. } = &self.nodes[from];
         let inputs = self.laws.at(instant.t());
@@ -155,7 +155,7 @@ impl<'a> Prover<'a> {
         })
     }
 
-    /// Covers the time from a frame to another time by windows.
+    /// Covers the time from a frame to another time (s) by windows.
     pub fn cover(
         &mut self,
         from: usize,
@@ -191,14 +191,14 @@ impl<'a> Prover<'a> {
 
     fn try_window(&mut self, from: usize, t: f64, halved: u32) -> Result<Window, Unproven> {
         let to = self.node_at(from, t)?;
-        let found = self.window([from, to], halved);
-        if found.is_err() {
+        let window = self.window([from, to], halved);
+        if window.is_err() {
             self.nodes.pop();
         }
-        found
+        window
     }
 
-    /// The window between two verified frames.
+    /// Verifies the window between two verified frames.
     fn window(&self, ends: [usize; 2], halved: u32) -> Result<Window, Unproven> {
         let [first, last] = ends.map(|end| &self.nodes[end]);
         let times = [first, last].map(|it| it.instant.t());
@@ -227,7 +227,7 @@ impl<'a> Prover<'a> {
         })
     }
 
-    /// Halves windows until every bound is as narrow as it should be.
+    /// Halves windows until every bound is within its limit.
     pub fn narrowed(
         &mut self,
         mut windows: Vec<Window>,

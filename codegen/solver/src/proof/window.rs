@@ -1,9 +1,9 @@
-//! A window of time between two frames: verification that the equations have one solution near the chord in all of it.
+//! Verifies that the equations have one solution near the chord everywhere in a window of time.
 //!
-//! For each s of the [`Chord`] the unknowns are on the line but for e. With C near the inverse of the Jacobian, Krawczyk's operator
-//! K(E) = −C Φ(line) + (I − C Φ_q) E holds every solution in E. Where it maps E into its inside, there is one solution, and Φ_q is
-//! not singular (Krawczyk 1969; Neumaier, Interval Methods for Systems of Equations, 1990, section 5.1). Cells of few equations are
-//! verified one after another, each with all that the ones before it may be.
+//! For each s of the [`Chord`] the unknowns are on the chord up to e. With C near the inverse of the Jacobian, Krawczyk's operator
+//! K(E) = −C Φ(chord) + (I − C Φ_q) E holds every solution in E. If it maps E into its interior, there is one solution, and Φ_q is
+//! nonsingular (Krawczyk 1969; Neumaier, Interval Methods for Systems of Equations, 1990, section 5.1). Cells of few equations are
+//! verified in order, each with the full regions of those before it.
 
 use linkwright_codegen::stages::assemblies::Interval;
 use linkwright_codegen::stages::expr::ExprId;
@@ -12,37 +12,37 @@ use linkwright_codegen::stages::structure::SolvedPlan;
 use super::functions::{Chord, Functions, Writing, is_bounded, magnitude};
 use super::matrices::{inverse, product};
 
-/// By how much more than what Φ leaves on the line the unknowns are first allowed to be off it.
+/// First region of the unknowns, as a multiple of the correction that Φ on the chord requires.
 const FIRST: f64 = 2.0;
 
-/// By how much they are allowed to be farther off where that is not enough, and how often.
+/// Factor by which a region grows that is not mapped into itself, and largest number of attempts.
 const INFLATION: f64 = 1.25;
 const WIDENED: usize = 8;
 
-/// The part of an unknown that it may always be off.
+/// Relative deviation from the chord that is always included.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Equations that are solved together.
 #[derive(Clone, Debug)]
 pub(super) struct Cell {
-    /// The block of the plan, from 0.
+    /// Block of the plan, from 0.
     pub block: usize,
-    /// The unknowns, as many as equations.
+    /// Unknowns, as many as equations.
     own: Vec<usize>,
     functions: Functions,
 }
 
-/// What is known of a window.
+/// Verification of a window.
 #[derive(Clone, Debug)]
 pub(super) struct Verified {
     pub chord: Chord,
-    /// How far each unknown may be from the line where there is one solution.
+    /// Largest deviation of each unknown from the chord up to which there is one solution.
     pub region: Vec<f64>,
-    /// Where it is beside the line.
+    /// Enclosure of the solution's deviation from the chord.
     pub off: Vec<Interval>,
 }
 
-/// The cells of a plan, each after those that it needs; `None` where they have no such order.
+/// Returns the cells of a plan, each after those that it needs; `None` if they have no such order.
 pub(super) fn cells(plan: &SolvedPlan, writing: &mut Writing) -> Option<Vec<Cell>> {
     let mut open = Vec::new();
     for (block, solved) in plan.blocks.iter().enumerate() {
@@ -82,19 +82,19 @@ pub(super) fn cells(plan: &SolvedPlan, writing: &mut Writing) -> Option<Vec<Cell
     Some(ordered)
 }
 
-/// Why a block is not verified.
+/// Reason that a block is not verified.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Cause {
-    /// Nothing bounds its equations or their derivatives.
+    /// The equations of this block or their derivatives are unbounded.
     Unbounded(usize),
-    /// It may have no solution near the line, or several.
+    /// This block may have no solution near the chord, or several.
     NotAlone(usize),
 }
 
-/// Verifies all cells along a chord. Unknowns may be off it by `least` at least.
+/// Verifies all cells along a chord. The region of each unknown contains at least the deviations up to `least`.
 ///
 /// # Errors
-/// The first block of which it cannot be shown.
+/// The first block whose verification fails.
 pub(super) fn verify(cells: &[Cell], chord: Chord, least: &[f64]) -> Result<Verified, Cause> {
     let count = chord.line.len();
     let arguments = [Interval::point(0.0), chord.range].map(|s| chord.arguments(s));
@@ -140,8 +140,9 @@ impl Cell {
             (0..order).map(row).collect()
         };
         let floor: Vec<f64> = {
-            let own = self.own.iter();
-            own.map(|&it| least[it].max(ROUNDING * chord.line[it][0].abs()) + f64::MIN_POSITIVE)
+            let unknowns = self.own.iter();
+            unknowns
+                .map(|&it| least[it].max(ROUNDING * chord.line[it][0].abs()) + f64::MIN_POSITIVE)
                 .collect()
         };
         let left = times(&along);
@@ -192,7 +193,7 @@ impl Cell {
         Err(Cause::NotAlone(self.block))
     }
 
-    /// The derivatives by what is solved for, as a matrix, and what the other unknowns do that are off the line.
+    /// Splits derivatives into the matrix of the cell's unknowns, and the change by the deviations of other unknowns.
     fn split(
         &self,
         derivatives: Vec<Vec<Interval>>,
@@ -215,7 +216,7 @@ impl Cell {
 }
 
 impl Verified {
-    /// Whether what is found at one of its frames is the solution of this window: `node` is the frame, verified by itself.
+    /// True if the solution at one of the window's frames is that of the window: `node` is the frame with its own verification.
     pub fn holds(&self, node: &Verified) -> bool {
         let s = self.chord.place(node.chord.time[0]);
         let mut unknowns = (0..self.region.len()).map(|unknown| {
@@ -227,7 +228,7 @@ impl Verified {
         unknowns.all(|is_held| is_held)
     }
 
-    /// All times and unknowns of the window, the line included.
+    /// Returns all times and unknowns of the window, as arguments of functions.
     pub fn all(&self) -> Vec<Interval> {
         let zero = Interval::point(0.0);
         let unknowns = self.off.iter().enumerate();
@@ -240,13 +241,13 @@ impl Verified {
             .collect()
     }
 
-    /// An unknown in the window.
+    /// Returns an unknown in the window.
     pub fn unknown(&self, unknown: usize) -> Interval {
         let line = self.chord.unknown(unknown, self.chord.range);
         line.plus(self.off[unknown])
     }
 
-    /// Functions in the window.
+    /// Returns functions in the window.
     pub fn values(&self, functions: &Functions) -> Vec<Interval> {
         let arguments = [Interval::point(0.0), self.chord.range].map(|s| self.chord.arguments(s));
         let along = functions.along(&self.chord, [&arguments[0], &arguments[1]]);

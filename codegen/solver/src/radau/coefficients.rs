@@ -1,10 +1,10 @@
-//! The coefficients of the Radau IIA method with five stages, of order 9 (Hairer and Wanner 1999, Stiff differential equations solved by
-//! Radau methods, Journal of Computational and Applied Mathematics 111:93–111).
+//! Lists the coefficients of the Radau IIA method with five stages, of order 9 (Hairer and Wanner 1999, Stiff differential equations
+//! solved by Radau methods, Journal of Computational and Applied Mathematics 111:93–111).
 
 /// Number of stages.
 pub const STAGES: usize = 5;
 
-/// cᵢ, the last one the end of the step.
+/// Nodes cᵢ; the last one is the end of the step.
 pub const NODES: [f64; STAGES] = [
     0.05710419611451768,
     0.2768430136381238,
@@ -13,7 +13,7 @@ pub const NODES: [f64; STAGES] = [
     1.0,
 ];
 
-/// A⁻¹: rates at the stages, from their distances to the start.
+/// A⁻¹: maps distances of the stages from the start to rates at the stages.
 pub const INVERSE: [[f64; STAGES]; STAGES] = [
     [
         8.755923977938362,
@@ -55,7 +55,7 @@ pub const INVERSE: [[f64; STAGES]; STAGES] = [
 /// γ₀, the real eigenvalue of A.
 pub const GAMMA: f64 = 0.15906584442746913;
 
-/// The stages in the estimate of the error: with γ₀ of the rates at the start they are a formula of order 5.
+/// Weights of the stages in the error estimate: with γ₀ times the rates at the start they are a formula of order 5.
 pub const ESTIMATE: [f64; STAGES] = [
     -27.78093394406464,
     3.641478498049213,

@@ -1,15 +1,15 @@
-//! The derivatives of rates by state at the start of a step, by differences.
+//! Computes the derivatives of rates by state at the start of a step.
 //!
-//! Differences are central, so that of quadratic rates only rounding is missed.
+//! Differences are central, so that the derivatives of quadratic rates are exact up to rounding.
 
 use nalgebra::{DMatrix, Schur};
 
 use crate::rates::Rates;
 
-/// Part of a scale by which a variable is moved: the cube root of a rounding error, where its square and rounding miss as much.
+/// Displacement of a variable in its scale: the cube root of ε, where truncation and rounding are equal.
 pub const PART: f64 = 6e-6;
 
-/// Most iterations of an eigenvalue.
+/// Largest number of iterations of an eigenvalue.
 const ITERATIONS: usize = 100;
 
 /// Derivatives of the rates of a state.
@@ -20,10 +20,10 @@ pub struct Differences {
 }
 
 impl Differences {
-    /// At a time and a state with these rates, before a step of a length.
+    /// Computes derivatives at a time and a state with these rates, before a step of a length.
     ///
     /// # Errors
-    /// There are no rates beside the state.
+    /// Rates do not exist beside the state.
     pub fn of<R: Rates>(
         rates: &mut R,
         t: f64,
@@ -51,13 +51,13 @@ impl Differences {
         Ok(Differences { jacobian })
     }
 
-    /// The largest magnitude of an eigenvalue among the first components, and the fastest decay (1/s); infinite where they are not found.
+    /// Returns the largest magnitude of an eigenvalue among the first components, and the fastest decay (1/s); infinite if they are not found.
     pub fn fastest(&self, judged: usize) -> [f64; 2] {
-        let own = self.jacobian.view((0, 0), (judged, judged)).into_owned();
+        let block = self.jacobian.view((0, 0), (judged, judged)).into_owned();
         let limit = ITERATIONS * judged;
-        let is_finite = own.iter().all(|it| it.is_finite());
-        let found = is_finite.then(|| Schur::try_new(own, f64::EPSILON, limit));
-        found.flatten().map_or([f64::INFINITY; 2], |schur| {
+        let is_finite = block.iter().all(|it| it.is_finite());
+        let schur_form = is_finite.then(|| Schur::try_new(block, f64::EPSILON, limit));
+        schur_form.flatten().map_or([f64::INFINITY; 2], |schur| {
             let values = schur.complex_eigenvalues();
             let largest = |of: fn(f64, f64) -> f64| {
                 values.iter().map(|it| of(it.re, it.im)).fold(0.0, f64::max)

@@ -1,10 +1,9 @@
-//! Steps of order 9 along stiff rates, with an estimate of their error and a dense output of order 5.
+//! Integrates stiff rates with steps of order 9, an estimate of their error and a dense output of order 5.
 //!
 //! The method is Radau IIA with five stages (Hairer and Wanner 1996, Solving Ordinary Differential Equations II, sections IV.5 and IV.8):
 //! collocation, L-stable and stiffly accurate, so that what decays within a step is gone at its end, however fast. All stages satisfy the
-//! rates themselves, and the order does not fall where the stiff direction turns with the state: a strong damper then holds
-//! like a joint, and the method keeps its order for equations with such joints (section VII.4). The module knows neither mechanisms nor
-//! how a step is followed.
+//! rates themselves, and the order does not fall if the stiff direction turns with the state: a strong damper then acts like a joint, and
+//! the method keeps its order for equations with such joints (section VII.4).
 
 mod coefficients;
 mod differences;
@@ -17,54 +16,54 @@ use nalgebra::{DMatrix, DVector, Dyn, LU};
 use crate::rates::Rates;
 use crate::tolerances::{Tolerances, next_length};
 
-/// Part of its length that a step keeps at least when it is tried again.
+/// Smallest factor of a step's length for the next attempt.
 const LARGEST_LOSS: f64 = 0.2;
 
-/// Most corrections of the stages.
+/// Largest number of corrections of the stages.
 const CORRECTIONS: usize = 10;
 
-/// The error of the stages in tolerances that is not corrected further: those of thousands of steps add up.
+/// Error of the stages, in tolerances, below which corrections end; the errors of thousands of steps add up.
 const MISSED: f64 = 1e-4;
 
-/// The error in tolerances that rounding may leave.
+/// Error in tolerances that rounding may leave.
 const ROUNDED: f64 = 1e-2;
 
-/// Rounding errors of a variable's scale that its tolerance is at least: what a strong damper holds is found to a few of them, which
-/// are then less than what they may leave.
+/// Smallest tolerance of a variable, in rounding errors of its scale. Variables that a strong damper holds are found to a few rounding
+/// errors, which then stay below [`ROUNDED`].
 const RESOLVED: f64 = 400.0;
 
-/// Smallest factor by which corrections are taken to converge: the first ones fall faster, since most of the rates is linear.
+/// Smallest assumed convergence factor of corrections: the first ones converge faster, since most of the rates is linear.
 const FASTEST: f64 = 0.1;
 
-/// A step that has been tried.
+/// Attempted step.
 #[derive(Clone, Debug)]
 pub struct Step {
-    /// Time of its beginning (s).
+    /// Time at the beginning (s).
     pub from: f64,
-    /// Time of its end (s).
+    /// Time at the end (s).
     pub to: f64,
-    /// Its error in tolerances: it may be taken up to 1. Infinite where the stages are not found.
+    /// Error in tolerances; a step is accepted up to 1. Infinite if the stages are not found.
     pub error: f64,
     start: Vec<f64>,
     end: Vec<f64>,
     slope: Vec<f64>,
-    /// The distances of the stages from the start, one after another.
+    /// Distances of the stages from the start, one after another.
     stages: DVector<f64>,
 }
 
-/// A step that is being tried.
+/// Step during its attempt.
 struct Attempt<'a, R> {
     rates: &'a mut R,
     from: f64,
     length: f64,
     state: &'a [f64],
     tolerances: &'a Tolerances,
-    /// The scales of the judged components.
+    /// Scales of the judged components.
     scales: Vec<f64>,
 }
 
 impl<R: Rates> Attempt<'_, R> {
-    /// Values in tolerances, for components that are as large as in the larger of the start and another state.
+    /// Divides values by tolerances for components of the larger magnitude in the start and another state.
     fn in_tolerances(&self, values: &[f64], other: &[f64]) -> f64 {
         let squares = self.scales.iter().enumerate().map(|(component, scale)| {
             let largest = self.rates.largest(component);
@@ -75,30 +74,30 @@ impl<R: Rates> Attempt<'_, R> {
         (squares.sum::<f64>() / self.scales.len() as f64).sqrt()
     }
 
-    /// The rates at the stages minus those of the polynomial through them.
+    /// Returns the rates at the stages minus those of the polynomial through the stages.
     fn missed(&mut self, stages: &DVector<f64>) -> Result<DVector<f64>, R::Failure> {
         let count = self.state.len();
         let mut missed = DVector::zeros(STAGES * count);
         for stage in 0..STAGES {
             let place = moved(self.state, &stages.as_slice()[stage * count..]);
-            let own = &mut missed.as_mut_slice()[stage * count..(stage + 1) * count];
+            let residual = &mut missed.as_mut_slice()[stage * count..(stage + 1) * count];
             let t = self.from + NODES[stage] * self.length;
-            self.rates.rates(t, &place, own)?;
-            for (component, own) in own.iter_mut().enumerate() {
+            self.rates.rates(t, &place, residual)?;
+            for (component, own) in residual.iter_mut().enumerate() {
                 *own -= combined(stages, &INVERSE[stage], count, component) / self.length;
             }
         }
         Ok(missed)
     }
 
-    /// The stages by the simplified method of Newton; `None` where it does not converge.
+    /// Solves the stages by the simplified Newton method; `None` if it does not converge.
     fn stages(&mut self, jacobian: &DMatrix<f64>) -> Result<Option<DVector<f64>>, R::Failure> {
         let count = self.state.len();
         let size = STAGES * count;
         let matrix = DMatrix::from_fn(size, size, |row, column| {
             let [stage, other] = [row, column].map(|it| it / count);
             let [component, by] = [row, column].map(|it| it % count);
-            let own = if component == by {
+            let diagonal = if component == by {
                 INVERSE[stage][other] / self.length
             } else {
                 0.0
@@ -108,7 +107,7 @@ impl<R: Rates> Attempt<'_, R> {
             } else {
                 0.0
             };
-            own - rate
+            diagonal - rate
         });
         let factors = matrix.lu();
         let mut stages = DVector::zeros(size);
@@ -124,12 +123,12 @@ impl<R: Rates> Attempt<'_, R> {
                     .map(|it| &it.as_slice()[stage * count..(stage + 1) * count]);
                 self.in_tolerances(own, &moved(self.state, place))
             });
-            // NaN stays.
+            // NaN must persist.
             let size = sizes.fold(0.0, |largest: f64, it| {
                 let stays = it <= largest || largest.is_nan();
                 if stays { largest } else { it }
             });
-            // Of a sequence that converges by this factor, the rest is missing.
+            // The remaining corrections form a geometric series with this factor.
             let factor = size / before;
             let left = match factor < 1.0 {
                 true => size * factor.max(FASTEST) / (1.0 - factor),
@@ -137,7 +136,7 @@ impl<R: Rates> Attempt<'_, R> {
             };
             least = left.min(least);
             before = size;
-            // Corrections that no longer fall are rounding, or lead away.
+            // Corrections that no longer fall are rounding, or diverge.
             if left <= MISSED || !size.is_finite() || factor >= 1.0 {
                 break;
             }
@@ -146,7 +145,7 @@ impl<R: Rates> Attempt<'_, R> {
         Ok(is_found.then_some(stages))
     }
 
-    /// The error at the end in tolerances.
+    /// Returns the error at the end in tolerances.
     fn error(
         &mut self,
         slope: &[f64],
@@ -161,15 +160,15 @@ impl<R: Rates> Attempt<'_, R> {
             let right = DVector::from_fn(count, |component, _| {
                 slope[component] + combined(stages, &ESTIMATE, count, component) / self.length
             });
-            let found = factors.solve(&right);
-            found.unwrap_or_else(|| DVector::repeat(count, f64::INFINITY))
+            let error = factors.solve(&right);
+            error.unwrap_or_else(|| DVector::repeat(count, f64::INFINITY))
         };
         let first = estimate(slope);
         let error = self.in_tolerances(first.as_slice(), end);
         if error <= 1.0 || !error.is_finite() {
             return Ok(error);
         }
-        // What decays at once does not count: rates where it is gone.
+        // Components that decay at once do not count: the rates are taken after the decay.
         let place = moved(self.state, first.as_slice());
         let mut there = vec![0.0; count];
         self.rates.rates(self.from, &place, &mut there)?;
@@ -178,13 +177,13 @@ impl<R: Rates> Attempt<'_, R> {
     }
 }
 
-/// A state and what is added to it.
+/// Returns a state plus a difference.
 fn moved(state: &[f64], by: &[f64]) -> Vec<f64> {
     let pairs = state.iter().zip(by);
     pairs.map(|(at, by)| at + by).collect()
 }
 
-/// Multiples of stages.
+/// Returns a component of a combination of stages.
 fn combined(stages: &DVector<f64>, factors: &[f64], count: usize, component: usize) -> f64 {
     let terms = factors.iter().enumerate();
     terms
@@ -193,10 +192,10 @@ fn combined(stages: &DVector<f64>, factors: &[f64], count: usize, component: usi
 }
 
 impl Step {
-    /// Tries a step of a length from a state with these rates and their derivatives there.
+    /// Tries a step of a length from a state with these rates and their derivatives.
     ///
     /// # Errors
-    /// There are no rates somewhere on the way.
+    /// Rates do not exist at one of the stages.
     pub fn attempt<R: Rates>(
         rates: &mut R,
         [from, to]: [f64; 2],
@@ -233,40 +232,40 @@ impl Step {
         Ok(step)
     }
 
-    /// Length of the next step, or of the next attempt where this one is too inaccurate; `held` says that it may not be longer.
+    /// Returns the length of the next step, or of the next attempt if this one is too inaccurate. A `held` step may not be longer.
     pub fn next_length(&self, held: bool) -> f64 {
         let power = (STAGES + 1) as f64;
         next_length(self.to - self.from, self.error, power, LARGEST_LOSS, held)
     }
 
-    /// The state at the end.
+    /// State at the end.
     pub fn end(&self) -> &[f64] {
         &self.end
     }
 
-    /// Finds the rates at the end, with which the next step begins.
+    /// Evaluates the rates at the end, with which the next step begins.
     ///
     /// # Errors
-    /// There are none.
+    /// The rates do not exist.
     pub fn finish<R: Rates>(&mut self, rates: &mut R) -> Result<(), R::Failure> {
         self.slope = vec![0.0; self.end.len()];
         rates.rates(self.to, &self.end, &mut self.slope)
     }
 
-    /// The rates at the end of a finished step.
+    /// Rates at the end of a finished step.
     pub fn end_rates(&self) -> &[f64] {
         &self.slope
     }
 
-    /// The state at a time on the step: on the polynomial through its start and its stages.
+    /// Returns the state at a time within the step, on the polynomial through its start and its stages.
     pub fn at(&self, t: f64) -> Vec<f64> {
         let part = (t - self.from) / (self.to - self.from);
         let count = self.start.len();
         let factors: [f64; STAGES] = std::array::from_fn(|stage| {
-            let own = NODES[stage];
+            let at_stage = NODES[stage];
             let others = NODES.iter().enumerate().filter(|(it, _)| *it != stage);
-            let product = others.map(|(_, node)| (part - node) / (own - node));
-            part / own * product.product::<f64>()
+            let product = others.map(|(_, node)| (part - node) / (at_stage - node));
+            part / at_stage * product.product::<f64>()
         });
         let value =
             |component| self.start[component] + combined(&self.stages, &factors, count, component);

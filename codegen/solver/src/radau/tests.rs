@@ -8,7 +8,7 @@ const TOLERANCES: Tolerances = Tolerances {
     absolute: 1e-8,
 };
 
-/// y' = −λ (y − cos t) − sin t and z' = z² cos t, with y = cos t and z = 1/(2 − sin t); a third component integrates y.
+/// Equations y' = −λ (y − cos t) − sin t and z' = z² cos t, with y = cos t and z = 1/(2 − sin t); a third component integrates y.
 struct Curves {
     decay: f64,
 }
@@ -46,14 +46,14 @@ fn step(decay: f64, from: f64, length: f64, tolerances: &Tolerances) -> Step {
 }
 
 fn error(step: &Step, t: f64) -> f64 {
-    let found = step.at(t);
-    let pairs = found.iter().zip(solution(t));
+    let state = step.at(t);
+    let pairs = state.iter().zip(solution(t));
     pairs
         .map(|(one, other)| (one - other).abs())
         .fold(0.0, f64::max)
 }
 
-/// The error of a step falls at least with the tenth power of its length, that between its ends with the sixth.
+/// The error of a step is of order 10 in its length at least, that between its ends of order 6.
 #[test]
 fn the_orders_are_nine_and_five() {
     let exact = Tolerances {
@@ -68,7 +68,7 @@ fn the_orders_are_nine_and_five() {
     }
 }
 
-/// However fast the decay, errors stay small, and what is off the solution is on it after one step.
+/// Errors stay small for any decay rate, and a state off the solution is on it after one step.
 #[test]
 fn fast_decays_are_gone_after_a_step() {
     for decay in [1e3, 1e6, 1e9] {
@@ -103,8 +103,8 @@ fn fast_decays_are_gone_after_a_step() {
     }
 }
 
-/// Rates at the stages are those of the polynomial through the start and the stages; of rates up to t⁸ the end is exact, and of those up
-/// to t⁴ the estimate of the error is zero.
+/// Rates at the stages are those of the polynomial through the start and the stages. For rates up to t⁸ the end is exact, for rates up
+/// to t⁴ the error estimate is zero.
 #[test]
 fn conditions_of_the_order_hold() {
     for stage in 0..STAGES {
@@ -115,7 +115,7 @@ fn conditions_of_the_order_hold() {
             assert!((slope - exact).abs() <= 1e-13, "{stage} {power}: {slope}");
         }
     }
-    // Weights of the rates: the last row of A, found by its product with A⁻¹.
+    // The weights of the rates are the last row of A, found from its product with A⁻¹.
     let inverse =
         nalgebra::SMatrix::<f64, STAGES, STAGES>::from_fn(|row, column| INVERSE[row][column]);
     let matrix = inverse.try_inverse().expect("regular");

@@ -1,37 +1,38 @@
-//! *Energies and work along a motion* → *what of a change of the energy the work does not account for, and how much of that is an error*.
+//! Compares changes of energy along a motion with the work that is done.
 //!
-//! Each step may miss by what its tolerance allows; what is missed altogether is held against the sum of that. The unit is the largest
-//! energy that the motion has moved so far. Beside that, rates may be off by their absolute tolerance, which is much where a motion creeps.
+//! Each step may cause an error of energy in proportion to its tolerance; the total error is compared with the sum of these. The unit is
+//! the largest energy that the motion has moved so far. In addition, rates may be off by their absolute tolerance, which matters while
+//! a motion creeps.
 
 use crate::tolerances::Tolerances;
 
-/// How many tolerances a step may miss the energy by.
+/// Permitted error of energy per step, in tolerances.
 const ALLOWED: f64 = 100.0;
 
-/// Which part of the energy may be missed at most, however coarse tolerances are.
-const MOST: f64 = 0.01;
+/// Largest permitted error as a part of the energy, however coarse tolerances are.
+const MAX_ERROR: f64 = 0.01;
 
-/// What rounding may miss beside the energies that are summed.
+/// Rounding relative to the energies that are summed.
 const ROUNDING: f64 = 1e3 * f64::EPSILON;
 
-/// The energy of a motion so far.
+/// Energy of a motion so far.
 #[derive(Clone, Debug)]
 pub(super) struct Balance {
     /// Kinetic and potential energy at the start (J).
     start: [f64; 2],
-    /// The largest energy that was moved, and the largest that was summed (J).
+    /// Largest energy that was moved, and largest that was summed (J).
     moved: f64,
     summed: f64,
-    /// How many tolerances were allowed, in parts of what was moved.
+    /// Sum of permitted errors, in tolerances times parts of the moved energy.
     allowed: f64,
-    /// Energy that rates off by their absolute tolerance may miss (J).
+    /// Error of energy from rates that are off by their absolute tolerance (J).
     beside: f64,
-    /// What is missed (J).
+    /// Current error of energy (J).
     pub drift: f64,
 }
 
 impl Balance {
-    /// At the start.
+    /// Creates the balance at the start.
     pub fn new(start: [f64; 2]) -> Balance {
         Balance {
             start,
@@ -43,7 +44,7 @@ impl Balance {
         }
     }
 
-    /// Sees the energies and the work at the end of a step, and the norm of its rates; true if they are in balance.
+    /// Records the energies and the work at the end of a step, and the norm of its rates; returns true if they balance.
     pub fn see(
         &mut self,
         energies: [f64; 2],
@@ -63,7 +64,8 @@ impl Balance {
             self.beside = self.beside.max(mass * off * (rate + 0.5 * off));
         }
         self.drift = (kinetic - self.start[0]) + stored - work;
-        let allowed = self.allowed.min(MOST) * self.moved + self.beside + ROUNDING * self.summed;
+        let allowed =
+            self.allowed.min(MAX_ERROR) * self.moved + self.beside + ROUNDING * self.summed;
         self.drift.abs() <= allowed
     }
 }
@@ -77,7 +79,7 @@ mod tests {
         absolute: 1e-12,
     };
 
-    /// What falls keeps its energy, and what a damper takes is accounted for; what is lost is not.
+    /// A falling body keeps its energy, and the losses of a damper are accounted for; other losses are not.
     #[test]
     fn energy_that_is_lost_is_seen() {
         let mut balance = Balance::new([1.0, 3.0]);
@@ -88,7 +90,7 @@ mod tests {
         assert!(!balance.see([f64::NAN, 1.0], 0.0, 2.0, &TOLERANCES));
     }
 
-    /// Of what creeps, rates below their absolute tolerance show no energy.
+    /// In a creeping motion, rates below their absolute tolerance carry no energy.
     #[test]
     fn rates_may_be_off_by_their_absolute_tolerance() {
         let creeping = [0.5e-18, 0.0];

@@ -1,9 +1,9 @@
-//! *A pose and the null space of Φ_q there* → *coordinates u of the poses around it, and the acceleration that forces give them*.
+//! Parametrizes the poses around one pose by coordinates u of the null space of Φ_q, and finds the acceleration of u under forces.
 //!
 //! With lengths in characteristic lengths of the mechanism and V an orthonormal basis of the null space, u = Vᵀ (q − q₀): the pose of a u lies
 //! where Newton's method meets the constraints in the orthogonal complement (tangent-space parametrization; Potra and Rheinboldt
-//! 1991). Nothing is integrated that the constraints give, so that no pose drifts from them. [Φ_q; Vᵀ] is regular wherever Φ_q has
-//! full rank and the tangent has not turned too far: its determinant keeps its sign on one path.
+//! 1991). Only u is integrated, so that no pose drifts from the constraints. [Φ_q; Vᵀ] is regular wherever Φ_q has full rank and the
+//! tangent has not turned too far: its determinant keeps its sign on one path.
 
 use nalgebra::{DMatrix, DVector, Dyn, LU};
 
@@ -13,39 +13,39 @@ use super::stop::Stop;
 use super::straight::Straight;
 use crate::instant::Instant;
 
-/// How far ahead and back a pose is looked at, in parts of its distance from where Φ_q loses rank.
+/// Time difference at which a pose ahead and one back are evaluated, as a part of the time to the loss of rank of Φ_q.
 const PROBE: f64 = 1e-4;
 
 /// Coordinates of the poses around one pose.
 #[derive(Clone, Debug)]
 pub(super) struct Chart {
-    /// V (n × f), without what elongations span.
+    /// V (n × f), without the directions of elongations.
     basis: DMatrix<f64>,
     pub(super) straight: Straight,
-    /// True if what dampers resist was looked for.
+    /// True if directions of strong damping were sought.
     pub is_straight: bool,
-    /// Directions in which the coordinates lead (n × f).
+    /// Directions of the coordinates (n × f).
     tangent: DMatrix<f64>,
-    /// The largest stretch of a coordinate there.
+    /// Largest stretch of a coordinate in the pose.
     pub(super) stretch: f64,
-    /// When the mechanism was in the pose (s).
+    /// Time of the pose (s).
     time: f64,
-    /// The unknowns there, their rates and their accelerations.
+    /// Unknowns of the pose, their rates and their accelerations.
     origin: [Vec<f64>; 3],
-    /// The sign of the determinant of [Φ_q; Vᵀ] there.
+    /// Sign of the determinant of [Φ_q; Vᵀ] in the pose.
     pub(super) sign: f64,
-    /// How far Φ_q is from losing rank there.
+    /// Distance of Φ_q from the loss of rank in the pose.
     pub measure: f64,
 }
 
-/// A regular matrix [Φ_q; Vᵀ].
+/// Regular matrix [Φ_q; Vᵀ].
 pub(super) struct Bordered {
     pub residual: DVector<f64>,
     pub factors: LU<f64, Dyn, Dyn>,
 }
 
 impl Chart {
-    /// Around a pose on the constraints; `None` where there is no null space of the right dimension.
+    /// Creates coordinates around a pose on the constraints; `None` if the null space does not have the right dimension.
     pub fn around(
         equations: &MotionEquations,
         origin: &Instant,
@@ -87,19 +87,19 @@ impl Chart {
         Some(chart)
     }
 
-    /// Takes a pose that its coordinates have led to for where estimates begin.
+    /// Moves the starting point of estimates to a pose on the chart.
     pub fn follow(&mut self, equations: &MotionEquations, solved: &Solved) {
         self.time = solved.instant.t();
         self.origin = [0, 1, 2].map(|level| equations.level(&solved.instant, level));
         self.measure = solved.measure;
     }
 
-    /// How many coordinates it has.
+    /// Number of coordinates.
     pub fn dimension(&self) -> usize {
         self.tangent.ncols()
     }
 
-    /// The coordinates of a pose, with lengths measured from `reference`.
+    /// Returns the coordinates of a pose, with lengths measured from `reference`.
     pub fn coordinates(
         &self,
         equations: &MotionEquations,
@@ -115,18 +115,18 @@ impl Chart {
         values
     }
 
-    /// Rates (1) or accelerations (2) of the coordinates at an instant.
+    /// Returns rates (level 1) or accelerations (level 2) of the coordinates at an instant.
     pub fn level(&self, equations: &MotionEquations, pose: &Instant, level: usize) -> Vec<f64> {
         let (_, bends, rows) = self.straight.at(equations, pose);
-        let own = scaled(equations, &equations.level(pose, level));
-        let moved = rows * &own;
+        let unknowns = scaled(equations, &equations.level(pose, level));
+        let moved = rows * &unknowns;
         let moved = moved.iter().zip(bends);
         let moved = moved.map(|(it, bend)| if level == 2 { it + bend } else { *it });
-        let along = self.basis.tr_mul(&own);
+        let along = self.basis.tr_mul(&unknowns);
         moved.chain(along.iter().copied()).collect()
     }
 
-    /// [Φ_q; Vᵀ] in a pose, with what it misses of the constraints and of `wanted`.
+    /// Returns [Φ_q; Vᵀ] in a pose, with the residuals of the constraints and those of the coordinates, which `missed` holds.
     pub(super) fn bordered(
         &self,
         equations: &MotionEquations,
@@ -153,10 +153,10 @@ impl Chart {
         })
     }
 
-    /// The pose, rates and accelerations of coordinates u and their rates at a time, measured from `reference`.
+    /// Finds the pose, rates and accelerations of coordinates u and their rates at a time, measured from `reference`.
     ///
     /// # Errors
-    /// There is no such pose near the chart's, or forces give it no acceleration.
+    /// No such pose is near that of the chart, or forces do not determine its acceleration.
     pub fn solve(
         &self,
         equations: &MotionEquations,
@@ -166,7 +166,7 @@ impl Chart {
     ) -> Result<Solved, Stop> {
         let time = t - self.time;
         let mut q = self.ahead(time);
-        // Where that misses u, V leads on.
+        // If the estimate misses u, V corrects it.
         let mut estimate = equations.instant(t);
         equations.set_level(&mut estimate, 0, &q);
         let missed = self.missed(equations, &estimate, value, reference);
@@ -177,7 +177,7 @@ impl Chart {
         self.settle(equations, t, q, [value, rate], reference)
     }
 
-    /// The unknowns to which rates and accelerations of the pose lead in a time.
+    /// Extrapolates the unknowns of the pose over a time, by their rates and accelerations.
     fn ahead(&self, time: f64) -> Vec<f64> {
         let [pose, rates, accelerations] = &self.origin;
         let moving = pose.iter().zip(rates).zip(accelerations);
@@ -185,7 +185,7 @@ impl Chart {
         moved.collect()
     }
 
-    /// How much u of a pose is beyond what is wanted.
+    /// Returns the coordinates of a pose minus the requested ones.
     pub(super) fn missed(
         &self,
         equations: &MotionEquations,
@@ -201,7 +201,7 @@ impl Chart {
             .collect()
     }
 
-    /// How fast the measure changes along the motion (1/s).
+    /// Returns the rate of the distance from the loss of rank along the motion (1/s).
     pub fn measure_rate(&self, equations: &MotionEquations) -> f64 {
         let [rows, _] = equations.dimensions();
         let scaled = self.origin[1].iter().zip(&equations.coordinate_scales);
@@ -229,7 +229,7 @@ impl Chart {
 }
 
 impl Bordered {
-    /// The sign of its determinant.
+    /// Returns the sign of the determinant.
     pub fn sign(&self) -> f64 {
         let diagonal = self.factors.lu_internal().diagonal();
         let signs = diagonal.iter().map(|it| it.signum()).product::<f64>();
@@ -237,20 +237,20 @@ impl Bordered {
     }
 }
 
-/// C⁻¹ of a vector of all unknowns.
+/// Returns C⁻¹ times a vector of all unknowns.
 fn scaled(equations: &MotionEquations, vector: &[f64]) -> DVector<f64> {
     DVector::from_fn(vector.len(), |row, _| {
         vector[row] / equations.coordinate_scales[row]
     })
 }
 
-/// The largest norm of a column.
+/// Returns the largest norm of a column.
 pub(super) fn stretch(tangent: &DMatrix<f64>) -> f64 {
     let columns = tangent.column_iter();
     columns.map(|it| it.norm()).fold(0.0, f64::max)
 }
 
-/// The reciprocal of the norm of the first columns of an inverse.
+/// Returns the reciprocal of the norm of the first columns of an inverse.
 pub(super) fn measure(inverse: &DMatrix<f64>, rows: usize) -> f64 {
     match inverse.columns(0, rows).norm() {
         size if size > 0.0 => 1.0 / size,

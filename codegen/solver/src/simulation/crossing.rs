@@ -1,9 +1,9 @@
-//! *A motion that runs into a pose in which the constraints lose rank* → *its smooth continuation beyond*.
+//! Continues a motion smoothly over a pose in which the constraints lose rank.
 //!
-//! Around such a pose the null space has digits only at a distance. A collocation method with an even number of Gauss points evaluates the
-//! exact equations on both sides and never close to the pose, which lies in the middle between its points. The continuation counts only where
-//! a polynomial of that degree is one of the motion: all points lie on the constraints, its highest coefficients are as small as
-//! tolerances, and the constraints do have a singular pose in the middle. Where branches only come close, none of the three holds.
+//! Near such a pose the null space has no digits. A collocation method with an even number of Gauss points evaluates the exact equations
+//! on both sides and never close to the pose. The pose lies in the middle between its points. The continuation counts only if it is a
+//! polynomial motion of that degree: all points lie on the constraints, its highest coefficients are within tolerances, and the
+//! constraints have a singular pose in the middle. If branches only come close, none of the three holds.
 
 use super::equations::MotionEquations;
 use super::right_side::RightSide;
@@ -12,39 +12,39 @@ use super::stop::Stop;
 use crate::instant::Instant;
 use crate::tolerances::Tolerances;
 
-/// How many Gauss points a crossing has: even, so that none lies in the middle.
+/// Number of Gauss points of a crossing: even, so that none lies in the middle.
 const POINTS: usize = 10;
 
-/// How often all points are solved.
+/// Number of sweeps in which all points are solved.
 const SWEEPS: usize = 40;
 
-/// How many tolerances a crossing may miss what is examined.
+/// Permitted error of the examined quantities, in tolerances.
 const ALLOWED: f64 = 100.0;
 
-/// What the constraints may miss in the singular pose, along what they lose: of a gap g between branches that is g².
+/// Permitted residual of the constraints in the singular pose, in the directions that they lose: g² for a gap g between branches.
 const GAP: f64 = 1e-13;
 
-/// Singular values up to this part of the largest belong to what is lost.
+/// Largest singular value of a lost direction, relative to the largest of all.
 const LOST: f64 = 1e-4;
 
-/// How often the interval is narrowed in which the constraints are most singular, and where.
+/// Number of narrowings of the interval with the most singular pose, and the ratio of the golden section.
 const SEARCHES: usize = 50;
 const GOLDEN: f64 = 0.381_966_011_250_105;
 
-/// A motion across a singular pose: accelerations of all coordinates, and the power, as Legendre series.
+/// Motion across a singular pose: accelerations of all coordinates, and the power, as Legendre series.
 #[derive(Clone, Debug)]
 pub(super) struct Crossing {
-    /// From when to when (s).
+    /// Beginning and end (s).
     pub from: f64,
     pub to: f64,
-    /// The unknowns at the start, and their rates.
+    /// Unknowns at the start, and their rates.
     start: [Vec<f64>; 2],
     work: f64,
-    /// By degree, then by coordinate; the power comes last.
+    /// Coefficients by degree, then by coordinate; the power comes last.
     series: Vec<Vec<f64>>,
 }
 
-/// Legendre polynomials of the part of an interval up to a degree.
+/// Returns the Legendre polynomials at a part of an interval, up to a degree.
 fn legendre(part: f64, degree: usize) -> Vec<f64> {
     let x = 2.0 * part - 1.0;
     let mut values = vec![1.0, x];
@@ -56,17 +56,17 @@ fn legendre(part: f64, degree: usize) -> Vec<f64> {
     values
 }
 
-/// The integrals from 0 of polynomials whose integrals of neighbors these are: of each degree but the last.
+/// Returns the integrals from 0 of polynomials with these values, for each degree but the last; `first` is that of degree 0.
 fn integrated(values: &[f64], first: f64) -> Vec<f64> {
     let inner = (1..values.len() - 1)
         .map(|k| (values[k + 1] - values[k - 1]) / (2.0 * (2.0 * k as f64 + 1.0)));
     std::iter::once(first).chain(inner).collect()
 }
 
-/// The places of the Gauss points in an interval, and their weights.
+/// Returns the positions of the Gauss points in an interval, and their weights.
 fn points() -> Vec<(f64, f64)> {
     let count = POINTS as f64;
-    let found = (0..POINTS).map(|place| {
+    let nodes = (0..POINTS).map(|place| {
         let mut x = -(std::f64::consts::PI * (place as f64 + 0.75) / (count + 0.5)).cos();
         let mut slope = 1.0;
         for _ in 0..20 {
@@ -76,11 +76,11 @@ fn points() -> Vec<(f64, f64)> {
         }
         (0.5 * (x + 1.0), 1.0 / ((1.0 - x * x) * slope * slope))
     });
-    found.collect()
+    nodes.collect()
 }
 
 impl Crossing {
-    /// The smooth continuation of a motion from a frame over a singular pose in the middle of the interval; `None` where there is none.
+    /// Continues a motion smoothly from a frame over a singular pose in the middle of the interval; `None` if none is verified.
     pub fn attempt(
         right_side: &mut RightSide,
         start: &Instant,
@@ -160,7 +160,7 @@ impl Crossing {
         None
     }
 
-    /// Whether it is smooth, ends on the constraints, and crosses what is singular.
+    /// True if the motion is smooth, ends on the constraints, and crosses a singular pose.
     fn is_one(&self, right_side: &mut RightSide, allowed: f64, scales: &[f64]) -> bool {
         let length = self.to - self.from;
         let tail = self
@@ -169,8 +169,8 @@ impl Crossing {
             .enumerate()
             .skip(POINTS - 2)
             .map(|(degree, own)| {
-                let own = own.iter().zip(scales).map(|(it, scale)| (it / scale).abs());
-                own.fold(0.0, f64::max) * length * length / (degree * degree) as f64
+                let scaled = own.iter().zip(scales).map(|(it, scale)| (it / scale).abs());
+                scaled.fold(0.0, f64::max) * length * length / (degree * degree) as f64
             });
         if !tail.fold(0.0, f64::max).le(&allowed) {
             return false;
@@ -185,18 +185,18 @@ impl Crossing {
         self.is_singular(right_side)
     }
 
-    /// Whether constraints are singular somewhere about the middle, where they are met along what they lose, too.
+    /// True if constraints are singular near the middle, and hold there in the directions that they lose.
     fn is_singular(&self, right_side: &RightSide) -> bool {
         let equations = &right_side.equations;
         let parts = |t: f64| {
             let (pose, _) = self.at(right_side, t);
             let (residual, matrix) = equations.constraints(&pose);
             let limit = 100 * matrix.ncols();
-            let found = matrix
+            let decomposition = matrix
                 .transpose()
                 .try_svd(false, true, f64::EPSILON, limit)?;
-            let left = found.v_t? * residual;
-            Some((found.singular_values, left))
+            let left = decomposition.v_t? * residual;
+            Some((decomposition.singular_values, left))
         };
         let smallest = |t: f64| parts(t).map_or(f64::INFINITY, |(values, _)| values.min());
         let length = self.to - self.from;
@@ -216,7 +216,7 @@ impl Crossing {
         values.min() <= limit && lost.all(|(value, missed)| *value > limit || missed.abs() <= GAP)
     }
 
-    /// The motion at a time, and the work.
+    /// Returns the motion at a time (s), and the work (J).
     pub fn at(&self, right_side: &RightSide, t: f64) -> (Instant, f64) {
         let length = self.to - self.from;
         let part = (t - self.from) / length;
@@ -246,17 +246,17 @@ impl Crossing {
         (instant, self.work + length * sum(&once, count))
     }
 
-    /// Everything at its end.
+    /// Returns the solution at the end, with the work (J).
     ///
     /// # Errors
-    /// There is no acceleration.
+    /// The acceleration does not exist.
     pub fn end(&self, right_side: &mut RightSide) -> Result<(Solved, f64), Stop> {
         let (end, work) = self.at(right_side, self.to);
         Ok((right_side.projected(&end)?, work))
     }
 }
 
-/// How far two poses are from one another, with rates over a time, in rad or characteristic lengths.
+/// Returns the distance of two poses, with rates over a time, in rad or characteristic lengths.
 fn distance(equations: &MotionEquations, poses: [&Instant; 2], time: f64) -> f64 {
     let levels = [0, 1].map(|level| poses.map(|it| equations.level(it, level)));
     let [[pose, other_pose], [rates, other_rates]] = &levels;

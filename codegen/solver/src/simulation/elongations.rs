@@ -1,7 +1,7 @@
-//! Lengths and relative angles that springs and dampers act on, and formulas whose rates other loads mention, with their derivatives.
+//! Evaluates lengths and relative angles of springs and dampers, and formulas whose rates other loads mention, with derivatives.
 //!
-//! A strong damper holds one of these like a joint, and so does a load whose formula is that of one. A chart that has it as a coordinate
-//! sees a stiff direction that does not turn.
+//! A strong damper acts on one of these like a joint, and so does a load with such a formula. If the elongation is a coordinate of a
+//! chart, the stiff direction does not turn.
 
 use linkwright_codegen::stages::expr::ExprId;
 use linkwright_codegen::stages::system::System;
@@ -10,13 +10,13 @@ use nalgebra::DMatrix;
 use crate::instant::{Instant, Layout};
 use crate::reader::Reader;
 
-/// The elongations of a mechanism.
+/// Elongations of a mechanism.
 #[derive(Clone, Debug)]
 pub(super) struct Elongations {
-    /// Of each its value and the acceleration that rates alone give it, then the derivatives by coordinates.
+    /// Evaluator, for each elongation, of its value and its acceleration without accelerations of the unknowns; then of derivatives.
     reader: Reader,
     entries: Vec<(usize, usize)>,
-    /// What each is measured in.
+    /// Unit of each elongation.
     scales: Vec<f64>,
 }
 
@@ -24,19 +24,19 @@ pub(super) struct Elongations {
 pub(super) struct Elongated {
     /// Values.
     pub values: Vec<f64>,
-    /// Accelerations for accelerations of the unknowns that are zero.
+    /// Accelerations if those of the unknowns are zero.
     pub bends: Vec<f64>,
-    /// Derivatives by all unknowns in characteristic lengths, a row each.
+    /// Derivatives by all unknowns in characteristic lengths, one row per elongation.
     pub gradients: DMatrix<f64>,
 }
 
 impl Elongations {
-    /// Those of a system that depend on its coordinates alone.
+    /// Returns the elongations of a system that depend on its coordinates alone.
     pub fn of(system: &mut System, layout: &Layout) -> Elongations {
         let forces = system.forces.clone();
         let (lengths, rated) = forces.map(|it| (it.lengths, it.rated)).unwrap_or_default();
         let length = system.characteristic_length();
-        let mut found: Vec<(ExprId, f64)> =
+        let mut elongations: Vec<(ExprId, f64)> =
             lengths.into_iter().map(|(_, own)| (own, length)).collect();
         for load in system.mechanism.forces.loads.clone() {
             let marks = load.element.marks();
@@ -46,13 +46,13 @@ impl Elongations {
             let others = others.iter().map(|it| it.frame);
             for other in others.filter(|it| it.body != first.frame.body) {
                 let graph = &mut system.mechanism.graph;
-                found.push((graph.subtract(other.angle, first.frame.angle), 1.0));
+                elongations.push((graph.subtract(other.angle, first.frame.angle), 1.0));
             }
         }
-        // A coordinate is measured by its own gradient, so that the unit of a formula does not count.
+        // The gradient of a formula scales it, so that its unit does not matter.
         for it in rated {
             let formula = system.mechanism.graph.substitute(it.formula, &it.arms);
-            found.push((formula, 1.0));
+            elongations.push((formula, 1.0));
         }
         let coordinates = system.coordinates.to_vec();
         let mechanism = &mut system.mechanism;
@@ -61,10 +61,13 @@ impl Elongations {
         outside.extend(mechanism.inputs.iter().flat_map(|it| it.symbols));
         let (mut values, mut bends, mut scales) = (Vec::new(), Vec::new(), Vec::new());
         let (mut entries, mut gradients) = (Vec::new(), Vec::new());
-        for (own, scale) in found {
-            let own = system.vector_form.written_out(own, graph);
+        for (formula, scale) in elongations {
+            let expression = system.vector_form.written_out(formula, graph);
             let zero = graph.zero();
-            if outside.iter().any(|it| graph.derivative(own, *it) != zero) {
+            if outside
+                .iter()
+                .any(|it| graph.derivative(expression, *it) != zero)
+            {
                 continue;
             }
             let along = |of: ExprId, graph: &mut linkwright_codegen::stages::expr::Graph| {
@@ -76,16 +79,16 @@ impl Elongations {
                 let parts: Vec<ExprId> = parts.collect();
                 graph.sum(&parts)
             };
-            let rate = along(own, graph);
+            let rate = along(expression, graph);
             bends.push(along(rate, graph));
             for (column, it) in coordinates.iter().enumerate() {
-                let by = graph.derivative(own, it.position);
+                let by = graph.derivative(expression, it.position);
                 if by != zero {
                     entries.push((values.len(), column));
                     gradients.push(by);
                 }
             }
-            values.push(own);
+            values.push(expression);
             scales.push(scale);
         }
         values.extend(bends);
@@ -97,18 +100,18 @@ impl Elongations {
         }
     }
 
-    /// True if there are none.
+    /// True without elongations.
     pub fn is_empty(&self) -> bool {
         self.scales.is_empty()
     }
 
-    /// Elongations at an instant; `scales` are what the unknowns are measured in.
+    /// Returns the elongations at an instant; `scales` are the units of the unknowns.
     pub fn at(&self, instant: &Instant, scales: &[f64]) -> Elongated {
         let values = self.reader.values(instant);
         let count = self.scales.len();
         let part = |from: usize| {
-            let own = values[from..from + count].iter().zip(&self.scales);
-            own.map(|(it, scale)| it / scale).collect()
+            let scaled = values[from..from + count].iter().zip(&self.scales);
+            scaled.map(|(it, scale)| it / scale).collect()
         };
         let mut gradients = DMatrix::zeros(count, scales.len());
         for (&(row, column), value) in self.entries.iter().zip(&values[2 * count..]) {

@@ -1,7 +1,7 @@
-//! *A mechanism with free coordinates* → *what its motion is found from*: constraints, masses, loads, energies and powers in any pose.
+//! Evaluates the equations of motion of a mechanism with free coordinates in any pose: constraints, masses, loads, energies, powers.
 //!
-//! What is free is an unknown like all others: with its values s after q, Φ(q, s, t) = 0 are joints and drivers, and f directions of (q, s)
-//! are left to the forces. No block of the solved formulation is used, so that nothing depends on which coordinate is called free.
+//! Free coordinates are unknowns like all others: with their values s after q, Φ(q, s, t) = 0 are joints and drivers, and f directions of
+//! (q, s) are left to the forces. No block of the solved formulation is used, so that the choice of free coordinates does not matter.
 
 use linkwright_codegen::stages::expr::ExprId;
 use linkwright_codegen::stages::joint::Quantity;
@@ -13,30 +13,30 @@ use crate::instant::{Instant, Layout};
 use crate::reader::Reader;
 use crate::supplied::{InputLaws, Numbers};
 
-/// The equations of a mechanism that forces move.
+/// Equations of a mechanism that forces move.
 #[derive(Clone, Debug)]
 pub(super) struct MotionEquations {
     layout: Layout,
     parameters: Numbers,
     laws: InputLaws,
-    /// Of each constraint its residual, then the entries of Φ_q.
+    /// Evaluator of the residual of each constraint, then of the entries of Φ_q.
     constraints: Reader,
     entries: Vec<(usize, usize)>,
-    /// Φ_t and γ of each constraint, Q − M q̈, the entries of M, the energies and the power.
+    /// Evaluator of Φ_t and γ of each constraint, Q − M q̈, the entries of M, the energies and the power.
     dynamics: Reader,
     masses: Vec<(usize, usize)>,
-    /// The inputs that are the values of what is free.
+    /// Inputs that are the values of free coordinates.
     free: Vec<usize>,
-    /// What springs and dampers act on.
+    /// Elongations of springs and dampers.
     pub elongations: Elongations,
-    /// Which unknowns are lengths.
+    /// True for each unknown that is a length.
     pub is_length: Vec<bool>,
-    /// Lengths of the mechanism: what a row and a coordinate are measured in.
+    /// Units of rows: lengths of the mechanism.
     pub row_scales: Vec<f64>,
     pub coordinate_scales: Vec<f64>,
 }
 
-/// What acts in a pose with rates, and what it stores.
+/// Loads and energies in a pose with rates.
 pub(super) struct Dynamics {
     /// Φ_t of the constraints.
     pub time_derivative: DVector<f64>,
@@ -47,12 +47,12 @@ pub(super) struct Dynamics {
     pub mass: DMatrix<f64>,
     /// Kinetic and potential energy (J).
     pub energies: [f64; 2],
-    /// What forces, torques and dampers add, and what changes stores from outside (W).
+    /// Power of forces, torques, dampers and external changes of stores (W).
     pub power: f64,
 }
 
 impl MotionEquations {
-    /// Of a system; `None` where nothing is free or forces are not known.
+    /// Creates the equations of a system; `None` if no coordinate is free or forces are undetermined.
     pub fn new(system: &System) -> Option<MotionEquations> {
         let mut system = system.clone();
         let loads = system.forces.clone()?;
@@ -96,11 +96,11 @@ impl MotionEquations {
             let root = graph.substitute(root, &loads.lengths);
             form.written_out(root, graph)
         };
-        let own: Vec<ExprId> = loads.loads.iter().map(|it| written(*it)).collect();
+        let right_sides: Vec<ExprId> = loads.loads.iter().map(|it| written(*it)).collect();
         let [kinetic, potential, added] =
             [loads.kinetic, loads.potential, loads.added].map(&mut written);
         let (mut masses, mut inertias) = (Vec::new(), Vec::new());
-        for (row, &load) in own.iter().enumerate() {
+        for (row, &load) in right_sides.iter().enumerate() {
             for (column, coordinate) in system.coordinates.iter().enumerate() {
                 let entry = graph.derivative(load, coordinate.acceleration);
                 if entry != graph.zero() {
@@ -109,7 +109,7 @@ impl MotionEquations {
                 }
             }
         }
-        // A store that depends on time or on inputs is changed from outside.
+        // A store that depends on time or on inputs changes externally.
         let one = graph.one();
         let mut outside = vec![(system.mechanism.time, one)];
         for input in &system.mechanism.inputs {
@@ -126,7 +126,12 @@ impl MotionEquations {
         let zero = graph.zero();
         let mut roots: Vec<ExprId> = held.iter().map(|row| row.time_derivative).collect();
         roots.extend(held.iter().map(|row| row.gamma));
-        roots.extend(own.into_iter().chain(std::iter::repeat(zero)).take(count));
+        roots.extend(
+            right_sides
+                .into_iter()
+                .chain(std::iter::repeat(zero))
+                .take(count),
+        );
         roots.extend(inertias);
         roots.extend([kinetic, potential, power]);
         let dynamics = Reader::new(&system.mechanism.graph, &layout, &roots);
@@ -150,7 +155,7 @@ impl MotionEquations {
         })
     }
 
-    /// How many equations there are, and how many unknowns.
+    /// Number of equations, and number of unknowns.
     pub fn dimensions(&self) -> [usize; 2] {
         [self.row_scales.len(), self.coordinate_scales.len()]
     }
@@ -160,7 +165,7 @@ impl MotionEquations {
         self.free.len()
     }
 
-    /// An instant at a time with the laws of the inputs.
+    /// Returns an instant at a time (s) with the inputs of their laws.
     pub fn instant(&self, t: f64) -> Instant {
         let mut instant = self.layout.empty();
         instant.set_given(&self.parameters, &self.laws.at(t));
@@ -168,15 +173,15 @@ impl MotionEquations {
         instant
     }
 
-    /// The unknowns of an instant, their rates or their accelerations.
+    /// Returns the unknowns of an instant, their rates or their accelerations.
     pub fn level(&self, instant: &Instant, level: usize) -> Vec<f64> {
         let inputs = self.layout.inputs(instant);
         let free = self.free.iter().map(|&input| {
             let signal = inputs.0[input];
             [signal.value, signal.rate, signal.acceleration][level]
         });
-        let own = [instant.q(), instant.qd(), instant.qdd()][level];
-        own.iter().copied().chain(free).collect()
+        let coordinates = [instant.q(), instant.qd(), instant.qdd()][level];
+        coordinates.iter().copied().chain(free).collect()
     }
 
     /// Writes unknowns, their rates or their accelerations into an instant.
@@ -205,7 +210,7 @@ impl MotionEquations {
         }
     }
 
-    /// R⁻¹ Φ and R⁻¹ Φ_q C in the pose of an instant.
+    /// Returns R⁻¹ Φ and R⁻¹ Φ_q C in the pose of an instant.
     pub fn constraints(&self, instant: &Instant) -> (DVector<f64>, DMatrix<f64>) {
         let [rows, columns] = self.dimensions();
         let values = self.constraints.values(instant);
@@ -217,7 +222,7 @@ impl MotionEquations {
         (residual, matrix)
     }
 
-    /// What acts at an instant with pose and rates, whose accelerations are zero.
+    /// Returns the loads and energies at an instant with pose and rates, whose accelerations are zero.
     pub fn dynamics(&self, instant: &Instant) -> Dynamics {
         let [rows, columns] = self.dimensions();
         let bodies = instant.q().len();

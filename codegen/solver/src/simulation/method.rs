@@ -1,8 +1,8 @@
-//! The method of the next step: explicit, or implicit while a motion is stiff.
+//! Selects the method of the next step: explicit, or implicit while a motion is stiff.
 //!
-//! A motion is stiff where explicit steps come near the limit of their stability: there the estimate of their error says little. Over several
-//! steps [`dormand_prince::Step::stiffness`] says so (Hairer and Wanner 1996, section IV.2), and eigenvalues of the rates confirm it. It is no
-//! longer where an explicit step twice as long as the implicit one would be stable.
+//! A motion is stiff if explicit steps come near the limit of their stability, where the estimate of their error is unreliable. Over
+//! several steps [`dormand_prince::Step::stiffness`] detects that (Hairer and Wanner 1996, section IV.2), and eigenvalues of the rates
+//! confirm it. The motion stops being stiff when an explicit step of twice the implicit length would be stable.
 
 use crate::dormand_prince::{self, STABLE};
 use crate::radau::{self, Differences};
@@ -15,7 +15,7 @@ use super::stop::Stop;
 /// Number of stiff steps before an implicit one is taken.
 const STIFF_STEPS: u32 = 5;
 
-/// Number of steps that are not stiff which end the count.
+/// Number of steps that are not stiff which reset the count.
 const EASY_STEPS: u32 = 6;
 
 /// Part of the length of a stable explicit step up to which decays need no implicit step.
@@ -33,25 +33,25 @@ pub enum Method {
     Implicit,
 }
 
-/// A step of either method.
+/// Step of either method.
 #[derive(Clone, Debug)]
 pub(super) enum Step {
     Explicit(dormand_prince::Step),
     Implicit(radau::Step),
 }
 
-/// The method of the next step, and what speaks for the other one.
+/// Method of the next step, and the evidence for the other one.
 #[derive(Clone, Debug)]
 pub(super) struct Chosen {
     wanted: Method,
     is_implicit: bool,
-    /// Steps for the other method, and those against it since the last of them.
+    /// Number of steps that favor the other method, and of those since the last of them that do not.
     for_other: u32,
     against: u32,
 }
 
 impl Chosen {
-    /// Before the first step.
+    /// Creates the selection before the first step.
     pub fn new(wanted: Method) -> Chosen {
         Chosen {
             wanted,
@@ -66,10 +66,10 @@ impl Chosen {
         self.is_implicit
     }
 
-    /// Tries a step from a state and its rates; derivatives there are found once for all lengths.
+    /// Tries a step from a state and its rates; derivatives are computed once for all lengths.
     ///
     /// # Errors
-    /// There are no rates somewhere on the way.
+    /// Rates do not exist at one of the stages.
     pub fn attempt(
         &self,
         right_side: &mut RightSide,
@@ -91,7 +91,7 @@ impl Chosen {
         Ok(Step::Implicit(step))
     }
 
-    /// Sees a step that was taken and chooses the method of the next one.
+    /// Records an accepted step and selects the method of the next one.
     pub fn see(
         &mut self,
         step: &Step,
@@ -123,25 +123,25 @@ impl Chosen {
         (self.for_other, self.against) = (0, 0);
         self.is_implicit = match step {
             Step::Implicit(_) => false,
-            // Where stages differ by rounding, their rates say nothing.
+            // If stages differ by rounding only, their rates are meaningless.
             Step::Explicit(step) => {
                 let length = step.to - step.from;
                 let (state, slope) = (step.end(), step.end_rates());
-                let found = Differences::of(right_side, step.to, state, slope, length);
-                found.is_ok_and(|it| is_stiff(&it, length, judged))
+                let differences = Differences::of(right_side, step.to, state, slope, length);
+                differences.is_ok_and(|it| is_stiff(&it, length, judged))
             }
         };
     }
 }
 
-/// True if a step of this length is long beside an explicit one that is stable, or that is accurate along decays.
+/// True if a step of this length is long relative to a stable explicit one, or to one that is accurate along decays.
 fn is_stiff(differences: &Differences, length: f64, judged: usize) -> bool {
     let [fastest, decay] = differences.fastest(judged);
     length * fastest > STABLE || length * decay > NEEDLESS * STABLE
 }
 
 impl Step {
-    /// Its error in tolerances.
+    /// Error in tolerances.
     pub fn error(&self) -> f64 {
         match self {
             Step::Explicit(step) => step.error,
@@ -149,7 +149,7 @@ impl Step {
         }
     }
 
-    /// Length of the next step.
+    /// Returns the length of the next step. A `held` step may not be longer.
     pub fn next_length(&self, held: bool) -> f64 {
         match self {
             Step::Explicit(step) => step.next_length(held),
@@ -157,7 +157,7 @@ impl Step {
         }
     }
 
-    /// The state at its end.
+    /// State at the end.
     pub fn end(&self) -> &[f64] {
         match self {
             Step::Explicit(step) => step.end(),
@@ -165,10 +165,10 @@ impl Step {
         }
     }
 
-    /// Finds the rates at its end.
+    /// Evaluates the rates at the end.
     ///
     /// # Errors
-    /// There are none.
+    /// The rates do not exist.
     pub fn finish<R: Rates>(&mut self, rates: &mut R) -> Result<(), R::Failure> {
         match self {
             Step::Explicit(step) => step.finish(rates),
@@ -176,7 +176,7 @@ impl Step {
         }
     }
 
-    /// The rates at the end of a finished step.
+    /// Rates at the end of a finished step.
     pub fn end_rates(&self) -> &[f64] {
         match self {
             Step::Explicit(step) => step.end_rates(),
@@ -184,10 +184,10 @@ impl Step {
         }
     }
 
-    /// The state at a time on a finished step.
+    /// Returns the state at a time within a finished step.
     ///
     /// # Errors
-    /// There are no rates at one of the places that the dense output needs.
+    /// Rates do not exist at one of the stages of the dense output.
     pub fn at<R: Rates>(&mut self, rates: &mut R, t: f64) -> Result<Vec<f64>, R::Failure> {
         match self {
             Step::Explicit(step) => step.at(rates, t),

@@ -1,10 +1,9 @@
-//! *A mechanism with free coordinates, and the forces on it* → *its motion*.
+//! Simulates a mechanism with free coordinates under its forces.
 //!
-//! What is integrated are coordinates of the null space of Φ_q, in which what is free is an unknown, too, at a pose that was passed a moment ago, and
-//! their rates (tangent-space parametrization; Wehage and Haug 1982, Potra and Rheinboldt 1991). Every frame lies on the constraints
-//! to rounding, and nothing depends on which coordinate is called free. Beside them the work of all that brings energy in or takes it
-//! out is integrated: a motion whose energy is out of balance ends. Steps are explicit, or implicit while the motion is stiff. Deliberately
-//! unknown here: files and how anything is printed.
+//! The integrated variables are coordinates of the null space of Φ_q at a recent pose, and their rates (tangent-space parametrization;
+//! Wehage and Haug 1982, Potra and Rheinboldt 1991). Free coordinates are unknowns in Φ_q. Every frame lies on the constraints to
+//! rounding, and the choice of free coordinates does not matter. The work of everything that adds or removes energy is integrated as
+//! well: a motion whose energy is out of balance ends. Steps are explicit, or implicit while the motion is stiff.
 
 mod balance;
 mod chart;
@@ -43,54 +42,54 @@ use crate::supplied::{Modes, Numbers};
 use crate::trajectory::END;
 use crate::view::View;
 
-/// How much shorter a step is tried again that leads to where nothing can be solved.
+/// Factor of the length of a step that leads to a state without a solution, for the next attempt.
 const RETREAT: f64 = 0.25;
 
-/// How a motion is integrated.
+/// Options of an integration.
 #[derive(Clone, Copy, Debug)]
 pub struct Options {
-    /// How accurate a step has to be.
+    /// Tolerances of a step.
     pub tolerances: Tolerances,
-    /// Method of its steps.
+    /// Method of the steps.
     pub method: Method,
 }
 
-/// What a motion has taken.
+/// Cost of a motion.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Effort {
-    /// How often the mechanism was solved for an acceleration.
+    /// Number of solutions for an acceleration.
     pub evaluations: u64,
-    /// Steps that were taken.
+    /// Number of accepted steps.
     pub steps: u64,
-    /// Those among them that were implicit.
+    /// Number of implicit steps among them.
     pub implicit: u64,
-    /// Steps that were tried and not taken.
+    /// Number of rejected steps.
     pub rejected: u64,
 }
 
-/// What the mechanism is on.
+/// Segment of the motion around the current time.
 #[derive(Clone, Debug)]
 enum Segment {
     Step(Box<Step>),
     Crossing(Box<Crossing>),
 }
 
-/// A mechanism that forces move.
+/// Mechanism that forces move.
 #[derive(Clone, Debug)]
 pub struct Simulation {
     view: Dense,
     right_side: RightSide,
     options: Options,
-    /// When the motion ends (s): no step goes beyond.
+    /// End of the motion (s), which no step exceeds.
     end: f64,
     state: Vec<f64>,
     slope: Vec<f64>,
-    /// The length of the next step (s).
+    /// Length of the next step (s).
     length: f64,
     segment: Option<Segment>,
-    /// The frame at the end of the segment, or at the start.
+    /// Frame at the end of the segment, or at the start.
     reached: Instant,
-    /// The frame that was asked for last.
+    /// Frame of the last request.
     frame: Instant,
     balance: Balance,
     rounding: Rounding,
@@ -98,16 +97,16 @@ pub struct Simulation {
     steps: u64,
     implicit: u64,
     rejected: u64,
-    /// How close to losing rank a crossing was last tried in vain.
+    /// Distance from the loss of rank at which a crossing last failed.
     tried: f64,
     passed: Vec<[f64; 2]>,
 }
 
 impl Simulation {
-    /// The mechanism where it starts, at t = 0: as it is drawn, or in the given pose and modes.
+    /// Assembles the mechanism at t = 0, in the design configuration or in a pose and modes.
     ///
     /// # Errors
-    /// It cannot be assembled, or has no acceleration there.
+    /// The mechanism cannot be assembled, or has no acceleration.
     pub fn new(
         view: &Interpreted,
         chosen: Option<(Instant, Modes)>,
@@ -173,7 +172,7 @@ impl Simulation {
         Ok(simulation)
     }
 
-    /// Goes over to a chart around a frame, with the state that the mechanism has there.
+    /// Changes to a chart around a frame, with the state of the mechanism in the chart.
     fn begin(&mut self, solved: &Solved, work: f64) -> Result<(), Stop> {
         let right_side = &mut self.right_side;
         let t = solved.instant.t();
@@ -190,7 +189,7 @@ impl Simulation {
         Ok(())
     }
 
-    /// The first step is tried shorter where there is nothing to be solved at its end.
+    /// Returns the length of the first step (s), which is reduced while its end has no solution.
     fn first_length(&mut self) -> Result<f64, Stop> {
         let mut longest = self.end;
         loop {
@@ -210,10 +209,10 @@ impl Simulation {
         }
     }
 
-    /// Moves the mechanism to a later time, up to the end of the motion (s).
+    /// Moves the mechanism to a later time (s), up to the end of the motion.
     ///
     /// # Errors
-    /// The motion ends before; the mechanism is then at its last frame.
+    /// The motion ends earlier; the mechanism is then at its last frame.
     pub fn advance(&mut self, t: f64) -> Result<&Instant, Stop> {
         while t > self.reached.t() {
             self.step()?;
@@ -221,10 +220,10 @@ impl Simulation {
         self.show(t)
     }
 
-    /// Takes one step, if the frame that was reached lies before `t` (s). Returns true if a step was taken.
+    /// Takes one step if the reached frame is before `t` (s). Returns true if a step was taken.
     ///
     /// # Errors
-    /// The motion ends before; the mechanism is then at its last frame.
+    /// The motion ends earlier; the mechanism is then at its last frame.
     pub fn step_toward(&mut self, t: f64) -> Result<bool, Stop> {
         let is_before = t > self.reached.t();
         if is_before {
@@ -247,7 +246,7 @@ impl Simulation {
         Ok(&self.frame)
     }
 
-    /// The frame at a time on the segment, and the work.
+    /// Returns the frame at a time on the segment, and the work (J).
     fn on_segment(&mut self, t: f64) -> Result<(Instant, f64), Stop> {
         match &mut self.segment {
             Some(Segment::Step(step)) => {
@@ -260,17 +259,17 @@ impl Simulation {
         }
     }
 
-    /// The frame that was reached.
+    /// Frame of the last request.
     pub fn frame(&self) -> &Instant {
         &self.frame
     }
 
-    /// The mechanism.
+    /// Mechanism in the textbook formulation.
     pub fn view(&self) -> &Dense {
         &self.view
     }
 
-    /// What it has taken so far.
+    /// Cost so far.
     pub fn effort(&self) -> Effort {
         Effort {
             evaluations: self.right_side.evaluations,
@@ -280,10 +279,10 @@ impl Simulation {
         }
     }
 
-    /// The work (J) of all that stores none up to the frame that was reached: of dampers, forces, torques and drivers.
+    /// Returns the work (J) of dampers, forces, torques and drivers, which store no energy, up to the current frame.
     ///
     /// # Errors
-    /// It cannot be said between the ends of a step near which nothing can be solved.
+    /// The work is undetermined between the ends of a step near which the equations have no solution.
     pub fn added_work(&mut self) -> Result<f64, Stop> {
         let t = self.frame.t();
         match t == 0.0 {
@@ -292,7 +291,7 @@ impl Simulation {
         }
     }
 
-    /// The times between which singular poses were passed.
+    /// Intervals of time (s) in which singular poses were passed.
     pub fn passed(&self) -> &[[f64; 2]] {
         &self.passed
     }

@@ -1,7 +1,7 @@
-//! *A motion at a frame* → *its next step, or its way over a singular pose*.
+//! Takes the next step of a motion, or crosses a singular pose.
 //!
-//! A step ends before the pose in which constraints are expected to lose rank, so that none is jumped over unseen; it counts once the energy
-//! is in balance at its end.
+//! A step ends before the pose in which constraints are expected to lose rank, so that none is skipped. A step counts if the energy at
+//! its end balances.
 
 use super::crossing::Crossing;
 use super::right_side::RightSide;
@@ -9,24 +9,24 @@ use super::solved::Solved;
 use super::{RETREAT, Segment, Simulation, Stop};
 use crate::trajectory::END;
 
-/// How much of the time to a pose in which constraints are expected to lose rank a step takes at most.
+/// Largest part of the time to an expected loss of rank that one step takes.
 const APPROACH: f64 = 0.6;
 
-/// How far Φ_q is from losing rank where a crossing is tried, in cubic roots of a rounding error in tolerances, and its bounds.
-const NEAR: f64 = 6.0;
-const NEAREST: [f64; 2] = [0.01, 0.3];
+/// Distance from the loss of rank at which a crossing is tried, in cubic roots of a rounding error in tolerances, and its bounds.
+const CROSSING_DISTANCE: f64 = 6.0;
+const CROSSING_BOUNDS: [f64; 2] = [0.01, 0.3];
 
-/// To which part Φ_q must come closer before a crossing is tried again.
+/// Factor by which the distance must fall before a crossing is tried again.
 const CLOSER: f64 = 0.3;
 
-/// How close to losing rank Φ_q may be at all: the null space has no digits there.
+/// Smallest distance of Φ_q from the loss of rank; below it the null space has no digits.
 const LOST: f64 = 1e-7;
 
-/// The stretch of a chart's coordinate from which on another chart is better.
+/// Stretch of a chart's coordinate beyond which another chart is better.
 const STRETCHED: f64 = 1.05;
 
 impl Simulation {
-    /// Takes a step, or crosses a singular pose, from the frame that was reached.
+    /// Takes a step, or crosses a singular pose, from the reached frame.
     pub(super) fn go_on(&mut self) -> Result<(), Stop> {
         let t = self.reached.t();
         if let Some(Segment::Step(step)) = &self.segment {
@@ -71,13 +71,13 @@ impl Simulation {
         self.take_step(longest)
     }
 
-    /// How close to losing rank Φ_q is where its null space has as many digits as the tolerances ask for.
+    /// Returns the distance from the loss of rank at which the null space has as many digits as the tolerances require.
     fn near(&self) -> f64 {
-        let near = NEAR * (f64::EPSILON / self.options.tolerances.relative).cbrt();
-        near.clamp(NEAREST[0], NEAREST[1])
+        let near = CROSSING_DISTANCE * (f64::EPSILON / self.options.tolerances.relative).cbrt();
+        near.clamp(CROSSING_BOUNDS[0], CROSSING_BOUNDS[1])
     }
 
-    /// Crosses a singular pose that is expected in the middle of the next so many seconds; whether there is a smooth way through.
+    /// Crosses a singular pose that is expected in the middle of the next `length` seconds; returns true if there is a smooth continuation.
     fn cross(&mut self, length: f64) -> Result<bool, Stop> {
         let (work, power) = (
             self.state[self.state.len() - 1],
@@ -85,8 +85,9 @@ impl Simulation {
         );
         let tolerances = self.options.tolerances;
         let right_side = &mut self.right_side;
-        let found = Crossing::attempt(right_side, &self.reached, work, power, length, &tolerances);
-        let Some(crossing) = found else {
+        let attempt =
+            Crossing::attempt(right_side, &self.reached, work, power, length, &tolerances);
+        let Some(crossing) = attempt else {
             return Ok(false);
         };
         let (solved, work) = crossing.end(right_side)?;
@@ -100,12 +101,12 @@ impl Simulation {
         Ok(true)
     }
 
-    /// Takes a step of at most this length.
+    /// Takes a step of at most this length (s).
     fn take_step(&mut self, longest: f64) -> Result<(), Stop> {
         let from = self.reached.t();
-        let wanted = self.length;
+        let proposed = self.length;
         self.length = self.length.min(longest);
-        let is_bounded = self.length < wanted;
+        let is_bounded = self.length < proposed;
         let mut held = false;
         let mut reason = None;
         let mut differences = None;
@@ -139,7 +140,7 @@ impl Simulation {
                     self.length = step.next_length(held || !is_taken);
                     if is_taken {
                         if is_bounded {
-                            self.length = self.length.max(wanted);
+                            self.length = self.length.max(proposed);
                         }
                         let state = step.end();
                         let solved = self.right_side.solve(to, state)?;
@@ -166,7 +167,7 @@ impl Simulation {
         }
     }
 
-    /// Holds the rounding of the steps beside a pose in which constraints lose rank against the tolerances.
+    /// Compares the rounding of the steps beside a pose in which constraints lose rank with the tolerances.
     fn bound_rounding(&mut self, length: f64, solved: &Solved) -> Result<(), Stop> {
         let rates = self.right_side.level(&solved.instant, 1);
         let rate = rates.iter().fold(0.0_f64, |most, it| most.max(it.abs()));
@@ -180,7 +181,7 @@ impl Simulation {
         }
     }
 
-    /// Holds the energy of a frame against the work.
+    /// Compares the energy of a frame with the work.
     fn weigh(&mut self, solved: &Solved, work: f64) -> Result<(), Stop> {
         let rates = self.right_side.level(&solved.instant, 1);
         let rate = rates.iter().fold(0.0, |size: f64, it| size.hypot(*it));

@@ -1,4 +1,4 @@
-//! *An instant* → *the acceleration of the free coordinates that forces give it*: mass · s̈ = force.
+//! Evaluates the acceleration of the free coordinates under forces: mass · s̈ = force.
 
 use linkwright_codegen::stages::program::{Program, Reduced};
 use nalgebra::{Cholesky, DMatrix, DVector};
@@ -8,18 +8,18 @@ use crate::instant::{Instant, Layout};
 use crate::interpreted::Interpreted;
 use crate::view::View;
 
-/// Where instants keep the reduced mass and force.
+/// Indices in instants of the reduced mass and force.
 #[derive(Clone, Debug)]
 pub struct ReducedMotion {
-    /// The signals of the free coordinates: indices into the inputs.
+    /// Signals of the free coordinates: indices into the inputs.
     pub inputs: Vec<usize>,
-    /// The lower triangle, row by row.
+    /// Lower triangle, row by row.
     masses: Vec<usize>,
     forces: Vec<usize>,
 }
 
 impl ReducedMotion {
-    /// Of a mechanism; `None` where no coordinate is free.
+    /// Creates the equation of a mechanism; `None` if no coordinate is free.
     pub fn of(view: &Interpreted) -> Option<ReducedMotion> {
         ReducedMotion::new(view.program(), view.layout())
     }
@@ -36,7 +36,7 @@ impl ReducedMotion {
         })
     }
 
-    /// The reduced mass at an instant, symmetric.
+    /// Returns the reduced mass at an instant, symmetric.
     pub fn mass(&self, instant: &Instant) -> DMatrix<f64> {
         let count = self.forces.len();
         DMatrix::from_fn(count, count, |row, column| {
@@ -44,16 +44,16 @@ impl ReducedMotion {
         })
     }
 
-    /// The reduced force at an instant: that of any acceleration.
+    /// Returns the reduced force at an instant, which does not depend on accelerations.
     pub fn force(&self, instant: &Instant) -> DVector<f64> {
         let forces = self.forces.iter().map(|&slot| instant.values()[slot]);
         DVector::from_iterator(self.forces.len(), forces)
     }
 
-    /// The acceleration that the force gives the mass.
+    /// Returns the acceleration of the mass by the force.
     ///
     /// # Errors
-    /// The places of the coordinates that move together where the mass is not positive.
+    /// The indices of the coordinates that move together without a positive mass.
     pub fn acceleration(&self, instant: &Instant) -> Result<DVector<f64>, Vec<usize>> {
         let (mass, force) = (self.mass(instant), self.force(instant));
         let diagonal = mass.diagonal();
@@ -74,9 +74,9 @@ impl ReducedMotion {
     }
 }
 
-/// Returns the places of the free coordinates that no mass resists; the diagonal of the mass is positive.
+/// Returns the indices of the free coordinates that no mass resists; the diagonal of the mass is positive.
 fn alone(mass: &DMatrix<f64>) -> Vec<usize> {
-    // Coordinates are compared by the energy that each would have alone.
+    // Coordinates are compared by the energy of each alone.
     let scales = DMatrix::from_diagonal(&mass.diagonal().map(|own| 1.0 / own.sqrt()));
     unresisted(
         &scales * mass * &scales,

@@ -1,7 +1,7 @@
-//! *Time, coordinates of a chart and their rates* → *their accelerations, and the power of what brings in work*.
+//! Evaluates the accelerations of a chart's coordinates, and the power of what adds work.
 //!
-//! Every evaluation solves the constraints to rounding and the exact equations of motion there. A chart is left at the end of a step for
-//! one around the pose that was reached, whose coordinates have the value and the rate that they have in it.
+//! Every evaluation solves the constraints to rounding and the exact equations of motion. At the end of a step, a chart around the
+//! reached pose replaces the chart; the coordinates of that pose and their rates are converted.
 
 use super::chart::Chart;
 use super::equations::MotionEquations;
@@ -10,21 +10,21 @@ use super::stop::Stop;
 use crate::instant::Instant;
 use crate::rates::Rates;
 
-/// How much a coordinate may be stretched in a chart: the tangent has turned by at most 60 degrees.
+/// Largest stretch of a coordinate in a chart: the tangent has turned by at most 60 degrees.
 const STRETCH: f64 = 2.0;
 
-/// The rates of the coordinates of a chart, their rates and the work.
+/// Rates of the coordinates of a chart, of these rates and of the work.
 #[derive(Clone, Debug)]
 pub(super) struct RightSide {
     pub equations: MotionEquations,
     pub chart: Chart,
-    /// Where lengths begin, so that the place of a mechanism does not count; angles begin at 0.
+    /// Origin of lengths, so that the position of a mechanism does not matter; angles begin at 0.
     reference: Vec<f64>,
     pub evaluations: u64,
 }
 
 impl RightSide {
-    /// Around the pose in which a motion starts; `None` where its constraints have lost rank.
+    /// Creates the right side around the pose in which a motion starts; `None` if its constraints have lost rank.
     pub fn new(equations: MotionEquations, start: &Instant) -> Option<RightSide> {
         let chart = Chart::around(&equations, start, false)?;
         let pose = equations.level(start, 0);
@@ -38,13 +38,13 @@ impl RightSide {
         })
     }
 
-    /// Goes over to the chart around a pose, straight along what dampers resist if asked for; `None` where its constraints have lost rank.
+    /// Changes to the chart around a pose, straight along strongly damped directions if requested; `None` if its constraints have lost rank.
     pub fn enter(&mut self, pose: &Instant, is_straight: bool) -> Option<()> {
         self.chart = Chart::around(&self.equations, pose, is_straight)?;
         Some(())
     }
 
-    /// The coordinates of the chart and their rates in a pose.
+    /// Returns the coordinates of the chart and their rates in a pose.
     pub fn state(&self, pose: &Instant) -> Vec<f64> {
         let mut state = self
             .chart
@@ -53,15 +53,15 @@ impl RightSide {
         state
     }
 
-    /// Rates or accelerations of the chart's coordinates at an instant.
+    /// Returns rates or accelerations of the chart's coordinates at an instant.
     pub fn level(&self, pose: &Instant, level: usize) -> Vec<f64> {
         self.chart.level(&self.equations, pose, level)
     }
 
-    /// Everything of a state.
+    /// Solves a state.
     ///
     /// # Errors
-    /// There is no such pose, or no acceleration in it.
+    /// The pose or its acceleration does not exist.
     pub fn solve(&mut self, t: f64, state: &[f64]) -> Result<Solved, Stop> {
         self.evaluations += 1;
         let count = self.chart.dimension();
@@ -70,29 +70,29 @@ impl RightSide {
             .solve(&self.equations, t, levels, &self.reference)
     }
 
-    /// Everything in the pose on the constraints that is nearest to one, with the rates that are nearest to these.
+    /// Solves the pose on the constraints that is nearest to a pose, with the nearest rates.
     ///
     /// # Errors
-    /// The same.
+    /// The pose or its acceleration does not exist.
     pub fn projected(&mut self, pose: &Instant) -> Result<Solved, Stop> {
         let t = pose.t();
         self.evaluations += 1;
         let chart = Chart::around(&self.equations, pose, false).ok_or(Stop::LosesRank { t })?;
-        let own = RightSide {
+        let around_pose = RightSide {
             equations: self.equations.clone(),
             chart,
             reference: self.reference.clone(),
             evaluations: 0,
         };
-        let state = own.state(pose);
-        let count = own.chart.dimension();
+        let state = around_pose.state(pose);
+        let count = around_pose.chart.dimension();
         let levels = [&state[..count], &state[count..]];
-        own.chart.settle(
-            &own.equations,
+        around_pose.chart.settle(
+            &around_pose.equations,
             t,
-            own.equations.level(pose, 0),
+            around_pose.equations.level(pose, 0),
             levels,
-            &own.reference,
+            &around_pose.reference,
         )
     }
 }

@@ -1,6 +1,6 @@
-//! *Coordinates of a chart with their rates* → *all that follows there*: pose, rates, accelerations, energies and power.
+//! Solves a pose from coordinates of a chart and their rates: pose, rates, accelerations, energies and power.
 //!
-//! A pose counts where Newton's method meets the constraints to rounding, on the side of the chart's own pose.
+//! A pose counts if Newton's method meets the constraints to rounding, on the side of the chart's own pose.
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
@@ -10,36 +10,36 @@ use super::massless::{SMALLEST_PIVOT, unresisted};
 use super::stop::Stop;
 use crate::instant::Instant;
 
-/// How many corrections a pose may take.
+/// Largest number of corrections of a pose.
 const CORRECTIONS: usize = 16;
 
-/// The correction after which a pose needs only one more.
+/// Correction below which a pose needs only one more.
 const SMALL: f64 = 1e-7;
 
-/// How far a correction may lead from what is expected, in rad or characteristic lengths.
-const FAR: f64 = 1.0;
+/// Largest distance of a correction from the estimate, in rad or characteristic lengths.
+const MAX_CORRECTION: f64 = 1.0;
 
-/// All that follows in one pose with rates.
+/// Solution in one pose with rates.
 #[derive(Clone, Debug)]
 pub(super) struct Solved {
     pub instant: Instant,
     /// Accelerations of the chart's coordinates.
     pub acceleration: Vec<f64>,
-    /// The kinetic and the potential energy (J).
+    /// Kinetic and potential energy (J).
     pub energies: [f64; 2],
-    /// What forces, dampers, torques and drivers bring in (W).
+    /// Power of forces, dampers, torques and drivers (W).
     pub power: f64,
-    /// How far Φ_q is from losing rank: the reciprocal of the norm of its inverse across the tangent.
+    /// Distance of Φ_q from the loss of rank: the reciprocal of the norm of its inverse across the tangent.
     pub measure: f64,
-    /// How far the tangent has turned: the largest stretch of a coordinate, 1 where it has not.
+    /// Largest stretch of a coordinate, which grows while the tangent turns; 1 in the chart's own pose.
     pub stretch: f64,
 }
 
 impl Chart {
-    /// The pose, rates and accelerations of coordinates u and their rates at a time, from an estimate of the pose.
+    /// Finds the pose, rates and accelerations of coordinates u and their rates at a time, from an estimate of the pose.
     ///
     /// # Errors
-    /// There is no such pose near the estimate, or forces give it no acceleration.
+    /// No such pose is near the estimate, or forces do not determine its acceleration.
     pub fn settle(
         &self,
         equations: &MotionEquations,
@@ -52,7 +52,7 @@ impl Chart {
         let scales = &equations.coordinate_scales;
         let mut instant = equations.instant(t);
         let mut is_close = false;
-        let mut found = None;
+        let mut last_bordered = None;
         for _ in 0..CORRECTIONS {
             equations.set_level(&mut instant, 0, &q);
             let missed = self.missed(equations, &instant, value, reference);
@@ -64,16 +64,16 @@ impl Chart {
                 *q -= step[at] * scales[at];
             }
             let size = step.amax();
-            if size > FAR || size.is_nan() {
+            if size > MAX_CORRECTION || size.is_nan() {
                 return Err(Stop::Unsettled { t });
             }
             if is_close {
-                found = Some(bordered);
+                last_bordered = Some(bordered);
                 break;
             }
             is_close = size <= SMALL;
         }
-        let bordered = found.ok_or(Stop::Unsettled { t })?;
+        let bordered = last_bordered.ok_or(Stop::Unsettled { t })?;
         if bordered.sign() != self.sign {
             return Err(Stop::LosesRank { t });
         }
@@ -83,7 +83,7 @@ impl Chart {
             .try_inverse()
             .ok_or(Stop::LosesRank { t })?;
         let stretch = stretch(&inverse.columns(rows, columns - rows).into_owned()) / self.stretch;
-        // In Φ_t and γ what is free stands still, since it is an unknown that moves.
+        // Free coordinates are moving unknowns, so Φ_t and γ do not include their motion.
         equations.still(&mut instant);
         let before = equations.dynamics(&instant);
         let moves = DVector::from_fn(columns, |at, _| match at.checked_sub(rows) {
@@ -116,7 +116,7 @@ impl Chart {
             return Err(Stop::NotFinite { t });
         }
         let acceleration = accelerated(&mass, &force).ok_or_else(|| {
-            // What is free comes last among the unknowns.
+            // Free coordinates are the last unknowns.
             let free = equations.free_count();
             let mut rates = moved.rows(columns - free, free).into_owned();
             for (mut row, scale) in rates.row_iter_mut().zip(&scales[columns - free..]) {
@@ -149,7 +149,7 @@ impl Chart {
     }
 }
 
-/// The acceleration that a force gives a mass; `None` where the mass is not positive definite to its digits.
+/// Returns the acceleration of a mass by a force; `None` if the mass is not positive definite to its digits.
 fn accelerated(mass: &DMatrix<f64>, force: &DVector<f64>) -> Option<DVector<f64>> {
     let diagonal = mass.diagonal();
     let factor = Cholesky::new(mass.clone())?;

@@ -1,4 +1,4 @@
-//! Why a simulated motion ends.
+//! Reports the reason that a simulated motion ends.
 
 use linkwright::{Blocks, Failure};
 use linkwright_codegen::stages::model::Mechanism;
@@ -19,57 +19,56 @@ const BEFORE: f64 = 1e-6;
 /// Ratio of two loads beyond which the later one is called unbounded.
 const GROWTH: f64 = 1e3;
 
-/// Why a motion ends before its time, or does not begin.
+/// Reason that a motion ends early, or does not begin.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Stop {
     /// No coordinate is free.
     NothingFree,
-    /// It cannot be assembled where it starts.
+    /// The mechanism cannot be assembled at the start.
     NotAssembled(Failure),
-    /// The equations of joints and of drivers that are not free lose rank there, and the motion has no smooth way through that is
-    /// known to be one.
+    /// The equations of joints and of drivers that are not free lose rank, and no continuation of the motion is verified as smooth.
     LosesRank {
-        /// When (s).
+        /// Time (s).
         t: f64,
     },
-    /// No pose is found on the constraints: drivers or tables lead to where there is none.
+    /// No pose on the constraints is found: drivers or tables lead out of reach.
     Unsettled {
-        /// When (s).
+        /// Time (s).
         t: f64,
     },
-    /// No mass resists a free coordinate, or several of them together.
+    /// No mass resists a free coordinate, or a combination of several.
     Massless {
-        /// When (s).
+        /// Time (s).
         t: f64,
-        /// Places among the free coordinates of those that move so, ascending.
+        /// Indices of these free coordinates, ascending.
         coordinates: Vec<usize>,
     },
-    /// An acceleration or a power is infinite or no number.
+    /// An acceleration or a power is infinite or NaN.
     NotFinite {
-        /// When (s).
+        /// Time (s).
         t: f64,
     },
     /// No step is short enough for the tolerances.
     TooShort {
-        /// When (s).
+        /// Time (s).
         t: f64,
     },
-    /// The motion has been so close to where joints and drivers lose rank that rounding changes it by more than the tolerances.
+    /// The motion was so close to a loss of rank of joints and drivers that rounding changes it by more than the tolerances.
     Rounded {
-        /// When (s).
+        /// Time (s).
         t: f64,
     },
-    /// The energy changes by something else than the work that is done: the motion is wrong from about there on.
+    /// The change of energy differs from the work: the motion is wrong from about this time on.
     Unbalanced {
-        /// When (s).
+        /// Time (s).
         t: f64,
-        /// What the work does not account for (J).
+        /// Change of energy that the work does not explain (J).
         drift: f64,
     },
 }
 
 impl Stop {
-    /// When (s).
+    /// Time (s).
     pub fn time(&self) -> f64 {
         match self {
             Stop::NothingFree => 0.0,
@@ -84,7 +83,7 @@ impl Stop {
         }
     }
 
-    /// That and why the motion does not begin.
+    /// Reports that the motion does not begin, with the reason.
     pub fn not_begun(&self, view: &Interpreted) -> String {
         match self {
             Stop::NotAssembled(failure) => view.not_assembled(failure),
@@ -96,7 +95,7 @@ impl Stop {
         }
     }
 
-    /// That and why the motion ends after its last instant.
+    /// Reports that the motion ends after its last instant, with the reason.
     pub fn explained(&self, view: &Dense, last: &Instant) -> String {
         let reached = time(last.t());
         let cause = match self {
@@ -170,8 +169,9 @@ fn growing_load(view: &Dense, last: &Instant) -> Option<String> {
 /// Returns the names of free coordinates that no mass resists, and the statement that is missing.
 fn unresisted(places: &[usize], mechanism: &Mechanism) -> String {
     let free = mechanism.forces.free.iter().enumerate();
-    let own = free.filter(|(place, _)| places.contains(place));
-    let names = own.map(|(_, free)| format!("`{}`", mechanism.joints[free.joint].label));
+    let unresisted_coordinates = free.filter(|(place, _)| places.contains(place));
+    let names =
+        unresisted_coordinates.map(|(_, free)| format!("`{}`", mechanism.joints[free.joint].label));
     let names: Vec<String> = names.collect();
     let named = match names.as_slice() {
         [only] => format!("the free coordinate {only}"),
@@ -184,7 +184,7 @@ fn unresisted(places: &[usize], mechanism: &Mechanism) -> String {
     format!("{named}: write `mass BODY = 1kg at POINT;` for a body that moves so")
 }
 
-/// The joints and bodies that are closest to singular in a frame.
+/// Returns the joints and bodies that are closest to singular in a frame.
 fn concerned(view: &Dense, last: &Instant) -> String {
     let equations = view.equations();
     let inputs = view.layout().inputs(last);

@@ -1,26 +1,26 @@
-//! The elongations that strong dampers resist, as coordinates of a chart.
+//! Selects the elongations of strong dampers as coordinates of a chart.
 //!
-//! They are chosen by what the forces lose with a rate along each: the strongest first, then those that the chosen ones leave free.
+//! Elongations are selected by the loss of force with a rate along each: the strongest first, then those independent of the selected.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::equations::MotionEquations;
 use crate::instant::Instant;
 
-/// How much of a gradient has to lie along the tangent, and beside the gradients that are chosen.
+/// Smallest part of a gradient along the tangent, and outside the selected gradients.
 const ALONG: f64 = 0.1;
 
-/// Damping beside the strongest one that is rounding.
+/// Damping relative to the strongest that counts as rounding.
 const ROUNDING: f64 = 1e3 * f64::EPSILON;
 
-/// Coordinates that are elongations: which ones, and the norms of their gradients along the tangent.
+/// Coordinates that are elongations: their indices, and the norms of their gradients along the tangent.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Straight {
     chosen: Vec<(usize, f64)>,
 }
 
 impl Straight {
-    /// In a pose with rates and an orthonormal basis of its tangent; with what is left of the basis.
+    /// Selects elongations in a pose with rates and an orthonormal basis of its tangent; returns the rest of the basis as well.
     pub fn of(
         equations: &MotionEquations,
         instant: &Instant,
@@ -39,10 +39,10 @@ impl Straight {
         let mut chosen = Vec::new();
         let mut strongest = 0.0;
         while chosen.len() < count {
-            let found = (0..along.nrows()).filter_map(|place| {
+            let candidates = (0..along.nrows()).filter_map(|place| {
                 let whole = elongated.gradients.row(place).norm();
-                let own: DVector<f64> = along.row(place).transpose();
-                let beside = &left * (left.transpose() * &own);
+                let gradient: DVector<f64> = along.row(place).transpose();
+                let beside = &left * (left.transpose() * &gradient);
                 let size = beside.norm();
                 let is_free = size > ALONG * whole && whole > 0.0;
                 let direction = beside / size;
@@ -50,12 +50,12 @@ impl Straight {
                 (is_free && lost > ROUNDING * strongest).then_some((
                     lost,
                     place,
-                    own.norm(),
+                    gradient.norm(),
                     direction,
                 ))
             });
             let Some((lost, place, norm, direction)) =
-                found.max_by(|one, other| one.0.total_cmp(&other.0))
+                candidates.max_by(|one, other| one.0.total_cmp(&other.0))
             else {
                 break;
             };
@@ -71,7 +71,7 @@ impl Straight {
         self.chosen.is_empty()
     }
 
-    /// Values of the coordinates, their accelerations for accelerations of the unknowns that are zero, and derivatives by all unknowns.
+    /// Returns values of the coordinates, their accelerations if those of the unknowns are zero, and derivatives by all unknowns.
     pub fn at(
         &self,
         equations: &MotionEquations,
@@ -96,7 +96,7 @@ impl Straight {
     }
 }
 
-/// What forces lose with rates along a basis: minus their derivatives by these.
+/// Returns the damping matrix along a basis: minus the derivatives of forces by rates.
 fn damping(equations: &MotionEquations, instant: &Instant, basis: &DMatrix<f64>) -> DMatrix<f64> {
     let scales = DVector::from_column_slice(&equations.coordinate_scales);
     let rates = equations.level(instant, 1);
@@ -112,15 +112,15 @@ fn damping(equations: &MotionEquations, instant: &Instant, basis: &DMatrix<f64>)
         equations.set_level(&mut moved, 1, &rates);
         equations.dynamics(&moved).loads.component_mul(&scales)
     };
-    let columns = basis.column_iter().map(|own| {
-        let own = own.into_owned();
-        (loads(-&own) - loads(own)).scale(0.5)
+    let columns = basis.column_iter().map(|column| {
+        let column = column.into_owned();
+        (loads(-&column) - loads(column)).scale(0.5)
     });
     let columns: Vec<DVector<f64>> = columns.collect();
     basis.transpose() * DMatrix::from_columns(&columns)
 }
 
-/// An orthonormal basis of what one spans, without a direction in it.
+/// Returns an orthonormal basis of the span of a basis, without a direction.
 fn without(basis: &DMatrix<f64>, direction: &DVector<f64>) -> DMatrix<f64> {
     let inside = basis.transpose() * direction;
     let count = inside.len();

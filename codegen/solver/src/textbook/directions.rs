@@ -1,6 +1,6 @@
-//! *A pose that is solved* → *how it moves along each direction*: drivers and parameters.
+//! Differentiates a solved pose along each direction: drivers and parameters.
 //!
-//! All of it follows from one factorization of Φ_q. Deliberately unknown here: how the pose was found.
+//! All derivatives follow from one factorization of Φ_q.
 
 use linkwright::{Failure, Frame, PointMotion, Settings, kinematics};
 use linkwright_codegen::stages::expr::{ExprId, Tape};
@@ -10,17 +10,17 @@ use nalgebra::{DMatrix, DVector, Dyn};
 
 use super::TextbookEquations;
 
-/// What is known of all directions.
+/// Functions of all directions.
 #[derive(Clone, Debug)]
 pub(super) struct Directions {
     /// ∂Φ/∂δ of every direction, one after another: n results each.
     columns: Tape,
     count: usize,
-    // Drivers come first among them.
+    /// Number of drivers, which are the first directions.
     driven: usize,
-    /// (Φ_q q̇ + Φ_t)_p of all parameters whose sensitivities are asked for, column by column.
+    /// (Φ_q q̇ + Φ_t)_p of all parameters with requested sensitivities, column by column.
     rate_columns: Tape,
-    /// The entries of (Φ_q q̇ + Φ_t)_q that are not zero, and their rows and columns.
+    /// Nonzero entries of (Φ_q q̇ + Φ_t)_q, and their rows and columns.
     rate_jacobian: Tape,
     rate_places: Vec<(usize, usize)>,
     transmissions: Vec<Requested>,
@@ -59,11 +59,11 @@ impl Directions {
 }
 
 impl TextbookEquations {
-    /// ∂q/∂δ (n × directions) at a pose that is solved: Φ_q ∂q/∂δ = −∂Φ/∂δ for each of [`System::directions`], first the drivers,
+    /// Returns ∂q/∂δ (n × directions) at a solved pose: Φ_q ∂q/∂δ = −∂Φ/∂δ for each of [`System::directions`], first the drivers,
     /// then the parameters.
     ///
     /// # Errors
-    /// Where Φ_q is singular.
+    /// Φ_q is singular.
     pub fn responses(&self, q: &DVector<f64>, t: f64) -> Result<DMatrix<f64>, Failure> {
         let factorization = kinematics::factorize(self, q, t, &Settings::default())?;
         let mut columns = DVector::zeros(self.dimension * self.directions.count);
@@ -78,11 +78,11 @@ impl TextbookEquations {
         Ok(responses)
     }
 
-    /// ∂q̇/∂p (n × parameters whose sensitivities are asked for) at a frame that is solved:
-    /// Φ_q ∂q̇/∂p = −((Φ_q q̇ + Φ_t)_q ∂q/∂p + (Φ_q q̇ + Φ_t)_p). `responses` is what [`TextbookEquations::responses`] says of its pose.
+    /// Returns ∂q̇/∂p (n × parameters with requested sensitivities) at a solved frame:
+    /// Φ_q ∂q̇/∂p = −((Φ_q q̇ + Φ_t)_q ∂q/∂p + (Φ_q q̇ + Φ_t)_p). `responses` are those of [`TextbookEquations::responses`] at its pose.
     ///
     /// # Errors
-    /// Where Φ_q is singular.
+    /// Φ_q is singular.
     pub fn sensitivity_rates(
         &self,
         frame: &Frame<f64, Dyn>,
@@ -117,15 +117,16 @@ impl TextbookEquations {
         Ok(rates)
     }
 
-    /// What the drivers transmit, in the order of the mechanism's transmissions: a row for each component (x and y of a
-    /// point), a column for each driver. `responses` is what [`TextbookEquations::responses`] says of the same pose.
+    /// Returns the requested transmissions: a row for each component (x and y of a point), a column for each driver.
+    ///
+    /// Rows are in the order of the mechanism's transmissions. `responses` are those of [`TextbookEquations::responses`] at the pose.
     pub fn transmissions(
         &self,
         q: &DVector<f64>,
         t: f64,
         responses: &DMatrix<f64>,
     ) -> Vec<DMatrix<f64>> {
-        // The velocity of a point is linear in q̇, so responses in place of q̇ give the columns.
+        // The velocity of a point is linear in q̇, so responses in place of q̇ yield the columns.
         let along: Vec<Vec<PointMotion<f64>>> = responses
             .column_iter()
             .take(self.directions.driven)

@@ -1,4 +1,4 @@
-//! The textbook view as the runtime's [`Equations`]: what Newton-Raphson and the linear solves ask for.
+//! Implements the runtime's [`Equations`] for the textbook formulation, for Newton-Raphson and linear solves.
 
 use linkwright::Equations;
 use nalgebra::{DMatrix, DVector, Dyn};

@@ -1,8 +1,7 @@
-//! *A [`System`]* → *Φ and what is derived from it, as functions of pose and time*.
+//! Evaluates Φ of a [`System`] and its derivatives as functions of pose and time.
 //!
-//! [`TextbookEquations`] implements [`Equations`](linkwright::Equations) by one [`Tape`] per function, so that whatever solves equations also solves a
-//! description that was read a moment ago. Afterwards Φ_q holds zeros wherever the system lists no entry. The module does not know how
-//! the equations are solved.
+//! [`TextbookEquations`] implements [`Equations`](linkwright::Equations) with one [`Tape`] per function, so that solvers of equations
+//! apply to descriptions without a compile step. Φ_q holds zeros wherever the system lists no entry.
 
 mod directions;
 mod equations;
@@ -17,7 +16,7 @@ use nalgebra::DVector;
 use crate::supplied::{InputSignals, ParameterValues};
 use directions::Directions;
 
-/// A mechanism as functions of pose and time, in SI units: m, rad, s.
+/// Mechanism as functions of pose and time, in SI units: m, rad, s.
 ///
 /// Vectors follow the order of [`System::coordinates`] and [`System::rows`]; both have n entries. The functions borrow
 /// internal buffers while they run, so an interpreter belongs to one thread; clone it for another.
@@ -26,11 +25,11 @@ pub struct TextbookEquations {
     dimension: usize,
     residual: Tape,
     jacobian: Tape,
-    /// Where each result of `jacobian` belongs in the column-major n × n matrix.
+    /// Index of each result of `jacobian` in the column-major n × n matrix.
     places: Vec<usize>,
     time_derivative: Tape,
     gamma: Tape,
-    /// The residuals of the rows that are not solved.
+    /// Residuals of the rows that are not solved.
     monitored: Tape,
     monitored_count: usize,
     /// Six results per output: position, velocity, acceleration.
@@ -43,7 +42,7 @@ pub struct TextbookEquations {
     estimate: DVector<f64>,
     row_scales: Vec<f64>,
     coordinate_scales: Vec<f64>,
-    /// The symbols of q, q̇, q̈ and t.
+    /// Symbols of q, q̇, q̈ and t.
     positions: Vec<SymbolId>,
     rates: Vec<SymbolId>,
     accelerations: Vec<SymbolId>,
@@ -55,23 +54,23 @@ pub struct TextbookEquations {
     scratch: RefCell<Scratch>,
 }
 
-/// What an evaluation writes into and the next one overwrites.
+/// Buffers that each evaluation overwrites.
 #[derive(Clone, Debug)]
 struct Scratch {
-    /// A value per symbol.
+    /// Value of each symbol.
     symbols: Vec<f64>,
-    /// What the tapes keep intermediate values in.
+    /// Intermediate values of the tapes.
     workspace: Vec<f64>,
-    /// Results that are not a vector of n entries.
+    /// Results other than vectors of n entries.
     results: Vec<f64>,
-    /// The inputs at one time.
+    /// Inputs at one time.
     signals: Vec<f64>,
-    /// Whether the inputs are supplied, so that their laws do not count.
+    /// True if the inputs are supplied, so that their laws do not apply.
     are_supplied: bool,
 }
 
 impl TextbookEquations {
-    /// The functions of `system`, which must have as many rows as coordinates: `linkwright_codegen::check` says so.
+    /// Creates the functions of `system`, which must have as many rows as coordinates; `linkwright_codegen::check` verifies that.
     ///
     /// # Panics
     /// If the system is not square.
@@ -128,7 +127,7 @@ impl TextbookEquations {
                 .map(|output| output.name.clone())
                 .collect(),
             directions: Directions::new(system),
-            // A drawing that is not constant has been rejected before; NaN would be reported as not finite.
+            // A design configuration that is not constant was rejected before; NaN would be reported as not finite.
             estimate: DVector::from_iterator(
                 dimension,
                 coordinates
@@ -170,7 +169,7 @@ impl TextbookEquations {
         }
     }
 
-    /// Sets parameters and inputs, whose laws do not count from then on.
+    /// Sets parameters and inputs; the laws of the inputs no longer apply.
     pub fn supply(&self, parameters: &ParameterValues, inputs: &InputSignals) {
         let scratch = &mut *self.scratch.borrow_mut();
         scratch.are_supplied = true;
@@ -184,12 +183,12 @@ impl TextbookEquations {
         }
     }
 
-    /// The pose q (n) in which the mechanism is drawn: an estimate that need not satisfy the equations.
+    /// Pose q (n) of the design configuration: an estimate that need not satisfy the equations.
     pub fn estimate(&self) -> &DVector<f64> {
         &self.estimate
     }
 
-    /// Puts in the time and what the inputs are then.
+    /// Sets the time, and the inputs of their laws.
     fn set_time(&self, scratch: &mut Scratch, t: f64) {
         scratch.symbols[self.time.index()] = t;
         if self.signal_symbols.is_empty() || scratch.are_supplied {
@@ -212,7 +211,7 @@ impl TextbookEquations {
         }
     }
 
-    /// Evaluates one of the lists with n results at (q, t), and q̇ where it is needed.
+    /// Evaluates a function with n results at (q, t), and q̇ if it needs rates.
     fn evaluate(
         &self,
         tape: &Tape,
@@ -235,7 +234,7 @@ impl TextbookEquations {
     }
 }
 
-/// A value per symbol: parameters at their nominal values, and zero for all others.
+/// Returns a value per symbol: parameters at their nominal values, and zero for all others.
 fn parameters(system: &System) -> Vec<f64> {
     let graph = &system.mechanism.graph;
     let mut symbols = vec![0.0; graph.symbol_count()];

@@ -1,4 +1,4 @@
-//! Bounds that options give parameters: `a=1mm..2mm`, `a=0..`, `a=..`.
+//! Reads the bounds of parameters from options: `a=1mm..2mm`, `a=0..`, `a=..`.
 
 use linkwright_calibrate::{Bounds, Calibrator};
 use linkwright_codegen::stages::columns::Unit;
@@ -8,7 +8,7 @@ use linkwright_codegen::stages::system::System;
 use super::Problem;
 use crate::data::number_and_unit;
 
-/// The calibrator with these bounds.
+/// Returns the calibrator with the bounds of the options.
 pub fn bounded(
     calibrator: Calibrator,
     system: &System,
@@ -53,7 +53,7 @@ pub fn bounded(
     Ok(calibrator)
 }
 
-/// A number with or without a unit, in SI units.
+/// Reads a number with or without a unit; the result is in SI units.
 fn value(text: &str, dimension: Dimension) -> Option<f64> {
     let (number, unit) = number_and_unit(text)?;
     let value = match unit {

@@ -1,4 +1,4 @@
-//! *A description, a table and names of parameters* → *the values with which the mechanism moves as measured*.
+//! Fits parameters of a description to a table of measured values.
 
 mod bounded;
 mod pictures;
@@ -20,18 +20,18 @@ use crate::output::{Beginning, Record, Signature};
 use crate::report::calibration::{self, Report};
 use crate::report::{comparison_plot, picture};
 
-/// A description is nobody's to replace.
+/// Signature that no file has: a description is never replaced without `--force`.
 const SIGNATURE: Signature = Signature {
     noun: "a new file",
     beginning: Beginning::Line(|_| false),
     record: Record::None,
 };
 
-/// Fits and reports it.
+/// Fits parameters and reports the fit.
 ///
 /// # Errors
-/// The description or the table has errors, an option cannot be used, or the new description cannot be written. That nothing fits is
-/// an outcome.
+/// The description or the table has errors, an option cannot be used, or the new description cannot be written. An [`Outcome`] reports
+/// a fit that fails.
 pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
     let source =
         source(&arguments.described.file)?.reported_in(arguments.reported_in.units.clone());
@@ -96,13 +96,13 @@ pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
     };
     let start = calibrator.nominal();
     let title = system.mechanism.title();
-    let found = calibrator.identify(&measurements, &start);
-    if let Ok(found) = &found
+    let identification = calibrator.identify(&measurements, &start);
+    if let Ok(identification) = &identification
         && !arguments.json
     {
-        print(|output| calibration::write_head(&title, &data, found, output))?;
+        print(|output| calibration::write_head(&title, &data, identification, output))?;
     }
-    let fit = match found.and_then(|_| calibrator.fit(&measurements, &start)) {
+    let fit = match identification.and_then(|_| calibrator.fit(&measurements, &start)) {
         Ok(fit) => fit,
         Err(unfit) => {
             let why = match unfit {
@@ -161,7 +161,7 @@ pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
     })
 }
 
-/// The equations with the sensitivities to the parameters that are fitted.
+/// Returns the equations with the sensitivities to the fitted parameters.
 fn along(source: &Source, arguments: &Calibrate) -> Result<System, Problem> {
     let names: Vec<&str> = arguments.param.iter().map(|it| it.trim()).collect();
     let read = linkwright_codegen::read_along(source, &names);
@@ -170,11 +170,11 @@ fn along(source: &Source, arguments: &Calibrate) -> Result<System, Problem> {
         Some(name) => read.motion(name).cloned(),
         None => read.only(),
     };
-    // What is wrong with the names of motions has been said.
+    // Names of motions were checked before.
     system.ok_or_else(|| no_order(&arguments.described.file))
 }
 
-/// That all names are those of parameters, each once.
+/// Checks that all names are those of parameters, each once.
 fn check_names(system: &System, names: &[String]) -> Result<(), Problem> {
     let mechanism = &system.mechanism;
     let known = || mechanism.parameters.iter().map(|it| it.name.as_str());
@@ -213,7 +213,7 @@ fn check_names(system: &System, names: &[String]) -> Result<(), Problem> {
     Ok(())
 }
 
-/// Leaves out what cannot be fitted.
+/// Leaves out the columns that cannot be fitted.
 fn keep_fitted(data: &mut Data) -> Result<(), Problem> {
     let (kept, left): (Vec<_>, Vec<_>) = std::mem::take(&mut data.measured)
         .into_iter()

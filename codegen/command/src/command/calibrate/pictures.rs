@@ -1,4 +1,4 @@
-//! Pictures of what a fit leaves: one for each column, as `compare` draws them.
+//! Draws the residuals of a fit, one picture for each column, as `compare` does.
 
 use linkwright_calibrate::Fit;
 use linkwright_codegen::stages::system::System;
@@ -10,7 +10,7 @@ use crate::output::Output;
 use crate::report::comparison::{Column, Report};
 use crate::report::comparison_plot::picture;
 
-/// Draws both curves of each column, and what is left of it below them.
+/// Draws both curves of each column, and their difference below them.
 pub fn draw(
     fit: &Fit,
     data: &Data,

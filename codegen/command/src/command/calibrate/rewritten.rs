@@ -1,20 +1,20 @@
-//! *A description and values of parameters* → *its text with these values*, and all else as it was.
+//! Rewrites a description with new values of parameters; all other text is unchanged.
 //!
-//! A value keeps the unit that it was written in, and has all digits: what is read again is the fitted value but for the rounding of
-//! one multiplication. The new text is read again: it must be the same description with these values.
+//! A value keeps its unit and has all digits: reading it restores the fitted value up to the rounding of one multiplication. The new
+//! text is read for a check: it must be the same description with these values.
 
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
 use linkwright_codegen::stages::model::Dimension;
 use linkwright_codegen::stages::syntax::{Statement, parse};
 use linkwright_codegen::stages::system::System;
 
-/// Largest distance of a written value from the fitted one, as a share of it.
-const EXACT: f64 = 1e-12;
+/// Largest relative difference of a written value from the fitted one.
+const VALUE_TOLERANCE: f64 = 1e-12;
 
-/// The text with these values in SI units.
+/// Returns the text with these values, which are in SI units.
 ///
 /// # Errors
-/// A parameter is not declared where it could be replaced.
+/// A parameter is not declared in a place where its value can be replaced.
 pub fn rewritten(
     source: &Source,
     values: &[(&str, f64)],
@@ -28,12 +28,12 @@ pub fn rewritten(
             Statement::Parameter(own) if own.name.text == *name => Some(own),
             _ => None,
         });
-        let own = system
+        let parameter = system
             .mechanism
             .parameters
             .iter()
             .find(|it| it.name == *name);
-        let (Some(declared), Some(own)) = (declared, own) else {
+        let (Some(declared), Some(parameter)) = (declared, parameter) else {
             return Err(format!(
                 "error: `{name}` is not declared where it could be replaced"
             ));
@@ -41,12 +41,12 @@ pub fn rewritten(
         let nominal = system
             .mechanism
             .graph
-            .constant_value(own.nominal)
+            .constant_value(parameter.nominal)
             .unwrap_or(0.0);
         let range = declared.value.span.range();
         let before = &source.text[range.clone()];
-        let now =
-            in_its_unit(before, nominal, *value).unwrap_or_else(|| in_si(*value, own.dimension));
+        let now = in_its_unit(before, nominal, *value)
+            .unwrap_or_else(|| in_si(*value, parameter.dimension));
         edits.push((range, now));
     }
     edits.sort_by_key(|it| std::cmp::Reverse(it.0.start));
@@ -58,20 +58,22 @@ pub fn rewritten(
     Ok(text)
 }
 
-/// The statements outside of motions, and those of the motion of this system.
+/// Returns the statements outside of motions, and those of the motion of this system.
 fn of_motion<'a>(
     statements: &'a [Statement],
     system: &'a System,
 ) -> impl Iterator<Item = &'a Statement> {
     let motion = system.mechanism.motion.as_ref();
-    let own = statements.iter().filter_map(move |it| match it {
-        Statement::Motion(own) if motion.is_some_and(|it| it.name == own.name.text) => Some(own),
+    let motions = statements.iter().filter_map(move |it| match it {
+        Statement::Motion(one) if motion.is_some_and(|it| it.name == one.name.text) => Some(one),
         _ => None,
     });
-    statements.iter().chain(own.flat_map(|it| &it.statements))
+    statements
+        .iter()
+        .chain(motions.flat_map(|it| &it.statements))
 }
 
-/// Reads what is to be written.
+/// Checks the new text by reading it.
 fn confirm(
     source: &Source,
     text: &str,
@@ -93,10 +95,10 @@ fn confirm(
     };
     let mechanism = &system.mechanism;
     for (name, value) in values {
-        let own = mechanism.parameters.iter().find(|it| it.name == *name);
-        let found = own.and_then(|it| mechanism.graph.constant_value(it.nominal));
-        let allowed = EXACT * value.abs();
-        if found.is_none_or(|it| (it - value).abs() > allowed) {
+        let parameter = mechanism.parameters.iter().find(|it| it.name == *name);
+        let rewritten = parameter.and_then(|it| mechanism.graph.constant_value(it.nominal));
+        let allowed = VALUE_TOLERANCE * value.abs();
+        if rewritten.is_none_or(|it| (it - value).abs() > allowed) {
             return Err(format!(
                 "error: `{name}` cannot be replaced as it is written\n  = help: write its value as a number with a unit, such as `40mm`"
             ));
@@ -105,7 +107,7 @@ fn confirm(
     Ok(())
 }
 
-/// `40mm` → `40.127mm`, `3/1s` → `3.004/1s`; `None` of what is no number with a unit.
+/// Rewrites `40mm` as `40.127mm`, `3/1s` as `3.004/1s`; `None` if the text is not a number with a unit.
 fn in_its_unit(before: &str, nominal: f64, value: f64) -> Option<String> {
     let is_digit = |it: char| it.is_ascii_digit() || matches!(it, '.' | '-' | '_');
     let before = before.trim();
@@ -124,7 +126,7 @@ fn in_its_unit(before: &str, nominal: f64, value: f64) -> Option<String> {
     Some(format!("{}{unit}", value * (written / nominal)))
 }
 
-/// `0.04m`, `0.3rad`, `2.5*1m/1s`.
+/// Writes a value in SI units: `0.04m`, `0.3rad`, `2.5*1m/1s`.
 fn in_si(value: f64, dimension: Dimension) -> String {
     let number = value.to_string();
     match dimension {

@@ -1,9 +1,8 @@
-//! *A description that is being edited* → *its page, served on the loopback address, always as the file is now*.
+//! Serves the page of a description on the loopback address while the description is edited.
 //!
-//! The file and the tables it names are read again several times a second; a browser that shows the page holds a connection on which
-//! it hears that there is a newer version. What is wrong with the description stands in the page as it stands in the terminal.
-//! Nobody but this machine is answered, and nothing but the page is served: a request under another name than the loopback address
-//! comes from a page of somebody else, and is refused.
+//! The file and its tables are read again several times per second. A browser that shows the page holds a connection, on which it
+//! receives the number of a newer version. The page shows errors of the description as the terminal does. Only this machine is answered,
+//! and only with the page. A request under a name other than the loopback address comes from a foreign page, and is refused.
 
 mod server;
 mod timed;
@@ -25,13 +24,13 @@ use super::{Outcome, Problem, print, say};
 use crate::arguments::View;
 use crate::page::{Live, problem};
 
-/// How often files are looked at.
+/// Interval between checks of the files.
 const PAUSE: Duration = Duration::from_millis(100);
 
 /// Serves the page until it is interrupted.
 ///
 /// # Errors
-/// The address cannot be used, or there is no file to follow.
+/// The address cannot be used, or the description is not a file.
 pub fn run(arguments: &View) -> Result<Outcome, Problem> {
     if is_stdin(&arguments.described.file) {
         return Err(Problem(
@@ -63,7 +62,7 @@ pub fn run(arguments: &View) -> Result<Outcome, Problem> {
         if !is_served {
             let (listener, shared) = (listener.clone(), shared.clone());
             let port = address.port();
-            // Without a thread, those who connect wait until there is one.
+            // Without a thread, new connections wait until one is available.
             is_served = on_thread(Box::new(move || serve(&listener, port, &shared))).is_ok();
         }
         thread::sleep(PAUSE);
@@ -73,20 +72,20 @@ pub fn run(arguments: &View) -> Result<Outcome, Problem> {
     }
 }
 
-/// What tells whether a file has changed.
+/// Time and size of a file, by which changes are detected; `None` without a file.
 type Stamp = Option<(SystemTime, u64)>;
 
 fn stamp_of(path: &Path) -> Stamp {
-    let found = std::fs::metadata(path).ok()?;
-    Some((found.modified().ok()?, found.len()))
+    let metadata = std::fs::metadata(path).ok()?;
+    Some((metadata.modified().ok()?, metadata.len()))
 }
 
-/// Result of some work, of which an error of Linkwright itself is a problem as any other: the server lives on.
+/// Runs some work; an internal error becomes a [`Problem`], so that the server continues.
 fn survived<T>(work: impl FnOnce() -> Result<T, Problem>) -> Result<T, Problem> {
     caught(work).unwrap_or_else(|error| Err(Problem(error.to_string())))
 }
 
-/// Makes the page anew; the files that it is made of, as they were before they were read.
+/// Makes a new page, and returns the stamps of its files from before they were read.
 fn renew(arguments: &View, shared: &Shared) -> Vec<(PathBuf, Stamp)> {
     let version = shared.current().version + 1;
     let stamped = |path: PathBuf| {

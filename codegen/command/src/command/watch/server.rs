@@ -1,6 +1,6 @@
-//! Serves the page that is kept in [`Shared`] to the browsers of this machine, each on a thread of its own.
+//! Serves the page that is kept in [`Shared`] to the browsers of this machine, each on its own thread.
 //!
-//! No browser can stop the server: a connection for which there is no thread is refused, and one that is too slow ends.
+//! No browser can stop the server: a connection without an available thread is refused, and one that is too slow ends.
 
 use std::io::{self, BufRead as _, BufReader, Read as _, Write as _};
 use std::net::{TcpListener, TcpStream};
@@ -10,29 +10,29 @@ use std::time::Duration;
 
 use super::timed::Timed;
 
-/// How long a request may take to arrive, and how long the answer to leave.
+/// Time limit for the arrival of a request, and for the departure of an answer.
 const PATIENCE: Duration = Duration::from_secs(5);
 
-/// How long a connection is heard that cannot be answered.
+/// Time for which a connection is read that cannot be answered.
 const IMPATIENCE: Duration = Duration::from_millis(100);
 
-/// How often a browser that waits hears that the server is still there.
+/// Interval between signs of life to a browser that waits.
 const HEARTBEAT: Duration = Duration::from_secs(2);
 
-/// How much of a request is read.
-const LONGEST: u64 = 16 << 10;
+/// Largest number of bytes of a request.
+const MAX_REQUEST_BYTES: u64 = 16 << 10;
 
-/// How many connections are open at once.
+/// Largest number of open connections.
 const CONNECTIONS: usize = 64;
 
-/// The page as it is now.
+/// Page of the current version.
 #[derive(Default)]
 pub(super) struct Current {
     pub version: u64,
     pub html: String,
 }
 
-/// The page and whoever waits for the next one.
+/// Current page, and the signal of the next one.
 #[derive(Default)]
 pub(super) struct Shared {
     current: Mutex<Current>,
@@ -41,7 +41,7 @@ pub(super) struct Shared {
 
 impl Shared {
     pub fn current(&self) -> MutexGuard<'_, Current> {
-        // A page is replaced as a whole: what another thread left is complete.
+        // A page is replaced as a whole: the state of a thread that panicked is complete.
         self.current.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -52,18 +52,18 @@ impl Shared {
     }
 }
 
-/// The work of a thread.
+/// Work of a thread.
 pub(super) type Task = Box<dyn FnOnce() + Send>;
 
 /// Runs a task on a new thread.
 ///
 /// # Errors
-/// The system has no thread to give.
+/// The system cannot start a thread.
 pub(super) fn on_thread(task: Task) -> io::Result<()> {
     thread::Builder::new().spawn(task).map(drop)
 }
 
-/// Answers all that connect; `start` runs a task beside this one. `patience` is that with a request, and with an answer.
+/// Answers all connections; `start` runs a task on a thread. `patience` limits the time of a request, and of an answer.
 fn serve_with(
     listener: &TcpListener,
     port: u16,
@@ -74,14 +74,14 @@ fn serve_with(
     let open = Arc::new(());
     for stream in listener.incoming() {
         let Ok(stream) = stream.map(Arc::new) else {
-            // Too many files are open, say: whoever has one closes it in time.
+            // The limit of open files may be reached; another connection closes in time.
             thread::sleep(IMPATIENCE);
             continue;
         };
         let task = {
             let (stream, shared, open) = (stream.clone(), shared.clone(), open.clone());
             Box::new(move || {
-                // A browser that goes away while it is answered is no error.
+                // A browser that closes the connection does not cause an error.
                 let _ = answer(&stream, port, &shared, patience);
                 drop(open);
             })
@@ -93,12 +93,12 @@ fn serve_with(
     }
 }
 
-/// Answers all that connect, each on a thread of its own.
+/// Answers all connections, each on its own thread.
 pub(super) fn serve(listener: &TcpListener, port: u16, shared: &Arc<Shared>) {
     serve_with(listener, port, shared, PATIENCE, on_thread);
 }
 
-/// Tells a browser to come again. What it has sent is read first, since what is unread ends a connection before its answer arrives.
+/// Asks a browser to retry. The request is read first, because unread bytes would end the connection before the answer arrives.
 fn refuse(stream: &TcpStream) -> io::Result<()> {
     let mut request = [0; 4096];
     let _ = Timed::new(stream, IMPATIENCE).read(&mut request)?;
@@ -108,7 +108,7 @@ fn refuse(stream: &TcpStream) -> io::Result<()> {
 
 /// Answers one request.
 fn answer(stream: &TcpStream, port: u16, shared: &Shared, patience: Duration) -> io::Result<()> {
-    let request = Timed::new(stream, patience).take(LONGEST);
+    let request = Timed::new(stream, patience).take(MAX_REQUEST_BYTES);
     let mut lines = BufReader::new(request).lines();
     let first = lines.next().transpose()?.unwrap_or_default();
     let mut host = String::new();
@@ -162,7 +162,7 @@ fn reply(mut stream: Timed<'_>, status: &str, kind: &str, text: &str) -> io::Res
     stream.flush()
 }
 
-/// Says once that there is another version than this, as soon as there is.
+/// Reports the next version to a browser as soon as there is one.
 fn wait(stream: &TcpStream, shared: &Shared, after: u64, patience: Duration) -> io::Result<()> {
     let say = |text: &str| Timed::new(stream, patience).write_all(text.as_bytes());
     say(
@@ -177,7 +177,7 @@ fn wait(stream: &TcpStream, shared: &Shared, after: u64, patience: Duration) -> 
         current = next;
         if waited.timed_out() {
             drop(current);
-            // Whoever has gone away is noticed.
+            // Writing detects a browser that has closed the connection.
             say(": still here\n\n")?;
             current = shared.current();
         }
@@ -194,7 +194,7 @@ mod tests {
 
     use super::*;
 
-    /// A server whose threads `start` gives; its port.
+    /// Starts a server whose threads `start` makes; returns its port.
     fn server(
         patience: Duration,
         start: impl Fn(Task) -> io::Result<()> + Send + 'static,
@@ -213,7 +213,7 @@ mod tests {
 
     fn asked(port: u16, path: &str) -> TcpStream {
         let mut stream = TcpStream::connect(("127.0.0.1", port)).expect("it is served");
-        // All at once, as browsers do.
+        // All requests arrive at once, as from a browser.
         let request = format!("GET {path} HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\n\r\n");
         stream.write_all(request.as_bytes()).expect("it is sent");
         stream
@@ -249,7 +249,7 @@ mod tests {
         let (port, _) = server(patience, on_thread);
         let mut slow = TcpStream::connect(("127.0.0.1", port)).expect("it is served");
         let begun = Instant::now();
-        // Each byte arrives in time, but never the request.
+        // Each byte arrives in time, but the request is never complete.
         while slow.write_all(b"G").is_ok() {
             thread::sleep(patience / 10);
             assert!(begun.elapsed() < patience * 20, "it is still heard");

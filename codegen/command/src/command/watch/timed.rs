@@ -1,17 +1,17 @@
-//! A connection of which all reads and writes must end by an instant, however little each of them moves.
+//! Limits the total time of all reads and writes of a connection, however few bytes each of them transfers.
 
 use std::io::{self, Read, Write};
 use std::net::TcpStream;
 use std::time::{Duration, Instant};
 
-/// The connection until the instant.
+/// Connection with a deadline.
 pub(super) struct Timed<'a> {
     stream: &'a TcpStream,
     end: Instant,
 }
 
 impl<'a> Timed<'a> {
-    /// The connection for a duration from the call on.
+    /// Creates a connection with a deadline `duration` after the call.
     pub fn new(stream: &'a TcpStream, duration: Duration) -> Timed<'a> {
         Timed {
             stream,
@@ -19,10 +19,10 @@ impl<'a> Timed<'a> {
         }
     }
 
-    /// The time that is left.
+    /// Returns the remaining time.
     ///
     /// # Errors
-    /// There is none.
+    /// The deadline has passed.
     fn left(&self) -> io::Result<Option<Duration>> {
         let left = self.end.saturating_duration_since(Instant::now());
         match left.is_zero() {

@@ -1,4 +1,4 @@
-//! The first walk over a document: what declares a name.
+//! Walks over a document for declarations, before mentions are sought.
 
 use linkwright_codegen::diagnostic::Span;
 use linkwright_codegen::stages::syntax::{Document, Member, Name, Statement};
@@ -7,7 +7,7 @@ use super::scope::{Scopes, Space};
 use super::{Sort, Symbol, SymbolId};
 
 impl Scopes {
-    /// Declares everything that has a name. Points that bodies carry come last: they may be drawn below.
+    /// Declares all names. Points that bodies carry come last, since they may be drawn below.
     pub(super) fn declare_all(&mut self, document: &Document) {
         let item = &document.mechanism;
         if !item.name.text.is_empty() {
@@ -25,7 +25,7 @@ impl Scopes {
         }
     }
 
-    /// A symbol whose declaration is a whole statement.
+    /// Declares a symbol whose declaration is a whole statement.
     fn plain(&mut self, sort: Sort, name: &Name, statement: Span, docs: &[String]) -> SymbolId {
         self.declare(Symbol {
             sort,
@@ -110,7 +110,7 @@ impl Scopes {
                 self.statements(&own.statements);
                 self.motion = None;
             }
-            // The name of a joint may be that of a point: it is looked at with what it joins.
+            // The name of a joint may be that of a point: operands are considered together with it.
             Statement::Joint(_)
             | Statement::Output(_)
             | Statement::Transmission(_)
@@ -125,7 +125,7 @@ impl Scopes {
         }
     }
 
-    /// The points that a body lists.
+    /// Declares the points that a body lists.
     fn declare_members(&mut self, statement: &Statement) {
         let Statement::Body(own) = statement else {
             return;
@@ -163,7 +163,7 @@ impl Scopes {
                 motion: None,
             });
             self.carry(body, point);
-            // What is drawn under the name of a point of a body is where that point is drawn.
+            // A point that is drawn under the name of a body's point is declared where it is drawn.
             if let Some(drawn) = self.find(Space::Drawn, &name.text) {
                 self.unite(drawn, point);
             }

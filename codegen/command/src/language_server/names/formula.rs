@@ -1,4 +1,4 @@
-//! The names in formulas.
+//! Finds the names in formulas.
 
 use linkwright_codegen::stages::model::UNITS;
 use linkwright_codegen::stages::syntax::{
@@ -8,14 +8,14 @@ use linkwright_codegen::stages::syntax::{
 use super::SymbolId;
 use super::scope::{Owner, Scopes, Space};
 
-/// The function of two points.
+/// Function of two points.
 const DISTANCE: &str = "distance";
 
-/// What runs along a curve, where a formula is that of one.
+/// Parameter that runs along a curve, in a formula of that curve.
 pub(super) type Running<'a> = Option<(&'a str, SymbolId)>;
 
 impl Scopes {
-    /// A formula.
+    /// Finds the names in a formula.
     pub(super) fn formula(&mut self, written: &Expression, running: Running<'_>) {
         match &written.kind {
             ExpressionKind::Number { .. } => {}
@@ -52,13 +52,14 @@ impl Scopes {
         }
     }
 
-    /// Both components of a pair.
+    /// Finds the names in both components of a pair.
     pub(super) fn pair(&mut self, pair: &Pair, running: Running<'_>) {
         self.formula(&pair.x, running);
         self.formula(&pair.y, running);
     }
 
-    /// A factor right behind a number with a unit may be a unit, too: `4.5N/mm`, where no value of that name is declared above.
+    /// Finds the names in a product. A factor directly behind a number with a unit may be a unit, `4.5N/mm`, unless a value of that name is
+    /// declared above.
     fn product(&mut self, factors: &[(Operation, Expression)], running: Running<'_>) {
         for (_, factor) in factors {
             let unit = match &factor.kind {
@@ -73,7 +74,7 @@ impl Scopes {
         }
     }
 
-    /// A value, a body or a point, or a component of a point: `L`, `K.x`, `1.x`.
+    /// Finds a value, a body, a point, or a component of a point: `L`, `K.x`, `1.x`.
     fn named(&mut self, reference: &Reference, running: Running<'_>) {
         let Reference { body, name, .. } = reference;
         let Some(owner) = body else {
@@ -97,7 +98,7 @@ impl Scopes {
         }
     }
 
-    /// A call of a function or a table.
+    /// Finds the names in a call of a function or a table.
     fn call(&mut self, function: &Name, arguments: &[Expression], running: Running<'_>) {
         let word = function.text.as_str();
         let is_coordinate = AXES.contains(&word);
@@ -111,7 +112,7 @@ impl Scopes {
         for argument in arguments {
             match &argument.kind {
                 ExpressionKind::Reference(reference) => self.place(reference, is_coordinate),
-                // A body may be named by an integer.
+                // An integer may be the name of a body.
                 ExpressionKind::Number { digits, unit: None } => {
                     if let Some(body) = self.find(Space::Bodies, digits) {
                         self.mention(argument.span, body);
@@ -122,7 +123,7 @@ impl Scopes {
         }
     }
 
-    /// A body or a point that a function measures; which of them is looked for first depends on the function.
+    /// Finds a body or a point that a function measures. The function determines which of them takes precedence.
     fn place(&mut self, reference: &Reference, bodies_first: bool) {
         if reference.body.is_some() {
             self.point_of_body(reference);
@@ -131,16 +132,16 @@ impl Scopes {
         let name = &reference.name;
         let body = self.find(Space::Bodies, &name.text);
         let point = self.bare_point(&name.text);
-        let found = match bodies_first {
+        let symbol = match bodies_first {
             true => body.or(point),
             false => point.or(body),
         };
-        if let Some(found) = found {
-            self.mention(name.span, found);
+        if let Some(symbol) = symbol {
+            self.mention(name.span, symbol);
         }
     }
 
-    /// `BODY.POINT`, both; `BODY.x` the body alone.
+    /// Finds both names of `BODY.POINT`; of `BODY.x`, the body alone.
     pub(super) fn point_of_body(&mut self, reference: &Reference) {
         let Some(owner) = reference.body.as_ref().and_then(|it| self.body(it)) else {
             return;
@@ -148,7 +149,7 @@ impl Scopes {
         self.point_of(owner, &reference.name);
     }
 
-    /// A body by its name.
+    /// Finds a body by its name.
     pub(super) fn body(&mut self, name: &Name) -> Option<Owner> {
         let owner = self.owner(&name.text)?;
         if let Owner::Body(body) = owner {
@@ -157,7 +158,7 @@ impl Scopes {
         Some(owner)
     }
 
-    /// A point of a body by its name.
+    /// Finds a point of a body by its name.
     pub(super) fn point_of(&mut self, owner: Owner, name: &Name) -> Option<SymbolId> {
         let point = self.point_on(owner, &name.text)?;
         self.mention(name.span, point);

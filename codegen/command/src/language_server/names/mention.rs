@@ -1,4 +1,4 @@
-//! The second walk over a document: what mentions a name.
+//! Walks over a document for mentions of declared names.
 
 use linkwright_codegen::stages::syntax::{
     Body, Center, Curve, Direction, Document, Element, Ends, Force, Mass, Member, Name,
@@ -8,7 +8,7 @@ use linkwright_codegen::stages::syntax::{
 use super::scope::{Owner, Scopes, Space};
 
 impl Scopes {
-    /// Notes every mention. What asks for points and joints comes last, since it may stand before them.
+    /// Records every mention. Requests of points and joints come last, since they may precede the declarations.
     pub(super) fn mention_all(&mut self, document: &Document) {
         let statements = &document.mechanism.statements;
         self.mention_in(statements, Scopes::mention_statement);
@@ -121,7 +121,7 @@ impl Scopes {
         }
     }
 
-    /// A point as it is drawn.
+    /// Records a point at its place in the drawing.
     fn drawn(&mut self, reference: &Reference) {
         match &reference.body {
             Some(_) => self.point_of_body(reference),
@@ -189,7 +189,7 @@ impl Scopes {
         }
     }
 
-    /// A point of the first body that carries it, or a body.
+    /// Records a point of the first body that carries it, or a body.
     pub(super) fn point_or_body(&mut self, name: &Name) {
         let body = self.find(Space::Bodies, &name.text);
         if let Some(found) = self.bare_point(&name.text).or(body) {
@@ -197,7 +197,7 @@ impl Scopes {
         }
     }
 
-    /// Points and coordinates that are asked for.
+    /// Records requested points and coordinates.
     fn wanted(&mut self, items: &[OutputItem]) {
         for item in items {
             match item {

@@ -1,9 +1,9 @@
-//! *Statements → names:* what each one stands for, where it is declared, and where it is mentioned.
+//! Finds the meaning, the declaration and the mentions of names from statements.
 //!
-//! Names are found as the generator finds them: points by the bodies that carry them, a joint's name as that of its point, a motion's
-//! names in that motion alone. Afterwards every mention belongs to one symbol, and symbols that are one point (as the joint `P(1, 2)`
-//! makes the points P of both bodies one) are known as the same. What names stand for is not computed here, and what nothing
-//! declares is no mention. What is repeated, or belongs to a part, has one name for each of its places.
+//! Scopes are those of the generator. Points belong to the bodies that carry them, and a joint's name is that of its point. The names of
+//! a motion are visible in that motion only. Afterwards every mention belongs to one symbol. Symbols of one point are known as equal: the
+//! joint `P(1, 2)` makes the points P of both bodies one. Values of names are not computed, and an undeclared name is not a mention. A
+//! repeated statement, or one in a part, has one name for each place in the text.
 
 mod declare;
 mod formula;
@@ -18,51 +18,51 @@ use linkwright_codegen::stages::syntax::{Document, Lexeme};
 use scope::Scopes;
 pub use written::{Whole, mechanisms};
 
-/// What a name stands for.
+/// Meaning of a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Sort {
     /// The mechanism of the file.
     Mechanism,
-    /// A way in which it is driven.
+    /// Motion that drives the mechanism.
     Motion,
-    /// A constant.
+    /// Constant.
     Constant,
-    /// A value that can be changed at run time.
+    /// Value that can be changed at run time.
     Parameter,
-    /// A signal that is supplied at run time.
+    /// Signal that is supplied at run time.
     Input,
-    /// A quantity that forces move.
+    /// Quantity that forces move.
     Free,
-    /// A function through points.
+    /// Function through points.
     Table,
-    /// A point of the drawing.
+    /// Point of the drawing.
     Point,
-    /// A point in the frame of a body.
+    /// Point in the frame of a body.
     BodyPoint,
-    /// A body.
+    /// Body.
     Body,
-    /// An angle that needs no body.
+    /// Angle without a body.
     Angle,
-    /// A curve of a body.
+    /// Curve of a body.
     Curve,
-    /// What runs along a curve.
+    /// Parameter of a curve.
     CurveParameter,
-    /// A joint.
+    /// Joint.
     Joint,
-    /// A driver.
+    /// Driver.
     Driver,
-    /// An equation of the user's own.
+    /// Equation of the user.
     Equation,
-    /// A spring or a damper.
+    /// Spring or damper.
     Element,
-    /// A mechanism as a part of another.
+    /// Mechanism as a part of another.
     Part,
-    /// What counts the repetitions of statements.
+    /// Index of repeated statements.
     Index,
 }
 
 impl Sort {
-    /// How a person calls it.
+    /// Noun in messages.
     pub fn noun(self) -> &'static str {
         match self {
             Sort::Mechanism => "mechanism",
@@ -88,60 +88,60 @@ impl Sort {
     }
 }
 
-/// A symbol, by its place in the list of all.
+/// Index of a symbol in [`Names::symbols`].
 pub type SymbolId = usize;
 
-/// Something that has a name.
+/// Named object.
 #[derive(Clone, Debug)]
 pub struct Symbol {
-    /// What it is.
+    /// Meaning.
     pub sort: Sort,
-    /// What it is called where statements are written out: `rod3`.
+    /// Name after repetitions are expanded: `rod3`.
     pub name: String,
-    /// How that is written: `rod[3]`.
+    /// Name as it is written: `rod[3]`.
     pub spelled: String,
-    /// The place of its name with its indices, as the generator knows it.
+    /// Place of the name with its indices, as the generator records it.
     pub place: Span,
-    /// Where the name is declared: the identifier alone.
+    /// Place of the identifier in the declaration.
     pub declared: Span,
-    /// All that declares it, without what else the statement declares.
+    /// Text of the declaration, without other declarations of the same statement.
     pub written: Span,
-    /// The statement that declares it.
+    /// Statement of the declaration.
     pub statement: Span,
-    /// The word that the declaration begins with, where it stands elsewhere: `point` before the second point of a statement.
+    /// First word of the declaration if it is elsewhere: `point` before the second point of a statement.
     pub opening: &'static str,
-    /// Its documentation.
+    /// Documentation, line by line.
     pub docs: Vec<String>,
-    /// The body that carries it, for a point of a body.
+    /// Body of a body's point; `None` for other symbols.
     pub body: Option<SymbolId>,
-    /// The motion outside of which it is not known.
+    /// Motion that the name is visible in; `None` if it is visible everywhere.
     pub motion: Option<Span>,
 }
 
-/// A place where a name is written.
+/// Place of a name in the text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Mention {
-    /// The place.
+    /// Place.
     pub span: Span,
-    /// What is mentioned.
+    /// Mentioned symbol.
     pub symbol: SymbolId,
 }
 
-/// The names of a description.
+/// Names of a description.
 #[derive(Clone, Debug, Default)]
 pub struct Names {
-    /// What has a name, in written order.
+    /// Symbols in written order.
     pub symbols: Vec<Symbol>,
-    /// The mentions by place, declarations among them; one place may mention two points that are one.
+    /// Mentions by place, declarations included; one place may mention two points that are one.
     pub mentions: Vec<Mention>,
-    /// The points that each body carries, by the symbols of bodies: names, and what they stand for.
+    /// Pairs of a body and a point that the body carries.
     pub carried: Vec<(SymbolId, SymbolId)>,
-    /// The first of the symbols that are the same as this one.
+    /// First of the symbols that are equal to each symbol.
     first: Vec<SymbolId>,
 }
 
 impl Names {
-    /// The names of a document, whose text and lexemes these are.
+    /// Returns the names of a document with this text and these lexemes.
     pub fn of(document: &Document, text: &str, lexemes: &[Lexeme]) -> Names {
         let mut scopes = Scopes::default();
         scopes.declare_all(document);
@@ -149,18 +149,18 @@ impl Names {
         scopes.into_names(document, text, lexemes)
     }
 
-    /// The mention that an offset is in, or that ends there.
+    /// Returns the mention that contains an offset or ends there; `None` if there is none.
     pub fn mention_at(&self, offset: usize) -> Option<Mention> {
         let begun = |it: &Mention| it.span.start as usize <= offset;
         let end = self.mentions.partition_point(begun);
-        // Where two names touch, the one that begins here is meant.
+        // Where two names touch, the one that begins at the offset is preferred.
         let last = self.mentions[..end].last()?.span;
         let first = self.mentions.partition_point(|it| it.span < last);
-        let own = self.mentions.get(first)?;
-        (offset <= last.range().end).then_some(*own)
+        let mention = self.mentions.get(first)?;
+        (offset <= last.range().end).then_some(*mention)
     }
 
-    /// What is mentioned at a place: two points, where they are one.
+    /// Returns the symbols that are mentioned at a place: two points if they are one.
     pub fn mentioned_at(&self, place: Span) -> impl Iterator<Item = SymbolId> {
         let start = self.mentions.partition_point(|it| it.span < place);
         let here = self.mentions[start..].iter();
@@ -168,12 +168,12 @@ impl Names {
             .map(|it| it.symbol)
     }
 
-    /// Whether two symbols are one thing.
+    /// True if two symbols are one object.
     pub fn are_same(&self, one: SymbolId, other: SymbolId) -> bool {
         self.first[one] == self.first[other]
     }
 
-    /// All places that mention a symbol or one that is the same, each once.
+    /// Returns all places that mention a symbol or an equal one, each once.
     pub fn mentions_of(&self, symbol: SymbolId) -> Vec<Span> {
         let same = |it: &&Mention| self.are_same(it.symbol, symbol);
         let mut places: Vec<Span> = self
@@ -186,19 +186,19 @@ impl Names {
         places
     }
 
-    /// The symbols that are one with this one, itself among them.
+    /// Returns the symbols that are equal to this one, itself included.
     pub fn same(&self, symbol: SymbolId) -> Vec<SymbolId> {
         let all = 0..self.symbols.len();
         all.filter(|&other| self.are_same(symbol, other)).collect()
     }
 
-    /// The points that a body carries, in written order.
+    /// Returns the points that a body carries, in written order.
     pub fn points_of(&self, body: SymbolId) -> impl Iterator<Item = SymbolId> {
         let carried = self.carried.iter().filter(move |(own, _)| *own == body);
         carried.map(|(_, point)| *point)
     }
 
-    /// The bodies that carry a point, in written order.
+    /// Returns the bodies that carry a point, in written order.
     pub fn carriers_of(&self, point: SymbolId) -> impl Iterator<Item = SymbolId> {
         let carried = self.carried.iter().filter(move |(_, own)| *own == point);
         carried.map(|(body, _)| *body)

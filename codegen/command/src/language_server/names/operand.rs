@@ -1,4 +1,4 @@
-//! The names in joints and drivers, by what their kinds take.
+//! Finds the names in joints and drivers, by the operands of their kinds.
 
 use linkwright_codegen::diagnostic::Span;
 use linkwright_codegen::stages::joint::{CONSTRAINTS, DRIVERS, Kind, Line, Slot};
@@ -8,7 +8,7 @@ use super::scope::{JointNames, Owner, Scopes, Space};
 use super::{Sort, Symbol, SymbolId};
 
 impl Scopes {
-    /// A joint, with its name and its line.
+    /// Finds the names in a joint, with its own name and its line.
     pub(super) fn joint(&mut self, joint: &Joint) {
         let kind = named(CONSTRAINTS, &joint.kind.text);
         let slots = kind.map_or(&[][..], |kind| kind.operands().slots);
@@ -28,7 +28,7 @@ impl Scopes {
         for pair in pins.windows(2) {
             self.unite(pair[0], pair[1]);
         }
-        // A joint that is not named after a point of its bodies has a name of its own.
+        // A joint that is not named after a point of its bodies has a symbol of its own.
         let symbol = joint.name.as_ref().map(|name| match pins.first() {
             Some(&pin) => pin,
             None => self.own_name(joint, name),
@@ -64,7 +64,7 @@ impl Scopes {
         })
     }
 
-    /// A driver, or what is free.
+    /// Finds the names in a driver, or in a free quantity.
     pub(super) fn driver(&mut self, drive: &Drive) {
         let kind = named(DRIVERS, &drive.quantity.text);
         let form = kind.map(|kind| kind.operands());
@@ -84,7 +84,7 @@ impl Scopes {
         self.formula(&drive.value, None);
     }
 
-    /// What stands in parentheses; the body that it is, or is on.
+    /// Finds the names of an operand; returns its body, or the body of its point.
     fn operand(&mut self, slot: Slot, operand: &Reference, joint: Option<&Name>) -> Option<Owner> {
         if let Some(body) = &operand.body {
             let owner = self.body(body)?;
@@ -109,7 +109,7 @@ impl Scopes {
         }
     }
 
-    /// A body for its origin, or a point that is named alone.
+    /// Finds a body that stands for its origin, or a point that is named without a body.
     pub(super) fn body_or_point(&mut self, name: &Name) -> Option<Owner> {
         let owner = self.body(name);
         if owner.is_none()
@@ -120,7 +120,7 @@ impl Scopes {
         owner
     }
 
-    /// The ends of a line, on the bodies that it belongs to.
+    /// Finds the ends of a line on the bodies that the line belongs to.
     fn line(
         &mut self,
         along: &Direction,
@@ -143,13 +143,13 @@ impl Scopes {
         self.point_of(owner?, &end.name)
     }
 
-    /// `(P, Q)` of the joint that was written along P -> Q.
+    /// Finds the names in `(P, Q)`, which refers to the joint along P -> Q.
     fn existing_line(&mut self, from: &Reference, to: &Reference) {
         let motion = self.motion;
         let known = self.joints.iter().filter(|it| it.is_known_in(motion));
-        let found = known.filter_map(|joint| joint.along.as_ref());
-        let mut found = found.filter(|(along, _)| same(from, &along.from) && same(to, &along.to));
-        let ends = found.next().map(|(_, ends)| *ends);
+        let lines = known.filter_map(|joint| joint.along.as_ref());
+        let mut lines = lines.filter(|(along, _)| same(from, &along.from) && same(to, &along.to));
+        let ends = lines.next().map(|(_, ends)| *ends);
         for (place, end) in [from, to].into_iter().enumerate() {
             if let Some(body) = &end.body {
                 self.body(body);
@@ -160,7 +160,7 @@ impl Scopes {
         }
     }
 
-    /// The joints of a name, which a statement asks for: they keep one name.
+    /// Records the joints of a name, which share one name in a request.
     pub(super) fn joints_named(&mut self, name: &Name) {
         let motion = self.motion;
         let known = self.joints.iter().filter(|it| it.is_known_in(motion));
@@ -174,7 +174,7 @@ impl Scopes {
 }
 
 impl JointNames {
-    /// Whether statements of a motion may name it.
+    /// True if statements of a motion may name the joint.
     fn is_known_in(&self, motion: Option<Span>) -> bool {
         self.motion.is_none() || self.motion == motion
     }
@@ -184,7 +184,7 @@ fn named(kinds: &[&'static dyn Kind], keyword: &str) -> Option<&'static dyn Kind
     kinds.iter().copied().find(|kind| kind.keyword() == keyword)
 }
 
-/// Whether the end of a line is named by this.
+/// True if `written` names the end of a line.
 fn same(written: &Reference, end: &Reference) -> bool {
     let bodies = match (&written.body, &end.body) {
         (Some(one), Some(other)) => one.text == other.text,

@@ -1,4 +1,4 @@
-//! Which names are known where, and what has been found so far.
+//! Holds the scopes of names, and the symbols and mentions that have been found.
 
 use std::collections::HashMap;
 
@@ -8,10 +8,10 @@ use linkwright_codegen::stages::syntax::{Direction, Document, Lexeme, Name};
 use super::written::{Reading, identifier};
 use super::{Mention, Names, Sort, Symbol, SymbolId};
 
-/// What is always there, and declared nowhere.
+/// Predefined body, which has no declaration.
 pub(super) const GROUND: &str = "ground";
 
-/// Names of one sort do not stand in the way of names of another.
+/// Name space: names in different spaces do not collide.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Space {
     Values,
@@ -26,7 +26,7 @@ pub(super) enum Space {
 }
 
 impl Space {
-    /// Where names of a sort are looked for; nothing where they are not.
+    /// Returns the space of a sort; `None` if its names are not looked up.
     pub(super) fn of(sort: Sort) -> Option<Space> {
         Some(match sort {
             Sort::Constant | Sort::Parameter | Sort::Input | Sort::Free => Space::Values,
@@ -48,46 +48,46 @@ impl Space {
     }
 }
 
-/// A body that an operand names; the ground is one, too.
+/// Body that an operand names, or the ground.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Owner {
     Ground,
     Body(SymbolId),
 }
 
-/// A joint with a name or a line.
+/// Joint with a name or a line.
 pub(super) struct JointNames {
     pub motion: Option<Span>,
     pub name: Option<String>,
-    /// What the name stands for.
+    /// Symbol of the name; `None` if the joint has no name.
     pub symbol: Option<SymbolId>,
-    /// The line as written, with what its ends stand for.
+    /// Line as it is written, with the symbols of its ends; `None` if the joint has no line.
     pub along: Option<(Direction, [Option<SymbolId>; 2])>,
 }
 
-/// What is known of a document so far.
+/// Symbols and mentions of a document that have been found.
 #[derive(Default)]
 pub(super) struct Scopes {
     symbols: Vec<Symbol>,
     mentions: Vec<Mention>,
     carried: Vec<(SymbolId, SymbolId)>,
-    /// By the motion, the space and the name; only looked up.
+    /// Symbols by motion, space and name; only looked up.
     known: HashMap<(Option<Span>, Space, String), SymbolId>,
-    /// By the body and the name; only looked up.
+    /// Points by body and name; only looked up.
     points: HashMap<(SymbolId, String), SymbolId>,
-    /// The first point of each name that bodies carry; only looked up.
+    /// First point of each name that bodies carry; only looked up.
     first_carried: HashMap<String, SymbolId>,
-    /// The symbols by the places of their declarations; only looked up.
+    /// Symbols by the places of their declarations; only looked up.
     declared: HashMap<Span, SymbolId>,
     pub(super) joints: Vec<JointNames>,
-    /// A symbol that is the same as this one and was declared before; itself where there is none.
+    /// Earlier symbol that is equal to each symbol; itself if there is none.
     earlier: Vec<SymbolId>,
-    /// The motion whose statements are looked at.
+    /// Motion of the current statements; `None` outside of motions.
     pub(super) motion: Option<Span>,
 }
 
 impl Scopes {
-    /// Declares a symbol; a second one of a name is not found by it.
+    /// Declares a symbol. A lookup returns the first symbol of a name.
     pub(super) fn declare(&mut self, symbol: Symbol) -> SymbolId {
         let id = self.symbols.len();
         if let Some(space) = Space::of(symbol.sort) {
@@ -104,7 +104,7 @@ impl Scopes {
         id
     }
 
-    /// Says that a body carries a point.
+    /// Records that a body carries a point.
     pub(super) fn carry(&mut self, body: SymbolId, point: SymbolId) {
         let name = self.symbols[point].name.clone();
         self.first_carried.entry(name.clone()).or_insert(point);
@@ -112,12 +112,12 @@ impl Scopes {
         self.carried.push((body, point));
     }
 
-    /// Notes that a symbol is mentioned.
+    /// Records a mention of a symbol.
     pub(super) fn mention(&mut self, span: Span, symbol: SymbolId) {
         self.mentions.push(Mention { span, symbol });
     }
 
-    /// Says that two symbols are one thing.
+    /// Records that two symbols are one object.
     pub(super) fn unite(&mut self, one: SymbolId, other: SymbolId) {
         let [one, other] = [one, other].map(|it| self.first(it));
         self.earlier[one.max(other)] = one.min(other);
@@ -130,7 +130,7 @@ impl Scopes {
         symbol
     }
 
-    /// What a name stands for: in the motion that is looked at, or outside of all.
+    /// Finds a name in the current motion, otherwise outside of motions.
     pub(super) fn find(&self, space: Space, name: &str) -> Option<SymbolId> {
         let of = |motion| self.known.get(&(motion, space, name.to_string())).copied();
         self.motion
@@ -138,18 +138,18 @@ impl Scopes {
             .or_else(|| of(None))
     }
 
-    /// A value that is declared above a place.
+    /// Finds a value that is declared above a place.
     pub(super) fn value(&self, name: &Name) -> Option<SymbolId> {
-        let found = self.find(Space::Values, &name.text)?;
-        (self.symbols[found].declared.end <= name.span.start).then_some(found)
+        let symbol = self.find(Space::Values, &name.text)?;
+        (self.symbols[symbol].declared.end <= name.span.start).then_some(symbol)
     }
 
-    /// The symbol that is declared at a place.
+    /// Finds the symbol that is declared at a place.
     pub(super) fn declared_at(&self, span: Span) -> Option<SymbolId> {
         self.declared.get(&span).copied()
     }
 
-    /// The body of a name, without mentioning it.
+    /// Finds the body of a name without a mention.
     pub(super) fn owner(&self, name: &str) -> Option<Owner> {
         match name == GROUND {
             true => Some(Owner::Ground),
@@ -157,13 +157,13 @@ impl Scopes {
         }
     }
 
-    /// An angle that needs no body.
+    /// Finds an angle without a body.
     pub(super) fn angle(&self, name: &str) -> Option<SymbolId> {
-        let found = self.find(Space::Bodies, name)?;
-        (self.symbols[found].sort == Sort::Angle).then_some(found)
+        let symbol = self.find(Space::Bodies, name)?;
+        (self.symbols[symbol].sort == Sort::Angle).then_some(symbol)
     }
 
-    /// A point of a body. The ground carries every drawn point.
+    /// Finds a point of a body. The ground carries every drawn point.
     pub(super) fn point_on(&self, owner: Owner, name: &str) -> Option<SymbolId> {
         match owner {
             Owner::Ground => self.find(Space::Drawn, name),
@@ -171,13 +171,13 @@ impl Scopes {
         }
     }
 
-    /// A point that is named without a body: a drawn one, or the first that bodies carry.
+    /// Finds a point that is named without a body: a drawn one, or the first that bodies carry.
     pub(super) fn bare_point(&self, name: &str) -> Option<SymbolId> {
         let drawn = self.find(Space::Drawn, name);
         drawn.or_else(|| self.first_carried.get(name).copied())
     }
 
-    /// Names as they are written: what shares a place is one.
+    /// Converts the findings to names as they are written: symbols of one place become one.
     pub(super) fn into_names(
         mut self,
         document: &Document,

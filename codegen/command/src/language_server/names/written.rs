@@ -1,8 +1,8 @@
-//! *Names as they are called, with places → names as they are written.*
+//! Converts expanded names with places to names as they are written.
 //!
-//! Where statements are repeated or come from a part, one place of the text stands for several things: `rod[i]` for all rods, and what
-//! a part declares for what every use of it declares. Here every place becomes that of one identifier, what shares a place becomes one,
-//! and what is gone from the statements is found in the text itself: the indices of repetitions, parts, and mechanisms that are parts.
+//! A place in repeated statements or in a part stands for several objects: `rod[i]` for all rods, a declaration in a part for that of
+//! every use. Here each place becomes that of one identifier, and symbols that share a place become one. Names that statements no longer
+//! contain are found in the text: indices of repetitions, parts, and mechanisms that are parts.
 
 use std::collections::HashMap;
 
@@ -11,7 +11,7 @@ use linkwright_codegen::stages::syntax::{Kind, Lexeme};
 
 use super::{Mention, Sort, Symbol, SymbolId};
 
-/// The identifier of a name as it is written: `rod` of `left.rod[i - 1]`.
+/// Returns the identifier of a written name: `rod` of `left.rod[i - 1]`.
 pub(super) fn identifier(text: &str, span: Span) -> Span {
     let written = text.get(span.range()).unwrap_or_default();
     let start = span.start as usize;
@@ -36,18 +36,18 @@ pub(super) fn identifier(text: &str, span: Span) -> Span {
     found
 }
 
-/// A mechanism of the file.
+/// Mechanism of the file.
 #[derive(Clone, Copy, Debug)]
 pub struct Whole {
-    /// Its name.
+    /// Place of the name.
     pub name: Span,
-    /// From its first word to its closing brace.
+    /// Place from the first word to the closing brace.
     pub span: Span,
 }
 
-/// The mechanisms of a file in written order.
+/// Returns the mechanisms of a file in written order.
 pub fn mechanisms(text: &str, lexemes: &[Lexeme]) -> Vec<Whole> {
-    let mut found: Vec<Whole> = Vec::new();
+    let mut mechanisms: Vec<Whole> = Vec::new();
     let mut depth = 0_usize;
     for (place, lexeme) in lexemes.iter().enumerate() {
         match lexeme.kind {
@@ -55,7 +55,7 @@ pub fn mechanisms(text: &str, lexemes: &[Lexeme]) -> Vec<Whole> {
             Kind::Close(b'}') => depth = depth.saturating_sub(1),
             Kind::Word if depth == 0 && &text[lexeme.start..lexeme.end] == "mechanism" => {
                 let name = lexemes.get(place + 1).filter(|it| it.kind == Kind::Word);
-                found.extend(name.map(|name| Whole {
+                mechanisms.extend(name.map(|name| Whole {
                     name: Span::new(name.start, name.end),
                     span: Span::new(lexeme.start, text.len()),
                 }));
@@ -64,28 +64,28 @@ pub fn mechanisms(text: &str, lexemes: &[Lexeme]) -> Vec<Whole> {
         }
         if depth == 0
             && lexeme.kind == Kind::Close(b'}')
-            && let Some(last) = found.last_mut()
+            && let Some(last) = mechanisms.last_mut()
         {
             last.span = Span::new(last.span.start as usize, lexeme.end);
         }
     }
-    found
+    mechanisms
 }
 
-/// What the text itself says of names.
+/// Names that are found in the text.
 pub(super) struct Reading<'a> {
     text: &'a str,
     lexemes: &'a [Lexeme],
     wholes: Vec<Whole>,
     pub symbols: Vec<Symbol>,
     pub mentions: Vec<Mention>,
-    /// Values by the mechanism and their identifiers; only looked up.
+    /// Values by mechanism and identifier; only looked up.
     values: HashMap<(usize, String), SymbolId>,
-    /// Parts by the mechanism and their identifiers; only looked up.
+    /// Parts by mechanism and identifier; only looked up.
     parts: HashMap<(usize, String), SymbolId>,
-    /// Where mentions begin; only looked up.
+    /// Mentioned symbols by the beginnings of mentions; only looked up.
     known: HashMap<u32, SymbolId>,
-    /// The indices that are set, with the number of open braces inside of which they are.
+    /// Visible indices, with the number of open braces around each.
     indices: Vec<(String, SymbolId, usize)>,
 }
 
@@ -122,7 +122,7 @@ impl<'a> Reading<'a> {
         reading
     }
 
-    /// The mechanism that an offset is in.
+    /// Returns the mechanism that contains an offset.
     fn whole_at(&self, offset: u32) -> Option<usize> {
         let inside = |it: &Whole| it.span.start <= offset && offset < it.span.end;
         self.wholes.iter().position(inside)
@@ -138,7 +138,7 @@ impl<'a> Reading<'a> {
         Span::new(lexeme.start, lexeme.end)
     }
 
-    /// Whether a statement begins here.
+    /// True if a statement begins here.
     fn begins(&self, place: usize) -> bool {
         let before = place.checked_sub(1).map(|it| self.lexemes[it].kind);
         matches!(
@@ -147,7 +147,7 @@ impl<'a> Reading<'a> {
         )
     }
 
-    /// Where the statement or its head ends that begins here: at its semicolon or its first brace.
+    /// Returns the end of the statement that begins here, or of its head: its semicolon or its first brace.
     fn end(&self, place: usize) -> usize {
         let rest = self.lexemes[place..].iter();
         let ends = |it: &Lexeme| {
@@ -156,8 +156,8 @@ impl<'a> Reading<'a> {
                 Kind::Mark(b';') | Kind::Open(b'{') | Kind::Close(b'}')
             )
         };
-        let found = rest.clone().position(ends);
-        place + found.unwrap_or(self.lexemes.len() - place)
+        let length = rest.clone().position(ends);
+        place + length.unwrap_or(self.lexemes.len() - place)
     }
 
     fn declare(&mut self, sort: Sort, name: usize, first: usize, end: usize) -> SymbolId {
@@ -192,7 +192,7 @@ impl<'a> Reading<'a> {
         self.mentions.push(Mention { span, symbol });
     }
 
-    /// Declares the mechanisms that are parts, parts and indices, and finds what mentions them.
+    /// Declares the mechanisms that are parts, the parts and the indices, and finds their mentions.
     pub(super) fn all(&mut self) {
         let mut definitions: HashMap<String, usize> = HashMap::new();
         for (number, whole) in self.wholes.clone().into_iter().enumerate() {
@@ -238,7 +238,7 @@ impl<'a> Reading<'a> {
         }
     }
 
-    /// `repeat i from 1 to n {`; where its head ends.
+    /// Declares the index of `repeat i from 1 to n {`; returns the end of the head.
     fn repeat(&mut self, place: usize, depth: usize) -> usize {
         let end = self.end(place);
         if let Some(name) = self.word(place + 1) {
@@ -248,7 +248,7 @@ impl<'a> Reading<'a> {
         end
     }
 
-    /// `part left[1] = cell(L = 50mm) at (0, 0);`
+    /// Declares the part of `part left[1] = cell(L = 50mm) at (0, 0);`.
     fn part(&mut self, place: usize, definitions: &HashMap<String, usize>) {
         let end = self.end(place);
         let Some(name) = self.word(place + 1) else {
@@ -257,7 +257,7 @@ impl<'a> Reading<'a> {
         let id = self.declare(Sort::Part, place + 1, place, end);
         if let Some(whole) = self.whole_at(self.span(place).start) {
             let same = *self.parts.entry((whole, name.to_string())).or_insert(id);
-            // `part leg[1]` and `part leg[2]` have one name.
+            // `part leg[1]` and `part leg[2]` share one name.
             self.mention(self.span(place + 1), same);
         }
         let equals = (place..end).find(|&it| self.lexemes[it].kind == Kind::Mark(b'='));
@@ -271,7 +271,7 @@ impl<'a> Reading<'a> {
         if let Some(&mechanism) = self.known.get(&declared) {
             self.mention(self.span(at), mechanism);
         }
-        // What is given for the values of the part: `L` before `=`.
+        // An argument of the part is `L` before `=`.
         for given in at + 1..end.saturating_sub(1) {
             let is_given = self.lexemes[given + 1].kind == Kind::Mark(b'=');
             let value = self.word(given).filter(|_| is_given);
@@ -282,7 +282,7 @@ impl<'a> Reading<'a> {
         }
     }
 
-    /// A word that no statement mentions: an index, a value in an index, or a part before its `.`.
+    /// Finds a word that no statement mentions: an index, a value in an index, or a part before its `.`.
     fn plain(&mut self, place: usize, is_index: bool) {
         let span = self.span(place);
         let behind_dot = place
@@ -305,7 +305,7 @@ impl<'a> Reading<'a> {
         let key = (whole, word.to_string());
         let value = self.values.get(&key).filter(|_| is_index && !behind_dot);
         let part = self.parts.get(&key).or_else(|| {
-            // A part of a part is declared in the mechanism that it is a part of.
+            // A part of a part is declared in the mechanism that it belongs to.
             let mut wholes = 0..self.wholes.len();
             wholes.find_map(|it| self.parts.get(&(it, word.to_string())))
         });
@@ -315,7 +315,7 @@ impl<'a> Reading<'a> {
         }
     }
 
-    /// Whether a `.` follows a name and its indices.
+    /// True if a `.` follows a name and its indices.
     fn is_before_dot(&self, place: usize) -> bool {
         let mut depth = 0_usize;
         for lexeme in &self.lexemes[place + 1..] {

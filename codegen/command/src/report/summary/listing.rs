@@ -1,4 +1,4 @@
-//! *A title and what is to stand beside it* → *lines with an aligned second column*.
+//! Writes lines of a title and a text, with an aligned second column.
 
 use std::io::{self, Write};
 
@@ -6,19 +6,19 @@ use linkwright_codegen::stages::emit::text::shown_width;
 
 use super::WIDTH;
 
-/// How many lines a list takes at most; the rest of a longer one is left out.
+/// Largest number of lines of a list; the rest of a longer list is left out.
 const LINES: usize = 2;
 
-/// Where the second column begins.
+/// Column in which the text begins.
 const INDENT: usize = 24;
 
-/// `  title   text`, the second column aligned.
+/// Writes `  title   text` with the second column aligned.
 pub(super) fn line(output: &mut dyn Write, title: &str, text: &str) -> io::Result<()> {
     let gap = " ".repeat(INDENT.saturating_sub(2 + shown_width(title)).max(1));
     writeln!(output, "  {title}{gap}{text}")
 }
 
-/// A count and the names behind it, wrapped.
+/// Writes a count and the names behind it, wrapped.
 pub(super) fn list(
     output: &mut dyn Write,
     title: &str,
@@ -28,7 +28,7 @@ pub(super) fn list(
     line(output, title, &wrapped(count, names).join("\n"))
 }
 
-/// A count and the first names behind it, as many as fit on [`LINES`] lines.
+/// Writes a count and as many of the first names as fit on [`LINES`] lines.
 pub(super) fn shortened(
     output: &mut dyn Write,
     title: &str,
@@ -45,7 +45,7 @@ pub(super) fn shortened(
     line(output, title, &lines.join("\n"))
 }
 
-/// The lines of a count and the names behind it; all but the first are indented.
+/// Returns the lines of a count and the names behind it; all but the first are indented.
 fn wrapped(count: usize, names: impl Iterator<Item = String>) -> Vec<String> {
     let mut lines = vec![count.to_string()];
     let mut column = INDENT + lines[0].len();

@@ -1,4 +1,4 @@
-//! *A mechanism* → *what it is made of*: bodies, coordinates, what it is given, equations, degrees of freedom.
+//! Writes the bodies, coordinates, parameters, inputs, equations and degrees of freedom of a mechanism.
 
 use std::io::{self, Write};
 
@@ -12,7 +12,7 @@ use linkwright_solver::view::View;
 use super::listing::{line, list, shortened};
 use crate::motion::Followed;
 
-/// Characters of the longest number that is printed without an exponent.
+/// Number of characters of the longest number without an exponent.
 const LONGEST_NUMBER: usize = 24;
 
 pub(super) fn mechanism<V: View>(
@@ -59,7 +59,7 @@ pub(super) fn mechanism<V: View>(
     line(output, "degrees of freedom", &text)
 }
 
-/// The parameters and inputs with what they are here.
+/// Writes the parameters and inputs with their values.
 fn given<V: View>(
     motion: &Followed<V>,
     units: &OutputUnits,
@@ -85,7 +85,7 @@ fn given<V: View>(
     Ok(())
 }
 
-/// A number in plain decimals, unless these are longer than anyone reads.
+/// Returns a number in plain decimals, or with an exponent if those are too long to read.
 fn number(value: f64) -> String {
     let plain = value.to_string();
     match plain.len() > LONGEST_NUMBER {

@@ -1,4 +1,4 @@
-//! *A motion* → *what a person reads*: the mechanism, its equations, the start, the motion of the points, the residuals.
+//! Writes the summary of a motion: the mechanism, its equations, the start, the motion of the points, the residuals.
 
 mod listing;
 mod mechanism;
@@ -20,19 +20,19 @@ use listing::line;
 use mechanism::mechanism;
 use motions::motions;
 
-/// The width that lists are wrapped to, in characters.
+/// Width of lists, in characters.
 const WIDTH: usize = 110;
 
-/// What a summary shows, and how.
+/// Layout of a summary.
 #[derive(Clone, Debug)]
 pub struct Layout {
-    /// A table of every shown point, and not of the first few that move.
+    /// True if each selected point has a table; otherwise only the first few that move have one.
     pub points_chosen: bool,
-    /// A table of every shown coordinate, and not all beside one another.
+    /// True if each selected coordinate has a table; otherwise all angles share tables.
     pub coordinates_chosen: bool,
     /// Units of tables and pictures.
     pub units: OutputUnits,
-    /// The times of which the first Newton-Raphson step is shown, too (s).
+    /// Times (s) at which the first Newton-Raphson step is printed.
     pub first_steps: Vec<f64>,
 }
 
@@ -48,10 +48,10 @@ impl Layout {
     }
 }
 
-/// Writes the summary; without frames only what is known of the mechanism itself.
+/// Writes the summary; without frames, only the facts of the mechanism itself.
 ///
 /// # Errors
-/// Those of `output`.
+/// Errors of `output`.
 pub fn write<V: View>(
     motion: &Followed<V>,
     layout: &Layout,
@@ -75,7 +75,7 @@ pub fn write<V: View>(
     integration(motion, output)
 }
 
-/// Where blocks are closest to singular, where that is asked for.
+/// Writes the poses in which blocks are closest to singular, if they are requested.
 fn closest<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()> {
     if !motion.wanted.monitor {
         return Ok(());
@@ -97,12 +97,12 @@ fn pressure_angles<V: View>(
     layout: &Layout,
     output: &mut dyn Write,
 ) -> io::Result<()> {
-    let found = &motion.pressure.largest;
-    if found.is_empty() {
+    let pressure_angles = &motion.pressure.largest;
+    if pressure_angles.is_empty() {
         return Ok(());
     }
     writeln!(output, "largest pressure angles")?;
-    for largest in found {
+    for largest in pressure_angles {
         let text = match largest.angle {
             Some(angle) => format!(
                 "{} at t = {} s",
@@ -116,7 +116,7 @@ fn pressure_angles<V: View>(
     writeln!(output)
 }
 
-/// Degrees, unless another unit of angles is requested.
+/// Returns an angle in degrees, unless another unit of angles is requested.
 fn angle_text(angle: f64, units: &OutputUnits) -> String {
     let unit = units.clone().or("deg").of("rad");
     match unit.name.as_str() {
@@ -144,38 +144,38 @@ fn residuals<V: View>(
     units: &OutputUnits,
     output: &mut dyn Write,
 ) -> io::Result<()> {
-    let found = &motion.residuals.largest;
+    let largest = &motion.residuals.largest;
     let system = motion.system();
     let frames = counted(motion.count, "frame");
     writeln!(output, "largest residuals over {frames}")?;
-    let joint = system.rows.get(found.row).map(|row| row.joint);
+    let joint = system.rows.get(largest.row).map(|row| row.joint);
     let place = match joint {
-        Some(joint) if found.position > 0.0 => {
+        Some(joint) if largest.position > 0.0 => {
             format!(" in {}", system.mechanism.joints[joint].label)
         }
         _ => String::new(),
     };
     let unit = match system.rows.is_empty() {
         true => units.of(""),
-        false => units.of(&unit(system, found.row)),
+        false => units.of(&unit(system, largest.row)),
     };
     let text = format!(
         "{} {}{place}; relative to its terms at most {}",
-        scientific(unit.of_si(found.position), 1),
+        scientific(unit.of_si(largest.position), 1),
         unit.name,
-        scientific(found.scaled, 1)
+        scientific(largest.scaled, 1)
     );
     line(output, "|Φ|", &text)?;
-    if let Some(most) = found.monitored {
-        let row = &system.monitored[found.monitored_row];
+    if let Some(most) = largest.monitored {
+        let row = &system.monitored[largest.monitored_row];
         let joint = &system.mechanism.joints[row.joint].label;
         let text = format!("{} in {joint}", scientific(most, 1));
         line(output, "redundant equations", &text)?;
     }
-    line(output, "|Φ_q q̇ + Φ_t|", &scientific(found.velocity, 1))?;
-    line(output, "|Φ_q q̈ - γ|", &scientific(found.acceleration, 1))?;
+    line(output, "|Φ_q q̇ + Φ_t|", &scientific(largest.velocity, 1))?;
+    line(output, "|Φ_q q̈ - γ|", &scientific(largest.acceleration, 1))?;
     if motion.simulated.is_some() {
-        // Its poses are those of the integration, which says what it has taken.
+        // Poses of a simulation come from its integration, which reports its own cost.
         return Ok(());
     }
     let [steps, solves] = motion.view.newton_steps();
@@ -192,7 +192,7 @@ fn residuals<V: View>(
     line(output, "Newton-Raphson steps", &steps)
 }
 
-/// What the integration has taken, and how well it keeps the energy.
+/// Writes the cost of the integration, and its conservation of energy.
 fn integration<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()> {
     let Some(found) = &motion.simulated else {
         return Ok(());

@@ -1,4 +1,4 @@
-//! *The rows of a motion* → *tables of its coordinates and points*, and a line for each that rests.
+//! Writes tables of coordinates and points of a motion, and a line for each that rests.
 
 use std::io::{self, Write};
 
@@ -11,7 +11,7 @@ use crate::report::motion_table;
 use crate::report::motion_table::Column;
 use crate::report::units::{LENGTHS, Units};
 
-/// How many tables are printed where no points are asked for.
+/// Largest number of tables if no points are selected.
 const TABLES: usize = 6;
 
 pub(super) fn motions<V: View>(
@@ -55,7 +55,7 @@ pub(super) fn motions<V: View>(
     left_out(output, "--points", &unprinted, &resting)
 }
 
-/// All angles beside one another, as many as fit on a line.
+/// Writes all angles side by side, as many as fit on a line.
 fn angles<V: View>(
     motion: &Followed<V>,
     rows: &[&Row],
@@ -97,7 +97,7 @@ fn angles<V: View>(
     left_out(output, "--show", &unprinted, &resting)
 }
 
-/// A table of each coordinate that the user has chosen.
+/// Writes a table of each coordinate that the user has selected.
 fn chosen_coordinates<V: View>(
     motion: &Followed<V>,
     rows: &[&Row],
@@ -126,7 +126,7 @@ fn chosen_coordinates<V: View>(
     Ok(())
 }
 
-/// What has no place in a table: names that an option asks for, and what stays where it is.
+/// Writes the points and coordinates without a table: the names for an option, and those that rest.
 fn left_out(
     output: &mut dyn Write,
     option: &str,
