@@ -51,7 +51,7 @@ fn cause(system: &System, cause: Cause) -> (&str, String) {
     match cause {
         Cause::Driver { joint, .. } => {
             let label = mechanism.joints[joint].label.as_str();
-            let mut driven = system.driven().into_iter();
+            let mut driven = system.driven();
             let quantity = driven.find(|it| it.1 == joint).map(|it| it.2);
             (
                 label.strip_prefix("drive ").unwrap_or(label),
