@@ -19,7 +19,8 @@ mod tables;
 
 use linkwright::nalgebra::{Const, SVector};
 use linkwright::{
-    Equations, Frame, Real, Settings, advance, assemble, assemble_from_rough_estimate, branch_of, follow,
+    Equations, Frame, Real, Settings, advance, assemble, assemble_from_rough_estimate, branch_of,
+    follow,
 };
 
 unsafe extern "C" {
@@ -69,10 +70,12 @@ fn run_far<T: Real, const N: usize>(
     settings: &Settings<T>,
 ) -> Solved<T, N> {
     let estimate = SVector::from([estimate]);
-    let frame = assemble_from_rough_estimate(equations, &estimate, None, start, settings).and_then(|frame| {
-        let branch = branch_of(equations, &frame.q, start, settings)?;
-        follow(equations, &frame, branch, end, settings)
-    });
+    let frame = assemble_from_rough_estimate(equations, &estimate, None, start, settings).and_then(
+        |frame| {
+            let branch = branch_of(equations, &frame.q, start, settings)?;
+            follow(equations, &frame, branch, end, settings)
+        },
+    );
     motion(frame.ok())
 }
 
