@@ -284,11 +284,11 @@ mod tests {
         let mut canvas = vec![[0; 3]; width * usize::from(decoder.height())];
         let (mut pictures, mut delays) = (Vec::new(), Vec::new());
         while let Some(frame) = decoder.read_next_frame().expect("a picture") {
-            let width = usize::from(frame.width);
+            let frame_width = usize::from(frame.width);
             for (place, pixel) in frame.buffer.chunks_exact(4).enumerate() {
                 if pixel[3] > 0 {
-                    let row = usize::from(frame.top) + place / width;
-                    let column = usize::from(frame.left) + place % width;
+                    let row = usize::from(frame.top) + place / frame_width;
+                    let column = usize::from(frame.left) + place % frame_width;
                     canvas[row * width + column] = [pixel[0], pixel[1], pixel[2]];
                 }
             }
