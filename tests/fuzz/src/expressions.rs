@@ -22,6 +22,9 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// x/sqrt(1 + x^2) for sin(atan(x)).
 const LOST: f64 = 1e-9;
 
+/// Magnitude below which squares are subnormal or nearly so.
+const SQUARE_LIMIT: f64 = 1e-140;
+
 /// A value and its rate, and by how much both may be off.
 #[derive(Clone, Copy, Debug)]
 struct Dual {
@@ -84,11 +87,14 @@ impl Dual {
         }
     }
 
-    /// Whether the bounds are small enough that first order in them says everything.
+    /// True if bounds are small enough for the first order in them, and no number is so small that its square loses digits.
     fn is_sure(self) -> bool {
         let small = |value: f64, error: f64| error <= 1e-6 * value.abs().max(1e-3);
+        let keeps_digits = |value: f64| value == 0.0 || value.abs() > SQUARE_LIMIT;
         small(self.value, self.value_error)
             && small(self.rate, self.rate_error)
+            && keeps_digits(self.value)
+            && keeps_digits(self.rate)
             && self.value.abs() < 1e12
             && self.rate.abs() < 1e12
     }
