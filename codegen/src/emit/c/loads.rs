@@ -69,11 +69,7 @@ pub(super) fn function(printer: &Printer<'_>, text: &mut Text) {
     }
     printer.plain_statements(&scope, text);
     let results = printer.results(&scope);
-    text.line(format!(
-        "const {real} loads[{}] = {{{}}};",
-        results.len(),
-        results.join(", ")
-    ));
+    text.line(printer.array("loads", &results));
     let read = loads.read.iter().map(|&it| printer.symbol(it, &scope));
     let read: Vec<String> = read.collect();
     let passed = match read.len() {
@@ -81,11 +77,8 @@ pub(super) fn function(printer: &Printer<'_>, text: &mut Text) {
             text.line("(void)at;");
             "NULL".to_string()
         }
-        count => {
-            text.line(format!(
-                "const {real} checked[{count}] = {{{}}};",
-                read.join(", ")
-            ));
+        _ => {
+            text.line(printer.array("checked", &read));
             "checked".to_string()
         }
     };

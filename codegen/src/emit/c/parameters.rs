@@ -162,11 +162,7 @@ pub(super) fn accessors(printer: &Printer<'_>, text: &mut Text) {
         text.line(format!(
             "const {structure} *const parameters = (const {structure} *)given;"
         ));
-        text.line(format!(
-            "const {real} checked[{}] = {{{}}};",
-            values.len(),
-            values.join(", ")
-        ));
+        text.line(printer.array("checked", &values));
         text.line(format!("return {finite}(checked, {}U);", values.len()));
         text.close("}");
     }
@@ -254,11 +250,7 @@ pub(super) fn requirements(printer: &Printer<'_>, text: &mut Text) {
     ));
     printer.plain_statements(&scope, text);
     let results = printer.results(&scope);
-    text.line(format!(
-        "const {real} checked[{}] = {{{}}};",
-        results.len(),
-        results.join(", ")
-    ));
+    text.line(printer.array("checked", &results));
     let first = printer.runtime("first_not_positive");
     text.line(format!(
         "return {first}(checked, {}U, place, value);",

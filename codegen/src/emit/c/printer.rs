@@ -91,6 +91,12 @@ impl<'a> Printer<'a> {
         format!("{sign}{digits}{}", self.suffix())
     }
 
+    /// Declaration of a constant array of these numbers.
+    pub(super) fn array(&self, name: &str, values: &[String]) -> String {
+        let (real, count) = (self.real(), values.len());
+        format!("const {real} {name}[{count}] = {{{}}};", values.join(", "))
+    }
+
     /// A field of a frame.
     pub(super) fn field(&self, symbol: SymbolId, frame: &str) -> String {
         let component = self.module.component(symbol);

@@ -118,12 +118,9 @@ pub(super) fn solve(printer: &Printer<'_>, text: &mut Text) {
     } else {
         let fields = checked.iter().map(|&symbol| printer.field(symbol, "at"));
         let fields: Vec<String> = fields.collect();
-        let (real, count) = (printer.real(), fields.len());
+        let count = fields.len();
         text.comment(["What is not finite anywhere shows in these."]);
-        text.line(format!(
-            "const {real} checked[{count}] = {{{}}};",
-            fields.join(", ")
-        ));
+        text.line(printer.array("checked", &fields));
         let finite = printer.runtime("all_finite");
         let failed = format!("{}(conditions, 0U)", printer.runtime("not_finite"));
         if module.program.loads.is_some() {
