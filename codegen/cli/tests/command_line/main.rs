@@ -4,6 +4,8 @@ mod animate;
 mod branch;
 #[cfg(feature = "calibrate")]
 mod calibrate;
+#[cfg(feature = "calibrate")]
+mod calibrate_trust;
 mod check;
 mod check_assemblies;
 mod check_crank_rocker;

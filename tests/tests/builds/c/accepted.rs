@@ -10,7 +10,7 @@ use linkwright_tests::c::case::SCALARS;
 use linkwright_tests::c::run::{FLAGS, compilers, run};
 use linkwright_tests::description;
 
-use super::{SMALL, compile, folder, run_as_cpp, write};
+use super::{SMALL, compile, folder, run_as_cpp, write, write_double};
 
 /// Those in which fused operations are looked for, as different as descriptions can be: the pragma that prevents them is one for all.
 const VECTORIZED: [&str; 7] = [
@@ -192,12 +192,7 @@ fn a_type_that_c_has_already_is_refused() {
 #[test]
 fn files_of_other_versions_and_fast_math_are_refused() {
     let place = folder("refused");
-    write(
-        &place,
-        &description::source("four_bar"),
-        "four_bar",
-        Scalar::F64,
-    );
+    write_double(&place, "four_bar");
     let refused = |flags: &[&str]| {
         let mut command = Command::new("gcc");
         command

@@ -4,14 +4,14 @@ use std::fs;
 use std::process::Command;
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::{Scalar, generate};
+use linkwright_codegen::generate;
 use linkwright_tests::c::case::Case;
 use linkwright_tests::c::run::{compilers, differences, run};
 use linkwright_tests::hunt::mechanism;
 use linkwright_tests::pantograph::Pantograph;
 use linkwright_tests::{description, files};
 
-use super::{SMALL, compile, folder, run_as_cpp, write};
+use super::{SMALL, compile, folder, run_as_cpp, write_double};
 
 /// How many random mechanisms are looked at, of how many bodies, and from which seed.
 const RANDOM: usize = 8;
@@ -63,12 +63,7 @@ fn frames_and_failures_have_the_bits_of_rust() {
 #[test]
 fn a_load_that_is_not_finite_is_named() {
     let place = folder("loads");
-    write(
-        &place,
-        &description::source("endless_loads"),
-        "endless_loads",
-        Scalar::F64,
-    );
+    write_double(&place, "endless_loads");
     compile(&place, &["endless_loads", "linkwright"]);
     let text = "#include \"endless_loads.h\"\n#include <cstdio>\n
 int main()
@@ -104,12 +99,7 @@ int main()
 #[test]
 fn elementary_functions_have_the_bits_of_rust() {
     let place = folder("math");
-    write(
-        &place,
-        &description::source("two_body"),
-        "two_body",
-        Scalar::F64,
-    );
+    write_double(&place, "two_body");
     compile(&place, &["linkwright"]);
     let program = include_str!("../../../src/c/elementary.c");
     fs::write(place.join("elementary.c"), program).expect("written");

@@ -7,7 +7,7 @@ use linkwright_codegen::Scalar;
 use linkwright_tests::c::run::run;
 use linkwright_tests::{description, files};
 
-use super::{compile, folder, write};
+use super::{compile, folder, write, write_double};
 
 /// The blocks of a page, by the name in backticks before them, or else by their marks.
 fn block<'a>(page: &'a str, before: &str) -> &'a str {
@@ -25,12 +25,7 @@ fn the_guide_is_true() {
     let path = files::repository().join("codegen/guide/c.md");
     let page = fs::read_to_string(&path).expect("the page");
     let place = folder("guide");
-    write(
-        &place,
-        &description::source("excavator"),
-        "excavator",
-        Scalar::F64,
-    );
+    write_double(&place, "excavator");
     fs::write(place.join("main.c"), block(&page, "`main.c`")).expect("written");
     compile(&place, &["excavator", "linkwright", "main"]);
     let objects = ["excavator", "linkwright", "main"].map(|it| format!("{it}-gcc.o"));
@@ -130,12 +125,7 @@ fn thresholds_are_those_of_rust() {
         }
     }
     let place = folder("thresholds");
-    write(
-        &place,
-        &description::source("two_body"),
-        "two_body",
-        Scalar::F64,
-    );
+    write_double(&place, "two_body");
     let source = fs::read_to_string(place.join("linkwright.c")).expect("the runtime");
     let mut compared = 0;
     for line in source.lines() {

@@ -11,6 +11,7 @@ use std::process::Command;
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::{Language, Options, Scalar, generate_files};
 use linkwright_tests::c::run::{FLAGS, compilers, run};
+use linkwright_tests::description;
 
 /// Descriptions that only tests need: parameters, inputs, tables, laws, cams, transmissions, sensitivities, forces, single outputs, lengths
 /// that must be positive, unguarded and redundant ones.
@@ -74,6 +75,11 @@ fn write(folder: &Path, source: &Source, stem: &str, scalar: Scalar) {
     for file in generated.files {
         fs::write(folder.join(file.name), file.text).expect("written");
     }
+}
+
+/// Writes the C files of a description of the repository, in double precision, called after it.
+fn write_double(folder: &Path, name: &str) {
+    write(folder, &description::source(name), name, Scalar::F64);
 }
 
 /// Compiles files of a folder to objects with every compiler of C.
