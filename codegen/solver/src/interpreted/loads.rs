@@ -2,11 +2,10 @@
 
 use linkwright::Failure;
 use linkwright::closed_form::load_not_finite;
-use linkwright_codegen::stages::expr::ExprId;
 
 use super::compiled::Compiled;
 use crate::instant::Instant;
-use crate::reader::Reader;
+use crate::reader::{Formulas, Reader};
 
 /// Evaluator of loads that may become infinite.
 #[derive(Clone, Debug)]
@@ -20,14 +19,17 @@ pub(super) struct LoadReader {
 impl LoadReader {
     /// Creates the evaluator; `None` if no load of the program may become infinite.
     pub(super) fn new(compiled: &Compiled) -> Option<LoadReader> {
-        let loads = compiled.program.loads.as_ref()?;
-        let values = loads.function.results.iter().map(|it| it.expr);
-        let values: Vec<ExprId> = values.collect();
-        let graph = &compiled.system.mechanism.graph;
+        let Compiled {
+            system,
+            program,
+            layout,
+            ..
+        } = compiled;
+        let loads = program.loads.as_ref()?;
         let read = loads.read.iter();
         Some(LoadReader {
-            loads: Reader::new(graph, &compiled.layout, &values),
-            read: read.filter_map(|&it| compiled.layout.slot(it)).collect(),
+            loads: Reader::of(Formulas::new([&loads.function], system, program, layout)),
+            read: read.filter_map(|&it| layout.slot(it)).collect(),
             block: loads.block,
         })
     }
