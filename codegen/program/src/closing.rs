@@ -119,8 +119,7 @@ impl Ends {
 
 /// Returns a length in a unit with few digits, in plain notation if that is short.
 fn rounded(length: f64, unit: &OutputUnit) -> String {
-    let value = unit.of_si(length);
-    let rounded: f64 = format!("{value:.*e}", DIGITS - 1).parse().unwrap_or(value);
+    let rounded = unit.rounded(length, DIGITS);
     if (PLAIN_RANGE[0]..PLAIN_RANGE[1]).contains(&rounded) || rounded == 0.0 {
         format!("{rounded} {}", unit.name)
     } else {

@@ -3,8 +3,7 @@
 //! A transmission is the derivative of a point or coordinate by the value of a driver. A sensitivity is that of a coordinate and its
 //! rate by a parameter. Both hold at a fixed time, in SI units.
 
-use linkwright_codegen::stages::joint::Quantity;
-use linkwright_codegen::stages::model::{Dimension, Requested};
+use linkwright_codegen::stages::model::Requested;
 use linkwright_codegen::stages::program::{Found, Program};
 use linkwright_codegen::stages::system::{Cause, System};
 
@@ -34,7 +33,7 @@ pub fn names(system: &System) -> Vec<(String, String)> {
         for (suffix, rate) in [("", ""), ("_d", "/s")] {
             let coordinates = system.coordinates.iter();
             names.extend(coordinates.map(|it| {
-                let unit = format!("{}{rate}", si(it.quantity));
+                let unit = format!("{}{rate}", it.quantity.unit());
                 (
                     format!("{}{suffix} per {by}", it.name),
                     quotient(&unit, &of_cause),
@@ -55,28 +54,13 @@ fn cause(system: &System, cause: Cause) -> (&str, String) {
             let quantity = driven.find(|it| it.1 == joint).map(|it| it.2);
             (
                 label.strip_prefix("drive ").unwrap_or(label),
-                quantity.map_or(String::new(), si),
+                quantity.map_or(String::new(), |it| it.unit()),
             )
         }
         Cause::Parameter(place) => {
             let parameter = &mechanism.parameters[place];
-            let unit = match parameter.dimension {
-                Dimension::Angle | Dimension::Marked { .. } => parameter.dimension.unit(),
-                // The unit is unknown.
-                Dimension::Number | Dimension::OfTime => String::new(),
-            };
-            (parameter.name.as_str(), unit)
+            (parameter.name.as_str(), parameter.dimension.unit_if_known())
         }
-    }
-}
-
-/// Returns the SI unit of a quantity; empty for plain numbers.
-fn si(quantity: Quantity) -> String {
-    match quantity {
-        Quantity::Angle => "rad".to_string(),
-        Quantity::Length => "m".to_string(),
-        Quantity::Power(0) => String::new(),
-        Quantity::Power(power) => format!("m^{power}"),
     }
 }
 
@@ -115,7 +99,7 @@ fn components(system: &System, requested: Requested) -> Vec<(String, String)> {
         }
         Requested::Coordinate(place) => {
             let coordinate = &system.coordinates[place];
-            vec![(coordinate.name.clone(), si(coordinate.quantity))]
+            vec![(coordinate.name.clone(), coordinate.quantity.unit())]
         }
     }
 }

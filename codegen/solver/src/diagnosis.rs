@@ -3,7 +3,6 @@
 //! Nothing is solved; Φ and Φ_q are evaluated where the solver stopped.
 
 use linkwright::{Equations, Failure, FailureKind};
-use linkwright_codegen::stages::joint::Quantity;
 use linkwright_codegen::stages::system::System;
 use nalgebra::{DMatrix, DVector};
 
@@ -139,11 +138,9 @@ fn drawing(system: &System, equations: &TextbookEquations, t: f64) -> String {
 
 /// Unit of the residual of a row.
 pub fn unit(system: &System, row: usize) -> String {
-    match system.rows[row].quantity {
-        Quantity::Length => "m".to_string(),
-        Quantity::Angle => "rad".to_string(),
-        Quantity::Power(0) => "1".to_string(),
-        Quantity::Power(exponent) => format!("m^{exponent}"),
+    match system.rows[row].quantity.unit() {
+        plain if plain.is_empty() => "1".to_string(),
+        unit => unit,
     }
 }
 

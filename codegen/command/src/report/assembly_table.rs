@@ -7,11 +7,12 @@ use std::io::{self, Write};
 use linkwright_codegen::stages::emit::text::shown_width;
 use linkwright_codegen::stages::joint::Quantity;
 use linkwright_codegen::stages::system::{Described, System};
-use linkwright_codegen::stages::units::OutputUnit;
 use linkwright_solver::assemblies::Assembly;
 use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::number::fixed;
 use linkwright_solver::view::View;
+
+use super::units::text_of;
 
 /// Decimals of an angle in degrees, and of any other unknown.
 const DECIMALS_OF_ANGLES: usize = 4;
@@ -99,19 +100,10 @@ fn value(interpreted: &Interpreted, assembly: &Assembly, unknown: usize) -> Opti
     let value = assembly.instant.values()[slot];
     let units = interpreted.system().mechanism.units.of_tables().or("deg");
     Some(match unknown.quantity {
-        Quantity::Angle => with_unit(value, &units.of("rad"), DECIMALS_OF_ANGLES),
-        Quantity::Length => with_unit(value, &units.of("m"), DECIMALS),
+        Quantity::Angle => text_of(value, &units.of("rad"), DECIMALS_OF_ANGLES),
+        Quantity::Length => text_of(value, &units.of("m"), DECIMALS),
         Quantity::Power(_) => fixed(value, DECIMALS),
     })
-}
-
-/// Returns a value with its unit; degrees have a degree sign.
-fn with_unit(value: f64, unit: &OutputUnit, decimals: usize) -> String {
-    let value = fixed(unit.of_si(value), decimals);
-    match unit.name.as_str() {
-        "deg" => format!("{value}°"),
-        name => format!("{value} {name}"),
-    }
 }
 
 fn group(

@@ -14,7 +14,6 @@
 use std::io::{self, Write};
 
 use linkwright_calibrate::{Fit, Identification};
-use linkwright_codegen::stages::model::Dimension;
 use linkwright_codegen::stages::system::System;
 use linkwright_codegen::stages::units::OutputUnit;
 use linkwright_solver::number::{counted, fixed, scientific};
@@ -58,10 +57,7 @@ impl Report<'_> {
         let mechanism = &self.system.mechanism;
         let mut parameters = mechanism.parameters.iter();
         let parameter = parameters.find(|it| it.name == self.names[place]);
-        let si = match parameter.map(|it| it.dimension) {
-            Some(known @ (Dimension::Angle | Dimension::Marked { .. })) => known.unit(),
-            _ => String::new(),
-        };
+        let si = parameter.map_or(String::new(), |it| it.dimension.unit_if_known());
         mechanism.units.of_tables().of(&si)
     }
 

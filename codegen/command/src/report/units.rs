@@ -3,6 +3,7 @@
 use linkwright_codegen::stages::joint::Quantity;
 use linkwright_codegen::stages::system::System;
 use linkwright_codegen::stages::units::{OutputUnit, OutputUnits};
+use linkwright_solver::number::fixed;
 use linkwright_solver::view::View;
 
 use crate::motion::Followed;
@@ -132,6 +133,15 @@ pub fn enclosing(unit: &OutputUnit, [low, high]: [f64; 2]) -> [f64; 2] {
         (0..ROUNDED).fold(unit.of_si(value), |value, _| next(value))
     };
     [outwards(low, f64::next_down), outwards(high, f64::next_up)]
+}
+
+/// Returns a value of SI in a unit, with its name; degrees have their sign.
+pub fn text_of(value: f64, unit: &OutputUnit, decimals: usize) -> String {
+    let value = fixed(unit.of_si(value), decimals);
+    match unit.name.as_str() {
+        "deg" => format!("{value}°"),
+        name => format!("{value} {name}"),
+    }
 }
 
 #[cfg(test)]

@@ -20,4 +20,14 @@ impl Quantity {
             Quantity::Power(exponent) => exponent,
         }
     }
+
+    /// Returns the SI unit: `m`, `rad`, `m^2`; empty for plain numbers.
+    pub fn unit(self) -> String {
+        match self {
+            Quantity::Length => "m".to_string(),
+            Quantity::Angle => "rad".to_string(),
+            Quantity::Power(0) => String::new(),
+            Quantity::Power(exponent) => format!("m^{exponent}"),
+        }
+    }
 }

@@ -161,10 +161,7 @@ impl Resolver<'_> {
         }
         if distance > DISTANCE_LIMIT * size {
             let unit = self.formulas.reported().of("m");
-            // Three digits.
-            let away: f64 = format!("{:.2e}", unit.of_si(distance))
-                .parse()
-                .unwrap_or(distance);
+            let away = unit.rounded(distance, 3);
             self.diagnostics.push(
                 Diagnostic::warning(
                     Code::DegenerateGeometry,

@@ -176,6 +176,14 @@ impl Dimension {
         })
     }
 
+    /// Returns the SI unit; empty for ratios, and if it is unknown.
+    pub fn unit_if_known(self) -> String {
+        match self {
+            Dimension::Number | Dimension::OfTime | Dimension::RATIO => String::new(),
+            known => known.unit(),
+        }
+    }
+
     /// Returns the SI unit of a value of this dimension, for documentation.
     pub fn unit(self) -> String {
         match self {

@@ -54,6 +54,13 @@ impl OutputUnit {
     pub fn of_si(&self, value: f64) -> f64 {
         self.unit.of_si(value)
     }
+
+    /// Returns a value in this unit, rounded to so many significant digits.
+    pub fn rounded(&self, si: f64, digits: usize) -> f64 {
+        let value = self.of_si(si);
+        let text = format!("{value:.*e}", digits.saturating_sub(1));
+        text.parse().unwrap_or(value)
+    }
 }
 
 /// Units of output, one for each quantity that has one; SI units for all others.

@@ -3,7 +3,6 @@
 use super::diagnose::{MAX_LISTED, balance, count};
 use super::rank::{self, Dependence, Singular, Survey};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
-use crate::joint::Quantity;
 use crate::model::{Joint, Role};
 use crate::system::{Row, System};
 use crate::units::OutputUnits;
@@ -82,12 +81,7 @@ pub(super) fn report_marks(system: &System, diagnostics: &mut Diagnostics) {
 
 /// Returns a residual with its unit.
 fn size(value: f64, row: &Row, units: &OutputUnits) -> String {
-    let unit = units.of(&match row.quantity {
-        Quantity::Length => "m".to_string(),
-        Quantity::Angle => "rad".to_string(),
-        Quantity::Power(0) => String::new(),
-        Quantity::Power(power) => format!("m^{power}"),
-    });
+    let unit = units.of(&row.quantity.unit());
     let text = format!("{:.3e} {}", unit.of_si(value), unit.name);
     text.trim_end().to_string()
 }

@@ -14,6 +14,7 @@ use linkwright_solver::view::View;
 
 use super::first_step;
 use super::forces;
+use super::units::text_of;
 use crate::arguments::Reported;
 use crate::motion::Followed;
 use listing::line;
@@ -119,10 +120,8 @@ fn pressure_angles<V: View>(
 /// Returns an angle in degrees, unless another unit of angles is requested.
 fn angle_text(angle: f64, units: &OutputUnits) -> String {
     let unit = units.clone().or("deg").of("rad");
-    match unit.name.as_str() {
-        "deg" => format!("{}°", fixed(unit.of_si(angle), 2)),
-        name => format!("{} {name}", fixed(unit.of_si(angle), 4)),
-    }
+    let decimals = if unit.name == "deg" { 2 } else { 4 };
+    text_of(angle, &unit, decimals)
 }
 
 fn start<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()> {

@@ -12,11 +12,9 @@ pub(in crate::emit) fn of_transmission(
 ) -> [Vec<String>; 2] {
     let Transmission { what, rows, .. } = transmission;
     let is_point = rows.len() == 2;
-    let unit = |quantity: Quantity| match quantity {
-        Quantity::Length => "m".to_string(),
-        Quantity::Angle => "rad".to_string(),
-        Quantity::Power(0) => "1".to_string(),
-        Quantity::Power(exponent) => format!("m^{exponent}"),
+    let unit = |quantity: Quantity| match quantity.unit() {
+        plain if plain.is_empty() => "1".to_string(),
+        unit => unit,
     };
     let drivers = system.driven().map(|(_, joint, quantity)| {
         let unit = format!("{}/{}", unit(rows[0]), unit(quantity));
