@@ -74,7 +74,7 @@ fn outputs(program: &Program) -> Vec<String> {
     values
 }
 
-/// What a frame says of forces, in the order of the interpreter's columns.
+/// Expressions for the forces of a frame, in the order of the interpreter's columns.
 fn forces(program: &Program) -> Vec<String> {
     let forces = &program.forces;
     let mut values = Vec::new();
@@ -100,7 +100,7 @@ fn forces(program: &Program) -> Vec<String> {
     values
 }
 
-/// What a frame says of transmissions, row by row, and of the sensitivity of all coordinates.
+/// Expressions for the transmissions of a frame, row by row, and the sensitivities of all coordinates.
 fn derivatives(program: &Program) -> Vec<String> {
     let transmissions = program.transmissions.iter();
     let transmissions = transmissions.map(|it| {

@@ -9,14 +9,14 @@ use linkwright_codegen::stages::system::System;
 use crate::instant::{Instant, Layout};
 use crate::operation::Writer;
 
-/// Evaluates expressions of what instants keep.
+/// Evaluator of expressions of values that instants keep.
 #[derive(Clone, Debug)]
 pub struct Reader {
     formulas: Formulas,
     registers: RefCell<Vec<f64>>,
 }
 
-/// Code of what instants keep.
+/// Code that reads values of instants.
 #[derive(Clone, Debug)]
 pub(crate) struct Formulas {
     code: Code,
@@ -26,20 +26,20 @@ pub(crate) struct Formulas {
 }
 
 impl Reader {
-    /// The values of these expressions.
+    /// Creates an evaluator of these expressions.
     ///
     /// # Panics
-    /// Where an expression mentions what instants do not keep.
+    /// Panics if an expression mentions a symbol that instants do not keep.
     pub fn new(graph: &Graph, layout: &Layout, roots: &[ExprId]) -> Reader {
         Reader::recorded(graph, layout, |recorder| {
             roots.iter().map(|&root| recorder.value(root)).collect()
         })
     }
 
-    /// The values of whatever is recorded.
+    /// Creates an evaluator of the recorded values.
     ///
     /// # Panics
-    /// Where an expression mentions what instants do not keep.
+    /// Panics if an expression mentions a symbol that instants do not keep.
     pub fn recorded(
         graph: &Graph,
         layout: &Layout,
@@ -81,7 +81,7 @@ impl Formulas {
     /// The results of functions of a program, which cannot fail, one after another.
     ///
     /// # Panics
-    /// Where a function mentions what instants do not keep.
+    /// Panics if a function mentions a symbol that instants do not keep.
     pub fn new<'a>(
         functions: impl IntoIterator<Item = &'a Function>,
         system: &System,
@@ -119,10 +119,10 @@ impl Formulas {
     }
 }
 
-/// The places of symbols in instants.
+/// Returns the indices of symbols in instants.
 ///
 /// # Panics
-/// Where instants do not keep a symbol.
+/// Panics if instants do not keep a symbol.
 fn slots(
     symbols: &[(SymbolId, Register)],
     graph: &Graph,

@@ -9,7 +9,7 @@ use linkwright_solver::view::View;
 use linkwright_tests::description;
 use linkwright_tests::values::{assembled_from, filled, numbers};
 
-/// What is compared.
+/// Kinds of compared numbers.
 const KINDS: [&str; 7] = [
     "pose",
     "velocity",
@@ -20,11 +20,11 @@ const KINDS: [&str; 7] = [
     "failure",
 ];
 
-/// How many numbers of points that `output` asks for may differ. Generated code finds them in a block of their own, and the interpreter
+/// Number of values of points under `output` that differ. Generated code computes these points in their own block, and the interpreter
 /// from coordinates.
 const DIFFERENT: usize = 1_419;
 
-/// How many numbers of each kind were compared, and how many of them differ.
+/// Numbers of compared and of different values, for each kind.
 type Tally = [[usize; 2]; KINDS.len()];
 
 /// A motion of a description that is compiled.
@@ -36,7 +36,7 @@ pub struct Compared {
 
 type Frame<M> = <<M as Mechanism>::Blocks as Blocks>::Frame;
 
-/// What frames say that are limited by `output`: names of coordinates, 0 to 2 for the levels, and values.
+/// Values of frames that `output` limits: names of coordinates, 0 to 2 for the levels, and values.
 type Outputs = Vec<(&'static str, usize, f64)>;
 
 /// A compiled mechanism and an interpreted one, which are moved together.

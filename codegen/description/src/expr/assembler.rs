@@ -17,14 +17,14 @@ pub struct Assembler<'a> {
     code: Code,
     bound: HashMap<SymbolId, Register>,
     unbound: Vec<(SymbolId, Register)>,
-    /// Which of the code's splines are which of the graph's.
+    /// Numbers in the code of the splines of the graph.
     splines: HashMap<SplineId, u32>,
-    /// By the bits of a constant.
+    /// Registers of constants, by their bits.
     constants: HashMap<u64, Register>,
 }
 
 impl<'a> Assembler<'a> {
-    /// Code without instructions, and no bound symbol.
+    /// Begins code without instructions and without bound symbols.
     pub fn new(graph: &'a Graph) -> Assembler<'a> {
         Assembler {
             graph,
@@ -41,10 +41,10 @@ impl<'a> Assembler<'a> {
         self.graph
     }
 
-    /// A register that holds zero until something is written to it.
+    /// Returns a new register, which holds zero until an instruction writes to it.
     ///
     /// # Panics
-    /// Where registers can no longer be numbered with 32 bits.
+    /// Panics if registers exceed 32 bits.
     pub fn register(&mut self) -> Register {
         let place = u32::try_from(self.code.initial.len());
         self.code.initial.push(0.0);

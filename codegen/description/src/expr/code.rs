@@ -26,20 +26,20 @@ impl Register {
 #[derive(Clone, Debug, Default)]
 pub struct Code {
     pub(super) instructions: Vec<Instruction>,
-    /// What every register holds at first: constants, and zero where something is written.
+    /// Initial contents of all registers: constants, and zero for registers that instructions write.
     pub(super) initial: Vec<f64>,
     pub(super) exponents: Vec<Rational>,
     pub(super) splines: Vec<Arc<Spline>>,
 }
 
-/// What an instruction computes, and where its result goes.
+/// Computation and the register of its result.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Instruction {
     pub target: Register,
     pub computation: Computation,
 }
 
-/// What one instruction computes from registers.
+/// Computation of one instruction from registers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Computation {
     /// The sum.
@@ -64,7 +64,7 @@ pub enum Computation {
     Cosine(Register),
     /// The sine of an angle; the cosine goes to a register of its own.
     SineCosine {
-        /// Where the cosine goes.
+        /// Register of the cosine.
         cosine: Register,
         /// The angle.
         angle: Register,
@@ -77,9 +77,9 @@ pub enum Computation {
     Logarithm(Register),
     /// The largest whole number that is not greater.
     Floor(Register),
-    /// −1 where the first is less than the second, or else 0.
+    /// −1 if the first is less than the second, otherwise 0.
     Less([Register; 2]),
-    /// The second operand where the first one is negative, or else the third.
+    /// The second operand if the first one is negative, otherwise the third.
     Choose([Register; 3]),
     /// A derivative, by its order, of the spline of this number in the code.
     Spline(Register, u32, u8),
@@ -91,15 +91,15 @@ impl Code {
         &self.initial
     }
 
-    /// How many instructions there are.
+    /// Number of instructions.
     pub fn length(&self) -> usize {
         self.instructions.len()
     }
 
-    /// Runs instructions, whose operands must be there.
+    /// Runs instructions, whose operands must have been computed.
     ///
     /// # Panics
-    /// Where there are not so many instructions, or fewer registers than those of [`Code::registers`].
+    /// Panics if the range exceeds the instructions, or if `registers` is shorter than [`Code::registers`].
     #[inline]
     pub fn run(&self, range: Range<usize>, registers: &mut [f64]) {
         for &instruction in &self.instructions[range] {

@@ -101,7 +101,7 @@ impl<'a> Recorder<'a> {
         self.recorded[&expr]
     }
 
-    /// What an expression needs that is not recorded, operands first: operands have smaller ids, so the order of ids will do.
+    /// Unrecorded operands of an expression, in the order of ids: operands have smaller ids than what uses them.
     fn missing(&self, expr: ExprId) -> Vec<ExprId> {
         let mut seen: HashSet<ExprId, BuildExprHasher> = HashSet::default();
         let mut order = Vec::new();

@@ -27,7 +27,7 @@ impl Tape {
         }
     }
 
-    /// How many results it has.
+    /// Number of results.
     pub fn result_count(&self) -> usize {
         self.roots.len()
     }
@@ -37,7 +37,7 @@ impl Tape {
     /// tape; its content means nothing.
     ///
     /// # Panics
-    /// Where `symbols` is too short or `results` has another length than the roots.
+    /// Panics if `symbols` is too short, or if `results` has another length than the roots.
     pub fn evaluate(&self, symbols: &[f64], workspace: &mut Vec<f64>, results: &mut [f64]) {
         assert!(
             results.len() == self.roots.len(),
@@ -49,7 +49,7 @@ impl Tape {
         }
     }
 
-    /// How many instructions there are.
+    /// Number of instructions.
     pub fn length(&self) -> usize {
         self.code.length()
     }

@@ -1,8 +1,6 @@
-//! *A system, its plan and its program* → *what is the same for all instants*: operations on registers, block by block, and which
-//! register holds what.
+//! Compiles a program into operations on registers, block by block, once for all instants.
 //!
-//! What instants are given is put into registers here, and what they keep is taken out. Deliberately unknown here: how a block's
-//! operations are run, and when.
+//! Values of instants are copied into registers here, and results out of them.
 
 use std::collections::HashSet;
 
@@ -23,14 +21,14 @@ use crate::path::InterpretedPath;
 use crate::reader::Formulas;
 use crate::supplied::{InputSignals, Modes, ParameterValues};
 
-/// What is the same for all instants.
+/// Compiled program, shared by all instants.
 #[derive(Debug)]
 pub(crate) struct Compiled {
     pub system: System,
     pub plan: SolvedPlan,
     pub program: Program,
     pub poses: Vec<SingularPose>,
-    /// What can be singular, and what its measures are made of.
+    /// Subsystems that can become singular, and the expressions of their measures.
     pub measured: (Vec<MeasuredPart>, Vec<ExprId>),
     pub layout: Layout,
     pub code: Code,
@@ -38,17 +36,17 @@ pub(crate) struct Compiled {
     pub words: Vec<BlockWords>,
     pub(super) time: Register,
     pub(super) given: Vec<Register>,
-    /// The registers of all assembly modes of closed forms.
+    /// Registers of the branches of closed forms.
     pub(super) signs: Vec<Register>,
-    /// What is read of the last instant: the place there.
+    /// Registers with values of the last instant, and their indices there.
     pub(super) last: Vec<(Register, usize)>,
-    /// What instants keep, from the first place after what was given.
+    /// Registers that instants keep, in order, after the given values.
     pub(super) kept: Vec<Register>,
-    /// The estimates of all unknowns of the vector form, where parameters change them.
+    /// Estimates of all unknowns of the vector form; `None` if no parameter changes them.
     drawn: Option<Formulas>,
-    /// What parameters must leave positive.
+    /// Values that parameters must keep positive.
     pub(super) required: Option<Formulas>,
-    /// What shows that blocks stay on their path, where somebody wants to know.
+    /// Verification of the path; `None` for unguarded mechanisms.
     pub(super) path: Option<InterpretedPath>,
 }
 

@@ -1,6 +1,6 @@
 //! Compiles arithmetic into instructions, operation by operation in its order.
 //!
-//! What was computed before is not computed again, since the same operation on the same registers finds the same bits.
+//! Each computation is written once: the same operation on the same registers has the same bits.
 
 use linkwright_codegen::stages::expr::{Computation, Register, SplineId};
 use linkwright_codegen::stages::program::{Arithmetic, Choice, Elementary};
@@ -8,7 +8,7 @@ use linkwright_codegen::stages::program::{Arithmetic, Choice, Elementary};
 use super::Writer;
 
 impl Writer<'_> {
-    /// Writes what computes a number.
+    /// Writes the computation of a number.
     pub(super) fn arithmetic(&mut self, arithmetic: &Arithmetic) -> Register {
         match arithmetic {
             Arithmetic::Number(value) => self.assembler.constant(*value),

@@ -15,7 +15,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::path::Isolation;
 pub(crate) use writer::Writer;
 
-/// What a block does, step by step.
+/// Operation of a block.
 #[derive(Clone, Debug)]
 pub(crate) enum Operation {
     /// Runs instructions.

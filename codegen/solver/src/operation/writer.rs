@@ -1,6 +1,6 @@
 //! Writes the statements of functions as operations on registers.
 //!
-//! The order of arithmetic is that of [`Evaluation`]; what is decided here is which register holds what.
+//! [`Evaluation`] decides the order of arithmetic; the writer only assigns registers.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -17,9 +17,9 @@ pub(crate) struct Writer<'a> {
     pub assembler: Assembler<'a>,
     pub(super) program: &'a Program,
     system: &'a System,
-    /// The registers that hold what was computed.
+    /// Registers of computations.
     computed: HashMap<Computation, Register>,
-    /// What was computed, in order, so that it can be forgotten.
+    /// Computations in order, so that the last ones can be forgotten.
     journal: Vec<Computation>,
     /// The registers with the values that symbols had at the last instant.
     last: HashMap<SymbolId, Register>,
@@ -29,7 +29,7 @@ pub(crate) struct Writer<'a> {
 }
 
 impl<'a> Writer<'a> {
-    /// A writer without operations.
+    /// Begins a writer without operations.
     pub fn new(system: &'a System, program: &'a Program) -> Writer<'a> {
         let assembler = Assembler::new(&system.mechanism.graph);
         Writer {
@@ -45,7 +45,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// Where the last value of a symbol is found.
+    /// Returns the register of a symbol's value at the last instant.
     pub fn last(&mut self, symbol: SymbolId) -> Register {
         if let Some(&register) = self.last.get(&symbol) {
             return register;
@@ -56,7 +56,7 @@ impl<'a> Writer<'a> {
         register
     }
 
-    /// A register for what an operation finds, or for what the caller puts there.
+    /// Returns a register for a result of an operation, or for a value of the caller.
     pub fn found(&mut self, symbol: SymbolId) -> Register {
         let register = self.assembler.register();
         self.assembler.bind(symbol, register);
@@ -157,7 +157,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// What a statement does beside instructions; `None` where that is nothing. The values that it needs are written.
+    /// Returns the operation of a statement, after its operands are written; `None` if instructions suffice.
     fn operation_of(
         &mut self,
         statement: &Statement,
@@ -287,7 +287,7 @@ impl<'a> Writer<'a> {
             .collect()
     }
 
-    /// Writes a function, whose results nothing else may rely on: what it does, and where its results are.
+    /// Writes a function apart from others; returns its operations and the registers of its results.
     pub fn function(&mut self, function: &Function) -> (Vec<Operation>, Vec<Register>) {
         self.apart(|writer| writer.body(function))
     }
@@ -306,7 +306,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// What was written since the last time.
+    /// Returns the operations written since the last call.
     pub fn take(&mut self) -> Vec<Operation> {
         self.flush();
         std::mem::take(&mut self.written)
@@ -319,7 +319,7 @@ impl<'a> Writer<'a> {
         (from..self.assembler.position(), result)
     }
 
-    /// Writes operations that run when somebody asks for them. Nothing else may rely on what they compute.
+    /// Writes operations that run only on request. Nothing else may rely on what they compute.
     pub fn apart<T>(&mut self, write: impl FnOnce(&mut Self) -> T) -> (Vec<Operation>, T) {
         let before = self.take();
         let mark = self.journal.len();

@@ -1,11 +1,11 @@
-//! What Newton-Raphson finds → the enclosures in which it must be found again.
+//! Lists the unknowns of Newton-Raphson that path enclosures verify.
 
 use super::Module;
 use crate::expr::{IdSet, SymbolId};
 use crate::program::{Path, Program};
 use crate::system::System;
 
-/// The unknowns that Newton-Raphson finds, with their deviations; what does not move has none.
+/// Returns the unknowns of Newton-Raphson with their deviations; an unknown that rests has none.
 pub(in crate::emit) fn iterated(
     program: &Program,
     system: &System,
@@ -20,7 +20,7 @@ pub(in crate::emit) fn iterated(
     unknowns.collect()
 }
 
-/// How many enclosures there are.
+/// Number of enclosures.
 pub(in crate::emit) fn enclosure_count(module: &Module<'_>) -> usize {
     let path = module.program.path.iter();
     path.map(|path| iterated(module.program, module.system, path).len())
