@@ -35,6 +35,7 @@ pub mod random;
 pub mod reference;
 pub mod sample;
 pub mod simulated;
+pub mod simulation_tables;
 pub mod single;
 pub mod sled;
 pub mod solver;

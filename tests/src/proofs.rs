@@ -38,6 +38,34 @@ pub struct Verdict {
     pub widest: f64,
 }
 
+/// Titles of the columns of [`Verdict::row`].
+pub const TITLES: [&str; 7] = [
+    "mechanism",
+    "windows",
+    "shortest, s",
+    "determinant",
+    "wider, %",
+    "compared",
+    "outside",
+];
+
+impl Verdict {
+    /// Row of the report's table.
+    pub fn row(&self, name: &str) -> [String; 7] {
+        let is_proven = self.proof.proven.is_some();
+        let of_proven = |text: String| if is_proven { text } else { "–".to_string() };
+        [
+            name.to_string(),
+            self.proof.windows.to_string(),
+            format!("{:.1e}", self.proof.shortest),
+            of_proven(format!("{:.3}", self.loosest)),
+            of_proven(format!("{:.2}", 100.0 * self.widest)),
+            self.compared.to_string(),
+            self.outside.len().to_string(),
+        ]
+    }
+}
+
 /// Proves the motion of a system over a range and looks at `instants` random times.
 ///
 /// # Panics

@@ -40,16 +40,7 @@ fn main() -> ExitCode {
 /// Whether nothing lies outside its bounds.
 fn run(arguments: &Arguments) -> Result<bool, Box<dyn Error>> {
     let environment = arguments.destination.environment();
-    let titles = [
-        "mechanism",
-        "windows",
-        "shortest, s",
-        "determinant",
-        "wider, %",
-        "compared",
-        "outside",
-    ];
-    let mut rows = vec![titles.map(str::to_string)];
+    let mut rows = vec![proofs::TITLES.map(str::to_string)];
     let mut notes = String::new();
     let mut is_good = true;
     for (name, _) in reference::REFERENCES {
@@ -70,17 +61,7 @@ fn run(arguments: &Arguments) -> Result<bool, Box<dyn Error>> {
             writeln!(notes, "- {name}, outside: {outside}")?;
         }
         is_good &= verdict.outside.is_empty();
-        let is_proven = proof.proven.is_some();
-        let of_proven = |text: String| if is_proven { text } else { "–".to_string() };
-        rows.push([
-            (*name).to_string(),
-            proof.windows.to_string(),
-            format!("{:.1e}", proof.shortest),
-            of_proven(format!("{:.3}", verdict.loosest)),
-            of_proven(format!("{:.2}", 100.0 * verdict.widest)),
-            verdict.compared.to_string(),
-            verdict.outside.len().to_string(),
-        ]);
+        rows.push(verdict.row(name));
         println!("{name}: {:?}", rows.last());
     }
     let report = format!(

@@ -1,16 +1,13 @@
 //! Errors of simulated motions beside their evaluations, with weak and strong dampers: `tests/reports/simulation.md`.
 
 use std::error::Error;
-use std::ops::RangeInclusive;
 use std::process::ExitCode;
 
 use clap::Parser;
-use linkwright_solver::simulation::{Method, Options};
-use linkwright_tests::damped_chain::{DampedChain, Element};
-use linkwright_tests::sled::Sled;
-use linkwright_tests::stiff::{Damped, Found, options};
+use linkwright_tests::damped_chain::Element;
+use linkwright_tests::simulation_tables::{chain, damped_table, sleds};
+use linkwright_tests::stiff::Damped;
 use linkwright_tests::study::destination::{Destination, ended};
-use linkwright_tests::study::table::aligned;
 
 /// Counts what the methods of `linkwright simulate` take for which error and writes a report
 #[derive(Parser)]
@@ -52,9 +49,6 @@ const STRUTS: [f64; 3] = [1e3, 1e8, 1e10];
 const TORQUES: [f64; 4] = [1e5, 1e6, 1e7, 1e8];
 const FORCES: [f64; 2] = [1e7, 1e8];
 
-/// Drags of sleds.
-const DRAGS: [f64; 3] = [1e4, 1e6, 1e8];
-
 fn main() -> ExitCode {
     ended(run(&Arguments::parse()))
 }
@@ -70,7 +64,7 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     for damped in [Damped::Slider, Damped::Cart] {
         for damper in DAMPERS {
             report += &format!("\n## {damped:?}, {damper:e} N·s/m\n\n");
-            report += &table(damped, damper, arguments.to);
+            report += &damped_table(damped, damper, arguments.to);
         }
     }
     eprintln!("slider and cart");
@@ -90,92 +84,4 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     report += &sleds(arguments.to);
     arguments.destination.write("simulation.md", &report)?;
     Ok(())
-}
-
-/// Errors and evaluations of one mechanism with one damper.
-fn table(damped: Damped, damper: f64, end: f64) -> String {
-    let motion = damped.motion(damper, end);
-    let methods = [Method::Explicit, Method::Implicit, Method::Automatic];
-    let titles = [
-        "`--rtol`",
-        "dop853: error",
-        "evaluations",
-        "implicit: error",
-        "evaluations",
-        "automatic: error",
-        "evaluations",
-    ];
-    let mut rows = vec![titles.map(str::to_string)];
-    for digits in 4..=12 {
-        let relative = 10_f64.powi(-digits);
-        let mut cells = vec![format!("{relative:.0e}")];
-        for method in methods {
-            // The strong damper needs as many explicit steps whatever the tolerance.
-            let is_first = digits == 6 && damped == Damped::Slider;
-            if method == Method::Explicit && damper > 1e3 && !is_first {
-                cells.extend(["–".to_string(), "–".to_string()]);
-                continue;
-            }
-            let found = damped.compared(damper, &motion, end, options(method, relative));
-            match found {
-                Ok(found) => {
-                    cells.push(format!("{:.1e}", found.error));
-                    cells.push(found.effort.evaluations.to_string());
-                }
-                Err(_) => cells.extend(["ends".to_string(), "–".to_string()]),
-            }
-        }
-        rows.push(std::array::from_fn(|column| cells[column].clone()));
-    }
-    aligned(&rows, 0)
-}
-
-/// Errors in tolerances and evaluations, a row for each tolerance of so many digits and two columns for each damper.
-fn by_tolerance<E>(
-    digits: RangeInclusive<i32>,
-    dampers: &[f64],
-    compared: impl Fn(usize, Options) -> Result<Found, E>,
-) -> String {
-    let mut titles = vec!["`--rtol`".to_string()];
-    for damper in dampers {
-        titles.extend([format!("{damper:.0e}: error"), "evaluations".to_string()]);
-    }
-    let mut rows = vec![titles];
-    for digits in digits {
-        let relative = 10_f64.powi(-digits);
-        let mut cells = vec![format!("{relative:.0e}")];
-        for place in 0..dampers.len() {
-            match compared(place, options(Method::Automatic, relative)) {
-                Ok(found) => {
-                    cells.push(format!("{:.1}", found.error / relative));
-                    cells.push(found.effort.evaluations.to_string());
-                }
-                Err(_) => cells.extend(["ends".to_string(), "–".to_string()]),
-            }
-        }
-        rows.push(cells);
-    }
-    aligned(&rows, 0)
-}
-
-/// Chains of pendulums from rest.
-fn chain(count: usize, element: Element, dampers: &[f64], end: f64) -> String {
-    let chains = dampers.iter().map(|&damper| DampedChain {
-        count,
-        damper,
-        element,
-    });
-    let chains: Vec<_> = chains.map(|it| (it, it.motion(end))).collect();
-    by_tolerance(4..=12, dampers, |place, options| {
-        let (chain, motion) = &chains[place];
-        chain.compared(motion, end, options)
-    })
-}
-
-/// Sleds with a drag whose direction turns.
-fn sleds(end: f64) -> String {
-    by_tolerance(4..=10, &DRAGS, |place, options| {
-        let drag = DRAGS[place];
-        Sled { drag }.compared(end, options)
-    })
 }

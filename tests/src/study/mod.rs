@@ -3,6 +3,7 @@
 //! The binaries `work-precision` and `growth` call this; what is measured is behind [`crate::method::Method`].
 
 pub mod chart;
+pub mod committed;
 pub mod destination;
 pub mod environment;
 pub mod exponent;

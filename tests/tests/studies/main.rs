@@ -7,5 +7,6 @@ mod growth;
 mod hunt;
 mod instruments;
 mod proofs;
+mod reports;
 mod stability;
 mod study;
