@@ -1,4 +1,4 @@
-//! *Paths → the bytes of regular files; contents → files that are complete or as they were.*
+//! Reads regular files, and replaces files atomically.
 //!
 //! A pipe or a device is never read: it could have no end, or nobody who writes it. A file is written beside its destination,
 //! which it then replaces in one operation, and so is a folder. Deliberately unknown here: what is read and written.

@@ -5,5 +5,6 @@ mod english;
 mod failure_kinds;
 mod links;
 mod modules;
+mod pipeline_table;
 mod rooms;
 mod thresholds;

@@ -5,7 +5,7 @@ use std::fs;
 use linkwright_tests::files;
 
 /// The folders of the generator's packages, each with its rooms, in the order of the pipeline.
-const ORDER: [(&str, &[&str]); 3] = [
+pub(super) const ORDER: [(&str, &[&str]); 3] = [
     (
         "codegen/description/src",
         &[
