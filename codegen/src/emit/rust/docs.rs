@@ -5,6 +5,7 @@ use quote::quote;
 
 use super::markdown::inert;
 use crate::emit::module;
+use crate::emit::module::wrapped::wrapped;
 use crate::system::System;
 
 /// What a description says of its mechanism, line by line.
@@ -24,5 +25,5 @@ pub(super) fn doc_lines<S: AsRef<str>>(lines: impl IntoIterator<Item = S>) -> Ve
         true => line,
         false => format!(" {line}"),
     };
-    inert(lines).into_iter().map(spaced).collect()
+    wrapped(inert(lines)).into_iter().map(spaced).collect()
 }

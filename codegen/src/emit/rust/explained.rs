@@ -15,7 +15,7 @@ pub(super) fn block_names(module: &Module<'_>) -> TokenStream {
         .map(|BlockWords { name, singular }| quote!(BlockName::new(#name, #singular)));
     let length = count(module.program.blocks.len());
     quote! {
-        /// What the blocks are called, in solve order, and what can be said of them where they are singular.
+        /// Names of the blocks in solve order, with descriptions of their singular poses.
         pub const BLOCKS: [BlockName<'static>; #length] = [#(#names),*];
     }
 }

@@ -14,6 +14,7 @@ use super::{
     assemblies, block, coordinates, explained, frame, loads, newton, parameters, path, shell,
     tables, textbook,
 };
+use crate::emit::lines::WIDTH;
 use crate::emit::module::Module;
 use crate::emit::text;
 use crate::expr::SymbolId;
@@ -97,10 +98,12 @@ impl Module<'_> {
         let mut text = Verbatim::default();
         text.open("::linkwright::constants! {");
         for constant in used {
-            let exact = text::constant(self.system, &constant.part);
-            let exact = exact.map_or(String::new(), |exact| format!(" // {exact}"));
             let (name, value) = (identifier(&constant.name), self.number(constant.value));
-            text.line(format!("{name} = {value},{exact}"));
+            let line = format!("{name} = {value},");
+            let room = WIDTH.saturating_sub(line.len() + "     // ".len());
+            let remark = text::constant(self.system, constant, room);
+            let remark = remark.map_or(String::new(), |remark| format!(" // {remark}"));
+            text.line(format!("{line}{remark}"));
         }
         text.close("}");
         text.item()

@@ -159,7 +159,7 @@ fn drawn(module: &Module<'_>) -> TokenStream {
     };
     let allow = lints::unused_item(&function);
     quote! {
-        /// The drawing's value of every coordinate and displacement.
+        /// Finds the design value of each coordinate and displacement.
         #allow
         #function
     }

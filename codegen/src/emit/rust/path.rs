@@ -20,7 +20,7 @@ pub(super) fn path(module: &Module<'_>) -> TokenStream {
     let mut code = Code::default();
     let keeps = Shown {
         name: "verify_path",
-        docs: &documentation::KEEPS_TO_PATH,
+        docs: &documentation::VERIFY_PATH,
         enclosures: Some(filled),
     };
     shown(module, &path.function, keeps, &mut code);
@@ -28,7 +28,7 @@ pub(super) fn path(module: &Module<'_>) -> TokenStream {
     if let Some(function) = &path.closed {
         let stays = Shown {
             name: "verify_nonsingular",
-            docs: &documentation::STAYS_REGULAR,
+            docs: &documentation::VERIFY_NONSINGULAR,
             enclosures: None,
         };
         shown(module, function, stays, &mut code);

@@ -19,7 +19,7 @@ pub(super) fn structures(module: &Module<'_>) -> TokenStream {
     let whole = coordinates.map(|coordinates| {
         let derives = derives(coordinates.len());
         quote! {
-            /// The derivatives of all coordinates and of their rates along a parameter, at the time of the frame.
+            /// Derivatives of all coordinates and of their rates with respect to a parameter, at the time of the frame.
             #derives
             pub struct Sensitivity {
                 /// ∂q/∂p: of the coordinates, in m or rad per unit of the parameter.
@@ -36,7 +36,7 @@ pub(super) fn structures(module: &Module<'_>) -> TokenStream {
         .flat_map(|it| &it.quantities);
     let point = quantities.any(returns_pair).then(|| {
         quote! {
-            /// The derivatives of the position and the velocity of a point along a parameter, at the time of the frame.
+            /// Derivatives of the position and velocity of a point with respect to a parameter, at the time of the frame.
             #[derive(Clone, Copy, Debug, PartialEq)]
             pub struct PointSensitivity {
                 /// Of x and y, in m per unit of the parameter.

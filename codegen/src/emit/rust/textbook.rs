@@ -226,7 +226,7 @@ pub(super) fn characteristic_length(module: &Module<'_>) -> TokenStream {
     };
     let allow = lints::unused_item(&function);
     quote! {
-        /// By what lengths are scaled.
+        /// Returns the scale of lengths.
         #allow
         #function
     }

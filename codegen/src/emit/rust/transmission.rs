@@ -25,7 +25,7 @@ pub(super) fn transmissions(module: &Module<'_>) -> TokenStream {
         .iter()
         .map(|transmission| functions(transmission, module));
     quote! {
-        /// The drivers in written order, one for each column of a transmission.
+        /// Drivers in written order, one for each column of a transmission.
         pub const DRIVERS: [&'static str; #number] = [#(#labels),*];
 
         #(#functions)*
