@@ -7,6 +7,7 @@
 //! functions of time. Deliberately unknown here: files, and where an expression came from.
 
 mod c;
+mod code;
 pub mod derivation;
 pub mod drawing;
 mod formula;

@@ -1,210 +1,455 @@
-//! Generated source as the formatter leaves it → as a person lays it out.
+//! Lines of code that are too long → lines as a person breaks them.
 //!
-//! The formatter knows neither comments nor empty lines. Comments and what else is laid out already stand in strings until here, and
-//! items are set apart by an empty line.
+//! What fits into a line stays on it. Brackets break around their elements: short ones fill the lines of a list, others have a line
+//! each. Sums and products break before their operators. Nothing but spaces and commas after last elements is added or left out.
 
-use proc_macro2::TokenStream;
-use quote::quote;
+use crate::emit::lines::{filled, fits};
 
-use super::code;
-use super::lines::{broken, wrapped};
-use crate::emit::lines::{WIDTH, filled};
+/// Elements up to this length share a line with others, with their commas.
+const SHORT: usize = 36;
 
-/// What a text that is laid out already is until then.
-const VERBATIM: &str = "const VERBATIM_IN_GENERATED_CODE: &str = ";
+const SUM: [&str; 2] = [" + ", " - "];
+const PRODUCT: [&str; 2] = [" * ", " / "];
 
-/// An item that is laid out by hand: the call of a macro, of which the formatter knows nothing.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Verbatim {
-    lines: Vec<String>,
-    depth: usize,
-}
-
-impl Verbatim {
-    /// A line that the following ones are indented under.
-    pub(super) fn open(&mut self, line: &str) {
-        self.line(line);
-        self.depth += 1;
+/// Lines of a statement, an element or the head of an item that begins so deep.
+pub(super) fn broken(line: &str, depth: usize) -> Vec<String> {
+    let whole = format!("{:depth$}{line}", "");
+    if is_short(&whole) {
+        return vec![whole];
     }
-
-    /// The line that ends them.
-    pub(super) fn close(&mut self, line: &str) {
-        self.depth = self.depth.saturating_sub(1);
-        self.line(line);
+    let mut ends = ["?;", ";", ",", " {"].into_iter();
+    let end = ends.find(|end| line.ends_with(end)).unwrap_or("");
+    let text = &line[..line.len() - end.len()];
+    let mut lines = Vec::new();
+    let elements = parts(text, ", ");
+    if end == "," && elements.len() > 1 {
+        let elements: Vec<String> = elements.iter().map(|it| format!("{it},")).collect();
+        return filled(elements.iter().map(String::as_str), depth);
     }
-
-    /// A line.
-    pub(super) fn line(&mut self, line: impl AsRef<str>) {
-        let text = format!("{}{}", "    ".repeat(self.depth), line.as_ref());
-        self.lines.push(text.trim_end().to_string());
-    }
-
-    /// Elements with commas, as many to a line as it holds.
-    pub(super) fn list<S: AsRef<str>>(&mut self, elements: impl IntoIterator<Item = S>) {
-        let elements = elements.into_iter().map(|it| format!("{},", it.as_ref()));
-        let elements: Vec<String> = elements.collect();
-        let lines = filled(elements.iter().map(String::as_str), 4 * self.depth);
-        self.lines.extend(lines);
-    }
-
-    /// Attributes, one a line.
-    pub(super) fn tokens(&mut self, attributes: TokenStream) {
-        let text = attributes
-            .to_string()
-            .replace("# [", "#[")
-            .replace(" (", "(");
-        for attribute in text.split("#[").filter(|it| !it.trim().is_empty()) {
-            self.line(format!(
-                "#[{}",
-                attribute.trim().replace(" ,", ",").replace("( ", "(")
-            ));
-        }
-    }
-
-    /// Lines of documentation, each as it stands after the slashes.
-    pub(super) fn docs<S: AsRef<str>>(&mut self, lines: impl IntoIterator<Item = S>) {
-        for line in lines {
-            let line = line.as_ref();
-            let space = if line.starts_with(' ') || line.is_empty() {
-                ""
-            } else {
-                " "
-            };
-            self.line(format!("///{space}{line}"));
-        }
-    }
-
-    /// The item.
-    pub(super) fn item(self) -> TokenStream {
-        let text = self.lines.join("\n");
-        quote!(const VERBATIM_IN_GENERATED_CODE: &str = #text;)
-    }
-}
-
-/// The text of such an item.
-fn verbatim(line: &str) -> Option<String> {
-    let literal = line.strip_prefix(VERBATIM)?.strip_suffix(';')?;
-    syn::parse_str::<syn::LitStr>(literal)
-        .ok()
-        .map(|it| it.value())
-}
-
-/// The source with its comments, and an empty line before every item that follows another.
-pub(super) fn laid_out(source: &str) -> String {
-    let mut text = Text::with_room(source.len() + source.len() / 16);
-    let lines = broken(&source.lines().collect::<Vec<_>>());
-    let mut lines = lines.iter().map(String::as_str);
-    while let Some(line) = lines.next() {
-        let content = line.trim_start();
-        let depth = line.len() - content.len();
-        if let Some(item) = verbatim(content) {
-            text.item(&item, depth);
-            continue;
-        }
-        let string = code::called(content).map(|rest| string(rest, &mut lines));
-        match string.and_then(code::decoded) {
-            Some(code) => code.iter().for_each(|line| text.code(line, depth)),
-            None => text.line(line),
-        }
-    }
-    text.all
-}
-
-/// Source that is being laid out.
-struct Text {
-    all: String,
-    is_after_item: bool,
-}
-
-impl Text {
-    fn with_room(capacity: usize) -> Text {
-        Text {
-            all: String::with_capacity(capacity),
-            is_after_item: false,
-        }
-    }
-
-    /// Adds a line as it is.
-    fn line(&mut self, line: &str) {
-        self.end_item_before(line.trim_start());
-        self.all.extend([line, "\n"]);
-    }
-
-    /// Sets an item apart that this line begins.
-    fn end_item_before(&mut self, content: &str) {
-        if self.is_after_item && begins_item(content) {
-            self.all.push('\n');
-        }
-        self.is_after_item = ends_item(content);
-    }
-
-    /// Adds a line that is indented by so much, in several lines where it is too long.
-    fn code(&mut self, line: &str, depth: usize) {
-        if depth + line.len() <= WIDTH {
-            self.end_item_before(line.trim_start());
-            self.all.extend(std::iter::repeat_n(' ', depth));
-            self.all.extend([line, "\n"]);
-            return;
-        }
-        let content = line.trim_start();
-        let depth = depth + line.len() - content.len();
-        for line in wrapped(content, depth) {
-            self.line(&line);
-        }
-    }
-
-    /// Adds an item with an empty line before it.
-    fn item(&mut self, item: &str, depth: usize) {
-        if !self.all.is_empty() && !self.all.ends_with("\n\n") {
-            self.all.push('\n');
-        }
-        for line in item.lines() {
-            let indent = if line.is_empty() { 0 } else { depth };
-            self.all += &format!("{:indent$}{line}\n", "");
-        }
-        self.is_after_item = true;
-    }
-}
-
-/// The string in the call of a macro, of which this follows the opening parenthesis. The formatter breaks a long one after that, and
-/// before the closing one.
-fn string<'a>(rest: &'a str, lines: &mut impl Iterator<Item = &'a str>) -> &'a str {
-    let string = match rest.is_empty() {
-        true => lines.next().unwrap_or_default().trim(),
-        false => rest,
+    let value = text.find(" = ").map_or(0, |at| at + 3);
+    let value = match text[value..].starts_with("if ") || text[value..].starts_with("{ ") {
+        true => value,
+        false => 0,
     };
-    if rest.is_empty() {
-        lines.next();
+    let (before, text) = text.split_at(value);
+    Part {
+        before: before.to_string(),
+        text,
+        after: end.to_string(),
     }
-    string.trim_end_matches(");")
+    .lay([depth, depth + 4], &mut lines);
+    lines
 }
 
-/// Whether a line is the first of an item: its documentation, its attributes, or an item that needs none.
-fn begins_item(line: &str) -> bool {
-    ["///", "#[", "impl ", "fn ", "const "]
-        .iter()
-        .any(|start| line.starts_with(start))
+/// A text that may be broken, and what stands before and after it on its first and last line.
+struct Part<'a> {
+    before: String,
+    text: &'a str,
+    after: String,
 }
 
-/// Whether a line closes an item. An item's own documentation and attributes do not, however they end.
-fn ends_item(line: &str) -> bool {
-    if line.starts_with("//") {
-        return false;
+impl Part<'_> {
+    /// Adds the lines: the first so deep, and the others.
+    fn lay(&self, depths: [usize; 2], lines: &mut Vec<String>) {
+        let Part {
+            before,
+            text,
+            after,
+        } = self;
+        let first = depths[0];
+        let whole = format!("{:first$}{before}{text}{after}", "");
+        if is_short(&whole) {
+            lines.push(whole);
+        } else if text.starts_with("if ") && text.contains("} else ") {
+            self.choice(first, lines);
+        } else if let Some(pieces) = operands(text) {
+            self.operation(&pieces, depths, lines);
+        } else if text.starts_with("{ ") {
+            self.block(first, lines);
+        } else if let Some((at, _)) = outer(text).find(|(at, _)| text[*at..].starts_with(").")) {
+            self.chain(at + 1, first, lines);
+        } else if !self.brackets(depths, lines) {
+            lines.push(whole);
+        }
     }
-    line == "}"
-        || line == "];"
-        || line == "};"
-        || (line.ends_with(';') && !line.starts_with("let "))
+
+    /// A call, and what is called on its value.
+    fn chain(&self, at: usize, depth: usize, lines: &mut Vec<String>) {
+        let (call, method) = self.text.split_at(at);
+        let part = |before: &str, text, after: &str| Part {
+            before: before.to_string(),
+            text,
+            after: after.to_string(),
+        };
+        let start = lines.len();
+        part(&self.before, call, "").lay([depth, depth + 4], lines);
+        let depth = if lines.len() > start + 1 {
+            depth
+        } else {
+            depth + 4
+        };
+        part("", method, &self.after).lay([depth, depth + 4], lines);
+    }
+
+    /// Terms or factors in lines that they fill.
+    fn operation(&self, pieces: &[&str], [first, others]: [usize; 2], lines: &mut Vec<String>) {
+        // What follows a term of several lines does not continue the last of them.
+        let mut is_open = false;
+        for (place, text) in pieces.iter().enumerate() {
+            let is_last = place + 1 == pieces.len();
+            let part = Part {
+                before: if place == 0 {
+                    self.before.clone()
+                } else {
+                    String::new()
+                },
+                text,
+                after: if is_last {
+                    self.after.clone()
+                } else {
+                    String::new()
+                },
+            };
+            let whole = format!("{}{text}{}", part.before, part.after);
+            let indent = if place == 0 { first } else { others };
+            match lines.last_mut() {
+                Some(line) if is_open && is_short(&format!("{line} {whole}")) => {
+                    *line += &format!(" {whole}");
+                }
+                _ => {
+                    is_open = is_short(&format!("{:indent$}{whole}", ""));
+                    part.lay([indent, others + 4], lines);
+                }
+            }
+        }
+    }
+
+    /// `if … { … } else { … }` with its arms in lines of their own.
+    fn choice(&self, depth: usize, lines: &mut Vec<String>) {
+        let (mut before, mut rest) = (self.before.clone(), self.text);
+        while let Some(group) = groups(rest).into_iter().find(|it| it.opens(rest, '{')) {
+            let condition = rest[..group.start].trim_end();
+            let words = ["if ", "else if ", "else"].into_iter();
+            let word = words
+                .filter(|it| condition.starts_with(it))
+                .max_by_key(|it| it.len());
+            let word = word.unwrap_or("");
+            let head = Part {
+                before: before + word,
+                text: &condition[word.len()..],
+                after: " {".to_string(),
+            };
+            head.lay([depth, depth + 4], lines);
+            let arm = Part::of(rest[group.start + 1..group.end].trim());
+            arm.lay([depth + 4, depth + 8], lines);
+            (before, rest) = ("} ".to_string(), rest[group.end + 1..].trim_start());
+            if !rest.starts_with("else") {
+                break;
+            }
+        }
+        let space = if rest.is_empty() { "" } else { " " };
+        lines.push(format!("{:depth$}}}{space}{rest}{}", "", self.after));
+    }
+
+    /// Statements between braces that end with a value.
+    fn block(&self, depth: usize, lines: &mut Vec<String>) {
+        lines.push(format!("{:depth$}{}{{", "", self.before));
+        let statements = parts(self.text[1..self.text.len() - 1].trim(), "; ");
+        for (place, statement) in statements.iter().enumerate() {
+            let end = if place + 1 < statements.len() {
+                ";"
+            } else {
+                ""
+            };
+            lines.extend(broken(&format!("{statement}{end}"), depth + 4));
+        }
+        lines.push(format!("{:depth$}}}{}", "", self.after));
+    }
+
+    /// What is in the brackets that hold most; false if there are none.
+    fn brackets(&self, depths: [usize; 2], lines: &mut Vec<String>) -> bool {
+        let Part {
+            before,
+            text,
+            after,
+        } = self;
+        let [first, inside] = [depths[0], depths[0] + 4];
+        let is_function = text.starts_with("fn ") || text.starts_with("pub fn ");
+        let all = groups(text);
+        let widest = match is_function {
+            true => all.first(),
+            false => all.iter().rev().max_by_key(|it| it.end - it.start),
+        };
+        let Some(group) = widest.filter(|it| it.end > it.start + 1) else {
+            return false;
+        };
+        let (start, end) = (&text[..=group.start], &text[group.end..]);
+        let inner = text[group.start + 1..group.end].trim();
+        let elements = parts(inner, ", ");
+        let is_alone = elements.len() == 1;
+        let is_bare = start.trim_end_matches('(').ends_with([' ', '-']) || start == "(";
+        if is_alone && (is_call(inner) || is_bare) {
+            let part = Part {
+                before: format!("{before}{start}"),
+                text: inner,
+                after: format!("{end}{after}"),
+            };
+            part.lay(depths, lines);
+            return true;
+        }
+        lines.push(format!("{:first$}{before}{start}", ""));
+        let is_repeated = parts(inner, "; ").len() > 1;
+        let elements = elements.iter().map(|element| match *element {
+            ".." => "..".to_string(),
+            _ if is_repeated => element.to_string(),
+            _ => format!("{element},"),
+        });
+        let elements: Vec<String> = elements.collect();
+        if start.ends_with('[') && elements.iter().all(|it| it.len() <= SHORT) {
+            lines.extend(filled(elements.iter().map(String::as_str), inside));
+        } else {
+            elements
+                .iter()
+                .for_each(|it| lines.extend(element(it, inside)));
+        }
+        lines.push(format!("{:first$}{end}{after}", ""));
+        true
+    }
+}
+
+impl<'a> Part<'a> {
+    fn of(text: &'a str) -> Part<'a> {
+        Part {
+            before: String::new(),
+            text,
+            after: String::new(),
+        }
+    }
+}
+
+/// Lines of an element, which ends with its comma.
+fn element(element: &str, depth: usize) -> Vec<String> {
+    let (text, end) = match element.strip_suffix(',') {
+        Some(text) => (text, ","),
+        None => (element, ""),
+    };
+    let value = text.find(": if ").map_or(0, |at| at + 2);
+    let part = Part {
+        before: text[..value].to_string(),
+        text: &text[value..],
+        after: end.to_string(),
+    };
+    let mut lines = Vec::new();
+    part.lay([depth, depth + 4], &mut lines);
+    lines
+}
+
+/// True for what stands on one line. The arms of a choice have lines of their own.
+fn is_short(line: &str) -> bool {
+    fits(line)
+        && !line
+            .trim_start()
+            .trim_start_matches("} else ")
+            .contains("} else ")
+}
+
+/// True for a call, a list or a structure.
+fn is_call(text: &str) -> bool {
+    text.ends_with([')', ']', '}']) && !text.starts_with("if ") && operands(text).is_none()
+}
+
+/// Terms, or else factors, with the operators before them; `None` if there is one alone.
+fn operands(text: &str) -> Option<Vec<&str>> {
+    let pieces = [SUM, PRODUCT].map(|operators| {
+        let starts =
+            outer(text).filter(|(at, _)| operators.iter().any(|it| text[*at..].starts_with(it)));
+        let mut start = 0;
+        let mut pieces: Vec<&str> = Vec::new();
+        for (at, _) in starts {
+            pieces.push(&text[start..at]);
+            start = at + 1;
+        }
+        pieces.push(&text[start..]);
+        pieces
+    });
+    pieces.into_iter().find(|it| it.len() > 1)
+}
+
+/// What separators outside of all brackets part.
+fn parts<'a>(text: &'a str, separator: &str) -> Vec<&'a str> {
+    let (mut found, mut start) = (Vec::new(), 0);
+    for (at, _) in outer(text) {
+        if text[at..].starts_with(separator) {
+            found.push(&text[start..at]);
+            start = at + separator.len();
+        }
+    }
+    found.push(text[start..].trim_end_matches(','));
+    found
+}
+
+/// Brackets outside of all others: where they open and close.
+#[derive(Clone, Copy)]
+struct Group {
+    start: usize,
+    end: usize,
+}
+
+impl Group {
+    fn opens(self, text: &str, bracket: char) -> bool {
+        text[self.start..].starts_with(bracket)
+    }
+}
+
+fn groups(text: &str) -> Vec<Group> {
+    let mut found = Vec::new();
+    let mut start = None;
+    for (at, letter) in outer(text) {
+        match (letter, start) {
+            ('(' | '[' | '{', None) => start = Some(at),
+            (')' | ']' | '}', Some(open)) => {
+                found.push(Group {
+                    start: open,
+                    end: at,
+                });
+                start = None;
+            }
+            _ => {}
+        }
+    }
+    found
+}
+
+/// The letters that stand outside of all brackets and strings, with the outermost brackets.
+fn outer(text: &str) -> impl Iterator<Item = (usize, char)> {
+    let (mut open, mut is_string, mut is_escaped, mut before) = (0_i32, false, false, ' ');
+    text.char_indices().filter(move |&(at, letter)| {
+        if is_string {
+            is_string = is_escaped || letter != '"';
+            is_escaped = !is_escaped && letter == '\\';
+            return false;
+        }
+        let follows = text[at + letter.len_utf8()..].chars().next();
+        let change = match letter {
+            '(' | '[' | '{' => 1,
+            ')' | ']' | '}' => -1,
+            // As in `Matrix<2, 3>`: signs of comparison have spaces around them.
+            '<' if before != ' ' => 1,
+            '>' if before != ' ' && before != '-' && follows != Some('=') => -1,
+            _ => 0,
+        };
+        is_string = letter == '"';
+        before = letter;
+        let is_outside = open + change.min(0) == 0;
+        open += change;
+        is_outside && !is_string
+    })
 }
 
 #[cfg(test)]
 mod tests {
-    use super::laid_out;
+    use super::broken;
+
+    /// Lines of a statement eight deep.
+    fn lines(statement: &str) -> String {
+        let lines = broken(statement, 8);
+        let content = |text: &str| text.replace([' ', '\n', ','], "");
+        assert_eq!(content(&lines.concat()), content(statement));
+        lines.join("\n")
+    }
 
     #[test]
-    fn documentation_that_ends_in_a_semicolon_is_not_torn_apart() {
-        let source = "/// One thing;\n/// another.\nstruct A;\n/// B.\nstruct B;\n";
-        let wanted = "/// One thing;\n/// another.\nstruct A;\n\n/// B.\nstruct B;\n";
-        assert_eq!(laid_out(source), wanted);
+    fn what_fits_into_a_line_stays_on_it() {
+        let statement = "let a = f([1.0, 2.0], b)?;";
+        assert_eq!(lines(statement), format!("        {statement}"));
+    }
+
+    #[test]
+    fn elements_of_brackets_have_lines_of_their_own() {
+        let long = "a_long_name * another_long_name_of_a_value";
+        assert_eq!(
+            lines(&format!("return Err(no({long}, {long}, {long}));")),
+            format!(
+                "        return Err(no(\n            {long},\n            {long},\n            {long},\n        ));"
+            )
+        );
+        assert_eq!(
+            lines(&format!("fn f({long}: A, {long}: B<2, 3>) -> C<1, 2> {{")),
+            format!(
+                "        fn f(\n            {long}: A,\n            {long}: B<2, 3>,\n        ) -> C<1, 2> {{"
+            )
+        );
+    }
+
+    #[test]
+    fn short_elements_fill_their_lines() {
+        let [full, rest] =
+            [18, 4].map(|count| format!("            {}\n", vec!["1.25,"; count].join(" ")));
+        assert_eq!(
+            lines(&format!("let x = [{}];", ["1.25"; 40].join(", "))),
+            format!("        let x = [\n{full}{full}{rest}        ];")
+        );
+    }
+
+    #[test]
+    fn a_sum_breaks_outside_of_brackets() {
+        let term = "alpha * (beta - gamma)";
+        assert_eq!(
+            lines(&format!("let x = {};", [term; 6].join(" + "))),
+            format!(
+                "        let x = {}\n            + {term} + {term};",
+                [term; 4].join(" + ")
+            )
+        );
+    }
+
+    #[test]
+    fn a_factor_that_is_longer_than_a_line_breaks_in_its_brackets() {
+        let term = "alpha * (beta - gamma)";
+        let sum = [term; 6].join(" + ");
+        assert_eq!(
+            lines(&format!("let x = ({sum}) * delta;")),
+            format!(
+                "        let x = ({}\n                + {term} + {term})\n            * delta;",
+                [term; 4].join(" + ")
+            )
+        );
+    }
+
+    #[test]
+    fn arms_of_a_choice_have_lines_of_their_own() {
+        assert_eq!(
+            lines("let a = if b < c + d { -1.0 } else if e > 0.0 { f(g, h) } else { 2.0 };"),
+            "        let a = if b < c + d {\n            -1.0\n        } else if e > 0.0 {\n            f(g, h)\n        } else {\n            2.0\n        };"
+        );
+        assert_eq!(
+            lines("at.a = 2.0 * (if b < c { d } else { e }) * f;"),
+            "        at.a = 2.0\n            * (if b < c {\n                d\n            } else {\n                e\n            })\n            * f;"
+        );
+    }
+
+    #[test]
+    fn brackets_and_commas_in_strings_are_text() {
+        let (words, others) = (
+            "joined at A, B (and C), \\\"D\\\"".repeat(4),
+            "w, ".repeat(30),
+        );
+        assert_eq!(
+            lines(&format!("BlockName::new(\"{words}\", \"{others}\"),")),
+            format!(
+                "        BlockName::new(\n            \"{words}\",\n            \"{others}\",\n        ),"
+            )
+        );
+    }
+
+    #[test]
+    fn steps_of_a_long_chain_are_statements() {
+        let sum = ["a_term_of_a_sum"; 5].join(" + ");
+        assert_eq!(
+            lines(&format!("let x = {{ let partial = {sum}; partial + b }};")),
+            format!(
+                "        let x = {{\n            let partial = {sum};\n            partial + b\n        }};"
+            )
+        );
     }
 }
