@@ -2,6 +2,7 @@
 
 use super::markdown::inert;
 use crate::emit::module;
+use crate::emit::module::wrapped::wrapped;
 use crate::system::System;
 
 /// What a description says of its mechanism, line by line.
@@ -15,5 +16,5 @@ pub(super) fn doc_lines<S: AsRef<str>>(lines: impl IntoIterator<Item = S>) -> Ve
         true => line,
         false => format!(" {line}"),
     };
-    inert(lines).into_iter().map(spaced).collect()
+    wrapped(inert(lines)).into_iter().map(spaced).collect()
 }

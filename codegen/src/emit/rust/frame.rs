@@ -45,20 +45,16 @@ fn structure(module: &Module<'_>, code: &mut Code) {
     let (title, held, numbers) = match (module.holds_coordinates(), frame_keeps_parameters(module))
     {
         (true, true) => (
-            "One solved instant.",
+            "Solved frame.",
             "q, qd, qdd, parameters",
             module.system.coordinates.len(),
         ),
         (true, false) => (
-            "One solved instant.",
+            "Solved frame.",
             "q, qd, qdd",
             module.system.coordinates.len(),
         ),
-        (false, _) => (
-            "One solved instant: what the description asks for.",
-            "",
-            names.len(),
-        ),
+        (false, _) => ("Solved frame with the requested outputs.", "", names.len()),
     };
     code.gap();
     code.open("::linkwright::frame! {");

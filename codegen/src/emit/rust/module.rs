@@ -9,6 +9,7 @@ use super::{
     tables, textbook,
 };
 use crate::emit::code::Code;
+use crate::emit::lines::WIDTH;
 use crate::emit::module::Module;
 use crate::emit::scalar::Scalar;
 use crate::emit::text;
@@ -52,10 +53,10 @@ impl Module<'_> {
             textbook::characteristic_length,
             newton::equations,
             block::functions,
-            path::path,
             loads::function,
             shell::mechanism,
             textbook::dense,
+            path::path,
         ];
         let mut rest = Code::default();
         parts.iter().for_each(|part| part(self, &mut rest));
@@ -86,10 +87,12 @@ impl Module<'_> {
         code.gap();
         code.open("::linkwright::constants! {");
         for constant in used {
-            let exact = text::constant(self.system, &constant.part);
-            let exact = exact.map_or(String::new(), |exact| format!(" // {exact}"));
             let (name, value) = (identifier(&constant.name), self.number(constant.value));
-            code.whole(format!("{name} = {value},{exact}"));
+            let line = format!("{name} = {value},");
+            let room = WIDTH.saturating_sub(line.len() + "     // ".len());
+            let remark = text::constant(self.system, constant, room);
+            let remark = remark.map_or(String::new(), |remark| format!(" // {remark}"));
+            code.whole(format!("{line}{remark}"));
         }
         code.close("}");
     }

@@ -1,6 +1,7 @@
 //! Whether a frame lies on the path of the last one.
 
 use super::code::{argument, taken_apart};
+use super::docs::doc_lines;
 use super::lints;
 use crate::emit::code::Code;
 use crate::emit::module::path_enclosures::iterated;
@@ -8,30 +9,46 @@ use crate::emit::module::scope::{Place, Scope};
 use crate::emit::module::{Module, documentation};
 use crate::program::{Function, Path, Statement};
 
-/// Writes `verify_path`, `is_within` where Newton-Raphson finds something, and `verify_nonsingular` where all is in closed form.
+/// Writes the module `path_verification`: `verify_path`, `is_within` if Newton-Raphson finds values, and `verify_nonsingular` if
+/// all blocks are closed forms.
 pub(super) fn path(module: &Module<'_>, code: &mut Code) {
     let Some(path) = &module.program.path else {
         return;
     };
-    let mut within = Code::default();
+    let (mut within, mut inside) = (Code::default(), Code::default());
+    let head = doc_lines(documentation::of_path(module.program));
+    head.iter()
+        .for_each(|line| inside.whole(format!("//!{line}")));
+    inside.gap();
+    inside.line("use super::*;");
+    let mut names = vec!["verify_path"];
     let keeps = Shown {
         name: "verify_path",
-        docs: &documentation::KEEPS_TO_PATH,
+        docs: &documentation::VERIFY_PATH,
         enclosures: Some(enclosures(module, path, &mut within)),
     };
-    shown(module, &path.function, keeps, code);
+    shown(module, &path.function, keeps, &mut inside);
     if !within.is_empty() {
-        code.gap();
-        code.append(within);
+        names.push("is_within");
     }
+    inside.append(within);
     if let Some(function) = &path.closed {
+        names.push("verify_nonsingular");
         let stays = Shown {
             name: "verify_nonsingular",
-            docs: &documentation::STAYS_REGULAR,
+            docs: &documentation::VERIFY_NONSINGULAR,
             enclosures: None,
         };
-        shown(module, function, stays, code);
+        shown(module, function, stays, &mut inside);
     }
+    names.sort_unstable();
+    code.gap();
+    code.line(match names[..] {
+        [only] => format!("use path_verification::{only};"),
+        _ => format!("use path_verification::{{{}}};", names.join(", ")),
+    });
+    code.gap();
+    code.block("mod path_verification", inside);
 }
 
 /// A function that shows something of a window.
@@ -83,7 +100,7 @@ fn shown(module: &Module<'_>, function: &Function, shown: Shown<'_>, code: &mut 
         false => String::new(),
     };
     let head = format!(
-        "fn {}({pair}: &Pair<'_>, {window}: &TimeWindow{enclosures}) -> Result<(), u16>",
+        "pub(super) fn {}({pair}: &Pair<'_>, {window}: &TimeWindow{enclosures}) -> Result<(), u16>",
         shown.name
     );
     let allow = lints::of_code(&statements);
@@ -113,8 +130,8 @@ fn enclosures(module: &Module<'_>, path: &Path, code: &mut Code) -> Code {
     statements.line(
         "enclosures.iter().zip(found).all(|(enclosure, value)| enclosure.holds(value, steps))",
     );
-    let docs = ["Whether what Newton-Raphson has found is where the path is."];
-    let head = "fn is_within(at: &Frame, enclosures: &PathEnclosures, steps: Scalar) -> bool";
+    let docs = [documentation::IS_WITHIN];
+    let head = "pub(super) fn is_within(at: &Frame, enclosures: &PathEnclosures, steps: Scalar) -> bool";
     code.function(docs, [], head, statements);
     filled
 }
