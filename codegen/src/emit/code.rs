@@ -2,6 +2,8 @@
 //!
 //! Lines know how deep they stand, and are broken at the end alone: what is written for one place may be put into another.
 
+use super::layout::{Lists, broken};
+
 /// Code that is being written.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Code {
@@ -96,17 +98,22 @@ impl Code {
         self.words().flat_map(|word| word.split('.'))
     }
 
-    /// All lines, each with its break, as a language breaks them.
-    pub(super) fn finish(&self, broken: fn(&str, usize) -> Vec<String>) -> String {
+    /// True if some line mentions a name.
+    pub(super) fn mentions(&self, name: &str) -> bool {
+        self.names().any(|it| it == name)
+    }
+
+    /// All lines, each with its break.
+    pub(super) fn finish(&self, lists: Lists) -> String {
         let mut all = String::new();
         for line in &self.lines {
             let depth = 4 * line.depth;
             if line.is_whole || line.text.is_empty() {
                 let indent = if line.text.is_empty() { 0 } else { depth };
-                all.extend([&" ".repeat(indent), line.text.as_str(), "\n"]);
+                all.extend([&" ".repeat(indent), line.text.trim_end(), "\n"]);
                 continue;
             }
-            for line in broken(&line.text, depth) {
+            for line in broken(&line.text, depth, lists) {
                 all.extend([line.as_str(), "\n"]);
             }
         }

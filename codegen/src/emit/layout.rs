@@ -3,16 +3,32 @@
 //! What fits into a line stays on it. Lists break between their elements: short ones fill the lines, others have a line each. Sums
 //! and products break before their operators. Nothing but spaces and commas after last elements is added or left out.
 
-use super::lines::{filled, fits};
+use super::lines::{WIDTH, filled, fits};
+
+/// Lists in brackets of a language.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Lists {
+    /// Elements stand between the lines of their brackets, and the last one has a comma.
+    Apart,
+    /// Elements continue the line of their opening bracket.
+    Filled,
+}
 
 /// Elements up to this length share a line with others, with their commas.
 const SHORT: usize = 36;
 
 /// Operators that a line breaks before, those that bind least first.
-const OPERATORS: [&[&str]; 2] = [&[" + ", " - "], &[" * ", " / "]];
+const OPERATORS: [&[&str]; 3] = [
+    &[" && ", " || ", " ? ", " : ", " >= ", " < ", " > "],
+    &[" + ", " - "],
+    &[" * ", " / "],
+];
+
+/// Rank of the operators of a sum.
+const SUM: usize = 1;
 
 /// Lines of a statement, an element or the head of an item that begins so deep.
-pub(super) fn broken(line: &str, depth: usize) -> Vec<String> {
+pub(super) fn broken(line: &str, depth: usize, lists: Lists) -> Vec<String> {
     let whole = format!("{:depth$}{line}", "");
     if is_short(&whole) {
         return vec![whole];
@@ -30,9 +46,10 @@ pub(super) fn broken(line: &str, depth: usize) -> Vec<String> {
     let mut values = values.filter_map(|it| Some(text.find(it)? + it.len()));
     let value = values.find(|at| ["if ", "{ "].iter().any(|it| text[*at..].starts_with(it)));
     let (before, text) = text.split_at(value.unwrap_or(0));
-    let mut lines = Lines(Vec::new());
+    let all = Vec::new();
+    let mut lines = Lines { all, lists };
     lines.lay(&part(before, text, end), [depth, depth + 4]);
-    lines.0
+    lines.all
 }
 
 /// A text that may be broken, and what stands before it on its first line and after it on its last one.
@@ -51,7 +68,10 @@ fn part(before: impl Into<String>, text: &str, after: impl Into<String>) -> Part
     }
 }
 
-struct Lines(Vec<String>);
+struct Lines {
+    all: Vec<String>,
+    lists: Lists,
+}
 
 impl Lines {
     /// Adds the lines of a part: the first so deep, and those that continue it.
@@ -59,40 +79,46 @@ impl Lines {
         let (depth, text) = (depths[0], part.text);
         let whole = format!("{:depth$}{}{text}{}", "", part.before, part.after);
         if is_short(&whole) {
-            self.0.push(whole);
+            self.all.push(whole);
         } else if text.starts_with("if ") && text.contains("} else ") {
             self.choice(part, depth);
-        } else if let Some(pieces) = operands(text) {
-            self.operation(part, &pieces, depths);
+        } else if let Some((pieces, fills)) = operands(text) {
+            self.pieces(part, &pieces, fills, depths);
         } else if text.starts_with("{ ") {
             self.block(part, depth);
         } else if let Some((at, _)) = outer(text).find(|(at, _)| text[*at..].starts_with(").")) {
             self.chain(part, at + 1, depth);
         } else if !self.brackets(part, depths) {
-            self.0.push(whole);
+            match text.find(" = ").map(|at| text.split_at(at + " =".len())) {
+                Some((head, value)) => {
+                    self.all.push(format!("{:depth$}{}{head}", "", part.before));
+                    let value = self::part("", value.trim_start(), &*part.after);
+                    self.lay(&value, [depths[1], depths[1] + 4]);
+                }
+                None => self.string(part, depth),
+            }
         }
     }
 
-    /// Terms or factors in lines that they fill.
-    fn operation(&mut self, whole: &Part<'_>, pieces: &[&str], [first, others]: [usize; 2]) {
-        // What follows a term of several lines does not continue the last of them.
+    /// Adds pieces of a text, each on a line of its own or as many as fit.
+    fn pieces(&mut self, whole: &Part<'_>, pieces: &[&str], fills: bool, depths: [usize; 2]) {
+        let [first, others] = depths;
+        // What follows a piece of several lines does not continue the last of them.
         let mut is_open = false;
         for (place, text) in pieces.iter().enumerate() {
             let is_last = place + 1 == pieces.len();
-            let before = if place == 0 {
-                whole.before.as_str()
-            } else {
-                ""
+            let after = if is_last { &*whole.after } else { "" };
+            let (before, depth) = match place {
+                0 => (&*whole.before, first),
+                _ => ("", others),
             };
-            let after = if is_last { whole.after.as_str() } else { "" };
             let line = format!("{before}{text}{after}");
-            let depth = if place == 0 { first } else { others };
-            match self.0.last_mut() {
+            match self.all.last_mut() {
                 Some(open) if is_open && is_short(&format!("{open} {line}")) => {
                     *open += &format!(" {line}");
                 }
                 _ => {
-                    is_open = is_short(&format!("{:depth$}{line}", ""));
+                    is_open = fills && is_short(&format!("{:depth$}{line}", ""));
                     self.lay(&part(before, text, after), [depth, others + 4]);
                 }
             }
@@ -119,13 +145,13 @@ impl Lines {
             }
         }
         let space = if rest.is_empty() { "" } else { " " };
-        self.0
+        self.all
             .push(format!("{:depth$}}}{space}{rest}{}", "", whole.after));
     }
 
     /// Adds statements between braces that end with a value.
     fn block(&mut self, whole: &Part<'_>, depth: usize) {
-        self.0.push(format!("{:depth$}{}{{", "", whole.before));
+        self.all.push(format!("{:depth$}{}{{", "", whole.before));
         let statements = parts(whole.text[1..whole.text.len() - 1].trim(), "; ");
         for (place, statement) in statements.iter().enumerate() {
             let end = if place + 1 < statements.len() {
@@ -133,18 +159,18 @@ impl Lines {
             } else {
                 ""
             };
-            self.0
-                .extend(broken(&format!("{statement}{end}"), depth + 4));
+            self.all
+                .extend(broken(&format!("{statement}{end}"), depth + 4, self.lists));
         }
-        self.0.push(format!("{:depth$}}}{}", "", whole.after));
+        self.all.push(format!("{:depth$}}}{}", "", whole.after));
     }
 
     /// Adds a call, and what is called on its value.
     fn chain(&mut self, whole: &Part<'_>, at: usize, depth: usize) {
         let (call, method) = whole.text.split_at(at);
-        let start = self.0.len();
+        let start = self.all.len();
         self.lay(&part(&*whole.before, call, ""), [depth, depth + 4]);
-        let is_one_line = self.0.len() == start + 1;
+        let is_one_line = self.all.len() == start + 1;
         let depth = if is_one_line { depth + 4 } else { depth };
         self.lay(&part("", method, &*whole.after), [depth, depth + 4]);
     }
@@ -157,10 +183,10 @@ impl Lines {
             after,
         } = whole;
         let (depth, inside) = (depths[0], depths[0] + 4);
-        let is_function = text.starts_with("fn ") || text.starts_with("pub fn ");
         let all = groups(text);
-        let widest = match is_function {
-            true => all.first(),
+        let heads = ["fn ", "pub fn ", "pub(super) fn "];
+        let widest = match heads.iter().any(|it| text.starts_with(it)) {
+            true => all.get(usize::from(text.starts_with("pub("))),
             false => all.iter().rev().max_by_key(|[start, end]| end - start),
         };
         let Some([start, end]) = widest.filter(|[start, end]| *end > start + 1) else {
@@ -173,29 +199,65 @@ impl Lines {
         );
         let elements = parts(inner, ", ");
         let is_bare = open == "(" || open.ends_with(" (") || open.ends_with("-(");
-        if elements.len() == 1 && (is_call(inner) || is_bare) {
-            let alone = part(format!("{before}{open}"), inner, format!("{close}{after}"));
-            self.lay(&alone, depths);
-            return true;
+        let is_filled = self.lists == Lists::Filled;
+        let alone = part(format!("{before}{open}"), inner, format!("{close}{after}"));
+        if elements.len() == 1 && (is_filled || is_bare || is_call(inner)) {
+            let breaks = operands(inner).is_some() || !groups(inner).is_empty();
+            if breaks {
+                self.lay(&alone, depths);
+            }
+            return breaks;
         }
         let is_repeated = parts(inner, "; ").len() > 1;
-        let elements = elements.iter().map(|element| match *element {
-            ".." => "..".to_string(),
-            _ if is_repeated => element.to_string(),
-            _ => format!("{element},"),
+        let last = elements.len() - usize::from(is_filled || is_repeated);
+        let elements = elements.iter().enumerate();
+        let elements = elements.map(|(place, element)| match place < last && *element != ".." {
+            true => format!("{element},"),
+            false => element.to_string(),
         });
         let elements: Vec<String> = elements.collect();
-        self.0.push(format!("{:depth$}{before}{open}", ""));
-        match open.ends_with('[') && elements.iter().all(|it| it.len() <= SHORT) {
-            true => self
-                .0
-                .extend(filled(elements.iter().map(String::as_str), inside)),
-            false => elements
-                .iter()
-                .for_each(|it| self.0.extend(broken(it, inside))),
+        let texts: Vec<&str> = elements.iter().map(String::as_str).collect();
+        let head = format!("{:depth$}{before}{open}", "");
+        if is_filled && is_short(&format!("{head}{}", texts[0])) {
+            self.pieces(&alone, &texts, true, depths);
+            return true;
         }
-        self.0.push(format!("{:depth$}{close}{after}", ""));
+        self.all.push(head);
+        if is_filled {
+            let rest = part("", inner, format!("{close}{after}"));
+            self.pieces(&rest, &texts, true, [inside; 2]);
+            return true;
+        }
+        if open.ends_with('[') && elements.iter().all(|it| it.len() <= SHORT) {
+            self.all.extend(filled(texts, inside));
+        } else {
+            texts
+                .iter()
+                .for_each(|it| self.all.extend(broken(it, inside, self.lists)));
+        }
+        self.all.push(format!("{:depth$}{close}{after}", ""));
         true
+    }
+
+    /// Adds a string in parts, if the language joins them.
+    fn string(&mut self, whole: &Part<'_>, depth: usize) {
+        let Part {
+            before,
+            text,
+            after,
+        } = whole;
+        let room = WIDTH.saturating_sub(depth + before.len() + 1);
+        let is_joined = self.lists == Lists::Filled && text.starts_with('"');
+        let start = text.get(..room).filter(|_| is_joined);
+        match start.and_then(|start| start.rfind(' ')) {
+            Some(at) => {
+                let (start, rest) = text.split_at(at + 1);
+                self.all.push(format!("{:depth$}{before}{start}\"", ""));
+                let rest = format!("\"{rest}");
+                self.lay(&part("", &rest, &**after), [depth, depth + 4]);
+            }
+            None => self.all.push(format!("{:depth$}{before}{text}{after}", "")),
+        }
     }
 }
 
@@ -210,9 +272,9 @@ fn is_call(text: &str) -> bool {
     text.ends_with([')', ']', '}']) && !text.starts_with("if ") && operands(text).is_none()
 }
 
-/// Terms, or else factors, with the operators before them; `None` if there is one alone.
-fn operands(text: &str) -> Option<Vec<&str>> {
-    let pieces = OPERATORS.map(|operators| {
+/// Operands with the operators before them, and true if they fill lines; a sum has a line for each term. `None` if there is one alone.
+fn operands(text: &str) -> Option<(Vec<&str>, bool)> {
+    OPERATORS.iter().enumerate().find_map(|(rank, operators)| {
         let (mut pieces, mut start) = (Vec::new(), 0);
         for (at, _) in outer(text) {
             if operators.iter().any(|it| text[at..].starts_with(it)) {
@@ -221,9 +283,8 @@ fn operands(text: &str) -> Option<Vec<&str>> {
             }
         }
         pieces.push(&text[start..]);
-        pieces
-    });
-    pieces.into_iter().find(|it| it.len() > 1)
+        (pieces.len() > 1).then_some((pieces, rank != SUM))
+    })
 }
 
 /// What separators outside of all brackets part.
@@ -273,11 +334,11 @@ fn outer(text: &str) -> impl Iterator<Item = (usize, char)> {
 
 #[cfg(test)]
 mod tests {
-    use super::broken;
+    use super::{Lists, broken};
 
     /// Lines of a statement eight deep.
     fn lines(statement: &str) -> String {
-        let lines = broken(statement, 8);
+        let lines = broken(statement, 8, Lists::Apart);
         let content = |text: &str| text.replace([' ', '\n', ','], "");
         assert_eq!(content(&lines.concat()), content(statement));
         lines.join("\n")

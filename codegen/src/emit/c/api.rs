@@ -3,12 +3,12 @@
 use super::assembly;
 use super::points::Offered;
 use super::printer::Printer;
-use super::text::Text;
 use super::words::identifier;
+use crate::emit::code::Code;
 use crate::emit::module::path_enclosures::enclosure_count;
 
 /// Where everything of a mechanism is, as the runtime sees it.
-pub(super) fn parts(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn parts(printer: &Printer<'_>, text: &mut Code) {
     let (mechanism, declared) = (printer.runtime("mechanism"), printer.declared());
     text.gap();
     text.comment(["Returns pointers to the parts of the mechanism, for the runtime."]);
@@ -57,7 +57,7 @@ pub(super) fn parts(printer: &Printer<'_>, text: &mut Text) {
 }
 
 /// What needs the most room, apart from what is called often.
-fn in_steps(printer: &Printer<'_>, text: &mut Text) {
+fn in_steps(printer: &Printer<'_>, text: &mut Code) {
     let (mechanism, workspace, real) = (
         printer.runtime("mechanism"),
         printer.runtime("workspace"),
@@ -153,7 +153,7 @@ pub(super) fn function(
     Offered {
         lines: lines.iter().map(|line| line.to_string()).collect(),
         declaration: format!("linkwright_status {name}({})", listed(arguments)),
-        body: Text::default(),
+        body: Code::default(),
     }
 }
 
@@ -212,7 +212,7 @@ fn motion(printer: &Printer<'_>) -> Vec<Offered> {
             printer.function("frame"),
             printer.type_prefix
         ),
-        body: Text::default(),
+        body: Code::default(),
     };
     last.body.line(format!(
         "const {frame} *const last = &mechanism->frames[mechanism->state.second_is_last ? 1 : 0];"

@@ -3,8 +3,8 @@
 use super::api::{Given, function, listed};
 use super::points::Offered;
 use super::printer::Printer;
-use super::text::Text;
 use super::words::identifier;
+use crate::emit::code::Code;
 
 /// The functions that assemble the mechanism, each by the most general one.
 pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
@@ -124,7 +124,7 @@ fn assemble_for(
 }
 
 /// The pose in the drawing of parameters: where they change it, one that is computed here.
-fn drawn(printer: &Printer<'_>, parameters: &str, body: &mut Text) -> String {
+fn drawn(printer: &Printer<'_>, parameters: &str, body: &mut Code) -> String {
     match printer.module.program.drawn.is_some() {
         true => {
             let (coordinates, drawn) = (printer.type_of("Coordinates"), printer.function("drawn"));
@@ -194,7 +194,7 @@ fn assemble_with(printer: &Printer<'_>, given: &Given, arguments: [&str; 5]) -> 
 pub(super) fn drawn_pose(printer: &Printer<'_>) -> Option<Offered> {
     let function = printer.module.program.drawn.as_ref()?;
     let coordinates = printer.type_of("Coordinates");
-    let mut body = Text::default();
+    let mut body = Code::default();
     body.line(format!(
         "{} found[{}];",
         printer.real(),

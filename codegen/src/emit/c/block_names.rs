@@ -4,12 +4,12 @@ use super::comment::quoted;
 use super::loads;
 use super::parameters::requirement_names;
 use super::printer::Printer;
-use super::text::Text;
 use super::transmission::drivers;
+use crate::emit::code::Code;
 use crate::emit::module::documentation;
 
 /// The names as others see them.
-pub(super) fn declarations(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn declarations(printer: &Printer<'_>, text: &mut Code) {
     let count = printer.module.program.blocks.len();
     text.gap();
     text.comment([
@@ -44,7 +44,7 @@ pub(super) fn declarations(printer: &Printer<'_>, text: &mut Text) {
 }
 
 /// The names.
-pub(super) fn definitions(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn definitions(printer: &Printer<'_>, text: &mut Code) {
     let names = printer.module.words.iter();
     let names: Vec<[String; 2]> = names
         .map(|it| [quoted(&it.name), quoted(&it.singular)])
@@ -66,7 +66,7 @@ pub(super) fn definitions(printer: &Printer<'_>, text: &mut Text) {
     }
 }
 
-fn table(printer: &Printer<'_>, name: &str, names: &[[String; 2]], text: &mut Text) {
+fn table(printer: &Printer<'_>, name: &str, names: &[[String; 2]], text: &mut Code) {
     let constant = printer.constant(name);
     text.gap();
     if names.is_empty() {
@@ -80,7 +80,7 @@ fn table(printer: &Printer<'_>, name: &str, names: &[[String; 2]], text: &mut Te
         names.len()
     ));
     for [name, singular] in names {
-        text.line_as_it_is(&format!("{{{name}, {singular}}},"));
+        text.line(format!("{{{name}, {singular}}},"));
     }
     text.close("};");
 }

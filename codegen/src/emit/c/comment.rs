@@ -1,7 +1,7 @@
 //! Lines of prose, ours and those of a description → comments of C.
 
 use super::ascii::ascii;
-use super::text::Text;
+use crate::emit::code::Code;
 use crate::emit::module::wrapped::wrapped;
 
 /// A text in ASCII without what would begin or end a comment, hide a line break, or turn the direction of what follows.
@@ -25,7 +25,7 @@ pub(super) fn inert(text: &str) -> String {
     inert.trim_end_matches([' ', '\\']).to_string()
 }
 
-impl Text {
+impl Code {
     /// A comment before what it is about: the lines as they are, except for those that are too long.
     pub(super) fn comment<S: AsRef<str>>(&mut self, lines: impl IntoIterator<Item = S>) {
         let lines: Vec<String> = lines.into_iter().map(|it| inert(it.as_ref())).collect();
@@ -38,7 +38,7 @@ impl Text {
             let begin = if place == 0 { "/* " } else { "   " };
             let end = if place == last { " */" } else { "" };
             let text = format!("{begin}{line}");
-            self.line_as_it_is(&format!("{}{end}", text.trim_end()));
+            self.whole(&format!("{}{end}", text.trim_end()));
         }
     }
 }

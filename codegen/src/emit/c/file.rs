@@ -1,13 +1,14 @@
 //! The header and the source of a mechanism, or of all its motions, and the runtime's.
 
 use super::printer::Printer;
-use super::text::Text;
 use super::words::WORDS;
 use super::{
     api, assemblies, assembly, block, block_names, coordinates, equations, forces, frame, loads,
     normalized_determinant, parameters, path, points, runtime, sensitivity, shell, tables,
     textbook, transmission,
 };
+use crate::emit::code::Code;
+use crate::emit::layout::Lists;
 use crate::emit::lines::WIDTH;
 use crate::emit::module::{Module, documentation, facts};
 use crate::emit::scalar::Scalar;
@@ -54,7 +55,7 @@ fn offered(printer: &Printer<'_>) -> Vec<points::Offered> {
 }
 
 fn header(first: &Printer<'_>, printers: &[Printer<'_>]) -> String {
-    let mut text = Text::default();
+    let mut text = Code::default();
     text.comment([facts::origin(first.module)]);
     let mechanism = &first.module.system.mechanism;
     let mut lines = Vec::new();
@@ -108,11 +109,11 @@ fn header(first: &Printer<'_>, printers: &[Printer<'_>]) -> String {
     text.line("#endif");
     text.gap();
     text.line("#endif");
-    text.finish()
+    text.finish(Lists::Filled)
 }
 
 /// The structures, constants and functions of one motion, as others see them.
-fn declarations(printer: &Printer<'_>, text: &mut Text) {
+fn declarations(printer: &Printer<'_>, text: &mut Code) {
     parameters::parameters(printer, text);
     coordinates::structure(printer, text);
     parameters::inputs(printer, text);
@@ -146,7 +147,7 @@ fn declarations(printer: &Printer<'_>, text: &mut Text) {
 }
 
 fn source(first: &Printer<'_>, printers: &[Printer<'_>], stem: &str) -> String {
-    let mut text = Text::default();
+    let mut text = Code::default();
     text.comment([facts::origin(first.module)]);
     text.line(format!("#include \"{stem}.h\""));
     text.gap();
@@ -167,12 +168,12 @@ fn source(first: &Printer<'_>, printers: &[Printer<'_>], stem: &str) -> String {
         parameters::nominal(printer, &mut text);
         definitions(printer, &mut text);
     }
-    text.finish()
+    text.finish(Lists::Filled)
 }
 
 /// The constants and functions of one motion.
-fn definitions(printer: &Printer<'_>, text: &mut Text) {
-    let mut code = Text::default();
+fn definitions(printer: &Printer<'_>, text: &mut Code) {
+    let mut code = Code::default();
     equations::given(printer, &mut code);
     parameters::drawn(printer, &mut code);
     equations::equations(printer, &mut code);
@@ -204,7 +205,7 @@ fn definitions(printer: &Printer<'_>, text: &mut Text) {
 }
 
 /// The named constants that the code mentions.
-fn constants(printer: &Printer<'_>, code: &Text, text: &mut Text) {
+fn constants(printer: &Printer<'_>, code: &Code, text: &mut Code) {
     let list = printer.module.program.constants.list().iter();
     let used = list.filter(|constant| code.mentions(&printer.own_constant(&constant.name)));
     text.gap();
@@ -220,6 +221,6 @@ fn constants(printer: &Printer<'_>, code: &Text, text: &mut Text) {
         let remark = remark.map_or(String::new(), |remark| {
             format!(" {}", printer.beside(&remark))
         });
-        text.line_as_it_is(&format!("{line}{remark}"));
+        text.whole(&format!("{line}{remark}"));
     }
 }

@@ -1,12 +1,12 @@
 //! The frame: one solved instant.
 
 use super::printer::Printer;
-use super::text::Text;
 use super::words::identifier;
+use crate::emit::code::Code;
 use crate::emit::module::drawing::{Estimate, estimates, frame_keeps_parameters};
 
 /// The structure of a frame.
-pub(super) fn structure(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn structure(printer: &Printer<'_>, text: &mut Code) {
     let (module, real, name) = (printer.module, printer.real(), printer.type_of("Frame"));
     let holds_coordinates = module.holds_coordinates();
     text.gap();
@@ -42,14 +42,14 @@ pub(super) fn structure(printer: &Printer<'_>, text: &mut Text) {
 }
 
 /// `estimate`: the frame before the first one, a pose at rest.
-pub(super) fn estimate(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn estimate(printer: &Printer<'_>, text: &mut Code) {
     let module = printer.module;
     let (real, frame, coordinates) = (
         printer.real(),
         printer.type_of("Frame"),
         printer.type_of("Coordinates"),
     );
-    let mut body = Text::default();
+    let mut body = Code::default();
     body.line("(void)memset(at, 0, sizeof(*at));");
     body.line("at->t = t;");
     if module.holds_coordinates() {

@@ -2,7 +2,7 @@
 
 use super::points::Offered;
 use super::printer::Printer;
-use super::text::Text;
+use crate::emit::code::Code;
 use crate::program::Measured;
 
 /// How many loops are measured; nothing where the description does not ask.
@@ -22,7 +22,7 @@ pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
         printer.runtime("normalized_determinant"),
     );
     let field = |symbol| printer.field(symbol, "frame");
-    let mut body = Text::default();
+    let mut body = Code::default();
     let mut place = 0;
     for (index, block) in printer.module.program.blocks.iter().enumerate() {
         for measured in &block.measured {
@@ -59,7 +59,7 @@ pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
     }
     let room = number.max(1);
     let all = printer.function("normalized_determinants");
-    let mut closest = Text::default();
+    let mut closest = Code::default();
     closest.line(format!("{found} found[{room}];"));
     closest.line(format!("{all}(frame, found);"));
     closest.line(format!(

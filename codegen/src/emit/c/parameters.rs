@@ -2,8 +2,8 @@
 
 use super::comment::quoted;
 use super::printer::Printer;
-use super::text::Text;
 use super::words::identifier;
+use crate::emit::code::Code;
 use crate::emit::module::documentation;
 use crate::emit::module::scope::{Place, Scope};
 use crate::expr::ExprId;
@@ -48,7 +48,7 @@ impl Printer<'_> {
 }
 
 /// The structure with the parameters, and the constant with their defaults, as others see them.
-pub(super) fn parameters(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn parameters(printer: &Printer<'_>, text: &mut Code) {
     if printer.declared().parameters {
         let fields = printer.parameters();
         structure(
@@ -71,7 +71,7 @@ pub(super) fn parameters(printer: &Printer<'_>, text: &mut Text) {
 }
 
 /// The structure with the inputs.
-pub(super) fn inputs(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn inputs(printer: &Printer<'_>, text: &mut Code) {
     if printer.declared().inputs {
         let (fields, signal) = (printer.inputs(), printer.runtime("signal"));
         let title =
@@ -95,7 +95,7 @@ fn structure(
     field_type: &str,
     default: &str,
     fields: &[Number<'_>],
-    text: &mut Text,
+    text: &mut Code,
 ) {
     let structure = printer.type_of(kind);
     text.gap();
@@ -112,7 +112,7 @@ fn structure(
 }
 
 /// The defaults of the parameters.
-pub(super) fn nominal(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn nominal(printer: &Printer<'_>, text: &mut Code) {
     if !printer.declared().parameters {
         return;
     }
@@ -128,7 +128,7 @@ pub(super) fn nominal(printer: &Printer<'_>, text: &mut Text) {
 }
 
 /// The initial inputs.
-pub(super) fn initial(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn initial(printer: &Printer<'_>, text: &mut Code) {
     let zero = printer.number(0.0);
     let values = printer.inputs().into_iter().map(|(.., value)| {
         let value = printer.number(printer.default(value));
@@ -144,7 +144,7 @@ pub(super) fn initial(printer: &Printer<'_>, text: &mut Text) {
 }
 
 /// How the runtime looks at parameters and inputs.
-pub(super) fn accessors(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn accessors(printer: &Printer<'_>, text: &mut Code) {
     let declared = printer.declared();
     let (real, finite) = (printer.real(), printer.runtime("all_finite"));
     if declared.parameters {
@@ -194,11 +194,11 @@ pub(super) fn accessors(printer: &Printer<'_>, text: &mut Text) {
                     text.open(format!("case {index}U:"));
                     text.line(format!("found = &inputs->{field};"));
                     text.line("break;");
-                    text.close_without_line();
+                    text.end();
                 }
                 text.open("default:");
                 text.line("break;");
-                text.close_without_line();
+                text.end();
                 text.line("}");
             } else {
                 text.line("(void)index;");
@@ -230,7 +230,7 @@ pub(super) fn accessors(printer: &Printer<'_>, text: &mut Text) {
 }
 
 /// What parameters must leave positive, and what it is called.
-pub(super) fn requirements(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn requirements(printer: &Printer<'_>, text: &mut Code) {
     let Some(requirements) = &printer.module.program.requirements else {
         return;
     };
@@ -274,7 +274,7 @@ pub(super) fn requirement_names(printer: &Printer<'_>) -> Option<Vec<[String; 2]
 }
 
 /// The drawing of given parameters: a value per unknown, coordinates first.
-pub(super) fn drawn(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn drawn(printer: &Printer<'_>, text: &mut Code) {
     let Some(function) = &printer.module.program.drawn else {
         return;
     };

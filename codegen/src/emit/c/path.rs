@@ -1,14 +1,14 @@
 //! Writes the verification that a frame lies on the path of the last frame.
 
 use super::printer::Printer;
-use super::text::Text;
+use crate::emit::code::Code;
 use crate::emit::module::documentation;
 use crate::emit::module::path_enclosures::iterated;
 use crate::emit::module::scope::{Place, Scope};
 use crate::program::Path;
 
 /// Declares the functions of [`path`], which stand at the end.
-pub(super) fn declarations(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn declarations(printer: &Printer<'_>, text: &mut Code) {
     let Some(path) = &printer.module.program.path else {
         return;
     };
@@ -24,12 +24,12 @@ pub(super) fn declarations(printer: &Printer<'_>, text: &mut Text) {
 }
 
 /// `verify_path`, `is_within` if Newton-Raphson finds values, and `verify_nonsingular` if all blocks are closed forms.
-pub(super) fn path(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn path(printer: &Printer<'_>, text: &mut Code) {
     let Some(path) = &printer.module.program.path else {
         return;
     };
     let scope = Scope::new(printer.module, &path.function, Place::Path);
-    let mut body = Text::default();
+    let mut body = Code::default();
     printer.plain_statements(&scope, &mut body);
     fill_enclosures(printer, path, &scope, &mut body);
     text.gap();
@@ -42,7 +42,7 @@ pub(super) fn path(printer: &Printer<'_>, text: &mut Text) {
     within(printer, path, text);
     if let Some(function) = &path.closed {
         let scope = Scope::new(printer.module, function, Place::Path);
-        let mut body = Text::default();
+        let mut body = Code::default();
         printer.plain_statements(&scope, &mut body);
         text.gap();
         text.comment(documentation::VERIFY_NONSINGULAR);
@@ -78,7 +78,7 @@ fn within_head(printer: &Printer<'_>) -> String {
 }
 
 /// Writes a verification, with or without enclosures.
-fn shown(printer: &Printer<'_>, name: &str, has_enclosures: bool, body: Text, text: &mut Text) {
+fn shown(printer: &Printer<'_>, name: &str, has_enclosures: bool, body: Code, text: &mut Code) {
     text.line(head(printer, name, has_enclosures));
     text.open("{");
     let [frame, parameters, inputs] =
@@ -131,7 +131,7 @@ fn shown(printer: &Printer<'_>, name: &str, has_enclosures: bool, body: Text, te
 }
 
 /// Fills the enclosures of unknowns that Newton-Raphson finds.
-fn fill_enclosures(printer: &Printer<'_>, path: &Path, scope: &Scope<'_>, text: &mut Text) {
+fn fill_enclosures(printer: &Printer<'_>, path: &Path, scope: &Scope<'_>, text: &mut Code) {
     let module = printer.module;
     let iterated = iterated(module.program, module.system, path);
     for (place, (symbol, deviation)) in iterated.iter().enumerate() {
@@ -148,7 +148,7 @@ fn fill_enclosures(printer: &Printer<'_>, path: &Path, scope: &Scope<'_>, text: 
 }
 
 /// Writes the check of values that Newton-Raphson finds.
-fn within(printer: &Printer<'_>, path: &Path, text: &mut Text) {
+fn within(printer: &Printer<'_>, path: &Path, text: &mut Code) {
     let module = printer.module;
     let iterated = iterated(module.program, module.system, path);
     if iterated.is_empty() {

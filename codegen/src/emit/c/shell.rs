@@ -4,7 +4,7 @@ use super::block;
 use super::loads;
 use super::points::point_functions;
 use super::printer::Printer;
-use super::text::Text;
+use crate::emit::code::Code;
 use crate::emit::module::checks::checked;
 use crate::emit::module::documentation;
 use crate::emit::module::drawing::frame_keeps_parameters;
@@ -13,7 +13,7 @@ use crate::emit::module::path_enclosures::enclosure_count;
 use crate::program::Requirements;
 
 /// The structure that a user holds.
-pub(super) fn structure(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn structure(printer: &Printer<'_>, text: &mut Code) {
     let (module, declared) = (printer.module, printer.declared());
     let name = &printer.type_prefix;
     let type_of = |it| printer.type_of(it);
@@ -61,10 +61,10 @@ pub(super) fn structure(printer: &Printer<'_>, text: &mut Text) {
 }
 
 /// Solves all blocks at one time.
-pub(super) fn solve(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn solve(printer: &Printer<'_>, text: &mut Code) {
     let module = printer.module;
     let (frame, branches) = (printer.type_of("Frame"), printer.type_of("Branches"));
-    let mut body = Text::default();
+    let mut body = Code::default();
     body.line("at->t = conditions->t;");
     if module.holds_coordinates() && frame_keeps_parameters(module) {
         let parameters = printer.type_of("Parameters");
@@ -140,7 +140,7 @@ pub(super) fn solve(printer: &Printer<'_>, text: &mut Text) {
 }
 
 /// The time of a frame, and the values by which poses are compared.
-pub(super) fn values(printer: &Printer<'_>, text: &mut Text) -> usize {
+pub(super) fn values(printer: &Printer<'_>, text: &mut Code) -> usize {
     let module = printer.module;
     let (frame, real) = (printer.type_of("Frame"), printer.real());
     text.gap();
@@ -179,12 +179,12 @@ pub(super) fn values(printer: &Printer<'_>, text: &mut Text) -> usize {
             text.open(format!("case {index}U:"));
             text.line(format!("value = {point}(at).position[{axis}];"));
             text.line("break;");
-            text.close_without_line();
+            text.end();
         }
     }
     text.open("default:");
     text.line("break;");
-    text.close_without_line();
+    text.end();
     text.line("}");
     text.line("return value;");
     text.close("}");
@@ -192,7 +192,7 @@ pub(super) fn values(printer: &Printer<'_>, text: &mut Text) -> usize {
 }
 
 /// Mechanism descriptor.
-pub(super) fn blocks(printer: &Printer<'_>, values: usize, text: &mut Text) {
+pub(super) fn blocks(printer: &Printer<'_>, values: usize, text: &mut Code) {
     let (module, declared) = (printer.module, printer.declared());
     let is_guarded = module.program.path.is_some();
     let some = |is_there: bool, name: &str| match is_there {

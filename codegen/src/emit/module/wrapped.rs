@@ -39,11 +39,13 @@ pub(in crate::emit) fn wrapped<S: AsRef<str>>(lines: impl IntoIterator<Item = S>
 
 /// Returns the index of the space at which a line is broken; `None` if the line fits or has no such space.
 fn break_of(line: &str, indent: usize) -> Option<usize> {
-    let end = line.char_indices().nth(WIDTH)?.0;
+    let mut ends = line.char_indices().skip(WIDTH).map(|(at, _)| at);
+    let end = ends.next()?;
+    let after = ends.next().unwrap_or(line.len());
     let first = indent.max(2);
     let spaces = |text: &str| text.rfind(' ').filter(|at| *at > first);
     let next = line[end..].find(' ').map(|at| end + at);
-    spaces(&line[..=end.min(line.len() - 1)]).or(next)
+    spaces(&line[..after]).or(next)
 }
 
 /// True if a line continues a paragraph.

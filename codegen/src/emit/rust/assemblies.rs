@@ -43,7 +43,7 @@ pub(super) fn assemblies(module: &Module<'_>, code: &mut Code) {
             format!("{}: {mode}", identifier(&block.name))
         });
         let modes: Vec<String> = closed.chain(found).collect();
-        code.comment(&documentation::of_assembly(assembly, module).replace('`', ""));
+        code.remark(&documentation::of_assembly(assembly, module).replace('`', ""));
         let (label, all) = (&assembly.label, modes.join(", "));
         let line = format!("{number}, {label:?} {{ {all} }} at [");
         if line.len() <= LONGEST {

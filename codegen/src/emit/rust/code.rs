@@ -6,7 +6,7 @@ use crate::emit::code::Code;
 
 impl Code {
     /// Adds a comment.
-    pub(super) fn comment(&mut self, text: &str) {
+    pub(super) fn remark(&mut self, text: &str) {
         let text = text.replace(char::is_control, "");
         self.whole(format!("// {text}"));
     }

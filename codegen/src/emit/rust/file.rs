@@ -3,7 +3,7 @@
 use super::lints;
 use super::names::{WORDS, identifier};
 use crate::emit::code::Code;
-use crate::emit::layout::broken;
+use crate::emit::layout::Lists;
 use crate::emit::module::{Module, documentation, facts};
 use crate::emit::scalar::Scalar;
 use crate::program::Program;
@@ -47,7 +47,7 @@ pub fn file(
             }
         }
     }
-    code.finish(broken)
+    code.finish(Lists::Apart)
 }
 
 /// Writes the module of one motion. Who drives the mechanism in one way need not use the other ways.
@@ -58,7 +58,7 @@ fn motion(module: &Module<'_>, math: Option<&str>, code: &mut Code) {
     let mut inside = Code::default();
     facts::facts(module)
         .iter()
-        .for_each(|line| inside.comment(line));
+        .for_each(|line| inside.remark(line));
     module.items(math, &mut inside);
     let mut item = Code::default();
     item.block(&format!("pub mod {}", identifier(&motion.name)), inside);

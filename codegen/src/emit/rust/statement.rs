@@ -43,7 +43,7 @@ impl Scope<'_> {
             | Statement::Note(_)
             | Statement::Shown { .. } => {
                 if let Some(said) = documentation::of_statement(statement, self.module) {
-                    code.comment(&said);
+                    code.remark(&said);
                 }
             }
             Statement::Let { target, value, .. } => {
