@@ -6,7 +6,7 @@
 //!
 //! The generated code holds two views of a mechanism. Its type runs the *solved view*: the equations are ordered into the
 //! smallest blocks that can be solved one after another ([`stages::structure::SolvedPlan`]), and each block becomes one function, in
-//! closed form where it has one (linear, one angle, two rotations, a rotation and a slide, a turning slide, two slides) and by
+//! closed form if it has one (linear, one angle, RRR, RRP, RPR, PRP and RPP dyads) and by
 //! Newton-Raphson otherwise. What no `output` of the description needs is left out; [`report`] says what is left. The *textbook
 //! view* is Φ, Φ_q, Φ_t and γ as functions, to be solved as one dense system; mechanisms of hundreds of coordinates have none. Every
 //! limit stands in `linkwright::thresholds`.

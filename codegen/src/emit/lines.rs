@@ -1,4 +1,4 @@
-//! Code that is longer than a line → lines that a person would break it into.
+//! Widths of lines.
 
 /// The longest line, as wide as the documentation.
 pub(super) const WIDTH: usize = 120;
@@ -21,61 +21,4 @@ pub(super) fn filled<'a>(pieces: impl IntoIterator<Item = &'a str>, depth: usize
         }
     }
     lines
-}
-
-/// A long sum, or else a long product, in lines that begin with an operator. A term that is longer than a line breaks once more,
-/// between its factors.
-pub(super) fn terms(statement: &str, depth: usize) -> Option<Vec<String>> {
-    let statement = statement.trim_start();
-    between(statement, SUM, depth, depth + 4)
-        .or_else(|| between(statement, PRODUCT, depth, depth + 4))
-}
-
-const SUM: [&str; 2] = [" + ", " - "];
-const PRODUCT: [&str; 2] = [" * ", " / "];
-
-/// Lines broken before these operators: the first one so deep, and the others.
-fn between(text: &str, operators: [&str; 2], depth: usize, others: usize) -> Option<Vec<String>> {
-    let mut lines: Vec<String> = Vec::new();
-    // What follows a term of several lines does not continue the last of them.
-    let mut is_open = false;
-    for piece in split(text, operators)? {
-        let length = piece.chars().count();
-        let indent = if lines.is_empty() { depth } else { others };
-        match lines.last_mut() {
-            Some(line) if is_open && line.chars().count() + 1 + length <= WIDTH => {
-                line.push(' ');
-                line.push_str(piece);
-            }
-            _ if indent + length <= WIDTH => {
-                lines.push(format!("{:indent$}{piece}", ""));
-                is_open = true;
-            }
-            _ if operators == SUM => {
-                lines.extend(between(piece, PRODUCT, indent, others + 4)?);
-                is_open = false;
-            }
-            _ => return None,
-        }
-    }
-    Some(lines)
-}
-
-/// A text before each of these operators that stands outside of all brackets; `None` where there is none.
-fn split<'a>(text: &'a str, operators: [&str; 2]) -> Option<Vec<&'a str>> {
-    let (mut pieces, mut start, mut open) = (Vec::new(), 0, 0_i32);
-    for (place, letter) in text.char_indices() {
-        match letter {
-            '(' | '[' | '{' => open += 1,
-            ')' | ']' | '}' => open -= 1,
-            '"' => return None,
-            ' ' if open == 0 && operators.iter().any(|it| text[place..].starts_with(it)) => {
-                pieces.push(&text[start..place]);
-                start = place + 1;
-            }
-            _ => {}
-        }
-    }
-    pieces.push(&text[start..]);
-    (pieces.len() > 1).then_some(pieces)
 }

@@ -1,12 +1,12 @@
 //! The assemblies that are stored.
 
 use super::printer::Printer;
-use super::text::Text;
 use crate::assemblies::{StoredAssemblies, StoredAssembly};
+use crate::emit::code::Code;
 use crate::emit::module::documentation;
 
 /// The constants, as others see them.
-pub(super) fn declarations(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn declarations(printer: &Printer<'_>, text: &mut Code) {
     let Some(StoredAssemblies { all, .. }) = &printer.module.assemblies else {
         return;
     };
@@ -27,7 +27,7 @@ pub(super) fn declarations(printer: &Printer<'_>, text: &mut Text) {
 }
 
 /// The modes of each of them.
-pub(super) fn constants(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn constants(printer: &Printer<'_>, text: &mut Code) {
     let Some(StoredAssemblies { all, .. }) = &printer.module.assemblies else {
         return;
     };
@@ -58,15 +58,13 @@ pub(super) fn constants(printer: &Printer<'_>, text: &mut Text) {
 }
 
 /// `begin`: puts the frame before the first one near the assembly that is wanted.
-pub(super) fn begin(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn begin(printer: &Printer<'_>, text: &mut Code) {
     let Some(StoredAssemblies { unknowns, all }) = &printer.module.assemblies else {
         return;
     };
     let (branches, frame) = (printer.type_of("Branches"), printer.type_of("Frame"));
     text.gap();
-    text.comment([
-        "Puts the frame before the first one near the assembly that is wanted, where one is.",
-    ]);
+    text.comment(["Moves the frame before the first one to the requested assembly, if any."]);
     text.line(format!(
         "static void {}({branches} *branches, {frame} *at)",
         printer.own("begin")

@@ -3,8 +3,8 @@
 use super::api::{Given, function, listed};
 use super::points::Offered;
 use super::printer::Printer;
-use super::text::Text;
 use super::words::identifier;
+use crate::emit::code::Code;
 
 /// The functions that assemble the mechanism, each by the most general one.
 pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
@@ -25,7 +25,7 @@ pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
 
     let mut assemble = function(
         printer,
-        &["Assembles the mechanism at time t (s) as it is drawn."],
+        &["Assembles the mechanism at time t (s) in the design configuration."],
         "assemble",
         &[&mechanism, &time, &given.inputs],
     );
@@ -41,7 +41,7 @@ pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
     ]));
     let mut on = function(
         printer,
-        &["The same in other modes than the drawing's."],
+        &["Assembles the mechanism at time t (s) in these assembly modes."],
         "assemble_on",
         &[&mechanism, &branches, &time, &given.inputs],
     );
@@ -58,7 +58,7 @@ pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
     let mut from = function(
         printer,
         &[
-            "The same in the drawing's modes, with angles near those of an estimate, a measured pose for example.",
+            "Assembles the mechanism in the design modes, with angles near those of an estimate, such as a measured pose.",
         ],
         "assemble_from",
         &[&mechanism, &coordinates, &time, &given.inputs, &settings],
@@ -102,7 +102,9 @@ fn assemble_for(
 ) -> Offered {
     let mut offered = function(
         printer,
-        &["Assembles the mechanism of these parameters at time t (s) as it is drawn."],
+        &[
+            "Assembles the mechanism with these parameters at time t (s) in the design configuration.",
+        ],
         "assemble_for",
         &[mechanism, &given.parameters, time, &given.inputs],
     );
@@ -122,7 +124,7 @@ fn assemble_for(
 }
 
 /// The pose in the drawing of parameters: where they change it, one that is computed here.
-fn drawn(printer: &Printer<'_>, parameters: &str, body: &mut Text) -> String {
+fn drawn(printer: &Printer<'_>, parameters: &str, body: &mut Code) -> String {
     match printer.module.program.drawn.is_some() {
         true => {
             let (coordinates, drawn) = (printer.type_of("Coordinates"), printer.function("drawn"));
@@ -139,8 +141,8 @@ fn assemble_with(printer: &Printer<'_>, given: &Given, arguments: [&str; 5]) -> 
     let mut offered = function(
         printer,
         &[
-            "Assembles the mechanism at time t (s) in these modes, with angles near those of an estimate. Where a block needs",
-            "Newton-Raphson, it starts from there, and the estimate may be poor.",
+            "Assembles the mechanism at time t (s) in these modes, with angles near those of an estimate. Newton-Raphson",
+            "starts from the estimate, which may be poor.",
         ],
         "assemble_with",
         &[
@@ -192,7 +194,7 @@ fn assemble_with(printer: &Printer<'_>, given: &Given, arguments: [&str; 5]) -> 
 pub(super) fn drawn_pose(printer: &Printer<'_>) -> Option<Offered> {
     let function = printer.module.program.drawn.as_ref()?;
     let coordinates = printer.type_of("Coordinates");
-    let mut body = Text::default();
+    let mut body = Code::default();
     body.line(format!(
         "{} found[{}];",
         printer.real(),
@@ -207,7 +209,7 @@ pub(super) fn drawn_pose(printer: &Printer<'_>) -> Option<Offered> {
     body.line("return pose;");
     Some(Offered {
         lines: vec![
-            "The pose in the drawing of these parameters, from which the mechanism is assembled."
+            "Returns the design pose for these parameters, from which the mechanism is assembled."
                 .to_string(),
         ],
         declaration: format!(

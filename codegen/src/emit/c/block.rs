@@ -3,8 +3,8 @@
 use super::loads;
 use super::newton;
 use super::printer::Printer;
-use super::text::Text;
 use super::words::identifier;
+use crate::emit::code::Code;
 use crate::emit::module::documentation;
 use crate::emit::module::needs::{Needs, checked_at_once};
 use crate::emit::module::scope::{Place, Scope};
@@ -41,7 +41,7 @@ fn name(block: &Block, printer: &Printer<'_>) -> String {
 }
 
 /// The call of a block's function; `is_last` where nothing follows that could fail.
-pub(super) fn call(block: &Block, printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn call(block: &Block, printer: &Printer<'_>, text: &mut Code) {
     let needs = Needs::of(block, printer.module);
     let [_, passed] = arguments(needs, printer);
     let call = format!("{}({passed})", name(block, printer));
@@ -58,13 +58,13 @@ pub(super) fn call(block: &Block, printer: &Printer<'_>, text: &mut Text) {
 }
 
 /// The functions of all blocks.
-pub(super) fn functions(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn functions(printer: &Printer<'_>, text: &mut Code) {
     let module = printer.module;
     for (index, block) in module.program.blocks.iter().enumerate() {
         let needs = Needs::of(block, module);
         let scope = Scope::new(module, &block.function, Place::Frame);
         let reads = scope.reads();
-        let mut body = Text::default();
+        let mut body = Code::default();
         if reads.time {
             body.line(format!("const {} t = conditions->t;", printer.real()));
         }
@@ -84,7 +84,7 @@ pub(super) fn functions(printer: &Printer<'_>, text: &mut Text) {
             body.line("linkwright_status status;");
         }
         body.gap();
-        let iterated = |statement: &_, text: &mut Text| {
+        let iterated = |statement: &_, text: &mut Code| {
             newton::statement(statement, index, block, &scope, printer, text);
         };
         printer.statements(&scope, index, &iterated, &mut body);
@@ -118,7 +118,7 @@ fn own_check(
     block: &Block,
     scope: &Scope<'_>,
     printer: &Printer<'_>,
-    text: &mut Text,
+    text: &mut Code,
 ) {
     let fields = checked_at_once(block, scope).into_iter();
     let fields: Vec<String> = fields.map(|it| printer.symbol(it, scope)).collect();
@@ -178,7 +178,7 @@ pub(super) fn may_cross(printer: &Printer<'_>) -> bool {
 }
 
 /// The structure with the modes of all loops.
-pub(super) fn branches(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn branches(printer: &Printer<'_>, text: &mut Code) {
     let (name, modes) = (printer.type_of("Branches"), modes(printer));
     text.gap();
     text.comment([documentation::of_branches(printer.module)]);
@@ -188,7 +188,7 @@ pub(super) fn branches(printer: &Printer<'_>, text: &mut Text) {
         text.line(format!("linkwright_branch {};", mode.name));
     }
     if modes.is_empty() {
-        text.comment(["There is no loop; C has no structure without a field."]);
+        text.comment(["Placeholder: a structure of C has at least one field."]);
         text.line("linkwright_branch none;");
     }
     if printer.module.assemblies.is_some() {
@@ -199,7 +199,7 @@ pub(super) fn branches(printer: &Printer<'_>, text: &mut Text) {
 }
 
 /// The modes of the drawing.
-pub(super) fn drawn_branches(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn drawn_branches(printer: &Printer<'_>, text: &mut Code) {
     let modes = modes(printer);
     let mut drawn: Vec<&str> = match modes.is_empty() {
         true => vec!["LINKWRIGHT_NEAREST"],
@@ -220,14 +220,16 @@ pub(super) fn drawn_branches(printer: &Printer<'_>, text: &mut Text) {
 }
 
 /// `exchanged`: the modes beyond a pose at which those of a block meet.
-pub(super) fn exchanged(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn exchanged(printer: &Printer<'_>, text: &mut Code) {
     let (function, name, modes) = (
         printer.own("exchanged"),
         printer.type_of("Branches"),
         modes(printer),
     );
     text.gap();
-    text.comment(["The modes beyond a pose at which the two modes of a block meet; false where they are not known."]);
+    text.comment([
+        "Finds the modes beyond a change point of a block; returns false if they are not known.",
+    ]);
     text.line(format!(
         "static bool {function}(const void *modes, uint16_t block, void *others)"
     ));
@@ -254,12 +256,12 @@ pub(super) fn exchanged(printer: &Printer<'_>, text: &mut Text) {
             text.open(format!("case {block}U:"));
             text.line(format!("exchanged_mode = &other->{};", mode.name));
             text.line("break;");
-            text.close_without_line();
+            text.end();
         }
     }
     text.open("default:");
     text.line("break;");
-    text.close_without_line();
+    text.end();
     text.line("}");
     text.open("if ((exchanged_mode == NULL) || (*exchanged_mode == LINKWRIGHT_NEAREST)) {");
     text.line("return false;");

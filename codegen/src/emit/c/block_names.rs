@@ -4,15 +4,17 @@ use super::comment::quoted;
 use super::loads;
 use super::parameters::requirement_names;
 use super::printer::Printer;
-use super::text::Text;
 use super::transmission::drivers;
+use crate::emit::code::Code;
 use crate::emit::module::documentation;
 
 /// The names as others see them.
-pub(super) fn declarations(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn declarations(printer: &Printer<'_>, text: &mut Code) {
     let count = printer.module.program.blocks.len();
     text.gap();
-    text.comment(["What the blocks are called, in solve order, and what can be said of them where they are singular."]);
+    text.comment([
+        "Names of the blocks in solve order, with descriptions of their singular poses.",
+    ]);
     text.line(format!(
         "extern const linkwright_block_name {}[{}];",
         printer.constant("BLOCKS"),
@@ -32,7 +34,7 @@ pub(super) fn declarations(printer: &Printer<'_>, text: &mut Text) {
     loads::declaration(printer, text);
     let drivers = drivers(printer);
     if !drivers.is_empty() {
-        text.comment(["The drivers in written order, one for each column of a transmission."]);
+        text.comment(["Drivers in written order, one for each column of a transmission."]);
         text.line(format!(
             "extern const char *const {}[{}];",
             printer.constant("DRIVERS"),
@@ -42,7 +44,7 @@ pub(super) fn declarations(printer: &Printer<'_>, text: &mut Text) {
 }
 
 /// The names.
-pub(super) fn definitions(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn definitions(printer: &Printer<'_>, text: &mut Code) {
     let names = printer.module.words.iter();
     let names: Vec<[String; 2]> = names
         .map(|it| [quoted(&it.name), quoted(&it.singular)])
@@ -64,7 +66,7 @@ pub(super) fn definitions(printer: &Printer<'_>, text: &mut Text) {
     }
 }
 
-fn table(printer: &Printer<'_>, name: &str, names: &[[String; 2]], text: &mut Text) {
+fn table(printer: &Printer<'_>, name: &str, names: &[[String; 2]], text: &mut Code) {
     let constant = printer.constant(name);
     text.gap();
     if names.is_empty() {
@@ -78,7 +80,7 @@ fn table(printer: &Printer<'_>, name: &str, names: &[[String; 2]], text: &mut Te
         names.len()
     ));
     for [name, singular] in names {
-        text.line_as_it_is(&format!("{{{name}, {singular}}},"));
+        text.line(format!("{{{name}, {singular}}},"));
     }
     text.close("};");
 }

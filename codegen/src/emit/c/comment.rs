@@ -1,8 +1,8 @@
 //! Lines of prose, ours and those of a description → comments of C.
 
 use super::ascii::ascii;
-use super::text::Text;
-use crate::emit::lines::{WIDTH, filled};
+use crate::emit::code::Code;
+use crate::emit::module::wrapped::wrapped;
 
 /// A text in ASCII without what would begin or end a comment, hide a line break, or turn the direction of what follows.
 pub(super) fn inert(text: &str) -> String {
@@ -25,22 +25,11 @@ pub(super) fn inert(text: &str) -> String {
     inert.trim_end_matches([' ', '\\']).to_string()
 }
 
-impl Text {
-    /// A comment before what it is about: the lines as they are, but for those that are too long.
+impl Code {
+    /// A comment before what it is about: the lines as they are, except for those that are too long.
     pub(super) fn comment<S: AsRef<str>>(&mut self, lines: impl IntoIterator<Item = S>) {
-        // Three columns for the mark that begins a comment, and as many for the one that ends it.
-        let room = WIDTH.saturating_sub(self.depth() + 6);
-        let mut broken: Vec<String> = Vec::new();
-        for line in lines {
-            let line = inert(line.as_ref());
-            match line.chars().count() <= room {
-                true => broken.push(line),
-                false => {
-                    let words = filled(line.split(' '), WIDTH - room);
-                    broken.extend(words.iter().map(|it| it.trim().to_string()));
-                }
-            }
-        }
+        let lines: Vec<String> = lines.into_iter().map(|it| inert(it.as_ref())).collect();
+        let mut broken = wrapped(lines);
         while broken.last().is_some_and(String::is_empty) {
             broken.pop();
         }
@@ -49,7 +38,7 @@ impl Text {
             let begin = if place == 0 { "/* " } else { "   " };
             let end = if place == last { " */" } else { "" };
             let text = format!("{begin}{line}");
-            self.line_as_it_is(&format!("{}{end}", text.trim_end()));
+            self.whole(&format!("{}{end}", text.trim_end()));
         }
     }
 }

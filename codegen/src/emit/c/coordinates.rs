@@ -1,12 +1,12 @@
 //! The named coordinates.
 
 use super::printer::Printer;
-use super::text::Text;
 use super::words::identifier;
+use crate::emit::code::Code;
 use crate::emit::module::documentation;
 
 /// The structure with the coordinates.
-pub(super) fn structure(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn structure(printer: &Printer<'_>, text: &mut Code) {
     let (system, name) = (printer.module.system, printer.type_of("Coordinates"));
     text.gap();
     text.line(format!(
@@ -29,7 +29,7 @@ pub(super) fn structure(printer: &Printer<'_>, text: &mut Text) {
 }
 
 /// The pose in the drawing.
-pub(super) fn drawn(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn drawn(printer: &Printer<'_>, text: &mut Code) {
     let system = printer.module.system;
     let values = system.coordinates.iter().map(|coordinate| {
         // The estimates were found to be finite constants when they were read.

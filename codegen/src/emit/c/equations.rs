@@ -1,9 +1,9 @@
 //! The equations of blocks without a closed form → functions that the runtime calls.
 
 use super::printer::Printer;
-use super::text::Text;
 use super::textbook::length_function;
 use super::torn;
+use crate::emit::code::Code;
 use crate::emit::module::documentation;
 use crate::emit::module::scope::{Place, Scope};
 use crate::expr::SymbolId;
@@ -25,7 +25,7 @@ pub(super) fn has_length(quantities: &[Quantity]) -> bool {
 }
 
 /// What the equations of all blocks are evaluated with; nothing where every block has a closed form.
-pub(super) fn given(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn given(printer: &Printer<'_>, text: &mut Code) {
     let mut blocks = printer.module.program.blocks.iter();
     if !blocks.any(|block| block.newton.is_some()) {
         return;
@@ -33,7 +33,7 @@ pub(super) fn given(printer: &Printer<'_>, text: &mut Text) {
     let (name, frame) = (printer.type_of("Given"), printer.type_of("Frame"));
     let conditions = printer.runtime("conditions");
     text.gap();
-    text.comment(["What the equations of a block are evaluated with."]);
+    text.comment(["Inputs of the equations of a block."]);
     text.open(format!("typedef struct {name} {{"));
     text.line(format!("const {frame} *at;"));
     text.line(format!("const {conditions} *conditions;"));
@@ -41,7 +41,7 @@ pub(super) fn given(printer: &Printer<'_>, text: &mut Text) {
 }
 
 /// The equations of every block without a closed form.
-pub(super) fn equations(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn equations(printer: &Printer<'_>, text: &mut Code) {
     for block in &printer.module.program.blocks {
         if let Some(newton) = &block.newton {
             of_block(block, newton, printer, text);
@@ -67,9 +67,9 @@ impl Equation<'_> {
     /// Writes the function, which gives the numbers that the second part of its code finds.
     pub(super) fn write(
         self,
-        ends: impl Fn(&[String], &mut Text),
+        ends: impl Fn(&[String], &mut Code),
         printer: &Printer<'_>,
-        text: &mut Text,
+        text: &mut Code,
     ) {
         let Equation {
             scope,
@@ -79,7 +79,7 @@ impl Equation<'_> {
             returns: (returns, last),
         } = self;
         let real = printer.real();
-        let mut code = Text::default();
+        let mut code = Code::default();
         printer.plain_statements(scope, &mut code);
         ends(&printer.results(scope), &mut code);
         let arguments = vectors.iter();
@@ -148,13 +148,13 @@ impl Equation<'_> {
 }
 
 /// Writes numbers one after another.
-pub(super) fn in_order(results: &[String], code: &mut Text) {
+pub(super) fn in_order(results: &[String], code: &mut Code) {
     for (place, result) in results.iter().enumerate() {
         code.line(format!("found[{place}] = {result};"));
     }
 }
 
-fn of_block(block: &Block, newton: &NewtonBlock, printer: &Printer<'_>, text: &mut Text) {
+fn of_block(block: &Block, newton: &NewtonBlock, printer: &Printer<'_>, text: &mut Code) {
     let (name, order) = (printer.own(&block.name), newton.unknowns.len());
     let (found, real) = (
         documentation::found_by(newton, printer.module.system),
@@ -163,7 +163,7 @@ fn of_block(block: &Block, newton: &NewtonBlock, printer: &Printer<'_>, text: &m
     let unknowns = unknowns(newton, printer);
     let positions: Vec<SymbolId> = unknowns.iter().map(|it| it.position).collect();
     let rates: Vec<SymbolId> = unknowns.iter().map(|it| it.rate).collect();
-    let in_rows = |results: &[String], code: &mut Text| {
+    let in_rows = |results: &[String], code: &mut Code| {
         code.open(format!("const {real} rows[{order}][{order}] = {{"));
         for row in results.chunks(order) {
             code.line(format!("{{{}}},", row.join(", ")));
@@ -171,7 +171,7 @@ fn of_block(block: &Block, newton: &NewtonBlock, printer: &Printer<'_>, text: &m
         code.close("};");
         code.line("(void)memcpy(found, rows, sizeof(rows));");
     };
-    let write = |part: &str, what: &str, function: &Function, text: &mut Text| {
+    let write = |part: &str, what: &str, function: &Function, text: &mut Code| {
         let mut vectors = vec![("q", positions.clone())];
         if part == "gamma" {
             vectors.push(("qd", rates.clone()));

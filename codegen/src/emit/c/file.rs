@@ -1,13 +1,15 @@
 //! The header and the source of a mechanism, or of all its motions, and the runtime's.
 
 use super::printer::Printer;
-use super::text::Text;
 use super::words::WORDS;
 use super::{
     api, assemblies, assembly, block, block_names, coordinates, equations, forces, frame, loads,
     normalized_determinant, parameters, path, points, runtime, sensitivity, shell, tables,
     textbook, transmission,
 };
+use crate::emit::code::Code;
+use crate::emit::layout::Lists;
+use crate::emit::lines::WIDTH;
 use crate::emit::module::{Module, documentation, facts};
 use crate::emit::scalar::Scalar;
 use crate::emit::text;
@@ -17,8 +19,8 @@ use crate::system::System;
 
 /// What is said of the output itself.
 const TERMS: [&str; 2] = [
-    "Compile it with linkwright.c, which is written beside it, as C99 and without -ffast-math; linkwright.h says how to keep the bits.",
-    "This file is the output of a generator: whoever generates it may use, change and pass it on for any purpose and under any licence, without a notice. It comes without any warranty.",
+    "Compile this file with linkwright.c of the same folder, as C99 and without -ffast-math; linkwright.h explains the options for identical bits.",
+    "This file is the output of a generator. Anyone who generates it may use, change and distribute it for any purpose and under any licence, without a notice. There is no warranty.",
 ];
 
 /// The source and the header of the motions of a mechanism, which are called `stem`, and those of the runtime.
@@ -53,7 +55,7 @@ fn offered(printer: &Printer<'_>) -> Vec<points::Offered> {
 }
 
 fn header(first: &Printer<'_>, printers: &[Printer<'_>]) -> String {
-    let mut text = Text::default();
+    let mut text = Code::default();
     text.comment([facts::origin(first.module)]);
     let mechanism = &first.module.system.mechanism;
     let mut lines = Vec::new();
@@ -66,7 +68,7 @@ fn header(first: &Printer<'_>, printers: &[Printer<'_>]) -> String {
             .filter_map(|it| it.module.system.mechanism.motion.as_ref());
         let names: Vec<String> = motions.map(|motion| format!("`{}`", motion.name)).collect();
         lines.push(format!(
-            "Functions and types of their own for each motion: {}.",
+            "Separate functions and types for each motion: {}.",
             names.join(", ")
         ));
     }
@@ -107,11 +109,11 @@ fn header(first: &Printer<'_>, printers: &[Printer<'_>]) -> String {
     text.line("#endif");
     text.gap();
     text.line("#endif");
-    text.finish()
+    text.finish(Lists::Filled)
 }
 
 /// The structures, constants and functions of one motion, as others see them.
-fn declarations(printer: &Printer<'_>, text: &mut Text) {
+fn declarations(printer: &Printer<'_>, text: &mut Code) {
     parameters::parameters(printer, text);
     coordinates::structure(printer, text);
     parameters::inputs(printer, text);
@@ -120,9 +122,7 @@ fn declarations(printer: &Printer<'_>, text: &mut Text) {
     sensitivity::structures(printer, text);
     shell::structure(printer, text);
     text.gap();
-    text.comment([
-        "The pose in the drawing, from which the mechanism is assembled, and its assembly modes.",
-    ]);
+    text.comment(["Design pose, from which the mechanism is assembled, and its assembly modes."]);
     text.line(format!(
         "extern const {} {};",
         printer.type_of("Coordinates"),
@@ -135,7 +135,7 @@ fn declarations(printer: &Printer<'_>, text: &mut Text) {
     ));
     assemblies::declarations(printer, text);
     if printer.declared().inputs {
-        text.comment(["The inputs of the description, at rest."]);
+        text.comment(["Inputs of the description, at rest."]);
         text.line(format!(
             "extern const {} {};",
             printer.type_of("Inputs"),
@@ -147,19 +147,19 @@ fn declarations(printer: &Printer<'_>, text: &mut Text) {
 }
 
 fn source(first: &Printer<'_>, printers: &[Printer<'_>], stem: &str) -> String {
-    let mut text = Text::default();
+    let mut text = Code::default();
     text.comment([facts::origin(first.module)]);
     text.line(format!("#include \"{stem}.h\""));
     text.gap();
     text.line("#include <math.h>");
     text.line("#include <string.h>");
     text.gap();
-    text.comment(["Products and sums stay two operations; for GCC see linkwright.h."]);
+    text.comment(["Products and sums are not fused; for GCC see linkwright.h."]);
     text.line("#ifdef __clang__");
     text.line("#pragma STDC FP_CONTRACT OFF");
     text.line("#endif");
     text.comment([
-        "GCC 12 fuses them where it vectorizes straight lines of code, whatever its options say.",
+        "GCC 12 fuses them when it vectorizes straight-line code, regardless of its options.",
     ]);
     text.line("#if defined(__GNUC__) && !defined(__clang__) && (defined(__FP_FAST_FMA) || defined(__FP_FAST_FMAF))");
     text.line("#pragma GCC optimize (\"no-tree-slp-vectorize\")");
@@ -168,17 +168,17 @@ fn source(first: &Printer<'_>, printers: &[Printer<'_>], stem: &str) -> String {
         parameters::nominal(printer, &mut text);
         definitions(printer, &mut text);
     }
-    text.finish()
+    text.finish(Lists::Filled)
 }
 
 /// The constants and functions of one motion.
-fn definitions(printer: &Printer<'_>, text: &mut Text) {
-    let mut code = Text::default();
+fn definitions(printer: &Printer<'_>, text: &mut Code) {
+    let mut code = Code::default();
     equations::given(printer, &mut code);
     parameters::drawn(printer, &mut code);
     equations::equations(printer, &mut code);
     block::functions(printer, &mut code);
-    path::path(printer, &mut code);
+    path::declarations(printer, &mut code);
     loads::function(printer, &mut code);
     shell::solve(printer, &mut code);
     frame::estimate(printer, &mut code);
@@ -190,6 +190,7 @@ fn definitions(printer: &Printer<'_>, text: &mut Text) {
     shell::blocks(printer, values, &mut code);
     api::parts(printer, &mut code);
     points::define(offered(printer), &mut code);
+    path::path(printer, &mut code);
     constants(printer, &code, text);
     tables::tables(printer, &code, text);
     coordinates::drawn(printer, text);
@@ -204,20 +205,22 @@ fn definitions(printer: &Printer<'_>, text: &mut Text) {
 }
 
 /// The named constants that the code mentions.
-fn constants(printer: &Printer<'_>, code: &Text, text: &mut Text) {
+fn constants(printer: &Printer<'_>, code: &Code, text: &mut Code) {
     let list = printer.module.program.constants.list().iter();
     let used = list.filter(|constant| code.mentions(&printer.own_constant(&constant.name)));
     text.gap();
     for constant in used {
-        let exact = text::constant(printer.module.system, &constant.part);
-        let exact = exact.map_or(String::new(), |exact| {
-            format!(" {}", printer.beside(&exact))
-        });
-        text.line_as_it_is(&format!(
-            "static const {} {} = {};{exact}",
+        let line = format!(
+            "static const {} {} = {};",
             printer.real(),
             printer.own_constant(&constant.name),
             printer.number(constant.value)
-        ));
+        );
+        let room = WIDTH.saturating_sub(line.len() + " /*  */".len());
+        let remark = text::constant(printer.module.system, constant, room);
+        let remark = remark.map_or(String::new(), |remark| {
+            format!(" {}", printer.beside(&remark))
+        });
+        text.whole(&format!("{line}{remark}"));
     }
 }

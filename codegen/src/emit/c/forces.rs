@@ -2,7 +2,7 @@
 
 use super::points::Offered;
 use super::printer::Printer;
-use super::text::Text;
+use crate::emit::code::Code;
 use crate::emit::module::forces::force_functions;
 
 /// The functions of all forces; nothing where none is asked for.
@@ -11,7 +11,7 @@ pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
     let functions = force_functions(printer.module).into_iter();
     let functions = functions.map(|function| {
         let name = printer.function(&function.name);
-        let mut body = Text::default();
+        let mut body = Code::default();
         let fields: Vec<String> = function
             .fields
             .iter()

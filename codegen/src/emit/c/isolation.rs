@@ -1,7 +1,7 @@
 //! The question whether unknowns stay on their path → lines of C that ask the runtime.
 
 use super::printer::Printer;
-use super::text::Text;
+use crate::emit::code::Code;
 use crate::emit::module::scope::Scope;
 use crate::expr::SymbolId;
 use crate::program::Function;
@@ -23,7 +23,7 @@ pub(super) struct Isolated<'a> {
 
 impl Printer<'_> {
     /// Finds the deviations of unknowns about the line that they should run along.
-    pub(super) fn isolation(&self, isolated: &Isolated<'_>, scope: &Scope<'_>, text: &mut Text) {
+    pub(super) fn isolation(&self, isolated: &Isolated<'_>, scope: &Scope<'_>, text: &mut Code) {
         let Isolated {
             is_chain,
             blocks,
@@ -118,7 +118,7 @@ impl Printer<'_> {
         named: &[Deviation],
         (varied, variation): (&[[usize; 2]], &Function),
         scope: &Scope<'_>,
-        text: &mut Text,
+        text: &mut Code,
     ) {
         let real = self.real();
         text.open(format!(

@@ -2,7 +2,7 @@
 
 use super::comment::quoted;
 use super::printer::Printer;
-use super::text::Text;
+use crate::emit::code::Code;
 use crate::emit::module::documentation;
 use crate::emit::module::scope::{Place, Scope};
 use crate::program::{Block, Loads};
@@ -17,7 +17,7 @@ fn table(printer: &Printer<'_>, loads: &Loads) -> String {
 }
 
 /// Writes the labels as others see them.
-pub(super) fn declaration(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn declaration(printer: &Printer<'_>, text: &mut Code) {
     if let Some(loads) = loads(printer) {
         text.comment([documentation::LOADS]);
         text.line(format!("extern {};", table(printer, loads)));
@@ -25,7 +25,7 @@ pub(super) fn declaration(printer: &Printer<'_>, text: &mut Text) {
 }
 
 /// Writes the labels.
-pub(super) fn definition(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn definition(printer: &Printer<'_>, text: &mut Code) {
     if let Some(loads) = loads(printer) {
         let labels: Vec<String> = loads.labels.iter().map(|it| quoted(it)).collect();
         text.gap();
@@ -38,7 +38,7 @@ pub(super) fn definition(printer: &Printer<'_>, text: &mut Text) {
 }
 
 /// Writes the function that ascribes a failure to the first load that is not finite.
-pub(super) fn function(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn function(printer: &Printer<'_>, text: &mut Code) {
     let Some(loads) = loads(printer) else {
         return;
     };
@@ -93,7 +93,7 @@ pub(super) fn function(printer: &Printer<'_>, text: &mut Text) {
 }
 
 /// Writes what ascribes the failure of a block to a load, if loads may be its cause.
-pub(super) fn blame(block: &Block, printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn blame(block: &Block, printer: &Printer<'_>, text: &mut Code) {
     let own =
         loads(printer).and_then(|it| printer.module.program.blocks.get(usize::from(it.block)));
     if own.is_some_and(|own| std::ptr::eq(own, block)) {

@@ -30,7 +30,6 @@ mod sensitivity;
 mod shell;
 mod statement;
 mod tables;
-mod text;
 mod textbook;
 mod torn;
 mod transmission;

@@ -2,10 +2,10 @@
 
 use super::equations::{has_length, unknowns};
 use super::printer::Printer;
-use super::text::Text;
 use super::textbook::scale;
 use super::torn;
 use super::words::identifier;
+use crate::emit::code::Code;
 use crate::emit::module::scope::Scope;
 use crate::expr::SymbolId;
 use crate::joint::Quantity;
@@ -22,7 +22,7 @@ pub(super) fn statement(
     block: &Block,
     scope: &Scope<'_>,
     printer: &Printer<'_>,
-    text: &mut Text,
+    text: &mut Code,
 ) {
     let Some(newton) = &block.newton else {
         return;
@@ -54,7 +54,7 @@ pub(super) fn statement(
 }
 
 /// What fails where the runtime has.
-fn pass_on(text: &mut Text) {
+fn pass_on(text: &mut Code) {
     text.open("if (status != LINKWRIGHT_OK) {");
     text.line("return status;");
     text.close("}");
@@ -68,7 +68,7 @@ fn solve(
     (measure, torn): (Option<[SymbolId; 2]>, Option<&TornFields>),
     scope: &Scope<'_>,
     printer: &Printer<'_>,
-    text: &mut Text,
+    text: &mut Code,
 ) {
     let tears = unknowns(newton, printer);
     let (real, order, name) = (printer.real(), tears.len(), printer.own(&block.name));
@@ -169,7 +169,7 @@ fn solve(
 }
 
 /// The Jacobian at the tears that were found, factorized once more for what responds to drivers and parameters.
-fn factorize(newton: &NewtonBlock, printer: &Printer<'_>, text: &mut Text) {
+fn factorize(newton: &NewtonBlock, printer: &Printer<'_>, text: &mut Code) {
     let (real, order) = (printer.real(), newton.unknowns.len());
     text.line(format!(
         "{} factorization;",

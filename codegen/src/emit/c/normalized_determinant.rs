@@ -2,7 +2,7 @@
 
 use super::points::Offered;
 use super::printer::Printer;
-use super::text::Text;
+use crate::emit::code::Code;
 use crate::program::Measured;
 
 /// How many loops are measured; nothing where the description does not ask.
@@ -22,7 +22,7 @@ pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
         printer.runtime("normalized_determinant"),
     );
     let field = |symbol| printer.field(symbol, "frame");
-    let mut body = Text::default();
+    let mut body = Code::default();
     let mut place = 0;
     for (index, block) in printer.module.program.blocks.iter().enumerate() {
         for measured in &block.measured {
@@ -59,7 +59,7 @@ pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
     }
     let room = number.max(1);
     let all = printer.function("normalized_determinants");
-    let mut closest = Text::default();
+    let mut closest = Code::default();
     closest.line(format!("{found} found[{room}];"));
     closest.line(format!("{all}(frame, found);"));
     closest.line(format!(
@@ -70,14 +70,14 @@ pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
     vec![
         Offered {
             lines: vec![format!(
-                "How close every loop is to a singular pose, in solve order; see the runtime's structure.{nothing}"
+                "Finds the normalized determinant of each loop, in solve order; see the runtime's structure.{nothing}"
             )],
             declaration: format!("void {all}(const {frame} *frame, {found} found[{room}])"),
             body,
         },
         Offered {
             lines: vec![
-                "How close the loop is to a singular pose that is closest to one. Where no block can be singular, its numbers are 1."
+                "Returns the smallest normalized determinant of all loops; its numbers are 1 if no block can be singular."
                     .to_string(),
             ],
             declaration: printer.of_frame(&found, "smallest_determinant"),

@@ -2,8 +2,8 @@
 
 use super::comment::quoted;
 use super::printer::Printer;
-use super::text::Text;
 use super::words::identifier;
+use crate::emit::code::Code;
 use crate::emit::module::documentation;
 use crate::emit::module::scope::{Place, Scope};
 use crate::expr::ExprId;
@@ -48,20 +48,20 @@ impl Printer<'_> {
 }
 
 /// The structure with the parameters, and the constant with their defaults, as others see them.
-pub(super) fn parameters(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn parameters(printer: &Printer<'_>, text: &mut Code) {
     if printer.declared().parameters {
         let fields = printer.parameters();
         structure(
             printer,
             "Parameters",
-            "What can be changed at run time.",
+            "Values that can be changed at run time.",
             printer.real(),
             "unless it is set",
             &fields,
             text,
         );
         text.gap();
-        text.comment(["The values of the description."]);
+        text.comment(["Values of the description."]);
         text.line(format!(
             "extern const {} {};",
             printer.type_of("Parameters"),
@@ -71,10 +71,11 @@ pub(super) fn parameters(printer: &Printer<'_>, text: &mut Text) {
 }
 
 /// The structure with the inputs.
-pub(super) fn inputs(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn inputs(printer: &Printer<'_>, text: &mut Code) {
     if printer.declared().inputs {
         let (fields, signal) = (printer.inputs(), printer.runtime("signal"));
-        let title = "The signals that move the mechanism, each with its value, rate and acceleration at one time.";
+        let title =
+            "Signals that move the mechanism, each with value, rate and acceleration at one time.";
         structure(
             printer,
             "Inputs",
@@ -94,7 +95,7 @@ fn structure(
     field_type: &str,
     default: &str,
     fields: &[Number<'_>],
-    text: &mut Text,
+    text: &mut Code,
 ) {
     let structure = printer.type_of(kind);
     text.gap();
@@ -111,7 +112,7 @@ fn structure(
 }
 
 /// The defaults of the parameters.
-pub(super) fn nominal(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn nominal(printer: &Printer<'_>, text: &mut Code) {
     if !printer.declared().parameters {
         return;
     }
@@ -127,7 +128,7 @@ pub(super) fn nominal(printer: &Printer<'_>, text: &mut Text) {
 }
 
 /// The initial inputs.
-pub(super) fn initial(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn initial(printer: &Printer<'_>, text: &mut Code) {
     let zero = printer.number(0.0);
     let values = printer.inputs().into_iter().map(|(.., value)| {
         let value = printer.number(printer.default(value));
@@ -143,7 +144,7 @@ pub(super) fn initial(printer: &Printer<'_>, text: &mut Text) {
 }
 
 /// How the runtime looks at parameters and inputs.
-pub(super) fn accessors(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn accessors(printer: &Printer<'_>, text: &mut Code) {
     let declared = printer.declared();
     let (real, finite) = (printer.real(), printer.runtime("all_finite"));
     if declared.parameters {
@@ -193,11 +194,11 @@ pub(super) fn accessors(printer: &Printer<'_>, text: &mut Text) {
                     text.open(format!("case {index}U:"));
                     text.line(format!("found = &inputs->{field};"));
                     text.line("break;");
-                    text.close_without_line();
+                    text.end();
                 }
                 text.open("default:");
                 text.line("break;");
-                text.close_without_line();
+                text.end();
                 text.line("}");
             } else {
                 text.line("(void)index;");
@@ -229,7 +230,7 @@ pub(super) fn accessors(printer: &Printer<'_>, text: &mut Text) {
 }
 
 /// What parameters must leave positive, and what it is called.
-pub(super) fn requirements(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn requirements(printer: &Printer<'_>, text: &mut Code) {
     let Some(requirements) = &printer.module.program.requirements else {
         return;
     };
@@ -239,7 +240,9 @@ pub(super) fn requirements(printer: &Printer<'_>, text: &mut Text) {
     let (function, structure) = (printer.own("not_positive"), printer.type_of("Parameters"));
     let scope = Scope::new(printer.module, &requirements.function, Place::Coordinates);
     text.gap();
-    text.comment(["The least place of what parameters leave not positive, and its value; false where there is none."]);
+    text.comment([
+        "Finds the first value that parameters leave not positive; returns false if there is none.",
+    ]);
     let real = printer.real();
     text.line(format!(
         "static bool {function}(const void *given, uint16_t *place, {real} *value)"
@@ -271,14 +274,14 @@ pub(super) fn requirement_names(printer: &Printer<'_>) -> Option<Vec<[String; 2]
 }
 
 /// The drawing of given parameters: a value per unknown, coordinates first.
-pub(super) fn drawn(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn drawn(printer: &Printer<'_>, text: &mut Code) {
     let Some(function) = &printer.module.program.drawn else {
         return;
     };
     let (real, structure) = (printer.real(), printer.type_of("Parameters"));
     let scope = Scope::new(printer.module, function, Place::Coordinates);
     text.gap();
-    text.comment(["The drawing's value of every coordinate and displacement."]);
+    text.comment(["Finds the design value of each coordinate and displacement."]);
     text.line(format!(
         "static void {}(const {structure} *parameters, {real} found[{}])",
         printer.own("drawn"),

@@ -1,8 +1,8 @@
 //! What a frame offers: the motion of points, pressure angles, and the outputs that are asked for.
 
 use super::printer::Printer;
-use super::text::Text;
 use super::words::identifier;
+use crate::emit::code::Code;
 use crate::emit::module::documentation;
 use crate::emit::module::scope::{Place, Scope};
 use crate::program::{Function, Output};
@@ -11,11 +11,11 @@ use crate::program::{Function, Output};
 pub(super) struct Offered {
     pub lines: Vec<String>,
     pub declaration: String,
-    pub body: Text,
+    pub body: Code,
 }
 
 /// Writes the declarations.
-pub(super) fn declare(offered: &[Offered], text: &mut Text) {
+pub(super) fn declare(offered: &[Offered], text: &mut Code) {
     for function in offered {
         text.gap();
         text.comment(&function.lines);
@@ -24,7 +24,7 @@ pub(super) fn declare(offered: &[Offered], text: &mut Text) {
 }
 
 /// Writes the definitions.
-pub(super) fn define(offered: Vec<Offered>, text: &mut Text) {
+pub(super) fn define(offered: Vec<Offered>, text: &mut Code) {
     for function in offered {
         text.gap();
         text.line(&function.declaration);
@@ -139,7 +139,7 @@ fn of_output(output: &Output, printer: &Printer<'_>) -> Vec<Offered> {
     let functions = documentation::of_output(output).into_iter().enumerate();
     let functions = functions.map(|(place, (suffix, line))| {
         let name = identifier(&format!("{prefix}{suffix}"));
-        let mut body = Text::default();
+        let mut body = Code::default();
         let declaration = match output {
             Output::Point { fields, .. } if fields.len() == 3 => {
                 body.line(format!("{motion} found;"));
@@ -177,9 +177,9 @@ fn of_output(output: &Output, printer: &Printer<'_>) -> Vec<Offered> {
 }
 
 /// The statements of a function of a frame, and its results.
-fn computed(printer: &Printer<'_>, function: &Function) -> (Text, Vec<String>) {
+fn computed(printer: &Printer<'_>, function: &Function) -> (Code, Vec<String>) {
     let scope = Scope::new(printer.module, function, Place::Coordinates);
-    let (reads, mut body) = (scope.reads(), Text::default());
+    let (reads, mut body) = (scope.reads(), Code::default());
     let coordinates = printer.type_of("Coordinates");
     for (is_read, name) in [
         (reads.position, "q"),

@@ -2,13 +2,13 @@
 
 use super::points::Offered;
 use super::printer::Printer;
-use super::text::Text;
 use super::words::identifier;
+use crate::emit::code::Code;
 use crate::emit::module::documentation;
 use crate::program::{Found, SensitiveQuantity, Sensitivity};
 
 /// The structures that sensitivities are returned in, as far as something returns them.
-pub(super) fn structures(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn structures(printer: &Printer<'_>, text: &mut Code) {
     let sensitivities = &printer.module.program.sensitivities;
     let real = printer.real();
     if sensitivities.iter().any(|it| it.coordinates.is_some()) {
@@ -17,7 +17,7 @@ pub(super) fn structures(printer: &Printer<'_>, text: &mut Text) {
             printer.type_of("Coordinates"),
         );
         text.gap();
-        text.comment(["The derivatives of all coordinates and of their rates along a parameter, at the time of the frame."]);
+        text.comment(["Derivatives of all coordinates and of their rates with respect to a parameter, at the time of the frame."]);
         text.open(format!("typedef struct {name} {{"));
         text.comment(["∂q/∂p: of the coordinates, in m or rad per unit of the parameter."]);
         text.line(format!("{coordinates} position;"));
@@ -32,7 +32,7 @@ pub(super) fn structures(printer: &Printer<'_>, text: &mut Text) {
     {
         let name = printer.type_of("PointSensitivity");
         text.gap();
-        text.comment(["The derivatives of the position and the velocity of a point along a parameter, at the time of the frame."]);
+        text.comment(["Derivatives of the position and velocity of a point with respect to a parameter, at the time of the frame."]);
         text.open(format!("typedef struct {name} {{"));
         text.comment(["Of x and y, in m per unit of the parameter."]);
         text.line(format!("{real} position[2];"));
@@ -69,9 +69,9 @@ fn value(found: &Found, printer: &Printer<'_>) -> String {
 }
 
 /// What reads nothing of the frame says so.
-fn reading(mut body: Text, result: &str) -> Text {
+fn reading(mut body: Code, result: &str) -> Code {
     if !body.mentions("frame") {
-        let mut unread = Text::default();
+        let mut unread = Code::default();
         unread.line("(void)frame;");
         unread.append(body);
         body = unread;
@@ -88,14 +88,14 @@ fn of_coordinates(
     printer: &Printer<'_>,
 ) -> Offered {
     let structure = printer.type_of("Sensitivity");
-    let mut body = Text::default();
+    let mut body = Code::default();
     for (found, own) in coordinates.iter().zip(&printer.module.system.coordinates) {
         for (level, found) in ["position", "velocity"].iter().zip(found) {
             let name = identifier(&own.name);
             body.line(format!("found.{level}.{name} = {};", value(found, printer)));
         }
     }
-    let mut declared = Text::default();
+    let mut declared = Code::default();
     declared.line(format!("{structure} found;"));
     declared.append(body);
     Offered {
@@ -115,7 +115,7 @@ fn of_quantity(
     let functions = documentation::of_quantity(sensitivity, quantity, printer.module).into_iter();
     let functions = functions.enumerate().map(|(place, (name, line))| {
         let function = printer.function(&identifier(&name));
-        let mut body = Text::default();
+        let mut body = Code::default();
         let (declaration, result) = match is_point {
             true if returns_pair(quantity) => {
                 let structure = printer.type_of("PointSensitivity");

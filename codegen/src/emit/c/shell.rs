@@ -4,7 +4,7 @@ use super::block;
 use super::loads;
 use super::points::point_functions;
 use super::printer::Printer;
-use super::text::Text;
+use crate::emit::code::Code;
 use crate::emit::module::checks::checked;
 use crate::emit::module::documentation;
 use crate::emit::module::drawing::frame_keeps_parameters;
@@ -13,7 +13,7 @@ use crate::emit::module::path_enclosures::enclosure_count;
 use crate::program::Requirements;
 
 /// The structure that a user holds.
-pub(super) fn structure(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn structure(printer: &Printer<'_>, text: &mut Code) {
     let (module, declared) = (printer.module, printer.declared());
     let name = &printer.type_prefix;
     let type_of = |it| printer.type_of(it);
@@ -23,24 +23,25 @@ pub(super) fn structure(printer: &Printer<'_>, text: &mut Text) {
     };
     lines.push(String::new());
     lines.push(
-        "It is the caller's: on the stack, or anywhere. A failure of the last call is described in it.".to_string(),
+        "The caller owns the structure. Its field `failure` describes a failure of the last call."
+            .to_string(),
     );
     text.gap();
     text.comment(lines);
     text.open(format!("typedef struct {name} {{"));
-    text.comment(["What came of the last call."]);
+    text.comment(["Failure of the last call, if any."]);
     text.line(format!("{} failure;", printer.runtime("failure")));
-    text.comment(["The assembly modes."]);
+    text.comment(["Assembly modes."]);
     text.line(format!("{} branches;", type_of("Branches")));
     if declared.parameters {
         text.comment([format!(
-            "The parameters that the next instant is solved with; {} changes them.",
+            "Parameters of the next frame; {} changes them.",
             printer.function("set_parameters")
         )]);
         text.line(format!("{} parameters;", type_of("Parameters")));
     }
     text.comment([format!(
-        "The rest is the runtime's; {} gives the last frame.",
+        "The other fields belong to the runtime; {} returns the last frame.",
         printer.function("frame")
     )]);
     if declared.inputs {
@@ -60,10 +61,10 @@ pub(super) fn structure(printer: &Printer<'_>, text: &mut Text) {
 }
 
 /// Solves all blocks at one time.
-pub(super) fn solve(printer: &Printer<'_>, text: &mut Text) {
+pub(super) fn solve(printer: &Printer<'_>, text: &mut Code) {
     let module = printer.module;
     let (frame, branches) = (printer.type_of("Frame"), printer.type_of("Branches"));
-    let mut body = Text::default();
+    let mut body = Code::default();
     body.line("at->t = conditions->t;");
     if module.holds_coordinates() && frame_keeps_parameters(module) {
         let parameters = printer.type_of("Parameters");
@@ -119,7 +120,7 @@ pub(super) fn solve(printer: &Printer<'_>, text: &mut Text) {
         let fields = checked.iter().map(|&symbol| printer.field(symbol, "at"));
         let fields: Vec<String> = fields.collect();
         let count = fields.len();
-        text.comment(["What is not finite anywhere shows in these."]);
+        text.comment(["A value that is not finite makes one of these not finite."]);
         text.line(printer.array("checked", &fields));
         let finite = printer.runtime("all_finite");
         let failed = format!("{}(conditions, 0U)", printer.runtime("not_finite"));
@@ -139,7 +140,7 @@ pub(super) fn solve(printer: &Printer<'_>, text: &mut Text) {
 }
 
 /// The time of a frame, and the values by which poses are compared.
-pub(super) fn values(printer: &Printer<'_>, text: &mut Text) -> usize {
+pub(super) fn values(printer: &Printer<'_>, text: &mut Code) -> usize {
     let module = printer.module;
     let (frame, real) = (printer.type_of("Frame"), printer.real());
     text.gap();
@@ -163,7 +164,7 @@ pub(super) fn values(printer: &Printer<'_>, text: &mut Text) -> usize {
         return 0;
     }
     text.gap();
-    text.comment(["The components of a frame's points, by which poses are compared."]);
+    text.comment(["Returns a component of a frame's points, by which poses are compared."]);
     text.line(format!(
         "static {real} {}(const void *found, uint16_t index)",
         printer.own("value_of")
@@ -178,20 +179,20 @@ pub(super) fn values(printer: &Printer<'_>, text: &mut Text) -> usize {
             text.open(format!("case {index}U:"));
             text.line(format!("value = {point}(at).position[{axis}];"));
             text.line("break;");
-            text.close_without_line();
+            text.end();
         }
     }
     text.open("default:");
     text.line("break;");
-    text.close_without_line();
+    text.end();
     text.line("}");
     text.line("return value;");
     text.close("}");
     2 * points.len()
 }
 
-/// What the runtime is told of the mechanism.
-pub(super) fn blocks(printer: &Printer<'_>, values: usize, text: &mut Text) {
+/// Mechanism descriptor.
+pub(super) fn blocks(printer: &Printer<'_>, values: usize, text: &mut Code) {
     let (module, declared) = (printer.module, printer.declared());
     let is_guarded = module.program.path.is_some();
     let some = |is_there: bool, name: &str| match is_there {
@@ -230,7 +231,7 @@ pub(super) fn blocks(printer: &Printer<'_>, values: usize, text: &mut Text) {
         some(limits_parameters, "not_positive"),
     ];
     text.gap();
-    text.comment(["What the runtime is told of the mechanism."]);
+    text.comment(["Mechanism descriptor."]);
     text.open(format!(
         "static const {} {} = {{",
         printer.runtime("blocks"),

@@ -3,8 +3,8 @@
 use super::isolation::Isolated;
 use super::printer::Printer;
 use super::tables::table_name;
-use super::text::Text;
 use super::words::identifier;
+use crate::emit::code::Code;
 use crate::emit::module::documentation;
 use crate::emit::module::scope::Scope;
 use crate::expr::{ExprId, SymbolId};
@@ -12,11 +12,11 @@ use crate::model::field_name;
 use crate::program::Statement;
 
 /// What writes the statements of a block that concern its Newton-Raphson.
-pub(super) type Iterated<'a> = &'a dyn Fn(&Statement, &mut Text);
+pub(super) type Iterated<'a> = &'a dyn Fn(&Statement, &mut Code);
 
 impl Printer<'_> {
     /// The statements of a function without Newton-Raphson.
-    pub(super) fn plain_statements(&self, scope: &Scope<'_>, text: &mut Text) {
+    pub(super) fn plain_statements(&self, scope: &Scope<'_>, text: &mut Code) {
         self.statements(scope, 0, &|_, _| {}, text);
     }
 
@@ -26,7 +26,7 @@ impl Printer<'_> {
         scope: &Scope<'_>,
         block: usize,
         iterated: Iterated<'_>,
-        text: &mut Text,
+        text: &mut Code,
     ) {
         for statement in &scope.function.statements {
             self.statement(statement, scope, block, iterated, text);
@@ -39,7 +39,7 @@ impl Printer<'_> {
         scope: &Scope<'_>,
         block: usize,
         iterated: Iterated<'_>,
-        text: &mut Text,
+        text: &mut Code,
     ) {
         let write = |expr: &ExprId| self.expression(*expr, scope);
         match statement {
@@ -214,7 +214,7 @@ impl Printer<'_> {
     }
 
     /// `const double name = value;`, or an assignment to a field.
-    pub(super) fn assign(&self, target: SymbolId, value: &str, scope: &Scope<'_>, text: &mut Text) {
+    pub(super) fn assign(&self, target: SymbolId, value: &str, scope: &Scope<'_>, text: &mut Code) {
         let name = self.symbol(target, scope);
         match scope.is_field(target) {
             true => text.line(format!("{name} = {value};")),
@@ -223,7 +223,7 @@ impl Printer<'_> {
     }
 
     /// What the runtime writes a value to: a field, or a local value that is declared here.
-    fn declare(&self, target: SymbolId, scope: &Scope<'_>, text: &mut Text) -> String {
+    fn declare(&self, target: SymbolId, scope: &Scope<'_>, text: &mut Code) -> String {
         let name = self.symbol(target, scope);
         if !scope.is_field(target) {
             text.line(format!("{} {name};", self.real()));
@@ -238,7 +238,7 @@ impl Printer<'_> {
         [jacobian, forces]: [&str; 2],
         (order, block): (usize, usize),
         scope: &Scope<'_>,
-        text: &mut Text,
+        text: &mut Code,
     ) {
         let first = targets.iter().copied().flatten().next();
         let first = first.map_or(String::new(), |it| self.symbol(it, scope));
@@ -265,7 +265,7 @@ impl Printer<'_> {
     }
 
     /// How far an input goes between the frames and beyond.
-    fn signal(&self, input: usize, found: &[SymbolId; 2], scope: &Scope<'_>, text: &mut Text) {
+    fn signal(&self, input: usize, found: &[SymbolId; 2], scope: &Scope<'_>, text: &mut Code) {
         let name = &self.module.system.mechanism.inputs[input].name;
         let field = identifier(&field_name(name));
         let [values, call] = [format!("{field}_found"), self.runtime("window_signal")];

@@ -1,7 +1,7 @@
 //! Splines → constants of the runtime's table.
 
 use super::printer::Printer;
-use super::text::Text;
+use crate::emit::code::Code;
 use crate::emit::module::tables::{docs_of, spacing};
 use crate::expr::SplineId;
 
@@ -12,7 +12,7 @@ pub(super) fn table_name(printer: &Printer<'_>, spline: SplineId) -> String {
 }
 
 /// The tables that the code mentions.
-pub(super) fn tables(printer: &Printer<'_>, code: &Text, text: &mut Text) {
+pub(super) fn tables(printer: &Printer<'_>, code: &Code, text: &mut Code) {
     let system = printer.module.system;
     let (real, zero) = (printer.real(), printer.number(0.0));
     for (id, spline) in system.mechanism.graph.splines() {

@@ -2,7 +2,7 @@
 
 use super::points::Offered;
 use super::printer::Printer;
-use super::text::Text;
+use crate::emit::code::Code;
 use crate::emit::module::documentation;
 use crate::emit::module::scope::{Place, Scope};
 use crate::expr::ExprId;
@@ -52,7 +52,7 @@ fn function(
     found: &str,
     scope: &Scope<'_>,
     lines: Vec<String>,
-    code: Text,
+    code: Code,
 ) -> Offered {
     let (reads, declared) = (scope.reads(), printer.declared());
     let (real, coordinates) = (printer.real(), printer.type_of("Coordinates"));
@@ -81,7 +81,7 @@ fn function(
         (true, reads.time, format!("{real} t"), "t"),
     ];
     let given = arguments.into_iter().filter(|(is_given, ..)| *is_given);
-    let mut body = Text::default();
+    let mut body = Code::default();
     let mut list = Vec::new();
     for (_, is_read, declared, name) in given {
         if !is_read {
@@ -107,7 +107,7 @@ fn vector(
 ) -> Offered {
     let system = printer.module.system;
     let scope = Scope::new(printer.module, function_of, Place::Coordinates);
-    let mut code = Text::default();
+    let mut code = Code::default();
     printer.plain_statements(&scope, &mut code);
     let zero = system.mechanism.graph.zero();
     let is_shown = |row: &Row| of(row) != zero;
@@ -130,7 +130,7 @@ fn matrix(printer: &Printer<'_>, function_of: &Function) -> Offered {
     let system = printer.module.system;
     let scope = Scope::new(printer.module, function_of, Place::Coordinates);
     let size = system.rows.len();
-    let mut code = Text::default();
+    let mut code = Code::default();
     printer.plain_statements(&scope, &mut code);
     code.line(format!(
         "(void)memset(phi_q, 0, {size}U * {size}U * sizeof({}));",
@@ -154,7 +154,7 @@ fn matrix(printer: &Printer<'_>, function_of: &Function) -> Offered {
 fn monitored(printer: &Printer<'_>, function_of: &Function) -> Offered {
     let system = printer.module.system;
     let scope = Scope::new(printer.module, function_of, Place::Coordinates);
-    let mut code = Text::default();
+    let mut code = Code::default();
     printer.plain_statements(&scope, &mut code);
     for (index, value) in printer.results(&scope).iter().enumerate() {
         code.line(format!("monitored[{index}] = {value};"));
@@ -170,7 +170,7 @@ pub(super) fn length_function(
     name: &str,
     lengths: &Lengths,
     printer: &Printer<'_>,
-    text: &mut Text,
+    text: &mut Code,
 ) {
     let Some(function) = &lengths.following else {
         return;
@@ -178,7 +178,7 @@ pub(super) fn length_function(
     let (real, structure) = (printer.real(), printer.type_of("Parameters"));
     let scope = Scope::new(printer.module, function, Place::Coordinates);
     text.gap();
-    text.comment(["By what lengths are scaled."]);
+    text.comment(["Returns the scale of lengths."]);
     text.line(format!(
         "static {real} {name}(const {structure} *parameters)"
     ));

@@ -2,7 +2,7 @@
 
 use super::equations::{Equation, in_order};
 use super::printer::Printer;
-use super::text::Text;
+use crate::emit::code::Code;
 use crate::emit::module::documentation;
 use crate::emit::module::scope::{Place, Scope};
 use crate::expr::SymbolId;
@@ -20,7 +20,7 @@ pub(super) fn functions(
     newton: &NewtonBlock,
     tearing: &Tearing,
     printer: &Printer<'_>,
-    text: &mut Text,
+    text: &mut Code,
 ) {
     let (module, name) = (printer.module, printer.own(&block.name));
     let tears = tearing.tears.iter().map(|&place| newton.unknowns[place]);
@@ -44,7 +44,7 @@ pub(super) fn functions(
     let carried = tearing.carried.iter().map(|&it| printer.symbol(it, &scope));
     let carried: Vec<String> = carried.collect();
     let with_carried =
-        |results: &[String], code: &mut Text| in_order(&[results, &carried].concat(), code);
+        |results: &[String], code: &mut Code| in_order(&[results, &carried].concat(), code);
     evaluate.write(with_carried, printer, text);
 
     let scope = whole.part(&tearing.complete);
@@ -70,7 +70,7 @@ pub(super) fn functions(
     };
     let zero = printer.number(0.0);
     let [minus, plus] = [-1.0, 1.0].map(|sign| printer.number(sign));
-    let as_signs = |results: &[String], code: &mut Text| {
+    let as_signs = |results: &[String], code: &mut Code| {
         if results.is_empty() {
             code.line("(void)found;");
         }
@@ -111,7 +111,7 @@ pub(super) fn solve(
     torn: &TornFields,
     mode: &str,
     printer: &Printer<'_>,
-    text: &mut Text,
+    text: &mut Code,
 ) {
     let Some(tearing) = &newton.tearing else {
         return;
@@ -178,7 +178,7 @@ pub(super) fn found(
     torn: &TornFields,
     scope: &Scope<'_>,
     printer: &Printer<'_>,
-    text: &mut Text,
+    text: &mut Code,
 ) {
     for (place, &symbol) in torn.memory.iter().enumerate() {
         text.line(format!(

@@ -3,7 +3,7 @@
 use super::comment::quoted;
 use super::points::Offered;
 use super::printer::Printer;
-use super::text::Text;
+use crate::emit::code::Code;
 use crate::emit::module::documentation;
 use crate::program::Transmission;
 
@@ -40,13 +40,13 @@ fn functions(transmission: &Transmission, printer: &Printer<'_>) -> [Offered; 2]
         documentation::of_transmission(transmission, printer.module.system);
     let (height, number, is_point) = (rows.len(), columns.len(), rows.len() == 2);
     let field = |symbol| printer.field(symbol, "frame");
-    let mut rates = Text::default();
+    let mut rates = Code::default();
     for row in 0..height {
         for (column, symbols) in columns.iter().enumerate() {
             rates.line(format!("found[{row}][{column}] = {};", field(symbols[row])));
         }
     }
-    let mut forces = Text::default();
+    let mut forces = Code::default();
     for (column, symbols) in columns.iter().enumerate() {
         let products = symbols
             .iter()
