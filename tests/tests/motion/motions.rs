@@ -1,7 +1,8 @@
 //! One mechanism with several motions: each is a module of its own, and what one does the other undoes.
 
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
-use linkwright_codegen::{check_all, generate, read};
+use linkwright_codegen::stages::check_all;
+use linkwright_codegen::{generate, read};
 
 /// A slider-crank driven from either end.
 mod both_ways {
@@ -128,11 +129,11 @@ fn a_motion_alone_generates_what_its_statements_would() {
             .filter(|it| !it.is_whitespace() && *it != ',')
             .collect()
     };
-    let inside = tokens(&inside.code);
+    let inside = tokens(inside.code());
     let module = inside
         .strip_prefix("#[allow(dead_code)]pubmodonly{")
         .and_then(|rest| rest.strip_suffix('}'));
-    assert_eq!(module, Some(tokens(&outside.code).as_str()));
+    assert_eq!(module, Some(tokens(outside.code()).as_str()));
 }
 
 #[test]

@@ -5,5 +5,6 @@ mod english;
 mod failure_kinds;
 mod links;
 mod modules;
+mod public;
 mod rooms;
 mod thresholds;

@@ -58,7 +58,7 @@ fn from_stdin() -> io::Result<Vec<u8>> {
 /// Errors of [`text`].
 pub fn source(path: &Path) -> Result<Source, Problem> {
     let source = text(path)?;
-    Ok(linkwright_codegen::attach_files(
+    Ok(linkwright_codegen::stages::files::attach_files(
         source,
         files::folder_of(path),
     ))

@@ -25,7 +25,7 @@ pub(super) fn assemblies(module: &Module<'_>) -> TokenStream {
     let iterated = module.program.blocks.iter();
     let iterated = iterated.filter(|block| block.newton.is_some());
     let mut text = Verbatim::default();
-    text.open("::linkwright::assemblies! {");
+    text.open("::linkwright::generated::assemblies! {");
     text.docs(doc_lines(documentation::ASSEMBLIES));
     text.open(&format!("Branches [{}] of [", stored.all.len()));
     text.list(fields);

@@ -143,7 +143,7 @@ pub(super) fn branches(module: &Module<'_>) -> TokenStream {
         .enumerate()
         .filter_map(|(number, block)| Some((number, block, block.newton.as_ref()?)));
     let mut text = Verbatim::default();
-    text.open("::linkwright::branches! {");
+    text.open("::linkwright::generated::branches! {");
     text.docs([documentation::of_branches(module)]);
     text.open("Branches {");
     for branch in &module.program.branches {

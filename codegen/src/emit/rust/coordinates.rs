@@ -13,7 +13,7 @@ use crate::emit::module::{Module, documentation};
 pub(super) fn coordinates(module: &Module<'_>) -> TokenStream {
     let system = module.system;
     let mut text = Verbatim::default();
-    text.open("::linkwright::coordinates! {");
+    text.open("::linkwright::generated::coordinates! {");
     text.docs(documentation::COORDINATES);
     text.tokens(derives(system.coordinates.len()));
     text.open("Coordinates: Scalar {");

@@ -78,7 +78,7 @@ fn structure(module: &Module<'_>) -> TokenStream {
         ),
     };
     let mut text = Verbatim::default();
-    text.open("::linkwright::frame! {");
+    text.open("::linkwright::generated::frame! {");
     text.docs([title]);
     text.tokens(derives(numbers));
     text.open(&format!("Frame({held}) from (pose, parameters) {{"));

@@ -81,7 +81,8 @@ impl Module<'_> {
         let constants = self.constants(&mentioned);
         let tables = tables::tables(self, &mentioned);
         let functions = math.map(|path| functions(path, &mentioned));
-        let first = quote!(use ::linkwright::#precision::*; #functions #constants #tables);
+        let first =
+            quote!(use ::linkwright::generated::#precision::*; #functions #constants #tables);
         laid_out(&formatted(first, around)) + "\n" + &rest
     }
 
@@ -95,7 +96,7 @@ impl Module<'_> {
             return TokenStream::new();
         }
         let mut text = Verbatim::default();
-        text.open("::linkwright::constants! {");
+        text.open("::linkwright::generated::constants! {");
         for constant in used {
             let exact = text::constant(self.system, &constant.part);
             let exact = exact.map_or(String::new(), |exact| format!(" // {exact}"));

@@ -184,7 +184,7 @@ fn structure(block: &Block, newton: &NewtonBlock, module: &Module<'_>) -> TokenS
     let (capitals, approximate) = lints::both(&implementation);
     quote! {
         #title #declaration #capitals #approximate #implementation
-        ::linkwright::equations!(#name, #borrowed #size);
+        ::linkwright::generated::equations!(#name, #borrowed #size);
         #tearing
     }
 }

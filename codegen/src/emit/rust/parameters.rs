@@ -94,7 +94,7 @@ fn structure<'a>(
         return TokenStream::new();
     }
     let mut text = Verbatim::default();
-    text.open(&format!("::linkwright::{kind}! {{"));
+    text.open(&format!("::linkwright::generated::{kind}! {{"));
     text.open("Scalar {");
     for (name, dimension, docs, value) in own {
         // Defaults were found to be finite constants when they were read.

@@ -23,7 +23,7 @@ pub(super) fn mechanism(module: &Module<'_>) -> TokenStream {
     let name = type_name(&module.system.mechanism.name);
     let lines = documentation::of_mechanism(module.system);
     let mut text = Verbatim::default();
-    text.open("::linkwright::mechanism! {");
+    text.open("::linkwright::generated::mechanism! {");
     text.docs(doc_lines(lines));
     text.tokens(derives(module.system.coordinates.len()));
     text.line(format!("{name}, {:?};", module.system.mechanism.name));

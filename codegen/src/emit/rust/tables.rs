@@ -47,7 +47,7 @@ fn constant(module: &Module<'_>, name: &Ident, spline: &Spline, lines: Vec<Strin
     };
     let (spacing, period) = (optional(spacing(&spline.starts)), optional(spline.period));
     let table = quote! {
-        ::linkwright::Table {
+        ::linkwright::generated::Table {
             starts: [#(#starts),*],
             pieces: [#(#pieces),*],
             spacing: #spacing,

@@ -176,7 +176,7 @@ pub(super) fn dense(module: &Module<'_>) -> TokenStream {
     let rows: Vec<Quantity> = system.rows.iter().map(|row| row.quantity).collect();
     let columns: Vec<Quantity> = system.coordinates.iter().map(|it| it.quantity).collect();
     let mut text = Verbatim::default();
-    text.open("::linkwright::textbook! {");
+    text.open("::linkwright::generated::textbook! {");
     let mechanism = type_name(&system.mechanism.name);
     text.line(format!("{mechanism}, {};", rows.len()));
     for line in module.declared().lines() {
