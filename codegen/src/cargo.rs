@@ -187,7 +187,7 @@ fn is_description(path: &Path) -> bool {
 /// The module of one file and its page; its errors are said.
 fn generate_file(file: &Path, options: &Options, say: Say<'_>) -> Option<(Generated, Page)> {
     let name = file.display().to_string();
-    let bytes = match files::read(file, Source::LARGEST) {
+    let bytes = match files::read(file, Source::MAX_BYTES) {
         Ok(bytes) => bytes,
         Err(error) => {
             let reason = files::reason(&error);
@@ -233,7 +233,7 @@ fn generate_file(file: &Path, options: &Options, say: Say<'_>) -> Option<(Genera
 pub fn attach_files(source: Source, folder: &Path) -> Source {
     let paths = syntax::named_files(&source.text);
     paths.into_iter().fold(source, |source, path| {
-        let bytes = files::read(&folder.join(&path), Source::LARGEST);
+        let bytes = files::read(&folder.join(&path), Source::MAX_BYTES);
         source.with_attachment(path, bytes.map_err(|error| files::reason(&error)))
     })
 }
@@ -363,7 +363,7 @@ mod tests {
         folders.write(".#crank.mech", "the editor's");
         folders.write("again.mech", CRANK);
         folders.write("upper.mech", &CRANK.replace("crank", "Crank"));
-        folders.write("wide.mech", &" ".repeat(Source::LARGEST + 9));
+        folders.write("wide.mech", &" ".repeat(Source::MAX_BYTES + 9));
         fs::create_dir(folders.description("folder.mech")).expect("a folder");
         let said = folders.build();
         for expected in [

@@ -101,7 +101,7 @@ pub mod files {
 pub mod columns {
     #[doc(inline)]
     pub use crate::columns::{
-        Column, Columns, Decimal, Delimiter, Dialect, Encoding, Fault, Header, Known, LARGEST,
+        Column, Columns, Decimal, Delimiter, Dialect, Encoding, Fault, Header, Known, MAX_BYTES,
         Unit, Unreadable,
     };
 }

@@ -124,7 +124,7 @@ fn bytes_that_are_not_utf_8_are_shown_with_their_place() {
 
 #[test]
 fn a_file_that_is_too_large_is_refused() {
-    let text = "// more\n".repeat(Source::LARGEST / 8 + 1);
+    let text = "// more\n".repeat(Source::MAX_BYTES / 8 + 1);
     let source = Source::new("K00_too_large.mech", text.clone());
     let found = findings(&source);
     assert!(found.iter().all(|it| it.code == Code::UnreadableFile));

@@ -227,7 +227,7 @@ fn the_drawing_says_which_of_two_angles() {
         )
     };
     // Two equations of one angle are one too many.
-    assert!(generate(&Source::new("m.mech", text("60deg"))).is_err());
+    assert!(generate(&Source::new("m.mech", text("60deg")), &Options::default()).is_err());
     let text = |drawn: &str| format!("mechanism m {{ angle a = {drawn}; equation cos(a) = 0.5; }}");
     for (drawn, sign) in [("50deg", 1.0), ("-70deg", -1.0)] {
         let found = angle_at(&text(drawn), "phi_a", 0.0);

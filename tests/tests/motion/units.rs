@@ -22,7 +22,7 @@ fn sprung(declared: &str, stiffness: &str, gravity: &str) -> Source {
 }
 
 fn generated(source: &Source) -> Result<String, Diagnostics> {
-    generate(source, &Options::default()).map(|it| it.code)
+    generate(source, &Options::default()).map(|it| it.code().to_string())
 }
 
 #[test]

@@ -7,6 +7,7 @@
 //! with names in backticks and without a full stop. The message states the fault, and `help` the remedy.
 
 mod code;
+#[doc(hidden)]
 pub mod internal;
 mod merge;
 mod render;
@@ -16,9 +17,11 @@ mod spelling;
 mod suggestion;
 
 pub use code::Code;
+#[doc(hidden)]
 pub use merge::merged;
 pub use sink::Diagnostics;
 pub use source::{Attachment, Position, Source, Span};
+#[doc(hidden)]
 pub use suggestion::{Suggestions, nearest};
 
 /// Severity of a finding.

@@ -274,6 +274,5 @@ fn imports(
             let name = it.rename.to_string();
             add([path.as_slice(), &last].concat(), Some(name));
         }
-        _ => {}
     }
 }
