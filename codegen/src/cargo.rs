@@ -10,7 +10,7 @@ use std::{env, fs, io};
 
 use crate::diagnostic::Source;
 use crate::diagnostic::internal::caught;
-use crate::{Generated, Language, Options, Page, files, generate, syntax};
+use crate::{Generated, Language, Options, Page, files, generate};
 
 /// Generates the module of every `.mech` file in `folder` (relative to the package) for
 /// `linkwright::include_mechanism!`. Files whose names begin with a dot are left alone.
@@ -204,7 +204,7 @@ fn generate_file(file: &Path, options: &Options, say: Say<'_>) -> Option<(Genera
         }
     };
     let folder = files::folder_of(file);
-    let source = attach_files(source, folder);
+    let source = files::attach_files(source, folder);
     for attachment in &source.attachments {
         watch(&folder.join(&attachment.path), say);
     }
@@ -227,15 +227,6 @@ fn generate_file(file: &Path, options: &Options, say: Say<'_>) -> Option<(Genera
             None
         }
     }
-}
-
-/// A description with the files that it names, read from its folder.
-pub fn attach_files(source: Source, folder: &Path) -> Source {
-    let paths = syntax::named_files(&source.text);
-    paths.into_iter().fold(source, |source, path| {
-        let bytes = files::read(&folder.join(&path), Source::MAX_BYTES);
-        source.with_attachment(path, bytes.map_err(|error| files::reason(&error)))
-    })
 }
 
 /// One directive per line: cargo drops what follows a line break.

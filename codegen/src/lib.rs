@@ -20,8 +20,8 @@
 //! other elementary functions.
 //!
 //! Other programs call the steps: [`read`] derives the equations, [`check`] says if they determine the motion,
-//! [`generate`] returns the code in a [`Language`], [`format`](format()) lays a description out. Errors are
-//! [`Diagnostics`](diagnostic::Diagnostics) with places in the source.
+//! [`generate`] returns the code in a [`Language`], [`format()`] lays a description out. Errors are
+//! [`Diagnostics`] with places in the source.
 //!
 //! # Generated code
 //!
@@ -159,13 +159,13 @@ pub struct Page {
 ///     }";
 /// let source = Source::new("crank.mech", text);
 /// match generate(&source, &Options::default()) {
-///     Ok(generated) => assert!(generated.code().contains("pub struct Crank")),
+///     Ok(generated) => assert_eq!(generated.files[0].name, "crank.rs"),
 ///     Err(errors) => panic!("{}", errors.render(&source)),
 /// }
 /// ```
 ///
 /// # Errors
-/// Returns all errors of the description, at most [`Diagnostics`] can hold.
+/// Returns all errors of the description; nothing is generated then.
 pub fn generate(source: &Source, options: &Options) -> Result<Generated, Diagnostics> {
     let Read {
         motions,

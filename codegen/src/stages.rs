@@ -91,9 +91,8 @@ pub mod emit {
 
 /// Files that are named in messages as a person names them.
 pub mod files {
-    pub use crate::cargo::attach_files;
     pub use crate::files::{
-        folder_of, make_folder, may_write_in, noun, read, reason, replace, sweep,
+        attach_files, folder_of, make_folder, may_write_in, noun, read, reason, replace, sweep,
     };
 }
 

@@ -40,8 +40,7 @@
 //! # control().unwrap();
 //! ```
 //!
-//! [`Failure`] says in plain numbers why there is no frame, and [`FailureMessage`] in a sentence with the names of the
-//! mechanism. A [`Branch`] selects one of two assembly modes of a loop. [`Settings`] hold the tolerances that a caller
+//! [`Failure`] gives the cause in plain numbers, and [`FailureMessage`] in a sentence with the names of the mechanism. A [`Branch`] selects one of two assembly modes of a loop. [`Settings`] hold the tolerances that a caller
 //! may choose; all other thresholds are on the page [`thresholds`].
 //!
 //! # Any mechanism

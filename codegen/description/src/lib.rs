@@ -12,7 +12,6 @@
 pub mod columns;
 #[doc(hidden)]
 pub mod consequences;
-#[doc(hidden)]
 pub mod diagnostic;
 #[doc(hidden)]
 pub mod expr;

@@ -17,11 +17,9 @@ mod spelling;
 mod suggestion;
 
 pub use code::Code;
-#[doc(hidden)]
 pub use merge::merged;
 pub use sink::Diagnostics;
 pub use source::{Attachment, Position, Source, Span};
-#[doc(hidden)]
 pub use suggestion::{Suggestions, nearest};
 
 /// Severity of a finding.

@@ -12,7 +12,7 @@ use linkwright_tests::files;
 use tree::{Declared, Module, Package};
 
 /// Packages whose items users call, with their folders.
-const LISTED: [(&str, &str); 6] = [
+const PUBLIC_PACKAGES: [(&str, &str); 6] = [
     ("linkwright", "runtime"),
     ("linkwright_math", "runtime/math"),
     ("linkwright_codegen", "codegen"),
@@ -22,7 +22,7 @@ const LISTED: [(&str, &str); 6] = [
 ];
 
 /// Packages from which they export items, with their folders.
-const INTERNAL: [(&str, &str); 2] = [
+const INTERNAL_PACKAGES: [(&str, &str); 2] = [
     ("linkwright_description", "codegen/description"),
     ("linkwright_program", "codegen/program"),
 ];
@@ -35,7 +35,7 @@ type Place = Vec<String>;
 
 impl Packages {
     fn read() -> Self {
-        let all = LISTED.into_iter().chain(INTERNAL);
+        let all = PUBLIC_PACKAGES.into_iter().chain(INTERNAL_PACKAGES);
         Self(
             all.map(|(name, folder)| {
                 let root = files::repository().join(folder).join("src/lib.rs");
@@ -125,11 +125,16 @@ impl Packages {
     fn add(&self, place: &[String], name: &str, path: &str, listed: &mut BTreeSet<String>) {
         let module = self.module(place);
         if let Some((entry, _)) = module.and_then(|it| it.modules.get(name)) {
+            if entry.is_hidden {
+                return;
+            }
             listed.insert(format!("{} {path}", entry.kind));
             let inner = [place, &[name.to_string()]].concat();
             self.list(&inner, &format!("{path}::"), listed);
         } else if let Some(item) = module.and_then(|it| it.items.get(name)) {
-            listed.insert(self.line(place, name, item, path));
+            if !item.is_hidden {
+                listed.insert(self.line(place, name, item, path));
+            }
         } else {
             let import = module.and_then(|it| {
                 let mut imports = it.imports.iter();
@@ -166,7 +171,7 @@ impl Packages {
 fn list() -> String {
     let packages = Packages::read();
     let mut text = String::new();
-    for (name, _) in LISTED {
+    for (name, _) in PUBLIC_PACKAGES {
         let mut listed = BTreeSet::new();
         packages.list(&[name.to_string()], "", &mut listed);
         let macros = &packages.0[name].macros;

@@ -217,11 +217,11 @@ fn attributes(item: &Item) -> &[Attribute] {
 
 /// Names of public fields.
 fn fields(fields: &Fields) -> BTreeSet<String> {
-    let shown = fields
+    let public = fields
         .iter()
         .enumerate()
         .filter(|(_, it)| is_public(&it.vis) && !is_hidden(&it.attrs));
-    shown
+    public
         .map(|(place, it)| {
             let name = it.ident.as_ref();
             name.map_or_else(|| place.to_string(), ToString::to_string)
