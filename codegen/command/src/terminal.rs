@@ -123,10 +123,10 @@ mod tests {
     #[test]
     fn a_sentence_without_a_comma_is_broken_between_words() {
         let sentence =
-            "* is the closest of all; it would be singular where L-G and G-H are in line";
+            "* is the closest of all; it would be singular where L-G and G-H are collinear";
         assert_eq!(
             folded(sentence, 40),
-            "* is the closest of all; it would be\n  singular where L-G and G-H are in line"
+            "* is the closest of all; it would be\n  singular where L-G and G-H are collinear"
         );
     }
 

@@ -49,7 +49,9 @@ fn warning(block: &Block, decided: &str, system: &System) -> Option<Diagnostic> 
     let message = format!("the drawing hardly decides {decided}");
     let mut warning = Diagnostic::warning(Code::UndecidedMode, first.span, message)
         .label("in the loop that this closes")
-        .help("draw the links clearly on the side that is meant: nearly in line, rounding decides");
+        .help(
+            "draw the links clearly on the side that is meant: nearly collinear, rounding decides",
+        );
     if let Some(last) = joints.next_back() {
         warning = warning.also(last.span, "and this");
     }

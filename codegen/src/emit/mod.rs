@@ -7,11 +7,13 @@
 //! functions of time. Deliberately unknown here: files, and where an expression came from.
 
 mod c;
+mod code;
 pub mod derivation;
 pub mod drawing;
 mod formula;
 mod language;
 pub mod latex;
+mod layout;
 mod lines;
 pub mod markup;
 pub mod mathml;

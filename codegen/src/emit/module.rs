@@ -13,6 +13,7 @@ pub(super) mod needs;
 pub(super) mod path_enclosures;
 pub(super) mod scope;
 pub(super) mod tables;
+pub(super) mod wrapped;
 
 use super::Notation;
 use super::derivation::{self, BlockWords, PlainWords, Script, SingularPose};

@@ -12,14 +12,14 @@ pub fn lines(report: &Report) -> Vec<String> {
     )];
     if !report.left_out.is_empty() {
         lines.push(format!(
-            "Left out, since no output needs it: {}.",
+            "Omitted, because no output needs them: {}.",
             listed(&report.left_out)
         ));
     }
     if !report.angles_left_out.is_empty() {
         let angles = listed(&report.angles_left_out);
         lines.push(format!(
-            "Angles left out, since their sines and cosines suffice: {angles}."
+            "Omitted angles, whose sines and cosines suffice: {angles}."
         ));
     }
     for (level, operations) in ["Position", "Velocity", "Acceleration"]
@@ -42,7 +42,7 @@ pub fn lines(report: &Report) -> Vec<String> {
     if report.operations != report.all_operations {
         let total = |levels: [Operations; 3]| levels.iter().map(Operations::total).sum::<usize>();
         lines.push(format!(
-            "All in all {} operations of {} that everything would take.",
+            "In total {} operations of {} without omissions.",
             total(report.operations),
             total(report.all_operations)
         ));
@@ -62,17 +62,17 @@ fn iterations(it: &Iterations) -> Vec<String> {
     let [more_residuals, more_jacobians] = BEYOND_STEPS.map(|more| STEPS + more);
     let mut lines = Vec::new();
     let opening = match torn {
-        None => format!("Newton-Raphson of {block}, beside these"),
+        None => format!("Newton-Raphson of {block}, in addition"),
         Some(torn) => {
             let tears = match torn.tears {
                 1 => "1 tear".to_string(),
                 count => format!("{count} tears"),
             };
             lines.push(format!(
-                "Newton-Raphson of {block}, beside these: {tears} of {unknowns} unknowns, at most {EVALUATIONS} times {}; then once {}.",
+                "Newton-Raphson of {block}, in addition: {tears} of {unknowns} unknowns, at most {EVALUATIONS} times {}; then once {}.",
                 torn.evaluation, torn.completion
             ));
-            "Where that does not lead through".to_string()
+            "If that fails".to_string()
         }
     };
     lines.push(format!(
@@ -95,29 +95,29 @@ fn of_work(work: &Work) -> Vec<String> {
         let looks = work::LOOKS;
         let last = match window.last.total() {
             0 => String::new(),
-            last => format!(", and {} where none of these shows it", grouped(last)),
+            last => format!(", and {} if none of these verifies the path", grouped(last)),
         };
         lines.push(format!(
-            "Where a frame is the first of a window of its path: at most {looks} times {look} operations more{last}."
+            "First frame of a window of the path: at most {looks} times {look} operations more{last}."
         ));
     }
     let [fixed, each] = work.whole();
     lines.push(format!(
-        "Where one attempt does not lead to it: with n substeps at most {} + {} n operations in all{}.",
+        "Frame with n substeps: at most {} + {} n operations in all{}.",
         grouped(fixed),
         grouped(each),
         match work.window {
-            Some(_) => ", dead points included",
+            Some(_) => ", including dead points",
             None => "",
         }
     ));
     lines.push(format!(
-        "With {substeps} substeps, the default, that is {}.",
+        "With {substeps} substeps, the default: {}.",
         grouped(fixed + substeps * each)
     ));
     let recover = grouped(work.recover.total());
     lines.push(match work.is_iterated {
-        false => format!("Recover: {recover} operations, always the same."),
+        false => format!("Recover: {recover} operations, the same for every frame."),
         true => format!("Recover: at most {recover} operations, with {STEPS} iterations."),
     });
     lines

@@ -12,7 +12,7 @@ use super::Notation;
 use super::formula::Printer;
 use super::named_parts::LONGEST_FORMULA;
 use crate::expr::ExprId;
-use crate::program::ConstantPart;
+use crate::program::{Constant, ConstantPart};
 use crate::system::{SymbolRole, System};
 
 /// The characters of a line that holds a formula.
@@ -42,8 +42,19 @@ pub fn readable(
     is_readable.then(|| formula(system, bodies, notation, expr))
 }
 
-/// A constant part of an expression, exactly; none where that takes more than a line.
-pub fn constant(system: &System, part: &ConstantPart) -> Option<String> {
+/// Remark beside a constant: its quantity and its exact value, as far as they fit into `room` characters; `None` if neither does.
+pub fn constant(system: &System, constant: &Constant, room: usize) -> Option<String> {
+    let meaning = constant.meaning.clone();
+    let exact = exact(system, &constant.part);
+    let exact = exact.filter(|_| constant.part.literal(&system.mechanism.graph).is_none());
+    let both = meaning.as_ref().zip(exact.as_ref());
+    let both = both.map(|(meaning, exact)| format!("{meaning} = {exact}"));
+    let mut remarks = [both, meaning, exact].into_iter().flatten();
+    remarks.find(|it| it.chars().count() <= room)
+}
+
+/// A constant part of an expression, exactly; `None` if the part exceeds a line.
+fn exact(system: &System, part: &ConstantPart) -> Option<String> {
     let graph = &system.mechanism.graph;
     let fits = match part {
         ConstantPart::Sum(terms) => graph.is_sum_within(terms, LINE),

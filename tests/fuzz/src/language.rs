@@ -51,6 +51,9 @@ pub fn run(bytes: &[u8]) -> String {
             !generated.code().contains("NAN"),
             "a value that is no number"
         );
+        if let Err(error) = syn::parse_file(generated.code()) {
+            panic!("the module is not Rust: {error}");
+        }
     }
     with_codes("generated", &read.warnings)
 }

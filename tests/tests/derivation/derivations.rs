@@ -107,12 +107,7 @@ fn the_frames_make_no_difference_to_the_steps() {
         ["phi_c4", "phi_c6"],
         ["phi_c1", "phi_c5"],
     ];
-    let wanted = dyads.map(|pair| {
-        (
-            pair.map(str::to_string).to_vec(),
-            "two rotations".to_string(),
-        )
-    });
+    let wanted = dyads.map(|pair| (pair.map(str::to_string).to_vec(), "RRR dyad".to_string()));
     assert_eq!(named_forms("excavator"), wanted);
     assert_eq!(named_forms("excavator_pins"), wanted);
 }
@@ -279,15 +274,15 @@ fn the_printed_formulas_give_the_motion() {
 #[test]
 fn the_other_forms_satisfy_the_textbook_equations() {
     for (name, method) in [
-        ("two_lines", "two slides"),
-        ("turning_rail", "rotation and slide"),
+        ("two_lines", "PRP or RPP dyad"),
+        ("turning_rail", "RPR dyad"),
         ("inclined_slider", "one angle"),
         // Links without a body, a driven one, a block beside its line, a rack, and an angle that follows another in its loop.
-        ("coupled_rockers", "two rotations"),
-        ("pushed_apart", "two rotations"),
-        ("offset_slot", "rotation and slide"),
-        ("rolling_pinion", "two slides"),
-        ("driven_coupler", "two rotations"),
+        ("coupled_rockers", "RRR dyad"),
+        ("pushed_apart", "RRR dyad"),
+        ("offset_slot", "RPR dyad"),
+        ("rolling_pinion", "PRP or RPP dyad"),
+        ("driven_coupler", "RRR dyad"),
     ] {
         let (system, plan) = planned(name);
         let found = forms(system.clone(), &plan);

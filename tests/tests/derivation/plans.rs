@@ -7,7 +7,7 @@ use linkwright_tests::plan::form_names;
 /// the bodies' frames were chosen makes no difference: the excavator is described twice.
 #[test]
 fn every_mechanism_is_solved_as_a_person_would() {
-    let two_rotations = "two rotations";
+    let two_rotations = "RRR dyad";
     let plans: [(&str, Vec<&str>); 21] = [
         ("andrews", vec![two_rotations; 3]),
         ("arm", vec![two_rotations; 4]),
@@ -17,13 +17,13 @@ fn every_mechanism_is_solved_as_a_person_would() {
         ("excavator", vec![two_rotations; 4]),
         ("excavator_pins", vec![two_rotations; 4]),
         ("four_bar", vec![two_rotations]),
-        ("inverted_slider_crank", vec!["rotation and slide"]),
+        ("inverted_slider_crank", vec!["RPR dyad"]),
         ("jansen", vec![two_rotations; 3]),
         ("pantograph", vec![two_rotations; 2]),
         ("peaucellier", vec![two_rotations; 3]),
         ("planetary_gear", vec![]),
         ("platform_3rpr", vec!["Newton of size 1 for 4 unknowns"]),
-        ("quick_return", vec!["rotation and slide", "one angle"]),
+        ("quick_return", vec!["RPR dyad", "one angle"]),
         ("rack_steering", vec![two_rotations; 2]),
         ("scissor", vec![two_rotations; 6]),
         ("scotch_yoke", vec![]),

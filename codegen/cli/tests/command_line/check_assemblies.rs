@@ -54,7 +54,7 @@ fn a_four_bar_has_the_two_assemblies_of_two_circles() {
     close("t", &closest["t"], first, 1e-9);
     assert_eq!(
         report["blocks"][0]["singular_where"],
-        "B-C and C-D are in line"
+        "B-C and C-D are collinear"
     );
 }
 

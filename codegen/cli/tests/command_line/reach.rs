@@ -63,7 +63,7 @@ fn the_loop_that_does_not_reach_is_named() {
         first_base(0.0) - 0.25
     );
     let gap = second_base(0.0, 0.35) - 0.3;
-    let second = format!("out of reach by {gap:.3} m, beyond where link and lever are in line");
+    let second = format!("out of reach by {gap:.3} m, beyond where link and lever are collinear");
     for (options, loop_said) in [
         ("--set first=0.05", &first),
         ("--set second=0.05", &second),

@@ -122,7 +122,7 @@ fn a_determinant_that_changes_its_sign_is_located() {
         (warned_time(warning) - (std::f64::consts::PI - 0.5)).abs() < 1e-7,
         "{warning}"
     );
-    assert!(warning.ends_with("A-B and B-C are in line."), "{warning}");
+    assert!(warning.ends_with("A-B and B-C are collinear."), "{warning}");
 }
 
 /// x (t − 1.05) = (1 + t) (t − 1.05): the equation does not determine the continuation of the slider.
@@ -216,7 +216,7 @@ fn the_loop_that_ends_a_motion_is_named_on_its_own_branch() {
         let cause = time.1;
         assert!(cause.starts_with("loop A-P-S: out of reach by "), "{error}");
         assert!(
-            cause.ends_with(" m, beyond where crank and rod are in line"),
+            cause.ends_with(" m, beyond where crank and rod are collinear"),
             "{error}"
         );
     }

@@ -5,7 +5,7 @@
 
 use super::addends::{Addend, Compared, Power, addends, compared};
 use super::function::{Function, Written};
-use super::passes::constants::{ConstantPart, Constants};
+use super::passes::constants::{ConstantPart, Constants, Occurrence};
 use super::passes::costs::LARGEST_PRODUCT;
 use crate::expr::{ExprId, Node, SplineId, SymbolId};
 use crate::system::{System, WrittenOrder};
@@ -87,9 +87,25 @@ pub struct Evaluation<'a> {
     pub system: &'a System,
     /// The constants of the program.
     pub constants: &'a Constants,
+    /// The target of the statement whose value is evaluated, if any.
+    target: Option<SymbolId>,
 }
 
-impl Evaluation<'_> {
+impl<'a> Evaluation<'a> {
+    /// The expressions of a function of a program.
+    pub fn new(
+        function: &'a Function,
+        system: &'a System,
+        constants: &'a Constants,
+    ) -> Evaluation<'a> {
+        Evaluation {
+            function,
+            system,
+            constants,
+            target: None,
+        }
+    }
+
     /// Arithmetic of a value.
     pub fn value(&self, expr: ExprId) -> Arithmetic {
         self.mentioning(expr, &[])
@@ -102,9 +118,13 @@ impl Evaluation<'_> {
 
     /// Arithmetic of the value that a statement assigns to a target, even if the value is named after that target.
     pub fn assigned(&self, target: SymbolId, expr: ExprId) -> Arithmetic {
+        let own = Evaluation {
+            target: Some(target),
+            ..*self
+        };
         match self.function.name_of(expr) == Some(target) {
-            true => self.call(expr).unwrap_or_else(|| self.sum(expr, &[])),
-            false => self.value(expr),
+            true => own.call(expr).unwrap_or_else(|| own.sum(expr, &[])),
+            false => own.mentioning(expr, &[]),
         }
     }
 
@@ -201,7 +221,9 @@ impl Evaluation<'_> {
 
     /// An addend without its sign.
     fn addend(&self, addend: &Addend) -> Arithmetic {
-        let constant = addend.constant.iter().map(|part| self.constant(part));
+        let occurrence = Occurrence::of(addend, self.target, self.function, self.system);
+        let constant = addend.constant.iter();
+        let constant = constant.map(|part| self.constant(part, occurrence));
         let powers = addend.factors.iter().flat_map(|power| self.power(power));
         let numerator = product(constant.chain(powers).collect());
         let divisors = addend.divisors.iter();
@@ -213,10 +235,11 @@ impl Evaluation<'_> {
     }
 
     /// A number or the name of a constant.
-    fn constant(&self, part: &ConstantPart) -> Arithmetic {
-        match self.constants.place_of(part) {
+    fn constant(&self, part: &ConstantPart, occurrence: Occurrence<'_>) -> Arithmetic {
+        let graph = &self.system.mechanism.graph;
+        match self.constants.place_of(part, occurrence, graph) {
             Some(place) => Arithmetic::Constant(place),
-            None => Arithmetic::Number(part.value(&self.system.mechanism.graph)),
+            None => Arithmetic::Number(part.value(graph)),
         }
     }
 

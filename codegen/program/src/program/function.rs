@@ -2,8 +2,10 @@
 //!
 //! Each statement defines its targets before their first use.
 
+use super::quantities::Quantities;
 use super::tearing::TornFields;
 use crate::expr::{ExprId, IdMap, SplineId, SymbolId};
+
 use crate::words::Phrase;
 
 /// Statements in the order of evaluation, and results.
@@ -15,6 +17,8 @@ pub struct Function {
     pub results: Vec<Written>,
     /// Names of expressions that a statement has computed; only looked up.
     pub(super) named: IdMap<ExprId, SymbolId>,
+    /// Quantities of the derivation that name constants.
+    pub(super) quantities: Quantities,
 }
 
 /// A result, and the bodies whose order its terms follow.

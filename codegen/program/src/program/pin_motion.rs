@@ -111,6 +111,7 @@ impl Builder<'_> {
                 }
             };
             let (length, own) = (self.length_of(arm), self.components(arm));
+            self.name_arm(angle, length);
             let longest = self.graph().add(length, own.radius);
             let crossed = self.graph().product(&[remainder, radius, own.radius]);
             let parts = [

@@ -66,9 +66,9 @@ pub enum Singular {
 /// Description of a singular pose.
 #[derive(Clone, Debug)]
 pub struct SingularWords {
-    /// Description by points: `A-B and B-C are in line`.
+    /// Description by points: `A-B and B-C are collinear`.
     pub points: Phrase,
-    /// Description by bodies: `crank and coupler are in line`.
+    /// Description by bodies: `crank and coupler are collinear`.
     pub bodies: Phrase,
 }
 
@@ -147,8 +147,8 @@ impl Known {
         };
         let [a, apex, b] = names.map(|name| Phrase::from(Piece::Name(name)));
         SingularWords {
-            points: phrase![a, "-", &apex, " and ", &apex, "-", b, " are in line"],
-            bodies: phrase![one, " and ", other, " are in line"],
+            points: phrase![a, "-", &apex, " and ", &apex, "-", b, " are collinear"],
+            bodies: phrase![one, " and ", other, " are collinear"],
         }
     }
 

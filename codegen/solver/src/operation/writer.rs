@@ -80,11 +80,7 @@ impl<'a> Writer<'a> {
     where
         'a: 'f,
     {
-        Evaluation {
-            function,
-            system: self.system,
-            constants: &self.program.constants,
-        }
+        Evaluation::new(function, self.system, &self.program.constants)
     }
 
     /// Writes a computation that was not written before.

@@ -11,7 +11,7 @@ use crate::emit::module::path_enclosures::enclosure_count;
 pub(super) fn parts(printer: &Printer<'_>, text: &mut Text) {
     let (mechanism, declared) = (printer.runtime("mechanism"), printer.declared());
     text.gap();
-    text.comment(["Where everything of the mechanism is, as the runtime sees it."]);
+    text.comment(["Returns pointers to the parts of the mechanism, for the runtime."]);
     text.line(format!(
         "static {mechanism} {}({} *mechanism)",
         printer.own("parts_of"),
@@ -65,7 +65,7 @@ fn in_steps(printer: &Printer<'_>, text: &mut Text) {
     );
     let has_inputs = printer.declared().inputs;
     text.gap();
-    text.comment(["Goes on in several steps where one has failed."]);
+    text.comment(["Retries a failed step in substeps."]);
     text.line(format!(
         "static LINKWRIGHT_APART linkwright_status {}(const {mechanism} *parts, {real} t, const void *inputs)",
         printer.own("advance_in_steps")
@@ -166,8 +166,8 @@ fn motion(printer: &Printer<'_>) -> Vec<Offered> {
     let mut advance = function(
         printer,
         &[
-            "Moves the mechanism to time t (s), starting from the last frame, which a failure leaves as it is. Where one step is not",
-            "enough it goes in several; the time of a failure is where the motion ends, or how far it could be followed.",
+            "Moves the mechanism from the last frame to time t (s). A failure leaves the last frame unchanged. If one step fails,",
+            "shorter steps follow; the time of a failure is the end of the motion, or of the path that was verified.",
         ],
         "advance",
         &[&mechanism, &time, &given.inputs],
@@ -188,8 +188,8 @@ fn motion(printer: &Printer<'_>) -> Vec<Offered> {
     let mut at = function(
         printer,
         &[
-            "Solves for the frame at time t (s) in the modes of now, whether or not a path leads there: an entry of a table, say. The",
-            "mechanism stays where it is.",
+            "Solves for the frame at time t (s) in the current modes, without verification of a path, as for a table entry. The",
+            "mechanism does not move.",
         ],
         "frame_at",
         &[&mechanism, &time, &given.inputs, &format!("{frame} *found")],

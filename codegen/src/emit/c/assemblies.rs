@@ -64,9 +64,7 @@ pub(super) fn begin(printer: &Printer<'_>, text: &mut Text) {
     };
     let (branches, frame) = (printer.type_of("Branches"), printer.type_of("Frame"));
     text.gap();
-    text.comment([
-        "Puts the frame before the first one near the assembly that is wanted, where one is.",
-    ]);
+    text.comment(["Moves the frame before the first one to the requested assembly, if any."]);
     text.line(format!(
         "static void {}({branches} *branches, {frame} *at)",
         printer.own("begin")

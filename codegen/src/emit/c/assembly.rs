@@ -25,7 +25,7 @@ pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
 
     let mut assemble = function(
         printer,
-        &["Assembles the mechanism at time t (s) as it is drawn."],
+        &["Assembles the mechanism at time t (s) in the design configuration."],
         "assemble",
         &[&mechanism, &time, &given.inputs],
     );
@@ -41,7 +41,7 @@ pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
     ]));
     let mut on = function(
         printer,
-        &["The same in other modes than the drawing's."],
+        &["Assembles the mechanism at time t (s) in these assembly modes."],
         "assemble_on",
         &[&mechanism, &branches, &time, &given.inputs],
     );
@@ -58,7 +58,7 @@ pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
     let mut from = function(
         printer,
         &[
-            "The same in the drawing's modes, with angles near those of an estimate, a measured pose for example.",
+            "Assembles the mechanism in the design modes, with angles near those of an estimate, such as a measured pose.",
         ],
         "assemble_from",
         &[&mechanism, &coordinates, &time, &given.inputs, &settings],
@@ -102,7 +102,9 @@ fn assemble_for(
 ) -> Offered {
     let mut offered = function(
         printer,
-        &["Assembles the mechanism of these parameters at time t (s) as it is drawn."],
+        &[
+            "Assembles the mechanism with these parameters at time t (s) in the design configuration.",
+        ],
         "assemble_for",
         &[mechanism, &given.parameters, time, &given.inputs],
     );
@@ -139,8 +141,8 @@ fn assemble_with(printer: &Printer<'_>, given: &Given, arguments: [&str; 5]) -> 
     let mut offered = function(
         printer,
         &[
-            "Assembles the mechanism at time t (s) in these modes, with angles near those of an estimate. Where a block needs",
-            "Newton-Raphson, it starts from there, and the estimate may be poor.",
+            "Assembles the mechanism at time t (s) in these modes, with angles near those of an estimate. Newton-Raphson",
+            "starts from the estimate, which may be poor.",
         ],
         "assemble_with",
         &[
@@ -207,7 +209,7 @@ pub(super) fn drawn_pose(printer: &Printer<'_>) -> Option<Offered> {
     body.line("return pose;");
     Some(Offered {
         lines: vec![
-            "The pose in the drawing of these parameters, from which the mechanism is assembled."
+            "Returns the design pose for these parameters, from which the mechanism is assembled."
                 .to_string(),
         ],
         declaration: format!(

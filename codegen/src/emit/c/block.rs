@@ -188,7 +188,7 @@ pub(super) fn branches(printer: &Printer<'_>, text: &mut Text) {
         text.line(format!("linkwright_branch {};", mode.name));
     }
     if modes.is_empty() {
-        text.comment(["There is no loop; C has no structure without a field."]);
+        text.comment(["Placeholder: a structure of C has at least one field."]);
         text.line("linkwright_branch none;");
     }
     if printer.module.assemblies.is_some() {
@@ -227,7 +227,9 @@ pub(super) fn exchanged(printer: &Printer<'_>, text: &mut Text) {
         modes(printer),
     );
     text.gap();
-    text.comment(["The modes beyond a pose at which the two modes of a block meet; false where they are not known."]);
+    text.comment([
+        "Finds the modes beyond a change point of a block; returns false if they are not known.",
+    ]);
     text.line(format!(
         "static bool {function}(const void *modes, uint16_t block, void *others)"
     ));

@@ -12,7 +12,9 @@ use crate::emit::module::documentation;
 pub(super) fn declarations(printer: &Printer<'_>, text: &mut Text) {
     let count = printer.module.program.blocks.len();
     text.gap();
-    text.comment(["What the blocks are called, in solve order, and what can be said of them where they are singular."]);
+    text.comment([
+        "Names of the blocks in solve order, with descriptions of their singular poses.",
+    ]);
     text.line(format!(
         "extern const linkwright_block_name {}[{}];",
         printer.constant("BLOCKS"),
@@ -32,7 +34,7 @@ pub(super) fn declarations(printer: &Printer<'_>, text: &mut Text) {
     loads::declaration(printer, text);
     let drivers = drivers(printer);
     if !drivers.is_empty() {
-        text.comment(["The drivers in written order, one for each column of a transmission."]);
+        text.comment(["Drivers in written order, one for each column of a transmission."]);
         text.line(format!(
             "extern const char *const {}[{}];",
             printer.constant("DRIVERS"),

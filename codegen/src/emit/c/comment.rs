@@ -2,7 +2,7 @@
 
 use super::ascii::ascii;
 use super::text::Text;
-use crate::emit::lines::{WIDTH, filled};
+use crate::emit::module::wrapped::wrapped;
 
 /// A text in ASCII without what would begin or end a comment, hide a line break, or turn the direction of what follows.
 pub(super) fn inert(text: &str) -> String {
@@ -26,21 +26,10 @@ pub(super) fn inert(text: &str) -> String {
 }
 
 impl Text {
-    /// A comment before what it is about: the lines as they are, but for those that are too long.
+    /// A comment before what it is about: the lines as they are, except for those that are too long.
     pub(super) fn comment<S: AsRef<str>>(&mut self, lines: impl IntoIterator<Item = S>) {
-        // Three columns for the mark that begins a comment, and as many for the one that ends it.
-        let room = WIDTH.saturating_sub(self.depth() + 6);
-        let mut broken: Vec<String> = Vec::new();
-        for line in lines {
-            let line = inert(line.as_ref());
-            match line.chars().count() <= room {
-                true => broken.push(line),
-                false => {
-                    let words = filled(line.split(' '), WIDTH - room);
-                    broken.extend(words.iter().map(|it| it.trim().to_string()));
-                }
-            }
-        }
+        let lines: Vec<String> = lines.into_iter().map(|it| inert(it.as_ref())).collect();
+        let mut broken = wrapped(lines);
         while broken.last().is_some_and(String::is_empty) {
             broken.pop();
         }

@@ -33,7 +33,7 @@ pub(super) fn given(printer: &Printer<'_>, text: &mut Text) {
     let (name, frame) = (printer.type_of("Given"), printer.type_of("Frame"));
     let conditions = printer.runtime("conditions");
     text.gap();
-    text.comment(["What the equations of a block are evaluated with."]);
+    text.comment(["Inputs of the equations of a block."]);
     text.open(format!("typedef struct {name} {{"));
     text.line(format!("const {frame} *at;"));
     text.line(format!("const {conditions} *conditions;"));

@@ -8,6 +8,7 @@ use super::{
     normalized_determinant, parameters, path, points, runtime, sensitivity, shell, tables,
     textbook, transmission,
 };
+use crate::emit::lines::WIDTH;
 use crate::emit::module::{Module, documentation, facts};
 use crate::emit::scalar::Scalar;
 use crate::emit::text;
@@ -17,8 +18,8 @@ use crate::system::System;
 
 /// What is said of the output itself.
 const TERMS: [&str; 2] = [
-    "Compile it with linkwright.c, which is written beside it, as C99 and without -ffast-math; linkwright.h says how to keep the bits.",
-    "This file is the output of a generator: whoever generates it may use, change and pass it on for any purpose and under any licence, without a notice. It comes without any warranty.",
+    "Compile this file with linkwright.c of the same folder, as C99 and without -ffast-math; linkwright.h explains the options for identical bits.",
+    "This file is the output of a generator. Anyone who generates it may use, change and distribute it for any purpose and under any licence, without a notice. There is no warranty.",
 ];
 
 /// The source and the header of the motions of a mechanism, which are called `stem`, and those of the runtime.
@@ -66,7 +67,7 @@ fn header(first: &Printer<'_>, printers: &[Printer<'_>]) -> String {
             .filter_map(|it| it.module.system.mechanism.motion.as_ref());
         let names: Vec<String> = motions.map(|motion| format!("`{}`", motion.name)).collect();
         lines.push(format!(
-            "Functions and types of their own for each motion: {}.",
+            "Separate functions and types for each motion: {}.",
             names.join(", ")
         ));
     }
@@ -120,9 +121,7 @@ fn declarations(printer: &Printer<'_>, text: &mut Text) {
     sensitivity::structures(printer, text);
     shell::structure(printer, text);
     text.gap();
-    text.comment([
-        "The pose in the drawing, from which the mechanism is assembled, and its assembly modes.",
-    ]);
+    text.comment(["Design pose, from which the mechanism is assembled, and its assembly modes."]);
     text.line(format!(
         "extern const {} {};",
         printer.type_of("Coordinates"),
@@ -135,7 +134,7 @@ fn declarations(printer: &Printer<'_>, text: &mut Text) {
     ));
     assemblies::declarations(printer, text);
     if printer.declared().inputs {
-        text.comment(["The inputs of the description, at rest."]);
+        text.comment(["Inputs of the description, at rest."]);
         text.line(format!(
             "extern const {} {};",
             printer.type_of("Inputs"),
@@ -154,12 +153,12 @@ fn source(first: &Printer<'_>, printers: &[Printer<'_>], stem: &str) -> String {
     text.line("#include <math.h>");
     text.line("#include <string.h>");
     text.gap();
-    text.comment(["Products and sums stay two operations; for GCC see linkwright.h."]);
+    text.comment(["Products and sums are not fused; for GCC see linkwright.h."]);
     text.line("#ifdef __clang__");
     text.line("#pragma STDC FP_CONTRACT OFF");
     text.line("#endif");
     text.comment([
-        "GCC 12 fuses them where it vectorizes straight lines of code, whatever its options say.",
+        "GCC 12 fuses them when it vectorizes straight-line code, regardless of its options.",
     ]);
     text.line("#if defined(__GNUC__) && !defined(__clang__) && (defined(__FP_FAST_FMA) || defined(__FP_FAST_FMAF))");
     text.line("#pragma GCC optimize (\"no-tree-slp-vectorize\")");
@@ -178,7 +177,7 @@ fn definitions(printer: &Printer<'_>, text: &mut Text) {
     parameters::drawn(printer, &mut code);
     equations::equations(printer, &mut code);
     block::functions(printer, &mut code);
-    path::path(printer, &mut code);
+    path::declarations(printer, &mut code);
     loads::function(printer, &mut code);
     shell::solve(printer, &mut code);
     frame::estimate(printer, &mut code);
@@ -190,6 +189,7 @@ fn definitions(printer: &Printer<'_>, text: &mut Text) {
     shell::blocks(printer, values, &mut code);
     api::parts(printer, &mut code);
     points::define(offered(printer), &mut code);
+    path::path(printer, &mut code);
     constants(printer, &code, text);
     tables::tables(printer, &code, text);
     coordinates::drawn(printer, text);
@@ -209,15 +209,17 @@ fn constants(printer: &Printer<'_>, code: &Text, text: &mut Text) {
     let used = list.filter(|constant| code.mentions(&printer.own_constant(&constant.name)));
     text.gap();
     for constant in used {
-        let exact = text::constant(printer.module.system, &constant.part);
-        let exact = exact.map_or(String::new(), |exact| {
-            format!(" {}", printer.beside(&exact))
-        });
-        text.line_as_it_is(&format!(
-            "static const {} {} = {};{exact}",
+        let line = format!(
+            "static const {} {} = {};",
             printer.real(),
             printer.own_constant(&constant.name),
             printer.number(constant.value)
-        ));
+        );
+        let room = WIDTH.saturating_sub(line.len() + " /*  */".len());
+        let remark = text::constant(printer.module.system, constant, room);
+        let remark = remark.map_or(String::new(), |remark| {
+            format!(" {}", printer.beside(&remark))
+        });
+        text.line_as_it_is(&format!("{line}{remark}"));
     }
 }

@@ -11,29 +11,29 @@ pub(super) fn structure(printer: &Printer<'_>, text: &mut Text) {
     let holds_coordinates = module.holds_coordinates();
     text.gap();
     text.comment([match holds_coordinates {
-        true => "One solved instant.",
-        false => "One solved instant: what the description asks for.",
+        true => "Solved frame.",
+        false => "Solved frame with the requested outputs.",
     }]);
     text.open(format!("typedef struct {name} {{"));
-    text.comment(["The time t, in s."]);
+    text.comment(["Time t, in s."]);
     text.line(format!("{real} t;"));
     if holds_coordinates {
         let coordinates = printer.type_of("Coordinates");
         for (what, field) in [
             ("The pose.", "q"),
-            ("The rates of the coordinates.", "qd"),
-            ("The accelerations of the coordinates.", "qdd"),
+            ("Rates of the coordinates.", "qd"),
+            ("Accelerations of the coordinates.", "qdd"),
         ] {
             text.comment([what]);
             text.line(format!("{coordinates} {field};"));
         }
         if frame_keeps_parameters(module) {
-            text.comment(["What the points of this instant are found with."]);
+            text.comment(["Parameters of the points of this frame."]);
             text.line(format!("{} parameters;", printer.type_of("Parameters")));
         }
     }
     if !module.program.fields.is_empty() {
-        text.comment(["What blocks find and others read; its names may change."]);
+        text.comment(["Values that blocks pass to one another; their names may change."]);
     }
     for &symbol in &module.program.fields {
         text.line(format!("{real} {};", printer.field_name(symbol)));
@@ -81,7 +81,7 @@ pub(super) fn estimate(printer: &Printer<'_>, text: &mut Text) {
         false => String::new(),
     };
     text.gap();
-    text.comment(["The frame before the first one: a pose at rest."]);
+    text.comment(["Sets the frame before the first one: a pose at rest."]);
     text.line(format!(
         "static void {}({frame} *at, const {coordinates} *pose, {parameters}{real} t)",
         printer.own("set_estimate")

@@ -10,6 +10,7 @@ mod assemblies;
 mod assembly;
 mod block;
 mod block_names;
+mod broken;
 mod comment;
 mod coordinates;
 mod equations;

@@ -70,14 +70,14 @@ pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
     vec![
         Offered {
             lines: vec![format!(
-                "How close every loop is to a singular pose, in solve order; see the runtime's structure.{nothing}"
+                "Finds the normalized determinant of each loop, in solve order; see the runtime's structure.{nothing}"
             )],
             declaration: format!("void {all}(const {frame} *frame, {found} found[{room}])"),
             body,
         },
         Offered {
             lines: vec![
-                "How close the loop is to a singular pose that is closest to one. Where no block can be singular, its numbers are 1."
+                "Returns the smallest normalized determinant of all loops; its numbers are 1 if no block can be singular."
                     .to_string(),
             ],
             declaration: printer.of_frame(&found, "smallest_determinant"),

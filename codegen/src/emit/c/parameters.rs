@@ -54,14 +54,14 @@ pub(super) fn parameters(printer: &Printer<'_>, text: &mut Text) {
         structure(
             printer,
             "Parameters",
-            "What can be changed at run time.",
+            "Values that can be changed at run time.",
             printer.real(),
             "unless it is set",
             &fields,
             text,
         );
         text.gap();
-        text.comment(["The values of the description."]);
+        text.comment(["Values of the description."]);
         text.line(format!(
             "extern const {} {};",
             printer.type_of("Parameters"),
@@ -74,7 +74,8 @@ pub(super) fn parameters(printer: &Printer<'_>, text: &mut Text) {
 pub(super) fn inputs(printer: &Printer<'_>, text: &mut Text) {
     if printer.declared().inputs {
         let (fields, signal) = (printer.inputs(), printer.runtime("signal"));
-        let title = "The signals that move the mechanism, each with its value, rate and acceleration at one time.";
+        let title =
+            "Signals that move the mechanism, each with value, rate and acceleration at one time.";
         structure(
             printer,
             "Inputs",
@@ -239,7 +240,9 @@ pub(super) fn requirements(printer: &Printer<'_>, text: &mut Text) {
     let (function, structure) = (printer.own("not_positive"), printer.type_of("Parameters"));
     let scope = Scope::new(printer.module, &requirements.function, Place::Coordinates);
     text.gap();
-    text.comment(["The least place of what parameters leave not positive, and its value; false where there is none."]);
+    text.comment([
+        "Finds the first value that parameters leave not positive; returns false if there is none.",
+    ]);
     let real = printer.real();
     text.line(format!(
         "static bool {function}(const void *given, uint16_t *place, {real} *value)"
@@ -278,7 +281,7 @@ pub(super) fn drawn(printer: &Printer<'_>, text: &mut Text) {
     let (real, structure) = (printer.real(), printer.type_of("Parameters"));
     let scope = Scope::new(printer.module, function, Place::Coordinates);
     text.gap();
-    text.comment(["The drawing's value of every coordinate and displacement."]);
+    text.comment(["Finds the design value of each coordinate and displacement."]);
     text.line(format!(
         "static void {}(const {structure} *parameters, {real} found[{}])",
         printer.own("drawn"),

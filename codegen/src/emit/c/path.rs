@@ -1,4 +1,4 @@
-//! Whether a frame lies on the path of the last one.
+//! Writes the verification that a frame lies on the path of the last frame.
 
 use super::printer::Printer;
 use super::text::Text;
@@ -7,7 +7,23 @@ use crate::emit::module::path_enclosures::iterated;
 use crate::emit::module::scope::{Place, Scope};
 use crate::program::Path;
 
-/// `verify_path`, `is_within` where Newton-Raphson finds something, and `verify_nonsingular` where all is in closed form.
+/// Declares the functions of [`path`], which stand at the end.
+pub(super) fn declarations(printer: &Printer<'_>, text: &mut Text) {
+    let Some(path) = &printer.module.program.path else {
+        return;
+    };
+    text.gap();
+    text.comment(["Defined in the last section."]);
+    text.line(format!("{};", head(printer, "verify_path", true)));
+    if !iterated(printer.module.program, printer.module.system, path).is_empty() {
+        text.line(format!("{};", within_head(printer)));
+    }
+    if path.closed.is_some() {
+        text.line(format!("{};", head(printer, "verify_nonsingular", false)));
+    }
+}
+
+/// `verify_path`, `is_within` if Newton-Raphson finds values, and `verify_nonsingular` if all blocks are closed forms.
 pub(super) fn path(printer: &Printer<'_>, text: &mut Text) {
     let Some(path) = &printer.module.program.path else {
         return;
@@ -17,7 +33,11 @@ pub(super) fn path(printer: &Printer<'_>, text: &mut Text) {
     printer.plain_statements(&scope, &mut body);
     fill_enclosures(printer, path, &scope, &mut body);
     text.gap();
-    text.comment([documentation::KEEPS_TO_PATH.join(" ")]);
+    text.comment([RULER]);
+    text.comment(documentation::of_path(printer.module.program));
+    text.comment([RULER]);
+    text.gap();
+    text.comment(documentation::VERIFY_PATH);
     shown(printer, "verify_path", true, body, text);
     within(printer, path, text);
     if let Some(function) = &path.closed {
@@ -25,24 +45,41 @@ pub(super) fn path(printer: &Printer<'_>, text: &mut Text) {
         let mut body = Text::default();
         printer.plain_statements(&scope, &mut body);
         text.gap();
-        text.comment([documentation::STAYS_REGULAR.join(" ")]);
+        text.comment(documentation::VERIFY_NONSINGULAR);
         shown(printer, "verify_nonsingular", false, body, text);
     }
 }
 
-/// A function that shows something of a window, and is given the enclosures or not.
-fn shown(printer: &Printer<'_>, name: &str, has_enclosures: bool, body: Text, text: &mut Text) {
+/// Line that sets a section apart.
+const RULER: &str = "----------------------------------------------------------------------------------------------------";
+
+/// Returns the head of a verification.
+fn head(printer: &Printer<'_>, name: &str, has_enclosures: bool) -> String {
     let runtime = |name| printer.runtime(name);
     let enclosures = match has_enclosures {
         true => format!("{} *enclosures, ", runtime("enclosure")),
         false => String::new(),
     };
-    text.line(format!(
+    format!(
         "static bool {}(const {} *pair, const {} *window, {enclosures}uint16_t *block)",
         printer.own(name),
         runtime("pair"),
         runtime("time_window"),
-    ));
+    )
+}
+
+fn within_head(printer: &Printer<'_>) -> String {
+    format!(
+        "static bool {}(const void *found, const {} *enclosures, {} steps)",
+        printer.own("is_within"),
+        printer.runtime("enclosure"),
+        printer.real()
+    )
+}
+
+/// Writes a verification, with or without enclosures.
+fn shown(printer: &Printer<'_>, name: &str, has_enclosures: bool, body: Text, text: &mut Text) {
+    text.line(head(printer, name, has_enclosures));
     text.open("{");
     let [frame, parameters, inputs] =
         ["Frame", "Parameters", "Inputs"].map(|it| printer.type_of(it));
@@ -93,7 +130,7 @@ fn shown(printer: &Printer<'_>, name: &str, has_enclosures: bool, body: Text, te
     text.close("}");
 }
 
-/// What fills the enclosures of unknowns that Newton-Raphson finds.
+/// Fills the enclosures of unknowns that Newton-Raphson finds.
 fn fill_enclosures(printer: &Printer<'_>, path: &Path, scope: &Scope<'_>, text: &mut Text) {
     let module = printer.module;
     let iterated = iterated(module.program, module.system, path);
@@ -110,7 +147,7 @@ fn fill_enclosures(printer: &Printer<'_>, path: &Path, scope: &Scope<'_>, text: 
     }
 }
 
-/// Whether what Newton-Raphson has found is where the path is.
+/// Writes the check of values that Newton-Raphson finds.
 fn within(printer: &Printer<'_>, path: &Path, text: &mut Text) {
     let module = printer.module;
     let iterated = iterated(module.program, module.system, path);
@@ -119,13 +156,8 @@ fn within(printer: &Printer<'_>, path: &Path, text: &mut Text) {
     }
     let (frame, holds) = (printer.type_of("Frame"), printer.runtime("enclosure_holds"));
     text.gap();
-    text.comment(["Whether what Newton-Raphson has found is where the path is."]);
-    text.line(format!(
-        "static bool {}(const void *found, const {} *enclosures, {} steps)",
-        printer.own("is_within"),
-        printer.runtime("enclosure"),
-        printer.real()
-    ));
+    text.comment([documentation::IS_WITHIN]);
+    text.line(within_head(printer));
     text.open("{");
     text.line(format!("const {frame} *const at = (const {frame} *)found;"));
     text.line("bool is_within = true;");

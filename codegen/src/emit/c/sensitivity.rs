@@ -17,7 +17,7 @@ pub(super) fn structures(printer: &Printer<'_>, text: &mut Text) {
             printer.type_of("Coordinates"),
         );
         text.gap();
-        text.comment(["The derivatives of all coordinates and of their rates along a parameter, at the time of the frame."]);
+        text.comment(["Derivatives of all coordinates and of their rates with respect to a parameter, at the time of the frame."]);
         text.open(format!("typedef struct {name} {{"));
         text.comment(["∂q/∂p: of the coordinates, in m or rad per unit of the parameter."]);
         text.line(format!("{coordinates} position;"));
@@ -32,7 +32,7 @@ pub(super) fn structures(printer: &Printer<'_>, text: &mut Text) {
     {
         let name = printer.type_of("PointSensitivity");
         text.gap();
-        text.comment(["The derivatives of the position and the velocity of a point along a parameter, at the time of the frame."]);
+        text.comment(["Derivatives of the position and velocity of a point with respect to a parameter, at the time of the frame."]);
         text.open(format!("typedef struct {name} {{"));
         text.comment(["Of x and y, in m per unit of the parameter."]);
         text.line(format!("{real} position[2];"));

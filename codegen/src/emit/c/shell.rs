@@ -23,24 +23,25 @@ pub(super) fn structure(printer: &Printer<'_>, text: &mut Text) {
     };
     lines.push(String::new());
     lines.push(
-        "It is the caller's: on the stack, or anywhere. A failure of the last call is described in it.".to_string(),
+        "The caller owns the structure. Its field `failure` describes a failure of the last call."
+            .to_string(),
     );
     text.gap();
     text.comment(lines);
     text.open(format!("typedef struct {name} {{"));
-    text.comment(["What came of the last call."]);
+    text.comment(["Failure of the last call, if any."]);
     text.line(format!("{} failure;", printer.runtime("failure")));
-    text.comment(["The assembly modes."]);
+    text.comment(["Assembly modes."]);
     text.line(format!("{} branches;", type_of("Branches")));
     if declared.parameters {
         text.comment([format!(
-            "The parameters that the next instant is solved with; {} changes them.",
+            "Parameters of the next frame; {} changes them.",
             printer.function("set_parameters")
         )]);
         text.line(format!("{} parameters;", type_of("Parameters")));
     }
     text.comment([format!(
-        "The rest is the runtime's; {} gives the last frame.",
+        "The other fields belong to the runtime; {} returns the last frame.",
         printer.function("frame")
     )]);
     if declared.inputs {
@@ -119,7 +120,7 @@ pub(super) fn solve(printer: &Printer<'_>, text: &mut Text) {
         let fields = checked.iter().map(|&symbol| printer.field(symbol, "at"));
         let fields: Vec<String> = fields.collect();
         let count = fields.len();
-        text.comment(["What is not finite anywhere shows in these."]);
+        text.comment(["A value that is not finite makes one of these not finite."]);
         text.line(printer.array("checked", &fields));
         let finite = printer.runtime("all_finite");
         let failed = format!("{}(conditions, 0U)", printer.runtime("not_finite"));
@@ -163,7 +164,7 @@ pub(super) fn values(printer: &Printer<'_>, text: &mut Text) -> usize {
         return 0;
     }
     text.gap();
-    text.comment(["The components of a frame's points, by which poses are compared."]);
+    text.comment(["Returns a component of a frame's points, by which poses are compared."]);
     text.line(format!(
         "static {real} {}(const void *found, uint16_t index)",
         printer.own("value_of")
@@ -190,7 +191,7 @@ pub(super) fn values(printer: &Printer<'_>, text: &mut Text) -> usize {
     2 * points.len()
 }
 
-/// What the runtime is told of the mechanism.
+/// Mechanism descriptor.
 pub(super) fn blocks(printer: &Printer<'_>, values: usize, text: &mut Text) {
     let (module, declared) = (printer.module, printer.declared());
     let is_guarded = module.program.path.is_some();
@@ -230,7 +231,7 @@ pub(super) fn blocks(printer: &Printer<'_>, values: usize, text: &mut Text) {
         some(limits_parameters, "not_positive"),
     ];
     text.gap();
-    text.comment(["What the runtime is told of the mechanism."]);
+    text.comment(["Mechanism descriptor."]);
     text.open(format!(
         "static const {} {} = {{",
         printer.runtime("blocks"),

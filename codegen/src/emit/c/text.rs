@@ -1,30 +1,41 @@
 //! Lines of C, as a person lays them out.
 
-use crate::emit::lines::{WIDTH, fits, terms};
+use super::broken::broken;
 
 /// Code that is being written.
+///
+/// Lines are broken at the end, because code that is written for one place may be put into another.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Text {
-    lines: Vec<String>,
+    lines: Vec<Line>,
     depth: usize,
+}
+
+#[derive(Clone, Debug)]
+struct Line {
+    depth: usize,
+    text: String,
+    /// True if the line stays as it is, however long.
+    is_whole: bool,
 }
 
 impl Text {
     /// A line, broken where it is too long.
     pub(super) fn line(&mut self, line: impl AsRef<str>) {
-        let line = line.as_ref();
-        let indented = format!("{}{line}", "    ".repeat(self.depth));
-        match line.is_empty() {
-            true => self.lines.push(String::new()),
-            false => self.lines.extend(broken(&indented, 4 * self.depth)),
-        }
+        self.push(line.as_ref(), false);
     }
 
     /// A line, however long it is.
     pub(super) fn line_as_it_is(&mut self, line: &str) {
-        let indent = "    ".repeat(self.depth);
-        let line = format!("{indent}{line}");
-        self.lines.push(line.trim_end().to_string());
+        self.push(line.trim_end(), true);
+    }
+
+    fn push(&mut self, line: &str, is_whole: bool) {
+        self.lines.push(Line {
+            depth: self.depth,
+            text: line.to_string(),
+            is_whole,
+        });
     }
 
     /// A line that the following ones are indented under.
@@ -46,35 +57,44 @@ impl Text {
 
     /// An empty line between what belongs to different things.
     pub(super) fn gap(&mut self) {
-        let is_begun = self.lines.last().is_some_and(|line| !line.is_empty());
-        if is_begun && !self.lines.last().is_some_and(|line| line.ends_with('{')) {
-            self.lines.push(String::new());
+        let last = self.lines.last().map_or("{", |line| &line.text);
+        if !last.is_empty() && !last.ends_with('{') {
+            self.push("", true);
         }
     }
 
     /// What was written elsewhere.
     pub(super) fn append(&mut self, other: Text) {
-        let indent = "    ".repeat(self.depth);
-        let lines = other.lines.into_iter();
-        self.lines.extend(lines.map(|line| match line.is_empty() {
-            true => line,
-            false => format!("{indent}{line}"),
+        let depth = self.depth;
+        self.lines.extend(other.lines.into_iter().map(|line| Line {
+            depth: depth + line.depth,
+            ..line
         }));
-    }
-
-    /// How far lines are indented.
-    pub(super) fn depth(&self) -> usize {
-        4 * self.depth
     }
 
     /// Whether some line mentions a name.
     pub(super) fn mentions(&self, name: &str) -> bool {
-        self.lines.iter().any(|line| mentions(line, name))
+        self.lines.iter().any(|line| mentions(&line.text, name))
     }
 
     /// All lines, each with its break.
     pub(super) fn finish(self) -> String {
-        self.lines.into_iter().map(|line| line + "\n").collect()
+        let mut all = String::new();
+        for Line {
+            depth,
+            text,
+            is_whole,
+        } in self.lines
+        {
+            let depth = if text.is_empty() { 0 } else { 4 * depth };
+            match is_whole {
+                true => all += &format!("{:depth$}{text}\n", ""),
+                false => broken(&text, depth)
+                    .into_iter()
+                    .for_each(|line| all += &format!("{}\n", line.trim_end())),
+            }
+        }
+        all
     }
 }
 
@@ -82,55 +102,4 @@ impl Text {
 pub(super) fn mentions(code: &str, name: &str) -> bool {
     code.split(|character: char| !(character.is_alphanumeric() || character == '_'))
         .any(|word| word == name)
-}
-
-/// A line of code in lines of [`WIDTH`]: between terms or factors outside of all brackets, or else between what commas part in the
-/// outermost ones that hold several, where it is too long.
-fn broken(line: &str, depth: usize) -> Vec<String> {
-    if fits(line) {
-        return vec![line.to_string()];
-    }
-    let is_list = line.trim_end().ends_with("{") || line.contains(" = {") || line.ends_with(')');
-    let in_terms = (!is_list).then(|| terms(line, depth)).flatten();
-    in_terms
-        .or_else(|| elements(line, depth))
-        .or_else(|| terms(line, depth))
-        .unwrap_or_else(|| vec![line.to_string()])
-}
-
-/// A line broken after commas inside its first brackets that hold one, indented once more.
-fn elements(line: &str, depth: usize) -> Option<Vec<String>> {
-    let opening = [" = {", "("]
-        .iter()
-        .find_map(|it| line.find(it).map(|at| at + it.len()))?;
-    let mut pieces = Vec::new();
-    let (mut start, mut open) = (0, 0_i32);
-    for (at, letter) in line.char_indices() {
-        match letter {
-            '(' | '[' | '{' => open += 1,
-            ')' | ']' | '}' => open -= 1,
-            ',' if open == 1 && at >= opening => {
-                pieces.push(&line[start..=at]);
-                start = at + 1;
-            }
-            _ => {}
-        }
-    }
-    pieces.push(&line[start..]);
-    if pieces.len() < 2 {
-        return None;
-    }
-    let indent = " ".repeat(depth + 4);
-    let mut lines: Vec<String> = vec![pieces[0].to_string()];
-    for piece in &pieces[1..] {
-        let piece = piece.trim_start();
-        match lines.last_mut() {
-            Some(last) if last.chars().count() + 1 + piece.chars().count() <= WIDTH => {
-                last.push(' ');
-                last.push_str(piece);
-            }
-            _ => lines.push(format!("{indent}{piece}")),
-        }
-    }
-    Some(lines)
 }

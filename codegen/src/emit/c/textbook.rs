@@ -178,7 +178,7 @@ pub(super) fn length_function(
     let (real, structure) = (printer.real(), printer.type_of("Parameters"));
     let scope = Scope::new(printer.module, function, Place::Coordinates);
     text.gap();
-    text.comment(["By what lengths are scaled."]);
+    text.comment(["Returns the scale of lengths."]);
     text.line(format!(
         "static {real} {name}(const {structure} *parameters)"
     ));

@@ -11,7 +11,7 @@ use crate::words::loop_name;
 pub struct BlockWords {
     /// `loop F-N-M`.
     pub name: String,
-    /// `c2 and the actuator c8-c7 are in line`; empty where the block is never singular.
+    /// `c2 and the actuator c8-c7 are collinear`; empty where the block is never singular.
     pub singular: String,
 }
 

@@ -22,16 +22,13 @@ pub(super) fn summary(system: &System, plan: &SolvedPlan, forms: &[Vec<Arc<dyn F
     if explicit > 0 {
         parts.push(format!("{explicit} by explicit formulas"));
     }
-    let kinds: [(&str, &str, &str); 5] = [
+    let kinds: [(&str, &str, &str); 6] = [
         ("linear", "", "by a linear equation"),
         ("one angle", "angle", "in closed form"),
-        ("two rotations", "dyad", "of two angles in closed form"),
-        (
-            "rotation and slide",
-            "pair",
-            "of an angle and a slide in closed form",
-        ),
-        ("two slides", "pair", "of slides in closed form"),
+        ("RRR dyad", "RRR dyad", "in closed form"),
+        ("RRP dyad", "RRP dyad", "in closed form"),
+        ("RPR dyad", "RPR dyad", "in closed form"),
+        ("PRP or RPP dyad", "PRP or RPP dyad", "in closed form"),
     ];
     let all = || forms.iter().flatten().filter(|form| form.modes().is_some());
     for (name, noun, words) in kinds {

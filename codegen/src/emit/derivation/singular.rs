@@ -25,14 +25,14 @@ pub struct SingularPose {
     pub part: usize,
     /// What the part finds: `phi2`, `phi_c3 and phi_c10`.
     pub unknowns: String,
-    /// How: `two rotations`.
+    /// How: `RRR dyad`.
     pub method: String,
     /// The determinant of the part's Jacobian up to its sign; `None` where there is no closed form, or none that a person would
     /// read.
     pub determinant: Option<String>,
-    /// What the pose is like where the determinant is zero: `A-B and B-C are in line`. `None` where it never is.
+    /// What the pose is like where the determinant is zero: `A-B and B-C are collinear`. `None` where it never is.
     pub meaning: Option<String>,
-    /// The same of bodies, as a message says it: `crank and coupler are in line`. `None` where it never is.
+    /// The same of bodies, as a message says it: `crank and coupler are collinear`. `None` where it never is.
     pub said: Option<String>,
     /// Pins of the loop that two links close: `B-C-D`. `None` for other parts, and where a pin has no name.
     pub pins: Option<String>,

@@ -2,10 +2,12 @@
 
 mod assemblies;
 mod loads;
+mod path;
 mod responses;
 
 pub(in crate::emit) use assemblies::{ASSEMBLIES, of_assembly, of_wanted_assembly};
 pub(in crate::emit) use loads::{BLAMED_LOAD, LOADS};
+pub(in crate::emit) use path::{IS_WITHIN, VERIFY_NONSINGULAR, VERIFY_PATH, of_path};
 pub(in crate::emit) use responses::{of_quantity, of_sensitivity, of_transmission};
 
 use super::Module;
@@ -24,33 +26,21 @@ const LONGEST: usize = 160;
 
 /// Of a structure of coordinates.
 pub(in crate::emit) const COORDINATES: [&str; 2] = [
-    "The coordinates of all bodies: position of the origin in m, angle in rad. Also their rates (m/s, rad/s) and",
+    "Coordinates of all bodies: position of the origin in m, angle in rad. Also their rates (m/s, rad/s) and",
     "accelerations (m/s², rad/s²).",
 ];
 
 /// Of Φ, Φ_q, Φ_t and γ.
 pub(in crate::emit) const PHI: &str =
-    "Φ(q, t): the residuals of all joints and drivers, zero where the mechanism is assembled.";
-pub(in crate::emit) const PHI_Q: &str = "Φ_q(q, t): the Jacobian, one row per equation and one column per coordinate. What is not assigned is zero.";
+    "Φ(q, t): residuals of all joints and drivers, zero if the mechanism is assembled.";
+pub(in crate::emit) const PHI_Q: &str = "Φ_q(q, t): Jacobian, one row per equation and one column per coordinate. Entries that are not assigned are zero.";
 pub(in crate::emit) const PHI_T: &str =
-    "Φ_t(q, t): the partial derivatives of the residuals in t. The rates solve Φ_q q̇ = −Φ_t.";
+    "Φ_t(q, t): partial derivatives of the residuals in t. The rates solve Φ_q q̇ = −Φ_t.";
 pub(in crate::emit) const GAMMA: &str =
     "γ(q, q̇, t) = −((Φ_q q̇)_q q̇ + 2 Φ_qt q̇ + Φ_tt). The accelerations solve Φ_q q̈ = γ.";
 
 /// Of the residuals that are monitored.
-pub(in crate::emit) const MONITORED: &str = "The residuals of the redundant equations, in m or rad: they follow from those that are solved, so they are zero but for rounding wherever Φ is.";
-
-/// Of what shows that frames lie on their path.
-pub(in crate::emit) const KEEPS_TO_PATH: [&str; 2] = [
-    "Whether a frame lies on the path of the last one: how far values are from where they are now (`radius`), and from a",
-    "straight line (`deviation`), while the mechanism moves; or else the block of which that cannot be shown.",
-];
-
-/// Of what shows the same of closed forms by themselves.
-pub(in crate::emit) const STAYS_REGULAR: [&str; 2] = [
-    "Whether no two links come in line: how far their pins move at most (`moved`), and how far they turn (`turned`, `radius`); or",
-    "else the block of which that cannot be shown.",
-];
+pub(in crate::emit) const MONITORED: &str = "Residuals of the redundant equations, in m or rad. They follow from the solved equations: if Φ is zero, they are zero except for rounding.";
 
 /// A paragraph, and what a description says besides.
 fn with_docs(what: String, docs: &[String]) -> Vec<String> {
@@ -92,13 +82,13 @@ pub(in crate::emit) fn of_coordinate(coordinate: &Unknown, system: &System) -> V
                 "" => String::new(),
                 unit => format!(", in {unit}"),
             };
-            return vec![format!("Where `{label}` touches its curve{unit}.")];
+            return vec![format!("Contact point of `{label}` on its curve{unit}.")];
         }
         Described::Auxiliary => return Vec::new(),
     };
     let name = &body.name;
     if body.is_angle() {
-        return with_docs(format!("The angle {name}, in rad."), &body.docs);
+        return with_docs(format!("Angle {name}, in rad."), &body.docs);
     }
     match axis {
         0 => with_docs(format!("x of body {name}, in m."), &body.docs),
@@ -147,7 +137,7 @@ pub(in crate::emit) fn of_point(index: usize, system: &System) -> Vec<String> {
 pub(in crate::emit) fn of_pressure(pressure: &Pressure, system: &System) -> Vec<String> {
     let joint = &system.mechanism.joints[pressure.joint];
     vec![
-        format!("The pressure angle of `{}`, in rad.", joint.label),
+        format!("Pressure angle of `{}`, in rad.", joint.label),
         String::new(),
         "It is the angle between the common normal and the velocity of the follower's point at the"
             .to_string(),
@@ -164,15 +154,12 @@ pub(in crate::emit) fn of_output(output: &Output) -> Vec<(&'static str, String)>
             )]
         }
         Output::Point { name, fields } => {
-            let levels = [("position", "m"), ("velocity", "m/s")];
+            let levels = [("Position", "m"), ("Velocity", "m/s")];
             let suffixes = ["_position", "_velocity"].into_iter();
             let levels = suffixes.zip(levels).take(fields.len());
             levels
                 .map(|(suffix, (level, unit))| {
-                    (
-                        suffix,
-                        format!("The {level} of the point {name}, in {unit}."),
-                    )
+                    (suffix, format!("{level} of the point {name}, in {unit}."))
                 })
                 .collect()
         }
@@ -182,13 +169,13 @@ pub(in crate::emit) fn of_output(output: &Output) -> Vec<(&'static str, String)>
             fields,
         } => {
             let levels = [
-                ("", "coordinate"),
-                ("_rate", "rate of the coordinate"),
-                ("_acceleration", "acceleration of the coordinate"),
+                ("", "Coordinate"),
+                ("_rate", "Rate of the coordinate"),
+                ("_acceleration", "Acceleration of the coordinate"),
             ];
             let levels = levels.into_iter().zip(units(*quantity)).take(fields.len());
             levels
-                .map(|((suffix, what), unit)| (suffix, format!("The {what} {name}, in {unit}.")))
+                .map(|((suffix, what), unit)| (suffix, format!("{what} {name}, in {unit}.")))
                 .collect()
         }
     }
@@ -206,16 +193,16 @@ pub(in crate::emit) fn of_branch(meaning: &str) -> String {
 /// The table of what must be positive.
 pub(in crate::emit) fn of_requirements(requirements: &Requirements) -> &'static str {
     match requirements.limit_parameters() {
-        true => "What must be positive whatever the parameters are: the joint, and what it is.",
-        false => "What must be positive whatever drives it: the joint, and what it is.",
+        true => "Values that must be positive for all parameters: the joint, and the value.",
+        false => "Values that must be positive for all driver positions: the joint, and the value.",
     }
 }
 
 /// What the modes of all loops are.
 pub(in crate::emit) fn of_branches(module: &Module<'_>) -> &'static str {
     match module.program.blocks.iter().any(|it| it.newton.is_some()) {
-        false => "The assembly mode of every loop that is solved in closed form.",
-        true => "The assembly mode of every loop.",
+        false => "Assembly mode of each loop that is solved in closed form.",
+        true => "Assembly mode of each loop.",
     }
 }
 

@@ -1,6 +1,7 @@
 //! A module → lines of text that stand at its head.
 
 use super::Module;
+use super::wrapped::wrapped;
 use crate::emit::{report, text};
 use crate::model::Role;
 
@@ -41,10 +42,10 @@ pub(in crate::emit) fn facts(module: &Module<'_>) -> Vec<String> {
     lines.extend(text::given(system).lines().map(capitalized));
     lines.extend(report::lines(&module.program.report));
     if module.program.textbook.is_none() {
-        let why = "Left out: the textbook view, whose dense matrices would not fit a stack.";
+        let why = "Omitted: the textbook formulation, whose dense matrices exceed the stack.";
         lines.push(why.to_string());
     }
-    lines
+    lines.iter().flat_map(|line| wrapped([line])).collect()
 }
 
 /// `Parameter L = 0.05 m.` of `parameter L = 0.05 m`.

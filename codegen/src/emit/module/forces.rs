@@ -39,11 +39,11 @@ pub(in crate::emit) fn force_functions(module: &Module<'_>) -> Vec<ForceFunction
 fn of_effort(effort: &Effort, module: &Module<'_>) -> [ForceFunction; 2] {
     let label = &module.system.mechanism.joints[effort.joint].label;
     let what = match effort.quantity {
-        Quantity::Angle => format!(
-            "The torque (N·m) that `{label}` exerts, positive where it turns the angle forward."
-        ),
+        Quantity::Angle => {
+            format!("Torque (N·m) that `{label}` applies, positive if it increases the angle.")
+        }
         _ => format!(
-            "The force (N) that `{label}` exerts along what it drives, positive where it makes that larger."
+            "Force (N) that `{label}` applies along the driven quantity, positive if it increases the quantity."
         ),
     };
     let function = |word: &str, field, line| ForceFunction {
@@ -56,7 +56,7 @@ fn of_effort(effort: &Effort, module: &Module<'_>) -> [ForceFunction; 2] {
         function(
             "power",
             effort.power,
-            format!("The power (W) that `{label}` brings in."),
+            format!("Power (W) that `{label}` supplies."),
         ),
     ]
 }
@@ -72,9 +72,9 @@ fn of_reaction(reaction: &Reaction, module: &Module<'_>) -> Vec<ForceFunction> {
             fields: vec![*x, *y],
             lines: vec![match joint.pressure_angle {
                 Some(_) => format!(
-                    "The force (N) of the teeth of `{label}` on the second wheel at the pitch point, along x and y."
+                    "Force (N) of the teeth of `{label}` on the second wheel at the pitch point, along x and y."
                 ),
-                None => format!("The force (N) of `{label}` on its second body, along x and y."),
+                None => format!("Force (N) of `{label}` on its second body, along x and y."),
             }],
         });
         components = rest;
@@ -85,7 +85,7 @@ fn of_reaction(reaction: &Reaction, module: &Module<'_>) -> Vec<ForceFunction> {
             fields: vec![*field],
             lines: vec![match (component, joint.pressure_angle) {
                 (Component::Moment, Some(_)) => format!(
-                    "The moment (N·m) of the teeth of `{label}` on the second wheel, about its axis."
+                    "Moment (N·m) of the teeth of `{label}` on the second wheel, about its axis."
                 ),
                 _ => said(*component, label),
             }],
@@ -97,25 +97,25 @@ fn of_reaction(reaction: &Reaction, module: &Module<'_>) -> Vec<ForceFunction> {
 /// What a component is.
 fn said(component: Component, label: &str) -> String {
     match component {
-        Component::X => format!("The force (N) of `{label}` on its second body along x."),
-        Component::Y => format!("The force (N) of `{label}` on its second body along y."),
+        Component::X => format!("Force (N) of `{label}` on its second body along x."),
+        Component::Y => format!("Force (N) of `{label}` on its second body along y."),
         Component::Normal => {
-            format!("The force (N) of `{label}` on its second body to the left of its line.")
+            format!("Force (N) of `{label}` on its second body to the left of its line.")
         }
         Component::Tension => format!(
-            "The force (N) with which `{label}` pulls its points together; it pushes where that is negative."
+            "Force (N) with which `{label}` pulls its points together, negative if it pushes them apart."
         ),
         Component::Tooth => {
-            format!("The force (N) of `{label}` on its second body along its line.")
+            format!("Force (N) of `{label}` on its second body along its line.")
         }
         Component::Pressure => format!(
-            "The force (N) with which the bodies of `{label}` press on one another; where it is negative they would have to pull, and part."
+            "Normal force (N) between the bodies of `{label}`, positive in compression. If it is negative, the bodies separate."
         ),
         Component::Moment => format!(
-            "The moment (N·m) of `{label}` on its second body, about the point of the joint on that body."
+            "Moment (N·m) of `{label}` on its second body, about the point of the joint on that body."
         ),
         Component::Multiplier => {
-            format!("The multiplier of `{label}`: its work (J) per unit of its residual.")
+            format!("Multiplier of `{label}`: work (J) per unit of its residual.")
         }
     }
 }
@@ -129,7 +129,7 @@ fn of_reduced(reduced: &Reduced, module: &Module<'_>) -> Vec<ForceFunction> {
                 true => (
                     format!("reduced_mass_{}", own.name),
                     format!(
-                        "The mass of everything that moves with `{}`, along it ({}).",
+                        "Reduced mass of `{}` ({}).",
                         label(own),
                         unit_of_mass([own.quantity, own.quantity])
                     ),
@@ -137,7 +137,7 @@ fn of_reduced(reduced: &Reduced, module: &Module<'_>) -> Vec<ForceFunction> {
                 false => (
                     format!("reduced_mass_{}_{}", own.name, other.name),
                     format!(
-                        "The mass by which `{}` and `{}` push one another ({}).",
+                        "Reduced mass coupling `{}` and `{}` ({}).",
                         label(own),
                         label(other),
                         unit_of_mass([own.quantity, other.quantity])
@@ -155,7 +155,7 @@ fn of_reduced(reduced: &Reduced, module: &Module<'_>) -> Vec<ForceFunction> {
         name: format!("reduced_force_{}", own.name),
         fields: vec![own.force],
         lines: vec![format!(
-            "The force ({}) along `{}` that its acceleration balances: the reduced mass times the acceleration.",
+            "Reduced force ({}) along `{}`: the reduced mass times the acceleration.",
             match own.quantity {
                 Quantity::Angle => "N·m",
                 _ => "N",
@@ -186,17 +186,17 @@ fn of_energy(energy: &Energy) -> [ForceFunction; 3] {
         function(
             "kinetic_energy",
             energy.kinetic,
-            "The kinetic energy (J) of all bodies.",
+            "Kinetic energy (J) of all bodies.",
         ),
         function(
             "potential_energy",
             energy.potential,
-            "The potential energy (J) of gravity and springs; zero where all centers of mass are at the origin and all springs at rest.",
+            "Potential energy (J) of gravity and springs, zero with all centers of mass at the origin and all springs unstressed.",
         ),
         function(
             "added_power",
             energy.added,
-            "The power (W) that dampers, forces and torques add: negative where they take it.",
+            "Power (W) that dampers, forces and torques supply, negative if they absorb it.",
         ),
     ]
 }

@@ -159,11 +159,8 @@ impl<'a> Scope<'a> {
 
     /// The order of the function's arithmetic.
     pub(in crate::emit) fn evaluation(&self) -> Evaluation<'a> {
-        Evaluation {
-            function: self.function,
-            system: self.module.system,
-            constants: &self.module.program.constants,
-        }
+        let constants = &self.module.program.constants;
+        Evaluation::new(self.function, self.module.system, constants)
     }
 
     /// Where a variable stands.

@@ -15,7 +15,7 @@ pub(in crate::emit) fn docs_of(id: SplineId, system: &System) -> Vec<String> {
     let lines: Vec<String> = own.collect();
     match lines.is_empty() {
         true => vec![format!(
-            "The table `{}`.",
+            "Table `{}`.",
             system.mechanism.graph.spline_of(id).name
         )],
         false => lines,

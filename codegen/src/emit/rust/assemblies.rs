@@ -1,36 +1,33 @@
 //! The assemblies that are stored.
 
-use proc_macro2::TokenStream;
-
-use super::docs::doc_lines;
-use super::layout::Verbatim;
 use super::names::identifier;
+use crate::emit::code::Code;
 use crate::emit::module::{Module, documentation};
 
 /// The longest line on which all modes of an assembly stand, in characters.
 const LONGEST: usize = 100;
 
-/// `Branches::ASSEMBLIES`, and where Newton-Raphson starts from for each of them.
-pub(super) fn assemblies(module: &Module<'_>) -> TokenStream {
+/// Writes `Branches::ASSEMBLIES`, and where Newton-Raphson starts from for each of them.
+pub(super) fn assemblies(module: &Module<'_>, code: &mut Code) {
     let Some(stored) = &module.assemblies else {
-        return TokenStream::new();
+        return;
     };
     let unknowns = stored.unknowns.iter();
     let fields = unknowns.map(|&unknown| {
         let position = module.system.vector_form.unknowns[unknown].position;
-        let field = module.field_text(position, "");
+        let field = module.field(position, "");
         field.trim_start_matches('.').to_string()
     });
     let fields: Vec<String> = fields.collect();
     let iterated = module.program.blocks.iter();
     let iterated = iterated.filter(|block| block.newton.is_some());
-    let mut text = Verbatim::default();
-    text.open("::linkwright::generated::assemblies! {");
-    text.docs(doc_lines(documentation::ASSEMBLIES));
-    text.open(&format!("Branches [{}] of [", stored.all.len()));
-    text.list(fields);
-    text.close("]");
-    text.open("{");
+    code.gap();
+    code.open("::linkwright::generated::assemblies! {");
+    code.docs(documentation::ASSEMBLIES);
+    code.open(format!("Branches [{}] of [", stored.all.len()));
+    code.list(&fields);
+    code.close("]");
+    code.open("{");
     for (number, assembly) in stored.all.iter().enumerate() {
         let sign = |is_positive: bool| match is_positive {
             true => "Branch::Positive",
@@ -46,25 +43,22 @@ pub(super) fn assemblies(module: &Module<'_>) -> TokenStream {
             format!("{}: {mode}", identifier(&block.name))
         });
         let modes: Vec<String> = closed.chain(found).collect();
-        text.line(format!(
-            "// {}",
-            documentation::of_assembly(assembly, module).replace('`', "")
-        ));
+        code.comment(&documentation::of_assembly(assembly, module).replace('`', ""));
         let (label, all) = (&assembly.label, modes.join(", "));
         let line = format!("{number}, {label:?} {{ {all} }} at [");
         if line.len() <= LONGEST {
-            text.open(&line);
+            code.open(line);
         } else {
-            text.open(&format!("{number}, {label:?} {{"));
-            text.list(modes);
-            text.close("}");
-            text.open("at [");
+            code.open(format!("{number}, {label:?} {{"));
+            code.list(&modes);
+            code.close("}");
+            code.open("at [");
         }
         let values = assembly.values.iter();
-        text.list(values.map(|&value| module.number(value)));
-        text.close("];");
+        let values: Vec<String> = values.map(|&value| module.number(value)).collect();
+        code.list(&values);
+        code.close("];");
     }
-    text.close("}");
-    text.close("}");
-    text.item()
+    code.close("}");
+    code.close("}");
 }

@@ -1,22 +1,15 @@
 //! One function per block.
 
-use std::collections::HashMap;
-
-use proc_macro2::TokenStream;
-use quote::{ToTokens, quote};
-
-use super::code::{Code, taken_apart};
-use super::docs::doc_lines;
-use super::equation::words;
-use super::layout::Verbatim;
+use super::code::taken_apart;
+use super::equation::idle;
 use super::lints;
 use super::loads;
-use super::names::{identifier, identifier_text};
+use super::names::identifier;
 use super::newton;
+use crate::emit::code::Code;
 use crate::emit::module::needs::{Needs, checked_at_once};
 use crate::emit::module::scope::{Place, Scope};
 use crate::emit::module::{Module, documentation};
-use crate::expr::SymbolId;
 use crate::program::{Block, Statement};
 
 /// Up to so many blocks become one function.
@@ -46,7 +39,7 @@ impl Needs {
 /// The call of a block's function.
 pub(super) fn call(block: &Block, module: &Module<'_>) -> String {
     let needs = Needs::of(block, module);
-    let (name, (_, arguments)) = (identifier_text(&block.name), needs.arguments());
+    let (name, (_, arguments)) = (identifier(&block.name), needs.arguments());
     let failure = match needs.fails {
         true => loads::handed_on(block, module),
         false => String::new(),
@@ -54,19 +47,19 @@ pub(super) fn call(block: &Block, module: &Module<'_>) -> String {
     format!("{name}({arguments}){failure};")
 }
 
-/// The functions of all blocks.
-pub(super) fn functions(module: &Module<'_>) -> TokenStream {
-    let mut code = Code::default();
+/// Writes the functions of all blocks.
+pub(super) fn functions(module: &Module<'_>, code: &mut Code) {
     for (index, block) in module.program.blocks.iter().enumerate() {
-        function(index, block, module, &mut code);
+        function(index, block, module, code);
     }
-    code.to_token_stream()
 }
 
 fn function(index: usize, block: &Block, module: &Module<'_>, code: &mut Code) {
     let needs = Needs::of(block, module);
     let scope = Scope::new(module, &block.function, Place::Frame);
-    let iterated = |statement: &Statement| newton::statement(statement, index, block, &scope);
+    let iterated = |statement: &Statement, code: &mut Code| {
+        newton::statement(statement, index, block, &scope, code);
+    };
     let mut statements = scope.statements(index, &iterated);
     let idle = idle(&scope, &statements);
     if !idle.is_empty() {
@@ -81,17 +74,17 @@ fn function(index: usize, block: &Block, module: &Module<'_>, code: &mut Code) {
     ];
     let mut inside = Code::default();
     if let Some(taken) = taken_apart("&Conditions", "conditions", &read) {
-        inside.lines(&taken);
+        inside.line(taken);
     }
     inside.append(statements);
     if module.is_large() {
         own_check(index, block, &scope, &mut inside);
     }
     let (arguments, _) = needs.arguments();
-    let name = identifier_text(&block.name);
+    let name = identifier(&block.name);
     let mut head = format!("fn {name}({arguments})");
     if needs.fails {
-        inside.push("Ok(())");
+        inside.line("Ok(())");
         head += " -> Result<(), Failure>";
     }
     // One function of thousands of blocks would take the compiler longer than all of them alone.
@@ -99,40 +92,23 @@ fn function(index: usize, block: &Block, module: &Module<'_>, code: &mut Code) {
         true => "#[inline(never)]",
         false => "#[inline]",
     };
-    let allow = lints::of_code(&inside);
+    let allow: Vec<&str> = lints::of_code(&inside).chain([inline]).collect();
     let title = documentation::of_block(block, module);
-    code.function(title, allow.into_iter().chain([inline]), &head, inside);
-}
-
-/// Sines and cosines that are local to a function and are mentioned nowhere but where they are found.
-fn idle(scope: &Scope<'_>, statements: &Code) -> Vec<SymbolId> {
-    let mut found = scope.sines_and_cosines().peekable();
-    if found.peek().is_none() {
-        return Vec::new();
-    }
-    let code = quote!(#statements).to_string();
-    let mut counts: HashMap<&str, usize> = HashMap::new();
-    for word in words(&code) {
-        *counts.entry(word).or_default() += 1;
-    }
-    let is_idle = |symbol: &SymbolId| counts.get(scope.read(*symbol).as_str()) == Some(&1);
-    found.filter(is_idle).collect()
+    code.function(title, allow, &head, inside);
 }
 
 /// Fails where a coordinate, a rate or an acceleration of the block is not finite. A frame of thousands of coordinates is not
 /// looked through at once: the compiler would turn it into as many local values.
 fn own_check(index: usize, block: &Block, scope: &Scope<'_>, code: &mut Code) {
     let found = checked_at_once(block, scope).into_iter();
-    let fields = found.map(|symbol| scope.read(symbol) + ",");
-    let fields: Vec<String> = fields.collect();
-    let fields = fields.join(" ");
-    code.lines(&format!(
-        "if !all_finite(&[\n    {fields}\n]) {{\n    return Err(not_finite(t, {index}));\n}}"
-    ));
+    let fields: Vec<String> = found.map(|symbol| scope.read(symbol)).collect();
+    code.open(format!("if !all_finite(&[{}]) {{", fields.join(", ")));
+    code.line(format!("return Err(not_finite(t, {index}));"));
+    code.close("}");
 }
 
-/// `struct Branches` with the drawing's choice.
-pub(super) fn branches(module: &Module<'_>) -> TokenStream {
+/// Writes `struct Branches` with the drawing's choice.
+pub(super) fn branches(module: &Module<'_>, code: &mut Code) {
     let drawn = |positive: bool| match positive {
         true => "Branch::Positive",
         false => "Branch::Negative",
@@ -142,16 +118,16 @@ pub(super) fn branches(module: &Module<'_>) -> TokenStream {
         .iter()
         .enumerate()
         .filter_map(|(number, block)| Some((number, block, block.newton.as_ref()?)));
-    let mut text = Verbatim::default();
-    text.open("::linkwright::generated::branches! {");
-    text.docs([documentation::of_branches(module)]);
-    text.open("Branches {");
+    code.gap();
+    code.open("::linkwright::generated::branches! {");
+    code.docs([documentation::of_branches(module)]);
+    code.open("Branches {");
     for branch in &module.program.branches {
         let name = identifier(&branch.name);
         let of = module.exchanged.get(&branch.symbol);
         let of = of.map_or(String::new(), |number| format!(", block {number}"));
-        text.docs(doc_lines([documentation::of_branch(&branch.meaning)]));
-        text.line(format!(
+        code.docs([documentation::of_branch(&branch.meaning)]);
+        code.whole(format!(
             "{name}: Branch = {}{of};",
             drawn(branch.is_positive())
         ));
@@ -161,18 +137,17 @@ pub(super) fn branches(module: &Module<'_>) -> TokenStream {
         let drawn = newton.drawn.sign().map_or("None".to_string(), |positive| {
             format!("Some({})", drawn(positive))
         });
-        text.docs(doc_lines([format!(
+        code.docs([format!(
             "The sign of the determinant of `{}`, which finds {}. `None` lets the estimate decide.",
             block.name,
             documentation::found_by(newton, module.system)
-        )]));
-        text.line(format!("{name}: Option<Branch> = {drawn}, block {number};"));
+        )]);
+        code.whole(format!("{name}: Option<Branch> = {drawn}, block {number};"));
     }
     if module.assemblies.is_some() {
-        text.docs(doc_lines([documentation::of_wanted_assembly("`None`")]));
-        text.line("assembly: Option<u8> = None;");
+        code.docs([documentation::of_wanted_assembly("`None`")]);
+        code.line("assembly: Option<u8> = None;");
     }
-    text.close("}");
-    text.close("}");
-    text.item()
+    code.close("}");
+    code.close("}");
 }

@@ -1,21 +1,13 @@
-//! Documentation attributes.
-
-use proc_macro2::TokenStream;
-use quote::quote;
+//! Lines of documentation.
 
 use super::markdown::inert;
 use crate::emit::module;
+use crate::emit::module::wrapped::wrapped;
 use crate::system::System;
 
 /// What a description says of its mechanism, line by line.
 pub fn documentation(system: &System) -> Vec<String> {
     doc_lines(module::documentation::of_mechanism(system))
-}
-
-/// One `///` line per line of text, of which nothing is compiled or run, whoever wrote it.
-pub(super) fn docs<S: AsRef<str>>(lines: impl IntoIterator<Item = S>) -> TokenStream {
-    let lines = doc_lines(lines).into_iter();
-    lines.map(|line| quote!(#[doc = #line])).collect()
 }
 
 /// The lines of a text as they stand after the slashes: with a space before them, as a person writes it.
@@ -24,5 +16,5 @@ pub(super) fn doc_lines<S: AsRef<str>>(lines: impl IntoIterator<Item = S>) -> Ve
         true => line,
         false => format!(" {line}"),
     };
-    inert(lines).into_iter().map(spaced).collect()
+    wrapped(inert(lines)).into_iter().map(spaced).collect()
 }

@@ -1,78 +1,77 @@
 //! A function that the runtime calls with vectors and the time → what it takes out of them, its statements and its results.
 
-use proc_macro2::{Ident, TokenStream};
-use quote::quote;
+use std::collections::{HashMap, HashSet};
 
-use super::code::Code;
-use super::names::identifier;
+use super::code::argument;
+use crate::emit::code::Code;
 use crate::emit::module::scope::Scope;
 use crate::expr::SymbolId;
 
-/// The statements of a function, and what they read.
+/// The statements of a function, after what it reads of its type.
 pub(super) struct Equation {
-    /// What it reads of its type.
-    pub given: TokenStream,
     pub statements: Code,
-    pub results: Vec<TokenStream>,
-    code: String,
+    pub results: Vec<String>,
+    mentioned: HashSet<String>,
 }
 
 impl Equation {
     pub fn new(scope: &Scope<'_>) -> Equation {
         let reads = scope.reads();
-        let mut statements = scope.plain_statements();
-        let results = scope.results();
-        let own = [
-            (reads.frame, quote!(let at = self.at;)),
-            (reads.parameters, quote!(let parameters = self.parameters;)),
-            (reads.inputs, quote!(let inputs = self.inputs;)),
-        ];
-        let given = own.into_iter().filter(|(is_read, _)| *is_read);
-        let given: TokenStream = given.map(|(_, taken)| taken).collect();
-        let code = quote!(#statements #(#results)*).to_string();
-        let is_alone = |symbol: &SymbolId| {
-            let name = scope.symbol(*symbol).to_string();
-            words(&code).filter(|word| *word == name).count() == 1
-        };
-        let idle: Vec<SymbolId> = scope.sines_and_cosines().filter(is_alone).collect();
-        if !idle.is_empty() {
-            scope.leave_unnamed(idle);
-            statements = scope.plain_statements();
+        let own = ["at", "parameters", "inputs"];
+        let own = own
+            .into_iter()
+            .zip([reads.frame, reads.parameters, reads.inputs]);
+        let mut statements = Code::default();
+        for (name, _) in own.filter(|(_, is_read)| *is_read) {
+            statements.line(format!("let {name} = self.{name};"));
         }
+        let (found, results) = (scope.plain_statements(), scope.results());
+        let mut whole = found.clone();
+        results.iter().for_each(|it| whole.line(it));
+        let idle = idle(scope, &whole);
+        statements.append(match idle.is_empty() {
+            true => found,
+            false => {
+                scope.leave_unnamed(idle);
+                scope.plain_statements()
+            }
+        });
         Equation {
-            given,
             statements,
             results,
-            code,
+            mentioned: whole.names().map(str::to_string).collect(),
         }
     }
 
     /// An argument that is taken apart into values, as far as they are read.
-    pub fn pattern(&self, symbols: &[SymbolId], whole: &str, scope: &Scope<'_>) -> TokenStream {
-        let names: Vec<TokenStream> = symbols.iter().map(|&it| scope.symbol(it)).collect();
-        let is_read = |name: &TokenStream| mentions(&self.code, &name.to_string());
-        if !names.iter().any(is_read) {
-            let unused = identifier(&format!("_{whole}"));
-            return quote!(#unused);
-        }
-        let names = names.iter().map(|name| match is_read(name) {
-            true => name.clone(),
-            false => quote!(_),
+    pub fn pattern(&self, symbols: &[SymbolId], whole: &str, scope: &Scope<'_>) -> String {
+        let names = symbols.iter().map(|&it| scope.read(it));
+        let names = names.map(|name| match self.mentioned.contains(&name) {
+            true => name,
+            false => "_".to_string(),
         });
-        quote!(&[#(#names),*])
+        let names: Vec<String> = names.collect();
+        match names.iter().all(|it| it == "_") {
+            true => format!("_{whole}"),
+            false => format!("&[{}]", names.join(", ")),
+        }
     }
 
-    pub fn time(&self) -> Ident {
-        let is_read = mentions(&self.code, "t");
-        identifier(if is_read { "t" } else { "_t" })
+    pub fn time(&self) -> String {
+        argument("t", self.mentioned.contains("t"))
     }
 }
 
-/// Whether code mentions a name.
-fn mentions(code: &str, name: &str) -> bool {
-    words(code).any(|word| word == name)
-}
-
-pub(super) fn words(code: &str) -> impl Iterator<Item = &str> {
-    code.split(|character: char| !(character.is_alphanumeric() || character == '_'))
+/// Sines and cosines that are local to a function and are mentioned nowhere but where they are found.
+pub(super) fn idle(scope: &Scope<'_>, code: &Code) -> Vec<SymbolId> {
+    let mut found = scope.sines_and_cosines().peekable();
+    if found.peek().is_none() {
+        return Vec::new();
+    }
+    let mut counts: HashMap<&str, usize> = HashMap::new();
+    for word in code.names() {
+        *counts.entry(word).or_default() += 1;
+    }
+    let is_idle = |symbol: &SymbolId| counts.get(scope.read(*symbol).as_str()) == Some(&1);
+    found.filter(is_idle).collect()
 }

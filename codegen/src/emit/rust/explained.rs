@@ -1,21 +1,24 @@
 //! What the blocks are called and where they are singular, for those who read of a failure.
 
-use proc_macro2::TokenStream;
-use quote::quote;
-
-use super::literal::count;
+use crate::emit::code::Code;
 use crate::emit::derivation::BlockWords;
 use crate::emit::module::Module;
 
-/// The names of all blocks.
-pub(super) fn block_names(module: &Module<'_>) -> TokenStream {
-    let names = module
-        .words
-        .iter()
-        .map(|BlockWords { name, singular }| quote!(BlockName::new(#name, #singular)));
-    let length = count(module.program.blocks.len());
-    quote! {
-        /// What the blocks are called, in solve order, and what can be said of them where they are singular.
-        pub const BLOCKS: [BlockName<'static>; #length] = [#(#names),*];
-    }
+/// Writes the names of all blocks.
+pub(super) fn block_names(module: &Module<'_>, code: &mut Code) {
+    let names = module.words.iter();
+    let names = names.map(|BlockWords { name, singular }| block_name(name, singular));
+    let names: Vec<String> = names.collect();
+    code.gap();
+    code.docs(["What the blocks are called, in solve order, and what can be said of them where they are singular."]);
+    code.line(format!(
+        "pub const BLOCKS: [BlockName<'static>; {}] = [{}];",
+        module.program.blocks.len(),
+        names.join(", ")
+    ));
+}
+
+/// A name and what it stands for.
+pub(super) fn block_name(name: &str, singular: &str) -> String {
+    format!("BlockName::new({name:?}, {singular:?})")
 }

@@ -1,9 +1,6 @@
 //! Expressions → Rust.
 
-use proc_macro2::TokenStream;
-
-use super::code::tokens;
-use super::names::identifier_text;
+use super::names::identifier;
 use super::tables::table_name;
 use crate::emit::module::scope::Scope;
 use crate::expr::{ExprId, SplineId};
@@ -11,12 +8,7 @@ use crate::program::{Arithmetic, Choice, Elementary};
 
 impl Scope<'_> {
     /// The results in order, each with its terms in the order of its row.
-    pub(super) fn results(&self) -> Vec<TokenStream> {
-        self.written_results().iter().map(|it| tokens(it)).collect()
-    }
-
-    /// The same as text.
-    pub(super) fn written_results(&self) -> Vec<String> {
+    pub(super) fn results(&self) -> Vec<String> {
         let results = self.function.results.iter();
         results
             .map(|result| self.written(&self.evaluation().result(result)))
@@ -24,13 +16,14 @@ impl Scope<'_> {
     }
 
     /// An expression.
-    pub(super) fn expression(&self, expr: ExprId) -> TokenStream {
-        tokens(&self.value(expr))
-    }
-
-    /// The same as text.
     pub(super) fn value(&self, expr: ExprId) -> String {
         self.written(&self.evaluation().value(expr))
+    }
+
+    /// Expressions with commas between them.
+    pub(super) fn values(&self, all: &[ExprId]) -> String {
+        let all: Vec<String> = all.iter().map(|expr| self.value(*expr)).collect();
+        all.join(", ")
     }
 
     /// What computes a number.
@@ -38,7 +31,7 @@ impl Scope<'_> {
         match arithmetic {
             Arithmetic::Number(value) => self.module.number(*value),
             Arithmetic::Constant(place) => {
-                identifier_text(&self.module.program.constants.list()[*place].name)
+                identifier(&self.module.program.constants.list()[*place].name)
             }
             Arithmetic::Variable(symbol) => self.read(*symbol),
             Arithmetic::Sum(terms) => {

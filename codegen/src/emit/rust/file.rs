@@ -1,20 +1,16 @@
-//! The module of a mechanism, or one module for each of its motions, as formatted source.
+//! The module of a mechanism, or one module for each of its motions, as source.
 
-use quote::quote;
-
-use super::code::comment;
-use super::docs::docs;
-use super::layout::laid_out;
 use super::lints;
 use super::names::{WORDS, identifier};
-use super::pieces::{Around, block, formatted};
+use crate::emit::code::Code;
+use crate::emit::layout::broken;
 use crate::emit::module::{Module, documentation, facts};
 use crate::emit::scalar::Scalar;
 use crate::program::Program;
 use crate::structure::SolvedPlan;
 use crate::system::System;
 
-/// The formatted source of the generated file, with a header of comments. A mechanism with motions becomes one module for each.
+/// The source of the generated file, with a header of comments. A mechanism with motions becomes one module for each.
 /// Its elementary functions are the runtime's, or those of the module at the path `math`.
 pub fn file(
     motions: &[(System, SolvedPlan, Program)],
@@ -29,51 +25,51 @@ pub fn file(
         return String::new();
     };
     let mechanism = &first.system.mechanism;
-    let mut lines = vec![facts::origin(first), String::new()];
-    let items = match mechanism.motion {
+    let mut code = Code::default();
+    code.header(&facts::origin(first));
+    code.header("");
+    match mechanism.motion {
         None => {
-            lines.extend(facts::facts(first));
-            first.items(math, &[])
+            facts::facts(first)
+                .iter()
+                .for_each(|line| code.header(line));
+            code.gap();
+            first.items(math, &mut code);
         }
         Some(_) => {
             let names = modules
                 .iter()
                 .filter_map(|module| module.system.mechanism.motion.as_ref());
             let names: Vec<String> = names.map(|motion| format!("`{}`", motion.name)).collect();
-            lines.push(format!("A module for each motion: {}.", names.join(", ")));
-            let motions = modules.iter().map(|module| motion(module, math));
-            let motions: Vec<String> = motions.collect();
-            motions.join("\n")
+            code.header(&format!("A module for each motion: {}.", names.join(", ")));
+            for module in &modules {
+                motion(module, math, &mut code);
+            }
         }
-    };
-    format!("{}\n{items}", header(&lines))
+    }
+    code.finish(broken)
 }
 
-/// The module of one motion. Who drives the mechanism in one way need not use the other ways.
-fn motion(module: &Module<'_>, math: Option<&str>) -> String {
+/// Writes the module of one motion. Who drives the mechanism in one way need not use the other ways.
+fn motion(module: &Module<'_>, math: Option<&str>, code: &mut Code) {
     let Some(motion) = &module.system.mechanism.motion else {
-        return String::new();
+        return;
     };
-    let text = docs(documentation::of_motion(module.system));
-    let name = identifier(&motion.name);
-    let facts = facts::facts(module);
-    let comments = facts.iter().map(|line| comment(line));
-    let around = [Around::Module];
-    let facts = laid_out(&formatted(comments.collect(), &around));
-    let inner = facts + &module.items(math, &around);
-    let allow = lints::of_module(&motion.name);
-    let head = quote! {
-        #text
-        #allow
-        #[allow(dead_code)]
-        pub mod #name
-    };
-    block(head, &[], &inner)
+    let mut inside = Code::default();
+    facts::facts(module)
+        .iter()
+        .for_each(|line| inside.comment(line));
+    module.items(math, &mut inside);
+    let mut item = Code::default();
+    item.block(&format!("pub mod {}", identifier(&motion.name)), inside);
+    let allow = lints::of_module(&motion.name).into_iter();
+    let allow = allow.chain(["#[allow(dead_code)]"]);
+    code.item(documentation::of_motion(module.system), allow, item);
 }
 
-fn header(lines: &[String]) -> String {
-    lines
-        .iter()
-        .map(|line| format!("// {line}").trim_end().to_string() + "\n")
-        .collect()
+impl Code {
+    /// Adds a line to the comment at the head of a file.
+    fn header(&mut self, line: &str) {
+        self.whole(format!("// {line}").trim_end());
+    }
 }

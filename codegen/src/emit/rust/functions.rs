@@ -2,31 +2,26 @@
 
 use std::collections::HashSet;
 
-use proc_macro2::TokenStream;
-use quote::quote;
-use syn::Path;
-use syn::parse::Parser;
+use super::names::is_word;
 
 /// What a module may take from somewhere else.
-pub(super) const FUNCTIONS: [&str; 2] = ["math", "angle_near"];
+const IMPORTS: [(&str, &str); 2] = [("math", "self as math"), ("angle_near", "angle_near")];
 
 /// `use crate::plain::{self as math, angle_near};`, as far as the code mentions these names. An import by name goes before the one
 /// of all names that every module begins with.
 ///
 /// What is no path becomes an error where the code is compiled, as a path does that leads nowhere.
-pub(super) fn functions(path: &str, mentioned: &HashSet<&str>) -> TokenStream {
-    let Ok(module) = Path::parse_mod_style.parse_str(path) else {
+pub(super) fn functions(path: &str, mentioned: &HashSet<&str>) -> Option<String> {
+    let is_name = |name: &str| is_word(name) || matches!(name, "crate" | "self" | "super");
+    if !path.trim_start_matches("::").split("::").all(is_name) {
         let problem = format!("the option `math` is `{path}`, which is no path of a module");
-        return quote!(compile_error!(#problem););
-    };
-    let imports = [quote!(self as math), quote!(angle_near)];
-    let used = FUNCTIONS
-        .into_iter()
-        .zip(imports)
-        .filter(|(name, _)| mentioned.contains(name));
-    let used: Vec<TokenStream> = used.map(|(_, import)| import).collect();
-    match used.as_slice() {
-        [] => TokenStream::new(),
-        used => quote!(use #module::{#(#used),*};),
+        return Some(format!("compile_error!({problem:?});"));
+    }
+    let used = IMPORTS.iter().filter(|(name, _)| mentioned.contains(name));
+    let used: Vec<&str> = used.map(|(_, import)| *import).collect();
+    match &used[..] {
+        [] => None,
+        ["angle_near"] => Some(format!("use {path}::angle_near;")),
+        used => Some(format!("use {path}::{{{}}};", used.join(", "))),
     }
 }

@@ -2,9 +2,6 @@
 //!
 //! This is the only place that knows: whoever resolves a description is handed [`NAMING`].
 
-use proc_macro2::Ident;
-use quote::format_ident;
-
 use crate::diagnostic::{Code, Diagnostic};
 use crate::emit::module::Words;
 use crate::model::Naming;
@@ -170,6 +167,15 @@ pub(in crate::emit) const WORDS: Words = Words {
     of_frames: &["t", "q", "qd", "qdd", "parameters"],
 };
 
+/// Words that Rust reserves in any edition, except for `gen`, which older ones do not.
+const RESERVED: &[&str] = &[
+    "_", "Self", "abstract", "as", "async", "await", "become", "box", "break", "const", "continue",
+    "crate", "do", "dyn", "else", "enum", "extern", "false", "final", "fn", "for", "if", "impl",
+    "in", "let", "loop", "macro", "match", "mod", "move", "mut", "override", "priv", "pub", "ref",
+    "return", "self", "static", "struct", "super", "trait", "true", "try", "type", "typeof",
+    "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
+];
+
 /// The name of the type that a mechanism becomes: `TwoBody` of `two_body`.
 pub fn type_name(mechanism: &str) -> String {
     let words = mechanism.split('_').filter(|word| !word.is_empty());
@@ -205,7 +211,7 @@ fn not_a_module(name: &Name) -> Option<Diagnostic> {
         .all(|letter| letter.is_ascii_lowercase() || letter.is_ascii_digit() || letter == '_');
     let problem = if !snake_case {
         "a module of Rust is named in lower case, with `_` between words"
-    } else if syn::parse_str::<Ident>(text).is_err() {
+    } else if !is_word(text) {
         "Rust reserves this word"
     } else {
         return None;
@@ -227,37 +233,26 @@ fn not_a_module(name: &Name) -> Option<Diagnostic> {
 fn apart(name: &str, prefix: &str) -> String {
     let first_word = name.split('_').next().unwrap_or_default();
     let is_taken = PREFIXES.contains(&first_word) || ITEMS.contains(&name);
-    match is_taken || syn::parse_str::<Ident>(name).is_err() {
+    match is_taken || !is_word(name) {
         true => format!("{prefix}_{name}"),
         false => name.to_string(),
     }
 }
 
 /// A name as an identifier; words that Rust reserves get an underscore.
-pub(super) fn identifier(name: &str) -> Ident {
-    match is_identifier(name) {
-        true => format_ident!("{name}"),
-        false => format_ident!("{name}_"),
-    }
-}
-
-/// The same as text.
-pub(super) fn identifier_text(name: &str) -> String {
-    match is_identifier(name) {
+pub(super) fn identifier(name: &str) -> String {
+    match is_word(name) && name != "gen" {
         true => name.to_string(),
         false => format!("{name}_"),
     }
 }
 
-fn is_identifier(name: &str) -> bool {
-    let is_letter = |letter: char| letter.is_ascii_alphabetic() || letter == '_';
-    let is_plain = name.chars().all(|it| is_letter(it) || it.is_ascii_digit());
-    // Words that Rust reserves are letters alone.
-    let is_word = name.chars().all(|it| it.is_ascii_alphabetic()) || name == "_";
-    match is_plain && !is_word {
-        true => name.starts_with(is_letter),
-        false => syn::parse_str::<Ident>(name).is_ok() && name != "gen",
-    }
+/// True for an identifier that Rust does not reserve.
+pub(super) fn is_word(name: &str) -> bool {
+    let is_letter = |letter: char| letter.is_alphabetic() || letter == '_';
+    name.starts_with(is_letter)
+        && name.chars().all(|it| is_letter(it) || it.is_numeric())
+        && !RESERVED.contains(&name)
 }
 
 /// A wish as a name of Rust: `bd_square` of `|BD|^2`.

@@ -1,16 +1,12 @@
 //! The equations of blocks without a closed form, as the runtime sees them, and the calls that solve them.
 
-use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote};
-
-use super::docs::docs;
+use super::code::array;
 use super::equation::Equation;
 use super::lints;
-use super::literal::count;
-use super::module::only;
 use super::names::identifier;
-use super::textbook::{Length, length, scales};
+use super::textbook::{length, scales};
 use super::torn;
+use crate::emit::code::Code;
 use crate::emit::module::scope::{Place, Reads, Scope};
 use crate::emit::module::{Module, documentation};
 use crate::expr::SymbolId;
@@ -18,11 +14,13 @@ use crate::joint::Quantity;
 use crate::program::{Block, Function, Lengths, NewtonBlock, Statement, TornFields};
 use crate::system::Unknown;
 
-/// A type with the equations of every Newton block.
-pub(super) fn equations(module: &Module<'_>) -> TokenStream {
-    let blocks = module.program.blocks.iter();
-    let types = blocks.filter_map(|block| Some(structure(block, block.newton.as_ref()?, module)));
-    types.collect()
+/// Writes a type with the equations of every Newton block.
+pub(super) fn equations(module: &Module<'_>, code: &mut Code) {
+    for block in &module.program.blocks {
+        if let Some(newton) = &block.newton {
+            structure(block, newton, module, code);
+        }
+    }
 }
 
 /// The unknowns of a block.
@@ -34,8 +32,8 @@ fn tears<'a>(newton: &NewtonBlock, module: &'a Module<'_>) -> Vec<&'a Unknown> {
 }
 
 /// `LoopPQR` of the block `loop_p_q_r`.
-fn type_name(block: &Block) -> Ident {
-    format_ident!("{}", super::names::type_name(&block.name))
+fn type_name(block: &Block) -> String {
+    super::names::type_name(&block.name)
 }
 
 /// What the equations of a block read of what was found before it and of what is given.
@@ -85,233 +83,241 @@ fn scales_follow(newton: &NewtonBlock, module: &Module<'_>) -> bool {
         .any(follow)
 }
 
-fn structure(block: &Block, newton: &NewtonBlock, module: &Module<'_>) -> TokenStream {
-    let (name, size) = (type_name(block), count(newton.unknowns.len()));
-    let tears = tears(newton, module);
+/// The fields of a block's type: what it is called, its type, and what it is given.
+fn fields(newton: &NewtonBlock, module: &Module<'_>) -> Vec<[&'static str; 3]> {
     let reads = reads(newton, module);
-    let at = only(reads.frame, quote!(at: &'a Frame,));
-    let parameters = only(
-        reads.parameters || scales_follow(newton, module),
-        quote!(parameters: &'a Parameters,),
-    );
-    let inputs = only(reads.inputs, quote!(inputs: &'a Inputs,));
-    let fields = quote!(#at #parameters #inputs);
-    let (declaration, lifetime) = match fields.is_empty() {
-        true => (quote!(struct #name;), TokenStream::new()),
-        false => (quote!(struct #name<'a> { #fields }), quote!(<'_>)),
-    };
-    let borrowed = only(!fields.is_empty(), quote!('_,));
-    let part = |function: &Function, with_rates: bool| {
-        let scope = scope(newton, function, with_rates, module);
-        let equation = Equation::new(&scope);
-        let [q, qd] = [
-            (tears.iter().map(|it| it.position).collect::<Vec<_>>(), "q"),
-            (tears.iter().map(|it| it.rate).collect(), "qd"),
-        ]
-        .map(|(symbols, whole)| equation.pattern(&symbols, whole, &scope));
-        let t = equation.time();
-        let Equation {
-            given,
-            statements,
-            results,
-            ..
-        } = equation;
-        (quote!(#given #statements), results, q, qd, t)
-    };
-    let (residual_body, residual, residual_q, _, residual_t) = part(&newton.residual, false);
-    let (jacobian_body, jacobian, jacobian_q, _, jacobian_t) = part(&newton.jacobian, false);
-    let (drift_body, drift, drift_q, _, drift_t) = part(&newton.time_derivative, false);
-    let (gamma_body, gamma, gamma_q, gamma_qd, gamma_t) = part(&newton.gamma, true);
-    let columns: Vec<Quantity> = tears.iter().map(|it| it.quantity).collect();
-    let [of_rows, of_columns] = newton.scaled_by.each_ref().map(|it| length(module, it));
-    let scaled = |quantities: &[Quantity], length: Length| {
-        let scales = scales(quantities, &length.name);
-        let reads = quantities.iter().any(|it| it.power_of_length() != 0);
-        let statement = only(reads, length.statement);
-        quote!(#statement #scales)
-    };
-    let row_scales = scaled(&newton.quantities, of_rows);
-    let column_scales = scaled(&columns, of_columns);
-    let angles = angles(&columns);
-    let found = documentation::found_by(newton, module.system);
-    let title = docs([format!("The equations of `{}` for {found}.", block.name)]);
-    let implementation = quote! {
-        impl BlockEquations<Scalar, #size> for #name #lifetime {
-            fn residual(&self, #residual_q: &[Scalar; #size], #residual_t: Scalar) -> [Scalar; #size] {
-                #residual_body
-                [#(#residual),*]
-            }
-
-            fn jacobian(&self, #jacobian_q: &[Scalar; #size], #jacobian_t: Scalar) -> Matrix<#size, #size> {
-                #jacobian_body
-                Matrix::from_row_slice(&[#(#jacobian),*])
-            }
-
-            fn time_derivative(&self, #drift_q: &[Scalar; #size], #drift_t: Scalar) -> [Scalar; #size] {
-                #drift_body
-                [#(#drift),*]
-            }
-
-            fn gamma(
-                &self,
-                #gamma_q: &[Scalar; #size],
-                #gamma_qd: &[Scalar; #size],
-                #gamma_t: Scalar,
-            ) -> [Scalar; #size] {
-                #gamma_body
-                [#(#gamma),*]
-            }
-
-            fn row_scales(&self) -> [Scalar; #size] {
-                #row_scales
-            }
-
-            fn column_scales(&self) -> [Scalar; #size] {
-                #column_scales
-            }
-
-            #angles
-        }
-    };
-    let tearing = torn::implementation(&name, &lifetime, newton, module);
-    let tearing = match tearing.is_empty() {
-        true => tearing,
-        false => {
-            let (capitals, approximate) = lints::both(&tearing);
-            quote!(#capitals #approximate #tearing)
-        }
-    };
-    let (capitals, approximate) = lints::both(&implementation);
-    quote! {
-        #title #declaration #capitals #approximate #implementation
-        ::linkwright::generated::equations!(#name, #borrowed #size);
-        #tearing
-    }
+    let reads_parameters = reads.parameters || scales_follow(newton, module);
+    let all = [
+        (reads.frame, ["at", "Frame", "&*at"]),
+        (
+            reads_parameters,
+            ["parameters", "Parameters", "conditions.parameters"],
+        ),
+        (reads.inputs, ["inputs", "Inputs", "conditions.inputs"]),
+    ];
+    let read = all.into_iter().filter(|(is_read, _)| *is_read);
+    read.map(|(_, field)| field).collect()
 }
 
-/// A statement of a block that concerns its Newton-Raphson.
+fn structure(block: &Block, newton: &NewtonBlock, module: &Module<'_>, code: &mut Code) {
+    let (name, size) = (type_name(block), newton.unknowns.len());
+    let fields = fields(newton, module);
+    let found = documentation::found_by(newton, module.system);
+    code.gap();
+    code.docs([format!("The equations of `{}` for {found}.", block.name)]);
+    let (lifetime, borrowed) = match fields[..] {
+        [] => ("", ""),
+        _ => ("<'_>", "'_, "),
+    };
+    if fields.is_empty() {
+        code.line(format!("struct {name};"));
+    } else {
+        code.open(format!("struct {name}<'a> {{"));
+        for [field, kind, _] in fields {
+            code.line(format!("{field}: &'a {kind},"));
+        }
+        code.close("}");
+    }
+    let mut functions = Code::default();
+    let parts = [
+        ("residual", &newton.residual),
+        ("jacobian", &newton.jacobian),
+        ("time_derivative", &newton.time_derivative),
+        ("gamma", &newton.gamma),
+    ];
+    for part in parts {
+        equation(part, newton, module, &mut functions);
+    }
+    let columns: Vec<Quantity> = tears(newton, module).iter().map(|it| it.quantity).collect();
+    let scaled = [
+        ("row_scales", &newton.quantities),
+        ("column_scales", &columns),
+    ];
+    for ((title, quantities), lengths) in scaled.into_iter().zip(&newton.scaled_by) {
+        let mut length = length(module, lengths);
+        if quantities.iter().all(|it| it.power_of_length() == 0) {
+            length.statements = Code::default();
+        }
+        let scales = array(&scales(quantities, &length.name));
+        length.statements.line(scales);
+        let head = format!("fn {title}(&self) -> [Scalar; {size}]");
+        functions.function([""; 0], [], &head, length.statements);
+    }
+    angles(&columns, &mut functions);
+    let head = format!("impl BlockEquations<Scalar, {size}> for {name}{lifetime}");
+    let mut implementation = Code::default();
+    implementation.block(&head, functions);
+    let allow = lints::of_code(&implementation);
+    code.item([""; 0], allow, implementation);
+    code.line(format!(
+        "::linkwright::generated::equations!({name}, {borrowed}{size});"
+    ));
+    torn::implementation(&format!("{name}{lifetime}"), newton, module, code);
+}
+
+/// Writes a function of the tears and the time; γ is given the rates, too.
+fn equation(
+    (name, function): (&str, &Function),
+    newton: &NewtonBlock,
+    module: &Module<'_>,
+    code: &mut Code,
+) {
+    let (tears, size) = (tears(newton, module), newton.unknowns.len());
+    let with_rates = name == "gamma";
+    let scope = scope(newton, function, with_rates, module);
+    let equation = Equation::new(&scope);
+    let vector = format!("[Scalar; {size}]");
+    let positions: Vec<SymbolId> = tears.iter().map(|it| it.position).collect();
+    let q = equation.pattern(&positions, "q", &scope);
+    let mut arguments = format!("&self, {q}: &{vector}");
+    if with_rates {
+        let rates: Vec<SymbolId> = tears.iter().map(|it| it.rate).collect();
+        let qd = equation.pattern(&rates, "qd", &scope);
+        arguments += &format!(", {qd}: &{vector}");
+    }
+    let (kind, call, end) = match name {
+        "jacobian" => (
+            format!("Matrix<{size}, {size}>"),
+            "Matrix::from_row_slice(&",
+            ")",
+        ),
+        _ => (vector, "", ""),
+    };
+    let head = format!(
+        "fn {name}({arguments}, {}: Scalar) -> {kind}",
+        equation.time()
+    );
+    let mut statements = equation.statements;
+    statements.line(format!("{call}[{}]{end}", equation.results.join(", ")));
+    code.function([""; 0], [], &head, statements);
+}
+
+/// Writes a statement of a block that concerns its Newton-Raphson.
 pub(super) fn statement(
     statement: &Statement,
     index: usize,
     block: &Block,
     scope: &Scope<'_>,
-) -> TokenStream {
+    code: &mut Code,
+) {
     let Some(newton) = &block.newton else {
-        return TokenStream::new();
+        return;
     };
     match statement {
         Statement::Newton { measure, torn, .. } => {
-            solve(index, block, newton, (*measure, torn.as_ref()), scope)
+            solve(index, block, newton, (*measure, torn.as_ref()), scope, code);
         }
-        Statement::Factorize => factorize(index, block, newton, scope),
-        _ => TokenStream::new(),
+        Statement::Factorize => factorize(index, block, newton, scope, code),
+        _ => {}
     }
 }
 
 /// The equations with what they read.
-pub(super) fn instance(block: &Block, newton: &NewtonBlock, module: &Module<'_>) -> TokenStream {
+pub(super) fn instance(block: &Block, newton: &NewtonBlock, module: &Module<'_>) -> String {
     let name = type_name(block);
-    let reads = reads(newton, module);
-    let reads_parameters = reads.parameters || scales_follow(newton, module);
-    let at = only(reads.frame, quote!(at: &*at,));
-    let parameters = only(reads_parameters, quote!(parameters: conditions.parameters,));
-    let inputs = only(reads.inputs, quote!(inputs: conditions.inputs,));
-    let fields = quote!(#at #parameters #inputs);
-    match fields.is_empty() {
-        true => quote!(#name),
-        false => quote!(#name { #fields }),
+    let fields = fields(newton, module).into_iter();
+    let fields: Vec<String> = fields
+        .map(|[field, _, value]| format!("{field}: {value}"))
+        .collect();
+    match fields[..] {
+        [] => name,
+        _ => format!("{name} {{ {} }}", fields.join(", ")),
     }
 }
 
-/// The call of the runtime that finds the tears with their rates.
+/// Writes the call of the runtime that finds the tears with their rates.
 fn solve(
     index: usize,
     block: &Block,
     newton: &NewtonBlock,
     (measure, torn): (Option<[SymbolId; 2]>, Option<&TornFields>),
     scope: &Scope<'_>,
-) -> TokenStream {
+    code: &mut Code,
+) {
     let module = scope.module;
     let tears = tears(newton, module);
-    let fields = |of: fn(&Unknown) -> SymbolId, frame: &str| -> Vec<TokenStream> {
-        tears.iter().map(|it| module.field(of(it), frame)).collect()
+    let levels: [(&str, fn(&Unknown) -> SymbolId); 3] = [
+        ("q", |it| it.position),
+        ("qd", |it| it.rate),
+        ("qdd", |it| it.acceleration),
+    ];
+    let fields = |of: fn(&Unknown) -> SymbolId, frame: &str| {
+        let fields = tears.iter().map(|it| module.field(of(it), frame));
+        fields.collect::<Vec<_>>().join(", ")
     };
-    let of: [fn(&Unknown) -> SymbolId; 3] = [|it| it.position, |it| it.rate, |it| it.acceleration];
-    let [q, qd, qdd] = of.map(|of| fields(of, "at"));
-    let [last_q, last_qd, last_qdd] = of.map(|of| fields(of, "last"));
-    let (number, mode) = (count(index), identifier(&block.name));
-    let equations = instance(block, newton, module);
-    let (call, declared, passed, measured) = match measure {
-        None => (
-            quote!(solve),
-            TokenStream::new(),
-            TokenStream::new(),
-            TokenStream::new(),
-        ),
-        Some(both) => {
-            let [determinant, condition] = both.map(|symbol| scope.symbol(symbol));
-            let measured = quote! {
-                #determinant = measure.determinant;
-                #condition = measure.reciprocal_condition;
+    if measure.is_some() {
+        code.line("let mut measure = Measure::sine(0.0);");
+    }
+    code.open("let tears = kinematics::Frame {");
+    code.line("t: last.t,");
+    for (level, of) in levels {
+        code.line(format!("{level}: Vector::from([{}]),", fields(of, "last")));
+    }
+    code.close("};");
+    code.line(format!(
+        "let equations = {};",
+        instance(block, newton, module)
+    ));
+    let mode = identifier(&block.name);
+    match torn {
+        Some(torn) => torn::solve(index, &mode, torn, scope, code),
+        None => {
+            let (call, passed) = match measure {
+                None => ("solve", ""),
+                Some(_) => ("solve_measured", ", &mut measure"),
             };
-            let declared = quote!(let mut measure = Measure::sine(0.0););
-            (
-                quote!(solve_measured),
-                declared,
-                quote!(, &mut measure),
-                measured,
-            )
+            let call = format!(
+                "block::{call}(&equations, &tears, conditions.start, &mut branches.{mode}, conditions.t, conditions.settings{passed})"
+            );
+            fallible("tears", &call, index, code);
         }
-    };
-    let solved = match torn {
-        Some(torn) => torn::solve(number, &mode, block, (newton, torn), scope),
-        None => quote! {
-            let equations = #equations;
-            let tears = block::#call(&equations, &tears, conditions.start, &mut branches.#mode, conditions.t, conditions.settings #passed)
-                .map_err(|failure| failure.in_block(#number))?;
-        },
-    };
-    quote! {
-        #declared
-        let tears = kinematics::Frame {
-            t: last.t,
-            q: Vector::from([#(#last_q),*]),
-            qd: Vector::from([#(#last_qd),*]),
-            qdd: Vector::from([#(#last_qdd),*]),
-        };
-        #solved
-        [#(#q),*] = tears.q.data.0[0];
-        [#(#qd),*] = tears.qd.data.0[0];
-        [#(#qdd),*] = tears.qdd.data.0[0];
-        #measured
+    }
+    for (level, of) in levels {
+        code.line(format!("[{}] = tears.{level}.data.0[0];", fields(of, "at")));
+    }
+    if let Some(both) = measure {
+        let [determinant, condition] = both.map(|symbol| scope.read(symbol));
+        code.line(format!("{determinant} = measure.determinant;"));
+        code.line(format!("{condition} = measure.reciprocal_condition;"));
     }
 }
 
-/// The Jacobian at the tears that were found, factorized once more for what responds to drivers and parameters.
-fn factorize(index: usize, block: &Block, newton: &NewtonBlock, scope: &Scope<'_>) -> TokenStream {
+/// Writes a call of the runtime whose failure is that of a block.
+pub(super) fn fallible(name: &str, call: &str, block: usize, code: &mut Code) {
+    code.line(format!(
+        "let {name} = {call}.map_err(|failure| failure.in_block({block}))?;"
+    ));
+}
+
+/// Writes the factorization of the Jacobian at the tears that were found, for what responds to drivers and parameters.
+fn factorize(
+    index: usize,
+    block: &Block,
+    newton: &NewtonBlock,
+    scope: &Scope<'_>,
+    code: &mut Code,
+) {
     let module = scope.module;
     let tears = tears(newton, module);
     let q = tears.iter().map(|it| module.field(it.position, "at"));
-    let (number, equations) = (count(index), instance(block, newton, module));
-    quote! {
-        let tears = Vector::from([#(#q),*]);
-        let factorization = kinematics::factorize(&#equations, &tears, conditions.t, conditions.settings)
-            .map_err(|failure| failure.in_block(#number))?;
-    }
+    let q: Vec<String> = q.collect();
+    code.line(format!("let tears = Vector::from([{}]);", q.join(", ")));
+    let equations = instance(block, newton, module);
+    let call =
+        format!("kinematics::factorize(&{equations}, &tears, conditions.t, conditions.settings)");
+    fallible("factorization", &call, index, code);
 }
 
-/// `fn angles`, where there are any.
-fn angles(columns: &[Quantity]) -> TokenStream {
-    let is_angle: Vec<bool> = columns.iter().map(|it| *it == Quantity::Angle).collect();
-    let size = count(columns.len());
-    let values = match (is_angle.contains(&true), is_angle.contains(&false)) {
-        (false, _) => return TokenStream::new(),
-        (true, false) => quote!([true; #size]),
-        (true, true) => quote!([#(#is_angle),*]),
-    };
-    quote! {
-        fn angles(&self) -> [bool; #size] {
-            #values
-        }
+/// Writes `fn angles`, if there are any.
+fn angles(columns: &[Quantity], code: &mut Code) {
+    let is_angle = columns
+        .iter()
+        .map(|it| (*it == Quantity::Angle).to_string());
+    let is_angle: Vec<String> = is_angle.collect();
+    if columns.contains(&Quantity::Angle) {
+        let mut statements = Code::default();
+        statements.line(array(&is_angle));
+        let head = format!("fn angles(&self) -> [bool; {}]", columns.len());
+        code.function([""; 0], [], &head, statements);
     }
 }

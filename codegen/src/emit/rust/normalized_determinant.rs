@@ -1,54 +1,44 @@
 //! How close the mechanism is to a singular pose, as functions of the frame.
 
-use proc_macro2::TokenStream;
-use quote::quote;
-
-use super::literal::count;
+use crate::emit::code::Code;
 use crate::emit::module::Module;
 use crate::program::Measured;
 
-/// The functions that say it; nothing where the description does not ask.
-pub(super) fn smallest_determinant(module: &Module<'_>) -> TokenStream {
+/// Writes the functions that say it; nothing if the description does not ask.
+pub(super) fn smallest_determinant(module: &Module<'_>, code: &mut Code) {
     if !module.system.mechanism.monitor {
-        return TokenStream::new();
+        return;
     }
     let blocks = module.program.blocks.iter().enumerate();
-    let each = blocks.flat_map(|(index, block)| {
-        let number = count(index);
+    let each = blocks.flat_map(|(number, block)| {
         block.measured.iter().map(move |measured| {
             let measure = measure(measured, module);
-            quote!(NormalizedDeterminant::new(#number, #measure, BLOCKS[#number]))
+            format!("NormalizedDeterminant::new({number}, {measure}, BLOCKS[{number}])")
         })
     });
-    let each: Vec<TokenStream> = each.collect();
-    let number = count(each.len());
-    quote! {
-        /// How close every loop is to a singular pose, in solve order; see `linkwright::NormalizedDeterminant`.
-        pub fn normalized_determinants(&self) -> [NormalizedDeterminant; #number] {
-            [#(#each),*]
-        }
-
-        /// How close the loop is to a singular pose that is closest to one.
-        pub fn smallest_determinant(&self) -> NormalizedDeterminant {
-            NormalizedDeterminant::closest(&self.normalized_determinants())
-        }
-    }
+    let each: Vec<String> = each.collect();
+    code.getter(
+        ["How close every loop is to a singular pose, in solve order; see `linkwright::NormalizedDeterminant`."],
+        "normalized_determinants",
+        &format!("[NormalizedDeterminant; {}]", each.len()),
+        format!("[{}]", each.join(", ")),
+    );
+    code.getter(
+        ["How close the loop is to a singular pose that is closest to one."],
+        "smallest_determinant",
+        "NormalizedDeterminant",
+        "NormalizedDeterminant::closest(&self.normalized_determinants())",
+    );
 }
 
-fn measure(measured: &Measured, module: &Module<'_>) -> TokenStream {
-    let own = |symbol| module.field_name(symbol);
+fn measure(measured: &Measured, module: &Module<'_>) -> String {
+    let own = |symbol| module.field(symbol, "self");
     match measured {
-        Measured::Sine(sine) => {
-            let sine = own(*sine);
-            quote!(Measure::sine(self.#sine))
-        }
-        Measured::Slope(slope) => {
-            let slope = own(*slope);
-            quote!(Measure::slope(self.#slope))
-        }
+        Measured::Sine(sine) => format!("Measure::sine({})", own(*sine)),
+        Measured::Slope(slope) => format!("Measure::slope({})", own(*slope)),
         Measured::Block(both) => {
             let [determinant, condition] = both.map(own);
-            quote!(Measure { determinant: self.#determinant, reciprocal_condition: self.#condition })
+            format!("Measure {{ determinant: {determinant}, reciprocal_condition: {condition} }}")
         }
     }
 }

@@ -2,19 +2,15 @@
 //!
 //! A mechanism without them has neither structures nor arguments for them.
 
-use proc_macro2::TokenStream;
-use quote::quote;
-
-use super::docs::doc_lines;
-use super::layout::Verbatim;
-use super::lints;
-use super::literal::count;
-use super::module::only;
+use super::code::argument;
+use super::explained::block_name;
 use super::names::identifier;
+use crate::emit::code::Code;
 use crate::emit::module::scope::{Place, Scope};
 use crate::emit::module::{Module, documentation};
 use crate::expr::ExprId;
 use crate::model::{Dimension, field_name};
+use crate::program::Function;
 
 /// What the functions of a mechanism are given beside pose and time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,56 +42,56 @@ impl Declared {
         ]
     }
 
-    /// `parameters: &Parameters, inputs: &Inputs,`; what is not read begins with an underscore.
-    pub(super) fn arguments(self, reads_parameters: bool, reads_inputs: bool) -> TokenStream {
-        let parameters = match reads_parameters {
-            true => quote!(parameters),
-            false => quote!(_parameters),
-        };
-        let inputs = match reads_inputs {
-            true => quote!(inputs),
-            false => quote!(_inputs),
-        };
-        let parameters = only(self.parameters, quote!(#parameters: &Parameters,));
-        let inputs = only(self.inputs, quote!(#inputs: &Inputs,));
-        quote!(#parameters #inputs)
+    /// `parameters: &Parameters` and `inputs: &Inputs`; what is not read begins with an underscore.
+    pub(super) fn arguments(self, reads_parameters: bool, reads_inputs: bool) -> Vec<String> {
+        let all = [
+            (
+                self.parameters,
+                "parameters",
+                reads_parameters,
+                "Parameters",
+            ),
+            (self.inputs, "inputs", reads_inputs, "Inputs"),
+        ];
+        all.into_iter()
+            .filter(|(is_declared, ..)| *is_declared)
+            .map(|(_, name, is_read, kind)| format!("{}: &{kind}", argument(name, is_read)))
+            .collect()
     }
 }
 
-fn parameters(module: &Module<'_>) -> TokenStream {
-    let own = module.system.mechanism.parameters.iter();
-    let own = own.map(|it| (it.name.as_str(), it.dimension, &it.docs, it.nominal));
-    structure(module, "parameters", "unless it is set", own)
-}
-
-/// `struct Parameters` and `struct Inputs` with their defaults, and the drawn pose.
-pub(super) fn structures(module: &Module<'_>) -> TokenStream {
+/// Writes `struct Parameters` and `struct Inputs` with their defaults, and the drawn pose.
+pub(super) fn structures(module: &Module<'_>, code: &mut Code) {
     let mechanism = &module.system.mechanism;
-    let parameters = parameters(module);
+    let own = mechanism.parameters.iter();
+    let own = own.map(|it| (it.name.as_str(), it.dimension, &it.docs, it.nominal));
+    structure(module, "parameters", "unless it is set", own, code);
     let own = mechanism.inputs.iter();
     let own = own.map(|it| (it.name.as_str(), it.dimension, &it.docs, it.initial));
-    let inputs = structure(module, "inputs", "and at rest unless it is supplied", own);
-    let drawn = drawn(module);
-    quote! {
-        #parameters
-        #inputs
-        #drawn
-    }
+    structure(
+        module,
+        "inputs",
+        "and at rest unless it is supplied",
+        own,
+        code,
+    );
+    drawn(module, code);
 }
 
-/// A structure with a number for each declared name; nothing where there is none.
+/// Writes a structure with a number for each declared name; nothing if there is none.
 fn structure<'a>(
     module: &Module<'_>,
     kind: &str,
     default: &str,
     own: impl ExactSizeIterator<Item = (&'a str, Dimension, &'a Vec<String>, ExprId)>,
-) -> TokenStream {
+    code: &mut Code,
+) {
     if own.len() == 0 {
-        return TokenStream::new();
+        return;
     }
-    let mut text = Verbatim::default();
-    text.open(&format!("::linkwright::generated::{kind}! {{"));
-    text.open("Scalar {");
+    code.gap();
+    code.open(format!("::linkwright::generated::{kind}! {{"));
+    code.open("Scalar {");
     for (name, dimension, docs, value) in own {
         // Defaults were found to be finite constants when they were read.
         let value = module
@@ -104,63 +100,53 @@ fn structure<'a>(
             .graph
             .constant_value(value)
             .unwrap_or(0.0);
-        let lines = documentation::of_number(name, dimension, value, default, docs);
-        text.docs(doc_lines(lines));
+        code.docs(documentation::of_number(
+            name, dimension, value, default, docs,
+        ));
         let (field, value) = (identifier(&field_name(name)), module.number(value));
-        text.line(format!("{field} = {value},"));
+        code.line(format!("{field} = {value},"));
     }
-    text.close("}");
-    text.close("}");
-    text.item()
+    code.close("}");
+    code.close("}");
 }
 
-/// What parameters must leave positive, and what it is called.
-pub(super) fn requirements(module: &Module<'_>) -> TokenStream {
+/// Writes what parameters must leave positive, and what it is called.
+pub(super) fn requirements(module: &Module<'_>, code: &mut Code) {
     let Some(requirements) = &module.program.requirements else {
-        return TokenStream::new();
+        return;
     };
-    let scope = Scope::new(module, &requirements.function, Place::Coordinates);
-    let (statements, results) = (scope.plain_statements(), scope.results());
     let names = requirements.names.iter();
-    let names = names.map(|(owner, what)| quote!(BlockName::new(#owner, #what)));
-    let [all, length] = [requirements.names.len(), results.len()].map(count);
-    let function = only(
-        requirements.limit_parameters(),
-        quote! {
-            fn requirements(parameters: &Parameters) -> [Scalar; #length] {
-                #statements
-                [#(#results),*]
-            }
-        },
-    );
-    let docs = documentation::of_requirements(requirements);
-    let docs = format!(" {docs}");
-    quote! {
-        #[doc = #docs]
-        const REQUIREMENTS: [BlockName<'static>; #all] = [#(#names),*];
-
-        #function
+    let names: Vec<String> = names.map(|(owner, what)| block_name(owner, what)).collect();
+    code.gap();
+    code.docs([documentation::of_requirements(requirements)]);
+    code.line(format!(
+        "const REQUIREMENTS: [BlockName<'static>; {}] = [{}];",
+        names.len(),
+        names.join(", ")
+    ));
+    if requirements.limit_parameters() {
+        let (head, body) = of_parameters("requirements", &requirements.function, module);
+        code.function([""; 0], [], &head, body);
     }
 }
 
-/// The drawing of given parameters: a value per unknown, coordinates first.
-fn drawn(module: &Module<'_>) -> TokenStream {
-    let Some(function) = &module.program.drawn else {
-        return TokenStream::new();
-    };
-    let scope = Scope::new(module, function, Place::Coordinates);
-    let (statements, results) = (scope.plain_statements(), scope.results());
-    let unknowns = count(results.len());
-    let function = quote! {
-        fn drawn(parameters: &Parameters) -> [Scalar; #unknowns] {
-            #statements
-            [#(#results),*]
-        }
-    };
-    let allow = lints::unused_item(&function);
-    quote! {
-        /// The drawing's value of every coordinate and displacement.
-        #allow
-        #function
+/// Writes the drawing of given parameters: a value per unknown, coordinates first.
+fn drawn(module: &Module<'_>, code: &mut Code) {
+    if let Some(function) = &module.program.drawn {
+        let (head, body) = of_parameters("drawn", function, module);
+        let docs = ["The drawing's value of every coordinate and displacement."];
+        code.unused_function(docs, &head, body);
     }
+}
+
+/// The head and the statements of a function of the parameters.
+fn of_parameters(name: &str, function: &Function, module: &Module<'_>) -> (String, Code) {
+    let scope = Scope::new(module, function, Place::Coordinates);
+    let (mut body, results) = (scope.plain_statements(), scope.results());
+    body.line(format!("[{}]", results.join(", ")));
+    let head = format!(
+        "fn {name}(parameters: &Parameters) -> [Scalar; {}]",
+        results.len()
+    );
+    (head, body)
 }

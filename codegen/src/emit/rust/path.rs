@@ -1,39 +1,54 @@
 //! Whether a frame lies on the path of the last one.
 
-use proc_macro2::TokenStream;
-use quote::{ToTokens, quote};
-
-use super::code::{Code, taken_apart};
+use super::code::{argument, taken_apart};
+use super::docs::doc_lines;
 use super::lints;
-use super::literal::count;
+use crate::emit::code::Code;
 use crate::emit::module::path_enclosures::iterated;
 use crate::emit::module::scope::{Place, Scope};
 use crate::emit::module::{Module, documentation};
 use crate::program::{Function, Path, Statement};
 
-/// `verify_path`, `is_within` where Newton-Raphson finds something, and `verify_nonsingular` where all is in closed form.
-pub(super) fn path(module: &Module<'_>) -> TokenStream {
+/// Writes the module `path_verification`: `verify_path`, `is_within` if Newton-Raphson finds values, and `verify_nonsingular` if
+/// all blocks are closed forms.
+pub(super) fn path(module: &Module<'_>, code: &mut Code) {
     let Some(path) = &module.program.path else {
-        return TokenStream::new();
+        return;
     };
-    let (within, filled) = enclosures(module, path);
-    let mut code = Code::default();
+    let (mut within, mut inside) = (Code::default(), Code::default());
+    let head = doc_lines(documentation::of_path(module.program));
+    head.iter()
+        .for_each(|line| inside.whole(format!("//!{line}")));
+    inside.gap();
+    inside.line("use super::*;");
+    let mut names = vec!["verify_path"];
     let keeps = Shown {
         name: "verify_path",
-        docs: &documentation::KEEPS_TO_PATH,
-        enclosures: Some(filled),
+        docs: &documentation::VERIFY_PATH,
+        enclosures: Some(enclosures(module, path, &mut within)),
     };
-    shown(module, &path.function, keeps, &mut code);
-    code.syntax(within);
+    shown(module, &path.function, keeps, &mut inside);
+    if !within.is_empty() {
+        names.push("is_within");
+    }
+    inside.append(within);
     if let Some(function) = &path.closed {
+        names.push("verify_nonsingular");
         let stays = Shown {
             name: "verify_nonsingular",
-            docs: &documentation::STAYS_REGULAR,
+            docs: &documentation::VERIFY_NONSINGULAR,
             enclosures: None,
         };
-        shown(module, function, stays, &mut code);
+        shown(module, function, stays, &mut inside);
     }
-    code.to_token_stream()
+    names.sort_unstable();
+    code.gap();
+    code.line(match names[..] {
+        [only] => format!("use path_verification::{only};"),
+        _ => format!("use path_verification::{{{}}};", names.join(", ")),
+    });
+    code.gap();
+    code.block("mod path_verification", inside);
 }
 
 /// A function that shows something of a window.
@@ -72,14 +87,10 @@ fn shown(module: &Module<'_>, function: &Function, shown: Shown<'_>, code: &mut 
     let mut statements = Code::default();
     both.iter()
         .chain(&conditions)
-        .for_each(|taken| statements.lines(taken));
+        .for_each(|taken| statements.line(taken));
     statements.append(found);
     statements.append(shown.enclosures.unwrap_or_default());
-    statements.lines("Ok(())");
-    let argument = |name: &str, is_read: bool| match is_read {
-        true => name.to_string(),
-        false => format!("_{name}"),
-    };
+    statements.line("Ok(())");
     let (pair, window) = (
         argument("pair", has_pair),
         argument("window", reads.window || signals || isolates),
@@ -89,37 +100,38 @@ fn shown(module: &Module<'_>, function: &Function, shown: Shown<'_>, code: &mut 
         false => String::new(),
     };
     let head = format!(
-        "fn {}({pair}: &Pair<'_>, {window}: &TimeWindow{enclosures}) -> Result<(), u16>",
+        "pub(super) fn {}({pair}: &Pair<'_>, {window}: &TimeWindow{enclosures}) -> Result<(), u16>",
         shown.name
     );
     let allow = lints::of_code(&statements);
     code.function(shown.docs, allow, &head, statements);
 }
 
-/// Whether what Newton-Raphson finds is in its enclosures, and what fills them.
-fn enclosures(module: &Module<'_>, path: &Path) -> (TokenStream, Code) {
+/// Writes whether what Newton-Raphson finds is in its enclosures, and returns what fills them.
+fn enclosures(module: &Module<'_>, path: &Path, code: &mut Code) -> Code {
     let iterated = iterated(module.program, module.system, path);
     let mut filled = Code::default();
     if iterated.is_empty() {
-        return (TokenStream::new(), filled);
+        return filled;
     }
     let scope = Scope::new(module, &path.function, Place::Path);
     let mut found = Vec::with_capacity(iterated.len());
     for (place, (symbol, deviation)) in iterated.iter().enumerate() {
-        let [now, before] = ["at", "last"].map(|frame| module.field_text(*symbol, frame));
+        let [now, before] = ["at", "last"].map(|frame| module.field(*symbol, frame));
         let deviation = deviation.map_or("0.0".to_string(), |deviation| scope.read(deviation));
-        filled.push(&format!(
+        filled.line(format!(
             "enclosures[{place}] = PathEnclosure::new({now}, {before}, {deviation});"
         ));
-        found.push(module.field(*symbol, "at"));
+        found.push(now);
     }
-    let count = count(iterated.len());
-    let within = quote! {
-        /// Whether what Newton-Raphson has found is where the path is.
-        fn is_within(at: &Frame, enclosures: &PathEnclosures, steps: Scalar) -> bool {
-            let found: [Scalar; #count] = [#(#found),*];
-            enclosures.iter().zip(found).all(|(enclosure, value)| enclosure.holds(value, steps))
-        }
-    };
-    (within, filled)
+    let mut statements = Code::default();
+    let (count, found) = (found.len(), found.join(", "));
+    statements.line(format!("let found: [Scalar; {count}] = [{found}];"));
+    statements.line(
+        "enclosures.iter().zip(found).all(|(enclosure, value)| enclosure.holds(value, steps))",
+    );
+    let docs = [documentation::IS_WITHIN];
+    let head = "pub(super) fn is_within(at: &Frame, enclosures: &PathEnclosures, steps: Scalar) -> bool";
+    code.function(docs, [], head, statements);
+    filled
 }

@@ -1,40 +1,32 @@
 //! Where a value stands → how Rust reads it.
 
-use proc_macro2::TokenStream;
-
-use super::code::tokens;
-use super::names::identifier_text;
+use super::names::identifier;
 use crate::emit::module::scope::{Location, Scope};
 use crate::expr::SymbolId;
 
 impl Scope<'_> {
     /// How a variable is read.
-    pub(super) fn symbol(&self, symbol: SymbolId) -> TokenStream {
-        tokens(&self.read(symbol))
-    }
-
-    /// The same as text.
     pub(super) fn read(&self, symbol: SymbolId) -> String {
         match self.locate(symbol) {
-            Location::Local(name) => identifier_text(&name),
+            Location::Local(name) => identifier(&name),
             Location::Sign(branch) => {
-                format!("branches.{}.sign::<Scalar>()", identifier_text(branch))
+                format!("branches.{}.sign::<Scalar>()", identifier(branch))
             }
-            Location::TimeWindow(part) => format!("window.{}", identifier_text(part)),
-            Location::Field(symbol) => self.module.field_text(symbol, "at"),
-            Location::Last(symbol) => self.module.field_text(symbol, "last"),
+            Location::TimeWindow(part) => format!("window.{}", identifier(part)),
+            Location::Field(symbol) => self.module.field(symbol, "at"),
+            Location::Last(symbol) => self.module.field(symbol, "last"),
             Location::LastTime => "last.t".to_string(),
             Location::Coordinate(component) => {
-                format!("{}.{}", component.vector, identifier_text(component.name))
+                format!("{}.{}", component.vector, identifier(component.name))
             }
-            Location::Parameter(name) => format!("parameters.{}", identifier_text(&name)),
+            Location::Parameter(name) => format!("parameters.{}", identifier(&name)),
             Location::Input {
                 name,
                 level,
                 before,
             } => {
                 let inputs = if before { "before" } else { "inputs" };
-                format!("{inputs}.{}.{level}", identifier_text(&name))
+                format!("{inputs}.{}.{level}", identifier(&name))
             }
         }
     }

@@ -1,66 +1,52 @@
 //! How the motion depends on parameters, as functions of the frame.
 
-use proc_macro2::TokenStream;
-use quote::quote;
-
-use super::docs::docs;
 use super::module::derives;
 use super::names::identifier;
+use crate::emit::code::Code;
 use crate::emit::module::{Module, documentation};
 use crate::program::{Found, SensitiveQuantity, Sensitivity};
 
-/// `struct Sensitivity` and `struct PointSensitivity`, as far as something returns them.
-pub(super) fn structures(module: &Module<'_>) -> TokenStream {
-    let coordinates = module
-        .program
-        .sensitivities
+/// Writes `struct Sensitivity` and `struct PointSensitivity`, as far as something returns them.
+pub(super) fn structures(module: &Module<'_>, code: &mut Code) {
+    let sensitivities = &module.program.sensitivities;
+    let mut coordinates = sensitivities
         .iter()
-        .find_map(|it| it.coordinates.as_ref());
-    let whole = coordinates.map(|coordinates| {
-        let derives = derives(coordinates.len());
-        quote! {
-            /// The derivatives of all coordinates and of their rates along a parameter, at the time of the frame.
-            #derives
-            pub struct Sensitivity {
-                /// ∂q/∂p: of the coordinates, in m or rad per unit of the parameter.
-                pub position: Coordinates,
-                /// ∂q̇/∂p: of their rates, in m/s or rad/s per unit of the parameter.
-                pub velocity: Coordinates,
-            }
-        }
-    });
-    let mut quantities = module
-        .program
-        .sensitivities
-        .iter()
-        .flat_map(|it| &it.quantities);
-    let point = quantities.any(returns_pair).then(|| {
-        quote! {
-            /// The derivatives of the position and the velocity of a point along a parameter, at the time of the frame.
-            #[derive(Clone, Copy, Debug, PartialEq)]
-            pub struct PointSensitivity {
-                /// Of x and y, in m per unit of the parameter.
-                pub position: [Scalar; 2],
-                /// Of their rates, in m/s per unit of the parameter.
-                pub velocity: [Scalar; 2],
-            }
-        }
-    });
-    quote!(#whole #point)
+        .filter_map(|it| it.coordinates.as_ref());
+    if let Some(coordinates) = coordinates.next() {
+        code.gap();
+        code.docs(["The derivatives of all coordinates and of their rates along a parameter, at the time of the frame."]);
+        code.line(derives(coordinates.len()));
+        code.open("pub struct Sensitivity {");
+        code.docs(["∂q/∂p: of the coordinates, in m or rad per unit of the parameter."]);
+        code.line("pub position: Coordinates,");
+        code.docs(["∂q̇/∂p: of their rates, in m/s or rad/s per unit of the parameter."]);
+        code.line("pub velocity: Coordinates,");
+        code.close("}");
+    }
+    let mut quantities = sensitivities.iter().flat_map(|it| &it.quantities);
+    if quantities.any(returns_pair) {
+        code.gap();
+        code.docs(["The derivatives of the position and the velocity of a point along a parameter, at the time of the frame."]);
+        code.line(derives(4));
+        code.open("pub struct PointSensitivity {");
+        code.docs(["Of x and y, in m per unit of the parameter."]);
+        code.line("pub position: [Scalar; 2],");
+        code.docs(["Of their rates, in m/s per unit of the parameter."]);
+        code.line("pub velocity: [Scalar; 2],");
+        code.close("}");
+    }
 }
 
-/// The functions of all sensitivities; nothing where there are none.
-pub(super) fn sensitivities(module: &Module<'_>) -> TokenStream {
-    let each = module.program.sensitivities.iter().map(|sensitivity| {
-        let whole = sensitivity
-            .coordinates
-            .as_ref()
-            .map(|coordinates| of_coordinates(sensitivity, coordinates, module));
-        let quantities = sensitivity.quantities.iter();
-        let quantities = quantities.map(|quantity| of_quantity(sensitivity, quantity, module));
-        quote!(#whole #(#quantities)*)
-    });
-    quote!(#(#each)*)
+/// Writes the functions of all sensitivities; nothing if there are none.
+pub(super) fn sensitivities(module: &Module<'_>, code: &mut Code) {
+    for sensitivity in &module.program.sensitivities {
+        if let Some(coordinates) = &sensitivity.coordinates {
+            of_coordinates(sensitivity, coordinates, module, code);
+        }
+        for quantity in &sensitivity.quantities {
+            of_quantity(sensitivity, quantity, module, code);
+        }
+    }
 }
 
 /// Whether a quantity is a point with position and velocity.
@@ -68,16 +54,10 @@ fn returns_pair(quantity: &SensitiveQuantity) -> bool {
     quantity.components.len() == 2 && quantity.levels.len() == 2
 }
 
-fn value(found: &Found, module: &Module<'_>) -> TokenStream {
+fn value(found: &Found, module: &Module<'_>) -> String {
     match found {
-        Found::Field(symbol) => {
-            let name = module.field_name(*symbol);
-            quote!(self.#name)
-        }
-        Found::Constant(value) => {
-            let value = module.float(*value);
-            quote!(#value)
-        }
+        Found::Field(symbol) => module.field(*symbol, "self"),
+        Found::Constant(value) => module.number(*value),
     }
 }
 
@@ -85,56 +65,57 @@ fn of_coordinates(
     sensitivity: &Sensitivity,
     coordinates: &[[Found; 2]],
     module: &Module<'_>,
-) -> TokenStream {
-    let function = identifier(&format!("sensitivity_{}", sensitivity.name));
-    let text = docs(documentation::of_sensitivity(sensitivity, module));
+    code: &mut Code,
+) {
     let level = |level: usize| {
-        let fields = coordinates
-            .iter()
-            .zip(&module.system.coordinates)
-            .map(|(found, own)| {
-                let (name, value) = (identifier(&own.name), value(&found[level], module));
-                quote!(#name: #value)
-            });
-        quote!(Coordinates { #(#fields),* })
+        let fields = coordinates.iter().zip(&module.system.coordinates);
+        let fields = fields.map(|(found, own)| {
+            format!(
+                "{}: {}",
+                identifier(&own.name),
+                value(&found[level], module)
+            )
+        });
+        let fields: Vec<String> = fields.collect();
+        format!("Coordinates {{ {} }}", fields.join(", "))
     };
-    let (position, velocity) = (level(0), level(1));
-    quote! {
-        #text
-        pub fn #function(&self) -> Sensitivity {
-            Sensitivity { position: #position, velocity: #velocity }
-        }
-    }
+    code.getter(
+        documentation::of_sensitivity(sensitivity, module),
+        &identifier(&format!("sensitivity_{}", sensitivity.name)),
+        "Sensitivity",
+        format!(
+            "Sensitivity {{ position: {}, velocity: {} }}",
+            level(0),
+            level(1)
+        ),
+    );
 }
 
 fn of_quantity(
     sensitivity: &Sensitivity,
     quantity: &SensitiveQuantity,
     module: &Module<'_>,
-) -> TokenStream {
-    let values = |level: &Vec<Found>| {
-        let values = level.iter().map(|found| value(found, module));
-        quote!(#(#values),*)
-    };
-    let mut levels = quantity.levels.iter().map(values);
-    let functions = documentation::of_quantity(sensitivity, quantity, module).into_iter();
-    let functions = functions.map(|(name, text)| (identifier(&name), docs([text])));
+    code: &mut Code,
+) {
     let is_point = quantity.components.len() == 2;
-    let methods = functions.map(|(function, text)| {
-        let found = levels.next().unwrap_or_default();
+    let levels = quantity.levels.iter().map(|level| {
+        let values: Vec<String> = level.iter().map(|found| value(found, module)).collect();
         match is_point {
-            true if returns_pair(quantity) => {
-                let velocity = levels.next().unwrap_or_default();
-                quote! {
-                    #text
-                    pub fn #function(&self) -> PointSensitivity {
-                        PointSensitivity { position: [#found], velocity: [#velocity] }
-                    }
-                }
-            }
-            true => quote!(#text pub fn #function(&self) -> [Scalar; 2] { [#found] }),
-            false => quote!(#text pub fn #function(&self) -> Scalar { #found }),
+            true => format!("[{}]", values.join(", ")),
+            false => values.concat(),
         }
     });
-    methods.collect()
+    let mut levels: Vec<String> = levels.collect();
+    let mut kind = if is_point { "[Scalar; 2]" } else { "Scalar" };
+    if returns_pair(quantity) {
+        kind = "PointSensitivity";
+        levels = vec![format!(
+            "PointSensitivity {{ position: {}, velocity: {} }}",
+            levels[0], levels[1]
+        )];
+    }
+    let functions = documentation::of_quantity(sensitivity, quantity, module);
+    for ((name, text), value) in functions.into_iter().zip(levels) {
+        code.getter([text], &identifier(&name), kind, value);
+    }
 }

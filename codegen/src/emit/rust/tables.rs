@@ -2,58 +2,51 @@
 
 use std::collections::HashSet;
 
-use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote};
-
-use super::docs::docs;
 use super::lints;
-use super::literal::count;
+use crate::emit::code::Code;
 use crate::emit::module::Module;
 use crate::emit::module::tables::{docs_of, spacing};
 use crate::expr::Spline;
 
 /// The constant that holds a table. No other constant begins like this.
-pub(super) fn table_name(table: &str) -> Ident {
-    format_ident!("TABLE_{}", table.to_uppercase())
+pub(super) fn table_name(table: &str) -> String {
+    format!("TABLE_{}", table.to_uppercase())
 }
 
-/// The tables that the code mentions.
-pub(super) fn tables(module: &Module<'_>, mentioned: &HashSet<&str>) -> TokenStream {
-    let system = module.system;
-    let splines = system.mechanism.graph.splines();
-    let constants = splines.map(|(id, spline)| {
+/// Writes the tables that the code mentions.
+pub(super) fn tables(module: &Module<'_>, mentioned: &HashSet<&str>, code: &mut Code) {
+    for (id, spline) in module.system.mechanism.graph.splines() {
         let name = table_name(&spline.name);
-        if !mentioned.contains(name.to_string().as_str()) {
-            return TokenStream::new();
+        if mentioned.contains(name.as_str()) {
+            constant(module, &name, spline, docs_of(id, module.system), code);
         }
-        constant(module, &name, spline, docs_of(id, system))
-    });
-    constants.collect()
+    }
 }
 
-fn constant(module: &Module<'_>, name: &Ident, spline: &Spline, lines: Vec<String>) -> TokenStream {
-    let (text, length) = (docs(lines), count(spline.starts.len()));
-    let starts = spline.starts.iter().map(|&start| module.float(start));
-    let pieces = spline.pieces.iter().map(|piece| {
-        let coefficients = piece.iter().map(|&coefficient| module.float(coefficient));
-        quote!([#(#coefficients),*])
-    });
+fn constant(module: &Module<'_>, name: &str, spline: &Spline, docs: Vec<String>, code: &mut Code) {
+    let numbers = |values: &[f64]| {
+        let values: Vec<String> = values.iter().map(|&it| module.number(it)).collect();
+        values.join(", ")
+    };
     let optional = |value: Option<f64>| match value {
-        Some(value) => {
-            let value = module.float(value);
-            quote!(Some(#value))
-        }
-        None => quote!(None),
+        Some(value) => format!("Some({})", module.number(value)),
+        None => "None".to_string(),
     };
     let (spacing, period) = (optional(spacing(&spline.starts)), optional(spline.period));
-    let table = quote! {
-        ::linkwright::generated::Table {
-            starts: [#(#starts),*],
-            pieces: [#(#pieces),*],
-            spacing: #spacing,
-            period: #period,
-        }
-    };
-    let allow = lints::approximate(&table);
-    quote!(#text #allow const #name: Table<#length> = #table;)
+    let mut table = Code::default();
+    table.open(format!(
+        "const {name}: Table<{}> = ::linkwright::generated::Table {{",
+        spline.starts.len()
+    ));
+    table.line(format!("starts: [{}],", numbers(&spline.starts)));
+    table.open("pieces: [");
+    for piece in &spline.pieces {
+        table.line(format!("[{}],", numbers(piece)));
+    }
+    table.close("],");
+    table.line(format!("spacing: {spacing},"));
+    table.line(format!("period: {period},"));
+    table.close("};");
+    let allow = lints::of_code(&table);
+    code.item(docs, allow, table);
 }

@@ -1,16 +1,8 @@
 //! Φ, Φ_q, Φ_t and γ as functions, and all equations as one dense system.
 
-use proc_macro2::TokenStream;
-use quote::quote;
-
-use super::code::comment;
-use super::docs::docs;
-use super::layout::Verbatim;
-use super::lints;
-use super::literal::count;
-use super::module::only;
-use super::names::identifier;
-use super::names::type_name;
+use super::code::{argument, array};
+use super::names::{identifier, type_name};
+use crate::emit::code::Code;
 use crate::emit::module::scope::{Place, Reads, Scope};
 use crate::emit::module::{Module, documentation};
 use crate::expr::ExprId;
@@ -18,270 +10,198 @@ use crate::joint::Quantity;
 use crate::program::{Function, Lengths};
 use crate::system::Row;
 
-/// The functions of the textbook view, and what is monitored besides.
-pub(super) fn functions(module: &Module<'_>) -> TokenStream {
+/// Writes the functions of the textbook view, and what is monitored besides.
+pub(super) fn functions(module: &Module<'_>, code: &mut Code) {
     let Some(textbook) = &module.program.textbook else {
-        return TokenStream::new();
+        return;
     };
-    let phi = vector(
-        module,
+    let (phi, phi_t, gamma) = (
         &textbook.residual,
-        "phi",
-        documentation::PHI,
-        |row| row.residual,
-    );
-    let phi_t = vector(
-        module,
         &textbook.time_derivative,
-        "phi_t",
-        documentation::PHI_T,
-        |row| row.time_derivative,
-    );
-    let gamma = vector(
-        module,
         &textbook.gamma,
-        "gamma",
-        documentation::GAMMA,
-        |row| row.gamma,
     );
-    let phi_q = matrix(module, &textbook.jacobian);
-    let monitored = textbook
-        .monitored
-        .as_ref()
-        .map(|function| monitored(module, function));
-    quote! { #phi #phi_q #phi_t #gamma #monitored }
+    let system = module.system;
+    let mut about_phi = vec![documentation::PHI.to_string(), String::new()];
+    about_phi.extend(documentation::of_rows(system, &system.rows));
+    vector(module, phi, "phi", about_phi, |row| row.residual, code);
+    matrix(module, &textbook.jacobian, code);
+    let about = vec![documentation::PHI_T.to_string()];
+    vector(
+        module,
+        phi_t,
+        "phi_t",
+        about,
+        |row| row.time_derivative,
+        code,
+    );
+    let about = vec![documentation::GAMMA.to_string()];
+    vector(module, gamma, "gamma", about, |row| row.gamma, code);
+    if let Some(function) = &textbook.monitored {
+        monitored(module, function, code);
+    }
 }
 
 /// The arguments of a function; one that is not read begins with an underscore.
-fn arguments(module: &Module<'_>, reads: Reads, with_rates: bool) -> TokenStream {
-    let name = |name: &str, is_read: bool| match is_read {
-        true => identifier(name),
-        false => identifier(&format!("_{name}")),
-    };
-    let (q, qd, t) = (
-        name("q", reads.position),
-        name("qd", reads.rate),
-        name("t", reads.time),
-    );
-    let rates = only(with_rates, quote!(#qd: &Coordinates,));
-    let given = module.declared().arguments(reads.parameters, reads.inputs);
-    quote!(#q: &Coordinates, #rates #given #t: Scalar)
+fn arguments(module: &Module<'_>, reads: Reads, with_rates: bool) -> String {
+    let mut all = vec![format!("{}: &Coordinates", argument("q", reads.position))];
+    if with_rates {
+        all.push(format!("{}: &Coordinates", argument("qd", reads.rate)));
+    }
+    all.extend(module.declared().arguments(reads.parameters, reads.inputs));
+    all.push(format!("{}: Scalar", argument("t", reads.time)));
+    all.join(", ")
 }
 
 fn vector(
     module: &Module<'_>,
     function: &Function,
     name: &str,
-    title: &str,
+    docs: Vec<String>,
     of: fn(&Row) -> ExprId,
-) -> TokenStream {
+    code: &mut Code,
+) {
     let system = module.system;
     let scope = Scope::new(module, function, Place::Coordinates);
-    let (statements, results) = (scope.plain_statements(), scope.results());
+    let (mut statements, results) = (scope.plain_statements(), scope.results());
     let zero = system.mechanism.graph.zero();
-    let mut lines = vec![title.to_string()];
-    if name == "phi" {
-        lines.push(String::new());
-        lines.extend(documentation::of_rows(system, &system.rows));
-    }
-    let text = docs(lines);
-    let reads = scope.reads();
-    let arguments = arguments(module, reads, name == "gamma");
-    let size = count(system.rows.len());
     let is_shown = |row: &Row| of(row) != zero;
-    let rows = system.rows.iter().zip(&results).enumerate();
-    let shown = rows.filter(|(_, (row, _))| is_shown(row));
-    let bindings = shown.map(|(index, (row, value))| {
-        let name = identifier(&row.name);
-        let label = documentation::before_row(system, index, is_shown);
-        let label = label.map_or(TokenStream::new(), comment);
-        quote!(#label let #name = #value;)
-    });
-    let bindings: Vec<TokenStream> = bindings.collect();
-    let entries = system.rows.iter().map(|row| match of(row) == zero {
-        true => quote!(0.0),
-        false => {
-            let name = identifier(&row.name);
-            quote!(#name)
-        }
-    });
-    let name = identifier(name);
-    let function = quote! {
-        pub fn #name(#arguments) -> Vector<#size> {
-            #statements
-            #(#bindings)*
-            Vector::from([#(#entries),*])
-        }
-    };
-    let allow = lints::unused_item(&function);
-    quote!(#text #allow #function)
-}
-
-/// The residuals of the rows that are not solved.
-fn monitored(module: &Module<'_>, function: &Function) -> TokenStream {
-    let system = module.system;
-    let scope = Scope::new(module, function, Place::Coordinates);
-    let (statements, results) = (scope.plain_statements(), scope.results());
-    let size = count(system.monitored.len());
-    let mut lines = vec![documentation::MONITORED.to_string(), String::new()];
-    lines.extend(documentation::of_rows(system, &system.monitored));
-    let text = docs(lines);
-    let arguments = arguments(module, scope.reads(), false);
-    let function = quote! {
-        pub fn monitored(#arguments) -> [Scalar; #size] {
-            #statements
-            [#(#results),*]
-        }
-    };
-    let allow = lints::unused_item(&function);
-    quote!(#text #allow #function)
-}
-
-fn matrix(module: &Module<'_>, function: &Function) -> TokenStream {
-    let system = module.system;
-    let scope = Scope::new(module, function, Place::Coordinates);
-    let (statements, results) = (scope.plain_statements(), scope.results());
-    let size = count(system.rows.len());
-    let mut values = results.iter();
     let mut entries = Vec::with_capacity(results.len());
+    for (index, (row, value)) in system.rows.iter().zip(&results).enumerate() {
+        if !is_shown(row) {
+            entries.push("0.0".to_string());
+            continue;
+        }
+        if let Some(label) = documentation::before_row(system, index, is_shown) {
+            statements.comment(&label);
+        }
+        let name = identifier(&row.name);
+        statements.line(format!("let {name} = {value};"));
+        entries.push(name);
+    }
+    statements.line(format!("Vector::from([{}])", entries.join(", ")));
+    let arguments = arguments(module, scope.reads(), name == "gamma");
+    let head = format!("pub fn {name}({arguments}) -> Vector<{}>", entries.len());
+    code.unused_function(docs, &head, statements);
+}
+
+/// Writes the residuals of the rows that are not solved.
+fn monitored(module: &Module<'_>, function: &Function, code: &mut Code) {
+    let system = module.system;
+    let scope = Scope::new(module, function, Place::Coordinates);
+    let (mut statements, results) = (scope.plain_statements(), scope.results());
+    statements.line(format!("[{}]", results.join(", ")));
+    let mut docs = vec![documentation::MONITORED.to_string(), String::new()];
+    docs.extend(documentation::of_rows(system, &system.monitored));
+    let arguments = arguments(module, scope.reads(), false);
+    let head = format!(
+        "pub fn monitored({arguments}) -> [Scalar; {}]",
+        system.monitored.len()
+    );
+    code.unused_function(docs, &head, statements);
+}
+
+fn matrix(module: &Module<'_>, function: &Function, code: &mut Code) {
+    let system = module.system;
+    let scope = Scope::new(module, function, Place::Coordinates);
+    let (mut statements, results) = (scope.plain_statements(), scope.results());
+    let mut values = results.iter();
+    statements.line("let mut phi_q = Matrix::zeros();");
     for (index, row) in system.rows.iter().enumerate() {
-        let label = documentation::before_row(system, index, |_| true);
-        entries.push(label.map_or(TokenStream::new(), comment));
-        let row_number = count(index);
+        if let Some(label) = documentation::before_row(system, index, |_| true) {
+            statements.comment(&label);
+        }
         for (entry, value) in row.jacobian.iter().zip(values.by_ref()) {
-            let column = count(entry.coordinate);
-            entries.push(quote!(phi_q[(#row_number, #column)] = #value;));
+            statements.line(format!("phi_q[({index}, {})] = {value};", entry.coordinate));
         }
     }
-    let text = docs(documentation::of_jacobian(system));
-    let arguments = arguments(module, scope.reads(), false);
-    let function = quote! {
-        pub fn phi_q(#arguments) -> Matrix<#size, #size> {
-            #statements
-            let mut phi_q = Matrix::zeros();
-            #(#entries)*
-            phi_q
-        }
-    };
-    let allow = lints::unused_item(&function);
-    quote!(#text #allow #function)
+    statements.line("phi_q");
+    let (arguments, size) = (arguments(module, scope.reads(), false), system.rows.len());
+    let head = format!("pub fn phi_q({arguments}) -> Matrix<{size}, {size}>");
+    code.unused_function(documentation::of_jacobian(system), &head, statements);
 }
 
-/// `struct Textbook`: the dense system as the runtime solves it.
-pub(super) fn dense(module: &Module<'_>) -> TokenStream {
+/// Writes `struct Textbook`: the dense system as the runtime solves it.
+pub(super) fn dense(module: &Module<'_>, code: &mut Code) {
     let Some(textbook) = &module.program.textbook else {
-        return TokenStream::new();
+        return;
     };
     let system = module.system;
     let rows: Vec<Quantity> = system.rows.iter().map(|row| row.quantity).collect();
     let columns: Vec<Quantity> = system.coordinates.iter().map(|it| it.quantity).collect();
-    let mut text = Verbatim::default();
-    text.open("::linkwright::generated::textbook! {");
+    code.gap();
+    code.open("::linkwright::generated::textbook! {");
     let mechanism = type_name(&system.mechanism.name);
-    text.line(format!("{mechanism}, {};", rows.len()));
+    code.line(format!("{mechanism}, {};", rows.len()));
     for line in module.declared().lines() {
-        text.line(line);
+        code.line(line);
     }
     let length = length(module, &textbook.scaled_by);
-    if !length.statement.is_empty() {
-        text.line("lengths: length = characteristic_length(parameters);");
+    if !length.statements.is_empty() {
+        code.line("lengths: length = characteristic_length(parameters);");
     }
     for (title, quantities) in [("rows", rows), ("columns", columns)] {
-        let scales = scales(&quantities, &length.name).to_string();
-        let elements = scales.strip_prefix('[').and_then(|it| it.strip_suffix(']'));
-        // What is in brackets has no commas in it.
-        match elements.filter(|it| !it.contains(';')) {
-            Some(elements) if scales.len() > 80 => {
-                text.open(&format!("{title}: ["));
-                text.list(elements.split(',').map(str::trim));
-                text.close("];");
-            }
-            _ => {
-                let scales = scales.replace(" ;", ";").replace(" ,", ",");
-                text.line(format!("{title}: {scales};"));
-            }
-        }
+        let scales = array(&scales(&quantities, &length.name));
+        code.line(format!("{title}: {scales};"));
     }
-    text.close("}");
-    text.item()
+    code.close("}");
 }
 
-/// `fn characteristic_length`: the largest length, where parameters change one.
-pub(super) fn characteristic_length(module: &Module<'_>) -> TokenStream {
+/// Writes `fn characteristic_length`: the largest length, if parameters change one.
+pub(super) fn characteristic_length(module: &Module<'_>, code: &mut Code) {
     let textbook = module.program.textbook.as_ref();
     let Some((lengths, function)) = textbook.and_then(|it| {
         let lengths = &it.scaled_by;
         Some((lengths, lengths.following.as_ref()?))
     }) else {
-        return TokenStream::new();
+        return;
     };
-    let scope = Scope::new(module, function, Place::Coordinates);
-    let (statements, results) = (scope.plain_statements(), scope.results());
-    let otherwise = module.float(lengths.nominal);
-    let function = quote! {
-        fn characteristic_length(parameters: &Parameters) -> Scalar {
-            #statements
-            largest_length(&[#(#results),*], #otherwise)
-        }
-    };
-    let allow = lints::unused_item(&function);
-    quote! {
-        /// By what lengths are scaled.
-        #allow
-        #function
-    }
+    let (mut statements, largest) = largest(module, lengths, function);
+    statements.line(largest);
+    let head = "fn characteristic_length(parameters: &Parameters) -> Scalar";
+    code.unused_function(["By what lengths are scaled."], head, statements);
 }
 
-/// By what lengths are scaled: a statement that finds it, and what it is called then.
+/// Statements that find the largest of some lengths, and its value.
+fn largest(module: &Module<'_>, lengths: &Lengths, function: &Function) -> (Code, String) {
+    let scope = Scope::new(module, function, Place::Coordinates);
+    let (statements, results) = (scope.plain_statements(), scope.results());
+    let otherwise = module.number(lengths.nominal);
+    let largest = format!("largest_length(&[{}], {otherwise})", results.join(", "));
+    (statements, largest)
+}
+
+/// By what lengths are scaled: statements that find it, and what it is called then.
 pub(super) struct Length {
-    pub statement: TokenStream,
-    pub name: TokenStream,
+    pub statements: Code,
+    pub name: String,
 }
 
 /// The largest of some lengths, or a number where no parameter changes them.
 pub(super) fn length(module: &Module<'_>, lengths: &Lengths) -> Length {
-    let otherwise = module.float(lengths.nominal);
-    let Some(function) = &lengths.following else {
-        return Length {
-            statement: TokenStream::new(),
-            name: otherwise,
-        };
-    };
-    let scope = Scope::new(module, function, Place::Coordinates);
-    let (statements, results) = (scope.plain_statements(), scope.results());
-    Length {
-        statement: quote! {
-            let parameters = &self.parameters;
-            #statements
-            let length = largest_length(&[#(#results),*], #otherwise);
-        },
-        name: quote!(length),
+    let mut statements = Code::default();
+    let mut name = module.number(lengths.nominal);
+    if let Some(function) = &lengths.following {
+        let (found, largest) = largest(module, lengths, function);
+        statements.line("let parameters = &self.parameters;");
+        statements.append(found);
+        statements.line(format!("let length = {largest};"));
+        name = "length".to_string();
     }
+    Length { statements, name }
 }
 
 /// By what rows or columns with these quantities are scaled.
-pub(super) fn scales(quantities: &[Quantity], length: &TokenStream) -> TokenStream {
-    let scales = quantities.iter().map(|it| scale(*it, length));
-    let scales: Vec<TokenStream> = scales.collect();
-    let size = count(scales.len());
-    match scales.split_first() {
-        Some((first, others)) if others.iter().all(|it| it.to_string() == first.to_string()) => {
-            quote!([#first; #size])
-        }
-        _ => quote!([#(#scales),*]),
-    }
+pub(super) fn scales(quantities: &[Quantity], length: &str) -> Vec<String> {
+    quantities.iter().map(|it| scale(*it, length)).collect()
 }
 
 /// What values of a quantity are scaled by.
-fn scale(quantity: Quantity, length: &TokenStream) -> TokenStream {
+fn scale(quantity: Quantity, length: &str) -> String {
     let power = quantity.power_of_length();
-    let mut product = length.clone();
-    for _ in 1..power.unsigned_abs() {
-        product = quote!(#product * #length);
-    }
+    let product = vec![length; power.unsigned_abs() as usize].join(" * ");
     match power {
-        0 => quote!(1.0),
+        0 => "1.0".to_string(),
         1.. => product,
-        _ => quote!(1.0 / (#product)),
+        _ => format!("1.0 / ({product})"),
     }
 }

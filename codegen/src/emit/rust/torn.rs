@@ -1,56 +1,57 @@
 //! A torn block, as the runtime sees it, and the call that solves it.
 
-use proc_macro2::{Ident, Literal, TokenStream};
-use quote::quote;
-
+use super::code::argument;
 use super::equation::Equation;
-use super::literal::count;
-use super::newton::instance;
+use super::lints;
+use super::newton::fallible;
+use crate::emit::code::Code;
 use crate::emit::module::Module;
 use crate::emit::module::scope::{Place, Reads, Scope};
 use crate::expr::SymbolId;
-use crate::program::{Block, NewtonBlock, Tearing, TornFields};
+use crate::program::{NewtonBlock, Tearing, TornFields};
 
-/// The tearing of a block's equations, for the type that states them.
+/// Writes the tearing of a block's equations, for the type that states them.
 pub(super) fn implementation(
-    name: &Ident,
-    lifetime: &TokenStream,
+    name: &str,
     newton: &NewtonBlock,
     module: &Module<'_>,
-) -> TokenStream {
+    code: &mut Code,
+) {
     let Some(tearing) = &newton.tearing else {
-        return TokenStream::new();
+        return;
     };
-    let (size, tear_count) = (count(newton.unknowns.len()), count(tearing.tears.len()));
-    let (sign_count, carried_count) = (count(tearing.signs.len()), count(tearing.carried.len()));
-    let places = tearing.tears.iter().map(|&place| count(place));
-    let scales = scales(tearing, module);
-    let terms = tearing.terms.iter().map(|&it| module.float(it));
-    let evaluate = evaluate(newton, tearing, module);
-    let complete = complete(newton, tearing, module);
-    let signs = signs(newton, tearing, module);
-    quote! {
-        impl Torn<Scalar, Const<#size>, #tear_count> for #name #lifetime {
-            type Signs = [Scalar; #sign_count];
-            type Carried = [Scalar; #carried_count];
+    let (size, tears) = (newton.unknowns.len(), tearing.tears.len());
+    let mut inside = Code::default();
+    inside.line(format!("type Signs = [Scalar; {}];", tearing.signs.len()));
+    inside.line(format!(
+        "type Carried = [Scalar; {}];",
+        tearing.carried.len()
+    ));
+    let places: Vec<String> = tearing.tears.iter().map(usize::to_string).collect();
+    list("tears", &format!("[usize; {tears}]"), &places, &mut inside);
+    scales(tearing, module, &mut inside);
+    let terms: Vec<String> = tearing.terms.iter().map(|&it| module.number(it)).collect();
+    list("terms", &format!("[Scalar; {tears}]"), &terms, &mut inside);
+    evaluate(newton, tearing, module, &mut inside);
+    complete(newton, tearing, module, &mut inside);
+    signs(newton, tearing, module, &mut inside);
+    let head = format!("impl Torn<Scalar, Const<{size}>, {tears}> for {name}");
+    let mut item = Code::default();
+    item.block(&head, inside);
+    let allow = lints::of_code(&item);
+    code.item([""; 0], allow, item);
+}
 
-            fn tears(&self) -> [usize; #tear_count] {
-                [#(#places),*]
-            }
-
-            #scales
-
-            fn terms(&self) -> [Scalar; #tear_count] {
-                [#(#terms),*]
-            }
-
-            #evaluate
-
-            #complete
-
-            #signs
-        }
-    }
+/// Writes a function that returns these values.
+fn list(name: &str, kind: &str, values: &[String], code: &mut Code) {
+    let mut statements = Code::default();
+    statements.line(format!("[{}]", values.join(", ")));
+    code.function(
+        [""; 0],
+        [],
+        &format!("fn {name}(&self) -> {kind}"),
+        statements,
+    );
 }
 
 /// What each of the functions reads; what one carries for another is read of nothing else.
@@ -77,186 +78,160 @@ fn tears(newton: &NewtonBlock, tearing: &Tearing, module: &Module<'_>) -> Vec<Sy
     positions(tears, module)
 }
 
-fn scales(tearing: &Tearing, module: &Module<'_>) -> TokenStream {
-    let tear_count = count(tearing.tears.len());
+fn scales(tearing: &Tearing, module: &Module<'_>, code: &mut Code) {
     let scope = Scope::with_tears(module, &tearing.scales, Place::Tears, Vec::new());
     let equation = Equation::new(&scope);
-    let (given, statements, time) = (&equation.given, &equation.statements, equation.time());
     let one = module.system.mechanism.graph.one();
     let factors = tearing.scales.results.iter().zip(&equation.results);
-    let rows = tearing
-        .rows
-        .iter()
-        .zip(factors)
-        .map(|(&row, (factor, written))| {
-            let row = count(row);
-            match factor.expr == one {
-                true => quote!(rows[#row]),
-                false => quote!(rows[#row] * (#written)),
-            }
-        });
-    quote! {
-        #[inline]
-        fn scales(&self, #time: Scalar) -> [Scalar; #tear_count] {
-            #given
-            #statements
-            let rows = BlockEquations::row_scales(self);
-            [#(#rows),*]
-        }
-    }
+    let rows = tearing.rows.iter().zip(factors);
+    let rows = rows.map(|(row, (factor, written))| match factor.expr == one {
+        true => format!("rows[{row}]"),
+        false => format!("rows[{row}] * ({written})"),
+    });
+    let rows: Vec<String> = rows.collect();
+    let head = format!(
+        "fn scales(&self, {}: Scalar) -> [Scalar; {}]",
+        equation.time(),
+        rows.len()
+    );
+    let mut statements = equation.statements;
+    statements.line("let rows = BlockEquations::row_scales(self);");
+    statements.line(format!("[{}]", rows.join(", ")));
+    code.function([""; 0], ["#[inline]"], &head, statements);
 }
 
-fn evaluate(newton: &NewtonBlock, tearing: &Tearing, module: &Module<'_>) -> TokenStream {
+fn evaluate(newton: &NewtonBlock, tearing: &Tearing, module: &Module<'_>, code: &mut Code) {
     let all = tearing.named();
     let whole = Scope::with_tears(module, &all, Place::Tears, tears(newton, tearing, module));
     let scope = whole.part(&tearing.evaluate);
     let equation = Equation::new(&scope);
-    let tear_count = tearing.tears.len();
+    let count = tearing.tears.len();
     let tears = equation.pattern(&tears(newton, tearing, module), "tears", &scope);
     let signs = equation.pattern(&tearing.signs, "signs", &scope);
-    let (given, statements, time) = (&equation.given, &equation.statements, equation.time());
-    let (residual, rest) = equation.results.split_at(tear_count);
-    let (inverse, determinant) = rest.split_at(tear_count * tear_count);
-    let inverse = inverse.chunks(tear_count).map(|row| quote!([#(#row),*]));
-    let determinant = quote!(#(#determinant)*);
+    let head = format!(
+        "fn evaluate(&self, {tears}: &[Scalar; {count}], {signs}: &Self::Signs, {}: Scalar) -> Option<torn::Evaluation<Scalar, {count}, Self::Carried>>",
+        equation.time()
+    );
+    let (residual, rest) = equation.results.split_at(count);
+    let (inverse, determinant) = rest.split_at(count * count);
+    let inverse = inverse
+        .chunks(count)
+        .map(|row| format!("[{}]", row.join(", ")));
+    let inverse: Vec<String> = inverse.collect();
+    let carried = tearing.carried.iter().map(|&symbol| scope.read(symbol));
+    let carried: Vec<String> = carried.collect();
+    let mut statements = equation.statements;
+    statements.open("Some(torn::Evaluation {");
+    statements.line(format!("residual: [{}],", residual.join(", ")));
+    statements.line(format!("inverse: [{}],", inverse.join(", ")));
     // What has the name of its field already is written once.
-    let determinant = match determinant.to_string() == "determinant" {
-        true => determinant,
-        false => quote!(determinant: #determinant),
-    };
-    let carried = tearing.carried.iter().map(|&symbol| scope.symbol(symbol));
-    let tear_count = count(tear_count);
-    quote! {
-        #[inline]
-        fn evaluate(
-            &self,
-            #tears: &[Scalar; #tear_count],
-            #signs: &Self::Signs,
-            #time: Scalar,
-        ) -> Option<torn::Evaluation<Scalar, #tear_count, Self::Carried>> {
-            #given
-            #statements
-            Some(torn::Evaluation {
-                residual: [#(#residual),*],
-                inverse: [#(#inverse),*],
-                #determinant,
-                carried: [#(#carried),*],
-            })
-        }
-    }
+    statements.line(match determinant.concat() {
+        name if name == "determinant" => format!("{name},"),
+        value => format!("determinant: {value},"),
+    });
+    statements.line(format!("carried: [{}],", carried.join(", ")));
+    statements.close("})");
+    code.function([""; 0], ["#[inline]"], &head, statements);
 }
 
-fn complete(newton: &NewtonBlock, tearing: &Tearing, module: &Module<'_>) -> TokenStream {
+fn complete(newton: &NewtonBlock, tearing: &Tearing, module: &Module<'_>, code: &mut Code) {
     let all = tearing.named();
     let whole = Scope::with_tears(module, &all, Place::Tears, tears(newton, tearing, module));
     let scope = whole.part(&tearing.complete);
     let equation = Equation::new(&scope);
+    let (size, count) = (newton.unknowns.len(), tearing.tears.len());
     let tears = equation.pattern(&tears(newton, tearing, module), "tears", &scope);
     let signs = equation.pattern(&tearing.signs, "signs", &scope);
     let carried = equation.pattern(&tearing.carried, "carried", &scope);
-    let (given, statements, time) = (&equation.given, &equation.statements, equation.time());
-    let size = newton.unknowns.len();
-    let mut parts = equation.results.chunks(size.max(1));
-    let mut vector = || {
-        let part = parts.next().unwrap_or_default();
-        quote!(Vector::from([#(#part),*]))
-    };
-    let [cosines, sines, rates, accelerations, residual] = std::array::from_fn(|_| vector());
-    let responses = equation.results.get(5 * size..).unwrap_or_default();
-    let (tear_count, size) = (count(tearing.tears.len()), count(size));
-    quote! {
-        #[inline]
-        fn complete(
-            &self,
-            #tears: &[Scalar; #tear_count],
-            #signs: &Self::Signs,
-            #carried: &Self::Carried,
-            #time: Scalar,
-        ) -> torn::Completion<Scalar, Const<#size>> {
-            #given
-            #statements
-            torn::Completion {
-                cosines: #cosines,
-                sines: #sines,
-                rates: #rates,
-                accelerations: #accelerations,
-                residual: #residual,
-                response: torn::largest_of(&[#(#responses),*]),
-            }
-        }
+    let head = format!(
+        "fn complete(&self, {tears}: &[Scalar; {count}], {signs}: &Self::Signs, {carried}: &Self::Carried, {}: Scalar) -> torn::Completion<Scalar, Const<{size}>>",
+        equation.time()
+    );
+    let mut statements = equation.statements;
+    statements.open("torn::Completion {");
+    let vectors = ["cosines", "sines", "rates", "accelerations", "residual"];
+    let mut results = equation.results.as_slice();
+    for vector in vectors {
+        let part;
+        (part, results) = results.split_at(size);
+        statements.line(format!("{vector}: Vector::from([{}]),", part.join(", ")));
     }
+    statements.line(format!(
+        "response: torn::largest_of(&[{}]),",
+        results.join(", ")
+    ));
+    statements.close("}");
+    code.function([""; 0], ["#[inline]"], &head, statements);
 }
 
-fn signs(newton: &NewtonBlock, tearing: &Tearing, module: &Module<'_>) -> TokenStream {
+fn signs(newton: &NewtonBlock, tearing: &Tearing, module: &Module<'_>, code: &mut Code) {
     let all = positions(newton.unknowns.iter().copied(), module);
     let scope = Scope::with_tears(module, &tearing.sign_values, Place::Tears, all.clone());
     let equation = Equation::new(&scope);
     let q = equation.pattern(&all, "q", &scope);
-    let (given, statements, time) = (&equation.given, &equation.statements, equation.time());
+    let is_read = !q.starts_with('_');
+    let head = format!(
+        "fn signs(&self, {}: &Vector<{}>, {}: Scalar) -> Self::Signs",
+        argument("q", is_read),
+        all.len(),
+        equation.time()
+    );
+    let mut statements = Code::default();
+    if is_read {
+        statements.line(format!("let {q} = &q.data.0[0];"));
+    }
+    statements.append(equation.statements);
     let results = equation
         .results
         .iter()
-        .map(|value| quote!(torn::sign(#value)));
-    let size = count(newton.unknowns.len());
-    let (argument, taken) = match q.to_string().starts_with('_') {
-        true => (quote!(_q), TokenStream::new()),
-        false => (quote!(q), quote!(let #q = &q.data.0[0];)),
-    };
-    quote! {
-        fn signs(&self, #argument: &Vector<#size>, #time: Scalar) -> Self::Signs {
-            #given
-            #taken
-            #statements
-            [#(#results),*]
-        }
-    }
+        .map(|it| format!("torn::sign({it})"));
+    let results: Vec<String> = results.collect();
+    statements.line(format!("[{}]", results.join(", ")));
+    code.function([""; 0], [], &head, statements);
 }
 
-/// The call of the runtime that finds the unknowns with their rates, by way of the tears where it can.
+/// Writes the call of the runtime that finds the unknowns with their rates, by way of the tears where it can.
 pub(super) fn solve(
-    number: Literal,
-    mode: &Ident,
-    block: &Block,
-    (newton, torn): (&NewtonBlock, &TornFields),
+    number: usize,
+    mode: &str,
+    torn: &TornFields,
     scope: &Scope<'_>,
-) -> TokenStream {
+    code: &mut Code,
+) {
     let module = scope.module;
-    let equations = instance(block, newton, module);
-    let fields = |frame: &str| -> Vec<TokenStream> {
+    let fields = |frame: &str| -> Vec<String> {
         let memory = torn.memory.iter();
         memory.map(|&symbol| module.field(symbol, frame)).collect()
     };
     let (last, at) = (fields("last"), fields("at"));
     let ([determinant, signs @ ..], [kept, kept_signs @ ..]) = (&last[..], &at[..]) else {
-        return TokenStream::new();
+        return;
     };
-    let kept_signs = match kept_signs {
-        [] => TokenStream::new(),
-        _ => quote!([#(#kept_signs),*] = found.memory.signs;),
-    };
-    let directions = [(1, quote!(cosines)), (0, quote!(sines))].map(|(which, part)| {
-        let names: Vec<Option<TokenStream>> = torn
-            .directions
-            .iter()
-            .map(|pair| {
-                let symbol = (*pair)?[which];
-                scope.is_read(symbol).then(|| scope.symbol(symbol))
-            })
-            .collect();
-        if names.iter().all(Option::is_none) {
-            return TokenStream::new();
+    code.line(format!(
+        "let memory = torn::Memory {{ determinant: {determinant}, signs: [{}] }};",
+        signs.join(", ")
+    ));
+    let call = format!(
+        "torn::solve(&equations, &tears, &memory, conditions.start, &mut branches.{mode}, conditions.t, conditions.settings)"
+    );
+    fallible("found", &call, number, code);
+    code.line("let tears = found.frame;");
+    code.line(format!("{kept} = found.memory.determinant;"));
+    if !kept_signs.is_empty() {
+        code.line(format!("[{}] = found.memory.signs;", kept_signs.join(", ")));
+    }
+    for (which, part) in [(1, "cosines"), (0, "sines")] {
+        let names = torn.directions.iter().map(|pair| {
+            let symbol = (*pair)?[which];
+            scope.is_read(symbol).then(|| scope.read(symbol))
+        });
+        let names = names.map(|name| name.unwrap_or("_".to_string()));
+        let names: Vec<String> = names.collect();
+        if names.iter().any(|it| it != "_") {
+            code.line(format!(
+                "let [{}] = found.{part}.data.0[0];",
+                names.join(", ")
+            ));
         }
-        let names = names.into_iter().map(|name| name.unwrap_or(quote!(_)));
-        quote!(let [#(#names),*] = found.#part.data.0[0];)
-    });
-    quote! {
-        let equations = #equations;
-        let memory = torn::Memory { determinant: #determinant, signs: [#(#signs),*] };
-        let found = torn::solve(&equations, &tears, &memory, conditions.start, &mut branches.#mode, conditions.t, conditions.settings)
-            .map_err(|failure| failure.in_block(#number))?;
-        let tears = found.frame;
-        #kept = found.memory.determinant;
-        #kept_signs
-        #(#directions)*
     }
 }

@@ -1,88 +1,70 @@
 //! What the drivers transmit, as functions of the frame.
 
-use proc_macro2::TokenStream;
-use quote::quote;
-
-use super::docs::docs;
-use super::literal::count;
 use super::names::identifier;
+use crate::emit::code::Code;
 use crate::emit::module::{Module, documentation};
+use crate::expr::SymbolId;
 use crate::program::Transmission;
 
-/// The functions of all transmissions, and the list of the drivers; nothing where there are none.
-pub(super) fn transmissions(module: &Module<'_>) -> TokenStream {
+/// Writes the functions of all transmissions, and the list of the drivers; nothing if there are none.
+pub(super) fn transmissions(module: &Module<'_>, code: &mut Code) {
     let (system, program) = (module.system, module.program);
     if program.transmissions.is_empty() {
-        return TokenStream::new();
+        return;
     }
     let joints = &system.mechanism.joints;
     let labels = system
         .driven()
-        .map(|(_, joint, _)| joints[joint].label.as_str());
-    let number = count(system.driven().count());
-    let functions = program
-        .transmissions
-        .iter()
-        .map(|transmission| functions(transmission, module));
-    quote! {
-        /// The drivers in written order, one for each column of a transmission.
-        pub const DRIVERS: [&'static str; #number] = [#(#labels),*];
-
-        #(#functions)*
+        .map(|(_, joint, _)| format!("{:?}", joints[joint].label));
+    let labels: Vec<String> = labels.collect();
+    code.gap();
+    code.docs(["The drivers in written order, one for each column of a transmission."]);
+    code.line(format!(
+        "pub const DRIVERS: [&'static str; {}] = [{}];",
+        labels.len(),
+        labels.join(", ")
+    ));
+    for transmission in &program.transmissions {
+        functions(transmission, module, code);
     }
 }
 
-fn functions(transmission: &Transmission, module: &Module<'_>) -> TokenStream {
-    let system = module.system;
+fn functions(transmission: &Transmission, module: &Module<'_>, code: &mut Code) {
     let Transmission {
         name,
         rows,
         columns,
         ..
     } = transmission;
-    let (rate, force) = (
-        identifier(&format!("transmission_{name}")),
-        identifier(&format!("forces_{name}")),
-    );
-    let (number, height) = (count(columns.len()), count(rows.len()));
-    let fields: Vec<Vec<TokenStream>> = columns
+    let (height, number) = (rows.len(), columns.len());
+    let [about_rates, about_forces] = documentation::of_transmission(transmission, module.system);
+    let own = |column: &Vec<SymbolId>| column.iter().map(|&it| module.field(it, "self")).collect();
+    let fields: Vec<Vec<String>> = columns.iter().map(own).collect();
+    let matrix = fields
         .iter()
-        .map(|column| {
-            let own = |&symbol| {
-                let name = module.field_name(symbol);
-                quote!(self.#name)
-            };
-            column.iter().map(own).collect()
-        })
-        .collect();
-    let matrix = fields.iter().map(|column| quote!([#(#column),*]));
-    let is_point = rows.len() == 2;
-    let [about_rate, about_force] = documentation::of_transmission(transmission, system).map(docs);
-    let given = match is_point {
-        true => quote!([Scalar; 2]),
-        false => quote!(Scalar),
-    };
-    let (parameter, pull) = if is_point {
-        (quote!(force), vec![quote!(force[0]), quote!(force[1])])
-    } else {
-        (quote!(load), vec![quote!(load)])
+        .map(|column| format!("[{}]", column.join(", ")));
+    let matrix: Vec<String> = matrix.collect();
+    code.getter(
+        about_rates,
+        &identifier(&format!("transmission_{name}")),
+        &format!("Matrix<{height}, {number}>"),
+        format!("Matrix::from([{}])", matrix.join(", ")),
+    );
+    let (argument, pull): (_, &[&str]) = match height {
+        2 => ("force: [Scalar; 2]", &["force[0]", "force[1]"]),
+        _ => ("load: Scalar", &["load"]),
     };
     let forces = fields.iter().map(|column| {
         let products = column
             .iter()
-            .zip(&pull)
-            .map(|(rate, pull)| quote!(#rate * #pull));
-        quote!(#(#products)+*)
+            .zip(pull)
+            .map(|(rate, pull)| format!("{rate} * {pull}"));
+        products.collect::<Vec<_>>().join(" + ")
     });
-    quote! {
-        #about_rate
-        pub fn #rate(&self) -> Matrix<#height, #number> {
-            Matrix::from([#(#matrix),*])
-        }
-
-        #about_force
-        pub fn #force(&self, #parameter: #given) -> Vector<#number> {
-            Vector::from([#(#forces),*])
-        }
-    }
+    let forces: Vec<String> = forces.collect();
+    let mut statements = Code::default();
+    statements.line(format!("Vector::from([{}])", forces.join(", ")));
+    let name = identifier(&format!("forces_{name}"));
+    let head = format!("pub fn {name}(&self, {argument}) -> Vector<{number}>");
+    code.function(about_forces, [], &head, statements);
 }

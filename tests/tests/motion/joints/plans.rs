@@ -4,15 +4,15 @@ use linkwright_tests::plan::form_names;
 
 #[test]
 fn every_joint_is_solved_as_a_person_would() {
-    let two_rotations = ["two rotations"];
+    let two_rotations = ["RRR dyad"];
     let plans: [(&str, &[&str]); 14] = [
         ("held_at_distance", &two_rotations),
         ("ellipse_sliders", &["one angle"]),
         ("coupled_rockers", &two_rotations),
         ("pushed_apart", &two_rotations),
-        ("slotted_link", &["rotation and slide"]),
-        ("offset_slot", &["rotation and slide"]),
-        ("rolling_pinion", &["two slides"]),
+        ("slotted_link", &["RPR dyad"]),
+        ("offset_slot", &["RPR dyad"]),
+        ("rolling_pinion", &["PRP or RPP dyad"]),
         ("following", &[]),
         ("welded", &[]),
         ("driven_tip", &two_rotations),

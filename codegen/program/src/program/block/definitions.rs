@@ -72,9 +72,9 @@ impl Builder<'_> {
             .clone()
             .any(|value| graph.symbols(value).iter().copied().any(drives));
         let source = match (values.any(|value| graph.is_fixed(value)), driven) {
-            (true, true) => " from what is fixed and what is driven",
+            (true, true) => " from fixed values and drivers",
             (false, true) => " from the drivers",
-            _ => " from what is fixed",
+            _ => " from fixed values",
         };
         let definitions = block.definitions.iter();
         let unknowns: Vec<Phrase> = definitions

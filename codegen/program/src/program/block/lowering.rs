@@ -99,6 +99,9 @@ impl<'a> Lowering<'a> {
         let mut newton = solved.into_iter().find_map(|found| found.newton());
         builder.without_shifts(newton.as_mut());
         let (function, measured, page_names, written_out) = builder.finish();
+        // Newton-Raphson and torn blocks have the links of their block.
+        let functions = newton.iter_mut().flat_map(|it| it.functions_mut());
+        functions.for_each(|it| it.quantities = function.quantities.clone());
         Block {
             name,
             title,

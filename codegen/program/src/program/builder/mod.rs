@@ -13,6 +13,7 @@ use super::block::{Branch, Lowering, Measured, PageName};
 use super::directional_derivatives::DirectionalDerivatives;
 use super::function::{Function, Level, Statement};
 use super::path::Paths;
+use super::quantities::Quantities;
 use crate::expr::{ExprId, Graph, IdMap, IdSet, Node, SymbolId};
 use crate::joint::geometry::Vector;
 use crate::system::System;
@@ -37,6 +38,8 @@ pub struct Builder<'a> {
     measured: Vec<Measured>,
     page_names: IdMap<SymbolId, PageName>,
     written_out: IdSet<SymbolId>,
+    /// Quantities that name constants of the block.
+    pub(super) quantities: Quantities,
     pub(super) writes_prose: bool,
     /// Number of links with variable length in the block.
     pub(super) stretched: usize,
@@ -60,6 +63,7 @@ impl<'a> Builder<'a> {
             measured: Vec::new(),
             page_names: IdMap::default(),
             written_out: IdSet::default(),
+            quantities: Quantities::default(),
             stretched: 0,
             inside: None,
         }
@@ -76,6 +80,7 @@ impl<'a> Builder<'a> {
     ) {
         let function = Function {
             statements: self.statements,
+            quantities: self.quantities,
             ..Function::default()
         };
         (function, self.measured, self.page_names, self.written_out)

@@ -35,7 +35,7 @@ use crate::words::Singular;
 
 /// Solution method of a subsystem. Unknowns are indices into the vector form; all other values are known earlier.
 pub trait Form: Debug + Send + Sync {
-    /// Returns the name of the method: `two rotations`.
+    /// Returns the name of the method: `RRR dyad`.
     fn name(&self) -> String;
     /// Returns the unknowns that the method solves for.
     fn unknowns(&self) -> Vec<usize>;

@@ -133,9 +133,9 @@ impl Newton {
         );
         builder.say(|_| {
             match drawn {
-                DrawnMode::Sign(_) => "Of several assemblies the one is kept whose determinant has the sign of the drawing.",
-                DrawnMode::Open => "The drawing does not fit these equations: the assembly is the one that is found from it.",
-                DrawnMode::Undecided => "The drawing is nearly singular: of several assemblies the one nearest to it is kept.",
+                DrawnMode::Sign(_) => "Of several assemblies, the one is kept whose determinant has the sign of the design configuration.",
+                DrawnMode::Open => "The design configuration does not satisfy these equations: the assembly is the one that Newton-Raphson finds from it.",
+                DrawnMode::Undecided => "The design configuration is nearly singular: of several assemblies the nearest one is kept.",
             }
             .into()
         });

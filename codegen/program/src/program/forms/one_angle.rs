@@ -132,7 +132,9 @@ impl OneAngle {
         let [a, b] = [self.cosine, self.sine].map(|part| builder.system.drawn_value(part));
         let (sine, cosine) = double::sin_cos(builder.system.drawn_unknown(self.angle));
         let name = builder.system.unknown_name(self.angle).to_string();
-        let meaning = format!("which of two values {name} takes");
+        let meaning = format!(
+            "the sign of the slope of the equation, which selects one of two values of {name}"
+        );
         let drawn = (a * sine - b * cosine) / a.hypot(b);
         builder.branch(name, meaning, drawn)
     }
@@ -181,7 +183,7 @@ impl OneAngle {
         let (sine, cosine) = double::sin_cos(builder.system.drawn_unknown(self.angle));
         let drawn = if by_cosine { sine } else { cosine };
         let sign = if drawn < 0.0 { "negative" } else { "positive" };
-        let remark = format!("{sign} as in the drawing").into();
+        let remark = format!("{sign} as in the design configuration").into();
         let other = builder.angle_function(self.angle, !by_cosine, other, remark);
         let slope = builder.graph().multiply(factor, other);
         let (direction, root) = match by_cosine {
@@ -253,7 +255,7 @@ impl OneAngle {
         let branch = self.mode(builder);
         let root = builder.graph().sqrt(excess);
         let root = builder.graph().multiply(branch, root);
-        let root = builder.value_with("h", root, "with the sign of the drawing");
+        let root = builder.value_with("h", root, "with the sign of the design configuration");
         let graph = builder.graph();
         let [ac, ah] = [graph.multiply(a, c), graph.multiply(a, root)];
         let [bc, bh] = [graph.multiply(b, c), graph.multiply(b, root)];

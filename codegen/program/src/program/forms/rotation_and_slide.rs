@@ -64,7 +64,7 @@ pub(super) fn recognize(candidate: &mut Candidate<'_>) -> Option<Arc<dyn Form>> 
 
 impl Form for RotationAndSlide {
     fn name(&self) -> String {
-        "rotation and slide".to_string()
+        "RRP dyad".to_string()
     }
 
     fn unknowns(&self) -> Vec<usize> {
@@ -95,6 +95,11 @@ impl Form for RotationAndSlide {
     fn position(&self, builder: &mut Builder<'_>) -> Box<dyn Solved> {
         let (angle, slide, p) = (self.angle, self.slide, self.link);
         self.open(builder);
+        let link = builder.known.link(angle, p, |_, _| true, builder.system);
+        let pins = link
+            .as_ref()
+            .map(|it| [it.from.name.as_str(), it.to.name.as_str()]);
+        builder.name_link(angle, p, pins, "p");
         // A local value has no rule of motion, so the chain below has the direction as it was written.
         let d = builder.vector("d", self.direction);
         let c = builder.vector("c", self.closure);
@@ -120,11 +125,12 @@ impl Form for RotationAndSlide {
             (w[0] * line[0] + w[1] * line[1]) / lengths
         };
         let name = builder.system.unknown_name(angle).to_string();
-        let meaning = "whether the link points along the line or against it".to_string();
+        let meaning =
+            "the direction of the link: positive along the line, negative against it".to_string();
         let branch = builder.branch(name, meaning, drawn);
         let root = builder.graph().sqrt(excess);
         let k = builder.graph().multiply(branch, root);
-        let k = builder.value_with("k", k, "with the sign of the drawing");
+        let k = builder.value_with("k", k, "with the sign of the design configuration");
         // w = (k d + n Ω d)/d².
         let across = builder.across(d);
         let value = builder.combined(k, d, n, across);
@@ -144,7 +150,7 @@ impl Form for RotationAndSlide {
             phrase![
                 "The sign of ",
                 Piece::Local("k".to_string()),
-                " is the assembly mode: whether the link points along the line or against it."
+                " is the assembly mode: positive if the link points along the line."
             ]
         });
         let length = builder.position(slide);

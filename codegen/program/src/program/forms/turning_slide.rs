@@ -68,7 +68,7 @@ pub(super) fn recognize(candidate: &mut Candidate<'_>) -> Option<Arc<dyn Form>> 
 
 impl Form for TurningSlide {
     fn name(&self) -> String {
-        "rotation and slide".to_string()
+        "RPR dyad".to_string()
     }
 
     fn unknowns(&self) -> Vec<usize> {
@@ -130,12 +130,13 @@ impl Form for TurningSlide {
             let along = builder.system.drawn_value(a) + builder.system.drawn_unknown(slide);
             along / along.hypot(builder.system.drawn_value(b))
         };
-        let meaning = "whether the point lies ahead on the line or behind its foot".to_string();
+        let meaning =
+            "the side of the foot on which the point lies: positive ahead on the line".to_string();
         let branch_name = builder.system.unknown_name(angle).to_string();
         let branch = builder.branch(branch_name, meaning, drawn);
         let root = builder.graph().sqrt(excess);
         let k = builder.graph().multiply(branch, root);
-        let k = builder.value_with("k", k, "with the sign of the drawing");
+        let k = builder.value_with("k", k, "with the sign of the design configuration");
         let length = builder.graph().subtract(k, a);
         builder.find(slide, Level::Position, length);
         // p + ℓ u = k u + b Ω u in the body; the direction rotates this vector into m.

@@ -50,7 +50,7 @@ pub(super) fn recognize(candidate: &mut Candidate<'_>) -> Option<Arc<dyn Form>> 
 
 impl Form for TwoSlides {
     fn name(&self) -> String {
-        "two slides".to_string()
+        "PRP or RPP dyad".to_string()
     }
 
     fn unknowns(&self) -> Vec<usize> {

@@ -86,7 +86,7 @@ fn lower_keeping(system: &mut System, plan: &SolvedPlan, kept: &IdSet<SymbolId>)
         report,
     };
     program.loads = loads(system, &program);
-    let mut constants = Constants::default();
+    let mut constants = Constants::new(system);
     for function in program.functions() {
         constants.note(function, system);
     }

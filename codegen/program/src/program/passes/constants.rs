@@ -1,15 +1,20 @@
 //! Writes constant parts of expressions as literals and named constants.
+//!
+//! The name of a constant is the quantity that the constant is in the description or in the derivation of its block. Numbers
+//! that are no such quantity are literals, except for short roots and multiples of π.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 use linkwright_math::double;
 
 use super::costs::Computed;
-use crate::expr::{ExprId, Factor, Graph, Node, Number, Term};
+use crate::expr::{ExprId, Factor, Graph, Node, Number, SymbolId, Term};
+use crate::program::addends::Addend;
 use crate::program::function::Function;
-use crate::system::System;
+use crate::program::quantities::{Described, Quantities, Quantity, upper};
+use crate::system::{SymbolRole, System};
 
-/// Length of the longest name of a constant, in characters; others are written as literals.
+/// Length of the longest name of a root, in characters; others are written as literals.
 const LONGEST_NAME: usize = 28;
 
 /// Constant part: one operand of a multiplication or addition in generated code.
@@ -24,8 +29,10 @@ pub enum ConstantPart {
 /// Named constant of the generated module.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Constant {
-    /// Name such as `SQRT_3`.
+    /// Name such as `COUPLER_LENGTH` or `SQRT_3`.
     pub name: String,
+    /// Quantity in the names of the description: `|BC|`; `None` if the name says the value.
+    pub meaning: Option<String>,
     /// Exact value.
     pub part: ConstantPart,
     /// Rounded value.
@@ -36,10 +43,25 @@ pub struct Constant {
 #[derive(Clone, Debug, Default)]
 pub struct Constants {
     list: Vec<Constant>,
-    // Looked up, never iterated.
-    places: HashMap<ConstantPart, usize>,
-    names: HashSet<String>,
-    unnamed: usize,
+    described: Described,
+    /// Names of the unknowns.
+    unknowns: Vec<String>,
+    // Looked up, never iterated: places by preferred name and value.
+    places: HashMap<(String, ConstantPart), usize>,
+    // Values by name.
+    taken: HashMap<String, u64>,
+}
+
+/// Occurrence of a constant.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::program) struct Occurrence<'a> {
+    function: &'a Function,
+    /// Angle whose sine or cosine the constant multiplies, if any.
+    angle: Option<usize>,
+    /// True if the constant is a whole term.
+    is_term: bool,
+    /// Unknown whose value has the constant as a term, if any.
+    unknown: Option<usize>,
 }
 
 impl ConstantPart {
@@ -90,7 +112,7 @@ impl ConstantPart {
         }
     }
 
-    /// Returns a descriptive name: `SQRT_3_OVER_2`, `PI_OVER_6`; `None` for longer expressions.
+    /// Returns a name that says the value: `SQRT_3_OVER_2`, `PI_OVER_6`, `ANGLE_40_DEGREES`; `None` if digits say as much.
     fn speaking_name(&self, graph: &Graph) -> Option<String> {
         let (number, pi) = match self {
             ConstantPart::Sum(terms) => match terms.as_slice() {
@@ -107,65 +129,186 @@ impl ConstantPart {
             return None;
         };
         let (numerator, denominator) = (rational.numerator(), rational.denominator());
-        let mut words = Vec::new();
-        if pi {
-            words.push("PI".to_string());
-        }
-        if radicand != 1 {
-            words.push(format!("SQRT_{radicand}"));
-        }
-        if words.is_empty() {
-            words.push(format!("RATIO_{numerator}"));
-        } else if numerator != 1 {
-            words.push(format!("TIMES_{numerator}"));
-        }
-        if denominator != 1 {
-            words.push(format!("OVER_{denominator}"));
-        }
-        let name = words.join("_");
+        let name = match (pi, radicand) {
+            (true, 1) if numerator == 1 => format!("PI_{}", over(denominator)),
+            (true, 1) if HALF_TURN % denominator == 0 => {
+                format!("ANGLE_{}_DEGREES", numerator * (HALF_TURN / denominator))
+            }
+            (false, 2..) if numerator == 1 => format!("SQRT_{radicand}_{}", over(denominator)),
+            (false, 2..) => format!("SQRT_{radicand}_TIMES_{numerator}_{}", over(denominator)),
+            _ => return None,
+        };
+        let name = name.trim_end_matches('_').to_string();
         (name.len() <= LONGEST_NAME).then_some(name)
     }
 }
 
+/// Half a turn, in degrees.
+const HALF_TURN: i128 = 180;
+
+fn over(denominator: i128) -> String {
+    match denominator {
+        1 => String::new(),
+        _ => format!("OVER_{denominator}"),
+    }
+}
+
+impl<'a> Occurrence<'a> {
+    /// Returns the occurrence of the constant factor of an addend in the value of `target`.
+    pub fn of(
+        addend: &Addend,
+        target: Option<SymbolId>,
+        function: &'a Function,
+        system: &System,
+    ) -> Occurrence<'a> {
+        let graph = &system.mechanism.graph;
+        let unknown = |symbol: SymbolId| match system.roles[symbol.index()] {
+            SymbolRole::Position(unknown) => Some(unknown),
+            _ => None,
+        };
+        let turning = |base: ExprId| match *graph.node(base) {
+            Node::Sin(angle) | Node::Cos(angle) => match *graph.node(angle) {
+                Node::Symbol(symbol) => unknown(symbol),
+                _ => None,
+            },
+            _ => None,
+        };
+        let of_arm = |target: SymbolId| match system.roles[target.index()] {
+            SymbolRole::Arm(place) => Some(system.vector_form.arms[place].angle),
+            _ => None,
+        };
+        let angle = addend.factors.iter().find_map(|it| turning(it.base));
+        let is_term = addend.factors.is_empty() && addend.divisors.is_empty();
+        Occurrence {
+            function,
+            angle: angle.or_else(|| of_arm(target?)),
+            is_term,
+            unknown: target.and_then(unknown).filter(|_| is_term),
+        }
+    }
+}
+
 impl Constants {
+    /// Returns no constants yet, with the quantities that may name them.
+    pub(in crate::program) fn new(system: &System) -> Constants {
+        Constants {
+            described: Described::of(system),
+            unknowns: system
+                .vector_form
+                .unknowns
+                .iter()
+                .map(|it| it.name.clone())
+                .collect(),
+            ..Constants::default()
+        }
+    }
+
     /// Returns the constants in the order of their first use.
     pub fn list(&self) -> &[Constant] {
         &self.list
     }
 
     /// Returns the index of a part in [`Constants::list`]; `None` if the part is a literal.
-    pub fn place_of(&self, part: &ConstantPart) -> Option<usize> {
-        self.places.get(part).copied()
+    pub(in crate::program) fn place_of(
+        &self,
+        part: &ConstantPart,
+        occurrence: Occurrence<'_>,
+        graph: &Graph,
+    ) -> Option<usize> {
+        let (name, _) = self.name_of(part, occurrence, graph)?;
+        self.places.get(&(name, part.clone())).copied()
     }
 
     /// Names the constants of a function.
     pub(in crate::program) fn note(&mut self, function: &Function, system: &System) {
         let computed = Computed { function, system };
-        computed.addends(&mut |parts| {
-            for constant in parts.iter().filter_map(|part| part.constant.as_ref()) {
-                self.add(constant, &system.mechanism.graph);
+        computed.addends(&mut |target, parts| {
+            for addend in parts {
+                if let Some(constant) = &addend.constant {
+                    let occurrence = Occurrence::of(addend, target, function, system);
+                    self.add(constant, occurrence, &system.mechanism.graph);
+                }
             }
         });
     }
 
+    /// Returns the preferred name of a part with its meaning; `None` if the part is a literal.
+    fn name_of(
+        &self,
+        part: &ConstantPart,
+        occurrence: Occurrence<'_>,
+        graph: &Graph,
+    ) -> Option<(String, Option<String>)> {
+        if let Some(quantity) = self.quantity(part, occurrence, graph) {
+            return Some((quantity.name(), Some(quantity.words())));
+        }
+        if part.literal(graph).is_some() {
+            return None;
+        }
+        if let Some(unknown) = occurrence.unknown {
+            let name = &self.unknowns[unknown];
+            let stem = upper(name);
+            return Some((
+                format!("{stem}_OFFSET"),
+                Some(format!("constant term of {name}")),
+            ));
+        }
+        part.speaking_name(graph).map(|name| (name, None))
+    }
+
+    /// Returns the quantity that a part is; `None` if none is known.
+    fn quantity(
+        &self,
+        part: &ConstantPart,
+        occurrence: Occurrence<'_>,
+        graph: &Graph,
+    ) -> Option<Quantity> {
+        let value = part.value(graph);
+        let described = &self.described;
+        let own = |lists: &HashMap<usize, Quantities>| lists.get(&occurrence.angle?)?.find(value);
+        let known = own(&described.rods).or_else(|| occurrence.function.quantities.find(value));
+        // A short decimal may occur with another meaning.
+        if known.is_some() || part.literal(graph).is_some() {
+            return known;
+        }
+        let of_term = || described.terms.find(value).filter(|_| occurrence.is_term);
+        own(&described.coordinates)
+            .or_else(of_term)
+            .or_else(|| described.general.find(value))
+    }
+
     /// Names a part, unless it is a literal or has a name.
-    fn add(&mut self, part: &ConstantPart, graph: &Graph) {
-        if self.places.contains_key(part) || part.literal(graph).is_some() {
+    fn add(&mut self, part: &ConstantPart, occurrence: Occurrence<'_>, graph: &Graph) {
+        let Some((preferred, meaning)) = self.name_of(part, occurrence, graph) else {
+            return;
+        };
+        let key = (preferred, part.clone());
+        if self.places.contains_key(&key) {
             return;
         }
-        let speaking = part
-            .speaking_name(graph)
-            .filter(|name| !self.names.contains(name));
-        let name = speaking.unwrap_or_else(|| {
-            self.unnamed += 1;
-            format!("CONSTANT_{}", self.unnamed)
-        });
-        self.names.insert(name.clone());
-        self.places.insert(part.clone(), self.list.len());
-        self.list.push(Constant {
-            name,
-            part: part.clone(),
-            value: part.value(graph),
-        });
+        let value = part.value(graph);
+        let mut name = key.0.clone();
+        let mut number = 2;
+        while self
+            .taken
+            .get(&name)
+            .is_some_and(|bits| *bits != value.to_bits())
+        {
+            name = format!("{}_{number}", key.0);
+            number += 1;
+        }
+        let place = match self.taken.insert(name.clone(), value.to_bits()) {
+            None => {
+                self.list.push(Constant {
+                    name,
+                    meaning,
+                    part: part.clone(),
+                    value,
+                });
+                self.list.len() - 1
+            }
+            Some(_) => self.list.iter().position(|it| it.name == name).unwrap_or(0),
+        };
+        self.places.insert(key, place);
     }
 }

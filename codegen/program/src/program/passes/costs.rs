@@ -2,7 +2,7 @@
 
 use std::ops::AddAssign;
 
-use crate::expr::{ExprId, Graph, Node};
+use crate::expr::{ExprId, Graph, Node, SymbolId};
 use crate::program::addends::{Addend, Compared, Power, addends, bases, compared};
 use crate::program::block::Block;
 use crate::program::function::{Function, Level, Statement};
@@ -227,22 +227,23 @@ impl Computed<'_> {
         operations
     }
 
-    /// Calls `each` with the addends of all expressions that the function writes.
-    pub fn addends(&self, each: &mut dyn FnMut(&[Addend])) {
+    /// Calls `each` with the addends of all expressions that the function writes, and with the target of the statement if it
+    /// assigns one value.
+    pub fn addends(&self, each: &mut dyn FnMut(Option<SymbolId>, &[Addend])) {
         for statement in &self.function.statements {
             match statement {
-                Statement::Let { value, .. } => {
-                    self.take_apart(*value, true, each);
+                Statement::Let { target, value, .. } => {
+                    self.take_apart(*value, true, &mut |parts| each(Some(*target), parts));
                 }
                 _ => {
                     for value in statement.values() {
-                        self.take_apart(value, false, each);
+                        self.take_apart(value, false, &mut |parts| each(None, parts));
                     }
                 }
             }
         }
         for result in &self.function.results {
-            self.take_apart(result.expr, false, each);
+            self.take_apart(result.expr, false, &mut |parts| each(None, parts));
         }
     }
 

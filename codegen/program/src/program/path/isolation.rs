@@ -145,6 +145,7 @@ impl Builder<'_> {
             varied,
             variation: Box::new(Function {
                 results: variation,
+                quantities: self.quantities.clone(),
                 ..Function::default()
             }),
         });

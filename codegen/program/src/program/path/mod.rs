@@ -20,6 +20,7 @@ use std::collections::{HashMap, HashSet};
 use super::builder::{Builder, Direction};
 use super::function::{Function, Statement};
 use super::passes::enclosure::{Enclosures, TimeWindow};
+use super::quantities::LinkName;
 use super::two_links::TwoLinks;
 use crate::expr::{ExprId, Node, SymbolId};
 use crate::structure::{Definition, SolvedBlock, Subsystem};
@@ -33,6 +34,8 @@ pub(super) struct Paths {
     enclosures: Enclosures,
     /// Pairs of links that closed forms have recorded, by the angle of each link.
     pub links: HashMap<usize, TwoLinks>,
+    /// Names of links of constant length, by the angle of each link.
+    pub names: HashMap<usize, LinkName>,
     /// Cosine and sine of angles that frames do not keep.
     pub directions: HashMap<usize, [SymbolId; 2]>,
     /// Short values of unknowns that follow from others.
@@ -61,6 +64,7 @@ impl Paths {
             window,
             enclosures: Enclosures::new(window, system),
             links: HashMap::new(),
+            names: HashMap::new(),
             directions: HashMap::new(),
             definitions: HashMap::new(),
             awaited: HashMap::new(),
@@ -137,6 +141,7 @@ impl Builder<'_> {
     ) -> Path {
         let mut loops = Loops::default();
         self.begin_path();
+        self.name_rods();
         for (place, block) in blocks {
             for part in &block.parts {
                 self.path_of_part(part, place, &mut loops);
@@ -152,6 +157,7 @@ impl Builder<'_> {
         Path {
             function: Function {
                 statements: self.statements,
+                quantities: self.quantities,
                 ..Function::default()
             },
             closed: None,

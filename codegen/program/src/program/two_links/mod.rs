@@ -73,6 +73,7 @@ impl Builder<'_> {
         }
         (pairs > 0).then(|| Function {
             statements: self.statements,
+            quantities: self.quantities,
             ..Function::default()
         })
     }

@@ -9,6 +9,7 @@ use crate::program::builder::Builder;
 use crate::program::function::Statement;
 use crate::program::passes::enclosure::Enclosure;
 use crate::program::pin_motion::Known;
+use crate::program::quantities::upper;
 
 /// Largest rotation of a link, in rad: two frames within this distance of a third one are less than half a turn apart.
 const LARGEST_TURN: (i64, i64) = (3, 2);
@@ -77,6 +78,7 @@ pub(super) struct Bounded {
 impl Builder<'_> {
     /// Requires that two links do not become collinear, and bounds their rotation.
     pub(super) fn bound_links(&mut self, links: TwoLinks, block: usize, known: &mut Known) {
+        self.name_bounds(links.angles);
         let pair = self.moving_pair(links, block, known);
         self.require(block);
         let slopes = self.slopes_of(&pair);
@@ -98,6 +100,18 @@ impl Builder<'_> {
             self.know(angle, enclosure);
             known.linked.insert(angle);
             known.courses.extend(course.map(|course| (angle, course)));
+        }
+    }
+
+    /// Names the constants of the bounds.
+    fn name_bounds(&mut self, angles: [usize; 2]) {
+        self.quantities.add_turn_limit();
+        let names = angles.map(|angle| self.paths.names.get(&angle).cloned());
+        for link in names.iter().flatten() {
+            self.quantities.add_link(link);
+        }
+        if let [Some(first), Some(second)] = &names {
+            self.quantities.add_dyad_bounds([first, second]);
         }
     }
 
@@ -152,6 +166,11 @@ impl Builder<'_> {
             let [x, y] = closure.map(|part| self.size_of(part, known));
             let [a, b] = lengths.map(|length| self.size_of(length, known));
             let size = self.graph().sum(&[x, y, a, b]);
+            if let Some(value) = self.constant_of(size) {
+                let stem = upper(&name);
+                let words = "sum of the largest terms of the loop".to_string();
+                self.quantities.add(["", "_LOOP_SIZE"], &stem, words, value);
+            }
             let rounding = self.paths.window.rounding;
             let rounding = self.graph().variable(rounding);
             let rounding = self.graph().multiply(rounding, size);

@@ -14,7 +14,7 @@ pub(in crate::emit) const ASSEMBLIES: [&str; 3] = [
 /// Of the field that says which one is wanted.
 pub(in crate::emit) fn of_wanted_assembly(nothing: &str) -> String {
     format!(
-        "Which of the stored assemblies Newton-Raphson starts from; {nothing}: from the estimate. Once the mechanism is assembled it is {nothing}."
+        "Index of the stored assembly from which Newton-Raphson starts; {nothing} for the estimate, and after assembly."
     )
 }
 

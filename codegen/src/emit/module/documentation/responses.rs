@@ -27,7 +27,7 @@ pub(in crate::emit) fn of_transmission(
     let shape = if is_point { "Rows: x, y. " } else { "" };
     let rates = vec![
         format!(
-            "The rate of {what} per unit rate of each driver, so that the rate is this matrix times the rates of the drivers."
+            "Rate of {what} per unit rate of each driver. The rate is this matrix times the rates of the drivers."
         ),
         String::new(),
         format!("{shape}Columns: {}.", listed.join(", ")),
@@ -38,7 +38,7 @@ pub(in crate::emit) fn of_transmission(
         (false, _) => format!("a force (N) along {what}"),
     };
     let forces = vec![format!(
-        "What {load} does to each driver: the forces (N; for angles torques, N·m) along the drivers with the same power, which is the transposed transmission times the load. A driver that holds the load pushes back with as much."
+        "Driving forces (N; torques, N·m, for angles) that have the power of {load}: the transposed transmission times the load. A driver that balances the load applies the opposite force."
     )];
     [rates, forces]
 }
@@ -50,7 +50,9 @@ pub(in crate::emit) fn of_sensitivity(
 ) -> Vec<String> {
     let [parameter, unit] = parameter(sensitivity, module);
     vec![
-        format!("How all coordinates and their rates depend on the parameter {parameter}:"),
+        format!(
+            "Derivatives of all coordinates and their rates with respect to the parameter {parameter}:"
+        ),
         format!("∂q/∂{parameter} and ∂q̇/∂{parameter}, where {parameter} is in {unit}."),
     ]
 }
@@ -69,13 +71,13 @@ pub(in crate::emit) fn of_quantity(
             2 => (
                 format!("point_{name}_sensitivity_{own}"),
                 format!(
-                    "How position and velocity of {what} depend on the parameter {parameter}, which is in {unit}."
+                    "Derivatives of position and velocity of {what} with respect to the parameter {parameter} (in {unit})."
                 ),
             ),
             _ => (
                 format!("point_{name}_position_sensitivity_{own}"),
                 format!(
-                    "How the position of {what} depends on the parameter {parameter}, which is in {unit}: in m per unit of it."
+                    "Derivative of the position of {what} with respect to the parameter {parameter} (in {unit}), in m per unit."
                 ),
             ),
         }];
@@ -94,7 +96,7 @@ pub(in crate::emit) fn of_quantity(
             (
                 format!("{name}{suffix}_sensitivity_{own}"),
                 format!(
-                    "How the {what} {name} depends on the parameter {parameter}, which is in {unit}: in {measured}{per_second} per unit of it."
+                    "Derivative of the {what} {name} with respect to the parameter {parameter} (in {unit}), in {measured}{per_second} per unit."
                 ),
             )
         })

@@ -66,7 +66,7 @@ pub(super) fn recognize(candidate: &mut Candidate<'_>) -> Option<Arc<dyn Form>> 
 
 impl Form for TwoRotations {
     fn name(&self) -> String {
-        "two rotations".to_string()
+        "RRR dyad".to_string()
     }
 
     fn unknowns(&self) -> Vec<usize> {
@@ -112,6 +112,7 @@ impl Form for TwoRotations {
             (first[0] * second[1] - first[1] * second[0]) / lengths
         };
         self.say_mode(triangle.as_ref(), drawn, builder);
+        self.name_quantities(triangle.as_ref(), [p, q], &names, builder);
         let sides = Sides::of(&names, [p, q], c, builder);
         let k = sides.product(&names, builder);
         builder.note_links(TwoLinks {
@@ -225,10 +226,10 @@ impl TwoRotations {
         let names_of = self
             .angles
             .map(|angle| builder.system.unknown_name(angle).to_string());
-        let meaning = format!(
-            "whether {} is found ahead of {} or behind it",
-            names_of[1], names_of[0]
-        );
+        let meaning = {
+            let [first, second] = &names.links;
+            format!("the sign of the cross product of {first} and {second}")
+        };
         let branch = builder.branch(names_of.join("_"), meaning, drawn);
         let root = builder.graph().sqrt(excess);
         let h = builder.graph().multiply(branch, root);

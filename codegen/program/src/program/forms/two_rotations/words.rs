@@ -102,6 +102,33 @@ impl TwoRotations {
         }
     }
 
+    /// Names the constants of the law of cosines, of the reach, and of both directions.
+    pub(super) fn name_quantities(
+        &self,
+        triangle: Option<&Triangle>,
+        links: [Vector; 2],
+        names: &TriangleNames,
+        builder: &mut Builder<'_>,
+    ) {
+        let ends = |it: &Triangle| {
+            let [a, b] = [&it.outer[0].0, &it.outer[1].0].map(|pin| pin.name.clone());
+            let apex = it.apex.name.clone();
+            [[a, apex.clone()], [apex, b]]
+        };
+        let ends = triangle.map(ends);
+        let named = [0, 1].map(|side| {
+            let pins = ends.as_ref().map(|ends| &ends[side]);
+            let pins = pins.map(|[from, to]| [from.as_str(), to.as_str()]);
+            builder.name_link(self.angles[side], links[side], pins, &names.links[side])
+        });
+        if let [Some(first), Some(second)] = &named {
+            builder.quantities.add_dyad([first, second]);
+        }
+        let named = self.angles.into_iter().zip(named);
+        let named = named.filter_map(|(angle, name)| Some((angle, name?)));
+        builder.paths.names.extend(named);
+    }
+
     /// Returns the loop as vectors and by components.
     pub(super) fn close(
         &self,
@@ -178,7 +205,7 @@ impl TwoRotations {
                         a.clone(),
                         " and ",
                         b.clone(),
-                        " meet in two points. In the drawing ",
+                        " meet in two points. In the design configuration ",
                         apex,
                         format!(" lies to the {side} of the line from "),
                         a,
@@ -188,7 +215,7 @@ impl TwoRotations {
                     ]
                 }
                 None => phrase![
-                    "The equations have two solutions. In the drawing the first link points to the ",
+                    "The equations have two solutions. In the design configuration the first link points to the ",
                     side,
                     " of the sum of both",
                     kept

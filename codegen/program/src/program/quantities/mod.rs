@@ -1,0 +1,204 @@
+//! Names constants after quantities of the description and of derivations.
+//!
+//! A quantity is found by its value. The quantities of a function come from the derivation of its block, so that other constants
+//! with the same value keep their digits.
+
+mod drivers;
+mod links;
+mod of_description;
+
+pub(super) use links::LinkName;
+pub use of_description::Described;
+
+/// Relative distance of two values that are the same quantity: rounding of a few operations.
+const SAME: f64 = 16.0 * f64::EPSILON;
+
+/// Largest value that is a plain number if it is a multiple of a quarter.
+const LARGEST_PLAIN: f64 = 10.0;
+
+/// Number of links from which on a name no longer lists them.
+const MANY: usize = 3;
+
+/// Length of the list of links in a name, in characters, up to which the name has the list.
+const LONGEST_LIST: usize = 32;
+
+/// Number of equal quantities that a remark lists at most.
+const LISTED: usize = 3;
+
+/// Quantity with the parts of its name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Quantity {
+    prefix: &'static str,
+    stems: Vec<String>,
+    suffix: &'static str,
+    words: Vec<String>,
+    value: f64,
+}
+
+/// Quantities in order of preference.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Quantities {
+    list: Vec<Quantity>,
+    /// Magnitudes, ascending, with indices of the list.
+    by_magnitude: Vec<(f64, usize)>,
+}
+
+impl Quantity {
+    /// Returns the name of a constant: `INVERSE_COUPLER_LENGTH`.
+    pub fn name(&self) -> String {
+        let list = self.stems.join("_AND_");
+        let is_list = self.stems.len() < MANY && list.len() <= LONGEST_LIST;
+        let stem = match is_list || self.stems.len() == 1 {
+            true => list,
+            false => "LINK".to_string(),
+        };
+        format!("{}{stem}{}", self.prefix, self.suffix)
+    }
+
+    /// Returns the formula in the points of the description: `1/|BC|`.
+    pub fn words(&self) -> String {
+        self.words[..self.words.len().min(LISTED)].join(" = ")
+    }
+}
+
+impl Quantities {
+    /// Adds a quantity; numbers that say no more than their digits are ignored.
+    pub(super) fn add(
+        &mut self,
+        [prefix, suffix]: [&'static str; 2],
+        stem: &str,
+        words: String,
+        value: f64,
+    ) {
+        if !value.is_finite() || is_plain(value) {
+            return;
+        }
+        let place = self
+            .by_magnitude
+            .partition_point(|(magnitude, _)| *magnitude <= value.abs());
+        self.by_magnitude
+            .insert(place, (value.abs(), self.list.len()));
+        self.list.push(Quantity {
+            prefix,
+            stems: vec![stem.to_string()],
+            suffix,
+            words: vec![words],
+            value,
+        });
+    }
+
+    /// Adds all quantities of another list.
+    pub(super) fn extend(&mut self, other: &Quantities) {
+        for it in &other.list {
+            let both = [it.prefix, it.suffix];
+            self.add(both, &it.stems[0], it.words[0].clone(), it.value);
+        }
+    }
+
+    /// Returns the preferred quantity with this value; links of equal length share it. `None` if there is none.
+    pub fn find(&self, value: f64) -> Option<Quantity> {
+        if is_plain(value) {
+            return None;
+        }
+        let least = value.abs() * (1.0 - SAME);
+        let first = self.by_magnitude.partition_point(|it| it.0 < least);
+        let close = self.by_magnitude[first..].iter();
+        let close = close.take_while(|it| it.0 <= value.abs() * (1.0 + SAME));
+        let mut places: Vec<usize> = close.map(|it| it.1).collect();
+        places.sort_unstable();
+        let mut places = places.into_iter().map(|place| &self.list[place]);
+        let mut found = places.next()?.clone();
+        if found.value * value < 0.0 {
+            let words = &found.words[0];
+            found.words[0] = match words.contains(" + ") || words.contains(" - ") {
+                true => format!("-({words})"),
+                false => format!("-{words}"),
+            };
+        }
+        let has_shape = |it: &&Quantity| {
+            (it.prefix, it.suffix, it.value > 0.0)
+                == (found.prefix, found.suffix, found.value > 0.0)
+        };
+        for other in places.filter(has_shape).cloned().collect::<Vec<_>>() {
+            if !found.stems.contains(&other.stems[0]) {
+                found.stems.extend(other.stems);
+                found.words.extend(other.words);
+            }
+        }
+        Some(found)
+    }
+}
+
+/// True if a number says no more than its digits: zero and small multiples of a quarter.
+fn is_plain(value: f64) -> bool {
+    let quarters = 4.0 * value.abs();
+    quarters.fract() == 0.0 && value.abs() <= LARGEST_PLAIN
+}
+
+/// Returns a name of the description as part of a constant's name: ASCII letters and digits in upper case.
+pub(super) fn upper(name: &str) -> String {
+    let kept = name
+        .chars()
+        .filter(|it| it.is_ascii_alphanumeric() || *it == '_');
+    let kept: String = kept.collect::<String>().to_ascii_uppercase();
+    kept.trim_matches('_').to_string()
+}
+
+/// Returns two point names as one: `BC`, or `PIVOT_TIP` for longer names.
+fn both(first: &str, second: &str) -> String {
+    let [first, second] = [first, second].map(upper);
+    match first.len() + second.len() {
+        0..=2 => format!("{first}{second}"),
+        _ => format!("{first}_{second}"),
+    }
+}
+
+/// Returns two point names as in formulas: `BC`, or `pivot-tip` for longer names.
+fn between(first: &str, second: &str) -> String {
+    match first.chars().count() + second.chars().count() {
+        0..=2 => format!("{first}{second}"),
+        _ => format!("{first}-{second}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn finds_quantities_by_value_and_merges_equal_links() {
+        let mut list = Quantities::default();
+        list.add(["", "_LENGTH"], "CRANK", "|AB|".to_string(), 0.12);
+        list.add(["", "_LENGTH"], "ROCKER", "|CD|".to_string(), 0.12);
+        list.add(
+            ["INVERSE_", "_LENGTH"],
+            "CRANK",
+            "1/|AB|".to_string(),
+            1.0 / 0.12,
+        );
+        let found = list.find(0.12).expect("a length");
+        assert_eq!(found.name(), "CRANK_AND_ROCKER_LENGTH");
+        assert_eq!(found.words(), "|AB| = |CD|");
+        let inverse = list.find(25.0 / 3.0).map(|it| it.name());
+        assert_eq!(inverse.as_deref(), Some("INVERSE_CRANK_LENGTH"));
+        assert_eq!(list.find(0.12 + 1e-12), None);
+        assert_eq!(
+            list.find(-0.12).map(|it| it.words()).as_deref(),
+            Some("-|AB|")
+        );
+    }
+
+    #[test]
+    fn ignores_plain_numbers() {
+        let mut list = Quantities::default();
+        list.add(["", "_LENGTH"], "CRANK", "|AB|".to_string(), 0.5);
+        assert_eq!(list.find(0.5), None);
+    }
+
+    #[test]
+    fn names_are_identifiers() {
+        assert_eq!(upper("größe_1"), "GRE_1");
+        assert_eq!(both("B", "c"), "BC");
+        assert_eq!(both("pivot", "tip"), "PIVOT_TIP");
+    }
+}

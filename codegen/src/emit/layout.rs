@@ -1,0 +1,380 @@
+//! Lines of code that are too long → lines as a person breaks them.
+//!
+//! What fits into a line stays on it. Lists break between their elements: short ones fill the lines, others have a line each. Sums
+//! and products break before their operators. Nothing but spaces and commas after last elements is added or left out.
+
+use super::lines::{filled, fits};
+
+/// Elements up to this length share a line with others, with their commas.
+const SHORT: usize = 36;
+
+/// Operators that a line breaks before, those that bind least first.
+const OPERATORS: [&[&str]; 2] = [&[" + ", " - "], &[" * ", " / "]];
+
+/// Lines of a statement, an element or the head of an item that begins so deep.
+pub(super) fn broken(line: &str, depth: usize) -> Vec<String> {
+    let whole = format!("{:depth$}{line}", "");
+    if is_short(&whole) {
+        return vec![whole];
+    }
+    let mut ends = ["?;", ";", ",", " {"].into_iter();
+    let end = ends.find(|end| line.ends_with(end)).unwrap_or("");
+    let text = &line[..line.len() - end.len()];
+    let elements = parts(text, ", ");
+    if end == "," && elements.len() > 1 {
+        let elements: Vec<String> = elements.iter().map(|it| format!("{it},")).collect();
+        return filled(elements.iter().map(String::as_str), depth);
+    }
+    // A choice or a block that is a value.
+    let values = [" = ", ": "].into_iter();
+    let mut values = values.filter_map(|it| Some(text.find(it)? + it.len()));
+    let value = values.find(|at| ["if ", "{ "].iter().any(|it| text[*at..].starts_with(it)));
+    let (before, text) = text.split_at(value.unwrap_or(0));
+    let mut lines = Lines(Vec::new());
+    lines.lay(&part(before, text, end), [depth, depth + 4]);
+    lines.0
+}
+
+/// A text that may be broken, and what stands before it on its first line and after it on its last one.
+struct Part<'a> {
+    before: String,
+    text: &'a str,
+    after: String,
+}
+
+fn part(before: impl Into<String>, text: &str, after: impl Into<String>) -> Part<'_> {
+    let (before, after) = (before.into(), after.into());
+    Part {
+        before,
+        text,
+        after,
+    }
+}
+
+struct Lines(Vec<String>);
+
+impl Lines {
+    /// Adds the lines of a part: the first so deep, and those that continue it.
+    fn lay(&mut self, part: &Part<'_>, depths: [usize; 2]) {
+        let (depth, text) = (depths[0], part.text);
+        let whole = format!("{:depth$}{}{text}{}", "", part.before, part.after);
+        if is_short(&whole) {
+            self.0.push(whole);
+        } else if text.starts_with("if ") && text.contains("} else ") {
+            self.choice(part, depth);
+        } else if let Some(pieces) = operands(text) {
+            self.operation(part, &pieces, depths);
+        } else if text.starts_with("{ ") {
+            self.block(part, depth);
+        } else if let Some((at, _)) = outer(text).find(|(at, _)| text[*at..].starts_with(").")) {
+            self.chain(part, at + 1, depth);
+        } else if !self.brackets(part, depths) {
+            self.0.push(whole);
+        }
+    }
+
+    /// Terms or factors in lines that they fill.
+    fn operation(&mut self, whole: &Part<'_>, pieces: &[&str], [first, others]: [usize; 2]) {
+        // What follows a term of several lines does not continue the last of them.
+        let mut is_open = false;
+        for (place, text) in pieces.iter().enumerate() {
+            let is_last = place + 1 == pieces.len();
+            let before = if place == 0 {
+                whole.before.as_str()
+            } else {
+                ""
+            };
+            let after = if is_last { whole.after.as_str() } else { "" };
+            let line = format!("{before}{text}{after}");
+            let depth = if place == 0 { first } else { others };
+            match self.0.last_mut() {
+                Some(open) if is_open && is_short(&format!("{open} {line}")) => {
+                    *open += &format!(" {line}");
+                }
+                _ => {
+                    is_open = is_short(&format!("{:depth$}{line}", ""));
+                    self.lay(&part(before, text, after), [depth, others + 4]);
+                }
+            }
+        }
+    }
+
+    /// Adds `if … { … } else { … }` with its arms in lines of their own.
+    fn choice(&mut self, whole: &Part<'_>, depth: usize) {
+        let (mut before, mut rest) = (whole.before.clone(), whole.text);
+        while let Some([start, end]) = groups(rest)
+            .into_iter()
+            .find(|it| rest[it[0]..].starts_with('{'))
+        {
+            let condition = rest[..start].trim_end();
+            let mut words = ["else if ", "else", "if "].into_iter();
+            let word = words.find(|it| condition.starts_with(it)).unwrap_or("");
+            let head = part(before + word, &condition[word.len()..], " {");
+            self.lay(&head, [depth, depth + 4]);
+            let arm = part("", rest[start + 1..end].trim(), "");
+            self.lay(&arm, [depth + 4, depth + 8]);
+            (before, rest) = ("} ".to_string(), rest[end + 1..].trim_start());
+            if !rest.starts_with("else") {
+                break;
+            }
+        }
+        let space = if rest.is_empty() { "" } else { " " };
+        self.0
+            .push(format!("{:depth$}}}{space}{rest}{}", "", whole.after));
+    }
+
+    /// Adds statements between braces that end with a value.
+    fn block(&mut self, whole: &Part<'_>, depth: usize) {
+        self.0.push(format!("{:depth$}{}{{", "", whole.before));
+        let statements = parts(whole.text[1..whole.text.len() - 1].trim(), "; ");
+        for (place, statement) in statements.iter().enumerate() {
+            let end = if place + 1 < statements.len() {
+                ";"
+            } else {
+                ""
+            };
+            self.0
+                .extend(broken(&format!("{statement}{end}"), depth + 4));
+        }
+        self.0.push(format!("{:depth$}}}{}", "", whole.after));
+    }
+
+    /// Adds a call, and what is called on its value.
+    fn chain(&mut self, whole: &Part<'_>, at: usize, depth: usize) {
+        let (call, method) = whole.text.split_at(at);
+        let start = self.0.len();
+        self.lay(&part(&*whole.before, call, ""), [depth, depth + 4]);
+        let is_one_line = self.0.len() == start + 1;
+        let depth = if is_one_line { depth + 4 } else { depth };
+        self.lay(&part("", method, &*whole.after), [depth, depth + 4]);
+    }
+
+    /// Adds what is in the brackets that hold most; returns false if there are none.
+    fn brackets(&mut self, whole: &Part<'_>, depths: [usize; 2]) -> bool {
+        let Part {
+            before,
+            text,
+            after,
+        } = whole;
+        let (depth, inside) = (depths[0], depths[0] + 4);
+        let is_function = text.starts_with("fn ") || text.starts_with("pub fn ");
+        let all = groups(text);
+        let widest = match is_function {
+            true => all.first(),
+            false => all.iter().rev().max_by_key(|[start, end]| end - start),
+        };
+        let Some([start, end]) = widest.filter(|[start, end]| *end > start + 1) else {
+            return false;
+        };
+        let (open, inner, close) = (
+            &text[..=*start],
+            text[start + 1..*end].trim(),
+            &text[*end..],
+        );
+        let elements = parts(inner, ", ");
+        let is_bare = open == "(" || open.ends_with(" (") || open.ends_with("-(");
+        if elements.len() == 1 && (is_call(inner) || is_bare) {
+            let alone = part(format!("{before}{open}"), inner, format!("{close}{after}"));
+            self.lay(&alone, depths);
+            return true;
+        }
+        let is_repeated = parts(inner, "; ").len() > 1;
+        let elements = elements.iter().map(|element| match *element {
+            ".." => "..".to_string(),
+            _ if is_repeated => element.to_string(),
+            _ => format!("{element},"),
+        });
+        let elements: Vec<String> = elements.collect();
+        self.0.push(format!("{:depth$}{before}{open}", ""));
+        match open.ends_with('[') && elements.iter().all(|it| it.len() <= SHORT) {
+            true => self
+                .0
+                .extend(filled(elements.iter().map(String::as_str), inside)),
+            false => elements
+                .iter()
+                .for_each(|it| self.0.extend(broken(it, inside))),
+        }
+        self.0.push(format!("{:depth$}{close}{after}", ""));
+        true
+    }
+}
+
+/// True for what stands on one line. The arms of a choice have lines of their own.
+fn is_short(line: &str) -> bool {
+    let content = line.trim_start().trim_start_matches("} else ");
+    fits(line) && !content.contains("} else ")
+}
+
+/// True for a call, a list or a structure.
+fn is_call(text: &str) -> bool {
+    text.ends_with([')', ']', '}']) && !text.starts_with("if ") && operands(text).is_none()
+}
+
+/// Terms, or else factors, with the operators before them; `None` if there is one alone.
+fn operands(text: &str) -> Option<Vec<&str>> {
+    let pieces = OPERATORS.map(|operators| {
+        let (mut pieces, mut start) = (Vec::new(), 0);
+        for (at, _) in outer(text) {
+            if operators.iter().any(|it| text[at..].starts_with(it)) {
+                pieces.push(&text[start..at]);
+                start = at + 1;
+            }
+        }
+        pieces.push(&text[start..]);
+        pieces
+    });
+    pieces.into_iter().find(|it| it.len() > 1)
+}
+
+/// What separators outside of all brackets part.
+fn parts<'a>(text: &'a str, separator: &str) -> Vec<&'a str> {
+    let (mut found, mut start) = (Vec::new(), 0);
+    for (at, _) in outer(text) {
+        if text[at..].starts_with(separator) {
+            found.push(&text[start..at]);
+            start = at + separator.len();
+        }
+    }
+    found.push(&text[start..]);
+    found
+}
+
+/// Places of the brackets that stand outside of all others: where they open and close.
+fn groups(text: &str) -> Vec<[usize; 2]> {
+    let brackets = outer(text).filter(|(_, it)| "()[]{}".contains(*it));
+    let places: Vec<usize> = brackets.map(|(at, _)| at).collect();
+    places.as_chunks().0.to_vec()
+}
+
+/// The letters that stand outside of all brackets and strings, with the outermost brackets.
+fn outer(text: &str) -> impl Iterator<Item = (usize, char)> {
+    let (mut open, mut is_string, mut is_escaped, mut before) = (0_i32, false, false, ' ');
+    text.char_indices().filter(move |&(_, letter)| {
+        if is_string {
+            is_string = is_escaped || letter != '"';
+            is_escaped = !is_escaped && letter == '\\';
+            return false;
+        }
+        let change = match letter {
+            '(' | '[' | '{' => 1,
+            ')' | ']' | '}' => -1,
+            // As in `Matrix<2, 3>`: signs of comparison have spaces around them.
+            '<' if before != ' ' => 1,
+            '>' if before != ' ' && before != '-' => -1,
+            _ => 0,
+        };
+        is_string = letter == '"';
+        before = letter;
+        let is_outside = open + change.min(0) == 0;
+        open += change;
+        is_outside && !is_string
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::broken;
+
+    /// Lines of a statement eight deep.
+    fn lines(statement: &str) -> String {
+        let lines = broken(statement, 8);
+        let content = |text: &str| text.replace([' ', '\n', ','], "");
+        assert_eq!(content(&lines.concat()), content(statement));
+        lines.join("\n")
+    }
+
+    #[test]
+    fn what_fits_into_a_line_stays_on_it() {
+        let statement = "let a = f([1.0, 2.0], b)?;";
+        assert_eq!(lines(statement), format!("        {statement}"));
+    }
+
+    #[test]
+    fn elements_of_brackets_have_lines_of_their_own() {
+        let long = "a_long_name * another_long_name_of_a_value";
+        assert_eq!(
+            lines(&format!("return Err(no({long}, {long}, {long}));")),
+            format!(
+                "        return Err(no(\n            {long},\n            {long},\n            {long},\n        ));"
+            )
+        );
+        assert_eq!(
+            lines(&format!("fn f({long}: A, {long}: B<2, 3>) -> C<1, 2> {{")),
+            format!(
+                "        fn f(\n            {long}: A,\n            {long}: B<2, 3>,\n        ) -> C<1, 2> {{"
+            )
+        );
+    }
+
+    #[test]
+    fn short_elements_fill_their_lines() {
+        let [full, rest] =
+            [18, 4].map(|count| format!("            {}\n", vec!["1.25,"; count].join(" ")));
+        assert_eq!(
+            lines(&format!("let x = [{}];", ["1.25"; 40].join(", "))),
+            format!("        let x = [\n{full}{full}{rest}        ];")
+        );
+    }
+
+    #[test]
+    fn a_sum_breaks_outside_of_brackets() {
+        let term = "alpha * (beta - gamma)";
+        assert_eq!(
+            lines(&format!("let x = {};", [term; 6].join(" + "))),
+            format!(
+                "        let x = {}\n            + {term} + {term};",
+                [term; 4].join(" + ")
+            )
+        );
+    }
+
+    #[test]
+    fn a_factor_that_is_longer_than_a_line_breaks_in_its_brackets() {
+        let term = "alpha * (beta - gamma)";
+        let sum = [term; 6].join(" + ");
+        assert_eq!(
+            lines(&format!("let x = ({sum}) * delta;")),
+            format!(
+                "        let x = ({}\n                + {term} + {term})\n            * delta;",
+                [term; 4].join(" + ")
+            )
+        );
+    }
+
+    #[test]
+    fn arms_of_a_choice_have_lines_of_their_own() {
+        assert_eq!(
+            lines("let a = if b < c + d { -1.0 } else if e > 0.0 { f(g, h) } else { 2.0 };"),
+            "        let a = if b < c + d {\n            -1.0\n        } else if e > 0.0 {\n            f(g, h)\n        } else {\n            2.0\n        };"
+        );
+        assert_eq!(
+            lines("at.a = 2.0 * (if b < c { d } else { e }) * f;"),
+            "        at.a = 2.0\n            * (if b < c {\n                d\n            } else {\n                e\n            })\n            * f;"
+        );
+    }
+
+    #[test]
+    fn brackets_and_commas_in_strings_are_text() {
+        let (words, others) = (
+            "joined at A, B (and C), \\\"D\\\"".repeat(4),
+            "w, ".repeat(30),
+        );
+        assert_eq!(
+            lines(&format!("BlockName::new(\"{words}\", \"{others}\"),")),
+            format!(
+                "        BlockName::new(\n            \"{words}\",\n            \"{others}\",\n        ),"
+            )
+        );
+    }
+
+    #[test]
+    fn steps_of_a_long_chain_are_statements() {
+        let sum = ["a_term_of_a_sum"; 5].join(" + ");
+        assert_eq!(
+            lines(&format!("let x = {{ let partial = {sum}; partial + b }};")),
+            format!(
+                "        let x = {{\n            let partial = {sum};\n            partial + b\n        }};"
+            )
+        );
+    }
+}
