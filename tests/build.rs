@@ -17,7 +17,7 @@ mod transmitting;
 use std::fs;
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::{Options, Scalar, generate_with, write_module};
+use linkwright_codegen::{Options, Scalar, generate, write_module};
 use registry::Listed;
 
 fn main() {
@@ -33,8 +33,8 @@ fn main() {
         let file = format!("{name}.mech");
         let text = fs::read_to_string(format!("descriptions/{file}")).expect("the description");
         // One with errors is reported where it is built for itself.
-        if let Ok(module) = generate_with(&Source::new(&file, text), &single) {
-            write_module(&format!("{name}_single"), &module.code).expect("the module is written");
+        if let Ok(module) = generate(&Source::new(&file, text), &single) {
+            write_module(&format!("{name}_single"), module.code()).expect("the module is written");
         }
     }
     write_counted();
@@ -50,12 +50,12 @@ fn main() {
 /// A mechanism whose module calls elementary functions of the test that includes it.
 fn write_counted() {
     let options = Options {
-        math: Some("crate::math::counting"),
+        math: Some("crate::math::counting".to_string()),
         ..Options::default()
     };
     let text = fs::read_to_string("../mechanisms/four_bar.mech").expect("the description");
-    if let Ok(module) = generate_with(&Source::new("four_bar.mech", text), &options) {
-        write_module("counted_four_bar", &module.code).expect("the module is written");
+    if let Ok(module) = generate(&Source::new("four_bar.mech", text), &options) {
+        write_module("counted_four_bar", module.code()).expect("the module is written");
     }
 }
 

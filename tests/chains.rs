@@ -4,7 +4,7 @@
 use std::env;
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::{Options, Scalar, generate_with, write_module};
+use linkwright_codegen::{Options, Scalar, generate, write_module};
 
 use crate::pantograph::Pantograph;
 use crate::registry;
@@ -38,8 +38,8 @@ pub fn write() {
             let follow = WAYS.map(|(way, statements)| {
                 let name = format!("chain_{place}_{way}_{scalar}");
                 let source = Source::new("pantograph.mech", chain.text(statements));
-                let module = generate_with(&source, &options).expect("a chain has a plan");
-                write_module(&name, &module.code).expect("the module is written");
+                let module = generate(&source, &options).expect("a chain has a plan");
+                write_module(&name, module.code()).expect("the module is written");
                 modules +=
                     &format!("mod {name} {{\n    linkwright::include_mechanism!({name});\n}}\n");
                 format!("{way}: followed::<{name}::Loops>")

@@ -34,7 +34,7 @@ pub fn in_folder(folder: &str) -> Vec<Described> {
         let text = fs::read_to_string(path).ok()?;
         let source = Source::new(path.display().to_string(), text.clone());
         let reads_files = linkwright_codegen::read(&source).is_err();
-        let source = linkwright_codegen::attach_files(source, path.parent()?);
+        let source = linkwright_codegen::stages::files::attach_files(source, path.parent()?);
         let read = linkwright_codegen::read(&source).ok()?;
         let system = read.only()?;
         Some(Described {
@@ -52,7 +52,7 @@ pub fn motions_in_folder(folder: &str) -> Vec<Vec<System>> {
     let described = paths.iter().filter_map(|path| {
         let text = fs::read_to_string(path).ok()?;
         let source = Source::new(path.display().to_string(), text);
-        let source = linkwright_codegen::attach_files(source, path.parent()?);
+        let source = linkwright_codegen::stages::files::attach_files(source, path.parent()?);
         let motions = linkwright_codegen::read(&source).ok()?.motions;
         (!motions.is_empty()).then_some(motions)
     });

@@ -8,7 +8,7 @@ use std::{env, fs};
 
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::stages::emit::rust::type_name;
-use linkwright_codegen::{Options, Scalar, generate_with};
+use linkwright_codegen::{Options, Scalar, generate};
 
 use crate::described::{empty_folder, in_folder};
 
@@ -46,9 +46,9 @@ pub fn write(folders: &[&str]) {
                 scalar: Scalar::F32,
                 ..Options::default()
             };
-            if let Ok(module) = generate_with(&Source::new(name, text.clone()), &single) {
+            if let Ok(module) = generate(&Source::new(name, text.clone()), &single) {
                 let name = format!("{own}_single");
-                linkwright_codegen::write_module(&name, &module.code)
+                linkwright_codegen::write_module(&name, module.code())
                     .expect("the module is written");
             }
         }

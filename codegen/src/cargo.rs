@@ -10,19 +10,31 @@ use std::{env, fs, io};
 
 use crate::diagnostic::Source;
 use crate::diagnostic::internal::caught;
-use crate::{Generated, Options, Page, files, generate_with_page, syntax};
+use crate::{Generated, Language, Options, Page, files, generate};
 
-/// Generates the module of every `.mech` file in `folder` (relative to the package) for `linkwright::include_mechanism!`, and beside
-/// it a page with the drawing and the derivation, which `rustdoc` shows with the module; files whose names begin with a dot are left
-/// alone.
+/// Generates the module of every `.mech` file in `folder` (relative to the package) for
+/// `linkwright::include_mechanism!`. Files whose names begin with a dot are left alone.
 ///
-/// Called from `build.rs`. Prints what cargo needs to know: when to run again, and every error with its place. After an error
-/// it returns normally and cargo stops the build.
+/// It is called from `build.rs`:
+/// ```no_run
+/// linkwright_codegen::build("descriptions");
+/// ```
+///
+/// It writes to `OUT_DIR`, each module with a page that `rustdoc` shows: the picture and the derivation. It prints what
+/// cargo needs: when to run again, and every error with its place. After an error it returns normally, and cargo stops
+/// the build.
 pub fn build(folder: impl AsRef<Path>) {
     build_with(folder, &Options::default());
 }
 
-/// The same with a choice of the scalar.
+/// Generates modules as [`build`] does, with options. Their language is Rust.
+///
+/// ```no_run
+/// use linkwright_codegen::{Options, Scalar};
+///
+/// let options = Options { scalar: Scalar::F32, ..Options::default() };
+/// linkwright_codegen::build_with("descriptions", &options);
+/// ```
 pub fn build_with(folder: impl AsRef<Path>, options: &Options) {
     let mut print = |line: &str| println!("{line}");
     match env::var_os("OUT_DIR") {
@@ -68,6 +80,12 @@ fn write_modules(
     options: &Options,
     say: Say<'_>,
 ) -> Result<(), String> {
+    if options.language != Language::Rust {
+        return Err(format!(
+            "expected `Language::Rust` in the options of a build script, found `Language::{:?}`: call `generate` for files of other languages",
+            options.language
+        ));
+    }
     let unreadable = |error: io::Error| {
         let reason = files::reason(&error);
         format!("cannot read the folder `{}`: {reason}", folder.display())
@@ -92,11 +110,12 @@ fn write_modules(
     files::sweep(output);
     let mut names: Vec<(String, PathBuf)> = Vec::new();
     for file in descriptions {
-        let Some((Generated { name, code, .. }, page)) = generate_file(&file, options, say) else {
+        let Some((generated, page)) = generate_file(&file, options, say) else {
             continue;
         };
+        let (name, code) = (generated.name.as_str(), generated.code());
         // Some file systems cannot tell names apart that differ in case only.
-        let same = |other: &str| other.eq_ignore_ascii_case(&name);
+        let same = |other: &str| other.eq_ignore_ascii_case(name);
         if let Some((other, earlier)) = names.iter().find(|(other, _)| same(other)) {
             let (earlier, file) = (earlier.display(), file.display());
             let problem = match *other == name {
@@ -110,15 +129,15 @@ fn write_modules(
             say_error(&problem, say);
             continue;
         }
-        for (ending, text) in [("rs", &code), ("md", &page.html)] {
+        for (ending, text) in [("rs", code), ("md", page.html.as_str())] {
             let target = output.join(format!("{name}.{ending}"));
             write_if_changed(&target, text).map_err(|error| {
                 let reason = files::reason(&error);
                 format!("cannot write `{}`: {reason}", target.display())
             })?;
         }
-        say_module(&name, &output.join(format!("{name}.rs")), say);
-        names.push((name, file));
+        say_module(name, &output.join(format!("{name}.rs")), say);
+        names.push((generated.name, file));
     }
     Ok(())
 }
@@ -143,11 +162,11 @@ fn say_module(name: &str, path: &Path, say: Say<'_>) {
     ));
 }
 
-/// Writes a module that a build script has generated otherwise than by [`build`], so that `linkwright::include_mechanism!` finds it by
-/// its name.
+/// Writes a module that a build script got from [`generate`](crate::generate), so that
+/// `linkwright::include_mechanism!` finds it by its name.
 ///
 /// # Errors
-/// It cannot be written.
+/// Returns the error of the file system if the module cannot be written, or if `OUT_DIR` is not set.
 pub fn write_module(name: &str, code: &str) -> io::Result<()> {
     let output = env::var_os("OUT_DIR").ok_or(io::ErrorKind::NotFound)?;
     let folder = PathBuf::from(output).join("linkwright");
@@ -168,7 +187,7 @@ fn is_description(path: &Path) -> bool {
 /// The module of one file and its page; its errors are said.
 fn generate_file(file: &Path, options: &Options, say: Say<'_>) -> Option<(Generated, Page)> {
     let name = file.display().to_string();
-    let bytes = match files::read(file, Source::LARGEST) {
+    let bytes = match files::read(file, Source::MAX_BYTES) {
         Ok(bytes) => bytes,
         Err(error) => {
             let reason = files::reason(&error);
@@ -185,12 +204,17 @@ fn generate_file(file: &Path, options: &Options, say: Say<'_>) -> Option<(Genera
         }
     };
     let folder = files::folder_of(file);
-    let source = attach_files(source, folder);
+    let source = files::attach_files(source, folder);
     for attachment in &source.attachments {
         watch(&folder.join(&attachment.path), say);
     }
     // An error of the generator itself is one of this description: the others are generated all the same.
-    let generated = caught(|| generate_with_page(&source, options));
+    let generated = caught(|| {
+        generate(&source, options).map(|generated| {
+            let page = generated.page();
+            (generated, page)
+        })
+    });
     match generated.unwrap_or_else(|error| Err(error.findings())) {
         Ok((generated, page)) => {
             for line in generated.warnings.render(&source).lines() {
@@ -203,15 +227,6 @@ fn generate_file(file: &Path, options: &Options, say: Say<'_>) -> Option<(Genera
             None
         }
     }
-}
-
-/// A description with the files that it names, read from its folder.
-pub fn attach_files(source: Source, folder: &Path) -> Source {
-    let paths = syntax::named_files(&source.text);
-    paths.into_iter().fold(source, |source, path| {
-        let bytes = files::read(&folder.join(&path), Source::LARGEST);
-        source.with_attachment(path, bytes.map_err(|error| files::reason(&error)))
-    })
 }
 
 /// One directive per line: cargo drops what follows a line break.
@@ -261,10 +276,14 @@ mod tests {
 
         /// What is said besides when to run again, without the path of the folder.
         fn build(&self) -> Vec<String> {
+            self.build_with(&Options::default())
+        }
+
+        fn build_with(&self, options: &Options) -> Vec<String> {
             let mut said = Vec::new();
             let descriptions = self.0.join("descriptions");
             let output = self.0.join("out");
-            build_folder(&descriptions, &output, &Options::default(), &mut |line| {
+            build_folder(&descriptions, &output, options, &mut |line| {
                 let line = line.replace(&format!("{}/", descriptions.display()), "");
                 let is_usual = ["cargo::rerun-if-changed=", "cargo::rustc-env="];
                 if !is_usual.iter().any(|it| line.starts_with(it)) {
@@ -335,7 +354,7 @@ mod tests {
         folders.write(".#crank.mech", "the editor's");
         folders.write("again.mech", CRANK);
         folders.write("upper.mech", &CRANK.replace("crank", "Crank"));
-        folders.write("wide.mech", &" ".repeat(Source::LARGEST + 9));
+        folders.write("wide.mech", &" ".repeat(Source::MAX_BYTES + 9));
         fs::create_dir(folders.description("folder.mech")).expect("a folder");
         let said = folders.build();
         for expected in [
@@ -351,6 +370,23 @@ mod tests {
         }
         assert!(!said.iter().any(|line| line.contains('#')), "{said:#?}");
         assert_eq!(folders.modules(), ["crank.md", "crank.rs"]);
+    }
+
+    #[test]
+    fn rejects_a_language_that_is_not_included() {
+        let folders = Folders::new("language");
+        folders.write("crank.mech", CRANK);
+        let options = Options {
+            language: Language::C,
+            ..Options::default()
+        };
+        assert_eq!(
+            folders.build_with(&options),
+            [
+                "cargo::error=expected `Language::Rust` in the options of a build script, found `Language::C`: call `generate` for files of other languages"
+            ]
+        );
+        assert!(!folders.0.join("out").exists(), "nothing is written");
     }
 
     #[cfg(unix)]

@@ -3,12 +3,14 @@
 //! A pipe or a device is never read: it could have no end, or nobody who writes it. A file is written beside its destination,
 //! which it then replaces in one operation, and so is a folder. Deliberately unknown here: what is read and written.
 
+mod attachments;
 mod partial;
 
 use std::fs::{self, File, FileType};
 use std::io::{self, BufWriter, Read as _, Write};
 use std::path::Path;
 
+pub use self::attachments::attach_files;
 use self::partial::Partial;
 pub use self::partial::sweep;
 

@@ -1,26 +1,35 @@
-//! Derives the constraint equations of a planar mechanism and writes them as specialised Rust.
+//! Derives the constraint equations of planar mechanisms and writes them as specialised Rust or C.
 //!
-//! `Source → Document → Mechanism → System → SolvedPlan → Program → Rust`: each arrow is one function of one module, and each module
-//! imports only those named before it. [`generate_with`] names all stages; [`stages`] shows what stands between them.
-//! The modules up to `Mechanism` are in the internal package `linkwright-description`, those up to `Program` in `linkwright-program`.
+//! A description in a `.mech` file becomes a module that computes pose, velocity and acceleration without a matrix of all
+//! equations. In a build script, [`build`] does everything:
 //!
-//! The generated code holds two views of a mechanism. Its type runs the *solved view*: the equations are ordered into the
-//! smallest blocks that can be solved one after another ([`stages::structure::SolvedPlan`]), and each block becomes one function, in
-//! closed form if it has one (linear, one angle, RRR, RRP, RPR, PRP and RPP dyads) and by
-//! Newton-Raphson otherwise. What no `output` of the description needs is left out; [`report`] says what is left. The *textbook
-//! view* is Φ, Φ_q, Φ_t and γ as functions, to be solved as one dense system; mechanisms of hundreds of coordinates have none. Every
-//! limit stands in `linkwright::thresholds`.
-//!
-//! In a build script, [`build`] does everything:
 //! ```no_run
+//! // build.rs: all `.mech` files of the folder `descriptions`
 //! linkwright_codegen::build("descriptions");
 //! ```
-//! and [`build_with`] does it in single precision:
-//! ```no_run
-//! use linkwright_codegen::{Options, Scalar};
-//! let options = Options { scalar: Scalar::F32, ..Options::default() };
-//! linkwright_codegen::build_with("descriptions", &options);
+//!
+//! In the crate, which depends on `linkwright`:
+//!
+//! ```ignore
+//! linkwright::include_mechanism! {
+//!     pub mod excavator;
+//! }
 //! ```
+//!
+//! An error of a description is an error of the build, at its line. [`build_with`] takes [`Options`]: single precision,
+//! other elementary functions.
+//!
+//! Other programs call the steps: [`read`] derives the equations, [`check`] says if they determine the motion,
+//! [`generate`] returns the code in a [`Language`], [`format()`] lays a description out. Errors are
+//! [`Diagnostics`] with places in the source.
+//!
+//! # Generated code
+//!
+//! The code holds two formulations. The mechanism's type runs the *solved formulation*: the equations are ordered into
+//! the smallest blocks that can be solved one after another. A block becomes one function, in closed form or by
+//! Newton-Raphson. Values that no `output` of the description needs are left out. The *textbook formulation* is Φ, Φ_q,
+//! Φ_t and γ as functions, one dense system; mechanisms of hundreds of coordinates have none. All limits are on the page
+//! `linkwright::thresholds`.
 
 #![doc(html_root_url = "https://docs.rs/linkwright-codegen/0.1.0")]
 
@@ -29,31 +38,40 @@ mod checks;
 mod emit;
 mod files;
 mod read;
+#[doc(hidden)]
 pub mod stages;
 
-pub use cargo::{attach_files, build, build_with, write_module};
-pub use checks::{check, check_all, findings, findings_of_derivation, report};
+pub use cargo::{build, build_with, write_module};
+pub use checks::check;
 pub use emit::{Language, OutputFile, Scalar};
 #[doc(inline)]
 pub use linkwright_description::diagnostic;
 #[doc(inline)]
 pub use linkwright_description::format::format;
-#[doc(inline)]
-pub use program::{Operations, Report};
-pub use read::{Read, read, read_along};
-#[doc(inline)]
-pub use system::System;
+pub use read::{Read, read};
 
+use checks::check_all;
 use diagnostic::{Diagnostics, Source, internal};
 use linkwright_description::{columns, consequences, expr, force, joint, model, syntax, units};
 use linkwright_program::{assemblies, finiteness, modes, program, structure, system, words};
 use read::read_for;
+use system::System;
 
-/// What can be chosen about the generated code.
+/// Choices about the generated code.
 ///
-/// Without a choice the code is in f64, and sines, roots and angles are those of `linkwright::math`. A processor that has its own
-/// way to compute some of them, or a program that prefers the standard library's, names a module with functions of the same
-/// names, which takes over all others from there:
+/// By default it is a Rust module in f64, with the sines, roots and angles of `linkwright::math`.
+///
+/// ```
+/// use linkwright_codegen::{Options, Scalar};
+///
+/// let options = Options { scalar: Scalar::F32, ..Options::default() };
+/// # assert_eq!(options.math, None);
+/// ```
+///
+/// # Elementary functions
+///
+/// A processor may have its own way to compute some of them, or a program may prefer those of the standard library. It
+/// then names a module with functions of the same names, which takes over all others from `linkwright::math`:
 /// ```ignore
 /// mod plain {
 ///     pub use linkwright::math::*;
@@ -67,130 +85,100 @@ use read::read_for;
 /// ```no_run
 /// use linkwright_codegen::Options;
 ///
-/// let options = Options { math: Some("crate::plain"), ..Options::default() };
+/// let options = Options { math: Some("crate::plain".to_string()), ..Options::default() };
 /// linkwright_codegen::build_with("descriptions", &options);
 /// ```
-/// The bits of a frame are then those of these functions, and so are its errors. `angle_near` of `linkwright::math` does not call
-/// `atan2`, so whoever replaces the arctangent replaces both, the one by `nearest_turn(atan2(sine, cosine), near)`.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// The bits of a frame are then those of these functions, and so are its errors. `angle_near` of `linkwright::math` does
+/// not call `atan2`. A module that replaces the arctangent replaces both, `angle_near` by
+/// `nearest_turn(atan2(sine, cosine), near)`.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Options {
-    /// The scalar: f64, or f32 where the hardware has nothing else.
+    /// Language of the code. A build script includes only Rust.
+    pub language: Language,
+    /// Scalar: f64, or f32 where the hardware has nothing else.
     pub scalar: Scalar,
-    /// The path of the module whose functions the code calls instead of those of `linkwright::math`, such as `crate::plain`. It is
-    /// resolved where the code is included, by the compiler; what the runtime computes for itself, such as scales, stays its own.
-    pub math: Option<&'static str>,
+    /// Path of the module whose functions Rust code calls instead of those of `linkwright::math`: `crate::plain`; `None`
+    /// for `linkwright::math`. The compiler resolves it where the code is included. Values that the runtime computes
+    /// for itself, such as scales, do not use it.
+    pub math: Option<String>,
+    /// Name of the files without extension, by which a source of C includes its header; `None` for the mechanism's name.
+    pub stem: Option<String>,
 }
 
-/// The Rust source of a mechanism.
+/// Generated code of a mechanism.
 #[derive(Clone, Debug)]
 pub struct Generated {
-    /// The mechanism's name.
+    /// Name of the mechanism.
     pub name: String,
-    /// The module's source, ending in a line break; of a mechanism with motions it holds one module for each.
-    pub code: String,
-    /// What should be looked at although it is no error.
+    /// Files of the language, the mechanism's own file first. A module of Rust is one file. With motions, the module
+    /// contains one module for each.
+    pub files: Vec<OutputFile>,
+    /// Findings that are not errors.
     pub warnings: Diagnostics,
+    motions: Vec<System>,
 }
 
 impl Generated {
-    fn of(files: GeneratedFiles) -> Generated {
-        let code = files.files.into_iter().next().map(|file| file.text);
-        Generated {
-            name: files.name,
-            code: code.unwrap_or_default(),
-            warnings: files.warnings,
+    /// Text of the mechanism's own file, ending in a line break: in Rust the whole module.
+    pub fn code(&self) -> &str {
+        self.files.first().map_or("", |file| &file.text)
+    }
+
+    /// Page that `rustdoc` shows with the module. Its derivation is computed by this call.
+    pub fn page(&self) -> Page {
+        let first = self.motions.first();
+        Page {
+            documentation: first.map(emit::rust::documentation).unwrap_or_default(),
+            html: emit::rust::page(&self.motions),
         }
     }
 }
 
-/// What `rustdoc` shows with a module.
+/// Page that `rustdoc` shows with a module.
 #[derive(Clone, Debug)]
 pub struct Page {
-    /// What the description says of the mechanism: lines of Markdown of which nothing is compiled, run or resolved.
+    /// Documentation of the mechanism in the description: lines of Markdown, of which nothing is compiled, run or
+    /// resolved.
     pub documentation: Vec<String>,
-    /// The drawing and the derivation, a block of HTML that follows the documentation.
+    /// Picture and derivation: a block of HTML that follows the documentation.
     pub html: String,
 }
 
-/// The files that a mechanism becomes in a language.
-#[derive(Clone, Debug)]
-pub struct GeneratedFiles {
-    /// The mechanism's name.
-    pub name: String,
-    /// The mechanism's own file first.
-    pub files: Vec<OutputFile>,
-    /// What should be looked at although it is no error.
-    pub warnings: Diagnostics,
-}
-
-/// Writes the Rust module of a description.
+/// Generates the code of a description.
+///
+/// ```
+/// use linkwright_codegen::diagnostic::Source;
+/// use linkwright_codegen::{Options, generate};
+///
+/// let text = "
+///     mechanism crank {
+///         point O = (0, 0);
+///         body arm at O { O, A: (40mm, 0) }
+///         revolute O(ground, arm);
+///         drive phi(arm) = 3*t;
+///     }";
+/// let source = Source::new("crank.mech", text);
+/// match generate(&source, &Options::default()) {
+///     Ok(generated) => assert_eq!(generated.files[0].name, "crank.rs"),
+///     Err(errors) => panic!("{}", errors.render(&source)),
+/// }
+/// ```
 ///
 /// # Errors
-/// Every error of the description; nothing is written then.
-pub fn generate(source: &Source) -> Result<Generated, Diagnostics> {
-    generate_with(source, &Options::default())
-}
-
-/// Writes the Rust module of a description as the options say.
-///
-/// # Errors
-/// Every error of the description; nothing is written then.
-pub fn generate_with(source: &Source, options: &Options) -> Result<Generated, Diagnostics> {
-    let files = generate_files(source, Language::Rust, "", options)?;
-    Ok(Generated::of(files))
-}
-
-/// The same with what `rustdoc` is to show with the module.
-///
-/// # Errors
-/// Every error of the description; nothing is written then.
-pub fn generate_with_page(
-    source: &Source,
-    options: &Options,
-) -> Result<(Generated, Page), Diagnostics> {
-    let read = read(source)?;
-    check_all(&read.motions)?;
-    let first = read.motions.first();
-    let page = Page {
-        documentation: first.map(emit::rust::documentation).unwrap_or_default(),
-        html: emit::rust::page(&read.motions),
-    };
-    let files = files_of(read, Language::Rust, "", options)?;
-    Ok((Generated::of(files), page))
-}
-
-/// Writes the files of a description in a language, as the options say. The first file is called `stem`, and by what the language
-/// appends.
-///
-/// # Errors
-/// Every error of the description; nothing is written then.
-pub fn generate_files(
-    source: &Source,
-    language: Language,
-    stem: &str,
-    options: &Options,
-) -> Result<GeneratedFiles, Diagnostics> {
-    let read = read_for(source, language, None)?;
-    check_all(&read.motions)?;
-    files_of(read, language, stem, options)
-}
-
-fn files_of(
-    read: Read,
-    language: Language,
-    stem: &str,
-    options: &Options,
-) -> Result<GeneratedFiles, Diagnostics> {
+/// Returns all errors of the description; nothing is generated then.
+pub fn generate(source: &Source, options: &Options) -> Result<Generated, Diagnostics> {
     let Read {
         motions,
         mut warnings,
-    } = read;
+    } = read_for(source, options.language, None)?;
+    check_all(&motions)?;
     let range = match options.scalar {
         Scalar::F64 => finiteness::Range::F64,
         Scalar::F32 => finiteness::Range::F32,
     };
     let (mut lowered, mut found) = (Vec::new(), Vec::new());
-    for mut system in motions {
+    for system in &motions {
+        let mut system = system.clone();
         let _work = internal::work_at(system.mechanism.place());
         let plan = structure::plan(&mut system);
         let program = plan.as_ref().map(|plan| program::lower(&mut system, plan));
@@ -218,9 +206,13 @@ fn files_of(
     let name = lowered
         .first()
         .map(|(system, ..)| system.mechanism.name.clone());
-    Ok(GeneratedFiles {
-        name: name.unwrap_or_default(),
-        files: language.files(&lowered, stem, options.scalar, options.math),
+    let name = name.unwrap_or_default();
+    let stem = options.stem.as_deref().unwrap_or(&name);
+    let (language, math) = (options.language, options.math.as_deref());
+    Ok(Generated {
+        files: language.files(&lowered, stem, options.scalar, math),
+        name,
         warnings,
+        motions,
     })
 }

@@ -2,6 +2,9 @@
 //!
 //! A build script needs nothing of it. What is here may change with every release.
 
+pub use crate::checks::{check_all, findings, findings_of_derivation, report};
+pub use crate::read::read_along;
+
 /// Expressions: the graph, its evaluation, and straight-line code that evaluates several at once.
 pub mod expr {
     #[doc(inline)]
@@ -62,7 +65,7 @@ pub mod program {
     pub use crate::program::{
         Arithmetic, Block, Branch, Choice, EVALUATIONS, Effort, Elementary, Energy, Evaluation,
         Forces, Found, Function, Lengths, Level, NewtonBlock, Operations, Output, Program,
-        Reaction, Reduced, Requirements, STEPS, Statement, Tearing, Work, forms_of, lower,
+        Reaction, Reduced, Report, Requirements, STEPS, Statement, Tearing, Work, forms_of, lower,
         lower_with_unknowns, unpruned, work,
     };
 }
@@ -89,7 +92,7 @@ pub mod emit {
 /// Files that are named in messages as a person names them.
 pub mod files {
     pub use crate::files::{
-        folder_of, make_folder, may_write_in, noun, read, reason, replace, sweep,
+        attach_files, folder_of, make_folder, may_write_in, noun, read, reason, replace, sweep,
     };
 }
 
@@ -97,7 +100,7 @@ pub mod files {
 pub mod columns {
     #[doc(inline)]
     pub use crate::columns::{
-        Column, Columns, Decimal, Delimiter, Dialect, Encoding, Fault, Header, Known, LARGEST,
+        Column, Columns, Decimal, Delimiter, Dialect, Encoding, Fault, Header, Known, MAX_BYTES,
         Unit, Unreadable,
     };
 }

@@ -2,7 +2,7 @@
 //!
 //! A block without a closed form has its equations at one time only, because the blocks before it have just been solved
 //! for that time. It therefore takes one step, and refuses it if the determinant changes its sign or Newton-Raphson
-//! does not contract. The mechanism as a whole then takes shorter steps ([`crate::in_steps`]). [`crate::guard`]
+//! does not contract. The mechanism as a whole then takes shorter steps ([`crate::substeps`]). [`crate::guard`]
 //! verifies for all blocks together that a frame lies on the path of the last one.
 
 use nalgebra::allocator::Allocator;
@@ -73,7 +73,7 @@ where
 /// Returns those of [`solve`].
 ///
 /// # Work
-/// That of [`solve`] and of [`Factorization::measure`](crate::Factorization::measure); after an assembly also one Jacobian.
+/// That of [`solve`] and of `Factorization::measure`; after an assembly also one Jacobian.
 ///
 /// # Panics
 /// If a vector does not have the dimension of the equations, which only a dynamic dimension permits.

@@ -13,7 +13,10 @@ use crate::settings::Settings;
 use crate::signal::Signal;
 use crate::time_window::TimeWindow;
 
-/// Equations of a mechanism, solved block by block.
+/// Equations of a mechanism, solved block by block, and the names of its parts.
+///
+/// Generated code and the interpreter implement this trait; the functions that solve are not shown and may change with
+/// every release. Indices count from 0, in the order of the description.
 pub trait Blocks {
     /// Scalar type: f64 or f32.
     type Scalar: Real;
@@ -28,6 +31,7 @@ pub trait Blocks {
     /// Signals besides the time that drive the mechanism; `()` without any.
     type Inputs: Signals<Self::Scalar>;
     /// A [`PathEnclosure`](crate::time_window::PathEnclosure) for each unknown of Newton-Raphson.
+    #[doc(hidden)]
     type PathEnclosures: Clone;
 
     /// Parameters of the description.
@@ -41,14 +45,17 @@ pub trait Blocks {
 
     /// Modes beyond a change point at which the block of this number meets another branch; `None` without another
     /// branch.
+    #[doc(hidden)]
     fn exchanged(&self, branches: &Self::Branches, block: u16) -> Option<Self::Branches>;
 
     /// True if a block may exchange its mode. Otherwise the program contains no code for change points.
+    #[doc(hidden)]
     fn may_cross(&self) -> bool {
         true
     }
 
     /// True if Newton-Raphson solves a block.
+    #[doc(hidden)]
     fn is_iterated(&self) -> bool {
         size_of::<Self::PathEnclosures>() != 0
     }
@@ -58,6 +65,7 @@ pub trait Blocks {
 
     /// Estimate before the first frame: a pose at rest from which the mechanism is assembled at time `t` (s). Unknowns
     /// that are not coordinates have their values in the design configuration.
+    #[doc(hidden)]
     fn estimate(
         &self,
         pose: &Self::Coordinates,
@@ -67,18 +75,21 @@ pub trait Blocks {
 
     /// Moves the estimate close to a stored assembly if `branches` name one. Afterwards `branches` name none, since the
     /// mechanism moves on.
+    #[doc(hidden)]
     fn begin(&self, _branches: &mut Self::Branches, _last: &mut Self::Frame) {}
 
     /// Time of a frame (s).
     fn time(frame: &Self::Frame) -> Self::Scalar;
 
     /// Changes only the time of a frame (s).
+    #[doc(hidden)]
     fn set_time(frame: &mut Self::Frame, t: Self::Scalar);
 
     /// Solves all blocks for one instant from the last frame. Blocks that determine their mode write it to `branches`.
     ///
     /// # Errors
     /// Returns the failure of the first block that cannot be solved; `at` is then not a frame.
+    #[doc(hidden)]
     fn solve(
         &self,
         at: &mut Self::Frame,
@@ -88,9 +99,11 @@ pub trait Blocks {
     ) -> Result<(), Failure<Self::Scalar>>;
 
     /// True if the blocks can verify that a frame lies on the path of the last one.
+    #[doc(hidden)]
     fn is_guarded(&self) -> bool;
 
     /// Path enclosures of a mechanism at rest.
+    #[doc(hidden)]
     fn enclosures(&self) -> Self::PathEnclosures;
 
     /// Verifies that each block's equations have one solution near the chord through both frames over a whole window.
@@ -98,6 +111,7 @@ pub trait Blocks {
     ///
     /// # Errors
     /// Returns the first block whose path cannot be verified.
+    #[doc(hidden)]
     fn verify_path(
         &self,
         pair: &Pair<'_, Self>,
@@ -108,6 +122,7 @@ pub trait Blocks {
         Self: Sized;
 
     /// True if [`Blocks::verify_nonsingular`] can succeed.
+    #[doc(hidden)]
     fn is_closed(&self) -> bool {
         false
     }
@@ -118,6 +133,7 @@ pub trait Blocks {
     ///
     /// # Errors
     /// Returns the first block that cannot be verified.
+    #[doc(hidden)]
     fn verify_nonsingular(
         &self,
         _pair: &Pair<'_, Self>,
@@ -131,6 +147,7 @@ pub trait Blocks {
 
     /// True if the unknowns of Newton-Raphson lie in their enclosures, so many steps after the second frame of the
     /// enclosures.
+    #[doc(hidden)]
     fn is_within(
         &self,
         at: &Self::Frame,
@@ -154,11 +171,13 @@ pub trait Blocks {
     fn coordinate(&self, frame: &Self::Frame, index: usize) -> Option<[Self::Scalar; 3]>;
 
     /// True if frames hold all coordinates, from which points follow.
+    #[doc(hidden)]
     fn holds_coordinates(&self) -> bool {
         false
     }
 
     /// Adds a multiple of the difference of two frames to a third one, in all numbers except for the time.
+    #[doc(hidden)]
     fn add(
         &self,
         sum: &mut Self::Frame,
@@ -178,16 +197,19 @@ pub trait Blocks {
 
     /// Index and value of the first required positive quantity that these parameters make zero or negative; `None` if
     /// all are positive.
+    #[doc(hidden)]
     fn not_positive(&self, _parameters: &Self::Parameters) -> Option<(u16, Self::Scalar)> {
         None
     }
 
     /// Joint and name of the required positive quantity `_index`; `None` beyond the last one.
+    #[doc(hidden)]
     fn requirement_name(&self, _index: usize) -> Option<BlockName<'_>> {
         None
     }
 
     /// Label of the load `_index` among the loads that failures name; `None` beyond the last one.
+    #[doc(hidden)]
     fn load_name(&self, _index: usize) -> Option<&str> {
         None
     }

@@ -13,7 +13,7 @@ use crate::math::Real;
 /// if any, would be off by more than √ε rad. `None` also for arguments that are not finite.
 ///
 /// ```
-/// use linkwright::contact::pressure_angle;
+/// use linkwright::generated::pressure_angle;
 /// assert_eq!(pressure_angle(1.0, -1.0, 4.0), Some(core::f64::consts::FRAC_PI_4));
 /// assert_eq!(pressure_angle(1e-17, 2e-17, 4.0), None);
 /// ```

@@ -13,6 +13,57 @@ use crate::math::Real;
 /// `Dyn`. Symbols follow Haug, *Computer-Aided Kinematics and Dynamics of Mechanical Systems* (1989), chapter 3.
 ///
 /// Vectors and matrices that a function fills arrive with unspecified contents, and every entry must be written.
+///
+/// # Example
+///
+/// A slider on the x axis hangs on a crank of length 1 by a rod of length 2; the crank turns as φ = t. The position s
+/// of the slider is the one coordinate, and Φ = (s - cos t)² + sin² t - 4.
+///
+/// ```
+/// use linkwright::nalgebra::{Const, SMatrix, SVector};
+/// use linkwright::{Equations, Settings, advance, assemble, math};
+///
+/// struct Slider;
+///
+/// impl Equations<f64, Const<1>> for Slider {
+///     fn dimension(&self) -> Const<1> {
+///         Const
+///     }
+///     fn residual(&self, q: &SVector<f64, 1>, t: f64, phi: &mut SVector<f64, 1>) {
+///         let (sin, cos) = math::sin_cos(t);
+///         phi[0] = (q[0] - cos) * (q[0] - cos) + sin * sin - 4.0;
+///     }
+///     fn jacobian(&self, q: &SVector<f64, 1>, t: f64, phi_q: &mut SMatrix<f64, 1, 1>) {
+///         phi_q[0] = 2.0 * (q[0] - math::cos(t));
+///     }
+///     fn time_derivative(&self, q: &SVector<f64, 1>, t: f64, phi_t: &mut SVector<f64, 1>) {
+///         phi_t[0] = 2.0 * q[0] * math::sin(t);
+///     }
+///     fn gamma(&self, q: &SVector<f64, 1>, qd: &SVector<f64, 1>, t: f64, gamma: &mut SVector<f64, 1>) {
+///         let (sin, cos) = math::sin_cos(t);
+///         gamma[0] = -(2.0 * qd[0] * qd[0] + 4.0 * qd[0] * sin + 2.0 * q[0] * cos);
+///     }
+///     fn row_scale(&self, _row: usize) -> f64 {
+///         4.0 // the square of the rod's length
+///     }
+///     fn coordinate_scale(&self, _column: usize) -> f64 {
+///         2.0
+///     }
+/// }
+///
+/// # fn main() -> Result<(), linkwright::Failure> {
+/// let settings = Settings::default();
+/// let mut frame = assemble(&Slider, &SVector::<f64, 1>::new(2.5), 0.0, &settings)?;
+/// assert!((frame.q[0] - 3.0).abs() < 1e-14);
+/// for step in 1..=100 {
+///     // On failure `frame` would still be the last valid one.
+///     frame = advance(&Slider, &frame, 0.01 * f64::from(step), &settings)?;
+/// }
+/// let exact = math::cos(1.0) + math::sqrt(4.0 - math::sin(1.0_f64) * math::sin(1.0));
+/// assert!((frame.q[0] - exact).abs() < 1e-14);
+/// # Ok(())
+/// # }
+/// ```
 pub trait Equations<T: Real, D: Dim>
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,

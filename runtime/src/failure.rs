@@ -29,8 +29,8 @@ pub struct Failure<T = f64> {
 
 /// Kinds of failure.
 ///
-/// The thresholds are those of [`crate::newton::solve`]; every comparison is made after scaling. The known failures of
-/// Newton-Raphson have these names:
+/// Every comparison is made after scaling, with the thresholds on the page [`thresholds`](crate::thresholds). The known
+/// failures of Newton-Raphson have these names:
 ///
 /// | iteration | kind |
 /// |---|---|
@@ -48,23 +48,22 @@ pub enum FailureKind<T = f64> {
     /// Either a pivot ratio is below [`crate::Settings::pivot_ratio`], or the pose of a frame cannot be told from a
     /// singular one: within the uncertainty that its residual leaves, the Jacobian changes by half of itself or more.
     Singular {
-        /// Pivot ratio; see [`crate::Factorization`].
+        /// Smallest ratio of a pivot to the largest entry of the scaled Jacobian, or to 1 if that is larger.
         pivot_ratio: T,
         /// Coordinate at which elimination stopped, because it depends on those before it, or the coordinate that the
         /// residual leaves most uncertain.
         column: u16,
     },
-    /// The iterates diverge. A step is longer than [`crate::newton::LONGEST_STEP`] coordinate scales; or the residual
-    /// is more than [`crate::newton::LARGEST_GROWTH`] times the first one (or times 1, if that is larger); or the
-    /// residual has grown in [`crate::newton::GROWING_STEPS`] consecutive steps.
+    /// The iterates diverge. A step is longer than 10⁶ coordinate scales; or the residual is more than 10⁴ times the
+    /// first one (or times 1, if that is larger); or the residual has grown in 5 consecutive steps.
     Diverged,
-    /// A pose returned to within [`crate::newton::ROUNDING`] ε of an earlier one, so that the iteration repeats.
+    /// A pose returned to within 4 ε of an earlier one, so that the iteration repeats.
     Cycling,
-    /// A step was shorter than [`crate::newton::ROUNDING`] ε of every coordinate (or of its scale, if that is
+    /// A step was shorter than 4 ε of every coordinate (or of its scale, if that is
     /// larger), and the residual still exceeds the tolerance: no better pose can be represented.
     Stalled,
     /// None of the other failures occurred within [`crate::Settings::iterations`] steps, and the residual still exceeds
-    /// the tolerance, or the pose has not settled (see [`crate::newton::solve`]).
+    /// the tolerance, or the pose has not settled.
     IterationLimit,
     /// The links of a closed-form block do not span the distance between their far pins.
     OutOfReach {
@@ -120,6 +119,7 @@ impl<T> FailureKind<T> {
 
 impl<T: Real> Failure<T> {
     /// Returns this failure, ascribed to the block with the index `block`.
+    #[doc(hidden)]
     #[must_use]
     pub fn in_block(self, block: u16) -> Self {
         Self { block, ..self }

@@ -20,6 +20,7 @@ pub struct BlockName<'a> {
 
 impl<'a> BlockName<'a> {
     /// Returns a name with the state at a singular pose.
+    #[doc(hidden)]
     pub const fn new(name: &'a str, singular: &'a str) -> Self {
         Self { name, singular }
     }

@@ -1,6 +1,6 @@
 //! Verifies that equations have one solution near the chord through two frames, at every time of a window.
 //!
-//! Every pose found in the [`TimeWindow`](crate::TimeWindow) then lies on the path of the first frame. The caller
+//! Every pose found in the [`TimeWindow`](crate::time_window::TimeWindow) then lies on the path of the first frame. The caller
 //! bounds the residual on the chord and the change of the Jacobian near the chord. Let C be the inverse of the
 //! Jacobian. The Newton operator with C maps the deviations R into themselves if its remainder on the chord plus |I − C
 //! J| R is at most R (Krawczyk 1969).

@@ -34,6 +34,7 @@ const EVERYTHING: BlockName<'static> = BlockName {
 
 impl<T: Real> NormalizedDeterminant<T> {
     /// Returns the normalized determinant of a block with this measure.
+    #[doc(hidden)]
     #[inline]
     pub fn new(block: u16, measure: Measure<T>, name: BlockName<'static>) -> Self {
         Self {

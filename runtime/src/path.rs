@@ -66,7 +66,7 @@ where
 /// many steps as needed.
 ///
 /// # Errors
-/// Returns every [`FailureKind`] that [`in_steps`] names. The time of the failure is the end of the path, or the last
+/// Returns a [`Failure`] of any [`FailureKind`]. The time of the failure is the end of the path, or the last
 /// time that could be followed:
 /// - [`FailureKind::Singular`] at a dead point, at the time at which the two estimates of the fold put it. Its pivot ratio
 ///   is that of the last pose before it, and its column the coordinate that is fastest there.

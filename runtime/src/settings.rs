@@ -1,6 +1,6 @@
 //! Declares [`Settings`], the limits of a solve that a caller may choose, with defaults for both scalars.
 //!
-//! All settings are unitless, because residuals and pivots are judged after scaling (see [`crate::Scales`]), by
+//! All settings are unitless, because residuals and pivots are judged after scaling (see [`crate::scale`]), by
 //! [`crate::newton`] and [`crate::linear`].
 
 use crate::math::Real;
@@ -40,7 +40,7 @@ pub struct Settings<T = f64> {
     pub tolerance: T,
     /// Largest number of Newton-Raphson steps of one call, without the polishing step.
     pub iterations: u16,
-    /// Smallest pivot ratio, as [`crate::Factorization`] defines it, of a Jacobian that counts as regular.
+    /// Smallest pivot ratio of a Jacobian that counts as regular; see [`FailureKind::Singular`](crate::FailureKind).
     pub pivot_ratio: T,
     /// True if a pose that has met the tolerance is polished to rounding level.
     ///

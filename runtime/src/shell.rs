@@ -1,8 +1,8 @@
 //! Moves a mechanism from frame to frame: assembly, motion, branches, parameters and inputs.
 //!
 //! A [`Shell`] keeps two frames, the last one and the one that the next solution is written to. Only a successful
-//! solution replaces the last frame. A motion that one step cannot complete takes several, as [`crate::in_steps`]
-//! describes.
+//! solution replaces the last frame. A motion that one step cannot complete takes several, as
+//! [`crate::substeps`] describes.
 
 use crate::block::Start;
 use crate::blocks::{Blocks, Conditions, Signals, Values};
@@ -14,7 +14,30 @@ use crate::math::Real;
 use crate::settings::Settings;
 use crate::way::Way;
 
-/// Mechanism in motion.
+/// Mechanism in motion: its equations, its last frame, and the parameters, inputs and modes with which the next one is
+/// solved.
+///
+/// A generated type has one inside, and the interpreter returns one. Its functions work without any names:
+///
+/// ```
+/// use linkwright::{Mechanism, Settings, Shell, Values};
+///
+/// linkwright_macros::mechanism! {
+///     mechanism crank {
+///         point O = (0, 0);
+///         body arm at O { O, A: (2, 0) }
+///         revolute O(ground, arm);
+///         drive phi(arm) = 3*t;
+///     }
+/// }
+/// use crank::{Branches, Coordinates, Loops};
+///
+/// let estimate = Coordinates { phi_arm: 0.1, ..Coordinates::DESIGN };
+/// let mut shell = Shell::assemble(Loops, &(), &estimate, Branches::DESIGN, 0.0, &(), Settings::default())?;
+/// let frame = shell.advance(0.5, &())?;
+/// assert_eq!(frame.q.phi_arm, 1.5);
+/// # Ok::<(), linkwright::Failure>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shell<B: Blocks> {
     blocks: B,
@@ -81,7 +104,7 @@ impl<B: Blocks> Shell<B> {
     ///
     /// # Errors
     /// Returns a [`Failure`] if the equations cannot be solved from there. Its time is the end of the motion, or the
-    /// last time that could be followed; see [`crate::in_steps`]. An input that is not finite is
+    /// last time that could be followed. An input that is not finite is
     /// [`FailureKind::NotFinite`] at the time `t`, with the input's index. A length that inputs make not positive is
     /// [`FailureKind::NotPositive`] at that time.
     #[inline]
@@ -346,7 +369,33 @@ fn not_finite<T: Real, P, I: Signals<T>>(conditions: &Conditions<'_, T, P, I>) -
 
 /// Any mechanism: a type of its own around a [`Shell`], with its own names for the shell's functions.
 ///
-/// Code for this trait works with every generated and every interpreted mechanism.
+/// Code for this trait works with every generated and every interpreted mechanism:
+///
+/// ```
+/// use linkwright::{Blocks, Mechanism};
+///
+/// /// Largest speed (m/s) of the points that frames offer.
+/// fn largest_speed<M: Mechanism>(mechanism: &M) -> f64
+/// where
+///     M::Blocks: Blocks<Scalar = f64>,
+/// {
+///     let (blocks, frame) = (mechanism.shell().blocks(), mechanism.shell().frame());
+///     let points = (0..).map_while(|index| blocks.point(frame, index));
+///     points.map(|point| point.velocity[0].hypot(point.velocity[1])).fold(0.0, f64::max)
+/// }
+///
+/// linkwright_macros::mechanism! {
+///     mechanism crank {
+///         point O = (0, 0);
+///         body arm at O { O, A: (2, 0), B: (1, 0) }
+///         revolute O(ground, arm);
+///         drive phi(arm) = 3*t;
+///     }
+/// }
+/// let crank = crank::Crank::assemble(0.0)?;
+/// assert!((largest_speed(&crank) - 6.0).abs() < 1e-12);
+/// # Ok::<(), linkwright::Failure>(())
+/// ```
 pub trait Mechanism: Sized {
     /// Equations of the mechanism.
     type Blocks: Blocks;

@@ -54,6 +54,7 @@ impl<T: Real> Signal<T> {
     }
 
     /// Signal at the fraction `part` of the straight path from this one to `last`, on which no time passes.
+    #[doc(hidden)]
     #[must_use]
     pub fn straight_towards(&self, last: &Self, part: T) -> Self {
         let between = |from: T, to: T| from + part * (to - from);

@@ -34,7 +34,7 @@ pub struct Broken<T = f64> {
 /// # Errors
 /// Returns the failure of the attempt nearest to the last time reached, if shorter steps would not help:
 /// [`FailureKind::OutOfReach`], by the distance that is missing at `to` if the same block does not reach there either.
-/// If the step is at most [`REFINED`] times the whole distance, also [`FailureKind::Singular`],
+/// If the step is at most `REFINED` times the whole distance, also [`FailureKind::Singular`],
 /// [`FailureKind::WrongBranch`], [`FailureKind::NotPositive`] and [`FailureKind::NotFinite`]. All others are
 /// [`FailureKind::StepTooLarge`].
 ///

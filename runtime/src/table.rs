@@ -8,7 +8,7 @@ use crate::math::Real;
 /// first start its tangent holds.
 ///
 /// ```
-/// use linkwright::Table;
+/// use linkwright::generated::Table;
 /// // x² from 0 to 1, then its tangent 1 + 2 (x − 1).
 /// const SQUARE: Table<2> = Table {
 ///     starts: [0.0, 1.0],
@@ -94,7 +94,7 @@ mod tests {
     use super::Table;
 
     /// Steps of height 0, 1, 2, 3 that start at `starts`.
-    fn steps<T: crate::Real>(starts: [T; 4], spacing: Option<T>) -> Table<4, T> {
+    fn steps<T: crate::math::Real>(starts: [T; 4], spacing: Option<T>) -> Table<4, T> {
         let height = |step: f64| [T::from_f64(step), T::ZERO, T::ZERO, T::ZERO];
         Table {
             starts,

@@ -54,7 +54,10 @@ pub fn source(name: &str) -> Source {
     let text =
         fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     let folder = path.parent().expect("a folder");
-    linkwright_codegen::attach_files(Source::new(format!("{name}.mech"), text), folder)
+    linkwright_codegen::stages::files::attach_files(
+        Source::new(format!("{name}.mech"), text),
+        folder,
+    )
 }
 
 /// The equations of every motion of a described mechanism, which determine it.
@@ -65,7 +68,7 @@ pub fn motions(name: &str) -> Vec<System> {
     let source = source(name);
     let read = linkwright_codegen::read(&source)
         .unwrap_or_else(|errors| panic!("{}", errors.render(&source)));
-    if let Err(errors) = linkwright_codegen::check_all(&read.motions) {
+    if let Err(errors) = linkwright_codegen::stages::check_all(&read.motions) {
         panic!("{}", errors.render(&source));
     }
     read.motions

@@ -30,7 +30,7 @@ pub fn systems(name: &str, text: &str) -> Vec<System> {
     let source = Source::new(format!("{name}.mech"), text.to_string());
     let read = linkwright_codegen::read(&source)
         .unwrap_or_else(|errors| panic!("{}", errors.render(&source)));
-    if let Err(errors) = linkwright_codegen::check_all(&read.motions) {
+    if let Err(errors) = linkwright_codegen::stages::check_all(&read.motions) {
         panic!("{}", errors.render(&source));
     }
     read.motions

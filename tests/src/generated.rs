@@ -4,9 +4,10 @@
 
 use std::marker::PhantomData;
 
+use linkwright::generated::newton;
 use linkwright::nalgebra::{Const, OMatrix, OVector, SVector};
 use linkwright::{
-    Blocks, Equations, Failure, Frame, Mechanism, PointMotion, Settings, Shell, Step, newton,
+    Blocks, Equations, Failure, Frame, Mechanism, PointMotion, Settings, Shell, Step,
 };
 use nalgebra::{DMatrix, DVector, Dyn};
 

@@ -1,7 +1,8 @@
 //! *The name of a mechanism* → *something that solves it*: the generated code and the interpreter behind one interface, so
 //! that each statement of a test is made about both.
 
-use linkwright::{Equations, Frame, PointMotion, Settings, Step, newton};
+use linkwright::generated::newton;
+use linkwright::{Equations, Frame, PointMotion, Settings, Step};
 use linkwright_codegen::stages::system::System;
 use linkwright_solver::textbook::TextbookEquations;
 use nalgebra::{DMatrix, DVector, Dyn};

@@ -2,7 +2,8 @@
 //!
 //! The file needs nothing but the runtime, because it is compiled in two places, as [`crate::hunt::ways`] is.
 
-use linkwright::{Blocks, Failure, Mechanism, Real, Settings, Shell, Values};
+use linkwright::math::Real;
+use linkwright::{Blocks, Failure, Mechanism, Settings, Shell, Values};
 
 /// q, q̇ and q̈.
 pub type Levels = [Vec<f64>; 3];

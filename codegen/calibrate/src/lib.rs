@@ -15,7 +15,7 @@
 //!     revolute A(ground, arm);
 //!     drive phi(arm) = t;
 //! }";
-//! let read = linkwright_codegen::read_along(&Source::new("crank.mech", text), &["L"]);
+//! let read = linkwright_codegen::stages::read_along(&Source::new("crank.mech", text), &["L"]);
 //! let system = read.expect("no errors").only().expect("one motion");
 //! let calibrator = Calibrator::new(&system, 0.1).expect("its equations can be ordered");
 //!

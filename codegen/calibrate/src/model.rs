@@ -60,7 +60,7 @@ pub(crate) struct Sampled {
 
 impl Calibrator {
     /// Returns the calibrator of a system with the sensitivities to the parameters that are to be fitted, as
-    /// [`linkwright_codegen::read_along`] gives it. `step` is the largest time between frames (s). `None` if its blocks
+    /// [`linkwright_codegen::stages::read_along`] gives it. `step` is the largest time between frames (s). `None` if its blocks
     /// cannot be ordered.
     pub fn new(system: &System, step: f64) -> Option<Calibrator> {
         Some(Calibrator::of(Interpreted::new(system)?, step))

@@ -5,7 +5,8 @@ use std::{env, path};
 
 use linkwright_codegen::diagnostic::internal::caught;
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
-use linkwright_codegen::{Generated, Options, Page, attach_files, generate_with_page};
+use linkwright_codegen::stages::files::attach_files;
+use linkwright_codegen::{Generated, Options, Page, generate};
 use proc_macro2::{Ident, Span, TokenStream, fallback};
 use quote::quote;
 
@@ -39,7 +40,7 @@ pub fn expand(input: TokenStream) -> TokenStream {
         Ok(name) => name,
         Err(error) => return error,
     };
-    let Ok(code) = generated.code.parse::<TokenStream>() else {
+    let Ok(code) = generated.code().parse::<TokenStream>() else {
         let problem = "what is generated is no Rust: this is an error of Linkwright";
         return findings::error([Span::call_site(); 2], problem);
     };
@@ -88,7 +89,12 @@ fn generated(
     fallback::force();
     let _aside = Aside;
     let source = attach_files(source, folder);
-    let generated = caught(|| generate_with_page(&source, options));
+    let generated = caught(|| {
+        generate(&source, options).map(|generated| {
+            let page = generated.page();
+            (generated, page)
+        })
+    });
     (
         source,
         generated.unwrap_or_else(|error| Err(error.findings())),

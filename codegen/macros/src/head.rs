@@ -83,7 +83,7 @@ impl Head {
         match name.as_str() {
             "scalar" => self.options.scalar = scalar(value)?,
             // An option must live until the compiler ends.
-            "math" => self.options.math = Some(value.stream().to_string().leak()),
+            "math" => self.options.math = Some(value.stream().to_string()),
             _ => return Err(unknown()),
         }
         if given_names.contains(&name) {

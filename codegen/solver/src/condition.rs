@@ -5,7 +5,8 @@
 //! Computations*, 4th ed., section 2.6.2). Of Φ_q in SI units the reciprocal condition depends on the unit of length, so verdicts use
 //! the [`dimensionless`] matrix.
 
-use linkwright::{Equations, Factorization, Scales};
+use linkwright::Equations;
+use linkwright::generated::{Factorization, Scales};
 use nalgebra::{DMatrix, DVector, Dyn};
 
 /// Condition of a matrix.

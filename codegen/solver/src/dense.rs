@@ -3,10 +3,8 @@
 use std::cell::Cell;
 use std::sync::Arc;
 
-use linkwright::{
-    BlockName, Blocks, Conditions, Equations, Failure, Pair, PointMotion, Start, TimeWindow, block,
-    path,
-};
+use linkwright::generated::{Conditions, Pair, Start, TimeWindow, block, path};
+use linkwright::{BlockName, Blocks, Equations, Failure, PointMotion};
 use linkwright_codegen::stages::emit::derivation::SingularPose;
 use linkwright_codegen::stages::system::System;
 use nalgebra::{DMatrix, DVector, Dyn};
@@ -95,7 +93,7 @@ impl Blocks for Dense {
     type Inputs = InputSignals;
     type PathEnclosures = ();
 
-    /// False, since each step of [`linkwright::path::step`] verifies its path itself.
+    /// False, since each step verifies its path itself, as [`linkwright::follow`] does.
     fn is_guarded(&self) -> bool {
         false
     }

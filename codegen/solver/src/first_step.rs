@@ -1,7 +1,8 @@
 //! Computes the first Newton-Raphson step from an estimate, with the equations of the textbook formulation.
 
-use linkwright::{Equations, Factorization, Scales};
-use linkwright_codegen::System;
+use linkwright::Equations;
+use linkwright::generated::{Factorization, Scales};
+use linkwright_codegen::stages::system::System;
 use nalgebra::{DMatrix, DVector, Dyn};
 
 use crate::condition::jacobian;

@@ -2,7 +2,7 @@
 //!
 //! The names are those of the functions of generated code: `effort_crank`, `reaction_p_x`, `kinetic_energy`.
 
-use linkwright::multipliers;
+use linkwright::generated::multipliers;
 use linkwright_codegen::stages::expr::ExprId;
 use linkwright_codegen::stages::model::Role;
 use linkwright_codegen::stages::program::Program;

@@ -5,7 +5,7 @@
 //! zero exactly in singular poses. One equation encloses no angle: its measure is its slope, relative to the largest of the motion.
 //! The slope of a Newton-Raphson is scaled by its equation and its unknown.
 
-use linkwright::Measure;
+use linkwright::generated::Measure;
 use linkwright_codegen::stages::expr::ExprId;
 use linkwright_codegen::stages::program::{Lengths, Program};
 use linkwright_codegen::stages::structure::SolvedPlan;

@@ -1,11 +1,10 @@
 //! Verifies that blocks stay on their path: an instant continues the path of the last one.
 //!
-//! The statements are those of generated code; see [`linkwright::guard`].
+//! The statements are those of generated code; see [`linkwright::Blocks::verify_path`].
 
-use linkwright::chain_isolation::isolate_whole_chain;
-use linkwright::isolation::isolate_all;
-use linkwright::time_window::required;
-use linkwright::{Chord, Pair, PathEnclosure, TimeWindow};
+use linkwright::generated::{
+    Chord, Pair, PathEnclosure, TimeWindow, isolate_all, isolate_whole_chain, required,
+};
 use linkwright_codegen::stages::expr::{Code, Register, SymbolId};
 use linkwright_codegen::stages::program::{Function, Program};
 use linkwright_codegen::stages::system::{SymbolRole, System};

@@ -1,6 +1,6 @@
 //! Finds the largest pressure angle of every contact over a motion.
 
-use linkwright::contact::pressure_angle;
+use linkwright::generated::pressure_angle;
 use linkwright_codegen::stages::expr::ExprId;
 use linkwright_codegen::stages::system::System;
 

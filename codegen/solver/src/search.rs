@@ -5,9 +5,9 @@
 
 use std::f64::consts::PI;
 
-use linkwright::closed_form::failed;
+use linkwright::generated::{Start, failed};
 use linkwright::math::nearest_turn;
-use linkwright::{Branch, Failure, FailureKind, Start};
+use linkwright::{Branch, Failure, FailureKind};
 use nalgebra::DVector;
 
 use crate::interpreted::{Interpreted, State};

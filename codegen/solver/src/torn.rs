@@ -1,7 +1,10 @@
 //! Evaluates [`Torn`] equations of a block on registers.
 
-use linkwright::torn::{self, Completion, Evaluation, Found, Memory};
-use linkwright::{Branch, Equations, Failure, Frame, Settings, Start, Torn};
+use linkwright::generated::{
+    Start, Torn,
+    torn::{self, Completion, Evaluation, Found, Memory},
+};
+use linkwright::{Branch, Equations, Failure, Frame, Settings};
 use linkwright_codegen::stages::expr::{Register, SymbolId};
 use linkwright_codegen::stages::program::{Block, Statement};
 use linkwright_codegen::stages::system::System;

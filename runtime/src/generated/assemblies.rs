@@ -3,7 +3,7 @@
 /// Assemblies with their labels, modes and the values of some fields of a frame there.
 #[doc(hidden)]
 #[macro_export]
-macro_rules! assemblies {
+macro_rules! generated_assemblies {
     (
         $(#[$docs:meta])*
         $name:ident [$count:literal] of [$($($field:ident).+),* $(,)?] {

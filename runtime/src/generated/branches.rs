@@ -4,7 +4,7 @@
 /// mode.
 #[doc(hidden)]
 #[macro_export]
-macro_rules! branches {
+macro_rules! generated_branches {
     (
         $(#[$docs:meta])*
         $name:ident {
@@ -29,7 +29,7 @@ macro_rules! branches {
             #[allow(unused_mut)]
             fn exchanged(mut self, block: u16) -> Option<Self> {
                 let is_one = match block {
-                    $($($number => { self.$field = $crate::Mode::other(self.$field)?; true })?)*
+                    $($($number => { self.$field = $crate::generated::Mode::other(self.$field)?; true })?)*
                     _ => false,
                 };
                 is_one.then_some(self)

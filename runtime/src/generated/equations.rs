@@ -1,5 +1,5 @@
 //! Implements [`Equations`](crate::Equations) for a generated type that implements
-//! [`BlockEquations`](crate::BlockEquations).
+//! [`BlockEquations`](crate::generated::BlockEquations).
 //!
 //! A module does so for each of its types. A blanket implementation would prevent callers from implementing
 //! [`Equations`](crate::Equations) for a scalar or a dimension of their choice.
@@ -7,7 +7,7 @@
 /// Equations of a type, which states them as arrays, for the solvers. A type that borrows has a lifetime.
 #[doc(hidden)]
 #[macro_export]
-macro_rules! equations {
+macro_rules! generated_equations {
     ($name:ident, $($lifetime:lifetime,)? $size:literal) => {
         impl $crate::Equations<Scalar, Const<$size>> for $name$(<$lifetime>)? {
             #[inline]

@@ -4,13 +4,13 @@
 /// numbers. Fields that are `drawn` are not zero in the estimate from which the mechanism is assembled.
 #[doc(hidden)]
 #[macro_export]
-macro_rules! frame {
+macro_rules! generated_frame {
     (
         $(#[$docs:meta])*
         $name:ident(q, qd, qdd $(, $kept:ident)?) from ($pose:ident, $parameters:ident) { $($field:ident),* $(,)? }
         $(drawn { $($own:ident = $drawn:expr),* $(,)? })?
     ) => {
-        $crate::frame! {
+        $crate::generated::frame! {
             @define $(#[$docs])* $name from ($pose, $parameters) {
                 /// Pose.
                 pub q: Coordinates = Coordinates::REST,
@@ -43,7 +43,7 @@ macro_rules! frame {
                     (&mut self.qd, &frame.qd, &base.qd),
                     (&mut self.qdd, &frame.qdd, &base.qdd),
                 ] {
-                    *sum = Coordinates::from_array($crate::blocks::sum(
+                    *sum = Coordinates::from_array($crate::generated::sum(
                         sum.to_array(),
                         multiple,
                         [frame.to_array(), base.to_array()],
@@ -58,7 +58,7 @@ macro_rules! frame {
         $name:ident() from ($pose:ident, $parameters:ident) { $($field:ident),* $(,)? }
         $(drawn { $($own:ident = $drawn:expr),* $(,)? })?
     ) => {
-        $crate::frame! {
+        $crate::generated::frame! {
             @define $(#[$docs])* $name from ($pose, $parameters) { $($field: Scalar = 0.0,)* } { $($($own = $drawn,)*)? }
         }
 

@@ -7,7 +7,7 @@
 /// The module supplies `Frame`, `Coordinates`, `Branches`, `BLOCKS`, `POINTS`, and the function `solve`.
 #[doc(hidden)]
 #[macro_export]
-macro_rules! mechanism {
+macro_rules! generated_mechanism {
     (
         $(#[$docs:meta])*
         $name:ident, $label:literal;
@@ -21,11 +21,11 @@ macro_rules! mechanism {
         $(loads: $loads:ident;)?
     ) => {
         /// Data with which one instant is solved.
-        type Conditions<'a> = $crate::Conditions<
+        type Conditions<'a> = $crate::generated::Conditions<
             'a,
             Scalar,
-            $crate::or_unit!(@type $($parameters)?),
-            $crate::or_unit!(@type $($inputs)?),
+            $crate::generated::or_unit!(@type $($parameters)?),
+            $crate::generated::or_unit!(@type $($inputs)?),
         >;
 
         /// Path enclosures of the unknowns of Newton-Raphson.
@@ -34,7 +34,7 @@ macro_rules! mechanism {
 
         /// Frame with the one before it.
         #[allow(dead_code)]
-        type Pair<'a> = $crate::Pair<'a, Loops>;
+        type Pair<'a> = $crate::generated::Pair<'a, Loops>;
 
         /// Equations of the mechanism, loop by loop.
         #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -45,8 +45,8 @@ macro_rules! mechanism {
             type Frame = Frame;
             type Coordinates = Coordinates;
             type Branches = Branches;
-            type Parameters = $crate::or_unit!(@type $($parameters)?);
-            type Inputs = $crate::or_unit!(@type $($inputs)?);
+            type Parameters = $crate::generated::or_unit!(@type $($parameters)?);
+            type Inputs = $crate::generated::or_unit!(@type $($inputs)?);
             type PathEnclosures = PathEnclosures;
 
             fn nominal_parameters(&self) -> Self::Parameters {
@@ -71,7 +71,7 @@ macro_rules! mechanism {
             }
 
             fn drawn_pose(&self, _parameters: &Self::Parameters) -> Coordinates {
-                $crate::or_drawn!(Coordinates, _parameters $(, $drawn)?)
+                $crate::generated::or_drawn!(Coordinates, _parameters $(, $drawn)?)
             }
 
             fn estimate(&self, pose: &Coordinates, parameters: &Self::Parameters, t: Scalar) -> Frame {
@@ -100,7 +100,7 @@ macro_rules! mechanism {
 
             #[inline]
             fn is_guarded(&self) -> bool {
-                $crate::path!(@is $path)
+                $crate::generated::path!(@is $path)
             }
 
             fn enclosures(&self) -> PathEnclosures {
@@ -108,21 +108,21 @@ macro_rules! mechanism {
             }
 
             fn verify_path(&self, _pair: &Pair<'_>, _span: &TimeWindow, _enclosures: &mut PathEnclosures) -> Result<(), u16> {
-                $crate::path!(@keeps $path, _pair, _span, _enclosures)
+                $crate::generated::path!(@keeps $path, _pair, _span, _enclosures)
             }
 
             #[inline]
             fn is_closed(&self) -> bool {
-                $crate::path!(@closed $path)
+                $crate::generated::path!(@closed $path)
             }
 
             fn verify_nonsingular(&self, _pair: &Pair<'_>, _span: &TimeWindow) -> Result<(), u16> {
-                $crate::path!(@stays $path, _pair, _span)
+                $crate::generated::path!(@stays $path, _pair, _span)
             }
 
             #[inline]
             fn is_within(&self, _at: &Frame, _enclosures: &PathEnclosures, _steps: Scalar) -> bool {
-                $crate::path!(@within $path, _at, _enclosures, _steps $(, $enclosures)?)
+                $crate::generated::path!(@within $path, _at, _enclosures, _steps $(, $enclosures)?)
             }
 
             fn name(&self) -> &str {
@@ -134,11 +134,11 @@ macro_rules! mechanism {
             }
 
             fn parameter_name(&self, _index: usize) -> Option<&str> {
-                $crate::or_unit!(@name _index $(, $parameters)?)
+                $crate::generated::or_unit!(@name _index $(, $parameters)?)
             }
 
             fn input_name(&self, _index: usize) -> Option<&str> {
-                $crate::or_unit!(@name _index $(, $inputs)?)
+                $crate::generated::or_unit!(@name _index $(, $inputs)?)
             }
 
             fn coordinate(&self, frame: &Frame, index: usize) -> Option<[Scalar; 3]> {
@@ -179,7 +179,7 @@ macro_rules! mechanism {
 
             $(
                 fn not_positive(&self, parameters: &Self::Parameters) -> Option<(u16, Scalar)> {
-                    $crate::blocks::first_not_positive(&requirements(parameters))
+                    $crate::generated::first_not_positive(&requirements(parameters))
                 }
 
                 fn requirement_name(&self, index: usize) -> Option<BlockName<'_>> {
@@ -236,7 +236,7 @@ macro_rules! mechanism {
             pub fn assemble_on(branches: Branches, t: Scalar $(, inputs: &$inputs)?) -> Result<Self, Failure> {
                 let parameters = Default::default();
                 let (pose, settings) = (Loops.drawn_pose(&parameters), Settings::default());
-                let inputs = $crate::or_unit!(@value inputs $(, $inputs)?);
+                let inputs = $crate::generated::or_unit!(@value inputs $(, $inputs)?);
                 Shell::assemble(Loops, &parameters, &pose, branches, t, inputs, settings).map(Self)
             }
 
@@ -251,7 +251,7 @@ macro_rules! mechanism {
                 $(inputs: &$inputs,)?
                 settings: Settings,
             ) -> Result<Self, Failure> {
-                let inputs = $crate::or_unit!(@value inputs $(, $inputs)?);
+                let inputs = $crate::generated::or_unit!(@value inputs $(, $inputs)?);
                 Shell::assemble(Loops, &Default::default(), estimate, Branches::DESIGN, t, inputs, settings).map(Self)
             }
 
@@ -268,8 +268,8 @@ macro_rules! mechanism {
                 $(inputs: &$inputs,)?
                 settings: Settings,
             ) -> Result<Self, Failure> {
-                let parameters = $crate::or_unit!(@value parameters $(, $parameters)?);
-                let inputs = $crate::or_unit!(@value inputs $(, $inputs)?);
+                let parameters = $crate::generated::or_unit!(@value parameters $(, $parameters)?);
+                let inputs = $crate::generated::or_unit!(@value inputs $(, $inputs)?);
                 Shell::assemble(Loops, parameters, estimate, branches, t, inputs, settings).map(Self)
             }
 
@@ -281,7 +281,7 @@ macro_rules! mechanism {
             /// or the last time that could be followed.
             #[inline]
             pub fn advance(&mut self, t: Scalar $(, inputs: &$inputs)?) -> Result<&Frame, Failure> {
-                self.0.advance(t, $crate::or_unit!(@value inputs $(, $inputs)?))
+                self.0.advance(t, $crate::generated::or_unit!(@value inputs $(, $inputs)?))
             }
 
             /// Moves the mechanism by the time `duration` (s) from the last frame, as `advance` does. The times of
@@ -291,7 +291,7 @@ macro_rules! mechanism {
             /// # Errors
             /// Returns those of `advance`.
             pub fn advance_by(&mut self, duration: Scalar $(, inputs: &$inputs)?) -> Result<&Frame, Failure> {
-                self.0.advance_by(duration, $crate::or_unit!(@value inputs $(, $inputs)?))
+                self.0.advance_by(duration, $crate::generated::or_unit!(@value inputs $(, $inputs)?))
             }
 
             /// Assembles the mechanism at time `t` (s) near the last frame and in its modes, whether or not a path
@@ -301,7 +301,7 @@ macro_rules! mechanism {
             /// # Errors
             /// Returns a [`Failure`] if it cannot be assembled so; the last frame is then unchanged.
             pub fn recover(&mut self, t: Scalar $(, inputs: &$inputs)?) -> Result<Option<Coordinates>, Failure> {
-                self.0.recover(t, $crate::or_unit!(@value inputs $(, $inputs)?))
+                self.0.recover(t, $crate::generated::or_unit!(@value inputs $(, $inputs)?))
             }
 
             /// Last solved instant.
@@ -316,7 +316,7 @@ macro_rules! mechanism {
             /// # Errors
             /// Returns a [`Failure`] if it cannot be assembled so at that time.
             pub fn frame_at(&self, t: Scalar $(, inputs: &$inputs)?) -> Result<Frame, Failure> {
-                self.0.frame_at(t, $crate::or_unit!(@value inputs $(, $inputs)?))
+                self.0.frame_at(t, $crate::generated::or_unit!(@value inputs $(, $inputs)?))
             }
 
             /// Assembly modes of the mechanism.
@@ -342,15 +342,15 @@ macro_rules! mechanism {
             )?
         }
 
-        $($crate::drawing!(Coordinates, $drawn);)?
-        $crate::parametric!($name, [$($inputs)?] $(, $parameters)?);
+        $($crate::generated::drawing!(Coordinates, $drawn);)?
+        $crate::generated::parametric!($name, [$($inputs)?] $(, $parameters)?);
     };
 }
 
 /// Design configuration of given parameters.
 #[doc(hidden)]
 #[macro_export]
-macro_rules! drawing {
+macro_rules! generated_drawing {
     ($coordinates:ident, $drawn:ident) => {
         #[allow(dead_code)]
         impl $coordinates {
@@ -369,7 +369,7 @@ macro_rules! drawing {
 /// Method of mechanisms with parameters alone.
 #[doc(hidden)]
 #[macro_export]
-macro_rules! parametric {
+macro_rules! generated_parametric {
     ($name:ident, [$($inputs:ident)?]) => {};
     ($name:ident, [$($inputs:ident)?], $parameters:ident) => {
         #[allow(dead_code)]
@@ -380,7 +380,7 @@ macro_rules! parametric {
             /// Returns a [`Failure`] if it cannot be assembled so.
             pub fn assemble_for(parameters: &$parameters, t: Scalar $(, inputs: &$inputs)?) -> Result<Self, Failure> {
                 let (pose, settings) = (Loops.drawn_pose(parameters), Settings::default());
-                let inputs = $crate::or_unit!(@value inputs $(, $inputs)?);
+                let inputs = $crate::generated::or_unit!(@value inputs $(, $inputs)?);
                 Shell::assemble(Loops, parameters, &pose, Branches::DESIGN, t, inputs, settings).map(Self)
             }
         }
@@ -390,7 +390,7 @@ macro_rules! parametric {
 /// Pose of the design configuration, for fixed or for changeable parameters.
 #[doc(hidden)]
 #[macro_export]
-macro_rules! or_drawn {
+macro_rules! generated_or_drawn {
     ($coordinates:ident, $parameters:ident) => {
         $coordinates::DESIGN
     };
@@ -402,7 +402,7 @@ macro_rules! or_drawn {
 /// Functions that verify paths.
 #[doc(hidden)]
 #[macro_export]
-macro_rules! path {
+macro_rules! generated_path {
     (@is unguarded) => {
         false
     };
@@ -438,7 +438,7 @@ macro_rules! path {
 /// Value that belongs to a type.
 #[doc(hidden)]
 #[macro_export]
-macro_rules! only {
+macro_rules! generated_only {
     ($value:expr, $type:ident) => {
         $value
     };
@@ -447,7 +447,7 @@ macro_rules! only {
 /// Type, or else `()`; value if there is a type for it, or else `&()`; name among those of the type, if there is one.
 #[doc(hidden)]
 #[macro_export]
-macro_rules! or_unit {
+macro_rules! generated_or_unit {
     (@type) => {
         ()
     };

@@ -1,7 +1,8 @@
-//! Declares the items with which generated modules are written, for each scalar.
+//! Items that generated modules and the interpreter call; no part of the public interface.
 //!
-//! A generated module begins with `use linkwright::double::*;`, or `single` for f32. Types have their scalar already,
-//! and unused items cost nothing. The macros contain the code that modules repeat.
+//! A generated module begins with `use linkwright::generated::double::*;`, or `single` for f32. Types have their
+//! scalar already, and unused items cost nothing. The macros contain the code that modules repeat. All of it may change
+//! with every release, together with the generator.
 
 mod assemblies;
 mod branches;
@@ -11,25 +12,91 @@ mod mechanism;
 mod numbers;
 mod textbook;
 
+// Exported macros are items of the root, where these names keep them apart.
+pub use crate::{
+    generated_assemblies as assemblies, generated_branches as branches,
+    generated_constants as constants, generated_coordinates as coordinates,
+    generated_drawing as drawing, generated_equations as equations, generated_frame as frame,
+    generated_inputs as inputs, generated_mechanism as mechanism, generated_only as only,
+    generated_or_drawn as or_drawn, generated_or_unit as or_unit,
+    generated_parameters as parameters, generated_parametric as parametric, generated_path as path,
+    generated_textbook as textbook, generated_values as values,
+};
+
+pub use crate::block::Start;
+pub use crate::block_equations::BlockEquations;
+pub use crate::blocks::{Conditions, first_not_positive, sum};
+pub use crate::chain_isolation::{isolate_chain, isolate_whole_chain};
+pub use crate::closed_form::{
+    Mode, all_finite, exceeds_rounding, failed, load_not_finite, not_finite, not_positive,
+    out_of_reach, singular_divisor,
+};
+pub use crate::contact::pressure_angle;
+pub use crate::guard::Pair;
+pub use crate::isolation::{Chord, isolate, isolate_all};
+pub use crate::linear::{Factorization, Measure};
+pub use crate::multipliers::multipliers;
+pub use crate::scale::{Scales, largest_length};
+pub use crate::substeps::{Broken, in_steps};
+pub use crate::table::Table;
+pub use crate::time_window::{PathEnclosure, TimeWindow, required};
+pub use crate::torn::Torn;
+
+/// Solution of a block from the last frame.
+pub mod block {
+    pub use crate::block::{solve, solve_measured};
+}
+
+/// Newton-Raphson with line search, for rough estimates.
+pub mod damped {
+    pub use crate::damped::{SHORTENINGS, solve_damped};
+}
+
+/// Frames of one block, and the factorization of its Jacobian.
+pub mod kinematics {
+    pub use crate::kinematics::{Frame, factorize};
+}
+
+/// Damped least squares, for rough estimates.
+pub mod least_squares {
+    pub use crate::least_squares::{STEPS, approach};
+}
+
+/// Multipliers of a block of any size.
+pub mod multipliers {
+    pub use crate::multipliers::solve;
+}
+
+/// Newton-Raphson and its thresholds.
+pub mod newton {
+    pub use crate::newton::{
+        Convergence, GROWING_STEPS, LARGEST_GROWTH, NOISE, ROUNDING, Step, solve, step,
+    };
+}
+
+/// Steps along a path.
+pub mod path {
+    pub use crate::path::step;
+}
+
+/// Newton-Raphson on the tearing variables of a block.
+pub mod torn {
+    pub use crate::torn::{
+        Completion, EVALUATIONS, Evaluation, Found, Memory, largest_of, sign, solve,
+    };
+}
+
 macro_rules! precision {
     ($(#[$docs:meta])* $name:ident, $scalar:ident) => {
         $(#[$docs])*
         pub mod $name {
-            pub use crate::chain_isolation::isolate_chain;
-            pub use crate::closed_form::{
-                all_finite, load_not_finite, out_of_reach, not_finite, not_positive, singular_divisor, exceeds_rounding,
+            pub use crate::generated::{
+                BlockEquations, Chord, Factorization, Start, Torn, all_finite, block, exceeds_rounding, isolate,
+                isolate_chain, kinematics, largest_length, load_not_finite, multipliers, newton, not_finite,
+                not_positive, out_of_reach, pressure_angle, required, singular_divisor, torn,
             };
-            pub use crate::contact::pressure_angle;
-            pub use crate::linear::Factorization;
             pub use crate::math::angle_near;
-            pub use crate::multipliers::multipliers;
-            pub use crate::scale::largest_length;
-            pub use crate::isolation::{Chord, isolate};
-            pub use crate::time_window::required;
-            pub use crate::{
-                BlockEquations, BlockName, Blocks, Branch, Mechanism, Shell, Start, block, kinematics, math, newton,
-                nalgebra::Const, torn, torn::Torn,
-            };
+            pub use crate::{BlockName, Blocks, Branch, Mechanism, Shell, math, nalgebra::Const};
 
             /// Scalar of everything in this module.
             pub type Scalar = $scalar;
@@ -42,7 +109,7 @@ macro_rules! precision {
             /// Matrix of R rows and C columns.
             pub type Matrix<const R: usize, const C: usize> = crate::nalgebra::SMatrix<Scalar, R, C>;
             /// Distance of a block's Jacobian from singular.
-            pub type Measure = crate::Measure<Scalar>;
+            pub type Measure = crate::generated::Measure<Scalar>;
             /// Position, velocity and acceleration of a point.
             pub type PointMotion = crate::PointMotion<Scalar>;
             /// Name of a point, and the method of the frames F that returns its motion.
@@ -52,17 +119,26 @@ macro_rules! precision {
             /// Quantity that is supplied with its rate and acceleration.
             pub type Signal = crate::Signal<Scalar>;
             /// Window of time about two frames.
-            pub type TimeWindow = crate::TimeWindow<Scalar>;
+            pub type TimeWindow = crate::generated::TimeWindow<Scalar>;
             /// Chord through the values of two frames, with a bound on the deviation from it.
-            pub type PathEnclosure = crate::PathEnclosure<Scalar>;
+            pub type PathEnclosure = crate::generated::PathEnclosure<Scalar>;
             /// One Newton-Raphson step.
-            pub type Step<const N: usize> = crate::Step<Scalar, Const<N>>;
+            pub type Step<const N: usize> = crate::generated::newton::Step<Scalar, Const<N>>;
             /// Smooth curve through N points.
-            pub type Table<const N: usize> = crate::Table<N, Scalar>;
+            pub type Table<const N: usize> = crate::generated::Table<N, Scalar>;
             /// Vector of N entries.
             pub type Vector<const N: usize> = crate::nalgebra::SVector<Scalar, N>;
         }
     };
 }
 
-pub(crate) use precision;
+precision!(
+    /// Types and functions of generated modules in f64.
+    double,
+    f64
+);
+precision!(
+    /// Types and functions of generated modules in f32.
+    single,
+    f32
+);

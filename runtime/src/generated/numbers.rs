@@ -3,7 +3,7 @@
 /// Rounded values of exact constants.
 #[doc(hidden)]
 #[macro_export]
-macro_rules! constants {
+macro_rules! generated_constants {
     ($($name:ident = $value:expr,)*) => {
         $(
             #[allow(clippy::approx_constant)]
@@ -15,7 +15,7 @@ macro_rules! constants {
 /// Structure with a number for each coordinate, its names, and its values in the design configuration.
 #[doc(hidden)]
 #[macro_export]
-macro_rules! coordinates {
+macro_rules! generated_coordinates {
     (
         $(#[$docs:meta])*
         $name:ident: $scalar:ident {
@@ -55,14 +55,14 @@ macro_rules! coordinates {
             }
         }
 
-        $crate::values!($name: $scalar { $($field),* });
+        $crate::generated::values!($name: $scalar { $($field),* });
     };
 }
 
 /// Structure with the parameters of a mechanism and their defaults.
 #[doc(hidden)]
 #[macro_export]
-macro_rules! parameters {
+macro_rules! generated_parameters {
     ($scalar:ident { $($(#[$field_docs:meta])* $field:ident = $nominal:expr,)* }) => {
         /// Parameters that can be changed at run time.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -86,14 +86,14 @@ macro_rules! parameters {
             }
         }
 
-        $crate::values!(Parameters: $scalar { $($field),* });
+        $crate::generated::values!(Parameters: $scalar { $($field),* });
     };
 }
 
 /// Numbers by their indices.
 #[doc(hidden)]
 #[macro_export]
-macro_rules! values {
+macro_rules! generated_values {
     ($name:ident: $scalar:ident { $($field:ident),* }) => {
         impl $crate::Values<$scalar> for $name {
             fn count(&self) -> usize {
@@ -112,7 +112,7 @@ macro_rules! values {
 
             #[inline]
             fn are_finite(&self) -> bool {
-                $crate::closed_form::all_finite(&[$(self.$field),*])
+                $crate::generated::all_finite(&[$(self.$field),*])
             }
         }
     };
@@ -121,7 +121,7 @@ macro_rules! values {
 /// Structure with the signals that drive a mechanism, and their values at assembly.
 #[doc(hidden)]
 #[macro_export]
-macro_rules! inputs {
+macro_rules! generated_inputs {
     ($scalar:ident { $($(#[$field_docs:meta])* $field:ident = $initial:expr,)* }) => {
         /// Signals that drive the mechanism, each with its value, rate and acceleration at one time.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -165,7 +165,7 @@ macro_rules! inputs {
             #[inline]
             fn are_finite(&self) -> bool {
                 [$(self.$field),*].iter().all(|signal| {
-                    $crate::closed_form::all_finite(&[signal.value, signal.rate, signal.acceleration])
+                    $crate::generated::all_finite(&[signal.value, signal.rate, signal.acceleration])
                 })
             }
 

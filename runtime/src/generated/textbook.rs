@@ -5,7 +5,7 @@
 /// The module supplies `Coordinates` and the functions `phi`, `phi_q`, `phi_t` and `gamma`.
 #[doc(hidden)]
 #[macro_export]
-macro_rules! textbook {
+macro_rules! generated_textbook {
     (@structure) => {
         /// All equations as one dense system, as `linkwright::newton` solves it.
         #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -26,7 +26,7 @@ macro_rules! textbook {
         rows: $rows:expr;
         columns: $columns:expr;
     ) => {
-        $crate::textbook! {
+        $crate::generated::textbook! {
             @structure
             $(
                 /// Parameters of the mechanism.
@@ -41,22 +41,22 @@ macro_rules! textbook {
         impl BlockEquations<Scalar, $size> for Textbook {
             fn residual(&self, q: &[Scalar; $size], t: Scalar) -> [Scalar; $size] {
                 let q = Coordinates::from_array(*q);
-                phi(&q, $($crate::only!(&self.parameters, $parameters),)? $($crate::only!(&self.inputs, $inputs),)? t).data.0[0]
+                phi(&q, $($crate::generated::only!(&self.parameters, $parameters),)? $($crate::generated::only!(&self.inputs, $inputs),)? t).data.0[0]
             }
 
             fn jacobian(&self, q: &[Scalar; $size], t: Scalar) -> Matrix<$size, $size> {
                 let q = Coordinates::from_array(*q);
-                phi_q(&q, $($crate::only!(&self.parameters, $parameters),)? $($crate::only!(&self.inputs, $inputs),)? t)
+                phi_q(&q, $($crate::generated::only!(&self.parameters, $parameters),)? $($crate::generated::only!(&self.inputs, $inputs),)? t)
             }
 
             fn time_derivative(&self, q: &[Scalar; $size], t: Scalar) -> [Scalar; $size] {
                 let q = Coordinates::from_array(*q);
-                phi_t(&q, $($crate::only!(&self.parameters, $parameters),)? $($crate::only!(&self.inputs, $inputs),)? t).data.0[0]
+                phi_t(&q, $($crate::generated::only!(&self.parameters, $parameters),)? $($crate::generated::only!(&self.inputs, $inputs),)? t).data.0[0]
             }
 
             fn gamma(&self, q: &[Scalar; $size], qd: &[Scalar; $size], t: Scalar) -> [Scalar; $size] {
                 let (q, qd) = (Coordinates::from_array(*q), Coordinates::from_array(*qd));
-                gamma(&q, &qd, $($crate::only!(&self.parameters, $parameters),)? $($crate::only!(&self.inputs, $inputs),)? t).data.0[0]
+                gamma(&q, &qd, $($crate::generated::only!(&self.parameters, $parameters),)? $($crate::generated::only!(&self.inputs, $inputs),)? t).data.0[0]
             }
 
             fn row_scales(&self) -> [Scalar; $size] {
@@ -76,7 +76,7 @@ macro_rules! textbook {
             }
         }
 
-        $crate::equations!(Textbook, $size);
+        $crate::generated::equations!(Textbook, $size);
 
         #[allow(dead_code)]
         impl $mechanism {
@@ -92,8 +92,8 @@ macro_rules! textbook {
                 $(, inputs: &$inputs)?
             ) -> Result<Step<$size>, Failure> {
                 let equations = Textbook {
-                    $(parameters: *$crate::only!(parameters, $parameters),)?
-                    $(inputs: *$crate::only!(inputs, $inputs),)?
+                    $(parameters: *$crate::generated::only!(parameters, $parameters),)?
+                    $(inputs: *$crate::generated::only!(inputs, $inputs),)?
                 };
                 newton::step(&equations, &Vector::from(q.to_array()), t, &Settings::default())
             }

@@ -1,7 +1,8 @@
 //! The estimate of the condition, the transposed solve and the sign of the determinant, against nalgebra's inverse.
 
+use linkwright::generated::{Factorization, Scales};
 use linkwright::nalgebra::{Const, DMatrix, DVector, Dyn, SMatrix, SVector};
-use linkwright::{Branch, Factorization, FailureKind, Scales};
+use linkwright::{Branch, FailureKind};
 
 /// A reproducible sequence of numbers in [-1, 1) (xorshift64*, Vigna 2016).
 struct Sequence(u64);

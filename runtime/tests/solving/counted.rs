@@ -2,9 +2,10 @@
 
 use std::cell::Cell;
 
+use linkwright::Equations;
+use linkwright::math::Real;
 use linkwright::nalgebra::allocator::Allocator;
 use linkwright::nalgebra::{DefaultAllocator, Dim, OMatrix, OVector};
-use linkwright::{Equations, Real};
 
 /// The number of evaluations of each function.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -1,8 +1,9 @@
 //! Solves are equal for static and dynamic dimensions, and for any unit of length.
 
 use crate::exam_equations::Exam;
+use linkwright::generated::newton;
 use linkwright::nalgebra::{Const, DMatrix, DVector, Dyn, OMatrix, OVector, SMatrix, SVector};
-use linkwright::{Equations, FailureKind, Settings, advance, assemble, newton};
+use linkwright::{Equations, FailureKind, Settings, advance, assemble};
 
 /// The exam's equations with lengths in a unit of 1 / `per_meter` meters, as an interpreter would present them.
 struct Interpreted {

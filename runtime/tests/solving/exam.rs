@@ -3,8 +3,9 @@
 use core::f64::consts::{FRAC_PI_3, FRAC_PI_6};
 
 use crate::exam_equations::Exam;
+use linkwright::generated::{Factorization, Scales, newton};
 use linkwright::nalgebra::{SMatrix, SVector};
-use linkwright::{Equations, Factorization, Frame, Scales, Settings, advance, assemble, newton};
+use linkwright::{Equations, Frame, Settings, advance, assemble};
 
 type Vector = SVector<f64, 6>;
 

@@ -3,8 +3,9 @@
 //! Φ, rows as the exam writes them, with q = (x1, y1, φ1, x2, y2, φ2):
 //! x1; y1; x1 + cos φ1 - x2 + √3 cos φ2; y1 + sin φ1 - y2 + √3 sin φ2; x2 - √3; φ1 - π/6 - sin 2t.
 
+use linkwright::Equations;
+use linkwright::math::{self, Real};
 use linkwright::nalgebra::{Const, SMatrix, SVector};
-use linkwright::{Equations, Real, math};
 
 /// The exam's equations in either scalar.
 pub struct Exam;

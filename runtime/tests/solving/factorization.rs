@@ -1,10 +1,12 @@
 //! The factorization against known solutions, nalgebra's determinant, and its own verdict in other units.
 
+use linkwright::FailureKind;
+use linkwright::generated::{Factorization, Scales};
+use linkwright::math::Real;
 use linkwright::nalgebra::allocator::Allocator;
 use linkwright::nalgebra::{
     Const, DMatrix, DVector, DefaultAllocator, Dim, Dyn, OMatrix, OVector, SMatrix,
 };
-use linkwright::{Factorization, FailureKind, Real, Scales};
 
 /// A reproducible sequence of numbers in [-1, 1) (xorshift64*, Vigna 2016).
 struct Sequence(u64);

@@ -1,8 +1,8 @@
 //! Every kind of failure, provoked by one equation whose behavior under Newton-Raphson is known.
 
 use crate::single::{Single, single};
+use linkwright::generated::newton::{self, Convergence};
 use linkwright::nalgebra::SVector;
-use linkwright::newton::{self, Convergence};
 use linkwright::{Failure, FailureKind, Settings, assemble};
 
 /// Solves from `start`; a failure must leave the pose unchanged, bit for bit.

@@ -1,6 +1,7 @@
 //! The elementary functions of both scalars, whichever library they come from.
 
-use linkwright::{Real, Settings, math};
+use linkwright::Settings;
+use linkwright::math::{self, Real};
 
 /// Checks the free functions against `f64`'s own at a few arguments, to a few units in the last place of `T`.
 fn agrees_with_the_standard_library<T: Real>() {

@@ -1,7 +1,7 @@
 //! Distance of a matrix from singular, against its singular values.
 
+use linkwright::generated::{Factorization, Measure, Scales};
 use linkwright::nalgebra::{SMatrix, SVector};
-use linkwright::{Factorization, Measure, Scales};
 
 /// A reproducible sequence of numbers in [-1, 1).
 struct Random(u64);

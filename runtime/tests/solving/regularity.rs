@@ -2,8 +2,9 @@
 
 use crate::single::single;
 use crate::turning::{DEAD_POINT, Turning, closed_form};
+use linkwright::generated::newton;
 use linkwright::nalgebra::SVector;
-use linkwright::{Failure, FailureKind, Frame, Settings, advance, assemble, newton};
+use linkwright::{Failure, FailureKind, Frame, Settings, advance, assemble};
 
 fn is_singular<T>(failure: &Failure<T>) -> bool {
     matches!(failure.kind, FailureKind::Singular { .. })

@@ -1,6 +1,7 @@
 //! Division of a motion into steps, with attempts whose failures are known.
 
-use linkwright::{Broken, Failure, FailureKind, in_steps};
+use linkwright::generated::{Broken, in_steps};
+use linkwright::{Failure, FailureKind};
 
 fn failure(kind: FailureKind, time: f64) -> Failure {
     Failure {

@@ -5,8 +5,9 @@
 
 use std::f64::consts::FRAC_PI_6;
 
+use linkwright::Equations;
+use linkwright::math::Real;
 use linkwright::nalgebra::{Const, SMatrix, SVector};
-use linkwright::{Equations, Real};
 
 use crate::exam_equations::Exam;
 

@@ -1,7 +1,8 @@
 //! Mechanisms that are given parameters and signals → functions of the library.
 
+use linkwright::generated::newton;
 use linkwright::nalgebra::{Const, SVector};
-use linkwright::{Blocks, Equations, Mechanism, PointMotion, Settings, Shell, newton};
+use linkwright::{Blocks, Equations, Mechanism, PointMotion, Settings, Shell};
 
 type Parameters<M> = <<M as Mechanism>::Blocks as Blocks>::Parameters;
 type Inputs<M> = <<M as Mechanism>::Blocks as Blocks>::Inputs;

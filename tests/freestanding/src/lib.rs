@@ -17,10 +17,10 @@ mod ring;
 #[cfg(feature = "generated")]
 mod tables;
 
+use linkwright::math::Real;
 use linkwright::nalgebra::{Const, SVector};
 use linkwright::{
-    Equations, Frame, Real, Settings, advance, assemble, assemble_from_rough_estimate, branch_of,
-    follow,
+    Equations, Frame, Settings, advance, assemble, assemble_from_rough_estimate, branch_of, follow,
 };
 
 unsafe extern "C" {

@@ -3,8 +3,9 @@
 //! One exported function per mechanism does it all, so that nothing of a module can be dropped. The test writes the list
 //! of them.
 
+use linkwright::generated::newton;
 use linkwright::nalgebra::{Const, SVector};
-use linkwright::{Blocks, Equations, Mechanism, PointMotion, Settings, Shell, Values, newton};
+use linkwright::{Blocks, Equations, Mechanism, PointMotion, Settings, Shell, Values};
 
 /// What is asked of a mechanism, and where its answers go.
 pub struct Call<'a> {

@@ -2,8 +2,9 @@
 //!
 //! It has the size of the excavator's textbook block and no closed form that a compiler could find.
 
+use linkwright::Equations;
+use linkwright::math::{self, Real};
 use linkwright::nalgebra::{Const, SMatrix, SVector};
-use linkwright::{Equations, Real, math};
 
 /// The number of coordinates.
 pub const SIZE: usize = 30;

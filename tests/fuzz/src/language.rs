@@ -2,6 +2,7 @@
 //! formatted.
 
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
+use linkwright_codegen::{Options, generate};
 
 use super::format;
 use super::outcome::with_codes;
@@ -44,10 +45,13 @@ pub fn run(bytes: &[u8]) -> String {
         .iter()
         .all(|it| it.coordinates.len() <= LARGEST)
     {
-        let generated = linkwright_codegen::generate(&source);
+        let generated = generate(&source, &Options::default());
         let generated = generated.expect("what is checked can be generated");
-        assert!(!generated.code.contains("NAN"), "a value that is no number");
-        if let Err(error) = syn::parse_file(&generated.code) {
+        assert!(
+            !generated.code().contains("NAN"),
+            "a value that is no number"
+        );
+        if let Err(error) = syn::parse_file(generated.code()) {
             panic!("the module is not Rust: {error}");
         }
     }

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::{Language, Options, OutputFile, Scalar, generate_files};
+use linkwright_codegen::{Language, Options, OutputFile, Scalar, generate};
 
 /// Both scalars, with what their modules are called.
 pub const SCALARS: [(&str, Scalar); 2] = [("f64", Scalar::F64), ("f32", Scalar::F32)];
@@ -113,10 +113,12 @@ impl Case {
     /// If the description has errors.
     pub fn files(&self, language: Language, scalar: Scalar) -> Vec<OutputFile> {
         let options = Options {
+            language,
             scalar,
+            stem: Some(self.name.clone()),
             ..Options::default()
         };
-        let generated = generate_files(&self.source, language, &self.name, &options);
+        let generated = generate(&self.source, &options);
         let generated = generated.unwrap_or_else(|found| panic!("{}", found.render(&self.source)));
         generated.files
     }

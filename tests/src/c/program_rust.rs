@@ -7,7 +7,9 @@ use super::header::{Declared, Returned};
 
 /// What every program needs.
 const COMMON: &str = r#"
-use linkwright::{Blocks, Failure, FailureKind, Mode, PointMotion, Real, Values};
+use linkwright::{Blocks, Failure, FailureKind, PointMotion, Values};
+use linkwright::math::Real;
+use linkwright::generated::Mode;
 
 pub fn number<T: Real>(text: &mut String, value: T) {
     let value = value.to_f64();

@@ -1,6 +1,8 @@
 //! *A compiled chain and instants* → *its frames, and how often they were found by way of the tears*.
 
-use linkwright::{Blocks, Conditions, Real, Settings, Shell, Start};
+use linkwright::generated::{Conditions, Start};
+use linkwright::math::Real;
+use linkwright::{Blocks, Settings, Shell};
 
 use crate::values::{Levels, assembled_from, levels};
 

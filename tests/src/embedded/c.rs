@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::{Language as Output, Options, Scalar as Precision, generate_files};
+use linkwright_codegen::{Language as Output, Options, Scalar as Precision};
 
 use super::build::Built;
 use super::program::{Language, MECHANISMS, Processor, Program, Scalar};
@@ -215,10 +215,12 @@ fn generate(mechanism: &str, scalar: Scalar) -> io::Result<PathBuf> {
         Scalar::F64 => Precision::F64,
     };
     let options = Options {
+        language: Output::C,
         scalar,
+        stem: Some(mechanism.to_string()),
         ..Options::default()
     };
-    let generated = generate_files(&source, Output::C, mechanism, &options);
+    let generated = linkwright_codegen::generate(&source, &options);
     let generated = generated.map_err(|found| io::Error::other(found.render(&source)))?;
     for file in generated.files {
         fs::write(place.join(file.name), file.text)?;

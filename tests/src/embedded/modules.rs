@@ -7,7 +7,7 @@ use std::io;
 use std::path::PathBuf;
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::{Options, Scalar as Precision, generate_with};
+use linkwright_codegen::{Options, Scalar as Precision, generate};
 
 use super::program::{MECHANISMS, Scalar};
 use super::tools::folder;
@@ -35,10 +35,10 @@ pub fn write() -> io::Result<()> {
                     scalar: precision,
                     ..Options::default()
                 };
-                let generated = generate_with(&source, &options)
+                let generated = generate(&source, &options)
                     .map_err(|found| io::Error::other(found.render(&source)))?;
                 let file = modules.join(format!("{variant}.rs"));
-                files::write_if_changed(&file, &generated.code)?;
+                files::write_if_changed(&file, generated.code())?;
                 list += &format!("{variant} {type_name} {real}\n");
             }
         }

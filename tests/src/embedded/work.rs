@@ -11,7 +11,7 @@ use crate::description;
 /// # Panics
 /// If its description has errors.
 pub fn work_of(mechanism: &str) -> Work {
-    let report = linkwright_codegen::report(&description::system(mechanism));
+    let report = linkwright_codegen::stages::report(&description::system(mechanism));
     report.expect("a mechanism that is determined").work
 }
 

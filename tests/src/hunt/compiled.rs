@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::{Options, Scalar, generate_with};
+use linkwright_codegen::{Options, Scalar, generate};
 
 use super::mechanism::Mechanism;
 use super::program;
@@ -91,7 +91,7 @@ fn write_package(folder: &Path, mechanisms: &[&Mechanism]) -> io::Result<()> {
     for (index, mechanism) in mechanisms.iter().enumerate() {
         let text = mechanism.text();
         for (name, scalar) in [("f64", Scalar::F64), ("f32", Scalar::F32)] {
-            let generated = generate_with(
+            let generated = generate(
                 &Source::new("found.mech", text.as_str()),
                 &Options {
                     scalar,
@@ -100,7 +100,7 @@ fn write_package(folder: &Path, mechanisms: &[&Mechanism]) -> io::Result<()> {
             )
             .map_err(|errors| io::Error::other(format!("{errors:?}")))?;
             let file = format!("{}.rs", program::module(index, name));
-            write(source.join(file), &generated.code)?;
+            write(source.join(file), generated.code())?;
         }
     }
     Ok(())

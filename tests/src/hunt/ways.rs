@@ -3,11 +3,12 @@
 //! The file needs nothing but the runtime and [`crate::values`], because it is compiled in two places: here for interpreted
 //! mechanisms, and beside the generated ones in a package of their own.
 
+use linkwright::math::Real;
 use linkwright::nalgebra::allocator::Allocator;
 use linkwright::nalgebra::{Const, DefaultAllocator, Dim, OVector};
 use linkwright::{
-    Blocks, Branch, Equations, Frame, Real, Settings, advance, assemble,
-    assemble_from_rough_estimate, follow,
+    Blocks, Branch, Equations, Frame, Settings, advance, assemble, assemble_from_rough_estimate,
+    follow,
 };
 
 use crate::values::{Levels, assembled_from, levels};

@@ -9,8 +9,9 @@ mod textbook;
 
 pub use dense::Dense;
 
+use linkwright::math::Real;
 use linkwright::nalgebra::Const;
-use linkwright::{Blocks, Equations, Mechanism, Real, Settings};
+use linkwright::{Blocks, Equations, Mechanism, Settings};
 use linkwright_codegen::stages::{program, structure};
 
 use crate::description;

@@ -3,7 +3,8 @@
 use std::any::type_name;
 use std::hint::black_box;
 
-use linkwright::{Blocks, Mechanism, Real, Settings, Shell};
+use linkwright::math::Real;
+use linkwright::{Blocks, Mechanism, Settings, Shell};
 
 use super::{Levels, Method, settings};
 use crate::values::{assembled_from, levels};

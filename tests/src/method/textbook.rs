@@ -4,9 +4,10 @@
 use std::any::type_name;
 use std::hint::black_box;
 
+use linkwright::math::Real;
 use linkwright::nalgebra::allocator::Allocator;
 use linkwright::nalgebra::{Const, DefaultAllocator, Dim, OVector};
-use linkwright::{Blocks, Equations, Frame, Mechanism, Real, Settings};
+use linkwright::{Blocks, Equations, Frame, Mechanism, Settings};
 
 use super::{Levels, Method, settings};
 use crate::values::numbers;

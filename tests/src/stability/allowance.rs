@@ -16,7 +16,7 @@ use super::verdict::Scalar;
 const FACTOR: f64 = 16.0;
 
 /// What the solver takes for rounding in a scaled residual, in ε.
-const LEVEL: f64 = linkwright::newton::ROUNDING;
+const LEVEL: f64 = linkwright::generated::newton::ROUNDING;
 
 impl Truth {
     /// By how much q, q̇ and q̈ may be off in a scalar. `length` is what residuals in m are judged against.

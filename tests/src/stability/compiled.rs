@@ -1,8 +1,9 @@
 //! The compiled mechanisms of the study, in both scalars and both views.
 
+use linkwright::math::Real;
 use linkwright::nalgebra::{Const, SMatrix, SVector};
 use linkwright::{
-    Blocks, Branch, Equations, Failure, Frame, Real, Settings, Shell, Signal, Signals, Values,
+    Blocks, Branch, Equations, Failure, Frame, Settings, Shell, Signal, Signals, Values,
 };
 
 use super::sample::{Outcomes, Sample, named};

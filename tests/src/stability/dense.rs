@@ -16,10 +16,10 @@ use super::bounded::{Margin, product_of as product};
 use super::verdict::Scalar;
 
 /// What Newton-Raphson takes for rounding in a scaled residual, in ε.
-const LEVEL: f64 = linkwright::newton::ROUNDING;
+const LEVEL: f64 = linkwright::generated::newton::ROUNDING;
 
 /// A step that leaves more than this part of the residual ends a solve.
-const NOISE: f64 = linkwright::newton::NOISE;
+const NOISE: f64 = linkwright::generated::newton::NOISE;
 
 /// The errors of everything that is evaluated at a pose with errors.
 pub struct Evaluated {

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
+use linkwright_codegen::Options;
 use linkwright_codegen::diagnostic::Source;
 
 use crate::files;
@@ -61,11 +62,11 @@ pub fn generate(description: String) -> (f64, String) {
     let mut fastest = f64::INFINITY;
     loop {
         let start = Instant::now();
-        let generated = linkwright_codegen::generate(&source)
+        let generated = linkwright_codegen::generate(&source, &Options::default())
             .unwrap_or_else(|errors| panic!("{}", errors.render(&source)));
         fastest = fastest.min(start.elapsed().as_secs_f64());
         if begin.elapsed() > ENOUGH {
-            return (fastest, generated.code);
+            return (fastest, generated.code().to_string());
         }
     }
 }

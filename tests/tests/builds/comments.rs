@@ -2,7 +2,7 @@
 //! Rust, HTML, or a name to be resolved.
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::generate;
+use linkwright_codegen::{Options as Choices, generate};
 use linkwright_tests::files;
 use linkwright_tests::random::Random;
 use pulldown_cmark::{BrokenLink, CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
@@ -171,9 +171,9 @@ fn nothing_in_a_comment_is_more_than_text() {
             "mechanism commented {{\nbody 1 at (0, 0) {{\n{points}}}\nabsolute_x(1) = 0;\nabsolute_y(1) = 0;\ndrive phi(1) = t;\n}}\n"
         );
         let source = Source::new("commented.mech", text);
-        let generated =
-            generate(&source).unwrap_or_else(|found| panic!("{}", found.render(&source)));
-        let emitted = of_points(&generated.code);
+        let generated = generate(&source, &Choices::default())
+            .unwrap_or_else(|found| panic!("{}", found.render(&source)));
+        let emitted = of_points(generated.code());
         assert_eq!(emitted.len(), POINTS);
         for (written, emitted) in written.iter().zip(&emitted) {
             let found = live(emitted);

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::Command;
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::{Language, Options, generate_files};
+use linkwright_codegen::{Language, Options, generate};
 use linkwright_tests::c::run::{FLAGS, compilers, run};
 use linkwright_tests::files;
 
@@ -24,7 +24,11 @@ fn the_controller_in_c_prints_what_its_page_says() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("control");
     fs::create_dir_all(&folder).expect("a folder");
     let source = Source::new("loader.mech", block(&page, "`descriptions/loader.mech`"));
-    let generated = generate_files(&source, Language::C, "loader", &Options::default());
+    let options = Options {
+        language: Language::C,
+        ..Options::default()
+    };
+    let generated = generate(&source, &options);
     let generated = generated.unwrap_or_else(|found| panic!("{}", found.render(&source)));
     for file in generated.files {
         fs::write(folder.join(file.name), file.text).expect("written");

@@ -10,6 +10,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::{Mutex, PoisonError};
 
+use linkwright_codegen::Options;
 use linkwright_codegen::stages::emit::rust::type_name;
 use linkwright_tests::{description, files};
 
@@ -38,9 +39,9 @@ fn modules() -> PathBuf {
     let gallery = description::names();
     for name in gallery.iter().map(String::as_str).chain(SMALL) {
         let source = description::source(name);
-        let generated = linkwright_codegen::generate(&source)
+        let generated = linkwright_codegen::generate(&source, &Options::default())
             .unwrap_or_else(|found| panic!("{}", found.render(&source)));
-        write(name, &generated.code);
+        write(name, generated.code());
     }
     let listed = |name: &String| {
         format!("pub mod {name} {{\n    linkwright::include_mechanism!({name});\n}}\n")

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::Command;
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::generate;
+use linkwright_codegen::{Options, generate};
 use linkwright_tests::c::run::run;
 use linkwright_tests::{description, files};
 
@@ -87,12 +87,12 @@ fn every_name_and_every_shape_is_clean() {
         0,
     );
     for (name, description) in named.chain(written) {
-        let Ok(generated) = generate(&description) else {
+        let Ok(generated) = generate(&description, &Options::default()) else {
             assert!(!name.starts_with("named"), "{name} is generated");
             continue;
         };
         let file = source.join(format!("{name}.rs"));
-        files::write_if_changed(&file, &generated.code).expect("written");
+        files::write_if_changed(&file, generated.code()).expect("written");
         library += &format!(
             "#[allow(clippy::pedantic, clippy::nursery)]\n/// A mechanism.\npub mod {name};\n"
         );

@@ -9,7 +9,7 @@ use std::process::Output;
 
 use linkwright::{Blocks, Mechanism, Settings};
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::generate;
+use linkwright_codegen::{Options, generate};
 use linkwright_tests::values::{assembled_from, levels, numbers};
 use linkwright_tests::{description, files, user_package};
 use serde_json::Value;
@@ -220,8 +220,8 @@ fn the_compilers_tokens_say_what_the_text_says() {
             text: text.to_string(),
             ..source.clone()
         };
-        let code = |source: &Source| match generate(source) {
-            Ok(generated) => generated.code,
+        let code = |source: &Source| match generate(source, &Options::default()) {
+            Ok(generated) => generated.code().to_string(),
             Err(errors) => panic!("{}", errors.render(source)),
         };
         assert!(code(&rebuilt) == code(&source), "{name}: {text}");

@@ -19,7 +19,7 @@ fn systems(text: &str) -> Result<Vec<System>, String> {
     let source = Source::new("beside.mech", text);
     let refused = |found: Diagnostics| found.render(&source);
     let read = linkwright_codegen::read(&source).map_err(refused)?;
-    linkwright_codegen::check_all(&read.motions).map_err(refused)?;
+    linkwright_codegen::stages::check_all(&read.motions).map_err(refused)?;
     Ok(read.motions)
 }
 

@@ -4,13 +4,13 @@ use std::path::PathBuf;
 use std::process::Command;
 use std::{env, fs};
 
-use linkwright_codegen::generate;
+use linkwright_codegen::{Options, generate};
 use linkwright_tests::{description, files};
 
 fn code(name: &str) -> String {
     let source = description::source(name);
-    match generate(&source) {
-        Ok(generated) => generated.code,
+    match generate(&source, &Options::default()) {
+        Ok(generated) => generated.code().to_string(),
         Err(errors) => panic!("{}", errors.render(&source)),
     }
 }
@@ -64,8 +64,8 @@ fn the_code_does_not_depend_on_where_the_description_lies() {
     for name in description::names() {
         let mut source = description::source(&name);
         source.name = "/somewhere/else/entirely.mech".to_string();
-        let moved = generate(&source)
-            .map(|generated| generated.code)
+        let moved = generate(&source, &Options::default())
+            .map(|generated| generated.code().to_string())
             .unwrap_or_default();
         assert!(moved == code(&name), "{name} differs");
         let root = files::repository().display().to_string();

@@ -1,6 +1,6 @@
 //! Factors of closed forms in generated code are explained where they are computed, in Rust and in C.
 
-use linkwright_codegen::{Language, Options, generate_files};
+use linkwright_codegen::{Language, Options, generate};
 use linkwright_tests::description;
 
 /// Longest line, in characters.
@@ -54,7 +54,11 @@ fn components_of_links_are_explained_where_they_are_computed() {
             .iter()
             .map(|name| {
                 let source = description::source(name);
-                let generated = generate_files(&source, language, name, &Options::default());
+                let options = Options {
+                    language,
+                    ..Options::default()
+                };
+                let generated = generate(&source, &options);
                 let generated =
                     generated.unwrap_or_else(|found| panic!("{}", found.render(&source)));
                 let files = generated.files.iter();

@@ -2,7 +2,7 @@
 
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::stages::{assemblies, program, structure};
-use linkwright_codegen::{generate, read};
+use linkwright_codegen::{Options, generate, read};
 use linkwright_tests::description;
 use linkwright_tests::random::Random;
 
@@ -129,9 +129,9 @@ fn driven_lengths_are_bounded_by_their_laws() {
 fn what_never_meets_is_not_exchanged() {
     let exchanges = |name: &str| {
         let source = description::source(name);
-        let generated =
-            generate(&source).unwrap_or_else(|found| panic!("{}", found.render(&source)));
-        generated.code.contains(", block ")
+        let generated = generate(&source, &Options::default())
+            .unwrap_or_else(|found| panic!("{}", found.render(&source)));
+        generated.code().contains(", block ")
     };
     for name in ["four_bar", "slider_crank", "two_body"] {
         assert!(!exchanges(name), "{name}");

@@ -215,7 +215,7 @@ fn a_sequence_asks_first_and_computes_one_sine() {
              drive phi(1) = 0; }}",
             pairs.join(", ")
         );
-        let report = linkwright_codegen::report(&read("stations", text)).expect("a report");
+        let report = linkwright_codegen::stages::report(&read("stations", text)).expect("a report");
         let sines: usize = report.operations.iter().map(|level| level.sines).sum();
         assert_eq!(sines, 2, "with {stations} stations");
     }

@@ -1,8 +1,8 @@
 //! The equations of both seeds as they are printed: as Rust, as text in ASCII and in Unicode, and as LaTeX.
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::generate;
 use linkwright_codegen::stages::emit::{Notation, latex, text};
+use linkwright_codegen::{Options, generate};
 use linkwright_tests::{description, files};
 
 fn snapshot(name: &str, printed: &str) {
@@ -11,9 +11,10 @@ fn snapshot(name: &str, printed: &str) {
 
 fn rust(name: &str) -> String {
     let source = description::source(name);
-    generate(&source)
+    generate(&source, &Options::default())
         .unwrap_or_else(|errors| panic!("{}", errors.render(&source)))
-        .code
+        .code()
+        .to_string()
 }
 
 fn ascii(name: &str) -> String {

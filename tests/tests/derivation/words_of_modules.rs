@@ -1,6 +1,6 @@
 //! Reads every generated module: words that the glossary replaced do not come back, and C is ASCII.
 
-use linkwright_codegen::{Language, Options, generate_files};
+use linkwright_codegen::{Language, Options, generate};
 use linkwright_tests::description;
 
 /// Identifiers that have other names now.
@@ -60,7 +60,11 @@ fn modules_have_the_words_of_the_glossary() {
             .filter(|it| it.split('_').any(|part| REPLACED_PARTS.contains(&part)))
             .collect();
         for language in [Language::Rust, Language::C] {
-            let files = generate_files(&source, language, &name, &Options::default());
+            let options = Options {
+                language,
+                ..Options::default()
+            };
+            let files = generate(&source, &options);
             let files = files.unwrap_or_else(|errors| panic!("{}", errors.render(&source)));
             for file in files.files {
                 let is_ascii = language == Language::Rust || file.text.is_ascii();

@@ -1,7 +1,7 @@
 //! Generated code has the forces of the interpreter, in both precisions, in closed form and by a linear system; its cost is bounded.
 
 use linkwright::{Blocks, FailureKind, Settings, Shell, Signal, Values};
-use linkwright_codegen::report;
+use linkwright_codegen::stages::report;
 use linkwright_mechanisms::andrews;
 use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::supplied::InputSignals;

@@ -412,8 +412,8 @@ fn a_transmission_needs_no_velocities() {
         std::fs::read_to_string(path).expect("a description"),
     );
     let read = linkwright_codegen::read(&source).expect("no errors");
-    let report =
-        linkwright_codegen::report(&read.only().expect("one motion")).expect("it is determined");
+    let report = linkwright_codegen::stages::report(&read.only().expect("one motion"))
+        .expect("it is determined");
     // The reciprocal of the determinant is what velocities would share with the transmission.
     assert_eq!(report.operations[1].total(), 1);
     assert_eq!(report.operations[2].total(), 0);

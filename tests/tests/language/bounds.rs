@@ -9,7 +9,7 @@ use linkwright_codegen::diagnostic::{Code, Diagnostics, Source};
 use linkwright_codegen::stages::columns::{Columns, Known};
 use linkwright_codegen::stages::emit::{Notation, derivation, latex, text};
 use linkwright_codegen::stages::{program, structure};
-use linkwright_codegen::{generate, read};
+use linkwright_codegen::{Options, generate, read};
 use linkwright_tests::large::{self, KINDS, Kind, MISTAKES, NESTS};
 
 fn source(text: String) -> Source {
@@ -64,9 +64,9 @@ fn printed(kind: &Kind, n: usize) -> [usize; 3] {
     let equations = text::inspect(&system, Notation::Ascii);
     let plan = structure::plan(&mut system).expect(kind.name);
     let derivation = derivation::text(&system, &plan, Notation::Ascii);
-    let module = generate(&source)
+    let module = generate(&source, &Options::default())
         .unwrap_or_else(|errors| panic!("{}: {}", kind.name, errors.render(&source)));
-    [equations, derivation, module.code].map(|text| text.len())
+    [equations, derivation, module.code().to_string()].map(|text| text.len())
 }
 
 #[test]
@@ -104,9 +104,11 @@ fn nested_formulas_are_printed_as_graphs() {
                     derivation::latex(&system, &plan),
                     latex::inspect(&[(&system, Vec::new())]),
                 ];
-                let module = generate(&source)
+                let module = generate(&source, &Options::default())
                     .unwrap_or_else(|errors| panic!("{formula}: {}", errors.render(&source)));
-                let all = formats.into_iter().chain([equations, module.code]);
+                let all = formats
+                    .into_iter()
+                    .chain([equations, module.code().to_string()]);
                 all.map(|text| text.len()).sum::<usize>()
             };
             // Each level adds as much as the one before; written out it would double or triple the formula.
@@ -127,8 +129,8 @@ fn a_long_chain_of_operations_is_written_in_steps() {
         let before = "mechanism long {\n    body 1 at (0, 0);\n    absolute_x(1) = 0;\n    absolute_y(1) = 0;\n";
         let law = terms.join(between);
         let source = source(format!("{before}    drive phi(1) = {law};\n}}\n"));
-        match generate(&source) {
-            Ok(generated) => assert!(generated.code.contains("let partial = partial")),
+        match generate(&source, &Options::default()) {
+            Ok(generated) => assert!(generated.code().contains("let partial = partial")),
             Err(found) => assert_eq!(refusal(&source, found).0, Code::TooMuchWork),
         }
     }
@@ -214,7 +216,7 @@ fn what_is_shared_stays_shared() {
 /// That a description is refused, and what the first error marks.
 fn refused(text: String, code: Code) -> String {
     let source = source(text);
-    let found = match generate(&source) {
+    let found = match generate(&source, &Options::default()) {
         Ok(_) => panic!("answered"),
         Err(found) => found,
     };

@@ -5,12 +5,13 @@ use std::fs;
 use std::path::Path;
 
 use linkwright_codegen::diagnostic::{Code, Diagnostics, Source};
-use linkwright_codegen::{attach_files, generate};
+use linkwright_codegen::stages::files::attach_files;
+use linkwright_codegen::{Options, generate};
 use linkwright_tests::files;
 
 /// The errors of a description, or its warnings where it has no error.
 fn findings(source: &Source) -> Diagnostics {
-    match generate(source) {
+    match generate(source, &Options::default()) {
         Ok(generated) => generated.warnings,
         Err(diagnostics) => diagnostics,
     }
@@ -123,14 +124,17 @@ fn bytes_that_are_not_utf_8_are_shown_with_their_place() {
 
 #[test]
 fn a_file_that_is_too_large_is_refused() {
-    let text = "// more\n".repeat(Source::LARGEST / 8 + 1);
+    let text = "// more\n".repeat(Source::MAX_BYTES / 8 + 1);
     let source = Source::new("K00_too_large.mech", text.clone());
     let found = findings(&source);
     assert!(found.iter().all(|it| it.code == Code::UnreadableFile));
     assert_helpful(&found, &source);
     snapshot("K00_too_large", &found.render(&source));
     let from_bytes = Source::from_bytes("K00_too_large.mech", text.as_bytes());
-    assert!(from_bytes.is_err() || from_bytes.is_ok_and(|source| generate(&source).is_err()));
+    assert!(
+        from_bytes.is_err()
+            || from_bytes.is_ok_and(|source| generate(&source, &Options::default()).is_err())
+    );
 }
 
 /// The errors of the text itself, all at once; then, when those are mended, all those of names, values and forms.

@@ -19,7 +19,7 @@ use linkwright_tests::{description, files};
 /// The equations of every motion, which must be determined.
 fn read(source: &Source) -> Result<Vec<System>, String> {
     let read = linkwright_codegen::read(source).map_err(|errors| errors.render(source))?;
-    linkwright_codegen::check_all(&read.motions).map_err(|errors| errors.render(source))?;
+    linkwright_codegen::stages::check_all(&read.motions).map_err(|errors| errors.render(source))?;
     Ok(read.motions)
 }
 

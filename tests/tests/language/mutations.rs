@@ -7,7 +7,7 @@ use std::fs;
 
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::stages::emit;
-use linkwright_codegen::{check, generate, read};
+use linkwright_codegen::{Options, check, generate, read};
 use linkwright_tests::{description, files};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
@@ -224,10 +224,10 @@ fn digest(bytes: &[u8]) -> Outcome {
             return Outcome::Unreadable;
         }
     };
-    let errors = match generate(&source) {
+    let errors = match generate(&source, &Options::default()) {
         Ok(generated) => {
-            assert!(generated.code.ends_with('\n'));
-            let parsed = syn::parse_file(&generated.code);
+            assert!(generated.code().ends_with('\n'));
+            let parsed = syn::parse_file(generated.code());
             assert!(parsed.is_ok(), "the module is not Rust: {:?}", parsed.err());
             return Outcome::Generated;
         }

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::{generate, read};
+use linkwright_codegen::{Options, generate, read};
 use linkwright_tests::files;
 
 /// The names that the `let` statement on a line binds: one, or those of a tuple.
@@ -26,9 +26,10 @@ fn bound(line: &str) -> Vec<&str> {
 /// The code of a description, after a check that no function binds a name twice or one that its caller knows otherwise.
 fn checked(description: &str) -> String {
     let source = Source::new("names.mech", description);
-    let code = generate(&source)
+    let code = generate(&source, &Options::default())
         .unwrap_or_else(|found| panic!("{}", found.render(&source)))
-        .code;
+        .code()
+        .to_string();
     syn::parse_file(&code).unwrap_or_else(|error| panic!("the module is not Rust: {error}"));
     let mut functions = 0;
     // Free functions begin and end at the margin; methods bind nothing that a description names.
@@ -178,7 +179,10 @@ fn no_mechanism_is_named_like_what_its_module_uses() {
         )
     };
     let given = Source::new("crank.mech", description("crank"));
-    assert!(generate(&given).is_ok(), "only the name is wrong below");
+    assert!(
+        generate(&given, &Options::default()).is_ok(),
+        "only the name is wrong below"
+    );
     for name in names {
         let mut written = String::new();
         for letter in name.chars() {
@@ -188,7 +192,7 @@ fn no_mechanism_is_named_like_what_its_module_uses() {
             written.push(letter.to_ascii_lowercase());
         }
         let source = Source::new("named.mech", description(&written));
-        let Err(found) = generate(&source) else {
+        let Err(found) = generate(&source, &Options::default()) else {
             panic!("a mechanism may be named `{written}`");
         };
         let text = found.render(&source);

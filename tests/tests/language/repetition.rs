@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use std::sync::Arc;
 
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
-use linkwright_codegen::{format, generate, read};
+use linkwright_codegen::{Options, format, generate, read};
 use linkwright_tests::description;
 use linkwright_tests::solver::{Interpreted, Solver};
 
@@ -15,13 +15,14 @@ fn source(text: &str) -> Source {
 
 fn code(text: &str) -> String {
     let source = source(text);
-    let generated = generate(&source).unwrap_or_else(|found| panic!("{}", found.render(&source)));
+    let generated = generate(&source, &Options::default())
+        .unwrap_or_else(|found| panic!("{}", found.render(&source)));
     assert!(generated.warnings.is_empty());
-    generated.code
+    generated.code().to_string()
 }
 
 fn findings(text: &str) -> Diagnostics {
-    generate(&source(text)).expect_err("an error")
+    generate(&source(text), &Options::default()).expect_err("an error")
 }
 
 /// A ladder of parallelograms, each on top of the last one.
@@ -267,7 +268,7 @@ fn what_lacks_an_equation_is_named_as_it_is_written() {
         }}"
     );
     let source = source(&text);
-    let found = generate(&source)
+    let found = generate(&source, &Options::default())
         .expect_err("one leg has no driver")
         .render(&source);
     assert!(found.contains("`leg[2].crank`"), "{found}");

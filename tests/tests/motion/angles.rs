@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use linkwright::nalgebra::{DMatrix, DVector};
 use linkwright::{Settings, Signal};
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::generate;
+use linkwright_codegen::{Options, generate};
 use linkwright_mechanisms::differential_wrist::{to_joint, to_motors};
 use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::view::View;
@@ -116,8 +116,9 @@ fn a_differential_turns_as_its_teeth_say_with_its_torques_and_powers() {
 
 fn code(text: &str) -> String {
     let source = Source::new("angles.mech", text);
-    let generated = generate(&source).unwrap_or_else(|found| panic!("{}", found.render(&source)));
-    generated.code
+    let generated = generate(&source, &Options::default())
+        .unwrap_or_else(|found| panic!("{}", found.render(&source)));
+    generated.code().to_string()
 }
 
 /// What solves a description: its forms, by name.
@@ -226,7 +227,7 @@ fn the_drawing_says_which_of_two_angles() {
         )
     };
     // Two equations of one angle are one too many.
-    assert!(generate(&Source::new("m.mech", text("60deg"))).is_err());
+    assert!(generate(&Source::new("m.mech", text("60deg")), &Options::default()).is_err());
     let text = |drawn: &str| format!("mechanism m {{ angle a = {drawn}; equation cos(a) = 0.5; }}");
     for (drawn, sign) in [("50deg", 1.0), ("-70deg", -1.0)] {
         let found = angle_at(&text(drawn), "phi_a", 0.0);

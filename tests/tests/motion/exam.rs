@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_4, FRAC_PI_6, PI};
 
-use linkwright::{Factorization, Scales};
+use linkwright::generated::{Factorization, Scales};
 use linkwright_tests::description;
 use linkwright_tests::deviation::{deviations, worst};
 use linkwright_tests::random::Random;

@@ -1,6 +1,6 @@
 //! The report's arm: its determinant, and both descriptions against a high-precision reference.
 
-use linkwright::{Factorization, Scales};
+use linkwright::generated::{Factorization, Scales};
 use linkwright_tests::deviation::{STILL, deviations, worst};
 use linkwright_tests::solver::both;
 use linkwright_tests::table::Table;

@@ -1,7 +1,8 @@
 //! One mechanism with several motions: each is a module of its own, and what one does the other undoes.
 
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
-use linkwright_codegen::{check_all, generate, read};
+use linkwright_codegen::stages::check_all;
+use linkwright_codegen::{Options, generate, read};
 
 /// A slider-crank driven from either end.
 mod both_ways {
@@ -71,7 +72,7 @@ fn a_slider_crank_driven_from_either_end_moves_the_same_way() {
 }
 
 fn errors(text: &str) -> Diagnostics {
-    generate(&Source::new("motions.mech", text)).expect_err("errors")
+    generate(&Source::new("motions.mech", text), &Options::default()).expect_err("errors")
 }
 
 /// The mechanism around these motions: a crank that nothing drives.
@@ -117,8 +118,10 @@ fn a_motion_is_a_complete_mechanism() {
 /// The rows of a motion are those of the same mechanism with the motion's statements written at its end.
 #[test]
 fn a_motion_alone_generates_what_its_statements_would() {
-    let [inside, outside] = ["motion only { drive phi(1) = 2*t; }", "drive phi(1) = 2*t;"]
-        .map(|text| generate(&Source::new("crank.mech", crank(text))).expect("good"));
+    let [inside, outside] =
+        ["motion only { drive phi(1) = 2*t; }", "drive phi(1) = 2*t;"].map(|text| {
+            generate(&Source::new("crank.mech", crank(text)), &Options::default()).expect("good")
+        });
     // Without comments, and without what depends on how far a line is indented.
     let tokens = |code: &str| -> String {
         let lines = code.lines().map(str::trim);
@@ -128,11 +131,11 @@ fn a_motion_alone_generates_what_its_statements_would() {
             .filter(|it| !it.is_whitespace() && *it != ',')
             .collect()
     };
-    let inside = tokens(&inside.code);
+    let inside = tokens(inside.code());
     let module = inside
         .strip_prefix("#[allow(dead_code)]pubmodonly{")
         .and_then(|rest| rest.strip_suffix('}'));
-    assert_eq!(module, Some(tokens(&outside.code).as_str()));
+    assert_eq!(module, Some(tokens(outside.code()).as_str()));
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
+use linkwright_codegen::Options;
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::stages::expr::Tape;
 
@@ -475,10 +476,11 @@ fn tables_of_other_programs_give_the_same_code() {
         );
         let source = Source::new("moved.mech", text);
         let source = source.with_attachment("lift.csv", Ok(bytes.to_vec()));
-        let generated = linkwright_codegen::generate(&source);
+        let generated = linkwright_codegen::generate(&source, &Options::default());
         generated
             .unwrap_or_else(|found| panic!("{}", found.render(&source)))
-            .code
+            .code()
+            .to_string()
     };
     let plain = code(
         " in (deg, mm)",

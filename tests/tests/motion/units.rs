@@ -1,7 +1,7 @@
 //! Units that are products, quotients and powers of units.
 
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
-use linkwright_codegen::generate;
+use linkwright_codegen::{Options, generate};
 
 /// A spring and gravity in these units, below a declaration.
 fn sprung(declared: &str, stiffness: &str, gravity: &str) -> Source {
@@ -22,7 +22,7 @@ fn sprung(declared: &str, stiffness: &str, gravity: &str) -> Source {
 }
 
 fn generated(source: &Source) -> Result<String, Diagnostics> {
-    generate(source).map(|it| it.code)
+    generate(source, &Options::default()).map(|it| it.code().to_string())
 }
 
 #[test]

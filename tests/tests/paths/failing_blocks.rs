@@ -1,8 +1,9 @@
 //! The ways in which Newton-Raphson itself fails, in both views of generated mechanisms: what a failure carries, that the last
 //! frame is intact after it, and that the motion goes on.
 
+use linkwright::generated::newton;
 use linkwright::nalgebra::SVector;
-use linkwright::{Failure, FailureKind, Settings, advance, assemble, branch_of, follow, newton};
+use linkwright::{Failure, FailureKind, Settings, advance, assemble, branch_of, follow};
 
 #[allow(dead_code)]
 mod cubic_slider {

@@ -23,7 +23,8 @@ enum Role {
 fn systems(text: &str) -> Result<Vec<System>, String> {
     let source = Source::new("given.mech", text);
     let read = linkwright_codegen::read(&source).map_err(|errors| errors.render(&source))?;
-    linkwright_codegen::check_all(&read.motions).map_err(|errors| errors.render(&source))?;
+    linkwright_codegen::stages::check_all(&read.motions)
+        .map_err(|errors| errors.render(&source))?;
     Ok(read.motions)
 }
 

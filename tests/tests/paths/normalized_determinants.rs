@@ -2,6 +2,7 @@
 //! determinants, singular values and single precision.
 
 use linkwright::{Blocks, Failure, Mechanism, NormalizedDeterminant, Settings, Shell};
+use linkwright_codegen::Options;
 use linkwright_codegen::diagnostic::Source;
 use linkwright_solver::approach::{Approach, Watch};
 use linkwright_solver::interpreted::Interpreted;
@@ -280,9 +281,10 @@ fn what_cannot_be_singular_says_so() {
 fn without_the_statement_nothing_is_computed() {
     for name in description::names() {
         let source = description::source(&name);
-        let module = linkwright_codegen::generate(&source)
+        let module = linkwright_codegen::generate(&source, &Options::default())
             .expect("a module")
-            .code;
+            .code()
+            .to_string();
         assert!(
             !module.contains("loseness") && !module.contains("Measure"),
             "{name}"
@@ -290,10 +292,14 @@ fn without_the_statement_nothing_is_computed() {
         let end = source.text.rfind('}').expect("a brace");
         let text = format!("{}\nmonitor;\n{}", &source.text[..end], &source.text[end..]);
         let folder = linkwright_tests::files::repository().join("mechanisms");
-        let source = linkwright_codegen::attach_files(Source::new(name.as_str(), text), &folder);
-        let monitored = linkwright_codegen::generate(&source)
+        let source = linkwright_codegen::stages::files::attach_files(
+            Source::new(name.as_str(), text),
+            &folder,
+        );
+        let monitored = linkwright_codegen::generate(&source, &Options::default())
             .expect("a module")
-            .code;
+            .code()
+            .to_string();
         assert!(
             monitored.contains("pub fn smallest_determinant(&self) -> NormalizedDeterminant"),
             "{name}"

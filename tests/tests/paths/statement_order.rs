@@ -35,7 +35,7 @@ struct Case {
 /// The equations of every motion; `None` where the description is refused.
 fn systems(source: &Source) -> Option<Vec<System>> {
     let read = linkwright_codegen::read(source).ok()?;
-    linkwright_codegen::check_all(&read.motions).ok()?;
+    linkwright_codegen::stages::check_all(&read.motions).ok()?;
     Some(read.motions)
 }
 

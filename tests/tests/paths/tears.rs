@@ -4,7 +4,8 @@
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 
-use linkwright::{Settings, Shell, assemble, branch_of, follow, torn};
+use linkwright::generated::torn;
+use linkwright::{Settings, Shell, assemble, branch_of, follow};
 use linkwright_codegen::stages::program::{EVALUATIONS, STEPS};
 use linkwright_solver::assemblies::{Assemblies, assemblies};
 use linkwright_solver::interpreted::Interpreted;

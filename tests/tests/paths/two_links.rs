@@ -8,7 +8,8 @@ mod rows;
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 
-use linkwright::{Blocks, Conditions, Pair, Settings, Signal, Signals, Start, TimeWindow};
+use linkwright::generated::{Conditions, Pair, Start, TimeWindow};
+use linkwright::{Blocks, Settings, Signal, Signals};
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::read;
 use linkwright_solver::instant::Instant;

@@ -6,5 +6,6 @@ mod failure_kinds;
 mod links;
 mod modules;
 mod pipeline_table;
+mod public;
 mod rooms;
 mod thresholds;

@@ -102,14 +102,20 @@ fn single_precision_is_generated_on_request() {
     let double = folder.run("generate a.mech").exits_with(0).stdout;
     let same = folder.run("generate a.mech --scalar f64").exits_with(0);
     assert_eq!(same.stdout, double);
-    assert!(double.contains("use ::linkwright::double::*;"), "{double}");
+    assert!(
+        double.contains("use ::linkwright::generated::double::*;"),
+        "{double}"
+    );
     assert!(
         !double.contains("f32") && !double.contains("single"),
         "{double}"
     );
     let single = folder.run("generate a.mech --scalar f32").exits_with(0);
     let code = &single.stdout;
-    assert!(code.contains("use ::linkwright::single::*;"), "{code}");
+    assert!(
+        code.contains("use ::linkwright::generated::single::*;"),
+        "{code}"
+    );
     assert!(!code.contains("f64") && !code.contains("double"), "{code}");
     // Constants have the digits that this scalar holds.
     assert!(code.contains("    SQRT_3 = 1.7320508, "), "{code}");

@@ -2,14 +2,15 @@
 
 use linkwright_codegen::diagnostic::{Diagnostics, Severity, Source};
 use linkwright_codegen::stages::files;
-use linkwright_codegen::{attach_files, generate};
+use linkwright_codegen::stages::files::attach_files;
+use linkwright_codegen::{Options, generate};
 use serde_json::{Value, json};
 
 use crate::client::{Client, UNSAVED, address, descriptions};
 
 /// Diagnostics of the generator for a description.
 fn said(source: &Source) -> Diagnostics {
-    match generate(source) {
+    match generate(source, &Options::default()) {
         Ok(generated) => generated.warnings,
         Err(found) => found,
     }

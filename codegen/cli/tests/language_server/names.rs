@@ -1,14 +1,15 @@
 //! Every name in a description has a meaning, and keeps it when it is renamed.
 
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
+use linkwright_codegen::read;
 use linkwright_codegen::stages::emit::{Notation, text};
 use linkwright_codegen::stages::files;
+use linkwright_codegen::stages::files::attach_files;
 use linkwright_codegen::stages::joint::{CONSTRAINTS, DRIVERS};
 use linkwright_codegen::stages::model::{ENDS_OF_TABLES, FUNCTIONS, LAWS, UNITS};
 use linkwright_codegen::stages::syntax::{
     AXES, BUILT_IN, CLAUSES, KEYWORDS, Kind, LEVELS, lexemes, parse,
 };
-use linkwright_codegen::{attach_files, read};
 use linkwright_command::language_server::names::{Names, Sort};
 
 use crate::client::{descriptions, repository};

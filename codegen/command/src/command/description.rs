@@ -34,7 +34,7 @@ pub fn text(path: &Path) -> Result<Source, Problem> {
         true => (STDIN.to_string(), from_stdin()),
         false => {
             let name = path.display().to_string();
-            (name, files::read(path, Source::LARGEST))
+            (name, files::read(path, Source::MAX_BYTES))
         }
     };
     let bytes = bytes.map_err(|error| unreadable(path, &error))?;
@@ -47,7 +47,7 @@ pub fn text(path: &Path) -> Result<Source, Problem> {
 /// Reads stdin, at most one byte more than the largest description.
 fn from_stdin() -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    let mut limited = io::stdin().lock().take(Source::LARGEST as u64 + 1);
+    let mut limited = io::stdin().lock().take(Source::MAX_BYTES as u64 + 1);
     limited.read_to_end(&mut bytes)?;
     Ok(bytes)
 }
@@ -58,7 +58,7 @@ fn from_stdin() -> io::Result<Vec<u8>> {
 /// Errors of [`text`].
 pub fn source(path: &Path) -> Result<Source, Problem> {
     let source = text(path)?;
-    Ok(linkwright_codegen::attach_files(
+    Ok(linkwright_codegen::stages::files::attach_files(
         source,
         files::folder_of(path),
     ))

@@ -165,7 +165,11 @@ fn generated(
     source: &Source,
     stem: &str,
 ) -> Result<Vec<OutputFile>, Problem> {
-    written(source, language(arguments), stem, &options(arguments))
+    let options = Options {
+        stem: Some(stem.to_string()),
+        ..options(arguments)
+    };
+    written(source, &options)
 }
 
 /// Reports files that differ from what is generated.
@@ -201,6 +205,7 @@ fn compared(
 /// Returns the options of the code that the arguments select.
 fn options(arguments: &Generate) -> Options {
     Options {
+        language: language(arguments),
         scalar: match arguments.scalar {
             Precision::F64 => Scalar::F64,
             Precision::F32 => Scalar::F32,

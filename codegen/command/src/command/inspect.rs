@@ -6,7 +6,7 @@ use linkwright_codegen::stages::emit::{self, Notation};
 use linkwright_codegen::stages::program::{forms_of, lower};
 use linkwright_codegen::stages::structure::{self, Freedom};
 use linkwright_codegen::stages::system::System;
-use linkwright_codegen::{Language, Options, OutputFile};
+use linkwright_codegen::{Options, OutputFile};
 use linkwright_solver::number::counted;
 
 use super::description::{motions, rendered, source, warn};
@@ -26,7 +26,7 @@ pub fn run(arguments: &Inspect) -> Result<Outcome, Problem> {
     let motion = arguments.motion.as_deref();
     let text = match (arguments.format, motion) {
         (Format::Rust, None) => {
-            let module = written(&source, Language::Rust, "", &Options::default())?;
+            let module = written(&source, &Options::default())?;
             module.into_iter().map(|file| file.text).collect()
         }
         (Format::Rust, Some(_)) => {
@@ -155,14 +155,9 @@ fn freedom(system: &System) -> String {
 ///
 /// # Errors
 /// All errors of the description.
-pub fn written(
-    source: &Source,
-    language: Language,
-    stem: &str,
-    options: &Options,
-) -> Result<Vec<OutputFile>, Problem> {
-    let generated = linkwright_codegen::generate_files(source, language, stem, options)
-        .map_err(|it| rendered(&it, source))?;
+pub fn written(source: &Source, options: &Options) -> Result<Vec<OutputFile>, Problem> {
+    let generated =
+        linkwright_codegen::generate(source, options).map_err(|it| rendered(&it, source))?;
     warn(&generated.warnings, source);
     Ok(generated.files)
 }

@@ -21,12 +21,12 @@ pub fn run(arguments: &Plan) -> Result<Outcome, Problem> {
     let source = source(&arguments.described.file)?;
     let mut system = determined(&source, arguments.described.motion.as_deref())?;
     let Some(plan) = structure::plan_of_motion(&mut system) else {
-        let passed = linkwright_codegen::findings(&system, None);
+        let passed = linkwright_codegen::stages::findings(&system, None);
         passed.map_err(|found| rendered(&found, &source))?;
         return Err(no_order(&arguments.described.file));
     };
     let derivation = Derivation::new(system, &plan);
-    let warnings = linkwright_codegen::findings_of_derivation(&derivation);
+    let warnings = linkwright_codegen::stages::findings_of_derivation(&derivation);
     let warnings = warnings.map_err(|found| rendered(&found, &source))?;
     warn(&warnings, &source);
     let text = match arguments.format {

@@ -12,7 +12,7 @@ use std::path::Path;
 
 use linkwright_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span};
 use linkwright_codegen::stages::columns::{
-    Columns, Decimal, Delimiter, Fault, Known, LARGEST, Unit,
+    Columns, Decimal, Delimiter, Fault, Known, MAX_BYTES, Unit,
 };
 use linkwright_codegen::stages::files;
 use linkwright_codegen::stages::system::System;
@@ -169,9 +169,12 @@ impl Data {
 fn bytes(path: &Path) -> Result<Vec<u8>, String> {
     let name = path.display();
     let refused = |reason: String| format!("error: cannot read `{name}`: {reason}");
-    let bytes = files::read(path, LARGEST).map_err(|error| refused(files::reason(&error)))?;
-    match bytes.len() > LARGEST {
-        true => Err(refused(format!("it is larger than {} MiB", LARGEST >> 20))),
+    let bytes = files::read(path, MAX_BYTES).map_err(|error| refused(files::reason(&error)))?;
+    match bytes.len() > MAX_BYTES {
+        true => Err(refused(format!(
+            "it is larger than {} MiB",
+            MAX_BYTES >> 20
+        ))),
         false => Ok(bytes),
     }
 }

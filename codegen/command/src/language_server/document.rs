@@ -69,7 +69,7 @@ impl Document {
         match &self.path {
             Some(path) => {
                 let source = Source::new(path.display().to_string(), text);
-                linkwright_codegen::attach_files(source, files::folder_of(path))
+                linkwright_codegen::stages::files::attach_files(source, files::folder_of(path))
             }
             None => {
                 let source = Source::new(self.uri.as_str(), text);

@@ -25,7 +25,7 @@ use header::beginning;
 use number::{Content, content};
 
 /// Size limit of a file, in bytes.
-pub const LARGEST: usize = 256 << 20;
+pub const MAX_BYTES: usize = 256 << 20;
 
 /// Maximum number of faults reported for one file.
 const MAX_FAULTS: usize = 10;

@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 use super::{Code, Diagnostic, Diagnostics, Span};
 
 /// Merges findings of motions, given with their names and, for motions that contain their statements, their locations.
+#[doc(hidden)]
 pub fn merged(motions: Vec<(&str, Option<Span>, Diagnostics)>) -> Diagnostics {
     let count = motions.len();
     let motions: Vec<(&str, Option<Span>, Vec<Diagnostic>)> = motions

@@ -7,6 +7,7 @@
 //! with names in backticks and without a full stop. The message states the fault, and `help` the remedy.
 
 mod code;
+#[doc(hidden)]
 pub mod internal;
 mod merge;
 mod render;

@@ -12,14 +12,14 @@ pub struct Diagnostics {
 
 impl Diagnostics {
     /// Maximum number of errors, and of warnings, that are kept. A large file of rubbish would produce millions.
-    pub const MOST: usize = 100;
+    pub const MAX_FINDINGS: usize = 100;
 
     /// Creates an empty sink.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Adds a finding, unless [`Diagnostics::MOST`] of its severity are kept already.
+    /// Adds a finding, unless [`Diagnostics::MAX_FINDINGS`] of its severity are kept already.
     pub fn push(&mut self, diagnostic: Diagnostic) {
         let is_error = diagnostic.severity == Severity::Error;
         let others = if is_error {
@@ -27,23 +27,26 @@ impl Diagnostics {
         } else {
             self.found.len() - self.errors
         };
-        if others < Diagnostics::MOST {
+        if others < Diagnostics::MAX_FINDINGS {
             self.errors += usize::from(is_error);
             self.found.push(diagnostic);
         }
     }
 
     /// True if the limit of errors is reached, so that work can stop.
+    #[doc(hidden)]
     pub fn is_full(&self) -> bool {
-        self.errors >= Diagnostics::MOST
+        self.errors >= Diagnostics::MAX_FINDINGS
     }
 
     /// Returns a mark of the present findings for [`Diagnostics::forget_after`].
+    #[doc(hidden)]
     pub fn mark(&self) -> usize {
         self.found.len()
     }
 
     /// Removes the findings added after a mark.
+    #[doc(hidden)]
     pub fn forget_after(&mut self, mark: usize) {
         self.found.truncate(mark);
         let is_error = |it: &&Diagnostic| it.severity == Severity::Error;
@@ -96,7 +99,7 @@ impl Diagnostics {
                 text.pop();
             }
             1 => text.push_str(&format!("error: 1 error in {}\n", lines.name())),
-            Diagnostics::MOST.. => text.push_str(&format!(
+            Diagnostics::MAX_FINDINGS.. => text.push_str(&format!(
                 "error: at least {errors} errors in {}\n",
                 lines.name()
             )),

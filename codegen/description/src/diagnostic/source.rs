@@ -74,7 +74,7 @@ pub struct Source {
 
 impl Source {
     /// Maximum size of a text, in bytes: a mechanism of ten thousand bodies is far smaller.
-    pub const LARGEST: usize = 4 << 20;
+    pub const MAX_BYTES: usize = 4 << 20;
 
     /// Creates a source from text.
     pub fn new(name: impl Into<String>, text: impl Into<String>) -> Self {
@@ -98,8 +98,8 @@ impl Source {
         path: impl Into<String>,
         bytes: Result<Vec<u8>, String>,
     ) -> Source {
-        let bytes = bytes.and_then(|bytes| match bytes.len() > Source::LARGEST {
-            true => Err(format!("it is larger than {} MiB", Source::LARGEST >> 20)),
+        let bytes = bytes.and_then(|bytes| match bytes.len() > Source::MAX_BYTES {
+            true => Err(format!("it is larger than {} MiB", Source::MAX_BYTES >> 20)),
             false => Ok(bytes),
         });
         let path = path.into();
@@ -119,7 +119,7 @@ impl Source {
         let error = match std::str::from_utf8(bytes) {
             Ok(text) => return Ok(Source::new(name, text)),
             // The file was read only until its size exceeded the limit, which is reported later.
-            Err(error) if error.error_len().is_none() && bytes.len() > Source::LARGEST => {
+            Err(error) if error.error_len().is_none() && bytes.len() > Source::MAX_BYTES => {
                 return Ok(Source::new(name, String::from_utf8_lossy(bytes)));
             }
             Err(error) => error,

@@ -8,6 +8,7 @@ use super::{Diagnostic, Diagnostics};
 impl Diagnostics {
     /// Returns the findings with the source spellings of names, by resolved name: `rod[3]` for `rod3`. Of findings with equal
     /// code and location, the one with the lowest index is kept and notes that there are more.
+    #[doc(hidden)]
     pub fn respelled(self, spellings: &BTreeMap<String, String>) -> Diagnostics {
         if spellings.is_empty() {
             return self;

@@ -11,6 +11,7 @@ const LETTERS_PER_SLIP: usize = 3;
 
 /// Source of suggestions from long lists, within a bounded amount of work.
 #[derive(Debug, Clone, Default)]
+#[doc(hidden)]
 pub struct Suggestions {
     compared: Cell<usize>,
 }
@@ -36,6 +37,7 @@ impl Suggestions {
 ///
 /// The distance counts insertions, deletions, replacements and exchanges of neighbors (optimal string alignment), ignoring
 /// case. Among equally near candidates, the first wins.
+#[doc(hidden)]
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let letters_of_word: Vec<char> = word.chars().flat_map(char::to_lowercase).collect();
     let limit = (letters_of_word.len() / LETTERS_PER_SLIP).max(1);

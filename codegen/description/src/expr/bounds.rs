@@ -8,10 +8,10 @@ use super::graph::Graph;
 use super::node::ExprId;
 
 /// Maximum depth of an expression: recursive walks need stack for as many levels on every thread.
-pub const DEEPEST: u32 = 512;
+pub const MAX_DEPTH: u32 = 512;
 
 /// Maximum number of stored terms, factors and symbols, of some 100 bytes each.
-pub const LARGEST_STORE: usize = 3_000_000;
+pub const MAX_STORED_TERMS: usize = 3_000_000;
 
 /// Maximum number of terms of one sum, or factors of one product: no text of 1 MB contains more.
 const MAX_NODE_PARTS: usize = 200_000;
@@ -22,7 +22,7 @@ const MAX_WORK: usize = 50_000_000;
 /// Bound that a graph has passed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Excess {
-    /// Depth: an expression nested deeper than [`DEEPEST`].
+    /// Depth: an expression nested deeper than [`MAX_DEPTH`].
     Depth,
     /// Size: too many terms and factors stored, or touched to build expressions.
     Size,
@@ -46,7 +46,7 @@ impl Ledger {
         Ledger {
             stored: 0,
             touched: 0,
-            largest_store: LARGEST_STORE,
+            largest_store: MAX_STORED_TERMS,
             largest_work: MAX_WORK,
             excess: None,
             depths: Vec::new(),
@@ -66,7 +66,7 @@ impl Ledger {
     /// True if a node of this depth with so many operands may be stored.
     pub(super) fn admits(&mut self, parts: usize, depth: u32) -> bool {
         let is_large = parts > MAX_NODE_PARTS || self.stored + parts > self.largest_store;
-        let excess = if depth > DEEPEST {
+        let excess = if depth > MAX_DEPTH {
             Some(Excess::Depth)
         } else if is_large || self.touched > self.largest_work {
             Some(Excess::Size)

@@ -43,7 +43,7 @@ mod written;
 mod tests;
 
 pub use assembler::Assembler;
-pub use bounds::{DEEPEST, Excess, LARGEST_STORE};
+pub use bounds::{Excess, MAX_DEPTH, MAX_STORED_TERMS};
 pub use choice::Comparison;
 pub use circles::Circle;
 pub use code::{Code, Computation, Register};

@@ -5,11 +5,11 @@
 use super::expression::Value;
 use super::resolve::Resolver;
 use crate::diagnostic::{Code, Diagnostic, Span};
-use crate::expr::{DEEPEST, Excess};
+use crate::expr::{Excess, MAX_DEPTH};
 use crate::syntax::Expression;
 
 /// Maximum depth of a formula including its named constants; derivatives are somewhat deeper.
-const MAX_FORMULA_DEPTH: u32 = DEEPEST / 2;
+const MAX_FORMULA_DEPTH: u32 = MAX_DEPTH / 2;
 
 /// Returns the error for a bound that was passed while processing `span`.
 pub fn beyond_bounds(excess: Excess, span: Span) -> Diagnostic {
@@ -17,7 +17,7 @@ pub fn beyond_bounds(excess: Excess, span: Span) -> Diagnostic {
         Excess::Depth => Diagnostic::error(
             Code::NestedTooDeeply,
             span,
-            format!("what follows from this is nested more than {DEEPEST} levels deep"),
+            format!("what follows from this is nested more than {MAX_DEPTH} levels deep"),
         )
         .label("derived from this")
         .help("build it from fewer formulas inside one another"),

@@ -10,11 +10,11 @@ use super::naming::Naming;
 use super::parameters::unused;
 use super::resolve::resolve_statements;
 use crate::diagnostic::{Diagnostics, merged};
-use crate::expr::{Excess, LARGEST_STORE};
+use crate::expr::{Excess, MAX_STORED_TERMS};
 use crate::syntax::{Document, Statement};
 
 /// Maximum total size of the motions of a document, in terms: each motion has its own equations and code.
-const MAX_TOTAL_SIZE: usize = LARGEST_STORE / 4;
+const MAX_TOTAL_SIZE: usize = MAX_STORED_TERMS / 4;
 
 /// Resolves a document into its motions in source order, or into one mechanism without motions. Names follow the rules of
 /// `naming`. `None` after an error; all errors of the document are in `diagnostics`.

@@ -1,7 +1,7 @@
 //! Balances brackets before `syn` reads the text.
 //!
 //! Unmatched brackets are reported with the location of their opening. Edits make the text balanced, and never deeper than
-//! [`DEEPEST`].
+//! [`MAX_DEPTH`].
 //!
 //! The shape of the text tells where a bracket should have been closed. A `;`, or a brace other than that of an `if`, is never
 //! inside parentheses. A line that [starts a statement](StatementStarts) is not inside the braces of a body.
@@ -11,7 +11,7 @@ use super::statement_shapes::{
     continues_after, excess_of_closing_braces, looks_like_statement, opens_piece, opens_statements,
     word,
 };
-use super::{DEEPEST, KEYWORDS};
+use super::{KEYWORDS, MAX_DEPTH};
 use crate::diagnostic::{Code, Diagnostic, Span};
 
 /// Maximum number of open brackets in a message, innermost first.
@@ -110,7 +110,7 @@ struct Balance<'a> {
 
 impl Balance<'_> {
     fn open(&mut self, bracket: u8, at: usize, holds_statements: bool, holds_formula: bool) {
-        let hidden = self.open.len() >= DEEPEST;
+        let hidden = self.open.len() >= MAX_DEPTH;
         if hidden {
             self.scan.edit(at, at + 1, Fill::Blank);
             self.scan.damage.push(at);
@@ -284,7 +284,7 @@ pub(super) fn too_deep(span: Span) -> Diagnostic {
     Diagnostic::error(
         Code::NestedTooDeeply,
         span,
-        format!("nested more than {DEEPEST} levels deep"),
+        format!("nested more than {MAX_DEPTH} levels deep"),
     )
     .help("name a part of the formula with `const`, or write a chain without brackets")
 }

@@ -1,6 +1,6 @@
 //! Represents formulas of a description, with the names and points that they mention.
 //!
-//! A chain of `+ -` or of `* /` is one node, so a sum of a thousand terms is flat. [`DEEPEST`](super::DEEPEST) bounds the
+//! A chain of `+ -` or of `* /` is one node, so a sum of a thousand terms is flat. [`MAX_DEPTH`](super::MAX_DEPTH) bounds the
 //! depth, so recursive walks are safe. Quantities, functions and units are not resolved.
 
 use crate::diagnostic::Span;

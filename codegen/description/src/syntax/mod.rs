@@ -7,7 +7,7 @@
 //! hides them from `syn`. The rest of the file is parsed without them, so all errors of a file are reported at once. `syn`
 //! lexes, pairs the brackets and holds the tokens. The grammar is in the submodules, one per kind of node.
 //!
-//! In a document, every node has its span in the source text, and tokens are as written. Nothing nests deeper than [`DEEPEST`].
+//! In a document, every node has its span in the source text, and tokens are as written. Nothing nests deeper than [`MAX_DEPTH`].
 //! Names, joint kinds, quantities, functions and units are not resolved.
 
 mod body;
@@ -64,7 +64,7 @@ use self::tokens::Tokens;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 
 /// Maximum nesting of brackets, signs, powers and calls.
-pub const DEEPEST: usize = 128;
+pub const MAX_DEPTH: usize = 128;
 
 /// Words that start a statement. A statement that starts with any other word is a joint.
 pub const KEYWORDS: [&str; 32] = [
@@ -135,8 +135,8 @@ pub const CLAUSES: [&str; 18] = [
 /// Returns the readable statements even if there are errors in `diagnostics`; `None` if the text contains no mechanism.
 pub fn parse(source: &Source, diagnostics: &mut Diagnostics) -> Option<Document> {
     let text = source.text.as_str();
-    if text.len() > Source::LARGEST {
-        let message = format!("the file is larger than {} MiB", Source::LARGEST >> 20);
+    if text.len() > Source::MAX_BYTES {
+        let message = format!("the file is larger than {} MiB", Source::MAX_BYTES >> 20);
         diagnostics.push(
             Diagnostic::error(Code::UnreadableFile, Span::empty(0), message)
                 .label(format!("it begins here and has {} bytes", text.len()))

@@ -61,14 +61,14 @@ impl<'a> Reader<'a> {
             .get(first)
             .is_some_and(|place| *place <= to as usize);
         let mut findings = self.findings.borrow_mut();
-        if !damaged && !self.is_muted.get() && findings.len() < Diagnostics::MOST {
+        if !damaged && !self.is_muted.get() && findings.len() < Diagnostics::MAX_FINDINGS {
             findings.push(finding);
         }
     }
 
     /// True if the limit of findings is reached, so that parsing can stop.
     pub(super) fn is_full(&self) -> bool {
-        self.findings.borrow().len() >= Diagnostics::MOST
+        self.findings.borrow().len() >= Diagnostics::MAX_FINDINGS
     }
 
     /// Parses text again; its findings are dropped if `is_known`.

@@ -1,7 +1,7 @@
 //! Errors in the text made of tokens equal those in the original text, at the same tokens.
 
 use linkwright_codegen::diagnostic::{Diagnostic, Label, Source, Span};
-use linkwright_codegen::generate;
+use linkwright_codegen::{Options, generate};
 use proc_macro2::LineColumn;
 
 use super::{descriptions, tokens};
@@ -9,7 +9,7 @@ use crate::written::Written;
 
 /// Errors of a description, or its warnings if it has no error.
 fn findings(source: &Source) -> Vec<Diagnostic> {
-    match generate(source) {
+    match generate(source, &Options::default()) {
         Ok(generated) => generated.warnings.into_sorted(),
         Err(found) => found.into_sorted(),
     }

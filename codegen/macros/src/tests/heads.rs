@@ -56,9 +56,15 @@ fn options_choose_scalar_and_functions() {
             .unwrap_or_default()
             .replace(' ', "")
     };
-    assert_eq!(uses(""), "use::linkwright::double::*");
-    assert_eq!(uses("#![scalar(f64)]"), "use::linkwright::double::*");
-    assert_eq!(uses("#![scalar(f32)]"), "use::linkwright::single::*");
+    assert_eq!(uses(""), "use::linkwright::generated::double::*");
+    assert_eq!(
+        uses("#![scalar(f64)]"),
+        "use::linkwright::generated::double::*"
+    );
+    assert_eq!(
+        uses("#![scalar(f32)]"),
+        "use::linkwright::generated::single::*"
+    );
     let text = expanded("#![math(crate::plain)]", CRANK);
     assert!(text.contains("use crate :: plain :: {"), "{text}");
 }

@@ -9,8 +9,8 @@ mod texts;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use linkwright_codegen::attach_files;
 use linkwright_codegen::diagnostic::Source;
+use linkwright_codegen::stages::files::attach_files;
 use proc_macro2::{Group, Span, TokenStream, TokenTree};
 
 use crate::head::Head;

@@ -1,7 +1,7 @@
 //! The text written from tokens equals the original text.
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::generate;
+use linkwright_codegen::{Options, generate};
 use proc_macro2::TokenStream;
 
 use super::{descriptions, displaced, tokens};
@@ -11,8 +11,8 @@ use crate::written::Written;
 
 /// Module of a description.
 fn module(source: &Source) -> String {
-    match generate(source) {
-        Ok(generated) => generated.code,
+    match generate(source, &Options::default()) {
+        Ok(generated) => generated.code().to_string(),
         Err(errors) => panic!("{}", errors.render(source)),
     }
 }

@@ -1,12 +1,10 @@
 //! Implements the blocks of a [`Shell`](linkwright::Shell) as a generated module does: modes, estimates, the next frame from the last,
 //! names for failures.
 
-use linkwright::blocks::first_not_positive;
-use linkwright::closed_form::failed;
-use linkwright::{
-    BlockName, Blocks, Branch, Conditions, Failure, FailureKind, Pair, PathEnclosure, PointMotion,
-    TimeWindow, Values,
+use linkwright::generated::{
+    Conditions, Pair, PathEnclosure, TimeWindow, failed, first_not_positive,
 };
+use linkwright::{BlockName, Blocks, Branch, Failure, FailureKind, PointMotion, Values};
 use linkwright_codegen::stages::emit::derivation::BlockWords;
 
 use super::Interpreted;

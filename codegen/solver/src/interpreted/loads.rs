@@ -1,7 +1,7 @@
 //! Attributes the failure of an interpreted frame to the load that is not finite, as generated modules do.
 
 use linkwright::Failure;
-use linkwright::closed_form::load_not_finite;
+use linkwright::generated::load_not_finite;
 
 use super::compiled::Compiled;
 use crate::instant::Instant;

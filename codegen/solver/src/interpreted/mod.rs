@@ -12,10 +12,11 @@ mod view;
 use std::cell::{Cell, RefCell};
 use std::sync::Arc;
 
-use linkwright::{Blocks, Failure, FailureKind, Shell, Start};
+use linkwright::generated::Start;
+use linkwright::{Blocks, Failure, FailureKind, Shell};
 use linkwright_codegen::diagnostic::internal::work_at;
 use linkwright_codegen::diagnostic::{Code, Diagnostics};
-use linkwright_codegen::findings;
+use linkwright_codegen::stages::findings;
 use linkwright_codegen::stages::program::{Program, lower_with_unknowns};
 use linkwright_codegen::stages::structure::{self, SolvedPlan};
 use linkwright_codegen::stages::system::System;

@@ -2,7 +2,8 @@
 //!
 //! A Newton-Raphson operation is solved by the runtime, and its factorization solves the rates.
 
-use linkwright::{Branch, Failure, Frame, Measure, Start, block, kinematics};
+use linkwright::generated::{Measure, Start, block, kinematics};
+use linkwright::{Branch, Failure, Frame};
 
 use super::Interpreted;
 use super::compiled::Compiled;

@@ -1,6 +1,7 @@
 //! Reports an interpreted motion: points, derivatives, forces, measures, and failures in words.
 
-use linkwright::{Blocks, Conditions, Failure, FailureKind, PointMotion, Settings, Start};
+use linkwright::generated::{Conditions, Start};
+use linkwright::{Blocks, Failure, FailureKind, PointMotion, Settings};
 use linkwright_codegen::stages::emit::derivation::SingularPose;
 use linkwright_codegen::stages::system::System;
 

@@ -5,9 +5,11 @@ mod writer;
 
 use std::ops::Range;
 
-use linkwright::closed_form::{exceeds_rounding, not_positive, out_of_reach, singular_divisor};
+use linkwright::generated::{
+    exceeds_rounding, multipliers, not_positive, out_of_reach, singular_divisor,
+};
 use linkwright::math::angle_near;
-use linkwright::{Failure, FailureKind, multipliers};
+use linkwright::{Failure, FailureKind};
 use linkwright_codegen::stages::expr::{Code, Register};
 
 use nalgebra::{DMatrix, DVector};
@@ -121,7 +123,7 @@ pub(crate) fn run(
             let forces = forces.iter().map(|it| registers[it.index()]);
             let mut found = DVector::from_iterator(targets.len(), forces);
             multipliers::solve(&matrix, &mut found)
-                .map_err(|kind| linkwright::closed_form::failed(kind, t, block))?;
+                .map_err(|kind| linkwright::generated::failed(kind, t, block))?;
             for (target, value) in targets.iter().zip(found.iter()) {
                 if let Some(target) = target {
                     registers[target.index()] = *value;
@@ -134,7 +136,7 @@ pub(crate) fn run(
         | Operation::Signal { .. }
         | Operation::Require(..)
         | Operation::Isolate(_) => {
-            return Err(linkwright::closed_form::failed(
+            return Err(linkwright::generated::failed(
                 FailureKind::NotFinite,
                 t,
                 block,

@@ -2,7 +2,8 @@
 //!
 //! All derivatives follow from one factorization of Φ_q.
 
-use linkwright::{Failure, Frame, PointMotion, Settings, kinematics};
+use linkwright::generated::kinematics;
+use linkwright::{Failure, Frame, PointMotion, Settings};
 use linkwright_codegen::stages::expr::{ExprId, Tape};
 use linkwright_codegen::stages::model::Requested;
 use linkwright_codegen::stages::system::System;

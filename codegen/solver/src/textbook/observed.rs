@@ -1,6 +1,6 @@
 //! Evaluates points, pressure angles and residuals in a frame of the textbook formulation.
 
-use linkwright::contact::pressure_angle;
+use linkwright::generated::pressure_angle;
 use linkwright::{Frame, PointMotion};
 use nalgebra::{DVector, Dyn};
 
@@ -13,7 +13,7 @@ impl TextbookEquations {
     }
 
     /// Returns the pressure angle of every contact at `frame`, in rad and in the order of
-    /// [`System::pressures`](linkwright_codegen::System::pressures); `None` if the follower rests.
+    /// [`System::pressures`](linkwright_codegen::stages::system::System::pressures); `None` if the follower rests.
     pub fn pressure_angles(&self, frame: &Frame<f64, Dyn>) -> Vec<Option<f64>> {
         let scratch = &mut *self.scratch.borrow_mut();
         self.fill(&mut scratch.symbols, &self.positions, frame.q.as_slice());
@@ -28,7 +28,7 @@ impl TextbookEquations {
             .collect()
     }
 
-    /// Returns the motion of every declared point at `frame`, in the order of [`System::outputs`](linkwright_codegen::System::outputs).
+    /// Returns the motion of every declared point at `frame`, in the order of [`System::outputs`](linkwright_codegen::stages::system::System::outputs).
     pub fn points(&self, frame: &Frame<f64, Dyn>) -> Vec<PointMotion<f64>> {
         let scratch = &mut *self.scratch.borrow_mut();
         self.fill(&mut scratch.symbols, &self.positions, frame.q.as_slice());
@@ -52,7 +52,7 @@ impl TextbookEquations {
             .collect()
     }
 
-    /// Returns the residuals of the redundant equations, in the order of [`System::monitored`](linkwright_codegen::System::monitored).
+    /// Returns the residuals of the redundant equations, in the order of [`System::monitored`](linkwright_codegen::stages::system::System::monitored).
     pub fn monitored(&self, q: &DVector<f64>, t: f64) -> DVector<f64> {
         let mut residuals = DVector::zeros(self.monitored_count);
         self.evaluate(&self.monitored, q, None, t, &mut residuals);

@@ -22,7 +22,7 @@ pub(super) fn assemblies(module: &Module<'_>, code: &mut Code) {
     let iterated = module.program.blocks.iter();
     let iterated = iterated.filter(|block| block.newton.is_some());
     code.gap();
-    code.open("::linkwright::assemblies! {");
+    code.open("::linkwright::generated::assemblies! {");
     code.docs(documentation::ASSEMBLIES);
     code.open(format!("Branches [{}] of [", stored.all.len()));
     code.list(&fields);

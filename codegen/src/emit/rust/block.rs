@@ -119,7 +119,7 @@ pub(super) fn branches(module: &Module<'_>, code: &mut Code) {
         .enumerate()
         .filter_map(|(number, block)| Some((number, block, block.newton.as_ref()?)));
     code.gap();
-    code.open("::linkwright::branches! {");
+    code.open("::linkwright::generated::branches! {");
     code.docs([documentation::of_branches(module)]);
     code.open("Branches {");
     for branch in &module.program.branches {

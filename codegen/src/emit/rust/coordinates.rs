@@ -9,7 +9,7 @@ use crate::emit::module::{Module, documentation};
 pub(super) fn coordinates(module: &Module<'_>, code: &mut Code) {
     let system = module.system;
     code.gap();
-    code.open("::linkwright::coordinates! {");
+    code.open("::linkwright::generated::coordinates! {");
     code.docs(documentation::COORDINATES);
     code.line(derives(system.coordinates.len()));
     code.open("Coordinates: Scalar {");

@@ -57,7 +57,7 @@ fn structure(module: &Module<'_>, code: &mut Code) {
         (false, _) => ("Solved frame with the requested outputs.", "", names.len()),
     };
     code.gap();
-    code.open("::linkwright::frame! {");
+    code.open("::linkwright::generated::frame! {");
     code.docs([title]);
     code.line(derives(numbers));
     code.open(format!("Frame({held}) from (pose, parameters) {{"));

@@ -66,7 +66,7 @@ impl Module<'_> {
             Scalar::F64 => "double",
             Scalar::F32 => "single",
         };
-        code.line(format!("use ::linkwright::{precision}::*;"));
+        code.line(format!("use ::linkwright::generated::{precision}::*;"));
         let functions = math.and_then(|path| functions(path, &mentioned));
         functions.into_iter().for_each(|it| code.line(it));
         self.constants(&mentioned, code);
@@ -85,7 +85,7 @@ impl Module<'_> {
             return;
         }
         code.gap();
-        code.open("::linkwright::constants! {");
+        code.open("::linkwright::generated::constants! {");
         for constant in used {
             let (name, value) = (identifier(&constant.name), self.number(constant.value));
             let line = format!("{name} = {value},");

@@ -150,7 +150,7 @@ fn structure(block: &Block, newton: &NewtonBlock, module: &Module<'_>, code: &mu
     let allow = lints::of_code(&implementation);
     code.item([""; 0], allow, implementation);
     code.line(format!(
-        "::linkwright::equations!({name}, {borrowed}{size});"
+        "::linkwright::generated::equations!({name}, {borrowed}{size});"
     ));
     torn::implementation(&format!("{name}{lifetime}"), newton, module, code);
 }

@@ -90,7 +90,7 @@ fn structure<'a>(
         return;
     }
     code.gap();
-    code.open(format!("::linkwright::{kind}! {{"));
+    code.open(format!("::linkwright::generated::{kind}! {{"));
     code.open("Scalar {");
     for (name, dimension, docs, value) in own {
         // Defaults were found to be finite constants when they were read.

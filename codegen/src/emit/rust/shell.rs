@@ -20,7 +20,7 @@ pub(super) fn mechanism(module: &Module<'_>, code: &mut Code) {
     parameters::requirements(module, code);
     let name = type_name(&module.system.mechanism.name);
     code.gap();
-    code.open("::linkwright::mechanism! {");
+    code.open("::linkwright::generated::mechanism! {");
     code.docs(documentation::of_mechanism(module.system));
     code.line(derives(module.system.coordinates.len()));
     code.line(format!("{name}, {:?};", module.system.mechanism.name));

@@ -35,7 +35,7 @@ fn constant(module: &Module<'_>, name: &str, spline: &Spline, docs: Vec<String>,
     let (spacing, period) = (optional(spacing(&spline.starts)), optional(spline.period));
     let mut table = Code::default();
     table.open(format!(
-        "const {name}: Table<{}> = ::linkwright::Table {{",
+        "const {name}: Table<{}> = ::linkwright::generated::Table {{",
         spline.starts.len()
     ));
     table.line(format!("starts: [{}],", numbers(&spline.starts)));

@@ -129,7 +129,7 @@ pub(super) fn dense(module: &Module<'_>, code: &mut Code) {
     let rows: Vec<Quantity> = system.rows.iter().map(|row| row.quantity).collect();
     let columns: Vec<Quantity> = system.coordinates.iter().map(|it| it.quantity).collect();
     code.gap();
-    code.open("::linkwright::textbook! {");
+    code.open("::linkwright::generated::textbook! {");
     let mechanism = type_name(&system.mechanism.name);
     code.line(format!("{mechanism}, {};", rows.len()));
     for line in module.declared().lines() {

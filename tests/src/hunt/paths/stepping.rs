@@ -3,7 +3,8 @@
 //! The file needs nothing but the runtime and [`crate::values`], because it is compiled in two places: here for interpreted
 //! mechanisms, and beside the generated ones in a package of their own.
 
-use linkwright::{Blocks, FailureKind, Real, Settings, Shell, Signal, Signals, Values};
+use linkwright::math::Real;
+use linkwright::{Blocks, FailureKind, Settings, Shell, Signal, Signals, Values};
 
 /// In how many steps a target is tried again after it was refused.
 pub const SMALLER: u32 = 32;

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::Command;
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::{Language, Options, Scalar, generate_files};
+use linkwright_codegen::{Language, Options, Scalar, generate};
 use linkwright_tests::c::case::SCALARS;
 use linkwright_tests::c::run::{FLAGS, compilers, run};
 use linkwright_tests::description;
@@ -179,7 +179,13 @@ fn a_type_that_c_has_already_is_refused() {
     };
     for name in ["i", "NULL", "I"] {
         let source = Source::new("named.mech", description(name));
-        let generated = generate_files(&source, Language::C, "named", &Options::default());
+        let generated = generate(
+            &source,
+            &Options {
+                language: Language::C,
+                ..Options::default()
+            },
+        );
         let found = generated.expect_err("the name is refused");
         let text = found.render(&source);
         assert!(

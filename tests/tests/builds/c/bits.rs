@@ -4,7 +4,7 @@ use std::fs;
 use std::process::Command;
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::generate;
+use linkwright_codegen::{Options, generate};
 use linkwright_tests::c::case::Case;
 use linkwright_tests::c::run::{compilers, differences, run};
 use linkwright_tests::hunt::mechanism;
@@ -26,7 +26,7 @@ fn frames_and_failures_have_the_bits_of_rust() {
     // Some have more joints than determine anything.
     let random = (0..)
         .map(|number| Source::new("found.mech", mechanism(SEED, number, LARGEST).text()))
-        .filter(|source| generate(source).is_ok())
+        .filter(|source| generate(source, &Options::default()).is_ok())
         .take(RANDOM)
         .enumerate()
         .map(|(number, source)| Case::new(&format!("found_{number}"), source, 2.0));

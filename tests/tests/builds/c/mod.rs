@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::{Language, Options, Scalar, generate_files};
+use linkwright_codegen::{Language, Options, Scalar, generate};
 use linkwright_tests::c::run::{FLAGS, compilers, run};
 use linkwright_tests::description;
 
@@ -67,10 +67,12 @@ fn folder(name: &str) -> PathBuf {
 /// Writes the C files of a description, called `stem`.
 fn write(folder: &Path, source: &Source, stem: &str, scalar: Scalar) {
     let options = Options {
+        language: Language::C,
         scalar,
+        stem: Some(stem.to_string()),
         ..Options::default()
     };
-    let generated = generate_files(source, Language::C, stem, &options);
+    let generated = generate(source, &options);
     let generated = generated.unwrap_or_else(|found| panic!("{}", found.render(source)));
     for file in generated.files {
         fs::write(folder.join(file.name), file.text).expect("written");

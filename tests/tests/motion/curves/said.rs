@@ -1,5 +1,6 @@
 //! What is said of curves: warnings about those that nothing can follow, and how contacts are printed.
 
+use linkwright_codegen::Options;
 use linkwright_codegen::diagnostic::{Code, Source};
 use linkwright_tests::files;
 
@@ -92,9 +93,10 @@ fn contacts_are_printed_and_written_as_a_person_would() {
     }
     let typeset = latex::inspect(&[(system, Vec::new())]);
     assert!(typeset.contains("\\cos s_{\\mathrm{tip}}"), "{typeset}");
-    let code = linkwright_codegen::generate(&source)
+    let code = linkwright_codegen::generate(&source, &Options::default())
         .expect("no errors")
-        .code;
+        .code()
+        .to_string();
     let solved = code
         .split("struct LoopTranslationalGroundFollowerTip")
         .nth(1);

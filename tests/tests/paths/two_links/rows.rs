@@ -2,7 +2,8 @@
 
 use std::fmt::Write as _;
 
-use linkwright::{Blocks, Pair, Settings, TimeWindow};
+use linkwright::generated::{Pair, TimeWindow};
+use linkwright::{Blocks, Settings};
 use linkwright_codegen::diagnostic::Source;
 use linkwright_solver::supplied::InputSignals;
 use linkwright_tests::dyad_chain;

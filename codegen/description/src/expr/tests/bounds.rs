@@ -3,7 +3,7 @@
 use std::thread;
 
 use super::generator::Generator;
-use crate::expr::{DEEPEST, Excess, ExprId, Graph, Number, SymbolId, Tape};
+use crate::expr::{Excess, ExprId, Graph, MAX_DEPTH, Number, SymbolId, Tape};
 
 /// Returns the product of n sums x + k, or of n sines of kx.
 fn product(graph: &mut Graph, x: ExprId, n: usize, sines: bool) -> ExprId {
@@ -122,7 +122,7 @@ fn deep_nests_are_walked_on_a_small_stack() {
             let mut graph = Graph::new();
             let [p, q] = ["p", "q"].map(|name| graph.symbol(name));
             let mut expr = graph.variable(p);
-            while graph.depth(expr) < DEEPEST - 8 {
+            while graph.depth(expr) < MAX_DEPTH - 8 {
                 expr = nest(&mut graph, expr);
             }
             let nodes = graph.node_count();
@@ -163,7 +163,7 @@ fn reports_excessive_depth() {
     let mut graph = Graph::new();
     let symbol = graph.symbol("x");
     let mut expr = graph.variable(symbol);
-    for _ in 0..DEEPEST {
+    for _ in 0..MAX_DEPTH {
         expr = graph.sin(expr);
     }
     assert!(graph.is_finite(expr) && graph.excess().is_none());

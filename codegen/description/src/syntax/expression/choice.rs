@@ -4,7 +4,7 @@ use proc_macro2::Delimiter;
 
 use super::{after_expression, sum};
 use crate::diagnostic::{Code, Diagnostic};
-use crate::syntax::DEEPEST;
+use crate::syntax::MAX_DEPTH;
 use crate::syntax::brackets::too_deep;
 use crate::syntax::formula::{Choice, Comparison, Expression, ExpressionKind};
 use crate::syntax::reader::Outcome;
@@ -16,7 +16,7 @@ const CHOICE: &str =
 
 /// Parses `if left < right { holds } else { otherwise }`; another choice may follow `else`.
 pub(super) fn choice(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
-    if depth >= DEEPEST {
+    if depth >= MAX_DEPTH {
         return Err(Box::new(too_deep(tokens.next_span())));
     }
     let Some(start) = tokens.keyword("if") else {

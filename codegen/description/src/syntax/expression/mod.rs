@@ -16,7 +16,7 @@ use super::formula::{Component, Expression, ExpressionKind, Name, Operation, Ref
 use super::reader::Outcome;
 use super::reference::reference_or_component;
 use super::tokens::Tokens;
-use super::{DEEPEST, indexed, literal};
+use super::{MAX_DEPTH, indexed, literal};
 use crate::diagnostic::{Code, Diagnostic};
 use choice::choice;
 use components::argument;
@@ -110,7 +110,7 @@ fn signed(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
             break;
         }
         signs += 1;
-        if depth + signs > DEEPEST {
+        if depth + signs > MAX_DEPTH {
             return Err(Box::new(too_deep(tokens.previous())));
         }
     }
@@ -134,7 +134,7 @@ fn power(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
     let Some(caret) = tokens.mark('^') else {
         return Ok(base);
     };
-    if depth + 1 > DEEPEST {
+    if depth + 1 > MAX_DEPTH {
         return Err(Box::new(too_deep(caret)));
     }
     let exponent = signed(tokens, depth + 1)?;
@@ -146,7 +146,7 @@ fn power(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
 }
 
 fn atom(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
-    if depth >= DEEPEST {
+    if depth >= MAX_DEPTH {
         return Err(Box::new(too_deep(tokens.next_span())));
     }
     if let Some((mut inner, span)) = tokens.group(Delimiter::Parenthesis) {

@@ -85,7 +85,7 @@ pub(super) struct Scan {
 
 impl Scan {
     pub(super) fn report(&mut self, finding: Diagnostic) {
-        if self.findings.len() < Diagnostics::MOST {
+        if self.findings.len() < Diagnostics::MAX_FINDINGS {
             self.findings.push(finding);
         }
     }

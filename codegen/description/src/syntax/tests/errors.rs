@@ -404,7 +404,7 @@ fn too_large_a_file() {
     let mut findings = Diagnostics::new();
     assert!(
         parse(
-            &Source::new("big.mech", " ".repeat(Source::LARGEST + 1)),
+            &Source::new("big.mech", " ".repeat(Source::MAX_BYTES + 1)),
             &mut findings
         )
         .is_none()

@@ -1,6 +1,6 @@
 //! No text panics, overflows the stack, or goes without a finding and a document.
 
-use super::super::{DEEPEST, parse};
+use super::super::{MAX_DEPTH, parse};
 use super::{EXCAVATOR, TWO_BODY, codes, good};
 use crate::diagnostic::{Code, Diagnostics, Source};
 
@@ -91,14 +91,14 @@ fn long_chains_are_flat_and_deep_nesting_is_an_error() {
     good(&inside(vec!["a"; 20_000].join("+")));
     good(&inside(vec!["a"; 20_000].join("/")));
     let nested = |depth: usize| inside(format!("{}1{}", "(".repeat(depth), ")".repeat(depth)));
-    good(&nested(DEEPEST - 2));
-    assert_eq!(codes(&nested(DEEPEST + 1)), vec!["K09 1:152"]);
+    good(&nested(MAX_DEPTH - 2));
+    assert_eq!(codes(&nested(MAX_DEPTH + 1)), vec!["K09 1:152"]);
     assert_eq!(
-        codes(&inside(format!("{}1", "-".repeat(DEEPEST + 1)))),
+        codes(&inside(format!("{}1", "-".repeat(MAX_DEPTH + 1)))),
         vec!["K09 1:153"]
     );
     assert_eq!(
-        codes(&inside(format!("1{}", "^1".repeat(DEEPEST + 1)))).len(),
+        codes(&inside(format!("1{}", "^1".repeat(MAX_DEPTH + 1)))).len(),
         1
     );
 }
