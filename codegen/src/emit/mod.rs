@@ -10,6 +10,7 @@ mod c;
 pub mod derivation;
 pub mod drawing;
 mod formula;
+pub mod inspection;
 mod language;
 pub mod latex;
 mod lines;
