@@ -73,7 +73,7 @@ fn section_text(system: &System, section: &Section, names: &[&str]) -> String {
         }
         Quantity::Points => ("Points", ""),
         Quantity::Definitions => ("What the names stand for", ""),
-        Quantity::Monitored => return String::new(),
+        Quantity::Monitored => ("Redundant equations, monitored but not solved", ""),
     };
     let equations: Vec<[String; 3]> = section
         .entries
@@ -108,30 +108,30 @@ fn section_text(system: &System, section: &Section, names: &[&str]) -> String {
 
 /// The left side of an equation, its right side, and the joint that it comes from as a remark.
 fn equation(system: &System, entry: &Entry, symbol: &str, names: &[&str]) -> [String; 3] {
-    let value = &entry.value;
-    let (left, note) = match &entry.subject {
+    let joint = |index: usize| {
+        let label = &system.mechanism.joints[index].label;
+        escaped(label).replace("->", "$\\to$")
+    };
+    let value = entry.value.clone();
+    match &entry.subject {
         Subject::Row(row) => {
-            let joint = &system.mechanism.joints[system.rows[*row].joint];
-            let note = escaped(&joint.label).replace("->", "$\\to$");
-            (format!("({symbol})_{{{}}}", row + 1), note)
+            let end = if symbol == "\\Phi" { " = 0" } else { "" };
+            let left = format!("({symbol})_{{{}}}", row + 1);
+            [left, value + end, joint(system.rows[*row].joint)]
         }
+        Subject::Redundant(index) => [value, "0".to_string(), joint(*index)],
         Subject::Slope(row, coordinate) => {
             let (row, name) = (row + 1, names[*coordinate]);
-            let slope = format!("\\frac{{\\partial \\Phi_{{{row}}}}}{{\\partial {name}}}");
-            (slope, String::new())
+            let left = format!("\\frac{{\\partial \\Phi_{{{row}}}}}{{\\partial {name}}}");
+            [left, value, String::new()]
         }
         Subject::Point(point, axis) => {
-            let (axis, name) = (["x", "y"][*axis], &system.outputs[*point].name);
-            (
-                format!("{axis}_{{\\mathrm{{{}}}}}", escaped(name)),
-                String::new(),
-            )
+            let (axis, name) = (["x", "y"][*axis], escaped(&system.outputs[*point].name));
+            let left = format!("{axis}_{{\\mathrm{{{name}}}}}");
+            [left, value, String::new()]
         }
-        Subject::Redundant(_) => (String::new(), String::new()),
-        Subject::Name(name) => (name.clone(), String::new()),
-    };
-    let end = if symbol == "\\Phi" { " = 0" } else { "" };
-    [left, format!("{value}{end}"), note]
+        Subject::Name(name) => [name.clone(), value, String::new()],
+    }
 }
 
 /// Φ_q as a matrix; `None` if it does not fit on a page.
