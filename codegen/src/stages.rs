@@ -81,7 +81,9 @@ pub mod assemblies {
 
 /// What is written of it.
 pub mod emit {
-    pub use crate::emit::{Notation, derivation, drawing, latex, markup, mathml, report, text};
+    pub use crate::emit::{
+        Notation, derivation, drawing, inspection, latex, markup, mathml, report, text,
+    };
 
     /// Modules of Rust.
     pub mod rust {

@@ -95,7 +95,7 @@ fn open_joint(view: &Interpreted, t: f64) -> Option<usize> {
     let block = view.plan().blocks.get(usize::from(failure.block))?;
     let mechanism = &view.system().mechanism;
     let joints = &mechanism.joints;
-    let is_pin = |joint: &&usize| joints[**joint].kind.joins_points();
+    let is_pin = |joint: &&usize| joints[**joint].kind.joins_points;
     let pin = block.joints.iter().filter(is_pin).max_by_key(|joint| {
         let marks = joints[**joint].operands.marks.iter();
         let moving = marks.filter(|it| it.frame.body != BodyId::GROUND).count();

@@ -2,16 +2,15 @@
 //!
 //! An unknown says in `data-q` which it is, so that a page can tell what a formula is about.
 
-mod equations;
 mod lines;
 mod spelling;
 
-pub use equations::{Definition, Equation, Equations, JacobianEntry, equations};
 pub use lines::lines;
 pub(crate) use lines::shown;
 pub(crate) use spelling::{MathMl, brackets, name, typed, vector_name};
 
 use super::formula::Printer;
+use super::inspection::Inspection;
 use crate::expr::ExprId;
 use crate::system::{SymbolRole, System};
 
@@ -23,4 +22,9 @@ pub fn formula(system: &System, bodies: &[usize], expr: ExprId) -> String {
 /// An unknown, its rate or its acceleration.
 pub fn symbol(system: &System, role: SymbolRole) -> String {
     Printer::new(system, &[], MathMl).symbol(role)
+}
+
+/// The equations of a system.
+pub fn inspection(system: &System) -> Inspection {
+    Inspection::of(system, MathMl)
 }

@@ -11,6 +11,7 @@ mod code;
 pub mod derivation;
 pub mod drawing;
 mod formula;
+pub mod inspection;
 mod language;
 pub mod latex;
 mod layout;

@@ -186,7 +186,7 @@ impl Reading<'_> {
         let value = || self.constant(operands.value.expect("the joint has a value"));
         let axis = || operands.axis.expect("the joint has an axis");
         let moving = || mark(0).body.expect("the body moves");
-        match joint.kind.keyword() {
+        match joint.kind.keyword {
             "revolute" => Box::new(Revolute {
                 i: mark(0),
                 j: mark(1),

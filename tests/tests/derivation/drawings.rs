@@ -245,7 +245,7 @@ fn pins_are_drawn_where_the_solver_puts_them() {
             "data-scale",
         );
         for joint in &system.mechanism.joints {
-            if joint.kind.keyword() != "revolute" {
+            if joint.kind.keyword != "revolute" {
                 continue;
             }
             let drawn = group(&svg, &format!("joint-{}", joint.slug)).expect("a group");
@@ -340,7 +340,7 @@ fn sixty_four_assemblies_have_one_scale_and_a_panel_each() {
             .mechanism
             .joints
             .iter()
-            .filter(|it| it.kind.keyword() == "revolute")
+            .filter(|it| it.kind.keyword == "revolute")
         {
             let mark = &joint.operands.marks[0];
             let instant = &found[place % found.len()].instant;

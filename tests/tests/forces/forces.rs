@@ -196,7 +196,7 @@ fn wrench(
     let origin = at(body - 1).at;
     let arm = [place[0] - origin[0], place[1] - origin[1]];
     wrench[2] -= cross(arm, [wrench[0], wrench[1]]);
-    if own.kind.keyword().ends_with("gear") || own.kind.keyword().ends_with("belt") {
+    if own.kind.keyword.ends_with("gear") || own.kind.keyword.ends_with("belt") {
         // The row has the slope 1 in the angle of the second wheel, whatever holds that.
         let row = system.rows.iter().position(|row| row.joint == joint);
         wrench[2] = -multipliers[row.expect("its row")];
@@ -235,7 +235,7 @@ fn compare(name: &str, system: &System, followed: &Followed, t: f64) -> usize {
             // The driver of one row that is its quantity less its value.
             let mut rows = system.rows.iter().enumerate();
             let row = rows.position(|(_, it)| it.joint == place).expect("a row");
-            let keyword = own.kind.keyword();
+            let keyword = own.kind.keyword;
             if matches!(keyword, "phi" | "x" | "y" | "length") {
                 agree(&format!("effort_{slug}"), -carried[row], size);
             }

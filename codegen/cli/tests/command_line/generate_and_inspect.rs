@@ -97,6 +97,27 @@ fn every_format_shows_the_equations() {
 }
 
 #[test]
+fn latex_lists_redundant_equations() {
+    // The angle of body 4 is stated twice; the residual of the repetition is the angle itself.
+    let text = "mechanism m {
+    body 4 at (0, 0) {}
+    absolute_x(4) = 0;
+    absolute_y(4) = 0;
+    absolute_angle(4) = 0;
+    redundant absolute_angle(4) = 0;
+}
+";
+    let folder = Folder::new("redundant_latex", text);
+    let ran = folder.run("inspect a.mech --format latex").exits_with(0);
+    let listed = "\\subsection*{Redundant equations, monitored but not solved}
+\\begin{align*}
+  \\varphi_{4} &= 0 && \\text{\\small absolute\\_angle(4)}
+\\end{align*}
+";
+    assert!(ran.stdout.contains(listed), "{}", ran.stdout);
+}
+
+#[test]
 fn single_precision_is_generated_on_request() {
     let folder = Folder::new("scalar", EXAM);
     let double = folder.run("generate a.mech").exits_with(0).stdout;

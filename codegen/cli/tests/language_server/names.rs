@@ -56,7 +56,7 @@ fn names(source: &Source) -> Names {
 
 /// Words of the language that may occur anywhere in a statement.
 fn is_word_of_the_language(word: &str) -> bool {
-    let kinds = CONSTRAINTS.iter().chain(DRIVERS).map(|it| it.keyword());
+    let kinds = CONSTRAINTS.iter().chain(DRIVERS).map(|it| it.keyword);
     let words = [FUNCTIONS, LAWS, BUILT_IN, UNITS].concat();
     let mut words = words
         .into_iter()

@@ -98,13 +98,13 @@ impl<'a> Offer<'a> {
         }
         let kinds = [CONSTRAINTS, DRIVERS].concat();
         let kind = [Some(opening), second].into_iter().flatten();
-        let kind = kind.filter_map(|word| kinds.iter().find(|it| it.keyword() == word));
+        let kind = kind.filter_map(|word| kinds.iter().find(|it| it.keyword == word));
         if let (Some(kind), Some(open), false) =
             (kind.clone().next(), statement.open.last(), last == ")")
             && open.bracket == b'('
             && !self.is_behind_equals()
         {
-            let slot = kind.operands().slots.get(open.commas).copied();
+            let slot = kind.operands.slots.get(open.commas).copied();
             return self.operand(slot);
         }
         self.formula()
@@ -244,10 +244,10 @@ impl<'a> Offer<'a> {
     }
 
     /// Returns joints or drivers, each with an example.
-    fn kinds(&self, kinds: &[&dyn JointKind], detail: &str) -> Vec<CompletionItem> {
+    fn kinds(&self, kinds: &[&JointKind], detail: &str) -> Vec<CompletionItem> {
         let each = kinds.iter().map(|kind| CompletionItem {
-            documentation: Some(Documentation::String(kind.example().to_string())),
-            ..self.word(kind.keyword(), CompletionItemKind::CLASS, detail)
+            documentation: Some(Documentation::String(kind.example.to_string())),
+            ..self.word(kind.keyword, CompletionItemKind::CLASS, detail)
         });
         each.collect()
     }

@@ -161,9 +161,9 @@ impl About<'_> {
         let statement = spans.filter(lies_in).min_by_key(|it| it.end - it.start);
         let equations = statement.and_then(|it| self.equations(it));
         let mut kinds = CONSTRAINTS.iter().chain(DRIVERS);
-        let kind = kinds.find(|it| it.keyword() == word);
+        let kind = kinds.find(|it| it.keyword == word);
         let starts = statement.is_some_and(|it| it.start == place.start);
-        let example = kind.map(|it| format!("syntax: {}", it.example()));
+        let example = kind.map(|it| format!("syntax: {}", it.example));
         let parts: Vec<String> = match (example, starts) {
             (Some(example), _) => [Some(example), equations].into_iter().flatten().collect(),
             (None, true) => equations.into_iter().collect(),

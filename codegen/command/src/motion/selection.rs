@@ -212,7 +212,7 @@ fn of_body(system: &System, name: &str) -> Option<usize> {
         if let Some(output) = mechanism.points.iter().position(|it| it.mark == mark) {
             return Some(output);
         }
-        let pinned = mechanism.joints.iter().filter(|it| it.kind.joins_points());
+        let pinned = mechanism.joints.iter().filter(|it| it.kind.joins_points);
         let pairs = pinned.map(|it| &it.operands.marks);
         for marks in pairs.filter(|marks| marks.contains(&mark)) {
             let other = marks.iter().find(|it| !seen.contains(it)).copied();

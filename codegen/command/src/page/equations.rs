@@ -2,8 +2,9 @@
 
 use std::fmt::Write as _;
 
+use linkwright_codegen::stages::emit::inspection::{Entry, Quantity, Section, Subject};
 use linkwright_codegen::stages::emit::markup::escaped;
-use linkwright_codegen::stages::emit::mathml::{Equation, Equations, equations, lines};
+use linkwright_codegen::stages::emit::mathml::{inspection, lines};
 use linkwright_codegen::stages::model::Joint;
 use linkwright_codegen::stages::system::System;
 
@@ -12,84 +13,56 @@ pub const LARGEST_MATRIX: usize = 9;
 
 /// Returns the equations as a section.
 pub fn section(system: &System) -> String {
-    let listed = equations(system);
-    let names: Vec<&str> = listed.coordinates.iter().map(|it| it[0].as_str()).collect();
+    let inspection = inspection(system);
+    let names: Vec<&str> = inspection.coordinates.iter().map(|it| &*it[0]).collect();
+    let listed: Vec<String> = names
+        .iter()
+        .map(|it| format!("<math>{it}</math>"))
+        .collect();
     let mut text = format!(
         "<p><math><mi mathvariant=\"normal\" class=\"bold\">q</mi></math> = ({})</p>\n",
-        names
-            .iter()
-            .map(|it| format!("<math>{it}</math>"))
-            .collect::<Vec<_>>()
-            .join(", ")
+        listed.join(", ")
     );
     let units = system.mechanism.units.of_messages();
     if !(units.of("m").is_si() && units.of("rad").is_si()) {
         text += "<p>Equations are in SI units: m, rad, kg and s.</p>\n";
     }
-    text += "<h3 id=\"phi\">Constraint equations Φ(q, t) = 0</h3>\n";
-    text += &rows(
-        system,
-        &listed,
-        &|row| Some(row.residual.as_str()),
-        "<mo>=</mo><mn>0</mn>",
-    );
-    text += "<h3 id=\"phi-q\">Jacobian Φ<sub>q</sub> = ∂Φ/∂q</h3>\n";
-    text += &match names.len() <= LARGEST_MATRIX {
-        true => matrix(system, &listed, &names),
-        false => entries(system, &listed, &names),
-    };
-    text += "<h3 id=\"phi-t\">Φ<sub>t</sub> = ∂Φ/∂t, for the velocities: Φ<sub>q</sub> q̇ = −Φ<sub>t</sub></h3>\n";
-    text += &rows(system, &listed, &|row| row.time_derivative.as_deref(), "");
-    text += "<h3 id=\"gamma\">γ, for the accelerations: Φ<sub>q</sub> q̈ = γ</h3>\n";
-    text += &rows(system, &listed, &|row| row.gamma.as_deref(), "");
-    if !listed.monitored.is_empty() {
-        text += "<h3>Redundant equations, monitored but not solved</h3>\n";
-        for (joint, residual) in &listed.monitored {
-            text += &equation(
-                &about(system, *joint, None),
-                "",
-                residual,
-                &label(system, *joint),
-            );
-        }
-    }
-    for (cause, entries) in &listed.directions {
-        let _ = writeln!(
-            text,
-            "<h3>Partial derivative of Φ with respect to <code>{}</code></h3>",
-            escaped(cause)
-        );
-        for (row, entry) in entries {
-            let joint = listed.rows[*row].joint;
-            text += &equation(
-                &about(system, joint, Some(*row)),
-                &numbered(*row),
-                entry,
-                &label(system, joint),
-            );
-        }
-    }
-    if !listed.points.is_empty() {
-        text += "<h3 id=\"points\">Points</h3>\n";
-        for (place, (name, position)) in listed.points.iter().enumerate() {
-            for (axis, value) in ["x", "y"].iter().zip(position) {
-                let left = format!(
-                    "<msub><mi>{axis}</mi><mi mathvariant=\"normal\">{}</mi></msub><mo>=</mo>",
-                    escaped(name)
-                );
-                let of = format!("data-is=\"p{place}\"");
-                text += &equation(&of, "", &format!("{left}{value}"), "");
-            }
-        }
-    }
-    if !listed.definitions.is_empty() {
-        text += "<h3>where</h3>\n";
-        for definition in &listed.definitions {
-            let row = format!("{}<mo>=</mo>{}", definition.name, definition.value);
-            text += &equation("", "", &row, "");
-        }
+    for section in &inspection.sections {
+        text += &heading(&section.quantity);
+        text += &match section.quantity {
+            Quantity::Jacobian if names.len() <= LARGEST_MATRIX => matrix(system, section, &names),
+            Quantity::Jacobian => entries(system, section, &names),
+            _ => equations(system, section),
+        };
     }
     text
+}
+
+/// Returns the heading of a section; empty for derivatives, which have one per cause.
+fn heading(quantity: &Quantity) -> String {
+    match quantity {
+        Quantity::Residual => "<h3 id=\"phi\">Constraint equations Φ(q, t) = 0</h3>\n",
+        Quantity::Jacobian => "<h3 id=\"phi-q\">Jacobian Φ<sub>q</sub> = ∂Φ/∂q</h3>\n",
+        Quantity::TimeDerivative => {
+            "<h3 id=\"phi-t\">Φ<sub>t</sub> = ∂Φ/∂t, for the velocities: Φ<sub>q</sub> q̇ = −Φ<sub>t</sub></h3>\n"
+        }
+        Quantity::Gamma => {
+            "<h3 id=\"gamma\">γ, for the accelerations: Φ<sub>q</sub> q̈ = γ</h3>\n"
+        }
+        Quantity::Drivers => "",
+        Quantity::Parameter(name) => return cause(name),
+        Quantity::Monitored => "<h3>Redundant equations, monitored but not solved</h3>\n",
+        Quantity::Points => "<h3 id=\"points\">Points</h3>\n",
+        Quantity::Definitions => "<h3>where</h3>\n",
+    }.to_string()
+}
+
+/// Returns the heading of the derivatives with respect to a driver or a parameter.
+fn cause(name: &str) -> String {
+    format!(
+        "<h3>Partial derivative of Φ with respect to <code>{}</code></h3>\n",
+        escaped(name)
+    )
 }
 
 /// Returns the attributes of an element that belongs to a joint.
@@ -114,98 +87,104 @@ fn label(system: &System, joint: usize) -> String {
     escaped(&system.mechanism.joints[joint].label.replace("->", "→"))
 }
 
-fn numbered(row: usize) -> String {
-    format!("{}", row + 1)
-}
-
 /// Returns one equation with its number and its origin, as an element for pointer and keyboard.
-fn equation(about: &str, number: &str, row: &str, note: &str) -> String {
+fn equation(about: &str, number: &str, formula: &str, note: &str) -> String {
     format!(
-        "<div class=\"equation\" tabindex=\"0\" {about}><b>{number}</b><span>{}</span><small>{note}</small></div>\n",
-        lines(row)
+        "<div class=\"equation\" tabindex=\"0\" {about}><b>{number}</b><span>{formula}</span><small>{note}</small></div>\n"
     )
 }
 
-/// Returns one line for each nonzero row.
-fn rows<'a>(
-    system: &System,
-    found: &'a Equations,
-    of: &dyn Fn(&'a Equation) -> Option<&'a str>,
-    end: &str,
-) -> String {
+/// Returns one line per entry, and a remark on rows that are zero.
+fn equations(system: &System, section: &Section) -> String {
     let mut text = String::new();
-    let mut zero = 0;
-    for (index, row) in found.rows.iter().enumerate() {
-        match of(row) {
-            Some(formula) => {
-                let about = about(system, row.joint, Some(index));
-                let formula = format!("{formula}{end}");
-                text += &equation(
-                    &about,
-                    &numbered(index),
-                    &formula,
-                    &label(system, row.joint),
-                );
+    let mut driver = None;
+    for Entry { subject, value } in &section.entries {
+        let line = match subject {
+            Subject::Row(row) | Subject::Slope(row, _) => {
+                let joint = system.rows[*row].joint;
+                if section.quantity == Quantity::Drivers && driver.replace(joint) != Some(joint) {
+                    text += &cause(&system.mechanism.joints[joint].label);
+                }
+                let end = match section.quantity {
+                    Quantity::Residual => "<mo>=</mo><mn>0</mn>",
+                    _ => "",
+                };
+                numbered(system, *row, &lines(&format!("{value}{end}")))
             }
-            None => zero += 1,
-        }
+            Subject::Redundant(joint) => equation(
+                &about(system, *joint, None),
+                "",
+                &lines(value),
+                &label(system, *joint),
+            ),
+            Subject::Point(point, axis) => {
+                let (name, axis) = (escaped(&system.outputs[*point].name), ["x", "y"][*axis]);
+                let row = format!(
+                    "<msub><mi>{axis}</mi><mi mathvariant=\"normal\">{name}</mi></msub><mo>=</mo>{value}"
+                );
+                equation(&format!("data-is=\"p{point}\""), "", &lines(&row), "")
+            }
+            Subject::Name(name) => {
+                equation("", "", &lines(&format!("{name}<mo>=</mo>{value}")), "")
+            }
+        };
+        text += &line;
     }
-    text += match (zero, zero == found.rows.len()) {
-        (0, _) => "",
-        (_, true) => "<p>All rows are zero.</p>\n",
-        _ => "<p>All other rows are zero.</p>\n",
+    let is_partial = matches!(section.quantity, Quantity::TimeDerivative | Quantity::Gamma)
+        && section.entries.len() < system.rows.len();
+    text += match is_partial {
+        false => "",
+        true if section.entries.is_empty() => "<p>All rows are zero.</p>\n",
+        true => "<p>All other rows are zero.</p>\n",
     };
     text
 }
 
+/// Returns an equation with the number and the joint of its row.
+fn numbered(system: &System, row: usize, formula: &str) -> String {
+    let joint = system.rows[row].joint;
+    let about = about(system, joint, Some(row));
+    equation(
+        &about,
+        &(row + 1).to_string(),
+        formula,
+        &label(system, joint),
+    )
+}
+
 /// Returns Φ_q as a table with the names of its rows and columns.
-fn matrix(system: &System, found: &Equations, names: &[&str]) -> String {
+fn matrix(system: &System, section: &Section, names: &[&str]) -> String {
     let mut text = String::from("<div class=\"wide\"><table class=\"matrix\"><thead><tr><th></th>");
     for name in names {
         let _ = write!(text, "<th><math>{name}</math></th>");
     }
     text += "</tr></thead><tbody>\n";
-    for (index, row) in found.rows.iter().enumerate() {
-        let _ = write!(
-            text,
-            "<tr {}><th>{}</th>",
-            about(system, row.joint, Some(index)),
-            index + 1
-        );
-        for coordinate in 0..names.len() {
-            let entry = row.jacobian.iter().find(|it| it.coordinate == coordinate);
-            match entry {
-                Some(entry) => {
-                    let _ = write!(text, "<td><math>{}</math></td>", entry.value);
-                }
-                None => text += "<td class=\"zero\">0</td>",
-            }
+    for (index, row) in system.rows.iter().enumerate() {
+        let about = about(system, row.joint, Some(index));
+        let _ = write!(text, "<tr {about}><th>{}</th>", index + 1);
+        let mut cells = vec!["<td class=\"zero\">0</td>".to_string(); names.len()];
+        for (coordinate, value) in section.slopes(index) {
+            cells[coordinate] = format!("<td><math>{value}</math></td>");
         }
+        text += &cells.concat();
         text += "</tr>\n";
     }
     text + "</tbody></table></div>\n"
 }
 
 /// Returns the nonzero entries of Φ_q.
-fn entries(system: &System, found: &Equations, names: &[&str]) -> String {
+fn entries(system: &System, section: &Section, names: &[&str]) -> String {
     let mut text = String::from("<p>Nonzero entries, row by row:</p>\n");
-    for (index, row) in found.rows.iter().enumerate() {
-        let entries = row.jacobian.iter().map(|entry| {
+    for row in 0..system.rows.len() {
+        let entries = section.slopes(row).map(|(coordinate, value)| {
             format!(
                 "<span class=\"entry\"><math><mfrac><mrow><mo>∂</mo><msub><mi mathvariant=\"normal\">Φ</mi><mn>{}</mn></msub></mrow><mrow><mo>∂</mo>{}</mrow></mfrac><mo>=</mo></math> {}</span>",
-                index + 1,
-                names[entry.coordinate],
-                lines(&entry.value)
+                row + 1,
+                names[coordinate],
+                lines(value)
             )
         });
-        let _ = writeln!(
-            text,
-            "<div class=\"equation\" tabindex=\"0\" {}><b>{}</b><span>{}</span><small>{}</small></div>",
-            about(system, row.joint, Some(index)),
-            index + 1,
-            entries.collect::<Vec<_>>().join(" "),
-            label(system, row.joint)
-        );
+        text += &numbered(system, row, &entries.collect::<Vec<_>>().join(" "));
     }
     text
 }

@@ -1,13 +1,10 @@
-//! Absolute angle: the angle of a body is constant.
+//! Absolute angle: the angle of a body is constant, or a function of time.
 
 use super::{Feature, Kind, Operands, Quantity, Resolved, Row, Value};
 use crate::expr::Graph;
 
-/// φ_i − C = 0 (Haug 1989, section 3.2).
-pub struct AbsoluteAngle;
-
-/// Returns the row φ_i − value, also used by the angle driver.
-pub(super) fn angle_row(operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
+/// Returns the row φ_i − value.
+fn angle_row(operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
     let Some(value) = operands.value else {
         return Vec::new();
     };
@@ -19,32 +16,21 @@ pub(super) fn angle_row(operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
     }]
 }
 
-impl Kind for AbsoluteAngle {
-    fn keyword(&self) -> &'static str {
-        "absolute_angle"
-    }
+/// φ_i − C = 0 (Haug 1989, section 3.2).
+pub static ABSOLUTE_ANGLE: Kind = Kind {
+    keyword: "absolute_angle",
+    operands: Operands::ANGLE,
+    value: Value::Required(Quantity::Angle),
+    example: "`absolute_angle(1) = 30deg;`",
+    feature: |_, _| Some(Feature::Orientation),
+    is_global: |_| true,
+    rows: angle_row,
+    ..Kind::UNSET
+};
 
-    fn operands(&self) -> Operands {
-        Operands::ANGLE
-    }
-
-    fn value(&self) -> Value {
-        Value::Required(Quantity::Angle)
-    }
-
-    fn example(&self) -> &'static str {
-        "`absolute_angle(1) = 30deg;`"
-    }
-
-    fn feature(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Feature> {
-        Some(Feature::Orientation)
-    }
-
-    fn is_global(&self, _on_ground: bool) -> bool {
-        true
-    }
-
-    fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
-        angle_row(operands, graph)
-    }
-}
+/// φ_i − f(t) = 0 (Haug 1989, section 3.5).
+pub static ANGLE_DRIVER: Kind = Kind {
+    keyword: "phi",
+    example: "`drive phi(1) = pi/6 + sin(2*t);`",
+    ..ABSOLUTE_ANGLE
+};

@@ -1,84 +1,49 @@
-//! Absolute x and absolute y: a point of a body stays on a vertical or horizontal line.
+//! Absolute x and absolute y: a point of a body stays on a vertical or horizontal line, or follows a function of time.
 
 use super::{Feature, Kind, Operands, Quantity, Resolved, Row, Value};
 use crate::expr::Graph;
 
-/// x_i + (R_i s_i)_x − C = 0 (Haug 1989, section 3.2).
-pub struct AbsoluteX;
-
-/// y_i + (R_i s_i)_y − C = 0 (Haug 1989, section 3.2).
-pub struct AbsoluteY;
-
 /// Returns the row that keeps component `axis` of the mark at the value.
-pub(super) fn held(operands: &Resolved, axis: usize, graph: &mut Graph) -> Vec<Row> {
+fn held(operands: &Resolved, axis: usize, graph: &mut Graph) -> Vec<Row> {
     let Some(value) = operands.value else {
         return Vec::new();
     };
     let position = operands.marks[0].position(graph);
     let residual = graph.subtract(position[axis], value);
-    vec![Row {
-        residual,
-        quantity: Quantity::Length,
-        component: "",
-    }]
+    vec![Row::length(residual, "")]
 }
 
-impl Kind for AbsoluteX {
-    fn keyword(&self) -> &'static str {
-        "absolute_x"
-    }
+/// x_i + (R_i s_i)_x − C = 0 (Haug 1989, section 3.2).
+pub static ABSOLUTE_X: Kind = Kind {
+    keyword: "absolute_x",
+    operands: Operands::POINT,
+    value: Value::Required(Quantity::Length),
+    example: "`absolute_x(1) = 0;` or `absolute_x(1.P) = sqrt(3);`",
+    feature: |_, _| Some(Feature::Coordinate(0)),
+    is_global: |_| true,
+    rows: |operands, graph| held(operands, 0, graph),
+    ..Kind::UNSET
+};
 
-    fn operands(&self) -> Operands {
-        Operands::POINT
-    }
+/// y_i + (R_i s_i)_y − C = 0 (Haug 1989, section 3.2).
+pub static ABSOLUTE_Y: Kind = Kind {
+    keyword: "absolute_y",
+    example: "`absolute_y(1) = 0;` or `absolute_y(1.P) = 20mm;`",
+    feature: |_, _| Some(Feature::Coordinate(1)),
+    rows: |operands, graph| held(operands, 1, graph),
+    ..ABSOLUTE_X
+};
 
-    fn value(&self) -> Value {
-        Value::Required(Quantity::Length)
-    }
+/// (r_i + R_i s_i)_x − f(t) = 0 (Haug 1989, section 3.5).
+pub static X_DRIVER: Kind = Kind {
+    keyword: "x",
+    example: "`drive x(1.P) = 0.1*sin(t);` or `drive P.x = 0.1*sin(t);`",
+    ..ABSOLUTE_X
+};
 
-    fn example(&self) -> &'static str {
-        "`absolute_x(1) = 0;` or `absolute_x(1.P) = sqrt(3);`"
-    }
-
-    fn feature(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Feature> {
-        Some(Feature::Coordinate(0))
-    }
-
-    fn is_global(&self, _on_ground: bool) -> bool {
-        true
-    }
-
-    fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
-        held(operands, 0, graph)
-    }
-}
-
-impl Kind for AbsoluteY {
-    fn keyword(&self) -> &'static str {
-        "absolute_y"
-    }
-
-    fn operands(&self) -> Operands {
-        Operands::POINT
-    }
-
-    fn value(&self) -> Value {
-        Value::Required(Quantity::Length)
-    }
-
-    fn example(&self) -> &'static str {
-        "`absolute_y(1) = 0;` or `absolute_y(1.P) = 20mm;`"
-    }
-
-    fn feature(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Feature> {
-        Some(Feature::Coordinate(1))
-    }
-
-    fn is_global(&self, _on_ground: bool) -> bool {
-        true
-    }
-
-    fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
-        held(operands, 1, graph)
-    }
-}
+/// (r_i + R_i s_i)_y − f(t) = 0 (Haug 1989, section 3.5).
+pub static Y_DRIVER: Kind = Kind {
+    keyword: "y",
+    example: "`drive y(1.P) = 0.1*sin(t);` or `drive P.y = 0.1*sin(t);`",
+    ..ABSOLUTE_Y
+};

@@ -28,12 +28,7 @@ pub(super) fn link_rows(operands: &Resolved, length: ExprId, graph: &mut Graph) 
     let gap = subtract(j, i, graph);
     let reach = link.turned.map(|part| graph.multiply(length, part));
     let open = subtract(gap, reach, graph);
-    let row = |residual, component| Row {
-        residual,
-        quantity: Quantity::Length,
-        component,
-    };
-    vec![row(open[0], "x"), row(open[1], "y")]
+    Row::gap(open)
 }
 
 /// Rejects a length that is not positive: the squared distance is singular at zero, and has no sign.

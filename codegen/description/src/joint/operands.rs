@@ -66,6 +66,11 @@ impl Operands {
         slots: &[Slot::Body, Slot::Body],
         line: Line::Between,
     };
+    /// A point of a body and a line of another: `(2.Q, 1) along P -> R`.
+    pub const POINT_ON_LINE: Operands = Operands {
+        slots: &[Slot::Point, Slot::Body],
+        line: Line::On(1),
+    };
     /// A point of a body and a curve of another: `(2.P, rim)`.
     pub const POINT_AND_CURVE: Operands = Operands::of(&[Slot::Point, Slot::Curve]);
     /// A body, a curve of another, and the face of the body that touches it: `(2, rim) along A -> B`.
@@ -218,7 +223,7 @@ pub struct AuxiliaryUnknown {
 
 impl AuxiliaryUnknown {
     /// Creates symbols for the auxiliary unknowns of the joint with this number.
-    pub fn of(kind: &dyn Kind, joint: usize, graph: &mut Graph) -> Vec<AuxiliaryUnknown> {
+    pub fn of(kind: &Kind, joint: usize, graph: &mut Graph) -> Vec<AuxiliaryUnknown> {
         let unknown = |(number, &kind): (usize, &Auxiliary)| {
             // The name begins with a digit, so it differs from all coordinates.
             let name = match number {
@@ -239,7 +244,7 @@ impl AuxiliaryUnknown {
                 turned,
             }
         };
-        kind.auxiliaries().iter().enumerate().map(unknown).collect()
+        kind.auxiliaries.iter().enumerate().map(unknown).collect()
     }
 }
 

@@ -1,18 +1,9 @@
 //! Rack and pinion: a wheel rolls without slip on a line of another body; both bodies may move and rotate.
 
-use super::geometry::{offset_along, perpendicular, subtract};
-use super::{
-    Auxiliary, Feature, Kind, Line, Operands, Quantity, Refusal, Resolved, Row, Slot, Value,
-};
+use super::geometry::offset_along;
+use super::point_on_line::slot_rows;
+use super::{Auxiliary, Feature, Kind, Operands, Quantity, Refusal, Resolved, Row, Value};
 use crate::expr::{ExprId, Graph};
-
-/// (R_k u)ᵀ (r_i + R_i s_C − r_k − R_k s_P) − ℓ⁰ ± radius (φ_i − φ_k − φ⁰) = 0 (Haug 1989, section 3.4, with both bodies
-/// moving).
-///
-/// The distance rolled since the design configuration equals the displacement of the centre C of the pinion i along the line of
-/// the rack k. The sign is plus if the centre lies to the left of the line's direction in the design configuration: a wheel
-/// that rolls forward there rotates clockwise.
-pub struct Rack;
 
 /// Returns the term to add to the displacement of the centre: ± radius (φ_i − φ_k − φ⁰) − ℓ⁰.
 fn rolled(operands: &Resolved, graph: &mut Graph) -> Option<ExprId> {
@@ -34,111 +25,77 @@ fn rolled(operands: &Resolved, graph: &mut Graph) -> Option<ExprId> {
     Some(graph.subtract(arc, along))
 }
 
-impl Kind for Rack {
-    fn keyword(&self) -> &'static str {
-        "rack"
-    }
+/// (R_k u)ᵀ (r_i + R_i s_C − r_k − R_k s_P) − ℓ⁰ ± radius (φ_i − φ_k − φ⁰) = 0 (Haug 1989, section 3.4, with both bodies
+/// moving).
+///
+/// The distance rolled since the design configuration equals the displacement of the centre C of the pinion i along the line of
+/// the rack k. The sign is plus if the centre lies to the left of the line's direction in the design configuration: a wheel
+/// that rolls forward there rotates clockwise.
+pub static RACK: Kind = Kind {
+    keyword: "rack",
+    operands: Operands::POINT_ON_LINE,
+    value: Value::OrAsDrawn(Quantity::Length),
+    example: "`rack (pinion.C, rack) along P -> Q = 20mm;` with P and Q on the rack, where the teeth meet",
+    feature,
+    auxiliaries: &[Auxiliary::Displacement, Auxiliary::Offset],
+    refusal,
+    positive: |operands, _| Some((operands.value?, "the radius of the pinion")),
+    rows,
+    vector_rows: Some(vector_rows),
+    ..Kind::UNSET
+};
 
-    fn operands(&self) -> Operands {
-        Operands {
-            slots: &[Slot::Point, Slot::Body],
-            line: Line::On(1),
-        }
-    }
-
-    fn value(&self) -> Value {
-        Value::OrAsDrawn(Quantity::Length)
-    }
-
-    fn example(&self) -> &'static str {
-        "`rack (pinion.C, rack) along P -> Q = 20mm;` with P and Q on the rack, where the teeth meet"
-    }
-
-    fn feature(&self, operands: &Resolved, graph: &mut Graph) -> Option<Feature> {
-        let radius = match operands.value {
-            Some(radius) => radius,
-            None => {
-                let across = operands.across_in_drawing(graph)?;
-                let is_right = graph.constant_value(across)? < 0.0;
-                if is_right {
-                    graph.negate(across)
-                } else {
-                    across
-                }
+fn feature(operands: &Resolved, graph: &mut Graph) -> Option<Feature> {
+    let radius = match operands.value {
+        Some(radius) => radius,
+        None => {
+            let across = operands.across_in_drawing(graph)?;
+            let is_right = graph.constant_value(across)? < 0.0;
+            if is_right {
+                graph.negate(across)
+            } else {
+                across
             }
-        };
-        Some(Feature::Pinion(radius))
-    }
-
-    fn auxiliaries(&self) -> &'static [Auxiliary] {
-        &[Auxiliary::Displacement, Auxiliary::Offset]
-    }
-
-    fn refusal(&self, operands: &Resolved, graph: &mut Graph) -> Option<Refusal> {
-        let radius = operands.value.and_then(|value| graph.constant_value(value));
-        if radius.is_some_and(|radius| radius <= 0.0) {
-            return Some(Refusal {
-                problem: "the radius of a pinion must be positive".to_string(),
-                help: "on which side of the line it rolls is taken from the drawing".to_string(),
-            });
         }
-        let across = operands.across_in_drawing(graph)?;
-        let along = operands.along_in_drawing(graph)?;
-        let [across, along] = [across, along].map(|part| graph.constant_value(part));
-        // Bound on the rounding error of a distance of zero.
-        let least = f64::EPSILON * 8.0 * along?.abs().max(radius.unwrap_or(0.0));
-        (across?.abs() <= least).then(|| Refusal {
-            problem: "the centre of the pinion is drawn on the line of the rack".to_string(),
-            help: "name points of the rack where the teeth meet: the drawing says on which side the pinion rolls".to_string(),
-        })
-    }
+    };
+    Some(Feature::Pinion(radius))
+}
 
-    fn positive(&self, operands: &Resolved, _graph: &mut Graph) -> Option<(ExprId, &'static str)> {
-        Some((operands.value?, "the radius of the pinion"))
-    }
-
-    fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
-        let (Some((axis, rack, pinion)), Some(rolled)) =
-            (operands.along(), rolled(operands, graph))
-        else {
-            return Vec::new();
-        };
-        let along = offset_along(axis.direction, axis.turned, &rack, &pinion, graph);
-        vec![Row {
-            residual: graph.add(along, rolled),
-            quantity: Quantity::Length,
-            component: "",
-        }]
-    }
-
-    /// Returns the rows r_i + R_i s_C − r_k − R_k s_P − R_k (ℓ u + h v) and ℓ − ℓ⁰ ± radius (φ_i − φ_k − φ⁰).
-    fn vector_rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
-        let (Some((axis, rack, pinion)), Some(rolled), [along, aside]) = (
-            operands.along(),
-            rolled(operands, graph),
-            &operands.auxiliaries[..],
-        ) else {
-            return Vec::new();
-        };
-        let [from, to] = [rack, pinion].map(|mark| mark.position(graph));
-        let gap = subtract(to, from, graph);
-        let across = perpendicular(axis.turned, graph);
-        let open = [0, 1].map(|part| {
-            let slid = graph.multiply(along.value, axis.turned[part]);
-            let height = graph.multiply(aside.value, across[part]);
-            let reached = graph.add(slid, height);
-            graph.subtract(gap[part], reached)
+fn refusal(operands: &Resolved, graph: &mut Graph) -> Option<Refusal> {
+    let radius = operands.value.and_then(|value| graph.constant_value(value));
+    if radius.is_some_and(|radius| radius <= 0.0) {
+        return Some(Refusal {
+            problem: "the radius of a pinion must be positive".to_string(),
+            help: "on which side of the line it rolls is taken from the drawing".to_string(),
         });
-        let row = |residual, component| Row {
-            residual,
-            quantity: Quantity::Length,
-            component,
-        };
-        let rolling = graph.add(along.value, rolled);
-        vec![
-            row(open[0], "x"),
-            row(open[1], "y"),
-            row(rolling, "rolling"),
-        ]
     }
+    let across = operands.across_in_drawing(graph)?;
+    let along = operands.along_in_drawing(graph)?;
+    let [across, along] = [across, along].map(|part| graph.constant_value(part));
+    // Bound on the rounding error of a distance of zero.
+    let least = f64::EPSILON * 8.0 * along?.abs().max(radius.unwrap_or(0.0));
+    (across?.abs() <= least).then(|| Refusal {
+        problem: "the centre of the pinion is drawn on the line of the rack".to_string(),
+        help: "name points of the rack where the teeth meet: the drawing says on which side the pinion rolls".to_string(),
+    })
+}
+
+fn rows(operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
+    let (Some((axis, rack, pinion)), Some(rolled)) = (operands.along(), rolled(operands, graph))
+    else {
+        return Vec::new();
+    };
+    let along = offset_along(axis.direction, axis.turned, &rack, &pinion, graph);
+    vec![Row::length(graph.add(along, rolled), "")]
+}
+
+/// Returns the rows r_i + R_i s_C − r_k − R_k s_P − R_k (ℓ u + h v) and ℓ − ℓ⁰ ± radius (φ_i − φ_k − φ⁰).
+fn vector_rows(operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
+    let (Some(rolled), [along, aside]) = (rolled(operands, graph), &operands.auxiliaries[..])
+    else {
+        return Vec::new();
+    };
+    let mut rows = slot_rows(operands, aside.value, graph);
+    rows.push(Row::length(graph.add(along.value, rolled), "rolling"));
+    rows
 }

@@ -3,9 +3,6 @@
 use super::{Feature, Kind, Operands, Quantity, Resolved, Row, Value};
 use crate::expr::{ExprId, Graph};
 
-/// φ_j − φ_i − C = 0 (Haug 1989, section 3.3); as a driver with f(t) for C (section 3.5).
-pub struct RelativeAngle;
-
 /// Returns the row φ_j − φ_i − value, with the first two operands as i and j; also used by the weld.
 pub(super) fn relative_angle_row(
     operands: &Resolved,
@@ -22,35 +19,21 @@ pub(super) fn relative_angle_row(
     }
 }
 
-impl Kind for RelativeAngle {
-    fn keyword(&self) -> &'static str {
-        "relative_angle"
-    }
+/// φ_j − φ_i − C = 0 (Haug 1989, section 3.3); as a driver with f(t) for C (section 3.5).
+pub static RELATIVE_ANGLE: Kind = Kind {
+    keyword: "relative_angle",
+    operands: Operands::ANGLES,
+    value: Value::Required(Quantity::Angle),
+    example: "`relative_angle (1, 2) = 30deg;`, or driven `drive relative_angle(1, 2) = 2*t;`",
+    feature: |_, _| Some(Feature::RelativeOrientation),
+    is_global: |on_ground| on_ground,
+    rows,
+    ..Kind::UNSET
+};
 
-    fn operands(&self) -> Operands {
-        Operands::ANGLES
-    }
-
-    fn value(&self) -> Value {
-        Value::Required(Quantity::Angle)
-    }
-
-    fn example(&self) -> &'static str {
-        "`relative_angle (1, 2) = 30deg;`, or driven `drive relative_angle(1, 2) = 2*t;`"
-    }
-
-    fn feature(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Feature> {
-        Some(Feature::RelativeOrientation)
-    }
-
-    fn is_global(&self, on_ground: bool) -> bool {
-        on_ground
-    }
-
-    fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
-        let value = operands.value.iter();
-        value
-            .map(|&value| relative_angle_row(operands, value, "", graph))
-            .collect()
-    }
+fn rows(operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
+    let value = operands.value.iter();
+    value
+        .map(|&value| relative_angle_row(operands, value, "", graph))
+        .collect()
 }

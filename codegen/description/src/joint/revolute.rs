@@ -1,61 +1,27 @@
 //! Revolute joint: a point of one body stays on a point of another.
 
 use super::geometry::subtract;
-use super::pin_on_arm::PinOnArm;
-use super::{Feature, Kind, Operands, Quantity, Resolved, Row, Value};
+use super::pin_on_arm::PIN_ON_ARM;
+use super::{Feature, Kind, Operands, Resolved, Row};
 use crate::expr::Graph;
 
 /// r_i + R_i s_i − r_j − R_j s_j = 0 (Haug 1989, section 3.3).
-pub struct Revolute;
+pub static REVOLUTE: Kind = Kind {
+    keyword: "revolute",
+    operands: Operands::PINS,
+    example: "`revolute P(1, 2);` or `revolute (1.P, 2.Q);`",
+    feature: |_, _| Some(Feature::Pin),
+    joins_points: true,
+    remainders: &[
+        ("x", "`relative_y(1.P, 2.P) = 0;`"),
+        ("y", "`relative_x(1.P, 2.P) = 0;`"),
+    ],
+    on_arm: Some(&PIN_ON_ARM),
+    rows,
+    ..Kind::UNSET
+};
 
-impl Kind for Revolute {
-    fn keyword(&self) -> &'static str {
-        "revolute"
-    }
-
-    fn operands(&self) -> Operands {
-        Operands::PINS
-    }
-
-    fn value(&self) -> Value {
-        Value::None
-    }
-
-    fn example(&self) -> &'static str {
-        "`revolute P(1, 2);` or `revolute (1.P, 2.Q);`"
-    }
-
-    fn feature(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Feature> {
-        Some(Feature::Pin)
-    }
-
-    fn joins_points(&self) -> bool {
-        true
-    }
-
-    fn without(&self, component: &str) -> Option<&'static str> {
-        match component {
-            "x" => Some("`relative_y(1.P, 2.P) = 0;`"),
-            "y" => Some("`relative_x(1.P, 2.P) = 0;`"),
-            _ => None,
-        }
-    }
-
-    fn on_arm(&self) -> Option<&'static dyn Kind> {
-        Some(&PinOnArm)
-    }
-
-    fn rows(&self, operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
-        let positions = [
-            operands.marks[0].position(graph),
-            operands.marks[1].position(graph),
-        ];
-        let gap = subtract(positions[0], positions[1], graph);
-        let row = |residual, component| Row {
-            residual,
-            quantity: Quantity::Length,
-            component,
-        };
-        vec![row(gap[0], "x"), row(gap[1], "y")]
-    }
+fn rows(operands: &Resolved, graph: &mut Graph) -> Vec<Row> {
+    let [i, j] = [0, 1].map(|side| operands.marks[side].position(graph));
+    Row::gap(subtract(i, j, graph))
 }

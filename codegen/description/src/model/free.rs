@@ -39,7 +39,7 @@ impl Resolver<'_> {
         let Some((added, _)) = self.linkage.joints.get(joint) else {
             return;
         };
-        let quantity = added.kind.value().quantity();
+        let quantity = added.kind.value.quantity();
         let expected = quantity.map(Dimension::of_rate);
         let rate = match (&written.rate, expected) {
             (Some(rate), Some(expected)) => self.constant(rate, expected),

@@ -14,7 +14,7 @@ impl Resolver<'_> {
         let keyword = joint.kind.text.as_str();
         let Some(kind) = kind_named(keyword, CONSTRAINTS) else {
             self.linkage.broken_lines.extend(joint.along.clone());
-            let keywords: Vec<&str> = CONSTRAINTS.iter().map(|kind| kind.keyword()).collect();
+            let keywords: Vec<&str> = CONSTRAINTS.iter().map(|kind| kind.keyword).collect();
             let diagnostic = Diagnostic::error(
                 Code::UnknownStatement,
                 joint.kind.span,
@@ -71,7 +71,7 @@ impl Resolver<'_> {
         self.diagnostics.extend(duplicate);
         let quantity = drive.quantity.text.as_str();
         let Some(kind) = kind_named(quantity, DRIVERS) else {
-            let quantities: Vec<&str> = DRIVERS.iter().map(|kind| kind.keyword()).collect();
+            let quantities: Vec<&str> = DRIVERS.iter().map(|kind| kind.keyword).collect();
             let help = match nearest(quantity, quantities.iter().copied()) {
                 Some(meant) => format!("did you mean `{meant}`?"),
                 None => format!(
@@ -224,8 +224,8 @@ fn is_global(given: &WrittenJoint<'_>) -> bool {
     given.kind.is_global(bodies.any(|it| it.text == "ground"))
 }
 
-fn kind_named(keyword: &str, kinds: &[&'static dyn Kind]) -> Option<&'static dyn Kind> {
-    kinds.iter().copied().find(|kind| kind.keyword() == keyword)
+fn kind_named(keyword: &str, kinds: &[&'static Kind]) -> Option<&'static Kind> {
+    kinds.iter().copied().find(|kind| kind.keyword == keyword)
 }
 
 /// Returns the label of a statement in messages: `revolute P(1, 2)`, `drive length(N, M)`.
@@ -236,7 +236,7 @@ pub(super) fn label(given: &WrittenJoint<'_>) -> String {
     };
     let operands: Vec<String> = given.operands.iter().map(reference).collect();
     let operands = operands.join(", ");
-    let keyword = given.kind.keyword();
+    let keyword = given.kind.keyword;
     let along = given.along.map(|along| {
         format!(
             " along {} -> {}",

@@ -221,14 +221,14 @@ impl Resolver<'_> {
                 self.linkage.joints[reverse].0.span,
                 format!("this one slides along {q} -> {p}"),
             )
-            .help(format!("write `{}({q}, {p})`", given.kind.keyword()))
+            .help(format!("write `{}({q}, {p})`", given.kind.keyword))
         } else {
             Diagnostic::error(
                 Code::WrongForm,
                 span,
                 format!("no joint above slides along {p} -> {q}"),
             )
-            .help(format!("write {}", given.kind.example()))
+            .help(format!("write {}", given.kind.example))
         };
         self.diagnostics.push(diagnostic);
         None

@@ -88,7 +88,7 @@ impl Linkage {
 
     /// Adds a joint with its written direction.
     pub fn push_joint(&mut self, joint: Joint, along: Option<syntax::Direction>) {
-        if let (true, [one, other]) = (joint.kind.joins_points(), &joint.operands.marks[..]) {
+        if let (true, [one, other]) = (joint.kind.joins_points, &joint.operands.marks[..]) {
             self.carriers.join(one, other);
         }
         self.slugs.take(&joint.slug);

@@ -261,7 +261,7 @@ impl Resolver<'_> {
                         operand.span,
                         "the point of this body is not named",
                     )
-                    .help(format!("write {}", given.kind.example())),
+                    .help(format!("write {}", given.kind.example)),
                 );
                 None
             }

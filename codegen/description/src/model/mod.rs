@@ -267,7 +267,7 @@ pub enum Role {
 #[derive(Clone, Debug)]
 pub struct Joint {
     /// Kind of joint or driver.
-    pub kind: &'static dyn Kind,
+    pub kind: &'static Kind,
     /// Constraint or driver.
     pub role: Role,
     /// Source location of the word `redundant`, which permits dependent rows; `None` without it.

@@ -14,7 +14,7 @@ use crate::syntax::{Direction, Expression, Name, Reference};
 
 /// A joint or drive statement, as written.
 pub(super) struct WrittenJoint<'a> {
-    pub kind: &'static dyn Kind,
+    pub kind: &'static Kind,
     pub role: Role,
     /// True if the quantity is free, and thus moved by forces.
     pub is_free: bool,
@@ -33,7 +33,7 @@ pub(super) struct WrittenJoint<'a> {
 
 /// True if a required value is present, and no value is present where none is permitted.
 fn value_fits(given: &WrittenJoint<'_>) -> bool {
-    match given.kind.value() {
+    match given.kind.value {
         Value::None => given.value.is_none(),
         Value::Required(_) => given.value.is_some(),
         Value::OrAsDrawn(_) => true,
@@ -43,7 +43,7 @@ fn value_fits(given: &WrittenJoint<'_>) -> bool {
 impl Resolver<'_> {
     /// Resolves the operands in the form of the kind; `None` after an error.
     pub(super) fn operands(&mut self, given: &WrittenJoint<'_>) -> Option<Resolved> {
-        let form = given.kind.operands();
+        let form = given.kind.operands;
         let count = given.operands.len();
         let along_fits = given.along.is_some() == form.is_along();
         if !(form.fewest()..=form.slots.len()).contains(&count) || !along_fits || !value_fits(given)
@@ -51,7 +51,7 @@ impl Resolver<'_> {
             self.report_form(given);
             return None;
         }
-        let value = match (given.value, given.kind.value().quantity()) {
+        let value = match (given.value, given.kind.value.quantity()) {
             (Some(written), Some(quantity)) => {
                 let expected = Dimension::of(quantity);
                 let value = match given.role {
@@ -124,7 +124,7 @@ impl Resolver<'_> {
 
     /// True if the ends of a link are apart in the design configuration, for kinds with a link; otherwise reports an error.
     fn link_has_direction(&mut self, given: &WrittenJoint<'_>, operands: &Resolved) -> bool {
-        if !given.kind.auxiliaries().contains(&Auxiliary::LinkAngle) {
+        if !given.kind.auxiliaries.contains(&Auxiliary::LinkAngle) {
             return true;
         }
         let [from, to] = [0, 1].map(|side| operands.drawn[side].position);
@@ -184,10 +184,10 @@ impl Resolver<'_> {
     }
 
     fn report_form(&mut self, given: &WrittenJoint<'_>) {
-        let keyword = given.kind.keyword();
-        let form = given.kind.operands();
+        let keyword = given.kind.keyword;
+        let form = given.kind.operands;
         let (fewest, most) = (form.fewest(), form.slots.len());
-        let mut help = format!("write {}", given.kind.example());
+        let mut help = format!("write {}", given.kind.example);
         let (problem, span) = if !(fewest..=most).contains(&given.operands.len()) {
             let noun = if most == 1 { "operand" } else { "operands" };
             let count = if fewest == most {
@@ -240,7 +240,7 @@ impl Resolver<'_> {
             let points: Vec<&str> = marks.map(|it| it.name.as_str()).collect();
             Some((name.text.as_str(), points))
         };
-        let (from, to, place) = match given.kind.operands().line {
+        let (from, to, place) = match given.kind.operands.line {
             Line::Between => {
                 let ((first, from), (second, to)) = (carried(0)?, carried(1)?);
                 let from = from.first().copied().unwrap_or("P");
@@ -293,7 +293,7 @@ impl Resolver<'_> {
             return self.moves(&bodies, given);
         };
         let name = &self.linkage.bodies[bodies[at].0].name;
-        let carrier = given.kind.operands().slots.get(at) == Some(&Slot::Carrier);
+        let carrier = given.kind.operands.slots.get(at) == Some(&Slot::Carrier);
         let (problem, help) = if carrier {
             (
                 format!("body `{name}` cannot be its own carrier"),

@@ -49,7 +49,7 @@ impl Resolver<'_> {
                 if given.role == Role::Driver {
                     words.push("drive".to_string());
                 }
-                words.push(given.kind.keyword().to_string());
+                words.push(given.kind.keyword.to_string());
                 for operand in given.operands {
                     words.extend(operand.body.iter().map(|body| body.text.clone()));
                     words.push(operand.name.text.clone());

@@ -68,7 +68,7 @@ impl<'a> Revolutes<'a> {
             let ([one, other], Role::Constraint) = (&joint.operands.marks[..], joint.role) else {
                 continue;
             };
-            if !joint.kind.joins_points() {
+            if !joint.kind.joins_points {
                 continue;
             }
             let [one, other] = [one, other].map(|mark| mark.frame.body);
@@ -162,8 +162,8 @@ impl Resolver<'_> {
         operands: Option<&Resolved>,
     ) -> Option<PressureAngle> {
         let value = self.constant(written, Dimension::of(Quantity::Angle))?;
-        let keyword = given.kind.keyword();
-        if !given.kind.has_pressure_angle() {
+        let keyword = given.kind.keyword;
+        if !given.kind.has_pressure_angle {
             self.diagnostics.push(
                 Diagnostic::error(
                     Code::WrongForm,

@@ -13,7 +13,7 @@ impl VectorForm {
     /// Adds the auxiliary unknowns of one joint, named after the joint's points.
     pub(super) fn add_auxiliaries(&mut self, joint: &Joint, bodies: &[Body], graph: &mut Graph) {
         // A driver on the line of another joint uses that joint's unknowns and has none itself.
-        let count = joint.kind.auxiliaries().len();
+        let count = joint.kind.auxiliaries.len();
         for auxiliary in joint.operands.auxiliaries.iter().take(count) {
             let Some(position) = as_symbol(auxiliary.value, graph) else {
                 continue;

@@ -150,7 +150,7 @@ fn drivers(mechanism: &mut Mechanism, rows: &[Row], watch: &mut Watch) -> Vec<Di
         .filter(|(_, joint)| joint.role == Role::Driver);
     let mut directions = Vec::new();
     for (index, joint) in drivers {
-        let (Some(quantity), Some(value)) = (joint.kind.value().quantity(), joint.operands.value)
+        let (Some(quantity), Some(value)) = (joint.kind.value.quantity(), joint.operands.value)
         else {
             continue;
         };

@@ -96,7 +96,7 @@ impl Known {
         if body == 0 {
             let mut joints = system.mechanism.joints.iter();
             let led = joints.any(|joint| {
-                let is_led = ["x", "y"].contains(&joint.kind.keyword());
+                let is_led = ["x", "y"].contains(&joint.kind.keyword);
                 is_led && joint.operands.marks[0].local == mark.local
             });
             return Phrase::from(match led {

@@ -16,7 +16,7 @@ pub fn loop_name(block: &SolvedBlock, system: &System) -> String {
     let joints = closing_joints(block, system);
     let joints = || joints.iter().map(|&joint| &system.mechanism.joints[joint]);
     let mut pins: Vec<&str> = joints()
-        .filter(|joint| joint.kind.joins_points())
+        .filter(|joint| joint.kind.joins_points)
         .filter_map(|joint| {
             let (_, operands) = joint.label.split_once(' ')?;
             Some(operands.split_once('(').map_or(operands, |(pin, _)| pin))

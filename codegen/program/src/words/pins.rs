@@ -18,18 +18,18 @@ pub(super) fn pins(mechanism: &Mechanism) -> Vec<Pin> {
     let mut pins = Vec::new();
     for joint in joints {
         let marks = &joint.operands.marks;
-        if joint.kind.joins_points() && marks.len() == 2 {
+        if joint.kind.joins_points && marks.len() == 2 {
             pins.extend(pin(mechanism, [marks[0], marks[1]]));
         }
         // The x and y of one point are two statements; together they fix or drive the point.
         let partner = |keywords: [&str; 2]| {
             joints.iter().any(|other| {
-                keywords.contains(&other.kind.keyword())
+                keywords.contains(&other.kind.keyword)
                     && other.operands.marks[0].local == marks[0].local
                     && other.operands.marks[0].frame.body == marks[0].frame.body
             })
         };
-        let is_x = ["absolute_x", "x"].contains(&joint.kind.keyword());
+        let is_x = ["absolute_x", "x"].contains(&joint.kind.keyword);
         if is_x && partner(["absolute_y", "y"]) {
             let ground = mechanism.bodies[0].frame;
             let held = Mark {

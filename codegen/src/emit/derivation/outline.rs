@@ -107,7 +107,7 @@ pub(super) fn outline(
 fn joint_name(system: &System, joint: usize, script: Script) -> String {
     let joint = &system.mechanism.joints[joint];
     let pin = match joint.operands.marks[..] {
-        [first, second] if joint.kind.joins_points() => pin(&system.mechanism, [first, second]),
+        [first, second] if joint.kind.joins_points => pin(&system.mechanism, [first, second]),
         _ => None,
     };
     script.word(pin.as_ref().map_or(&joint.label, |pin| &pin.name))

@@ -1,18 +1,13 @@
-//! Systems → a LaTeX document with their equations.
+//! Prints the equations of systems as a LaTeX document.
 
-use super::super::formula::Printer;
+use super::super::inspection::{Entry, Inspection, Quantity, Section, Subject};
 use super::lines::{self, Line, displayed, fit_in_a_row, title, width};
 use super::spelling::{Latex, escaped};
 use crate::emit::derivation::SingularPose;
-use crate::emit::named_parts::NamedParts;
-use crate::expr::ExprId;
-use crate::system::{Cause, Row, SymbolRole, System};
+use crate::system::System;
 
 /// A Jacobian of more columns than these is listed by its entries that are not zero.
 const LARGEST_MATRIX: usize = 12;
-
-/// An equation: its left side, its right side, and where it comes from.
-type Equation = [String; 3];
 
 /// The coordinates, Φ, Φ_q, Φ_t and γ of each system, its points, and the singular poses of its blocks, with formulas in LaTeX.
 pub fn inspect(systems: &[(&System, Vec<SingularPose>)]) -> String {
@@ -31,51 +26,17 @@ fn pages(systems: &[(&System, Vec<SingularPose>)]) -> Vec<String> {
 
 /// What the document says of one system.
 fn page(system: &System, poses: &[SingularPose]) -> String {
-    let mut system = system.clone();
-    let parts = &NamedParts::of_rows(&mut system);
-    let names = Printer::new(&system, &[], Latex);
-    let coordinates: Vec<String> = (0..system.coordinates.len())
-        .map(|index| names.symbol(SymbolRole::Position(index)))
-        .collect();
-    let mut text = title(&escaped(&system.mechanism.title()));
-    let listed: Vec<String> = coordinates.iter().map(|it| format!("${it}$")).collect();
-    text.push_str(&format!(
-        "The coordinates $\\mathbf{{q}}$ are {}.\n",
+    let inspection = Inspection::of(system, Latex);
+    let names: Vec<&str> = inspection.coordinates.iter().map(|it| &*it[0]).collect();
+    let listed: Vec<String> = names.iter().map(|it| format!("${it}$")).collect();
+    let mut text = format!(
+        "{}The coordinates $\\mathbf{{q}}$ are {}.\n",
+        title(&escaped(&system.mechanism.title())),
         listed.join(", ")
-    ));
-    text.push_str(&section(
-        "Constraint equations $\\Phi(\\mathbf{q}, t) = 0$",
-        &rows(&system, parts, "\\Phi", |row| row.residual, " = 0"),
-    ));
-    text.push_str(&section(
-        "Jacobian $\\Phi_{\\mathbf{q}}$",
-        &jacobian(&system, parts, &coordinates),
-    ));
-    text.push_str(&section(
-        "Partial derivative $\\Phi_{t}$",
-        &rows(&system, parts, "\\Phi_{t}", |row| row.time_derivative, ""),
-    ));
-    text.push_str(&section(
-        "Right-hand side $\\gamma$ of the accelerations",
-        &rows(&system, parts, "\\gamma", |row| row.gamma, ""),
-    ));
-    text.push_str(&driven(&system, parts));
-    text.push_str(&parameters(&system, parts));
-    text.push_str(&section("Points", &points(&system, parts)));
-    let definitions = parts.definitions(&mut system);
-    let printer = Printer::new(&system, &[], Latex);
-    let definitions: Vec<Equation> = definitions
-        .iter()
-        .map(|definition| {
-            let [name, value] = [definition.name, definition.value];
-            [
-                printer.expression(name),
-                printer.expression(value),
-                String::new(),
-            ]
-        })
-        .collect();
-    text.push_str(&section("What the names stand for", &aligned(&definitions)));
+    );
+    for section in &inspection.sections {
+        text += &section_text(system, section, &names);
+    }
     let poses: Vec<String> = poses
         .iter()
         .map(|pose| {
@@ -83,198 +44,114 @@ fn page(system: &System, poses: &[SingularPose]) -> String {
             format!("Block {block}, {unknowns}: {}\n", pose.sentence())
         })
         .collect();
-    text.push_str(&section(
-        "Singular poses, by the determinant of each block up to its sign",
-        &poses.join("\n"),
-    ));
+    if !poses.is_empty() {
+        text += &subsection("Singular poses, by the determinant of each block up to its sign");
+        text += &poses.join("\n");
+    }
     text
 }
 
-/// A heading with what stands below it, if there is anything.
-fn section(heading: &str, contents: &str) -> String {
-    match contents {
-        "" => String::new(),
-        contents => format!("\n\\subsection*{{{heading}}}\n{contents}"),
-    }
+fn subsection(heading: &str) -> String {
+    format!("\n\\subsection*{{{heading}}}\n")
 }
 
-fn aligned(equations: &[Equation]) -> String {
-    match equations {
-        [] => String::new(),
-        equations => {
-            displayed(
-                equations
-                    .iter()
-                    .map(|[left, right, note]| Line { left, right, note }),
-            )
+/// A quantity with its heading and its remarks.
+fn section_text(system: &System, section: &Section, names: &[&str]) -> String {
+    let of_parameter;
+    let (heading, symbol) = match &section.quantity {
+        Quantity::Residual => ("Constraint equations $\\Phi(\\mathbf{q}, t) = 0$", "\\Phi"),
+        Quantity::Jacobian => ("Jacobian $\\Phi_{\\mathbf{q}}$", "\\Phi_{\\mathbf{q}}"),
+        Quantity::TimeDerivative => ("Partial derivative $\\Phi_{t}$", "\\Phi_{t}"),
+        Quantity::Gamma => ("Right-hand side $\\gamma$ of the accelerations", "\\gamma"),
+        Quantity::Drivers => ("Partial derivatives $\\Phi_{s}$", "\\Phi_{s}"),
+        Quantity::Parameter(name) => {
+            of_parameter = format!(
+                "Partial derivative $\\Phi_{{p}}$ for the parameter $p$ = {}",
+                escaped(name)
+            );
+            (&*of_parameter, "\\Phi_{p}")
         }
-    }
-}
-
-/// Where each declared point is.
-fn points(system: &System, parts: &NamedParts) -> String {
-    let equations = system.outputs.iter().flat_map(|output| {
-        let lines = [("x", 0), ("y", 1)].map(|(axis, place)| {
-            let expr = output.position[place];
-            let is_long = parts.meet(&system.mechanism.graph, expr);
-            let printer = Printer::new(system, &[], Latex).naming(parts, is_long);
-            let name = format!("{axis}_{{\\mathrm{{{}}}}}", escaped(&output.name));
-            [name, printer.expression(expr), String::new()]
-        });
-        lines.into_iter()
-    });
-    aligned(&equations.collect::<Vec<_>>())
-}
-
-/// The joint that a row comes from, as a remark.
-fn joint(system: &System, row: &Row) -> String {
-    escaped(&system.mechanism.joints[row.joint].label).replace("->", "$\\to$")
-}
-
-/// A formula that mentions the bodies in the order of its row.
-fn formula(system: &System, parts: &NamedParts, row: &Row, expr: ExprId) -> String {
-    let is_long = parts.meet(&system.mechanism.graph, expr);
-    Printer::new(system, &row.bodies, Latex)
-        .naming(parts, is_long)
-        .expression(expr)
-}
-
-/// ∂Φ/∂s for the value s of each driver, where something is transmitted: the rows that are not zero.
-fn driven(system: &System, parts: &NamedParts) -> String {
-    let lines: Vec<Equation> = system
-        .driven()
-        .flat_map(|(place, ..)| column(&system.directions[place].column, "s", system, parts))
-        .collect();
-    if lines.is_empty() {
-        return String::new();
-    }
-    let words = "The value of each driver is $s$; all other rows are zero.\n";
-    section(
-        "Partial derivatives $\\Phi_{s}$",
-        &format!("{words}{}", aligned(&lines)),
-    )
-}
-
-/// ∂Φ/∂p for each parameter p whose sensitivity is asked for: the rows that are not zero.
-fn parameters(system: &System, parts: &NamedParts) -> String {
-    let mut text = String::new();
-    for direction in &system.directions {
-        let Cause::Parameter(place) = direction.cause else {
-            continue;
-        };
-        let name = escaped(&system.mechanism.parameters[place].name);
-        let lines = column(&direction.column, "p", system, parts);
-        let contents = match lines.is_empty() {
-            true => "It is zero.\n".to_string(),
-            false => format!("All other rows are zero.\n{}", aligned(&lines)),
-        };
-        let heading = format!("Partial derivative $\\Phi_{{p}}$ for the parameter $p$ = {name}");
-        text.push_str(&section(&heading, &contents));
-    }
-    text
-}
-
-/// The rows of a column that are not zero.
-fn column(
-    column: &[ExprId],
-    index_name: &str,
-    system: &System,
-    parts: &NamedParts,
-) -> Vec<Equation> {
-    let zero = system.mechanism.graph.zero();
-    let entries = system.rows.iter().zip(column).enumerate();
-    entries
-        .filter(|(_, (_, entry))| **entry != zero)
-        .map(|(index, (row, &entry))| {
-            [
-                format!("(\\Phi_{{{index_name}}})_{{{}}}", index + 1),
-                formula(system, parts, row, entry),
-                joint(system, row),
-            ]
-        })
-        .collect()
-}
-
-/// One equation a row. Where the equations do not end in ` = 0`, a remark stands for the rows that are zero.
-fn rows(
-    system: &System,
-    parts: &NamedParts,
-    symbol: &str,
-    of: impl Fn(&Row) -> ExprId,
-    end: &str,
-) -> String {
-    let left_out = |row: &Row| end.is_empty() && of(row) == system.mechanism.graph.zero();
-    if system.rows.iter().all(left_out) {
-        return format!("\\[ {symbol} = 0 \\]\n");
-    }
-    let rest = if system.rows.iter().any(left_out) {
-        "All other rows are zero.\n"
-    } else {
-        ""
+        Quantity::Points => ("Points", ""),
+        Quantity::Definitions => ("What the names stand for", ""),
+        Quantity::Monitored => ("Redundant equations, monitored but not solved", ""),
     };
-    let lines: Vec<Equation> = system
-        .rows
+    let equations: Vec<[String; 3]> = section
+        .entries
         .iter()
-        .enumerate()
-        .filter(|(_, row)| !left_out(row))
-        .map(|(index, row)| {
-            [
-                format!("({symbol})_{{{}}}", index + 1),
-                format!("{}{end}", formula(system, parts, row, of(row))),
-                joint(system, row),
-            ]
-        })
+        .map(|entry| equation(system, entry, symbol, names))
         .collect();
-    format!("{}{rest}", aligned(&lines))
+    let is_partial = section.entries.len() < system.rows.len();
+    let listed = || {
+        displayed(equations.iter().map(|it| Line {
+            left: &it[0],
+            right: &it[1],
+            note: &it[2],
+        }))
+    };
+    let contents = match section.quantity {
+        Quantity::Jacobian => matrix(system, section, names.len())
+            .unwrap_or_else(|| format!("{}All other entries are zero.\n", listed())),
+        Quantity::Parameter(_) if equations.is_empty() => "It is zero.\n".to_string(),
+        _ if equations.is_empty() => format!("\\[ {symbol} = 0 \\]\n"),
+        Quantity::Parameter(_) => format!("All other rows are zero.\n{}", listed()),
+        Quantity::Drivers => format!(
+            "The value of each driver is $s$; all other rows are zero.\n{}",
+            listed()
+        ),
+        Quantity::TimeDerivative | Quantity::Gamma if is_partial => {
+            format!("{}All other rows are zero.\n", listed())
+        }
+        _ => listed(),
+    };
+    subsection(heading) + &contents
 }
 
-/// As a matrix where that fits on a page, otherwise by the entries that are not zero.
-fn jacobian(system: &System, parts: &NamedParts, coordinates: &[String]) -> String {
-    let rows: Vec<Vec<(usize, String)>> = system
-        .rows
-        .iter()
-        .map(|row| {
-            let entries = row.jacobian.iter();
-            entries
-                .map(|entry| (entry.coordinate, formula(system, parts, row, entry.value)))
-                .collect()
-        })
-        .collect();
-    // The widest entry of each column beside one another.
-    let widest: Vec<&str> = (0..coordinates.len())
-        .map(|column| {
-            let entries = rows.iter().flatten().filter(|(own, _)| *own == column);
-            let entries = entries.map(|(_, entry)| entry.as_str());
-            entries.max_by_key(|entry| width(entry)).unwrap_or("0")
-        })
-        .collect();
-    if coordinates.len() <= LARGEST_MATRIX && fit_in_a_row(widest.into_iter()) {
-        let lines: Vec<String> = rows
-            .iter()
-            .map(|row| {
-                let mut line = vec!["0"; coordinates.len()];
-                for (coordinate, entry) in row {
-                    line[*coordinate] = entry;
-                }
-                format!("  {}", line.join(" & "))
-            })
-            .collect();
-        let body = lines.join(" \\\\\n");
-        return format!("\\[ \\begin{{pmatrix}}\n{body}\n\\end{{pmatrix}} \\]\n");
+/// The left side of an equation, its right side, and the joint that it comes from as a remark.
+fn equation(system: &System, entry: &Entry, symbol: &str, names: &[&str]) -> [String; 3] {
+    let joint = |index: usize| {
+        let label = &system.mechanism.joints[index].label;
+        escaped(label).replace("->", "$\\to$")
+    };
+    let value = entry.value.clone();
+    match &entry.subject {
+        Subject::Row(row) => {
+            let end = if symbol == "\\Phi" { " = 0" } else { "" };
+            let left = format!("({symbol})_{{{}}}", row + 1);
+            [left, value + end, joint(system.rows[*row].joint)]
+        }
+        Subject::Redundant(index) => [value, "0".to_string(), joint(*index)],
+        Subject::Slope(row, coordinate) => {
+            let (row, name) = (row + 1, names[*coordinate]);
+            let left = format!("\\frac{{\\partial \\Phi_{{{row}}}}}{{\\partial {name}}}");
+            [left, value, String::new()]
+        }
+        Subject::Point(point, axis) => {
+            let (axis, name) = (["x", "y"][*axis], escaped(&system.outputs[*point].name));
+            let left = format!("{axis}_{{\\mathrm{{{name}}}}}");
+            [left, value, String::new()]
+        }
+        Subject::Name(name) => [name.clone(), value, String::new()],
     }
-    let lines: Vec<Equation> = rows
-        .into_iter()
-        .enumerate()
-        .flat_map(|(index, row)| {
-            row.into_iter().map(move |(coordinate, entry)| {
-                let name = &coordinates[coordinate];
-                let left = format!(
-                    "\\frac{{\\partial \\Phi_{{{}}}}}{{\\partial {name}}}",
-                    index + 1
-                );
-                [left, entry, String::new()]
-            })
-        })
-        .collect();
-    format!("{}All other entries are zero.\n", aligned(&lines))
+}
+
+/// Φ_q as a matrix; `None` if it does not fit on a page.
+fn matrix(system: &System, section: &Section, columns: usize) -> Option<String> {
+    if columns > LARGEST_MATRIX {
+        return None;
+    }
+    // The widest entry of each column beside one another.
+    let mut widest = vec!["0"; columns];
+    let rows = (0..system.rows.len()).map(|row| {
+        let mut line = vec!["0"; columns];
+        for (coordinate, value) in section.slopes(row) {
+            line[coordinate] = value;
+            if width(value) >= width(widest[coordinate]) {
+                widest[coordinate] = value;
+            }
+        }
+        format!("  {}", line.join(" & "))
+    });
+    let body = rows.collect::<Vec<_>>().join(" \\\\\n");
+    fit_in_a_row(widest.into_iter())
+        .then(|| format!("\\[ \\begin{{pmatrix}}\n{body}\n\\end{{pmatrix}} \\]\n"))
 }

@@ -1,12 +1,10 @@
-//! A system → the page that shows its equations.
+//! Prints the equations of a system as text.
 
-use super::super::formula::Printer;
-use super::super::named_parts::NamedParts;
+use super::super::inspection::{Entry, Inspection, Quantity, Section, Subject};
 use super::super::notation::Notation;
 use super::table::{aligned, in_lines, shown_width};
-use crate::expr::ExprId;
 use crate::model::{Dimension, Role};
-use crate::system::{Cause, Output, Row, System};
+use crate::system::System;
 
 /// The widest matrix that is printed as one; wider ones are listed entry by entry.
 const WIDEST_MATRIX: usize = 110;
@@ -16,37 +14,42 @@ const WIDEST_LIST: usize = 100;
 
 /// Φ, Φ_q, Φ_t and γ of a system row by row, and the motion of its points.
 pub fn inspect(system: &System, notation: Notation) -> String {
-    let mut system = system.clone();
-    let parts = NamedParts::of_rows(&mut system);
-    let page = Page {
-        system: &system,
-        notation,
-        parts: &parts,
-    };
-    let headings = match notation {
-        Notation::Ascii => ["Phi(q, t) = 0", "Phi_q", "Phi_t", "gamma"],
-        Notation::Unicode => ["Φ(q, t) = 0", "Φ_q", "Φ_t", "γ"],
-    };
-    let mut text = page.summary();
-    text.push_str(&page.rows(headings[0], |row| row.residual, true));
-    text.push_str(&page.jacobian(headings[1]));
-    text.push_str(&page.rows(headings[2], |row| row.time_derivative, false));
-    text.push_str(&page.rows(headings[3], |row| row.gamma, false));
-    text.push_str(&page.driven());
-    text.push_str(&page.parameters());
-    text.push_str(&page.monitored());
-    text.push_str(&page.points());
-    let definitions = parts.definitions(&mut system);
-    if definitions.is_empty() {
-        return text;
+    let inspection = Inspection::of(system, notation);
+    let names: Vec<&str> = inspection.coordinates.iter().map(|it| &*it[0]).collect();
+    let mut text = summary(system, &names);
+    for section in &inspection.sections {
+        let (symbol, remark) = heading(&section.quantity);
+        let symbol = match notation {
+            Notation::Ascii => symbol.replace('Φ', "Phi").replace('γ', "gamma"),
+            Notation::Unicode => symbol.to_string(),
+        };
+        text.push_str(&match section.quantity {
+            Quantity::Jacobian => format!("\n{symbol}{}", jacobian(system, section, &names)),
+            Quantity::TimeDerivative | Quantity::Gamma | Quantity::Parameter(_)
+                if section.entries.is_empty() =>
+            {
+                format!("\n{symbol} = 0{remark}\n")
+            }
+            _ => format!("\n{symbol}{remark}\n{}", lines(system, section)),
+        });
     }
-    let printer = Printer::new(&system, &[], notation);
-    let lines = definitions.iter().flat_map(|definition| {
-        let name = printer.expression(definition.name);
-        in_lines(&name, &printer.expression(definition.value))
-    });
-    let lines: Vec<Vec<String>> = lines.map(|line| vec![line]).collect();
-    format!("{text}\nwhere\n{}", aligned(&lines))
+    text
+}
+
+/// The symbol of a quantity, and what it stands for.
+fn heading(quantity: &Quantity) -> (&'static str, String) {
+    let symbol = match quantity {
+        Quantity::Residual => "Φ(q, t) = 0",
+        Quantity::Jacobian => "Φ_q",
+        Quantity::TimeDerivative => "Φ_t",
+        Quantity::Gamma => "γ",
+        Quantity::Drivers => return ("Φ_s", ", s the value of the driver".to_string()),
+        Quantity::Parameter(name) => return ("Φ_p", format!(", p the parameter {name}")),
+        Quantity::Monitored => "redundant: follows from the rest, monitored",
+        Quantity::Points => "points",
+        Quantity::Definitions => "where",
+    };
+    (symbol, String::new())
 }
 
 /// The parameters and inputs with their defaults, a line each; nothing where there are none.
@@ -81,234 +84,114 @@ pub(crate) fn given(system: &System) -> String {
     parameters.chain(inputs).chain(tables).collect()
 }
 
-struct Page<'a> {
-    system: &'a System,
-    notation: Notation,
-    parts: &'a NamedParts,
+/// The name of the mechanism, its counts, its coordinates and what is given.
+fn summary(system: &System, names: &[&str]) -> String {
+    let mechanism = &system.mechanism;
+    let is_driver = |joint: usize| mechanism.joints[joint].role == Role::Driver;
+    let drivers = system.rows.iter().filter(|row| is_driver(row.joint));
+    let drivers = drivers.count();
+    let coordinates = system.coordinates.len();
+    let constraints = system.rows.len() - drivers;
+    let freedom = coordinates as i64 - constraints as i64;
+    let plural = |number: i64, one: &str, several: &str| {
+        format!("{number} {}", if number == 1 { one } else { several })
+    };
+    format!(
+        "mechanism {}: {}, {}, {} of joints, {} of drivers, {}\n\n{}\n",
+        mechanism.title(),
+        mechanism.body_count_label(),
+        plural(coordinates as i64, "coordinate", "coordinates"),
+        plural(constraints as i64, "equation", "equations"),
+        plural(drivers as i64, "equation", "equations"),
+        plural(freedom, "degree of freedom", "degrees of freedom"),
+        wrapped("q = (", names, ")"),
+    ) + &given(system)
 }
 
-impl Page<'_> {
-    fn printer<'b>(&'b self, bodies: &'b [usize]) -> Printer<'b, Notation> {
-        Printer::new(self.system, bodies, self.notation)
-    }
+/// Row number and joint; the joint only if it is not that of the row before.
+fn label(system: &System, row: usize, previous: Option<usize>) -> [String; 2] {
+    let joint = |row: usize| system.rows[row].joint;
+    let is_first = previous.is_none_or(|previous| joint(previous) != joint(row));
+    let label = match is_first {
+        true => &system.mechanism.joints[joint(row)].label,
+        false => "",
+    };
+    [(row + 1).to_string(), label.to_string()]
+}
 
-    /// A formula that mentions the bodies in this order.
-    fn formula(&self, bodies: &[usize], expr: ExprId) -> String {
-        let is_long = self.parts.meet(&self.system.mechanism.graph, expr);
-        self.printer(bodies)
-            .naming(self.parts, is_long)
-            .expression(expr)
-    }
-
-    fn summary(&self) -> String {
-        let mechanism = &self.system.mechanism;
-        let drivers = self
-            .system
-            .rows
-            .iter()
-            .filter(|row| mechanism.joints[row.joint].role == Role::Driver)
-            .count();
-        let coordinates = self.system.coordinates.len();
-        let constraints = self.system.rows.len() - drivers;
-        let freedom = coordinates as i64 - constraints as i64;
-        let printer = self.printer(&[]);
-        let names: Vec<String> = self
-            .system
-            .coordinates
-            .iter()
-            .enumerate()
-            .map(|(index, _)| printer.symbol(crate::system::SymbolRole::Position(index)))
-            .collect();
-        let plural = |number: i64, one: &str, several: &str| {
-            format!("{number} {}", if number == 1 { one } else { several })
-        };
-        format!(
-            "mechanism {}: {}, {}, {} of joints, {} of drivers, {}\n\n{}\n",
-            mechanism.title(),
-            mechanism.body_count_label(),
-            plural(coordinates as i64, "coordinate", "coordinates"),
-            plural(constraints as i64, "equation", "equations"),
-            plural(drivers as i64, "equation", "equations"),
-            plural(freedom, "degree of freedom", "degrees of freedom"),
-            wrapped("q = (", &names, ")"),
-        ) + &given(self.system)
-    }
-
-    /// The rows that are not solved.
-    fn monitored(&self) -> String {
-        if self.system.monitored.is_empty() {
-            return String::new();
-        }
-        let lines: Vec<Vec<String>> = self
-            .system
-            .monitored
-            .iter()
-            .map(|row| {
-                let joint = &self.system.mechanism.joints[row.joint];
-                vec![joint.label.clone(), self.formula(&row.bodies, row.residual)]
-            })
-            .collect();
-        format!(
-            "\nredundant: follows from the rest, monitored\n{}",
-            aligned(&lines)
-        )
-    }
-
-    /// Row number and joint, the joint only at its first row that is shown: `previous` is the one shown before.
-    fn label(&self, index: usize, previous: Option<usize>) -> Vec<String> {
-        let row = &self.system.rows[index];
-        let first = previous.is_none_or(|previous| self.system.rows[previous].joint != row.joint);
-        let joint = if first {
-            self.system.mechanism.joints[row.joint].label.as_str()
-        } else {
-            ""
-        };
-        vec![format!("{}", index + 1), joint.to_string()]
-    }
-
-    /// A line per row: of every row, or only of those that are not zero.
-    fn rows(&self, heading: &str, of: impl Fn(&Row) -> ExprId, every: bool) -> String {
-        let zero = self.system.mechanism.graph.zero();
-        if !every && self.system.rows.iter().all(|row| of(row) == zero) {
-            return format!("\n{heading} = 0\n");
-        }
-        let mut lines: Vec<Vec<String>> = Vec::new();
-        let mut previous = None;
-        for (index, row) in self.system.rows.iter().enumerate() {
-            if !every && of(row) == zero {
-                continue;
+/// The entries of a section as aligned lines, and a remark on rows of Φ_t and γ that are left out.
+fn lines(system: &System, section: &Section) -> String {
+    let mut lines: Vec<Vec<String>> = Vec::new();
+    let is_derivative = matches!(section.quantity, Quantity::Drivers | Quantity::Parameter(_));
+    let mut previous = None;
+    for Entry { subject, value } in &section.entries {
+        match subject {
+            Subject::Row(row) | Subject::Slope(row, _) => {
+                let [number, joint] = label(system, *row, previous);
+                lines.push(vec![number, joint, value.clone()]);
+                previous = Some(*row).filter(|_| !is_derivative);
             }
-            let mut line = self.label(index, previous);
-            line.push(self.formula(&row.bodies, of(row)));
-            lines.push(line);
-            previous = Some(index);
-        }
-        let remark = if lines.len() < self.system.rows.len() {
-            "  all other rows are zero\n"
-        } else {
-            ""
-        };
-        format!("\n{heading}\n{}{remark}", aligned(&lines))
-    }
-
-    fn jacobian(&self, heading: &str) -> String {
-        let entries: Vec<Vec<(usize, String)>> = self
-            .system
-            .rows
-            .iter()
-            .map(|row| {
-                row.jacobian
-                    .iter()
-                    .map(|entry| (entry.coordinate, self.formula(&row.bodies, entry.value)))
-                    .collect()
-            })
-            .collect();
-        let names = self.printer(&[]);
-        let name = |coordinate| names.symbol(crate::system::SymbolRole::Position(coordinate));
-        let columns = self.system.coordinates.len();
-        // A column is a character wide or more, and two spaces stand before it.
-        if 3 * columns <= WIDEST_MATRIX {
-            let mut matrix: Vec<Vec<String>> = Vec::with_capacity(entries.len() + 1);
-            let labels = [String::new(), String::new()].into_iter();
-            matrix.push(labels.chain((0..columns).map(name)).collect());
-            for (index, row) in entries.iter().enumerate() {
-                let mut line = self.label(index, index.checked_sub(1));
-                line.resize(columns + 2, "0".to_string());
-                for (coordinate, entry) in row {
-                    line[coordinate + 2].clone_from(entry);
+            Subject::Redundant(joint) => {
+                let label = system.mechanism.joints[*joint].label.clone();
+                lines.push(vec![label, value.clone()]);
+            }
+            Subject::Point(point, 0) => {
+                let name = system.outputs[*point].name.clone();
+                lines.push(vec![name, format!("({value}")]);
+            }
+            Subject::Point(..) => {
+                if let Some([_, position]) = lines.last_mut().map(Vec::as_mut_slice) {
+                    *position += &format!(", {value})");
                 }
-                matrix.push(line);
             }
-            let text = aligned(&matrix);
-            if text.lines().all(|line| shown_width(line) <= WIDEST_MATRIX) {
-                return format!("\n{heading}\n{text}");
+            Subject::Name(name) => {
+                lines.extend(in_lines(name, value).into_iter().map(|it| vec![it]))
             }
         }
-        let lines: Vec<Vec<String>> = entries
-            .iter()
-            .enumerate()
-            .map(|(index, row)| {
-                let mut line = self.label(index, index.checked_sub(1));
-                let listed: Vec<String> = row
-                    .iter()
-                    .map(|(coordinate, entry)| format!("{}: {entry}", name(*coordinate)))
-                    .collect();
-                line.push(listed.join(",  "));
-                line
-            })
-            .collect();
-        format!(
-            "\n{heading}, entries that are not zero\n{}",
-            aligned(&lines)
-        )
     }
+    let is_partial = matches!(section.quantity, Quantity::TimeDerivative | Quantity::Gamma)
+        && lines.len() < system.rows.len();
+    let remark = if is_partial {
+        "  all other rows are zero\n"
+    } else {
+        ""
+    };
+    aligned(&lines) + remark
+}
 
-    /// ∂Φ/∂s for the value s of each driver, where something is transmitted: the rows that are not zero.
-    fn driven(&self) -> String {
-        let driven = self.system.driven();
-        let columns = driven.map(|(place, ..)| &self.system.directions[place].column);
-        let lines: Vec<_> = columns.flat_map(|column| self.column(column)).collect();
-        if lines.is_empty() {
-            return String::new();
+/// Φ_q as a matrix, or by the entries that are not zero.
+fn jacobian(system: &System, section: &Section, names: &[&str]) -> String {
+    let labels = |row: usize| label(system, row, row.checked_sub(1)).into_iter();
+    let rows = 0..system.rows.len();
+    // A column is a character wide or more, and two spaces stand before it.
+    if 3 * names.len() <= WIDEST_MATRIX {
+        let head = ["", ""].iter().chain(names).map(|it| it.to_string());
+        let mut matrix: Vec<Vec<String>> = vec![head.collect()];
+        for row in rows.clone() {
+            let mut line: Vec<String> = labels(row).collect();
+            line.resize(names.len() + 2, "0".to_string());
+            for (coordinate, value) in section.slopes(row) {
+                line[coordinate + 2] = value.to_string();
+            }
+            matrix.push(line);
         }
-        let heading = match self.notation {
-            Notation::Ascii => "Phi_s, s the value of the driver",
-            Notation::Unicode => "Φ_s, s the value of the driver",
-        };
-        format!("\n{heading}\n{}", aligned(&lines))
-    }
-
-    /// ∂Φ/∂p for each parameter p whose sensitivity is asked for: the rows that are not zero.
-    fn parameters(&self) -> String {
-        let mut text = String::new();
-        for direction in &self.system.directions {
-            let Cause::Parameter(place) = direction.cause else {
-                continue;
-            };
-            let name = &self.system.mechanism.parameters[place].name;
-            let symbol = match self.notation {
-                Notation::Ascii => "Phi",
-                Notation::Unicode => "Φ",
-            };
-            let lines = self.column(&direction.column);
-            text.push_str(&match lines.is_empty() {
-                true => format!("\n{symbol}_p = 0, p the parameter {name}\n"),
-                false => format!("\n{symbol}_p, p the parameter {name}\n{}", aligned(&lines)),
-            });
+        let text = aligned(&matrix);
+        if text.lines().all(|line| shown_width(line) <= WIDEST_MATRIX) {
+            return format!("\n{text}");
         }
-        text
     }
-
-    /// The rows of a column that are not zero.
-    fn column(&self, column: &[ExprId]) -> Vec<Vec<String>> {
-        let zero = self.system.mechanism.graph.zero();
-        let entries = self.system.rows.iter().zip(column).enumerate();
-        entries
-            .filter(|(_, (_, entry))| **entry != zero)
-            .map(|(index, (row, &entry))| {
-                let mut line = self.label(index, None);
-                line.push(self.formula(&row.bodies, entry));
-                line
-            })
-            .collect()
-    }
-
-    fn points(&self) -> String {
-        if self.system.outputs.is_empty() {
-            return String::new();
-        }
-        let pair = |pair: [ExprId; 2]| {
-            let [x, y] = pair.map(|part| self.formula(&[], part));
-            format!("({x}, {y})")
-        };
-        let line = |output: &Output| vec![output.name.clone(), pair(output.position)];
-        let positions: Vec<Vec<String>> = self.system.outputs.iter().map(line).collect();
-        format!("\npoints\n{}", aligned(&positions))
-    }
+    let lines = rows.map(|row| {
+        let entries = section.slopes(row);
+        let entries = entries.map(|(coordinate, value)| format!("{}: {value}", names[coordinate]));
+        let entries = entries.collect::<Vec<_>>().join(",  ");
+        labels(row).chain([entries]).collect()
+    });
+    let lines: Vec<Vec<String>> = lines.collect();
+    format!(", entries that are not zero\n{}", aligned(&lines))
 }
 
 /// Names between an opening and a closing, separated by commas, wrapped at [`WIDEST_LIST`] and indented under the first.
-fn wrapped(opening: &str, names: &[String], closing: &str) -> String {
+fn wrapped(opening: &str, names: &[&str], closing: &str) -> String {
     let indent = " ".repeat(shown_width(opening));
     let mut lines = vec![opening.to_string()];
     for (index, name) in names.iter().enumerate() {

@@ -11,8 +11,8 @@ impl Scopes {
     /// Finds the names in a joint, with its own name and its line.
     pub(super) fn joint(&mut self, joint: &Joint) {
         let kind = named(CONSTRAINTS, &joint.kind.text);
-        let slots = kind.map_or(&[][..], |kind| kind.operands().slots);
-        let line = kind.map_or(Line::None, |kind| kind.operands().line);
+        let slots = kind.map_or(&[][..], |kind| kind.operands.slots);
+        let line = kind.map_or(Line::None, |kind| kind.operands.line);
         let mut owners = Vec::new();
         let mut pins = Vec::new();
         for (place, operand) in joint.operands.iter().enumerate() {
@@ -67,7 +67,7 @@ impl Scopes {
     /// Finds the names in a driver, or in a free quantity.
     pub(super) fn driver(&mut self, drive: &Drive) {
         let kind = named(DRIVERS, &drive.quantity.text);
-        let form = kind.map(|kind| kind.operands());
+        let form = kind.map(|kind| kind.operands);
         match (form.map(|it| it.line), &drive.operands[..]) {
             (Some(Line::Existing), [from, to]) => self.existing_line(from, to),
             _ => {
@@ -180,8 +180,8 @@ impl JointNames {
     }
 }
 
-fn named(kinds: &[&'static dyn Kind], keyword: &str) -> Option<&'static dyn Kind> {
-    kinds.iter().copied().find(|kind| kind.keyword() == keyword)
+fn named(kinds: &[&'static Kind], keyword: &str) -> Option<&'static Kind> {
+    kinds.iter().copied().find(|kind| kind.keyword == keyword)
 }
 
 /// True if `written` names the end of a line.

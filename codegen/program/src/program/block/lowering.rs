@@ -159,7 +159,7 @@ fn block_name(block: &SolvedBlock, system: &System) -> String {
             .map(|&joint| &system.mechanism.joints[joint])
     };
     let pins: Vec<&str> = joints()
-        .filter(|joint| joint.kind.joins_points())
+        .filter(|joint| joint.kind.joins_points)
         .map(|joint| joint.slug.as_str())
         .collect();
     let all: Vec<&str> = joints().map(|joint| joint.slug.as_str()).collect();

@@ -15,7 +15,7 @@ use crate::system::System;
 pub(super) struct Arm {
     /// Joint of the pin.
     joint: usize,
-    kind: &'static dyn Kind,
+    kind: &'static Kind,
     /// Index of the joint's mark that the body carries.
     own: usize,
     /// Center of rotation of the body, in its frame.
@@ -26,13 +26,13 @@ pub(super) struct Arm {
 pub(super) fn arms(system: &System) -> Vec<Arm> {
     let joints = system.mechanism.joints.iter().enumerate();
     let marked = joints.filter(|(_, own)| own.redundant.is_some());
-    let pinned = marked.filter_map(|(at, own)| Some((at, own.kind.on_arm()?)));
+    let pinned = marked.filter_map(|(at, own)| Some((at, own.kind.on_arm?)));
     pinned
         .filter_map(|(at, kind)| arm(system, at, kind))
         .collect()
 }
 
-fn arm(system: &System, joint: usize, kind: &'static dyn Kind) -> Option<Arm> {
+fn arm(system: &System, joint: usize, kind: &'static Kind) -> Option<Arm> {
     let marks = &system.mechanism.joints[joint].operands.marks;
     let bodies = [0, 1].map(|side| marks[side].frame.body.0);
     let others = all_rows(system).into_iter();

@@ -45,14 +45,14 @@ pub fn released(mut mechanism: Mechanism) -> System {
 pub(in crate::structure) fn shared_line(system: &System) -> Option<(usize, usize)> {
     let joints = &system.mechanism.joints;
     let owned = |at: usize| {
-        let count = joints[at].kind.auxiliaries().len();
+        let count = joints[at].kind.auxiliaries.len();
         joints[at].operands.auxiliaries.iter().take(count)
     };
     let marked = (0..joints.len()).filter(|&at| joints[at].redundant.is_some());
     marked
         .flat_map(|line| (0..joints.len()).map(move |user| (line, user)))
         .find(|&(line, user)| {
-            let count = joints[user].kind.auxiliaries().len();
+            let count = joints[user].kind.auxiliaries.len();
             let mut borrowed = joints[user].operands.auxiliaries.iter().skip(count);
             borrowed.any(|theirs| owned(line).any(|mine| mine.value == theirs.value))
         })

@@ -185,7 +185,7 @@ impl VectorForm {
 /// Returns a joint's rows of the vector form. If a textbook row of the joint is not solved, returns its other textbook rows:
 /// those need no auxiliary unknowns, whose number would not match.
 pub(in crate::system) fn kept_rows(
-    kind: &dyn Kind,
+    kind: &Kind,
     operands: &Resolved,
     dropped: &[bool],
     graph: &mut Graph,
