@@ -1,4 +1,5 @@
-//! How often every mechanism is assembled from estimates that are off by half a radian and half a link: `tests/reports/starts.md`.
+//! Writes `tests/reports/starts.md`: assemblies of every mechanism from estimates that are off by half a radian and
+//! half a link.
 
 use std::error::Error;
 use std::process::ExitCode;
@@ -13,7 +14,7 @@ use linkwright_tests::study::destination::{Destination, ended, none_wrong};
 /// Assembles every mechanism from many poor estimates and writes a report
 #[derive(Parser)]
 struct Arguments {
-    /// How many estimates there are of each mechanism
+    /// Number of estimates of each mechanism
     #[arg(long, default_value_t = 10_000)]
     starts: u32,
     #[command(flatten)]
@@ -40,15 +41,15 @@ fn run(arguments: &Arguments) -> Result<u32, Box<dyn Error>> {
     let mut measured: Vec<Measured> = Vec::new();
     for name in description::names() {
         for system in description::motions(&name) {
-            let found = measure(&system, arguments.starts);
-            let generated = found.generated.as_ref().map(Outcomes::success);
+            let measurement = measure(&system, arguments.starts);
+            let generated = measurement.generated.as_ref().map(Outcomes::success);
             eprintln!(
                 "{}: textbook {:.2} %, from afar {:.2} %, generated {generated:.2?} %",
-                found.name,
-                found.plain.success(),
-                found.afar.success()
+                measurement.name,
+                measurement.plain.success(),
+                measurement.afar.success()
             );
-            measured.push(found);
+            measured.push(measurement);
         }
     }
     let rows = |pick: fn(&Measured) -> Option<&Outcomes>| {

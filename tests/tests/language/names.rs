@@ -149,7 +149,7 @@ fn imported() -> BTreeSet<String> {
 fn no_mechanism_is_named_like_what_its_module_uses() {
     let mut names = imported();
     assert!(names.len() > 15, "{names:?}");
-    let own = [
+    let reserved = [
         "Branches",
         "Coordinates",
         "Default",
@@ -164,7 +164,7 @@ fn no_mechanism_is_named_like_what_its_module_uses() {
         "Textbook",
         "PathEnclosures",
     ];
-    names.extend(own.map(str::to_string));
+    names.extend(reserved.map(str::to_string));
     let description = |name: &str| {
         format!(
             "mechanism {name} {{
@@ -176,8 +176,8 @@ fn no_mechanism_is_named_like_what_its_module_uses() {
             }}"
         )
     };
-    let given = Source::new("crank.mech", description("crank"));
-    assert!(generate(&given).is_ok(), "only the name is wrong below");
+    let source = Source::new("crank.mech", description("crank"));
+    assert!(generate(&source).is_ok(), "only the name is wrong below");
     for name in names {
         let mut written = String::new();
         for letter in name.chars() {

@@ -180,8 +180,8 @@ fn a_type_that_c_has_already_is_refused() {
     for name in ["i", "NULL", "I"] {
         let source = Source::new("named.mech", description(name));
         let generated = generate_files(&source, Language::C, "named", &Options::default());
-        let found = generated.expect_err("the name is refused");
-        let text = found.render(&source);
+        let findings = generated.expect_err("the name is refused");
+        let text = findings.render(&source);
         assert!(
             text.contains("error[K10]") && text.contains("named.mech:1:11"),
             "{text}"
