@@ -1,7 +1,9 @@
-//! The front end for build scripts: a folder of descriptions → generated modules in `OUT_DIR`, each with the page that `rustdoc` shows.
+//! Front end for build scripts: generates the modules of a folder in `OUT_DIR`, each with the page that `rustdoc`
+//! shows.
 //!
-//! The only module that touches the environment and the standard output. Errors become `cargo::error` lines, so a mistake in a
-//! description reads like a compiler error; it never panics on bad input. A module is written only if it changes.
+//! The only module that touches the environment and the standard output. Errors become `cargo::error` lines, so that
+//! a mistake in a description reads like a compiler error; bad input never panics. A module is written only if it
+//! changes.
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
@@ -12,17 +14,17 @@ use crate::diagnostic::Source;
 use crate::diagnostic::internal::caught;
 use crate::{Generated, Options, Page, files, generate_with_page, syntax};
 
-/// Generates the module of every `.mech` file in `folder` (relative to the package) for `linkwright::include_mechanism!`, and beside
-/// it a page with the drawing and the derivation, which `rustdoc` shows with the module; files whose names begin with a dot are left
-/// alone.
+/// Generates the module of every `.mech` file in `folder` (relative to the package) for
+/// `linkwright::include_mechanism!`. Beside each it writes a page with the drawing and the derivation, which
+/// `rustdoc` shows with the module. Files whose names begin with a dot are left alone.
 ///
-/// Called from `build.rs`. Prints what cargo needs to know: when to run again, and every error with its place. After an error
-/// it returns normally and cargo stops the build.
+/// Called from `build.rs`. Tells cargo when to run again, and prints every error with its place. After an error it
+/// returns normally and cargo stops the build.
 pub fn build(folder: impl AsRef<Path>) {
     build_with(folder, &Options::default());
 }
 
-/// The same with a choice of the scalar.
+/// Generates the modules of a folder with options, such as the scalar.
 pub fn build_with(folder: impl AsRef<Path>, options: &Options) {
     let mut print = |line: &str| println!("{line}");
     match env::var_os("OUT_DIR") {
@@ -37,12 +39,12 @@ pub fn build_with(folder: impl AsRef<Path>, options: &Options) {
     }
 }
 
-/// What cargo is told, a line each.
+/// Prints a line for cargo.
 type Say<'a> = &'a mut dyn FnMut(&str);
 
 /// Writes the modules of a folder's descriptions to `output`.
 fn build_folder(folder: &Path, output: &Path, options: &Options, say: Say<'_>) {
-    // Said first, so that a mended description is seen whatever went wrong.
+    // Printed first, so that a corrected description is noticed after any error.
     watch(folder, say);
     if let Err(problem) = write_modules(folder, output, options, say) {
         say_error(&problem, say);
@@ -51,13 +53,14 @@ fn build_folder(folder: &Path, output: &Path, options: &Options, say: Say<'_>) {
 
 /// Tells cargo to run the build script again after a change of a file or a folder.
 fn watch(path: &Path, say: Say<'_>) {
-    let own = env::var_os("OUT_DIR").map(PathBuf::from);
-    if !is_written_by_script(path, own.as_deref()) {
+    let output_folder = env::var_os("OUT_DIR").map(PathBuf::from);
+    if !is_written_by_script(path, output_folder.as_deref()) {
         say(&format!("cargo::rerun-if-changed={}", path.display()));
     }
 }
 
-/// True if a path lies in the script's own folder. It is then newer than the script's start, so that cargo would run the script each time.
+/// True if a path lies in the script's own folder. It is then newer than the script's start, and cargo would run the
+/// script each time.
 fn is_written_by_script(path: &Path, own: Option<&Path>) -> bool {
     own.is_some_and(|own| path.starts_with(own))
 }
@@ -79,7 +82,7 @@ fn write_modules(
             descriptions.push(path);
         }
     }
-    // The order of a folder is not the same everywhere.
+    // The order of a folder differs between file systems.
     descriptions.sort();
     if descriptions.is_empty() {
         return Err(format!(
@@ -123,11 +126,11 @@ fn write_modules(
     Ok(())
 }
 
-/// What this build script has generated so far, for `include_mechanism!` to say where it is asked for something else. Cargo takes the
-/// last value of a variable, so it must hold what was generated before.
+/// Modules that this build script has generated so far, for the error of `include_mechanism!` about an unknown one.
+/// Cargo takes the last value of a variable, so that it must hold all earlier ones.
 static GENERATED: Mutex<Vec<String>> = Mutex::new(Vec::new());
 
-/// Tells `linkwright::include_mechanism!` where a module is, and which there are.
+/// Tells `linkwright::include_mechanism!` the path of a module, and the names of all.
 fn say_module(name: &str, path: &Path, say: Say<'_>) {
     let mut names = GENERATED.lock().unwrap_or_else(PoisonError::into_inner);
     names.push(format!("`{name}`"));
@@ -143,8 +146,8 @@ fn say_module(name: &str, path: &Path, say: Say<'_>) {
     ));
 }
 
-/// Writes a module that a build script has generated otherwise than by [`build`], so that `linkwright::include_mechanism!` finds it by
-/// its name.
+/// Writes a module that a build script has generated without [`build`], so that `linkwright::include_mechanism!`
+/// finds it by its name.
 ///
 /// # Errors
 /// It cannot be written.
@@ -158,14 +161,14 @@ pub fn write_module(name: &str, code: &str) -> io::Result<()> {
     Ok(())
 }
 
-/// Whether a file of the folder is a description. What begins with a dot is not: editors write such files beside those that are
-/// open.
+/// True if a file of the folder is a description. Names that begin with a dot do not count: editors write such files
+/// beside open ones.
 fn is_description(path: &Path) -> bool {
     let name = path.file_name().map(OsStr::as_encoded_bytes);
     path.extension() == Some(OsStr::new("mech")) && name.is_some_and(|it| !it.starts_with(b"."))
 }
 
-/// The module of one file and its page; its errors are said.
+/// Generates the module of one file and its page; prints its errors.
 fn generate_file(file: &Path, options: &Options, say: Say<'_>) -> Option<(Generated, Page)> {
     let name = file.display().to_string();
     let bytes = match files::read(file, Source::LARGEST) {
@@ -189,7 +192,7 @@ fn generate_file(file: &Path, options: &Options, say: Say<'_>) -> Option<(Genera
     for attachment in &source.attachments {
         watch(&folder.join(&attachment.path), say);
     }
-    // An error of the generator itself is one of this description: the others are generated all the same.
+    // An internal error concerns this description: the others are generated all the same.
     let generated = caught(|| generate_with_page(&source, options));
     match generated.unwrap_or_else(|error| Err(error.findings())) {
         Ok((generated, page)) => {
@@ -205,7 +208,7 @@ fn generate_file(file: &Path, options: &Options, say: Say<'_>) -> Option<(Genera
     }
 }
 
-/// A description with the files that it names, read from its folder.
+/// Description with the files that it names, read from its folder.
 pub fn attach_files(source: Source, folder: &Path) -> Source {
     let paths = syntax::named_files(&source.text);
     paths.into_iter().fold(source, |source, path| {
@@ -214,14 +217,14 @@ pub fn attach_files(source: Source, folder: &Path) -> Source {
     })
 }
 
-/// One directive per line: cargo drops what follows a line break.
+/// One directive per line: cargo drops text after a line break.
 fn say_error(text: &str, say: Say<'_>) {
     for line in text.lines() {
         say(&format!("cargo::error={line}"));
     }
 }
 
-/// Leaves a file alone whose content is the same, so that nothing is compiled again.
+/// Keeps a file with equal content, so that nothing is compiled again.
 fn write_if_changed(path: &Path, text: &str) -> io::Result<()> {
     if files::read(path, text.len()).is_ok_and(|current| current == text.as_bytes()) {
         return Ok(());
@@ -240,7 +243,7 @@ mod tests {
     drive phi(1) = t;
 }";
 
-    /// A folder of descriptions, and one of modules, both removed in the end.
+    /// Folder of descriptions, and one of modules, both removed in the end.
     struct Folders(PathBuf);
 
     impl Folders {
@@ -259,19 +262,19 @@ mod tests {
             fs::write(self.description(name), text).expect("it can be written");
         }
 
-        /// What is said besides when to run again, without the path of the folder.
+        /// Printed lines except for those about running again, without the path of the folder.
         fn build(&self) -> Vec<String> {
-            let mut said = Vec::new();
+            let mut lines = Vec::new();
             let descriptions = self.0.join("descriptions");
             let output = self.0.join("out");
             build_folder(&descriptions, &output, &Options::default(), &mut |line| {
                 let line = line.replace(&format!("{}/", descriptions.display()), "");
                 let is_usual = ["cargo::rerun-if-changed=", "cargo::rustc-env="];
                 if !is_usual.iter().any(|it| line.starts_with(it)) {
-                    said.push(line);
+                    lines.push(line);
                 }
             });
-            said
+            lines
         }
 
         fn modules(&self) -> Vec<String> {
@@ -292,11 +295,20 @@ mod tests {
     }
 
     #[test]
-    fn what_the_script_has_written_is_not_watched() {
-        let own = Path::new("target/build/crate/out");
-        assert!(is_written_by_script(&own.join("descriptions"), Some(own)));
-        assert!(!is_written_by_script(Path::new("descriptions"), Some(own)));
-        assert!(!is_written_by_script(&own.join("descriptions"), None));
+    fn files_of_the_script_are_not_watched() {
+        let output_folder = Path::new("target/build/crate/out");
+        assert!(is_written_by_script(
+            &output_folder.join("descriptions"),
+            Some(output_folder)
+        ));
+        assert!(!is_written_by_script(
+            Path::new("descriptions"),
+            Some(output_folder)
+        ));
+        assert!(!is_written_by_script(
+            &output_folder.join("descriptions"),
+            None
+        ));
     }
 
     #[test]
@@ -314,7 +326,7 @@ mod tests {
         let before = modified();
         assert_eq!(folders.build(), none);
         assert_eq!(modified(), before, "an unchanged module is left alone");
-        // Whoever reads the old module while it is replaced has it to its end.
+        // A reader of the old module during its replacement reads it to the end.
         let open = fs::File::open(&path).expect("a module");
         let written = fs::read_to_string(&path).expect("a module");
         folders.write("crank.mech", &CRANK.replace("= t", "= 2*t"));
@@ -328,7 +340,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_description_is_said_or_left_alone() {
+    fn other_files_are_reported_or_left_alone() {
         let folders = Folders::new("others");
         folders.write("crank.mech", CRANK);
         folders.write("crank.mech~", "the editor's");
@@ -337,7 +349,7 @@ mod tests {
         folders.write("upper.mech", &CRANK.replace("crank", "Crank"));
         folders.write("wide.mech", &" ".repeat(Source::LARGEST + 9));
         fs::create_dir(folders.description("folder.mech")).expect("a folder");
-        let said = folders.build();
+        let lines = folders.build();
         for expected in [
             "cargo::error=`again.mech` and `crank.mech` both describe a mechanism named `crank`",
             "cargo::error=the mechanisms `crank` of `again.mech` and `Crank` of `upper.mech` differ in case only",
@@ -345,11 +357,11 @@ mod tests {
             "cargo::error=cannot read `folder.mech`: it is a folder",
         ] {
             assert!(
-                said.iter().any(|line| line == expected),
-                "{expected} in {said:#?}"
+                lines.iter().any(|line| line == expected),
+                "{expected} in {lines:#?}"
             );
         }
-        assert!(!said.iter().any(|line| line.contains('#')), "{said:#?}");
+        assert!(!lines.iter().any(|line| line.contains('#')), "{lines:#?}");
         assert_eq!(folders.modules(), ["crank.md", "crank.rs"]);
     }
 

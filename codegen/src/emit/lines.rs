@@ -1,14 +1,14 @@
-//! Code that is longer than a line → lines that a person would break it into.
+//! Breaks long code into readable lines.
 
-/// The longest line, as wide as the documentation.
+/// Width of the longest line, which is that of the documentation.
 pub(super) const WIDTH: usize = 120;
 
-/// Whether a line is short enough.
+/// True if a line is short enough.
 pub(super) fn fits(line: &str) -> bool {
     line.chars().count() <= WIDTH
 }
 
-/// Pieces one after another in lines that are full.
+/// Joins pieces in full lines.
 pub(super) fn filled<'a>(pieces: impl IntoIterator<Item = &'a str>, depth: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for piece in pieces {
@@ -34,10 +34,10 @@ pub(super) fn terms(statement: &str, depth: usize) -> Option<Vec<String>> {
 const SUM: [&str; 2] = [" + ", " - "];
 const PRODUCT: [&str; 2] = [" * ", " / "];
 
-/// Lines broken before these operators: the first one so deep, and the others.
+/// Lines broken before these operators, with the indentation of the first one and of the others.
 fn between(text: &str, operators: [&str; 2], depth: usize, others: usize) -> Option<Vec<String>> {
     let mut lines: Vec<String> = Vec::new();
-    // What follows a term of several lines does not continue the last of them.
+    // Text after a term of several lines does not continue the last of them.
     let mut is_open = false;
     for piece in split(text, operators)? {
         let length = piece.chars().count();
@@ -61,7 +61,7 @@ fn between(text: &str, operators: [&str; 2], depth: usize, others: usize) -> Opt
     Some(lines)
 }
 
-/// A text before each of these operators that stands outside of all brackets; `None` where there is none.
+/// Text split before each of these operators outside of all brackets; `None` if there are none.
 fn split<'a>(text: &'a str, operators: [&str; 2]) -> Option<Vec<&'a str>> {
     let (mut pieces, mut start, mut open) = (Vec::new(), 0, 0_i32);
     for (place, letter) in text.char_indices() {

@@ -15,10 +15,10 @@ use crate::expr::ExprId;
 use crate::program::ConstantPart;
 use crate::system::{SymbolRole, System};
 
-/// The characters of a line that holds a formula.
+/// Number of characters of a line that holds a formula.
 const LINE: u64 = 100;
 
-/// One expression on one line, with the bodies mentioned in this order.
+/// Expression on one line, with the bodies mentioned in this order.
 pub fn formula(system: &System, bodies: &[usize], notation: Notation, expr: ExprId) -> String {
     Printer::new(system, bodies, notation).expression(expr)
 }
@@ -28,7 +28,7 @@ pub(crate) fn symbol(system: &System, notation: Notation, role: SymbolRole) -> S
     Printer::new(system, &[], notation).symbol(role)
 }
 
-/// The same where somebody would read it at one piece.
+/// Expression on one line; `None` if it is too long to read at once.
 pub fn readable(
     system: &System,
     bodies: &[usize],
@@ -42,7 +42,7 @@ pub fn readable(
     is_readable.then(|| formula(system, bodies, notation, expr))
 }
 
-/// A constant part of an expression, exactly; none where that takes more than a line.
+/// Constant part of an expression, exactly; `None` if that exceeds a line.
 pub fn constant(system: &System, part: &ConstantPart) -> Option<String> {
     let graph = &system.mechanism.graph;
     let fits = match part {

@@ -22,8 +22,8 @@ struct Arguments {
 }
 
 const EXPLANATION: &str = "\
-Every coordinate of the drawing is moved at random, evenly up to half a radian or half a link to either side. A link is as long as
-the longest distance between two points of a body, for the median of the bodies; the place where a curve is touched moves by half
+Every coordinate of the drawing is moved at random, evenly up to half a radian or half a link to either side. The length of a link
+is the longest distance between two points of a body, for the median of the bodies; the place where a curve is touched moves by half
 a radian of its parameter. The truth is the pose to which the drawing itself leads, angles but for whole turns.
 
 **Drawing's pose**: the same within 1e-9. **Another pose**: the equations hold and the determinant of Φ_q has the drawing's sign,

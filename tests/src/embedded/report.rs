@@ -31,8 +31,8 @@ Written by `cargo run -p linkwright-tests --bin embedded -- --write`; without `-
 and fails where a figure has grown by more than 5 % with the same compiler. The programs are in `tests/embedded`: firmware of one mechanism each, for the boards
 mps2-an386 (Cortex-M4F) and mps2-an500 (Cortex-M7) of QEMU, which counts instructions. It has no model of cycles.
 
-A program assembles the mechanism, asks for a frame every 1/1024 s for 5 s, then takes 24 steps of 0.195 s, forwards and back, three of them
-to times that are no number. A frame is position, velocity and acceleration of all bodies.
+A program assembles the mechanism, requests a frame every 1/1024 s for 5 s, then takes 24 steps of 0.195 s, forwards and back, three of them
+to times that are NaN. A frame is position, velocity and acceleration of all bodies.
 ";
 
 const GUARD: &str = "\
@@ -84,8 +84,8 @@ the largest value of a column:\n"
 const GUARANTEES: &str = "
 ## What is not in the programs
 
-The panic handler of the firmware calls a symbol that nothing defines, so that a program with a panic path does not link, and there is no
-allocator. Neither formatting nor a function of the textbook view is among the symbols. In Rust no function that `assemble` or `advance`
+The panic handler of the firmware calls a symbol that is never defined, so that a program with a panic path does not link. It has
+no allocator. Neither formatting nor a function of the textbook view is among the symbols. In Rust no function that `assemble` or `advance`
 reaches can be on the stack twice: the calls are read from the instructions, and a call through a pointer may lead to every function
 whose address is in the program. A program with each of these planted is found. At opt-level s alone, checks are left that cannot fail, and
 with them a panic path; that is why speed is what the others are compiled for.

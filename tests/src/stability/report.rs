@@ -93,8 +93,7 @@ impl Counts {
             self.far_off[0],
             self.far_off[1]
         );
-        text +=
-            "\n| why there is no answer although there is a pose | f64 | f32 |\n|---|---|---|\n";
+        text += "\n| cause of a failure although there is a pose | f64 | f32 |\n|---|---|---|\n";
         for cause in Cause::ALL {
             let [double, single] = self.failed.get(&cause).copied().unwrap_or_default();
             let _ = writeln!(text, "| {} | {double} | {single} |", cause.words());

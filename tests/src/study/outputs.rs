@@ -60,7 +60,7 @@ pub fn section(effort: Effort) -> String {
     ];
     let mut text = String::from(
         "\n## Only what is asked for\n\nThe excavator with all coordinates, and with `output K` alone. An operation is an addition, multiplication,\n\
-         division, root, sine or arctangent; an arctangent takes as long as many of the others.\n\n\
+         division, root, sine or arctangent; an arctangent takes the time of many others.\n\n\
          | asked for | operations | of them arctangents | ns per frame |\n|---|---:|---:|---:|\n",
     );
     for (name, place) in [("everything", 0), ("the tool K", 1)] {

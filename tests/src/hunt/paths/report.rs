@@ -17,7 +17,7 @@ where a path ends. Inputs go by the documented polynomial of the fifth degree, a
 An `Ok` must lie within 1e-6 of its scale of that path (more near a singular pose, as rounding has it), angles counted with all their turns: otherwise it is
 *another pose*, and *beyond* where the path has ended; both are wrong. *refused*: a failure although the path goes on. *ended*: a failure
 because it has ended; *other time*: of these, failures whose time is off the end by more than 1/64 of the step. *unjudged*: starts, what
-follows a wrong answer, and where the tracker does not know: beyond the change point of links that differ by less than 5e-11 of them.
+follows a wrong answer, and where the tracker is undecided: beyond the change point of links that differ by less than 5e-11 of them.
 ";
 
 fn command(example: &Example, seed: u64) -> String {
