@@ -1,7 +1,9 @@
-//! Generates the mechanisms that only tests need, the repository's, two of the former and those of the study of stability in
-//! single precision, a list of the repository's, and all of them once more with what their drivers transmit, and those with
-//! parameters with their sensitivities, and some monitored; lists what compares every module with the interpreter; and writes some of
-//! the repository's into the middle of Rust code.
+//! Generates the modules of the tests, and lists of them.
+//!
+//! The mechanisms are those that only tests need and the repository's; two of the former and those of the study of
+//! stability are generated in single precision too. Variants of all have the transmissions of their drivers, those
+//! with parameters their sensitivities, and some are monitored. A list compares every module with the interpreter.
+//! Some of the repository's mechanisms are written into the middle of Rust code.
 
 mod chains;
 mod comparing;
@@ -32,7 +34,7 @@ fn main() {
     for name in ["tables", "winch"] {
         let file = format!("{name}.mech");
         let text = fs::read_to_string(format!("descriptions/{file}")).expect("the description");
-        // One with errors is reported where it is built for itself.
+        // A mechanism with errors is reported by its own build.
         if let Ok(module) = generate(&Source::new(&file, text), &single) {
             write_module(&format!("{name}_single"), module.code()).expect("the module is written");
         }
@@ -59,7 +61,7 @@ fn write_counted() {
     }
 }
 
-/// Descriptions of the repository, as whoever uses the macro writes them.
+/// Writes descriptions of the repository as a user of the macro would.
 fn write_in_code() {
     let invocations = [
         "four_bar",
@@ -78,7 +80,7 @@ fn write_in_code() {
     registry::write("in_code.rs", &invocations.concat());
 }
 
-/// The repository's mechanisms as a list, and each of them in single precision.
+/// Lists the repository's mechanisms, and generates each in single precision.
 fn list_modules() {
     let (mut double, mut single) = (String::new(), String::new());
     for Listed {

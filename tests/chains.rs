@@ -1,5 +1,5 @@
-//! *Pantographs* → *their modules and a list of them*, for build scripts: each solved by way of its tears and by all equations at
-//! once, in f64 and in f32.
+//! Writes the modules of pantographs and a list of them, for build scripts: each solved by tearing and by all
+//! equations at once, in f64 and in f32.
 
 use std::env;
 
@@ -9,25 +9,25 @@ use linkwright_codegen::{Options, Scalar, generate, write_module};
 use crate::pantograph::Pantograph;
 use crate::registry;
 
-/// Cells, and how many times as large as the one before it each one is.
-const SHORT: [(usize, f64); 3] = [(6, 1.0), (6, 0.8), (6, 1.4)];
+/// Numbers of cells, and ratios of the size of each cell to that of the one before.
+const SHORT_CHAINS: [(usize, f64); 3] = [(6, 1.0), (6, 0.8), (6, 1.4)];
 
-/// Those of the report alone: their modules are as large as a quarter of all others.
-const LONG: [(usize, f64); 4] = [(12, 1.0), (12, 0.8), (12, 1.4), (30, 1.0)];
+/// Chains of the report alone: their modules are as large as a quarter of all others.
+const LONG_CHAINS: [(usize, f64); 4] = [(12, 1.0), (12, 0.8), (12, 1.4), (30, 1.0)];
 
-/// How a chain is solved, and what its description says for that. A measure of all equations needs all of them.
+/// Solution methods of a chain, with their statements. A normalized determinant of all equations needs all of them.
 const WAYS: [(&str, &str); 2] = [("torn", "unguarded;"), ("dense", "unguarded; monitor;")];
 
 const SCALARS: [(&str, Scalar); 2] = [("double", Scalar::F64), ("single", Scalar::F32)];
 
-/// The modules, and `chains.rs` with all of them.
+/// Writes the modules, and `chains.rs` with all of them.
 pub fn write() {
     let (mut modules, mut list) = (String::new(), String::new());
     let long = match env::var_os("CARGO_FEATURE_LONG_CHAINS") {
-        Some(_) => &LONG[..],
+        Some(_) => &LONG_CHAINS[..],
         None => &[],
     };
-    for (place, &(cells, growth)) in SHORT.iter().chain(long).enumerate() {
+    for (place, &(cells, growth)) in SHORT_CHAINS.iter().chain(long).enumerate() {
         let chain = Pantograph::new(cells, growth);
         let mut views = String::new();
         for (scalar, kind) in SCALARS {

@@ -1,7 +1,7 @@
-//! *Descriptions* → *what compares their modules with the interpreter*, for build scripts.
+//! Writes comparisons of modules with the interpreter, for build scripts.
 //!
-//! Every motion of every description without errors is compared, with all that its frames say of forces and derivatives, without being
-//! named anywhere.
+//! Every motion of every description without errors is compared, with the forces and derivatives of its frames,
+//! without a list of names.
 
 use linkwright_codegen::stages::emit::rust::type_name;
 use linkwright_codegen::stages::program::{Output, Program, Reaction, lower};
@@ -29,7 +29,7 @@ pub fn write(own: &str, others: &str) {
             for (place, mut system) in motions.into_iter().enumerate() {
                 let motion = system.mechanism.motion.as_ref();
                 let path = motion.map_or(module.clone(), |it| format!("{module}::{}", it.name));
-                let own = type_name(&name);
+                let mechanism_type = type_name(&name);
                 let Some(plan) = plan(&mut system) else {
                     continue;
                 };
@@ -37,7 +37,7 @@ pub fn write(own: &str, others: &str) {
                 let (outputs, forces) = (outputs(&program), forces(&program));
                 let derivatives = derivatives(&program);
                 list.push_str(&format!(
-                    "    Compared {{\n        name: {name:?},\n        motion: {place},\n        compare: |system| compare::<{path}::{own}>(\n            system,\n            |it| {{ {} }},\n            |it| {{ {} }},\n            |it| {{ {} }},\n        ),\n    }},\n",
+                    "    Compared {{\n        name: {name:?},\n        motion: {place},\n        compare: |system| compare::<{path}::{mechanism_type}>(\n            system,\n            |it| {{ {} }},\n            |it| {{ {} }},\n            |it| {{ {} }},\n        ),\n    }},\n",
                     collected(&outputs),
                     collected(&forces),
                     collected(&derivatives),

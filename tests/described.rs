@@ -1,4 +1,4 @@
-//! *A folder* → *its descriptions*, and a description with one more statement, for build scripts.
+//! Reads the descriptions of a folder, and adds statements to them, for build scripts.
 
 use std::path::{Path, PathBuf};
 use std::{env, fs};
@@ -6,17 +6,17 @@ use std::{env, fs};
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::stages::system::System;
 
-/// A description without errors, of one motion.
+/// Description without errors, with one motion.
 pub struct Described {
-    /// Its text.
+    /// Text.
     pub text: String,
-    /// Its equations.
+    /// Equations.
     pub system: System,
-    /// Whether it names files, which a copy in another folder would not find.
+    /// True if it names files, which a copy in another folder would not find.
     pub reads_files: bool,
 }
 
-/// An empty folder of the build script's own; what an earlier run has left in it is gone.
+/// Empties a folder of the build script's own.
 pub fn empty_folder(name: &str) -> PathBuf {
     let folder = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets it")).join(name);
     if folder.exists() {
@@ -26,8 +26,8 @@ pub fn empty_folder(name: &str) -> PathBuf {
     folder
 }
 
-/// The descriptions in a folder, by the names of their files. Those with errors are left out: generating their modules reports
-/// them.
+/// Descriptions in a folder, by the names of their files. Those with errors are left out: generating their modules
+/// reports them.
 pub fn in_folder(folder: &str) -> Vec<Described> {
     let paths = paths_in(folder);
     let described = paths.iter().filter_map(|path| {
@@ -46,7 +46,7 @@ pub fn in_folder(folder: &str) -> Vec<Described> {
     described.collect()
 }
 
-/// The motions of each description in a folder, by the names of their files. Those with errors are left out.
+/// Motions of each description in a folder, by the names of their files. Those with errors are left out.
 pub fn motions_in_folder(folder: &str) -> Vec<Vec<System>> {
     let paths = paths_in(folder);
     let described = paths.iter().filter_map(|path| {
@@ -59,7 +59,7 @@ pub fn motions_in_folder(folder: &str) -> Vec<Vec<System>> {
     described.collect()
 }
 
-/// The files of the descriptions in a folder, sorted.
+/// Files of the descriptions in a folder, sorted.
 fn paths_in(folder: &str) -> Vec<PathBuf> {
     let entries = fs::read_dir(Path::new(folder)).expect("the folder of descriptions");
     let mut paths: Vec<_> = entries
@@ -71,10 +71,12 @@ fn paths_in(folder: &str) -> Vec<PathBuf> {
 }
 
 impl Described {
-    /// The text with another name and one more statement.
+    /// Text with another name and one more statement.
     pub fn extended(&self, name: &str, statement: &str) -> String {
-        let own = format!("mechanism {}", self.system.mechanism.name);
-        let renamed = self.text.replacen(&own, &format!("mechanism {name}"), 1);
+        let declaration = format!("mechanism {}", self.system.mechanism.name);
+        let renamed = self
+            .text
+            .replacen(&declaration, &format!("mechanism {name}"), 1);
         let end = renamed.rfind('}').expect("a mechanism ends in a brace");
         format!("{}\n    {statement}\n{}", &renamed[..end], &renamed[end..])
     }

@@ -1,7 +1,7 @@
-//! *Descriptions* → *the same, monitored*, for build scripts.
+//! Adds `monitor` statements to descriptions, for build scripts.
 //!
-//! One of each kind of block, also with parameters and with outputs. The platform and the exam are written in single precision
-//! too.
+//! One of each kind of block, also with parameters and with outputs. The platform and the exam are written in single
+//! precision too.
 
 use std::path::PathBuf;
 use std::{env, fs};
@@ -12,7 +12,7 @@ use linkwright_codegen::{Options, Scalar, generate};
 
 use crate::described::{empty_folder, in_folder};
 
-/// What is monitored, by name.
+/// Names of the monitored mechanisms.
 const MONITORED: [&str; 13] = [
     "disc_cam",
     "double_wishbone",
@@ -29,7 +29,7 @@ const MONITORED: [&str; 13] = [
     "two_guides",
 ];
 
-/// Each as `monitoring_NAME`, and `monitoring.rs` with a list of them.
+/// Writes each as `monitoring_NAME`, and `monitoring.rs` with a list of them.
 pub fn write(folders: &[&str]) {
     let output = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets it"));
     let descriptions = empty_folder("monitoring");
@@ -39,24 +39,24 @@ pub fn write(folders: &[&str]) {
         if !MONITORED.contains(&name) {
             continue;
         }
-        let own = format!("monitoring_{name}");
-        let text = described.extended(&own, "monitor;");
+        let new_name = format!("monitoring_{name}");
+        let text = described.extended(&new_name, "monitor;");
         if ["folding", "platform_3rpr"].contains(&name) {
             let single = Options {
                 scalar: Scalar::F32,
                 ..Options::default()
             };
             if let Ok(module) = generate(&Source::new(name, text.clone()), &single) {
-                let name = format!("{own}_single");
+                let name = format!("{new_name}_single");
                 linkwright_codegen::write_module(&name, module.code())
                     .expect("the module is written");
             }
         }
         fs::write(descriptions.join(format!("{name}.mech")), text).expect("a new file");
         modules.push_str(&format!(
-            "pub mod {name} {{\n    linkwright::include_mechanism!({own});\n}}\n"
+            "pub mod {name} {{\n    linkwright::include_mechanism!({new_name});\n}}\n"
         ));
-        let of = type_name(&own);
+        let of = type_name(&new_name);
         list.push_str(&format!(
             "    ({name:?}, |times| measures::<{name}::{of}>(times, |it| (it.normalized_determinants().to_vec(), it.smallest_determinant()))),\n"
         ));

@@ -1,7 +1,7 @@
-//! *The descriptions in a folder* → *lists of their modules*, for build scripts.
+//! Lists the modules of the descriptions in a folder, for build scripts.
 //!
-//! Modules have no names at run time. So what the tests do with every mechanism is written for any type, and the list of types is
-//! written here from the descriptions: a new file is compiled, timed and compared without being named anywhere else.
+//! Modules have no names at run time. So tests of every mechanism are written for any type, and the list of types is
+//! written here from the descriptions: a new file is compiled, timed and compared without being named elsewhere.
 
 use std::path::Path;
 use std::{env, fs};
@@ -10,24 +10,24 @@ use linkwright_codegen::stages::emit::rust::type_name;
 
 use crate::described::{Described, in_folder};
 
-/// A mechanism whose frames hold all coordinates, and that is given nothing but a time.
+/// Mechanism whose frames hold all coordinates, and whose only input is the time.
 pub struct Listed {
-    /// The name of its module.
+    /// Name of its module.
     pub name: String,
     /// Its type.
     pub mechanism: String,
 }
 
-/// Those of a folder, by name: without motions, parameters and inputs, and not limited by `output` statements. A description with
-/// errors is left out here; generating its module reports them.
+/// Mechanisms of a folder, by name: without motions, parameters and inputs, and without `output` statements. A
+/// description with errors is left out here; generating its module reports them.
 pub fn listed(folder: &str) -> Vec<Listed> {
     in_folder(folder).iter().filter_map(whole).collect()
 }
 
 fn whole(described: &Described) -> Option<Listed> {
     let mechanism = &described.system.mechanism;
-    let given = !mechanism.parameters.is_empty() || !mechanism.inputs.is_empty();
-    let whole = !given && mechanism.motion.is_none() && mechanism.requests.is_empty();
+    let has_inputs = !mechanism.parameters.is_empty() || !mechanism.inputs.is_empty();
+    let whole = !has_inputs && mechanism.motion.is_none() && mechanism.requests.is_empty();
     whole.then(|| Listed {
         name: mechanism.name.clone(),
         mechanism: type_name(&mechanism.name),

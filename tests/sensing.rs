@@ -1,6 +1,6 @@
-//! *Descriptions with parameters* → *the same with the sensitivity to each of them*, for build scripts.
+//! Adds the sensitivity to each parameter to descriptions, for build scripts.
 //!
-//! So every kind of joint whose description can be changed at run time is differentiated without being named anywhere.
+//! So every kind of joint with parameters is differentiated without a list of names.
 
 use std::path::PathBuf;
 use std::{env, fs};
@@ -9,7 +9,8 @@ use linkwright_codegen::stages::emit::rust::type_name;
 
 use crate::described::{empty_folder, in_folder};
 
-/// Every description with parameters that is not limited by `output`, as `sensing_NAME`, and `sensing.rs` with a list of samples.
+/// Writes every description with parameters and without `output` as `sensing_NAME`, and `sensing.rs` with a list of
+/// samples.
 pub fn write(folder: &str) {
     let output = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets it"));
     let descriptions = empty_folder("sensing");
@@ -19,11 +20,11 @@ pub fn write(folder: &str) {
         let limited = described.reads_files
             || !mechanism.requests.is_empty()
             || !mechanism.sensitivities.is_empty();
-        // Signals would have to be supplied.
+        // Signals would need values.
         if limited || mechanism.parameters.is_empty() || !mechanism.inputs.is_empty() {
             continue;
         }
-        // What only forces depend on moves nothing.
+        // Parameters of forces alone move nothing.
         let moves = mechanism.parameters.iter().any(|parameter| {
             let rows = described.system.rows.iter();
             let mut symbols = rows.flat_map(|row| mechanism.graph.symbols(row.residual).to_vec());
@@ -45,11 +46,11 @@ pub fn write(folder: &str) {
         modules.push_str(&format!(
             "pub mod {name} {{\n    linkwright::include_mechanism!(sensing_{name});\n}}\n"
         ));
-        let own = type_name(&format!("sensing_{name}"));
+        let sensing_type = type_name(&format!("sensing_{name}"));
         let derivatives = parameters.iter().map(|it| derivatives(it, &points));
         let derivatives: String = derivatives.collect();
         list.push_str(&format!(
-            "    Sensing {{\n        name: {name:?},\n        parameters: &{parameters:?},\n        nominal: nominal::<{name}::{own}>,\n        sample: |parameters, times| sample::<{name}::{own}>(parameters, times, &[\n{derivatives}        ]),\n    }},\n"
+            "    Sensing {{\n        name: {name:?},\n        parameters: &{parameters:?},\n        nominal: nominal::<{name}::{sensing_type}>,\n        sample: |parameters, times| sample::<{name}::{sensing_type}>(parameters, times, &[\n{derivatives}        ]),\n    }},\n"
         ));
     }
     linkwright_codegen::build(&descriptions);
@@ -57,7 +58,8 @@ pub fn write(folder: &str) {
     fs::write(output.join("sensing.rs"), text).expect("a new file");
 }
 
-/// What a mechanism's frames say of a parameter: the derivatives of all coordinates, then of each point.
+/// Expression for the sensitivities of a frame to a parameter: the derivatives of all coordinates, then of each
+/// point.
 fn derivatives(parameter: &str, points: &[&str]) -> String {
     let parameter = parameter.to_lowercase();
     let points = points.iter().map(|point| {

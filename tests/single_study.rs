@@ -1,5 +1,5 @@
-//! *Descriptions of the study of stability* → *the same under other names*, for build scripts: one module has one scalar, and two
-//! modules cannot have one name.
+//! Writes descriptions of the study of stability under other names, for build scripts: one module has one scalar, and
+//! two modules cannot have one name.
 
 use std::fs;
 use std::path::{Path, PathBuf};

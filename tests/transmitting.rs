@@ -1,6 +1,6 @@
-//! *Descriptions* → *the same with the transmission of every point and every angle*, for build scripts.
+//! Adds the transmission of every point and every angle to descriptions, for build scripts.
 //!
-//! So every mechanism of the repository is tested for what its drivers transmit without being named anywhere.
+//! So every mechanism of the repository is tested for the transmissions of its drivers without a list of names.
 
 use std::path::PathBuf;
 use std::{env, fs};
@@ -10,7 +10,8 @@ use linkwright_codegen::stages::model::Role;
 
 use crate::described::{empty_folder, in_folder};
 
-/// Every description that is not limited by `output`, as `transmitting_NAME`, and `transmitting.rs` with a list of samples.
+/// Writes every description without `output` statements as `transmitting_NAME`, and `transmitting.rs` with a list of
+/// samples.
 pub fn write(folders: &[&str]) {
     let output = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets it"));
     let descriptions = empty_folder("transmitting");
@@ -22,11 +23,11 @@ pub fn write(folders: &[&str]) {
             let limited = described.reads_files
                 || !mechanism.requests.is_empty()
                 || !mechanism.transmissions.is_empty();
-            // An equation that moves with time is no driver of a quantity.
+            // A time-dependent equation is not the driver of a quantity.
             let mut joints = mechanism.joints.iter();
             let limited =
                 limited || joints.any(|it| it.role == Role::Driver && it.operands.value.is_none());
-            // Signals would have to be supplied.
+            // Signals would need values.
             if limited || mechanism.motion.is_some() || !mechanism.inputs.is_empty() {
                 continue;
             }
@@ -46,12 +47,12 @@ pub fn write(folders: &[&str]) {
             if points.is_empty() && angle_fields.is_empty() {
                 continue;
             }
-            let wanted: Vec<&str> = points
+            let quantities: Vec<&str> = points
                 .iter()
                 .copied()
                 .chain(angles.iter().map(String::as_str))
                 .collect();
-            let statement = format!("transmission {};", wanted.join(", "));
+            let statement = format!("transmission {};", quantities.join(", "));
             let text = described.extended(&format!("transmitting_{name}"), &statement);
             fs::write(descriptions.join(format!("{name}.mech")), text).expect("a new file");
             modules.push_str(&format!(
@@ -60,15 +61,15 @@ pub fn write(folders: &[&str]) {
             let original = if *folder == "descriptions" {
                 "None".to_string()
             } else {
-                let own = type_name(name);
-                format!("Some(follow::<linkwright_mechanisms::{name}::{own}>)")
+                let type_name_alone = type_name(name);
+                format!("Some(follow::<linkwright_mechanisms::{name}::{type_name_alone}>)")
             };
             let quantities = points.iter().map(|it| quantity(it, &it.to_lowercase()));
             let angles = angle_fields.iter().map(|it| quantity(it, it));
             let quantities: String = quantities.chain(angles).collect();
-            let own = type_name(&format!("transmitting_{name}"));
+            let type_name_alone = type_name(&format!("transmitting_{name}"));
             list.push_str(&format!(
-                "    Transmitting {{\n        name: {name:?},\n        sample: |times, load| sample::<{name}::{own}>(times, load, &[\n{quantities}        ]),\n        original: {original},\n    }},\n"
+                "    Transmitting {{\n        name: {name:?},\n        sample: |times, load| sample::<{name}::{type_name_alone}>(times, load, &[\n{quantities}        ]),\n        original: {original},\n    }},\n"
             ));
         }
     }
@@ -77,9 +78,9 @@ pub fn write(folders: &[&str]) {
     fs::write(output.join("transmitting.rs"), text).expect("a new file");
 }
 
-/// What a mechanism's frames say of a quantity: a point, or a coordinate.
+/// Expression for a quantity of a frame: a point, or a coordinate.
 fn quantity(name: &str, field: &str) -> String {
-    // What turns a body is one number.
+    // The load on an angle is one number.
     let load = if name.starts_with("phi") {
         "load[0]"
     } else {

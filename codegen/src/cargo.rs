@@ -1,7 +1,9 @@
-//! The front end for build scripts: a folder of descriptions → generated modules in `OUT_DIR`, each with the page that `rustdoc` shows.
+//! Front end for build scripts: generates the modules of a folder in `OUT_DIR`, each with the page that `rustdoc`
+//! shows.
 //!
-//! The only module that touches the environment and the standard output. Errors become `cargo::error` lines, so a mistake in a
-//! description reads like a compiler error; it never panics on bad input. A module is written only if it changes.
+//! The only module that touches the environment and the standard output. Errors become `cargo::error` lines, so that
+//! a mistake in a description reads like a compiler error; bad input never panics. A module is written only if it
+//! changes.
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
@@ -49,12 +51,12 @@ pub fn build_with(folder: impl AsRef<Path>, options: &Options) {
     }
 }
 
-/// What cargo is told, a line each.
+/// Prints a line for cargo.
 type Say<'a> = &'a mut dyn FnMut(&str);
 
 /// Writes the modules of a folder's descriptions to `output`.
 fn build_folder(folder: &Path, output: &Path, options: &Options, say: Say<'_>) {
-    // Said first, so that a mended description is seen whatever went wrong.
+    // Printed first, so that a corrected description is noticed after any error.
     watch(folder, say);
     if let Err(problem) = write_modules(folder, output, options, say) {
         say_error(&problem, say);
@@ -63,13 +65,14 @@ fn build_folder(folder: &Path, output: &Path, options: &Options, say: Say<'_>) {
 
 /// Tells cargo to run the build script again after a change of a file or a folder.
 fn watch(path: &Path, say: Say<'_>) {
-    let own = env::var_os("OUT_DIR").map(PathBuf::from);
-    if !is_written_by_script(path, own.as_deref()) {
+    let output_folder = env::var_os("OUT_DIR").map(PathBuf::from);
+    if !is_written_by_script(path, output_folder.as_deref()) {
         say(&format!("cargo::rerun-if-changed={}", path.display()));
     }
 }
 
-/// True if a path lies in the script's own folder. It is then newer than the script's start, so that cargo would run the script each time.
+/// True if a path lies in the script's own folder. It is then newer than the script's start, and cargo would run the
+/// script each time.
 fn is_written_by_script(path: &Path, own: Option<&Path>) -> bool {
     own.is_some_and(|own| path.starts_with(own))
 }
@@ -97,7 +100,7 @@ fn write_modules(
             descriptions.push(path);
         }
     }
-    // The order of a folder is not the same everywhere.
+    // The order of a folder differs between file systems.
     descriptions.sort();
     if descriptions.is_empty() {
         return Err(format!(
@@ -142,11 +145,11 @@ fn write_modules(
     Ok(())
 }
 
-/// What this build script has generated so far, for `include_mechanism!` to say where it is asked for something else. Cargo takes the
-/// last value of a variable, so it must hold what was generated before.
+/// Modules that this build script has generated so far, for the error of `include_mechanism!` about an unknown one.
+/// Cargo takes the last value of a variable, so that it must hold all earlier ones.
 static GENERATED: Mutex<Vec<String>> = Mutex::new(Vec::new());
 
-/// Tells `linkwright::include_mechanism!` where a module is, and which there are.
+/// Tells `linkwright::include_mechanism!` the path of a module, and the names of all.
 fn say_module(name: &str, path: &Path, say: Say<'_>) {
     let mut names = GENERATED.lock().unwrap_or_else(PoisonError::into_inner);
     names.push(format!("`{name}`"));
@@ -177,14 +180,14 @@ pub fn write_module(name: &str, code: &str) -> io::Result<()> {
     Ok(())
 }
 
-/// Whether a file of the folder is a description. What begins with a dot is not: editors write such files beside those that are
-/// open.
+/// True if a file of the folder is a description. Names that begin with a dot do not count: editors write such files
+/// beside open ones.
 fn is_description(path: &Path) -> bool {
     let name = path.file_name().map(OsStr::as_encoded_bytes);
     path.extension() == Some(OsStr::new("mech")) && name.is_some_and(|it| !it.starts_with(b"."))
 }
 
-/// The module of one file and its page; its errors are said.
+/// Generates the module of one file and its page; prints its errors.
 fn generate_file(file: &Path, options: &Options, say: Say<'_>) -> Option<(Generated, Page)> {
     let name = file.display().to_string();
     let bytes = match files::read(file, Source::MAX_BYTES) {
@@ -236,7 +239,7 @@ fn say_error(text: &str, say: Say<'_>) {
     }
 }
 
-/// Leaves a file alone whose content is the same, so that nothing is compiled again.
+/// Keeps a file with equal content, so that nothing is compiled again.
 fn write_if_changed(path: &Path, text: &str) -> io::Result<()> {
     if files::read(path, text.len()).is_ok_and(|current| current == text.as_bytes()) {
         return Ok(());
@@ -255,7 +258,7 @@ mod tests {
     drive phi(1) = t;
 }";
 
-    /// A folder of descriptions, and one of modules, both removed in the end.
+    /// Folder of descriptions, and one of modules, both removed in the end.
     struct Folders(PathBuf);
 
     impl Folders {
@@ -274,7 +277,7 @@ mod tests {
             fs::write(self.description(name), text).expect("it can be written");
         }
 
-        /// What is said besides when to run again, without the path of the folder.
+        /// Printed lines except for those about running again, without the path of the folder.
         fn build(&self) -> Vec<String> {
             self.build_with(&Options::default())
         }
@@ -287,10 +290,10 @@ mod tests {
                 let line = line.replace(&format!("{}/", descriptions.display()), "");
                 let is_usual = ["cargo::rerun-if-changed=", "cargo::rustc-env="];
                 if !is_usual.iter().any(|it| line.starts_with(it)) {
-                    said.push(line);
+                    lines.push(line);
                 }
             });
-            said
+            lines
         }
 
         fn modules(&self) -> Vec<String> {
@@ -311,11 +314,20 @@ mod tests {
     }
 
     #[test]
-    fn what_the_script_has_written_is_not_watched() {
-        let own = Path::new("target/build/crate/out");
-        assert!(is_written_by_script(&own.join("descriptions"), Some(own)));
-        assert!(!is_written_by_script(Path::new("descriptions"), Some(own)));
-        assert!(!is_written_by_script(&own.join("descriptions"), None));
+    fn files_of_the_script_are_not_watched() {
+        let output_folder = Path::new("target/build/crate/out");
+        assert!(is_written_by_script(
+            &output_folder.join("descriptions"),
+            Some(output_folder)
+        ));
+        assert!(!is_written_by_script(
+            Path::new("descriptions"),
+            Some(output_folder)
+        ));
+        assert!(!is_written_by_script(
+            &output_folder.join("descriptions"),
+            None
+        ));
     }
 
     #[test]
@@ -333,7 +345,7 @@ mod tests {
         let before = modified();
         assert_eq!(folders.build(), none);
         assert_eq!(modified(), before, "an unchanged module is left alone");
-        // Whoever reads the old module while it is replaced has it to its end.
+        // A reader of the old module during its replacement reads it to the end.
         let open = fs::File::open(&path).expect("a module");
         let written = fs::read_to_string(&path).expect("a module");
         folders.write("crank.mech", &CRANK.replace("= t", "= 2*t"));
@@ -347,7 +359,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_description_is_said_or_left_alone() {
+    fn other_files_are_reported_or_left_alone() {
         let folders = Folders::new("others");
         folders.write("crank.mech", CRANK);
         folders.write("crank.mech~", "the editor's");
@@ -356,7 +368,7 @@ mod tests {
         folders.write("upper.mech", &CRANK.replace("crank", "Crank"));
         folders.write("wide.mech", &" ".repeat(Source::MAX_BYTES + 9));
         fs::create_dir(folders.description("folder.mech")).expect("a folder");
-        let said = folders.build();
+        let lines = folders.build();
         for expected in [
             "cargo::error=`again.mech` and `crank.mech` both describe a mechanism named `crank`",
             "cargo::error=the mechanisms `crank` of `again.mech` and `Crank` of `upper.mech` differ in case only",
@@ -364,11 +376,11 @@ mod tests {
             "cargo::error=cannot read `folder.mech`: it is a folder",
         ] {
             assert!(
-                said.iter().any(|line| line == expected),
-                "{expected} in {said:#?}"
+                lines.iter().any(|line| line == expected),
+                "{expected} in {lines:#?}"
             );
         }
-        assert!(!said.iter().any(|line| line.contains('#')), "{said:#?}");
+        assert!(!lines.iter().any(|line| line.contains('#')), "{lines:#?}");
         assert_eq!(folders.modules(), ["crank.md", "crank.rs"]);
     }
 

@@ -1,7 +1,7 @@
-//! Equations, and what solves them → what is wrong with them, and what should be looked at.
+//! Checks equations and their solution: they must determine the motion, all numbers must be finite, and the work
+//! within its bounds.
 //!
-//! Whether they determine the motion, whether the numbers are numbers, whether the work is within its bounds, whether the drawing decides
-//! every assembly mode. Deliberately unknown here: what is written afterwards.
+//! Warns if the design configuration does not decide every assembly mode.
 
 use crate::diagnostic::{self, Diagnostics};
 use crate::emit::derivation::Derivation;
@@ -11,7 +11,7 @@ use crate::program::{Program, Report, lower};
 use crate::structure;
 use crate::system::System;
 
-/// What is found in motions; a finding of some motions alone names the motion.
+/// Findings of all motions; a finding of some motions alone names the motion.
 pub(crate) fn of_motions(motions: &[System], find: impl Fn(&System) -> Diagnostics) -> Diagnostics {
     let found = motions.iter().map(|system| {
         let motion = system.mechanism.motion.as_ref();
@@ -22,10 +22,11 @@ pub(crate) fn of_motions(motions: &[System], find: impl Fn(&System) -> Diagnosti
     diagnostic::merged(found.collect())
 }
 
-/// Checks that the equations determine every coordinate exactly once and that what solves them is made of numbers. Gives warnings.
+/// Checks that the equations determine every coordinate exactly once and that the numbers of their solution are
+/// finite. Returns warnings.
 ///
 /// # Errors
-/// Too few or too many equations, with the bodies and joints concerned; numbers that become infinite or undefined.
+/// Too few or too many equations, with their bodies and joints; numbers that become infinite or undefined.
 pub fn check(system: &System) -> Result<Diagnostics, Diagnostics> {
     let _work = diagnostic::internal::work_at(system.mechanism.place());
     let spellings = &system.mechanism.spellings;
@@ -41,8 +42,8 @@ pub fn check(system: &System) -> Result<Diagnostics, Diagnostics> {
     Ok(diagnostics)
 }
 
-/// Checks what solves a system: that its numbers are numbers. Gives warnings. Where nothing solves it, only the bounds of work are
-/// checked.
+/// Checks that the numbers of a system's program are finite. Returns warnings. Without a program, only the bounds of
+/// work are checked.
 ///
 /// # Errors
 /// Numbers that become infinite or undefined, and work beyond its bounds.
@@ -60,7 +61,7 @@ pub fn findings(system: &System, program: Option<&Program>) -> Result<Diagnostic
     Ok(found.respelled(spellings))
 }
 
-/// The same of what a derivation shows.
+/// Checks that the numbers of a derivation are finite. Returns warnings.
 ///
 /// # Errors
 /// Those of [`findings`].
@@ -75,7 +76,7 @@ pub fn findings_of_derivation(derivation: &Derivation<'_>) -> Result<Diagnostics
     Ok(found.respelled(spellings))
 }
 
-/// The same for every motion; a finding of some motions alone names the motion.
+/// Checks every motion; a finding of some motions alone names the motion.
 ///
 /// # Errors
 /// Those of [`check`], each once.
@@ -92,8 +93,8 @@ pub fn check_all(motions: &[System]) -> Result<(), Diagnostics> {
     }
 }
 
-/// What the solved view of a system computes and leaves out, with counts of operations; `None` where the equations do not
-/// determine the motion, or take more work than one description may cause.
+/// Report of the values that the solved formulation computes and leaves out, with counts of operations; `None` if the
+/// equations do not determine the motion, or exceed the bounds of work.
 pub fn report(system: &System) -> Option<Report> {
     let mut system = system.clone();
     let plan = structure::plan(&mut system)?;

@@ -1,7 +1,7 @@
-//! Reads regular files, and replaces files atomically.
+//! Reads regular files, and writes files that are complete or unchanged.
 //!
-//! A pipe or a device is never read: it could have no end, or nobody who writes it. A file is written beside its destination,
-//! which it then replaces in one operation, and so is a folder. Deliberately unknown here: what is read and written.
+//! A pipe or a device is never read: it may have no end, or no writer. A file is written beside its destination,
+//! which it then replaces in one operation, and so is a folder.
 
 mod attachments;
 mod partial;
@@ -14,12 +14,12 @@ pub use self::attachments::attach_files;
 use self::partial::Partial;
 pub use self::partial::sweep;
 
-/// The bytes of a regular file; of one with more than `largest` bytes one byte more than that.
+/// Reads a regular file; of one with more than `largest` bytes, `largest + 1` bytes.
 ///
 /// # Errors
-/// There is no such file, it is a folder, a pipe or a device, or the file system refuses.
+/// The file does not exist, it is a folder, a pipe or a device, or the file system refuses.
 pub fn read(path: &Path, largest: usize) -> io::Result<Vec<u8>> {
-    // Asked before it is opened: opening a pipe waits for somebody who writes it.
+    // Checked before opening: to open a pipe waits for its writer.
     let kind = fs::metadata(path)?.file_type();
     if !kind.is_file() {
         return Err(io::Error::new(io::ErrorKind::InvalidInput, noun(kind)));
@@ -31,7 +31,7 @@ pub fn read(path: &Path, largest: usize) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// What stands at a path where a regular file is wanted.
+/// Noun for the kind of file at a path.
 pub fn noun(kind: FileType) -> &'static str {
     if kind.is_dir() {
         return "it is a folder";
@@ -46,7 +46,7 @@ pub fn noun(kind: FileType) -> &'static str {
     "it is a device, no regular file"
 }
 
-/// Why a file cannot be read or written: the words of the operating system differ for what happens most.
+/// Reason why a file cannot be read or written, in equal words on all operating systems for the frequent ones.
 pub fn reason(error: &io::Error) -> String {
     match error.kind() {
         io::ErrorKind::NotFound => "there is no such file".to_string(),
@@ -55,11 +55,11 @@ pub fn reason(error: &io::Error) -> String {
     }
 }
 
-/// Replaces the file at `path` by what `write` produces, with the permissions that it has. What a link points to is replaced;
-/// the link stays.
+/// Replaces the file at `path` by the output of `write`, with the permissions that it has. The target of a link is
+/// replaced; the link stays.
 ///
 /// # Errors
-/// Those of `write`, and whatever the file system refuses; the file is then as it was.
+/// Those of `write` and of the file system; the file is then unchanged.
 pub fn replace(
     path: &Path,
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
@@ -73,10 +73,10 @@ pub fn replace(
     partial.becomes(&path)
 }
 
-/// Makes the folder at `path` with all that `fill` writes into the folder that it is given.
+/// Makes the folder at `path` with all that `fill` writes into the folder passed to it.
 ///
 /// # Errors
-/// Those of `fill`, and whatever the file system refuses, also that something is there already; nothing is left then.
+/// Those of `fill` and of the file system, also if the path exists already; nothing is left then.
 pub fn make_folder(path: &Path, fill: impl FnOnce(&Path) -> io::Result<()>) -> io::Result<()> {
     let partial = Partial::new(folder_of(path))?;
     if fs::symlink_metadata(path).is_ok() {
@@ -88,10 +88,10 @@ pub fn make_folder(path: &Path, fill: impl FnOnce(&Path) -> io::Result<()>) -> i
     fs::rename(&folder, path)
 }
 
-/// Whether [`replace`] can make a file in this folder.
+/// Checks that [`replace`] can make a file in this folder.
 ///
 /// # Errors
-/// Why it cannot.
+/// The reason why it cannot.
 pub fn may_write_in(folder: &Path) -> io::Result<()> {
     Partial::new(folder).map(drop)
 }
@@ -116,7 +116,7 @@ mod tests {
 
     use super::*;
 
-    /// A folder of its own that is removed in the end.
+    /// Temporary folder that is removed in the end.
     struct Folder(PathBuf);
 
     impl Folder {
@@ -173,7 +173,7 @@ mod tests {
         assert_eq!(failed.expect_err("it fails").to_string(), "no more");
         assert!(folder.names().is_empty(), "{:?}", folder.names());
         let fill = |inside: &Path| {
-            // Nobody sees it under its name before it is complete.
+            // The name exists only once the file is complete.
             assert!(!path.exists());
             fs::write(inside.join("a"), "all of it")
         };
@@ -186,7 +186,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_kill_left_is_removed_and_nothing_else() {
+    fn only_remains_of_killed_runs_are_removed() {
         let folder = Folder::new("sweep");
         // Names of a run that has been killed, one of them with the folder that it was filling.
         for name in [".linkwright-1-0.partial", ".linkwright-1-7.partial"] {

@@ -1,6 +1,4 @@
-//! Source → System: a description is parsed, resolved, and its equations are derived, each motion's by themselves.
-//!
-//! Deliberately unknown here: how they are solved.
+//! Parses and resolves a description, and derives the equations of each motion.
 
 use crate::checks::of_motions;
 use crate::consequences;
@@ -12,17 +10,17 @@ use crate::structure;
 use crate::syntax;
 use crate::system::System;
 
-/// A description whose equations have been derived.
+/// Description with derived equations.
 #[derive(Clone, Debug)]
 pub struct Read {
-    /// The equations of each motion in written order; those of the mechanism where it has no motions. Never empty.
+    /// Equations of each motion in written order; those of the mechanism if it has no motions. Never empty.
     pub motions: Vec<System>,
-    /// What should be looked at although it is no error.
+    /// Warnings.
     pub warnings: Diagnostics,
 }
 
 impl Read {
-    /// The equations, where there is one motion only.
+    /// Equations; `None` if there are several motions.
     pub fn only(mut self) -> Option<System> {
         match self.motions.len() {
             1 => self.motions.pop(),
@@ -30,7 +28,7 @@ impl Read {
         }
     }
 
-    /// The equations of the motion of this name.
+    /// Equations of the motion of this name.
     pub fn motion(&self, name: &str) -> Option<&System> {
         let named = |system: &&System| {
             let motion = system.mechanism.motion.as_ref();
@@ -48,8 +46,8 @@ pub fn read(source: &Source) -> Result<Read, Diagnostics> {
     read_for(source, Language::default(), None)
 }
 
-/// The same with the sensitivities to these parameters in place of those that the description asks for. A name that no parameter has
-/// is passed over.
+/// Derives the equations with sensitivities to these parameters in place of the requested ones. Unknown names are
+/// ignored.
 ///
 /// # Errors
 /// Those of [`read`].
@@ -57,7 +55,7 @@ pub fn read_along(source: &Source, parameters: &[&str]) -> Result<Read, Diagnost
     read_for(source, Language::default(), Some(parameters))
 }
 
-/// The same with names as a language wants them, perhaps along parameters that somebody else asks for.
+/// Derives the equations with names for a language, perhaps with sensitivities to other parameters.
 pub(crate) fn read_for(
     source: &Source,
     language: Language,
@@ -79,7 +77,7 @@ pub(crate) fn read_for(
     }
 }
 
-/// The equations of a document, and all that is found on the way after what was found before.
+/// Equations of a document, and all findings after earlier ones.
 fn resolved(
     document: &syntax::Document,
     source: &Source,

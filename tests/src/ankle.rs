@@ -1,30 +1,30 @@
-//! The ankle of `ankle.mech` without the generator: places by matrices, its motors by a closed form as one writes it by hand, its foot
-//! by the hundred iterations of Newton-Raphson that robots run for it.
+//! Ankle of `ankle.mech` without the generator: positions by matrices, its motors by a closed form written by hand,
+//! its foot by the hundred iterations of Newton-Raphson that are usual in robots.
 
 use crate::jet::Jet;
 
-/// The length of both cranks, in m.
+/// Length of both cranks, in m.
 const CRANK: f64 = 0.035;
 
-/// How far behind the joint rods hold the foot, in m.
+/// Distance of the rods' ends on the foot behind the joint, in m.
 const BEHIND: f64 = 0.045;
 
-/// How many iterations are made, whatever has been reached.
+/// Number of iterations, without a test of convergence.
 const ITERATIONS: usize = 100;
 
-/// The step of its differences, in rad.
+/// Step of the differences, in rad.
 const STEP: f64 = 1e-6;
 
-/// One motor with its rod.
+/// Motor with its rod.
 #[derive(Clone, Copy, Debug)]
 pub struct Side {
-    /// How high the axis of the crank is, in m.
+    /// Height of the crank's axis, in m.
     height: f64,
-    /// How far to the left the rod is, in m.
+    /// Distance of the rod to the left, in m.
     aside: f64,
 }
 
-/// The left side with the upper motor, and the right one.
+/// Left side with the upper motor, and right side.
 pub const SIDES: [Side; 2] = [
     Side {
         height: 0.22,
@@ -37,17 +37,17 @@ pub const SIDES: [Side; 2] = [
 ];
 
 impl Side {
-    /// The rod's length.
+    /// Length of the rod.
     pub fn rod(self) -> f64 {
         self.rod_square().sqrt()
     }
 
-    /// Its square.
+    /// Square of the rod's length.
     fn rod_square(self) -> f64 {
         self.height * self.height + (BEHIND - CRANK) * (BEHIND - CRANK)
     }
 
-    /// Where the rod holds the foot: R_y(pitch) R_x(roll) f.
+    /// End of the rod on the foot: R_y(pitch) R_x(roll) f.
     fn foot(self, pitch: Jet, roll: Jet) -> [Jet; 3] {
         let held = [-BEHIND, self.aside, 0.0].map(Jet::from);
         let [x, y, z] = turned(held, roll, [1, 2]);
@@ -58,14 +58,14 @@ impl Side {
     /// |Q − P|² − ℓ² between the end of the crank and the foot.
     pub fn gap(self, pitch: Jet, roll: Jet, motor: Jet) -> Jet {
         let pivot = [0.0, self.aside, self.height].map(Jet::from);
-        // The crank points backwards, and upwards where it turns on: about −y.
+        // The crank points backwards, and moves upwards as it turns forward: about −y.
         let crank = turned([-CRANK, 0.0, 0.0].map(Jet::from), motor, [2, 0]);
         let foot = self.foot(pitch, roll);
         let squares = [0, 1, 2].map(|axis| (foot[axis] - pivot[axis] - crank[axis]).square());
         squares[0] + squares[1] + squares[2] - self.rod_square()
     }
 
-    /// The angle of the motor and its rate, of pitch and roll with theirs.
+    /// Angle of the motor and its rate, from pitch and roll with theirs.
     pub fn motor(self, [pitch, roll]: [[f64; 2]; 2]) -> [f64; 2] {
         let Side { height, aside } = self;
         let (sp, cp) = pitch[0].sin_cos();
@@ -87,7 +87,7 @@ impl Side {
     }
 }
 
-/// A vector turned in the plane of two axes, the first towards the second.
+/// Vector turned in the plane of two axes, the first towards the second.
 fn turned(mut v: [Jet; 3], angle: Jet, [first, second]: [usize; 2]) -> [Jet; 3] {
     let (sine, cosine) = (angle.sin(), angle.cos());
     let (a, b) = (v[first], v[second]);

@@ -1,7 +1,8 @@
-//! *Mechanisms with known lengths and points with known noise* → *how often calibration finds the lengths within what it says*.
+//! Counts how often calibration finds lengths within their intervals, on mechanisms with known lengths and known
+//! noise.
 //!
-//! The mechanisms are those of the repository, with parameters in place of lengths. Noise is normal (Box and Muller 1958) and
-//! reproducible: every trial has a seed of its own.
+//! The mechanisms are those of the repository, with parameters in place of lengths. Noise is normal (Box and Muller
+//! 1958) and reproducible: every trial has a seed of its own.
 
 use std::f64::consts::TAU;
 
@@ -13,20 +14,21 @@ use linkwright_solver::view::View as _;
 use crate::files;
 use crate::random::Random;
 
-/// The standard deviation of a measured coordinate of a point: a tenth of a millimetre on mechanisms of decimetres, one on those of metres.
+/// Standard deviation of a measured coordinate of a point: 0.1 mm on mechanisms of decimetres, 1 mm on those of
+/// metres.
 const NOISE: [f64; 2] = [1e-4, 1e-3];
 
-/// By which part of itself a parameter is off at the start of a trial, at most.
+/// Largest relative error of a parameter at the start of a trial.
 const OFF: f64 = 0.02;
 
-/// The first of the seeds of all trials.
+/// First of the seeds of all trials.
 pub const SEED: u64 = 0xca1b;
 
 /// A mechanism whose lengths are fitted.
 pub struct Study {
-    /// What reports call it.
+    /// Name in reports.
     pub name: &'static str,
-    /// What is measured, in words.
+    /// Description of the measurement.
     pub measured: &'static str,
     calibrator: Calibrator,
     times: Vec<f64>,
@@ -38,31 +40,31 @@ pub struct Study {
     noise: f64,
 }
 
-/// How often estimates are within their standard deviations, by parameter.
+/// Numbers of estimates within their standard deviations, by parameter.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Coverage {
-    /// How many trials there were.
+    /// Number of trials.
     pub trials: u32,
-    /// How many failed.
+    /// Number of failed trials.
     pub failed: u32,
-    /// The names of the parameters.
+    /// Names of the parameters.
     pub names: Vec<String>,
-    /// How many intervals of 95 % held the truth.
+    /// Number of intervals of 95 % that held the truth.
     pub held: Vec<u32>,
-    /// How many fits were to be trusted.
+    /// Number of trusted fits.
     pub trusted: u32,
-    /// How many estimates were within one standard deviation of the truth, and how many within three.
+    /// Numbers of estimates within one standard deviation of the truth, and within three.
     pub within: Vec<[u32; 2]>,
-    /// The sum of errors, of their squares, and of the deviations' squares.
+    /// Sums of the errors, of their squares, and of the squared deviations.
     pub sums: Vec<[f64; 3]>,
-    /// How often motions were solved altogether.
+    /// Number of solved motions.
     pub evaluations: usize,
 }
 
-/// A description of the repository with other words in places of some.
+/// Description of the repository with some of its text replaced.
 ///
 /// # Panics
-/// If one is not found.
+/// If a text to replace is missing.
 pub fn replaced(name: &str, replacements: &[(&str, &str)]) -> String {
     let path = files::repository().join(format!("mechanisms/{name}.mech"));
     let mut text = std::fs::read_to_string(path).expect("a description");
@@ -108,7 +110,7 @@ pub fn platform_text() -> String {
     )
 }
 
-/// A calibrator of these parameters of a description, and what of it can be measured.
+/// Calibrator of these parameters of a description, and its observable quantities.
 ///
 /// # Panics
 /// If the description has errors.
@@ -121,10 +123,10 @@ pub fn calibrator(text: &str, parameters: &[&str], step: f64) -> (Calibrator, Ve
     (calibrator, all(&system))
 }
 
-/// Of the quantities with these names.
+/// Observables of the quantities with these names.
 ///
 /// # Panics
-/// If there is none of a name.
+/// If a name is unknown.
 pub fn observables(quantities: &[Named], names: &[&str]) -> Vec<Observable> {
     let named = |name: &&str| quantities.iter().find(|it| it.name == **name);
     let all = names.iter().map(|name| {
@@ -164,7 +166,7 @@ impl Study {
         }
     }
 
-    /// The four-bar, whose coupler point is seen 40 times in one turn of the crank.
+    /// The four-bar, whose coupler point is measured 40 times in one turn of the crank.
     pub fn four_bar() -> Study {
         let times = (0..40)
             .map(|step| f64::from(step) / 40.0 * TAU / 3.0)
@@ -180,7 +182,7 @@ impl Study {
         )
     }
 
-    /// The four-bar, whose coupler point is seen so often that neighboring rows are rounded alike.
+    /// The four-bar, whose coupler point is measured so often that neighboring rows are rounded alike.
     pub fn slow() -> Study {
         let times = (0..400).map(|row| f64::from(row) / 1200.0).collect();
         let measured = "P of the coupler at 400 times while the crank turns by 1 rad, x and y, each with 0.1 mm of noise; lengths differ by up to 2 % from trial to trial";
@@ -199,7 +201,7 @@ impl Study {
         }
     }
 
-    /// The platform, of which two corners are seen 50 times.
+    /// The platform, of which two corners are measured 50 times.
     pub fn platform() -> Study {
         let times = (0..50).map(|step| f64::from(step) / 50.0 * TAU).collect();
         Study::new(
@@ -213,8 +215,8 @@ impl Study {
         )
     }
 
-    /// The lengths, and the fit to points with the noise of a seed from a start that is off; they are
-    /// rounded to steps of so many standard deviations of the noise, none if zero.
+    /// Fit to points with the noise of a seed from a start with errors, and the true lengths. Points are rounded to
+    /// `steps` standard deviations of the noise; 0 keeps them.
     ///
     /// # Errors
     /// Those of the fit.
@@ -259,7 +261,7 @@ impl Study {
         Ok((truth, self.calibrator.fit(&measured, &start)?))
     }
 
-    /// How often the truth is within what the fits say.
+    /// Coverage of the truth by the intervals of the fits.
     pub fn coverage(&self, trials: u32, steps: f64) -> Coverage {
         let names = self.calibrator.names().to_vec();
         let mut coverage = Coverage {
@@ -271,7 +273,7 @@ impl Study {
             ..Coverage::default()
         };
         for trial in 0..trials {
-            // Seeds of neighbouring trials have nothing in common.
+            // Seeds of neighbouring trials are independent.
             let seed = Random::new(SEED + u64::from(trial)).bits();
             let Ok((truth, fit)) = self.trial(seed, steps) else {
                 coverage.failed += 1;
@@ -300,18 +302,18 @@ impl Study {
         coverage
     }
 
-    /// The kinds of blocks that were solved, for a reader of the report.
+    /// Number of blocks that are solved by the mechanism.
     pub fn blocks(&self) -> usize {
         self.calibrator.view().plan().blocks.len()
     }
 
-    /// The mechanism's own name.
+    /// Name of the mechanism.
     pub fn title(&self) -> String {
         self.calibrator.view().system().mechanism.title()
     }
 }
 
-/// A number of the standard normal distribution.
+/// Sample of the standard normal distribution.
 pub fn normal(random: &mut Random) -> f64 {
     // Never zero, which has no logarithm.
     let radius = (-2.0 * (1.0 - random.between(0.0, 1.0)).ln()).sqrt();
@@ -319,17 +321,17 @@ pub fn normal(random: &mut Random) -> f64 {
 }
 
 impl Coverage {
-    /// The share of estimates of a parameter that are within one standard deviation, and within three.
+    /// Shares of the estimates of a parameter within one standard deviation, and within three.
     pub fn shares(&self, place: usize) -> [f64; 2] {
         self.within[place].map(|count| f64::from(count) / f64::from(self.trials))
     }
 
-    /// The share of intervals of 95 % that hold a parameter.
+    /// Share of the intervals of 95 % that hold a parameter.
     pub fn held(&self, place: usize) -> f64 {
         f64::from(self.held[place]) / f64::from(self.trials)
     }
 
-    /// The table of a report.
+    /// Table of a report.
     pub fn table(&self) -> String {
         let mut text = "| parameter | in 95 % interval | within 1 σ | within 3 σ | mean error | rms error | rms σ |\n|---|---|---|---|---|---|---|\n".to_string();
         for (place, name) in self.names.iter().enumerate() {

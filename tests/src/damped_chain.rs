@@ -1,8 +1,9 @@
-//! Chains of pendulums with a damper in each joint between them, and their motions beside the limit in which they turn as one body.
+//! Chains of pendulums with a damper in each joint between them, and their motions beside the limit in which they
+//! turn as one body.
 //!
-//! Of strong dampers D, what they exert follows from the pose and the rates to 1/D² (singular perturbation): the chain turns as one body, its
-//! joints creep by what they carry over D, and its angular momentum about the pivot changes by gravity alone. With weak ones Lagrange's
-//! equations are integrated in steps shorter than any decay.
+//! The forces of strong dampers D follow from the pose and the rates to 1/D² (singular perturbation). The chain turns
+//! as one body, its joints creep by their torque over D, and its angular momentum about the pivot changes by gravity
+//! alone. With weak ones Lagrange's equations are integrated in steps shorter than any decay.
 
 use linkwright_solver::dormand_prince::Step;
 use linkwright_solver::rates::Rates;
@@ -16,13 +17,13 @@ use crate::stiff::{Found, INSTANTS};
 
 const GRAVITY: f64 = 9.81;
 
-/// Damper from which on the motion is that of the limit.
+/// Damping from which on the motion is that of the limit.
 const STRONG: f64 = 1e5;
 
 /// Longest step of a reference (s).
-const LONGEST: f64 = 1e-3;
+const MAX_REFERENCE_STEP: f64 = 1e-3;
 
-/// Lengths, masses, inertias and angles at the start of the pendulums; each has its mass at a part of its length.
+/// Lengths of the pendulums. Masses, inertias and initial angles follow; each mass is at a fraction of the length.
 const LENGTHS: [f64; 3] = [0.5, 0.4, 0.3];
 const MASSES: [f64; 3] = [1.0, 0.7, 0.5];
 const INERTIAS: [f64; 3] = [0.02, 0.01, 0.005];
@@ -39,11 +40,11 @@ pub struct DampedChain {
     pub count: usize,
     /// Damper in each joint between them (N·m·s), or between points of both beside it (N·s/m).
     pub damper: f64,
-    /// What acts between them.
+    /// Element between two pendulums.
     pub element: Element,
 }
 
-/// What resists the motion of a joint.
+/// Resistance to the motion of a joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Element {
     /// A damper about the joint.
@@ -91,7 +92,7 @@ impl DampedChain {
         )
     }
 
-    /// What acts between a pendulum and the next one.
+    /// Text of the element between a pendulum and the next one.
     fn between(self, link: usize) -> String {
         let (next, damper) = (link + 1, self.damper);
         let [near, far] = [format!("b{link}.U{link}"), format!("b{next}.V{next}")];
@@ -113,7 +114,7 @@ impl DampedChain {
         }
     }
 
-    /// Angles, then rates, at equal distances of time up to the end.
+    /// Angles, then rates, at equal intervals of time up to the end.
     pub fn motion(self, end: f64) -> Vec<Vec<f64>> {
         let times = (1..=INSTANTS).map(|step| end * f64::from(step) / f64::from(INSTANTS));
         let times: Vec<f64> = times.collect();
@@ -121,7 +122,7 @@ impl DampedChain {
         match self.about(&ANGLES, 1) >= STRONG {
             true => {
                 let state = angles.iter().copied().chain([0.0]).collect();
-                let states = integrated(&mut AsOne(self), state, &times, LONGEST);
+                let states = integrated(&mut AsOne(self), state, &times, MAX_REFERENCE_STEP);
                 let with_rates = states.into_iter().map(|state| {
                     let (angles, momentum) = (&state[..self.count], state[self.count]);
                     let rates = self.creeping(angles, momentum);
@@ -143,25 +144,25 @@ impl DampedChain {
                     Element::Strut | Element::Forces => self.damper * ARM * ARM,
                     Element::Joint | Element::Torques => self.damper,
                 };
-                let longest = LONGEST.min(0.01 / most);
+                let longest = MAX_REFERENCE_STEP.min(0.01 / most);
                 integrated(&mut Lagrange(self), state, &times, longest)
             }
         }
     }
 
-    /// The largest error of a simulation beside a motion, and its effort.
+    /// Largest error of a simulation beside a motion, and its effort.
     ///
     /// # Errors
-    /// It ends early.
+    /// The simulation ends early.
     pub fn compared(self, motion: &[Vec<f64>], end: f64, options: Options) -> Result<Found, Stop> {
         let mut simulation = simulation(&self.text(), end, options);
         let mut error = 0.0_f64;
         for (step, expected) in motion.iter().enumerate() {
             simulation.advance(end * (step + 1) as f64 / motion.len() as f64)?;
             for link in 0..self.count {
-                let found = coordinate(&simulation, &format!("phi_b{}", link + 1));
+                let simulated = coordinate(&simulation, &format!("phi_b{}", link + 1));
                 let expected = [expected[link], expected[self.count + link]];
-                for (one, other) in found.iter().zip(expected) {
+                for (one, other) in simulated.iter().zip(expected) {
                     let missed = (one - other).abs();
                     error = larger(error, missed);
                 }
@@ -173,7 +174,7 @@ impl DampedChain {
         })
     }
 
-    /// Mass that a joint carries, times what is beyond it: m a of the pendulum itself and m l of those beyond.
+    /// Mass on a joint times its distance: m a of the pendulum itself and m l of those beyond.
     fn moment(self, link: usize) -> f64 {
         let beyond: f64 = MASSES[link + 1..self.count].iter().sum();
         LENGTHS[link] * (PART * MASSES[link] + beyond)
@@ -185,8 +186,8 @@ impl DampedChain {
         match near == far {
             true => {
                 let beyond: f64 = MASSES[far + 1..self.count].iter().sum();
-                let own = PART * PART * MASSES[far] + beyond;
-                INERTIAS[far] + LENGTHS[far] * LENGTHS[far] * own
+                let second_moment = PART * PART * MASSES[far] + beyond;
+                INERTIAS[far] + LENGTHS[far] * LENGTHS[far] * second_moment
             }
             false => LENGTHS[near] * self.moment(far),
         }
@@ -251,8 +252,8 @@ impl DampedChain {
         for link in 1..count {
             beside[link] = beside[link - 1] + carried[count + link - 1] / self.about(angles, link);
         }
-        let own = (momentum - (mass * &beside).sum()) / one;
-        beside.add_scalar(own)
+        let first_rate = (momentum - (mass * &beside).sum()) / one;
+        beside.add_scalar(first_rate)
     }
 }
 
@@ -264,8 +265,8 @@ impl Rates for AsOne {
 
     fn rates(&mut self, _t: f64, state: &[f64], rates: &mut [f64]) -> Result<(), ()> {
         let (angles, momentum) = state.split_at(self.0.count);
-        let own = self.0.creeping(angles, momentum[0]);
-        rates[..self.0.count].copy_from_slice(own.as_slice());
+        let creep = self.0.creeping(angles, momentum[0]);
+        rates[..self.0.count].copy_from_slice(creep.as_slice());
         rates[self.0.count] = self.0.weight(angles).sum();
         Ok(())
     }
@@ -290,9 +291,9 @@ impl Rates for Lagrange {
             torques[joint] -= damped;
             torques[joint - 1] += damped;
         }
-        let own = self.0.mass(angles).lu().solve(&torques).expect("masses");
+        let accelerations = self.0.mass(angles).lu().solve(&torques).expect("masses");
         rates[..count].copy_from_slice(turning);
-        rates[count..].copy_from_slice(own.as_slice());
+        rates[count..].copy_from_slice(accelerations.as_slice());
         Ok(())
     }
 
@@ -313,7 +314,7 @@ fn integrated<R: Rates<Failure = ()>>(
         absolute: 1.0,
     };
     let mut last = 0.0;
-    let mut found = Vec::new();
+    let mut states = Vec::new();
     for &time in times {
         let count = ((time - last) / longest).ceil();
         for step in 0..count as u64 {
@@ -326,7 +327,7 @@ fn integrated<R: Rates<Failure = ()>>(
             state = taken.expect("everywhere").end().to_vec();
         }
         last = time;
-        found.push(state.clone());
+        states.push(state.clone());
     }
-    found
+    states
 }

@@ -1,4 +1,4 @@
-//! *The name of a mechanism in `mechanisms/`* → *its text and the equations of its motions*.
+//! Texts and equations of the described mechanisms, by name.
 
 use std::fs;
 
@@ -7,7 +7,7 @@ use linkwright_codegen::stages::system::System;
 
 use crate::files;
 
-/// The names of all described mechanisms, sorted: those of the files `mechanisms/*.mech`.
+/// Names of all described mechanisms, sorted: those of the files `mechanisms/*.mech`.
 pub fn names() -> Vec<String> {
     let files = files::with_extension(&files::repository().join("mechanisms"), "mech");
     files
@@ -16,8 +16,8 @@ pub fn names() -> Vec<String> {
         .collect()
 }
 
-/// The names of the mechanisms with one motion that is not limited by `output` statements: their frames hold all coordinates,
-/// and they are given nothing but a time.
+/// Names of the mechanisms with one motion, without `output` statements and without inputs: their frames hold all
+/// coordinates, and the time alone determines them.
 pub fn whole() -> Vec<String> {
     let mut names = names();
     names.retain(|name| {
@@ -25,29 +25,30 @@ pub fn whole() -> Vec<String> {
             return false;
         };
         let mechanism = &only.mechanism;
-        let given = !mechanism.parameters.is_empty() || !mechanism.inputs.is_empty();
-        !given && mechanism.motion.is_none() && mechanism.requests.is_empty()
+        let has_inputs = !mechanism.parameters.is_empty() || !mechanism.inputs.is_empty();
+        !has_inputs && mechanism.motion.is_none() && mechanism.requests.is_empty()
     });
     names
 }
 
-/// The names of the mechanisms that only tests need: those of the files `tests/descriptions/*.mech` with one motion, sorted.
+/// Names of the mechanisms that only tests need: those of the files `tests/descriptions/*.mech` with one motion,
+/// sorted.
 pub fn small() -> Vec<String> {
     let files = files::with_extension(&files::package("descriptions"), "mech");
     let names = files.iter().map(|path| files::stem(path).to_string());
     names.filter(|name| motions(name).len() == 1).collect()
 }
 
-/// The text of a described mechanism, of the repository's or of those that only tests and the study of stability need. Each
-/// of `fixtures/plans/` shows one form and nothing else.
+/// Text of a described mechanism, of the repository's or of those that only tests and the study of stability need.
+/// Each of `fixtures/plans/` shows one solution method alone.
 ///
 /// # Panics
-/// If there is no such file.
+/// If the file is missing.
 pub fn source(name: &str) -> Source {
     let file = format!("{name}.mech");
-    let own = ["descriptions", "stability", "fixtures/plans"]
+    let paths = ["descriptions", "stability", "fixtures/plans"]
         .map(|folder| files::package(folder).join(&file));
-    let path = own
+    let path = paths
         .into_iter()
         .find(|path| path.is_file())
         .unwrap_or_else(|| files::repository().join("mechanisms").join(&file));
@@ -60,7 +61,7 @@ pub fn source(name: &str) -> Source {
     )
 }
 
-/// The equations of every motion of a described mechanism, which determine it.
+/// Equations of every motion of a described mechanism, which determine it.
 ///
 /// # Panics
 /// If the description has errors.
@@ -74,7 +75,7 @@ pub fn motions(name: &str) -> Vec<System> {
     read.motions
 }
 
-/// The equations of a described mechanism with one motion.
+/// Equations of a described mechanism with one motion.
 ///
 /// # Panics
 /// If the description has errors or several motions.
@@ -84,7 +85,7 @@ pub fn system(name: &str) -> System {
     only
 }
 
-/// The equations of a description with one motion, which need not determine it.
+/// Equations of a description with one motion, which need not determine it.
 ///
 /// # Panics
 /// If the description has errors or several motions.

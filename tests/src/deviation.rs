@@ -1,33 +1,33 @@
-//! *A solver and a reference table of q, q̇, q̈* → *how far apart they are*, column by column.
+//! Compares a solver with a reference table of q, q̇, q̈, column by column.
 
 use crate::solver::Solver;
 use crate::table::Table;
 
-/// The magnitude against which a column of zeros is judged: what does not move in the reference may carry the rounding of
-/// its equations, 1e-15 where others may be wrong by 1e-12 of their magnitude.
-pub const STILL: f64 = 1e-3;
+/// Magnitude for a column of zeros. A coordinate at rest in the reference may carry the rounding of its equations:
+/// 1e-15, if others may be wrong by 1e-12 of their magnitude.
+pub const REST_MAGNITUDE: f64 = 1e-3;
 
-/// The largest difference in a column.
+/// Largest difference in a column.
 #[derive(Clone, Debug)]
 pub struct Deviation {
-    /// The name of the column.
+    /// Name of the column.
     pub column: String,
-    /// The time of the largest difference (s).
+    /// Time of the largest difference (s).
     pub t: f64,
-    /// The largest difference.
+    /// Largest difference.
     pub error: f64,
-    /// The largest absolute value in the column.
+    /// Largest absolute value in the column.
     pub magnitude: f64,
 }
 
 impl Deviation {
-    /// The difference in magnitudes of the column, but at least [`STILL`].
+    /// Difference in magnitudes of the column, but at least [`REST_MAGNITUDE`].
     pub fn relative(&self) -> f64 {
-        self.error / self.magnitude.max(STILL)
+        self.error / self.magnitude.max(REST_MAGNITUDE)
     }
 }
 
-/// The deviations of a solver that sweeps through the times of the table by steps of 0.01 s. Columns: t, then q, q̇, q̈.
+/// Deviations of a solver that sweeps through the times of the table by steps of 0.01 s. Columns: t, then q, q̇, q̈.
 ///
 /// # Panics
 /// If the table has another number of columns, or the mechanism cannot be solved.
@@ -46,18 +46,18 @@ pub fn deviations(solver: &mut dyn Solver, table: &Table) -> Vec<Deviation> {
     for row in &table.rows {
         solver.sweep_to(row[0]);
         let frame = solver.frame();
-        let found: Vec<f64> = [&frame.q, &frame.qd, &frame.qdd]
+        let levels: Vec<f64> = [&frame.q, &frame.qd, &frame.qdd]
             .into_iter()
             .flatten()
             .copied()
             .collect();
         assert_eq!(
-            found.len(),
+            levels.len(),
             deviations.len(),
             "a column for each coordinate, rate and acceleration"
         );
-        for ((deviation, found), wanted) in deviations.iter_mut().zip(found).zip(&row[1..]) {
-            let error = (found - wanted).abs();
+        for ((deviation, levels), wanted) in deviations.iter_mut().zip(levels).zip(&row[1..]) {
+            let error = (levels - wanted).abs();
             if error > deviation.error || error.is_nan() {
                 (deviation.error, deviation.t) = (error, row[0]);
             }
@@ -66,10 +66,10 @@ pub fn deviations(solver: &mut dyn Solver, table: &Table) -> Vec<Deviation> {
     deviations
 }
 
-/// The one with the largest relative deviation.
+/// Largest relative deviation.
 ///
 /// # Panics
-/// If there is none.
+/// If the list is empty.
 pub fn worst(deviations: &[Deviation]) -> &Deviation {
     let by_size = |a: &&Deviation, b: &&Deviation| a.relative().total_cmp(&b.relative());
     deviations.iter().max_by(by_size).expect("a column")

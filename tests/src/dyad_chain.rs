@@ -1,13 +1,14 @@
-//! *A number n* → *the description of a chain of n dyads*, to see what grows how with the size of a mechanism.
+//! Descriptions of chains of n dyads, to measure growth with the size of a mechanism.
 //!
-//! A driven crank moves a rocker through a coupler, the rocker moves the next one through another coupler, and so on: coupler and
-//! rocker k are two links on two known pins, the previous rocker's tip and a pin on the ground. The ground pins alternate between
-//! two places, so that the chain folds onto itself: its size does not grow with n, and every second rocker repeats the crank's
-//! motion. No dyad comes nearer to its singular pose than the first, and errors of the first are not amplified.
+//! A driven crank moves a rocker through a coupler, the rocker moves the next one through another coupler, and so on.
+//! Coupler and rocker k are two links on two known pins, the previous rocker's tip and a pin on the ground. The
+//! ground pins alternate between two positions, so that the chain folds onto itself: its size does not grow with n,
+//! and every second rocker repeats the crank's motion. No dyad comes nearer to its singular pose than the first, and
+//! errors of the first are not amplified.
 
 use std::fmt::Write as _;
 
-/// The two places: the ground pin and the tip of what turns about it, as drawn.
+/// Two positions: the ground pin and the tip of the link that turns about it, in the design configuration.
 const PLACES: [(&str, &str); 2] = [("(0, 0)", "(0, 0.5)"), ("(1, 0)", "(1.1, 0.4)")];
 
 /// The description of a chain of n dyads: 1 + 2 n bodies, 3 + 6 n coordinates.
@@ -15,7 +16,7 @@ pub fn description(n: usize) -> String {
     with(n, "")
 }
 
-/// The same without the path guard.
+/// Chain without the path guard.
 pub fn unguarded(n: usize) -> String {
     with(n, "    unguarded;\n")
 }

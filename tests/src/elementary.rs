@@ -1,8 +1,7 @@
-//! *Arguments* → *the errors of the elementary functions in ulps*: against 384 bits for f64, against the standard library's f64 for
-//! f32.
+//! Errors of the elementary functions in ulps: against 384 bits for f64, against the standard library's f64 for f32.
 //!
-//! One ulp is the distance of the two floats between which the exact result lies. The standard library's f64 is within 2⁻²⁸ ulp of an
-//! f32, which is as good as exact. Nothing of the functions under test is used in what they are compared with.
+//! One ulp is the distance of the two floats between which the exact result lies. The standard library's f64 is
+//! within 2⁻²⁸ ulp of an f32, which is as good as exact. The references share no code with the functions under test.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -11,14 +10,14 @@ use linkwright_math::{double, single};
 use crate::random::Random;
 use crate::stability::precise::{self, Precise};
 
-/// The largest error that was met, and where.
+/// Largest error, and its arguments.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Worst {
-    /// In ulps; infinite for what is no number.
+    /// Error in ulps; infinite for NaN.
     pub error: f64,
-    /// The arguments of this error.
+    /// Arguments of this error.
     pub arguments: [f64; 2],
-    /// How many errors were looked at.
+    /// Number of compared values.
     pub count: u64,
 }
 
@@ -42,9 +41,10 @@ impl Worst {
     }
 }
 
-/// The distance of the floats with so many bits next to a number, the smallest exponent being that of subnormal ones.
+/// Distance of neighboring floats with this number of bits near a value; `smallest` is the exponent of subnormal
+/// ones.
 fn ulp(value: f64, bits: i32, smallest: i32) -> f64 {
-    // The exponent of a normal number; those that are not have the smallest ulp in any case.
+    // The exponent of a normal number; subnormal ones have the smallest ulp anyway.
     let exponent = ((value.to_bits() >> 52) & 0x7ff) as i32 - 1023;
     power_of_two((exponent + 1 - bits).max(smallest))
 }
@@ -56,7 +56,7 @@ fn power_of_two(exponent: i32) -> f64 {
     }
 }
 
-/// The error of an f64.
+/// Error of an f64.
 pub fn double_error(found: f64, exact: &Precise) -> f64 {
     let rounded = exact.to_f64();
     let ulp = Precise::from_f64(ulp(rounded, 53, -1074));
@@ -64,12 +64,12 @@ pub fn double_error(found: f64, exact: &Precise) -> f64 {
     gap.over(&ulp).to_f64().abs()
 }
 
-/// The error of an f32 against an f64.
+/// Error of an f32 against an f64.
 pub fn single_error(found: f32, exact: f64) -> f64 {
     (f64::from(found) - exact).abs() / ulp(exact, 24, -149)
 }
 
-/// Where angles are taken from.
+/// Source of angles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Angles {
     /// Below π/4.
@@ -85,7 +85,7 @@ pub enum Angles {
 }
 
 impl Angles {
-    /// All of them, with a description.
+    /// All sources, with a description.
     pub const LIST: [(Angles, &'static str); 5] = [
         (Angles::Small, "up to π/4"),
         (Angles::Usual, "up to 8192"),
@@ -97,7 +97,7 @@ impl Angles {
         (Angles::All, "all exponents"),
     ];
 
-    /// The next angle of the kind.
+    /// Next angle of the source.
     pub fn next(self, random: &mut Random) -> f64 {
         let sign = if random.bits() & 1 == 0 { 1.0 } else { -1.0 };
         sign * match self {
@@ -119,7 +119,7 @@ impl Angles {
     }
 }
 
-/// The errors of sine and cosine at an f64.
+/// Adds the errors of sine and cosine at an f64.
 pub fn sine_and_cosine(angle: f64, worst: &mut [Worst; 2]) {
     let (sine, cosine) = double::sin_cos(angle);
     let exact = Precise::from_f64(angle);
@@ -127,7 +127,7 @@ pub fn sine_and_cosine(angle: f64, worst: &mut [Worst; 2]) {
     worst[1].take(double_error(cosine, &exact.cos()), [angle, 0.0]);
 }
 
-/// The same at an f32.
+/// Adds the errors of sine and cosine at an f32.
 pub fn single_sine_and_cosine(angle: f32, worst: &mut [Worst; 2]) {
     let (sine, cosine) = single::sin_cos(angle);
     let exact = f64::from(angle);
@@ -135,7 +135,7 @@ pub fn single_sine_and_cosine(angle: f32, worst: &mut [Worst; 2]) {
     worst[1].take(single_error(cosine, exact.cos()), [exact, 0.0]);
 }
 
-/// A vector: mostly of ordinary size, otherwise of any exponents, or with components of very different size.
+/// Vector: mostly of ordinary size, otherwise of any exponents, or with components of very different size.
 pub fn vector(random: &mut Random) -> [f64; 2] {
     let any = |random: &mut Random| loop {
         let value = f64::from_bits(random.bits());
@@ -156,7 +156,7 @@ pub fn vector(random: &mut Random) -> [f64; 2] {
     }
 }
 
-/// The error of the angle of a vector.
+/// Adds the error of the angle of a vector.
 pub fn angle([y, x]: [f64; 2], worst: &mut Worst) {
     if x == 0.0 {
         return;
@@ -174,14 +174,14 @@ pub fn angle([y, x]: [f64; 2], worst: &mut Worst) {
     worst.take(double_error(double::atan2(y, x), &exact), [y, x]);
 }
 
-/// The same in f32.
+/// Adds the error of the angle of a vector in f32.
 pub fn single_angle([y, x]: [f32; 2], worst: &mut Worst) {
     let exact = f64::from(y).atan2(f64::from(x));
     let error = single_error(single::atan2(y, x), exact);
     worst.take(error, [y.into(), x.into()]);
 }
 
-/// The errors of an angle that is followed, in ε of its magnitude or of π/4: in f64 and in f32.
+/// Adds the errors of an angle that is followed, in ε of its magnitude or of π/4: in f64 and in f32.
 pub fn followed(random: &mut Random, worst: &mut [Worst; 2]) {
     let angle = random.between(-1000.0, 1000.0);
     let (sine, cosine) = (angle.sin(), angle.cos());
@@ -192,7 +192,7 @@ pub fn followed(random: &mut Random, worst: &mut [Worst; 2]) {
         let exact = Precise::from_f64(sine)
             .over(&Precise::from_f64(cosine))
             .atan();
-        // The quotient has the right tangent; the float says which of its angles is meant.
+        // The quotient has the right tangent; the float selects one of its angles.
         let half_turns = ((angle + turns * 2.0 * PI - exact.to_f64()) / PI).round();
         exact.plus(&precise::pi().times(&Precise::from_f64(half_turns)))
     };
@@ -201,13 +201,16 @@ pub fn followed(random: &mut Random, worst: &mut [Worst; 2]) {
         gap / (exact.to_f64().abs().max(PI / 4.0) * epsilon)
     };
     let exact = wound(sine, cosine, near);
-    let found = double::angle_near(sine, cosine, near);
-    worst[0].take(in_epsilons(found, &exact, f64::EPSILON), [angle, near]);
+    let followed_angle = double::angle_near(sine, cosine, near);
+    worst[0].take(
+        in_epsilons(followed_angle, &exact, f64::EPSILON),
+        [angle, near],
+    );
     let [s, c, n] = [sine, cosine, near].map(|value| value as f32);
     let exact = wound(s.into(), c.into(), n.into());
-    let found = single::angle_near(s, c, n).into();
+    let followed_angle = single::angle_near(s, c, n).into();
     worst[1].take(
-        in_epsilons(found, &exact, f32::EPSILON.into()),
+        in_epsilons(followed_angle, &exact, f32::EPSILON.into()),
         [angle, near],
     );
 }

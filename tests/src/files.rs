@@ -1,4 +1,4 @@
-//! *The repository* → *paths of its files*, and files by extension in a stable order.
+//! Paths of the repository's files, and files by extension in a stable order.
 
 use std::fs;
 use std::io;
@@ -33,20 +33,21 @@ pub fn with_extension(folder: &Path, extension: &str) -> Vec<PathBuf> {
     files
 }
 
-/// The files with this extension in a folder and in all folders in it but those that `skip` names, each folder sorted by name.
+/// Files with this extension in a folder and in all folders in it except for those in `skip`, each folder sorted by
+/// name.
 ///
 /// # Panics
 /// If a folder cannot be read.
 pub fn below(folder: &Path, extension: &str, skip: &[&str]) -> Vec<PathBuf> {
-    let mut found = with_extension(folder, extension);
+    let mut paths = with_extension(folder, extension);
     let mut folders: Vec<PathBuf> = fs::read_dir(folder)
         .unwrap_or_else(|error| panic!("{}: {error}", folder.display()))
         .map(|entry| entry.expect("a listed file").path())
         .filter(|path| path.is_dir() && !skip.iter().any(|it| path.ends_with(it)))
         .collect();
     folders.sort();
-    found.extend(folders.iter().flat_map(|it| below(it, extension, skip)));
-    found
+    paths.extend(folders.iter().flat_map(|it| below(it, extension, skip)));
+    paths
 }
 
 /// Writes a file unless it has this text already; cargo and compilers see no change then.

@@ -1,7 +1,8 @@
-//! *A description with forces* → *its instants with what is asked for, by name*, and the loads on its bodies by a computation of its own.
+//! Descriptions with forces: the requested values of their instants by name, and loads on their bodies by an
+//! independent computation.
 //!
-//! The loads are those of the textbook (Q − M q̈, body by body, about the origin of each frame) in plain numbers: nothing of the
-//! generator's forces is used.
+//! The loads are those of the textbook (Q − M q̈, body by body, about the origin of each frame) in plain numbers,
+//! without the generator's forces.
 
 use linkwright::{Settings, Shell};
 use linkwright_codegen::diagnostic::Source;
@@ -14,15 +15,15 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::values::assembled_from;
 
-/// A mechanism that is followed.
+/// Followed mechanism.
 pub struct Followed {
-    /// The mechanism at an instant.
+    /// Mechanism at an instant.
     pub shell: Shell<Interpreted>,
     view: Interpreted,
     names: Vec<String>,
 }
 
-/// The systems of all motions of a text.
+/// Systems of all motions of a text.
 ///
 /// # Panics
 /// If the text has errors.
@@ -37,7 +38,7 @@ pub fn systems(name: &str, text: &str) -> Vec<System> {
 }
 
 impl Followed {
-    /// Assembled at a time; `None` where it cannot be.
+    /// Mechanism assembled at a time; `None` if the assembly fails.
     pub fn new(system: &System, t: f64) -> Option<Followed> {
         let view = Interpreted::new(system)?;
         let shell = assembled_from(view.clone(), &[], t, Settings::default());
@@ -48,7 +49,7 @@ impl Followed {
         })
     }
 
-    /// Moves it on; false where the motion ends.
+    /// Advances to a time; false if the motion ends before.
     pub fn advance(&mut self, t: f64) -> bool {
         let inputs = self.view.input_laws().at(t);
         self.shell.advance(t, &inputs).is_ok()
@@ -59,10 +60,10 @@ impl Followed {
         self.shell.frame()
     }
 
-    /// What is asked for, by name.
+    /// Requested values, by name.
     ///
     /// # Panics
-    /// If it is not known.
+    /// If one is unknown.
     pub fn all(&self) -> Vec<(&str, f64)> {
         let values = self.view.forces(self.instant()).expect("known");
         assert_eq!(values.len(), self.names.len());
@@ -70,29 +71,29 @@ impl Followed {
         names.zip(values).collect()
     }
 
-    /// What transmissions and sensitivities ask for.
+    /// Values of requested transmissions and sensitivities.
     ///
     /// # Panics
-    /// If it is not known.
+    /// If one is unknown.
     pub fn derivatives(&self) -> Vec<f64> {
         self.view.derivatives(self.instant()).expect("known")
     }
 
-    /// One of them.
+    /// Requested value.
     ///
     /// # Panics
-    /// If nothing of this name is asked for.
+    /// If no value of this name is requested.
     pub fn value(&self, name: &str) -> f64 {
         let all = self.all();
-        let found = all.iter().find(|(own, _)| *own == name);
-        found.unwrap_or_else(|| panic!("no {name} in {all:?}")).1
+        let named = all.iter().find(|(own, _)| *own == name);
+        named.unwrap_or_else(|| panic!("no {name} in {all:?}")).1
     }
 }
 
-/// A body with its mass.
+/// Body with its mass.
 #[derive(Clone, Copy, Debug)]
 pub struct Weight {
-    /// The place of the body among those that move.
+    /// Index of the body among those that move.
     pub body: usize,
     /// In kg.
     pub mass: f64,
@@ -139,7 +140,7 @@ impl Moving {
         ]
     }
 
-    /// Its acceleration.
+    /// Acceleration of a point of the body.
     pub fn acceleration(&self, local: [f64; 2]) -> [f64; 2] {
         let [x, y] = self.arm(local);
         let (turning, spin) = (self.rate[2], self.acceleration[2]);
@@ -156,7 +157,7 @@ pub fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
 }
 
 impl Weight {
-    /// Q − M q̈ of its body.
+    /// Load Q − M q̈ of the body.
     pub fn load(&self, gravity: [f64; 2], moving: &Moving) -> [f64; 3] {
         let acceleration = moving.acceleration(self.center);
         let force = [0, 1].map(|axis| self.mass * (gravity[axis] - acceleration[axis]));
@@ -164,7 +165,7 @@ impl Weight {
         [force[0], force[1], torque]
     }
 
-    /// Its kinetic energy, and the rate of that.
+    /// Kinetic energy, and its rate.
     pub fn kinetic(&self, moving: &Moving) -> [f64; 2] {
         let (v, a) = (
             moving.velocity(self.center),
@@ -177,7 +178,7 @@ impl Weight {
         [energy, rate]
     }
 
-    /// Its potential energy, and the rate of that.
+    /// Potential energy, and its rate.
     pub fn potential(&self, gravity: [f64; 2], moving: &Moving) -> [f64; 2] {
         let (arm, v) = (moving.arm(self.center), moving.velocity(self.center));
         let [x, y] = [moving.at[0] + arm[0], moving.at[1] + arm[1]];
@@ -188,7 +189,7 @@ impl Weight {
     }
 }
 
-/// λ of Φ_qᵀ λ = g, by another linear algebra than ours.
+/// Multipliers λ of Φ_qᵀ λ = g, by a linear algebra other than ours.
 ///
 /// # Panics
 /// If Φ_q is singular.

@@ -1,6 +1,6 @@
-//! *The compiled modules of `linkwright-mechanisms`* → *one list*, each module wrapped as a [`Solver`].
+//! Lists the compiled modules of `linkwright-mechanisms`, each wrapped as a [`Solver`].
 //!
-//! Modules have no names at run time, so the build script writes the list from the descriptions.
+//! Modules have no names at run time, so that the build script writes the list from the descriptions.
 
 use std::marker::PhantomData;
 

@@ -1,7 +1,8 @@
-//! *A closed form in t* → *its value, rate and acceleration*.
+//! Value, rate and acceleration of a closed form in t.
 //!
-//! A jet holds f, f' and f'' of a function of t; the operations follow the product and chain rules. So a test states where a point
-//! is, and has its velocity and acceleration without deriving them by hand and without the generator's differentiation.
+//! A jet holds f, f' and f'' of a function of t; the operations follow the product and chain rules. So a test states
+//! a position and gets its velocity and acceleration, without a derivation by hand and without the generator's
+//! differentiation.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

@@ -1,16 +1,16 @@
-//! *A kind and a size* → *a description that is large in one way*, to see that work follows the size of a text and ends.
+//! Descriptions that are large in one respect, to check that work is proportional to the length of a text and ends.
 //!
-//! Each kind grows in proportion to its size: formulas, nests of every function, names, points, bodies, stations, tables, mistakes. What
-//! such a mechanism does is of no concern.
+//! Each kind grows in proportion to its size: formulas, nests of every function, names, points, bodies, stations,
+//! tables, mistakes. The motion of such a mechanism is irrelevant.
 
 use std::fmt::Write as _;
 
-/// A way in which a description can be large.
+/// Respect in which a description is large.
 #[derive(Clone, Copy, Debug)]
 pub struct Kind {
-    /// What is many.
+    /// Name of the repeated items.
     pub name: &'static str,
-    /// The text of this size.
+    /// Text of this size.
     pub text: fn(usize) -> String,
 }
 
@@ -74,7 +74,7 @@ pub fn nest(formula: &str, from_parameter: bool, n: usize) -> String {
     nested(first, formula, n)
 }
 
-/// What is answered, in proportion to its size.
+/// Valid descriptions whose work is proportional to their size.
 pub const KINDS: [Kind; 24] = [
     Kind {
         name: "terms of a sum",
@@ -284,7 +284,7 @@ pub const KINDS: [Kind; 24] = [
     },
 ];
 
-/// n bodies whose angles depend on one another in a ring, so that they are found together.
+/// Ring of n bodies with interdependent angles, which are solved together.
 pub fn ring(n: usize, held: fn(&str, &str) -> String) -> String {
     let bodies = each(n, |k| format!("body b{k} at (0, 0) {{ P: (1, 0) }}"));
     let equations = each(n, |k| {
@@ -295,7 +295,7 @@ pub fn ring(n: usize, held: fn(&str, &str) -> String) -> String {
     mechanism(&(bodies + &equations))
 }
 
-/// What is refused, whatever its size, and in proportion to it.
+/// Invalid descriptions of any size, refused in proportional time.
 pub const MISTAKES: [Kind; 7] = [
     Kind {
         name: "unknown names",
@@ -339,7 +339,7 @@ pub const MISTAKES: [Kind; 7] = [
     },
 ];
 
-/// A constant whose terms double with each of few statements.
+/// Constant whose number of terms doubles with each of few statements.
 pub fn doubling_constants() -> String {
     const PRIMES: [u32; 20] = [
         2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71,
@@ -353,7 +353,7 @@ pub fn doubling_constants() -> String {
     )
 }
 
-/// Bodies each of which is drawn in the direction of a point of the one before.
+/// Bodies each of which faces a point of the one before.
 pub fn facing_one_another(n: usize) -> String {
     let bodies = each(n, |k| {
         let toward = match k {
@@ -369,7 +369,7 @@ pub fn facing_one_another(n: usize) -> String {
     ))
 }
 
-/// m motions of a mechanism with n points.
+/// Mechanism with m motions and n points.
 pub fn motions(n: usize, m: usize) -> String {
     let points = each(n, |k| format!("point P{k} = ({k}, {});", k % 7));
     let motions = each(m, |k| format!("motion m{k} {{ drive phi(b) = {k}*t; }}"));
@@ -378,7 +378,7 @@ pub fn motions(n: usize, m: usize) -> String {
     ))
 }
 
-/// n drivers whose transmission to one body is asked for.
+/// Mechanism with n drivers and their transmission to one body.
 pub fn transmission(n: usize) -> String {
     let text = (KINDS[16].text)(n);
     let statements = text.trim_end().trim_end_matches('}');

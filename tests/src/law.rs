@@ -1,4 +1,4 @@
-//! *An expression of t as text* → *its value and its derivatives at any t*, by differentiation of the expression.
+//! Values and derivatives of an expression of t, by differentiation of its text.
 
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::read;
@@ -11,18 +11,18 @@ pub struct Law {
 }
 
 impl Law {
-    /// The motion that is written after `drive phi(1) =`, with derivatives up to the fourth.
+    /// Motion with the text after `drive phi(1) =`, with derivatives up to the fourth.
     ///
     /// # Panics
-    /// Where the description has errors.
+    /// If the description has errors.
     pub fn new(written: &str) -> Law {
         Law::with("", written)
     }
 
-    /// The same, below further statements.
+    /// Motion below further statements.
     ///
     /// # Panics
-    /// Where the description has errors.
+    /// If the description has errors.
     pub fn with(statements: &str, written: &str) -> Law {
         let text = format!(
             "mechanism driven {{ {statements} body 1 at (0, 0); absolute_x(1) = 0; absolute_y(1) = 0; drive phi(1) = {written}; }}"

@@ -1,6 +1,6 @@
-//! What the tests share: descriptions, solvers, reference tables, random numbers and error bounds.
+//! Shared parts of the tests: descriptions, solvers, reference tables, random numbers and error bounds.
 //!
-//! One thing per module. Nothing here asserts what a test is about; the files under `tests/` do.
+//! Each module has one subject. Assertions are in the files under `tests/`.
 
 pub mod ankle;
 pub mod baseline;

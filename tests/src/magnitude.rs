@@ -1,7 +1,8 @@
-//! *Expressions and values of their symbols* → *the size of what each is made of*: the sum of the absolute values of all
-//! terms, at every depth. `ε · magnitude` is the size of one rounding in it, however much cancels.
+//! Magnitudes of expressions for given values of symbols: the sum of the absolute values of all terms, at every
+//! depth.
 //!
-//! A sine or cosine of an angle that is itself computed carries the magnitude of the angle, as it moves by as much.
+//! One rounding in an expression is of the size `ε · magnitude`, however much cancels. A sine or cosine of a computed
+//! angle has the magnitude of the angle, since it moves by as much.
 
 use linkwright_codegen::stages::expr::{ExprId, Factor, Graph, Node};
 

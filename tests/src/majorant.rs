@@ -1,13 +1,13 @@
-//! *Expressions along a line* → *bounds of their Taylor coefficients and of their rounding errors*.
+//! Bounds on the Taylor coefficients of expressions along a line, and on their rounding errors.
 //!
-//! Along the line every symbol is `value + s · slope`, |s| ≤ `reach`. For each expression f there result numbers
-//! c₀ … c_K with |f⁽ᵏ⁾(s)| ≤ k! c_k everywhere on the line (majorants: Moore, *Methods and Applications of Interval
-//! Analysis*, 1979, section 3.4), and a bound of the error of evaluating it in floating point at any of its points (running
-//! error analysis: Higham, *Accuracy and Stability of Numerical Algorithms*, section 3.3). With them the error of a
-//! difference quotient is computed, not guessed.
+//! Along the line every symbol is `value + s · slope`, |s| ≤ `reach`. Each expression f has numbers c₀ … c_K with
+//! |f⁽ᵏ⁾(s)| ≤ k! c_k everywhere on the line (majorants: Moore, *Methods and Applications of Interval Analysis*,
+//! 1979, section 3.4). A further bound covers the rounding error of f in floating point at any point of the line
+//! (running error analysis: Higham, *Accuracy and Stability of Numerical Algorithms*, section 3.3). With them the
+//! error of a difference quotient is computed, not guessed.
 //!
-//! Majorants of sums and products are those of their operands added and multiplied; as all derivatives of sine and cosine
-//! are at most 1, the majorant of sin f is exp(Σ_{k≥1} c_k sᵏ).
+//! Majorants of sums and products are those of their operands added and multiplied; as all derivatives of sine and
+//! cosine are at most 1, the majorant of sin f is exp(Σ_{k≥1} c_k sᵏ).
 
 use std::f64::consts::PI;
 
@@ -94,7 +94,7 @@ pub fn majorants<const N: usize>(
                 product
             }
             Node::Sin(angle) | Node::Cos(angle) => rotation(all[angle.index()]),
-            // The angle of a direction in the drawing: it turns by what its end moves, over its distance.
+            // Angle of a direction in the design configuration: it turns by the motion of its end, over its distance.
             Node::Atan2(y, x) if graph.is_fixed(id) => {
                 let moved = all[y.index()].error + all[x.index()].error;
                 let mut angle = constant(value[id.index()].abs());
@@ -119,7 +119,7 @@ pub fn majorants<const N: usize>(
                     line.reach,
                 )
             }
-            // A step is where the argument is whole.
+            // A jump is where the argument is whole.
             Node::Floor(argument) => {
                 let (argument, at) = (&all[argument.index()], value[argument.index()]);
                 let mut floor = constant(at.floor().abs() + 1.0);
@@ -142,8 +142,8 @@ fn constant<const N: usize>(size: f64) -> Majorant<N> {
     }
 }
 
-/// The same where the line cannot pass a change of the pieces, at which `margin` would be zero. Where it can, nothing is bounded
-/// but the value: pieces join in two derivatives at most.
+/// Bounds if the line cannot pass a change of the pieces, at which `margin` would be zero. Otherwise only the value
+/// has a bound: pieces join in two derivatives at most.
 fn changed<const N: usize>(
     mut piece: Majorant<N>,
     deciding: &Majorant<N>,

@@ -1,8 +1,9 @@
-//! The motion of a mechanism with weights and free drivers in all coordinates, by the augmented equations of Lagrange.
+//! Motion of a mechanism with weights and free drivers in all coordinates, by the augmented equations of Lagrange.
 //!
-//! M q̈ + Φ_qᵀ λ = Q and Φ_q q̈ = γ are solved for q̈ and λ. What is integrated are all coordinates and their rates, by extrapolation of
-//! the modified midpoint rule (Gragg, Bulirsch and Stoer), and after each step both are projected onto the constraints. Nothing is used
-//! of how motions are simulated: Φ comes from the textbook view, M and Q are those of rigid bodies in plain numbers.
+//! M q̈ + Φ_qᵀ λ = Q and Φ_q q̈ = γ are solved for q̈ and λ. All coordinates and their rates are integrated by
+//! extrapolation of the modified midpoint rule (Gragg, Bulirsch and Stoer), and projected onto the constraints after
+//! each step. The code is independent of the simulation: Φ comes from the textbook formulation, M and Q are those of
+//! rigid bodies in plain numbers.
 
 use linkwright::Equations;
 use linkwright_codegen::stages::system::System;
@@ -15,13 +16,13 @@ use crate::forces::Weight;
 /// Number of extrapolations of the midpoint rule.
 const COLUMNS: usize = 8;
 
-/// Most steps between two frames.
+/// Largest number of steps between two frames.
 const STEPS: usize = 1000;
 
-/// Corrections of a pose; each about doubles the digits.
+/// Number of corrections of a pose; each about doubles the digits.
 const CORRECTIONS: usize = 4;
 
-/// The coordinates and their rates.
+/// Coordinates and their rates.
 #[derive(Clone, Debug)]
 pub struct Motion {
     /// q.
@@ -30,20 +31,20 @@ pub struct Motion {
     pub rates: DVector<f64>,
 }
 
-/// The augmented equations of a mechanism whose constraints do not depend on time.
+/// Augmented equations of a mechanism whose constraints do not depend on time.
 pub struct Multipliers {
     equations: TextbookEquations,
-    /// The rows that are no free driver's, and those that are.
+    /// Rows of constraints, and rows of free drivers.
     held: Vec<usize>,
     free: Vec<usize>,
-    /// The values that what is free has by the description.
+    /// Values of the free coordinates by the description.
     values: DVector<f64>,
     weights: Vec<Weight>,
     gravity: [f64; 2],
 }
 
 impl Multipliers {
-    /// The equations of a system with these weights.
+    /// Equations of a system with these weights.
     pub fn new(system: &System, weights: &[Weight], gravity: [f64; 2]) -> Multipliers {
         let drivers: Vec<usize> = system
             .mechanism
@@ -58,8 +59,8 @@ impl Multipliers {
         let inputs = InputLaws::of(system).at(0.0);
         let values = free.iter().map(|&row| {
             let mut all = system.mechanism.forces.free.iter();
-            let own = all.find(|it| it.joint == system.rows[row].joint);
-            inputs.0[own.expect("a free coordinate").input].value
+            let coordinate = all.find(|it| it.joint == system.rows[row].joint);
+            inputs.0[coordinate.expect("a free coordinate").input].value
         });
         let values = DVector::from_vec(values.collect());
         let equations = TextbookEquations::new(system);
@@ -86,7 +87,7 @@ impl Multipliers {
         self.matrix(pose).select_rows(&self.held)
     }
 
-    /// The vector nearest to one among those that the joints allow: its part in the null space of Φ_q.
+    /// Projection of a vector onto the null space of Φ_q.
     pub fn allowed(&self, pose: &DVector<f64>, vector: &DVector<f64>) -> DVector<f64> {
         let matrix = self.held_matrix(pose);
         let nothing = DVector::zeros(self.held.len());
@@ -94,14 +95,14 @@ impl Multipliers {
         augmented(&unit, &matrix, vector, &nothing)
     }
 
-    /// The values of what is free.
+    /// Values of the free coordinates.
     pub fn free_values(&self, pose: &DVector<f64>) -> DVector<f64> {
         let mut whole = DVector::zeros(pose.len());
         self.equations.residual(pose, 0.0, &mut whole);
         whole.select_rows(&self.free) + &self.values
     }
 
-    /// The determinant of what is free along an orthonormal basis of what the joints allow, with gradients of length 1.
+    /// Determinant of the free coordinates along an orthonormal basis of the null space, with gradients of length 1.
     pub fn determinant(&self, pose: &DVector<f64>) -> f64 {
         let gradients = self.matrix(pose).select_rows(&self.free);
         let parts = gradients.row_iter().map(|row| {
@@ -113,12 +114,12 @@ impl Multipliers {
         triangle.diagonal().product().abs()
     }
 
-    /// The rates of what is free, along rates of the coordinates.
+    /// Rates of the free coordinates, from rates of all coordinates.
     pub fn free_rates(&self, motion: &Motion) -> DVector<f64> {
         self.matrix(&motion.pose).select_rows(&self.free) * &motion.rates
     }
 
-    /// The largest residual of the joints, and of their rates.
+    /// Largest residual of the joints, and of their rates.
     pub fn missed(&self, motion: &Motion) -> f64 {
         let matrix = self.held_matrix(&motion.pose);
         self.residual(&motion.pose)
@@ -132,7 +133,7 @@ impl Multipliers {
         whole.select_rows(&self.held)
     }
 
-    /// The nearest pose and rates that the joints allow.
+    /// Projects pose and rates onto the constraints.
     pub fn project(&self, motion: &mut Motion) {
         let count = motion.pose.len();
         let unit = DMatrix::identity(count, count);
@@ -147,7 +148,7 @@ impl Multipliers {
         motion.rates = self.allowed(&motion.pose, &motion.rates);
     }
 
-    /// M, and Q with what turning adds.
+    /// M, and Q with the centrifugal terms.
     fn masses_and_loads(&self, motion: &Motion) -> (DMatrix<f64>, DVector<f64>) {
         let count = motion.pose.len();
         let (mut masses, mut loads) = (DMatrix::zeros(count, count), DVector::zeros(count));
@@ -183,7 +184,7 @@ impl Multipliers {
         augmented(&masses, &self.held_matrix(&motion.pose), &loads, &gamma)
     }
 
-    /// The kinetic and the potential energy together.
+    /// Sum of the kinetic and the potential energy.
     pub fn energy(&self, motion: &Motion) -> f64 {
         let (masses, _) = self.masses_and_loads(motion);
         let kinetic = 0.5 * motion.rates.dot(&(masses * &motion.rates));
@@ -199,8 +200,8 @@ impl Multipliers {
         kinetic + potential.sum::<f64>()
     }
 
-    /// The state after a time, with steps of this relative and absolute error; `None` where none is short enough for rounding, or too many
-    /// are needed.
+    /// State after a time, with steps of this relative and absolute error; `None` if rounding prevents a short enough
+    /// step, or too many are needed.
     pub fn after(
         &self,
         start: &Motion,
@@ -241,26 +242,26 @@ impl Multipliers {
         None
     }
 
-    /// A step, and its error in tolerances.
+    /// Result of a step, and its error in tolerances.
     fn extrapolated(&self, start: &Motion, step: f64, tolerance: f64) -> (Motion, f64) {
         let mut row: Vec<Motion> = Vec::new();
         let mut error = f64::INFINITY;
         for column in 0..COLUMNS {
             let parts = 2 * (column + 1);
-            let mut found = self.midpoint(start, step, parts);
-            let mut next = vec![found.clone()];
+            let mut refined = self.midpoint(start, step, parts);
+            let mut next = vec![refined.clone()];
             for (back, before) in row.iter().enumerate() {
                 let other = 2 * (column - back);
                 let ratio = (parts as f64 / other as f64).powi(2);
                 let better = Motion {
-                    pose: &found.pose + (&found.pose - &before.pose) / (ratio - 1.0),
-                    rates: &found.rates + (&found.rates - &before.rates) / (ratio - 1.0),
+                    pose: &refined.pose + (&refined.pose - &before.pose) / (ratio - 1.0),
+                    rates: &refined.rates + (&refined.rates - &before.rates) / (ratio - 1.0),
                 };
                 if back + 1 == column {
-                    error = distance([&better, &found], tolerance);
+                    error = distance([&better, &refined], tolerance);
                 }
                 next.push(better.clone());
-                found = better;
+                refined = better;
             }
             row = next;
         }
@@ -285,7 +286,7 @@ impl Multipliers {
     }
 }
 
-/// The larger one of two numbers: NaN if one of them is, where `f64::max` gives the other one.
+/// Larger of two numbers; NaN if one of them is, unlike `f64::max`.
 pub fn larger(one: f64, other: f64) -> f64 {
     match one.is_nan() || one >= other {
         true => one,
@@ -293,7 +294,7 @@ pub fn larger(one: f64, other: f64) -> f64 {
     }
 }
 
-/// The largest difference of coordinates and rates; NaN if one of them is.
+/// Largest difference of coordinates and rates; NaN if one of them is.
 pub fn apart(one: &Motion, other: &Motion) -> f64 {
     let difference = |one: &DVector<f64>, other: &DVector<f64>| {
         let parts = one
@@ -308,7 +309,7 @@ pub fn apart(one: &Motion, other: &Motion) -> f64 {
     )
 }
 
-/// The largest difference in tolerances.
+/// Largest difference in tolerances.
 fn distance([one, other]: [&Motion; 2], tolerance: f64) -> f64 {
     let difference = |one: &DVector<f64>, other: &DVector<f64>| {
         let pairs = one.iter().zip(other);
@@ -321,7 +322,7 @@ fn distance([one, other]: [&Motion; 2], tolerance: f64) -> f64 {
     )
 }
 
-/// x of M x + Φ_qᵀ λ = `above` and Φ_q x = `below`; NaN where the joints have lost rank.
+/// x of M x + Φ_qᵀ λ = `above` and Φ_q x = `below`; NaN if the joints have lost rank.
 fn augmented(
     masses: &DMatrix<f64>,
     matrix: &DMatrix<f64>,

@@ -1,40 +1,42 @@
-//! *A number of cells and how they grow* → *a pantograph whose last cell is driven, and its description*.
+//! Pantographs whose last cell is driven, and their descriptions, by the number and growth of the cells.
 //!
-//! A cell is two bars, u and v, that cross at a pin M; the next cell begins at the ends of both. The half bars around such an end are
-//! alike, so they are the sides of a rhombus, and all bars u are parallel, and all bars v. The first cell stands on the ground and the
-//! last one is driven, so that but for one bar of the last cell none is found without all others.
+//! A cell is two bars, u and v, that cross at a pin M; the next cell begins at the ends of both. The half bars around
+//! such an end are equal, so that they are the sides of a rhombus, and all bars u are parallel, and all bars v. The
+//! first cell stands on the ground and the last one is driven. So every bar except for one of the last cell depends
+//! on all others.
 //!
-//! Every number of the description but the angles that are drawn is one of f32, and so are their sums: what is solved in f64 and in
-//! f32 is the same mechanism, and only solving it is rounded.
+//! Every number of the description, except for the angles of the design configuration, is one of f32, and so are
+//! their sums. The mechanism is the same in f64 and in f32, and only its solution is rounded.
 //!
-//! The file needs nothing, because it is compiled in two places: here, and in the build script that generates the modules.
+//! The file imports nothing, because it is compiled in two places: here, and in the build script that generates the
+//! modules.
 
 use std::fmt::Write as _;
 
-/// How far the place of the last cell swings (m), as the sine of t.
+/// Amplitude of the position of the last cell (m), as the sine of t.
 pub const SWING: f64 = 0.019_531_25;
-/// How far half the last cell opens and closes (m), as the sine of 2 t.
+/// Amplitude of half the last cell's opening (m), as the sine of 2 t.
 pub const OPENING: f64 = 0.000_976_562_5;
 
-/// The cosine of the angle between a bar and the axis, as drawn.
+/// Cosine of the angle between a bar and the axis in the design configuration.
 const COSINE: f64 = 0.875;
 
-/// The digits that half a bar has at most, so that sums of all of them are numbers of f32.
+/// Largest number of binary digits of half a bar, so that sums of all of them are numbers of f32.
 const BINARY_DIGITS: i32 = 12;
 
-/// The numbers of a description.
+/// Numbers of a description.
 #[derive(Clone, Debug)]
 pub struct Pantograph {
     /// Half a bar of each cell (m), and of the one that would follow.
     pub halves: Vec<f64>,
-    /// Where the pin of the last cell is driven (m).
+    /// Position of the driven pin of the last cell (m).
     pub middle: f64,
-    /// Where the end of its bar v is driven (m).
+    /// Position of the driven end of its bar v (m).
     pub end: f64,
 }
 
 impl Pantograph {
-    /// A chain of cells each of which is so many times as large as the one before it, to three digits.
+    /// Chain of cells in which each is larger than the one before by the factor `growth`, to three digits.
     pub fn new(cells: usize, growth: f64) -> Pantograph {
         let mut half = 0.5;
         let mut halves = vec![half];
@@ -52,7 +54,7 @@ impl Pantograph {
         }
     }
 
-    /// The description, with these statements before all others.
+    /// Description, with these statements before all others.
     pub fn text(&self, statements: &str) -> String {
         let (angle, sine) = (COSINE.acos(), (1.0 - COSINE * COSINE).sqrt());
         let axis = self.halves[0] * sine;
@@ -88,7 +90,7 @@ impl Pantograph {
     }
 }
 
-/// The nearest number of few digits.
+/// Nearest number of few digits.
 fn shortened(value: f64) -> f64 {
     let unit = 2_f64.powi(value.log2().floor() as i32 + 1 - BINARY_DIGITS);
     (value / unit).round() * unit

@@ -1,4 +1,4 @@
-//! *A described mechanism* → *how it is solved*.
+//! Solution methods of a described mechanism.
 
 use linkwright_codegen::stages::program::forms_of;
 use linkwright_codegen::stages::structure::{self, SolvedPlan};
@@ -17,7 +17,7 @@ pub fn planned(name: &str) -> (System, SolvedPlan) {
     (system, plan)
 }
 
-/// What is more than explicit, in solve order: the names of its unknowns, and that of its form.
+/// Steps that are more than explicit, in solve order: the names of the unknowns, and of the solution method.
 pub fn forms(mut system: System, plan: &SolvedPlan) -> Vec<(Vec<String>, String)> {
     let forms = forms_of(&mut system, plan);
     let forms = forms.iter().flatten().map(|form| {
@@ -28,7 +28,7 @@ pub fn forms(mut system: System, plan: &SolvedPlan) -> Vec<(Vec<String>, String)
     forms.collect()
 }
 
-/// The names of the forms of a described mechanism, in solve order.
+/// Names of the solution methods of a described mechanism, in solve order.
 ///
 /// # Panics
 /// If it has no plan.

@@ -1,14 +1,14 @@
-//! *Formulas printed in ASCII and values of their names* → *their values*.
+//! Evaluates formulas printed in ASCII, with values for their names.
 //!
-//! Reads what `linkwright plan` and `linkwright inspect` print: sums, products, quotients, powers, functions, names with
-//! primes, lengths in bars, and choices `if a < b { c } else { d }`. It shares no code with the printer.
+//! Reads the output of `linkwright plan` and `linkwright inspect`: sums, products, quotients, powers, functions,
+//! names with primes, lengths in bars, and choices `if a < b { c } else { d }`. It shares no code with the printer.
 
 use std::collections::BTreeMap;
 
 /// Values by name; a function of a name, such as `cos(phi2)`, may be named too.
 pub type Values = BTreeMap<String, f64>;
 
-/// The value of a formula; `None` where it holds a name without a value or is no formula.
+/// Value of a formula; `None` if a name has no value, or if the text is not a formula.
 pub fn value(formula: &str, values: &Values) -> Option<f64> {
     let mut reader = Reader {
         rest: formula,
@@ -70,7 +70,7 @@ impl<'a> Reader<'a> {
         Some(base)
     }
 
-    /// What follows `if`. Every arm must be a formula, whether or not it counts.
+    /// Value of a choice, behind its `if`. Every arm must be a formula, whether or not it counts.
     fn choice(&mut self) -> Option<f64> {
         let left = self.sum()?;
         let is_less = self.take("<");

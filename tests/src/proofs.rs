@@ -1,6 +1,6 @@
-//! *A mechanism and random instants* → *whether what is proven of its motion holds there*, by Newton-Raphson in 384 bits.
+//! Checks the proven bounds of a motion at random instants, by Newton-Raphson in 384 bits.
 //!
-//! The equations that are solved there are those of the textbook view in absolute coordinates; what proves uses the solved view.
+//! The check solves the textbook equations in absolute coordinates; the proof uses the solved formulation.
 
 use linkwright::{Blocks, Shell};
 use linkwright_codegen::stages::expr::ExprId;
@@ -17,24 +17,24 @@ use crate::random::Random;
 use crate::stability::precise::{Precise, values};
 use crate::stability::truth::{Given, Truth};
 
-/// The part of a normalized determinant that its value in f64 may be off.
+/// Relative rounding of a normalized determinant in f64.
 const ROUNDING: f64 = 1e-9;
 
-/// What an exact number may be off itself, in rad and m: coordinates that are at rest have bounds without width.
-const EXACT: f64 = 1e-60;
+/// Error of an exact number, in rad and m: coordinates at rest have bounds without width.
+const EXACT_ERROR: f64 = 1e-60;
 
-/// What came of one mechanism.
+/// Verdict on one mechanism.
 #[derive(Clone, Debug)]
 pub struct Verdict {
-    /// The proof.
+    /// Proof.
     pub proof: Proof,
-    /// How many exact numbers were compared with bounds.
+    /// Number of exact values that were compared with bounds.
     pub compared: usize,
-    /// Sentences about those that are outside.
+    /// Sentences about the values outside their bounds.
     pub outside: Vec<String>,
-    /// The smallest part of the located determinants that a bound is; 1 where there is none.
+    /// Smallest ratio of a bound to the located determinant; 1 without bounds.
     pub loosest: f64,
-    /// By which part of what frames sweep the widest range goes beyond it.
+    /// Excess of the widest range, relative to the range of the frames.
     pub widest: f64,
 }
 
@@ -69,7 +69,7 @@ impl Verdict {
 /// Proves the motion of a system over a range and looks at `instants` random times.
 ///
 /// # Panics
-/// Where the mechanism does not move over the range, or exact numbers cannot be found.
+/// If the mechanism does not move over the range, or exact values cannot be computed.
 pub fn judged(system: &System, range: [f64; 2], instants: usize) -> Verdict {
     let interpreted = Interpreted::new(system).expect("a plan");
     let schedule = Schedule::whole(range[0], range[1], 0.01).expect("a good range");
@@ -96,7 +96,7 @@ pub fn judged(system: &System, range: [f64; 2], instants: usize) -> Verdict {
     for own in all {
         let swept = own.swept[1] - own.swept[0];
         let beyond = (own.bounds[1] - own.bounds[0]) - swept;
-        // What does not move has a range of rounding alone.
+        // The range of a coordinate at rest is rounding alone.
         if swept > 1e-6 {
             verdict.widest = verdict.widest.max(beyond / swept);
         }
@@ -122,7 +122,7 @@ pub fn judged(system: &System, range: [f64; 2], instants: usize) -> Verdict {
     for t in times {
         let inputs = laws.at(t);
         shell.advance(t, &inputs).expect("it moves");
-        let given = Given {
+        let instant_inputs = Given {
             parameters: parameters.0.clone(),
             signals: inputs
                 .0
@@ -131,17 +131,17 @@ pub fn judged(system: &System, range: [f64; 2], instants: usize) -> Verdict {
                 .collect(),
             t,
         };
-        exact.compare(proven, &given, shell.frame().q(), &mut verdict);
+        exact.compare(proven, &instant_inputs, shell.frame().q(), &mut verdict);
         let samples = measures.at(shell.frame());
         for (part, [value, _]) in measures.parts().iter().zip(samples) {
             let mut bounds = proven.determinants.iter();
-            let own = bounds.find(|it| (it.block, it.part) == (part.block, part.part));
-            if let Some(own) = own.filter(|_| !part.is_relative) {
+            let bound = bounds.find(|it| (it.block, it.part) == (part.block, part.part));
+            if let Some(bound) = bound.filter(|_| !part.is_relative) {
                 verdict.compared += 1;
-                if value.abs() < own.least * (1.0 - ROUNDING) {
+                if value.abs() < bound.least * (1.0 - ROUNDING) {
                     verdict.outside.push(format!(
                         "t = {t}: determinant {value} of block {}",
-                        own.block + 1
+                        bound.block + 1
                     ));
                 }
             }
@@ -150,7 +150,7 @@ pub fn judged(system: &System, range: [f64; 2], instants: usize) -> Verdict {
     verdict
 }
 
-/// The equations of a system and the places of its points, to be evaluated exactly.
+/// Equations of a system and positions of its points, for exact evaluation.
 struct Exact {
     truth: Truth,
     points: Vec<[ExprId; 2]>,
@@ -176,8 +176,12 @@ impl Exact {
         for (own, value) in system.coordinates.iter().zip(&q) {
             symbols[own.position.index()] = value.clone();
         }
-        let found = values(&system.mechanism.graph, &self.order, &symbols);
-        let points = self.points.iter().flatten().map(|it| &found[it.index()]);
+        let node_values = values(&system.mechanism.graph, &self.order, &symbols);
+        let points = self
+            .points
+            .iter()
+            .flatten()
+            .map(|it| &node_values[it.index()]);
         let all = proven
             .coordinates
             .iter()
@@ -197,6 +201,6 @@ impl Exact {
 fn holds(own: &Enclosed, value: &Precise) -> bool {
     let [low, high] = own.bounds.map(Precise::from_f64);
     let [above, below] = [value.minus(&low), high.minus(value)];
-    let off = Precise::from_f64(EXACT);
+    let off = Precise::from_f64(EXACT_ERROR);
     [above, below].iter().all(|it| !it.plus(&off).is_negative())
 }

@@ -119,6 +119,6 @@ fn character(rest: &str) -> Option<usize> {
         let end = escaped[skipped..].find('\'')?;
         return Some(2 + skipped + end + 1);
     }
-    let own = inside.chars().next()?.len_utf8();
-    inside[own..].starts_with('\'').then_some(own + 2)
+    let width = inside.chars().next()?.len_utf8();
+    inside[width..].starts_with('\'').then_some(width + 2)
 }

@@ -1,4 +1,4 @@
-//! *A seed* → *the same numbers on every machine* (SplitMix64: Steele, Lea & Flood, OOPSLA 2014).
+//! Random numbers from a seed, equal on every machine (SplitMix64: Steele, Lea & Flood, OOPSLA 2014).
 
 /// A sequence of pseudo-random numbers.
 #[derive(Clone, Debug)]

@@ -1,4 +1,4 @@
-//! *The name of a mechanism* → *its committed high-precision reference*.
+//! Committed high-precision references of mechanisms, by name.
 //!
 //! The tables are written by `tests/data/references.py`, which shares no code with the generator or the runtime.
 
@@ -47,9 +47,9 @@ pub fn reference(mechanism: &str) -> Table {
     Table::read(file(mechanism))
 }
 
-/// What the errors of each column after t are measured in: the largest absolute value in the column; for an angle at least 1 rad,
-/// since it is found from a direction, whose components are of the order of one; and in a column of zeros the largest among the
-/// columns of the same level (q, q̇ or q̈).
+/// Scale of the errors of each column after t: the largest absolute value in the column. For an angle it is at least
+/// 1 rad, since an angle is computed from a direction, whose components are of the order of one. In a column of zeros
+/// it is the largest among the columns of the same level (q, q̇ or q̈).
 pub fn yardsticks(table: &Table) -> Vec<f64> {
     let magnitudes: Vec<f64> = (1..table.names.len())
         .map(|column| table.magnitude(column))

@@ -1,4 +1,4 @@
-//! *Random numbers* → *a pose, rates and a time*, assembled or not: the functions of a mechanism are defined everywhere.
+//! Random poses, rates and times, assembled or not: the functions of a mechanism are defined everywhere.
 
 use std::f64::consts::PI;
 
@@ -7,7 +7,7 @@ use linkwright_codegen::stages::system::System;
 
 use crate::random::Random;
 
-/// Where the functions of a mechanism are evaluated.
+/// Arguments of the functions of a mechanism.
 #[derive(Clone, Debug)]
 pub struct Sample {
     /// The pose q.

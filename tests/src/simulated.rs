@@ -1,4 +1,4 @@
-//! *A description with free coordinates* → *its simulated motion*, and what it is held against.
+//! Simulated motions of descriptions with free coordinates, and their references.
 
 use linkwright::{Blocks, Shell, Signal};
 use linkwright_codegen::stages::system::System;
@@ -10,7 +10,7 @@ use linkwright_solver::view::View;
 
 use crate::forces::systems;
 
-/// The options of a test: a relative tolerance, with an absolute one far below what is asked.
+/// Options of a test: a relative tolerance, with a far smaller absolute one.
 pub fn options(relative: f64) -> Options {
     Options {
         tolerances: Tolerances {
@@ -21,7 +21,7 @@ pub fn options(relative: f64) -> Options {
     }
 }
 
-/// A text, to be run.
+/// Interpreter of a text.
 ///
 /// # Panics
 /// If it has errors.
@@ -30,7 +30,7 @@ pub fn interpreted(text: &str) -> Interpreted {
     Interpreted::new(system).expect("an order")
 }
 
-/// A text with forces where it starts.
+/// Simulation of a text with forces from its start.
 ///
 /// # Panics
 /// If it has errors, or cannot be assembled.
@@ -39,7 +39,7 @@ pub fn simulation(text: &str, end: f64, options: Options) -> Simulation {
     Simulation::new(&view, None, end, options).expect("it starts as drawn")
 }
 
-/// What blocks find at the frame of a simulation, from its free coordinates.
+/// Instant that the blocks solve from the free coordinates of a simulation's frame.
 ///
 /// # Panics
 /// If they cannot be assembled there.
@@ -79,10 +79,10 @@ pub fn coordinate(simulation: &Simulation, name: &str) -> [f64; 2] {
     [frame.q()[place], frame.qd()[place]]
 }
 
-/// A force that is asked for.
+/// Requested force.
 ///
 /// # Panics
-/// If it is not.
+/// If it is not requested.
 pub fn force(simulation: &Simulation, name: &str) -> f64 {
     let view = simulation.view();
     let names = linkwright_solver::forces::names(view.system());

@@ -79,9 +79,9 @@ impl Sled {
             simulation.advance(t)?;
             let expected = self.at(t);
             for (axis, name) in ["x_sled", "y_sled"].iter().enumerate() {
-                let found = coordinate(&simulation, name);
+                let levels = coordinate(&simulation, name);
                 for level in [0, 1] {
-                    error = larger(error, (found[level] - expected[level][axis]).abs());
+                    error = larger(error, (levels[level] - expected[level][axis]).abs());
                 }
             }
         }

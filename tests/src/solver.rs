@@ -1,5 +1,5 @@
-//! *The name of a mechanism* → *something that solves it*: the generated code and the interpreter behind one interface, so
-//! that each statement of a test is made about both.
+//! Solvers of a mechanism, by name: the generated code and the interpreter behind one interface, so that each check
+//! of a test applies to both.
 
 use linkwright::generated::newton;
 use linkwright::{Equations, Frame, PointMotion, Settings, Step};
@@ -10,7 +10,7 @@ use nalgebra::{DMatrix, DVector, Dyn};
 use crate::description;
 use crate::generated::{self, Module};
 
-/// What solves a mechanism.
+/// Solver of a mechanism.
 pub trait Solver {
     /// `generated` or `interpreted`, for messages.
     fn kind(&self) -> &'static str;
@@ -97,7 +97,7 @@ impl Solver for Interpreted {
             DVector::from_column_slice(q),
             DVector::from_column_slice(qd),
         );
-        // What is not written stays NaN and fails every comparison.
+        // Unwritten entries stay NaN and fail every comparison.
         let unset = DVector::from_element(n, f64::NAN);
         let mut functions = Functions {
             phi: unset.clone(),
@@ -160,7 +160,7 @@ impl Solver for Interpreted {
     }
 }
 
-/// Something whose solver can be made: a generated module.
+/// Generated module that has a solver.
 pub trait Solvable {
     /// A solver that is not yet assembled.
     fn solver(&self) -> Box<dyn Solver>;

@@ -1,7 +1,7 @@
-//! *Values of a function at equidistant places* → *its first or second derivative, and the largest error it can have*.
+//! First and second derivatives of a function from equidistant values, with bounds on their errors.
 //!
-//! Central differences of fourth order (Abramowitz & Stegun, table 25.2), whose Taylor remainders and rounding errors are
-//! bounded by a [`Majorant`] of the function on the line through the places.
+//! Central differences of fourth order (Abramowitz & Stegun, table 25.2), whose Taylor remainders and rounding errors
+//! are bounded by a [`Majorant`] of the function on the line through the points.
 
 use crate::majorant::Majorant;
 
@@ -40,8 +40,8 @@ pub fn second(values: [f64; 5], h: f64, majorant: &Majorant<7>) -> Quotient {
     }
 }
 
-/// What the rounding of the values, and of at most six operations on them, makes of a quotient whose weights have this sum
-/// of absolute values.
+/// Bound on the rounding of a quotient: that of the values, and of at most six operations on them, for weights with
+/// this sum of absolute values.
 fn rounding<const N: usize>(majorant: &Majorant<N>, weights: f64) -> f64 {
     weights * (majorant.error + 6.0 * f64::EPSILON * (majorant.coefficients[0] + majorant.error))
 }

@@ -1,4 +1,5 @@
-//! Mechanisms with a damper that makes them stiff, and their motions: in closed form, or by short steps in coordinates of their own.
+//! Mechanisms with a damper that makes them stiff, and their motions: in closed form, or by short steps in
+//! coordinates of their own.
 
 use linkwright_solver::dormand_prince::Step;
 use linkwright_solver::rates::Rates;
@@ -18,29 +19,29 @@ const BOB: f64 = 1.0;
 const ARM: f64 = 0.5;
 const INERTIA: f64 = 0.01;
 
-/// A mechanism with a damper.
+/// Mechanism with a damper.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Damped {
     /// A mass between a spring and a damper, pushed by 3 N · sin(2 t).
     Slider,
-    /// A pendulum that hangs on such a mass, which nothing pushes.
+    /// A pendulum that hangs on such a mass, without an external force.
     Cart,
 }
 
 /// Coordinates and rates: of the mass, and of the pendulum.
 type State = [f64; 4];
 
-/// The largest error of a simulated motion, and what it took.
+/// Largest error of a simulated motion, and its effort.
 #[derive(Clone, Copy, Debug)]
 pub struct Found {
-    /// In m or rad, and m/s or rad/s.
+    /// Error in m or rad, and m/s or rad/s.
     pub error: f64,
     /// Evaluations and steps.
     pub effort: Effort,
 }
 
 impl Damped {
-    /// The description, with a damper (N·s/m).
+    /// Description, with a damper (N·s/m).
     pub fn text(self, damper: f64) -> String {
         let (more, force) = match self {
             Damped::Slider => (String::new(), "force on mass.P = (3N*sin(2*t), 0);"),
@@ -71,7 +72,7 @@ impl Damped {
         )
     }
 
-    /// The motion at equal distances of time up to the end: that of the slider in closed form.
+    /// Motion at equal intervals of time up to the end: that of the slider in closed form.
     pub fn motion(self, damper: f64, end: f64) -> Vec<State> {
         let times = (1..=INSTANTS).map(|step| end * f64::from(step) / f64::from(INSTANTS));
         match self {
@@ -80,10 +81,10 @@ impl Damped {
         }
     }
 
-    /// A simulation beside that motion.
+    /// Compares a simulation with that motion.
     ///
     /// # Errors
-    /// It ends early.
+    /// The simulation ends early.
     pub fn compared(
         self,
         damper: f64,
@@ -96,8 +97,8 @@ impl Damped {
         for (step, state) in motion.iter().enumerate() {
             let t = end * (step + 1) as f64 / motion.len() as f64;
             simulation.advance(t)?;
-            let found = self.state(&simulation);
-            for (one, other) in found.iter().zip(state) {
+            let simulated = self.state(&simulation);
+            for (one, other) in simulated.iter().zip(state) {
                 error = larger(error, (one - other).abs());
             }
         }
@@ -141,9 +142,9 @@ fn pushed(damper: f64, t: f64) -> State {
     let free = if inner > 0.0 {
         let fast = -(damper + inner.sqrt()) / (2.0 * MASS);
         let slow = STIFFNESS / (MASS * fast);
-        let own = (rate - fast * place) / (slow - fast) * (slow * t).exp();
+        let slow_part = (rate - fast * place) / (slow - fast) * (slow * t).exp();
         let other = (slow * place - rate) / (slow - fast) * (fast * t).exp();
-        [own + other, slow * own + fast * other]
+        [slow_part + other, slow * slow_part + fast * other]
     } else {
         let decay = damper / (2.0 * MASS);
         let turn = (-inner).sqrt() / (2.0 * MASS);
@@ -157,7 +158,7 @@ fn pushed(damper: f64, t: f64) -> State {
     [steady[0] + free[0], steady[1] + free[1], 0.0, 0.0]
 }
 
-/// Lagrange's equations of the cart and its pendulum, written out.
+/// Lagrange's equations of the cart and its pendulum.
 struct Lagrange {
     damper: f64,
 }
@@ -187,7 +188,7 @@ impl Rates for Lagrange {
     }
 }
 
-/// The motion of the cart by steps of order 8 that are shorter than any decay.
+/// Motion of the cart by steps of order 8 that are shorter than any decay.
 fn swung(damper: f64, times: &[f64]) -> Vec<State> {
     let mut equations = Lagrange { damper };
     let tolerances = Tolerances {
@@ -197,7 +198,7 @@ fn swung(damper: f64, times: &[f64]) -> Vec<State> {
     let longest = (2.0 / damper).min(1e-3);
     let mut state = vec![0.1, 0.0, 1.0, 0.0];
     let mut last = 0.0;
-    let mut found = Vec::new();
+    let mut states = Vec::new();
     for &time in times {
         let count = ((time - last) / longest).ceil();
         for step in 0..count as u64 {
@@ -210,7 +211,7 @@ fn swung(damper: f64, times: &[f64]) -> Vec<State> {
             state = taken.expect("everywhere").end().to_vec();
         }
         last = time;
-        found.push([0, 1, 2, 3].map(|component: usize| state[component]));
+        states.push([0, 1, 2, 3].map(|component: usize| state[component]));
     }
-    found
+    states
 }

@@ -1,4 +1,4 @@
-//! *A sine of t* → *the signal that it is*, with its derivatives.
+//! Signal of a sine of t, with its derivatives.
 
 use linkwright::Signal;
 

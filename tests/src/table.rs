@@ -1,4 +1,4 @@
-//! *A CSV file of numbers* → *columns by name*.
+//! Reads the columns of a CSV file of numbers by name.
 
 use std::fs;
 
@@ -14,10 +14,10 @@ pub struct Table {
 }
 
 impl Table {
-    /// The table `tests/data/<file>`.
+    /// Table `tests/data/<file>`.
     ///
     /// # Panics
-    /// If the file is missing, a cell is no number or a row has another length than the header.
+    /// If the file is missing, a cell is not a number or a row has another length than the header.
     pub fn read(file: &str) -> Table {
         let path = files::package("data").join(file);
         let text =

@@ -1,4 +1,4 @@
-//! *A package of a user and a command* → *what cargo says of it*.
+//! Runs cargo in a user's package, and returns its output.
 
 use std::path::Path;
 use std::process::{Command, Output};

@@ -1,6 +1,7 @@
-//! *Plain numbers* → *the values of a mechanism's own types, and back*: what is written for any mechanism is written with this.
+//! Converts plain numbers to the values of a mechanism's own types, and back, so that code is written once for any
+//! mechanism.
 //!
-//! The file needs nothing but the runtime, because it is compiled in two places, as [`crate::hunt::ways`] is.
+//! The file imports only the runtime, because it is compiled in two places, as [`crate::hunt::ways`] is.
 
 use linkwright::math::Real;
 use linkwright::{Blocks, Failure, Mechanism, Settings, Shell, Values};
@@ -8,7 +9,7 @@ use linkwright::{Blocks, Failure, Mechanism, Settings, Shell, Values};
 /// q, q̇ and q̈.
 pub type Levels = [Vec<f64>; 3];
 
-/// Values of which the first are these.
+/// Values that begin with these numbers.
 pub fn filled<T: Real, V: Values<T>>(mut values: V, numbers: &[f64]) -> V {
     for (index, number) in numbers.iter().enumerate() {
         values.set(index, T::from_f64(*number));
@@ -44,10 +45,11 @@ pub fn point_names<B: Blocks>(blocks: &B) -> Vec<&str> {
     (0..).map_while(|index| blocks.point_name(index)).collect()
 }
 
-/// A mechanism with its nominal parameters and its inputs at rest, in the modes of its drawing and near this pose.
+/// Mechanism with its nominal parameters and its inputs at rest, in the branches of its design configuration and near
+/// this pose.
 ///
 /// # Errors
-/// Where it cannot be assembled so.
+/// If it cannot be assembled so.
 pub fn assembled_from<B: Blocks>(
     blocks: B,
     estimate: &[f64],
@@ -58,10 +60,10 @@ pub fn assembled_from<B: Blocks>(
     assembled_with(blocks, estimate, t, &inputs, settings)
 }
 
-/// The same with these inputs.
+/// Mechanism with these inputs, in the branches of its design configuration and near this pose.
 ///
 /// # Errors
-/// Where it cannot be assembled so.
+/// If it cannot be assembled so.
 pub fn assembled_with<B: Blocks>(
     blocks: B,
     estimate: &[f64],
@@ -83,15 +85,15 @@ pub fn assembled_with<B: Blocks>(
     )
 }
 
-/// A generated mechanism as it is drawn, with the inputs of its description.
+/// Generated mechanism in its design configuration, with the inputs of its description.
 ///
 /// # Errors
-/// Where it cannot be assembled so.
+/// If it cannot be assembled so.
 pub fn assembled<M>(t: f64) -> Result<M, Failure<<M::Blocks as Blocks>::Scalar>>
 where
     M: Mechanism<Blocks: Default>,
     Settings<<M::Blocks as Blocks>::Scalar>: Default,
 {
-    // The values that are not changed are those of the drawing.
+    // Unchanged values are those of the design configuration.
     assembled_from(M::Blocks::default(), &[], t, Settings::default()).map(M::from_shell)
 }

@@ -1,8 +1,8 @@
-//! System and SolvedPlan → the derivation in words and formulas, block by block, as a person would hand it in.
+//! Writes the derivation of a solution in words and formulas, block by block, as a textbook would.
 //!
-//! The page prints the very statements of each block's function, with the words that its forms say beside them; what the code
-//! calls by a short name and computes once is written out where a person would. A script says how words and formulas look, and a
-//! page lays them out. Deliberately unknown here: what is particular to a form.
+//! The page prints the statements of each block's function, with the words of its solution methods beside them. Short
+//! local names of the code, which are computed once, are written out. A script writes words and formulas, and a page
+//! lays them out.
 
 mod block_words;
 mod document;
@@ -32,7 +32,7 @@ use crate::words::Phrase;
 use page::Writer;
 use spelling::Spelling;
 
-/// The functions of all blocks with nothing left out, which any page shows.
+/// Functions of all blocks with nothing left out, for any page.
 pub struct Derivation<'a> {
     system: System,
     plan: &'a SolvedPlan,
@@ -41,7 +41,7 @@ pub struct Derivation<'a> {
 }
 
 impl<'a> Derivation<'a> {
-    /// Of a system and its plan.
+    /// Derivation of a system and its plan.
     pub fn new(mut system: System, plan: &'a SolvedPlan) -> Derivation<'a> {
         let (blocks, branches) = unpruned(&mut system, plan);
         Derivation {
@@ -52,12 +52,12 @@ impl<'a> Derivation<'a> {
         }
     }
 
-    /// The system with what has been computed on the way.
+    /// System with all computed expressions.
     pub fn system(&self) -> &System {
         &self.system
     }
 
-    /// What is shown, block by block.
+    /// Blocks in solve order.
     pub fn blocks(&self) -> &[Block] {
         &self.blocks
     }
@@ -103,14 +103,14 @@ pub fn html(system: &System, plan: &SolvedPlan) -> HtmlDerivation {
     Derivation::new(system.clone(), plan).html()
 }
 
-/// The table at the head of the derivation alone: unknowns, method and joints of each block in solve order.
+/// Table at the head of the derivation alone: unknowns, method and joints of each block in solve order.
 pub fn outline(system: &System, plan: &SolvedPlan, notation: Notation) -> String {
     let forms = crate::program::forms_of(&mut system.clone(), plan);
     let lines = outline::outline(system, plan, &forms, Script::Text(notation));
     text_page::outline(&lines)
 }
 
-/// Where each part of the plan is singular, in solve order; `forms` says how they are solved, block by block.
+/// Singular poses of each subsystem of the plan, in solve order; `forms` are its solution methods, block by block.
 pub fn singular_poses(
     system: &System,
     plan: &SolvedPlan,
@@ -120,13 +120,13 @@ pub fn singular_poses(
     singular::singular_poses(&mut Spelling::new(system.clone(), script), plan, forms)
 }
 
-/// What each joint and driver asks for, in the order of the mechanism, as sentences with formulas in MathML.
+/// Conditions of each joint and driver, in the order of the mechanism, as sentences with formulas in MathML.
 pub fn constraints_in_html(system: &System) -> Vec<String> {
     let mut mechanism = system.mechanism.clone();
     let phrases: Vec<Phrase> = (0..mechanism.joints.len())
         .map(|joint| crate::words::constraint(&mut mechanism, joint))
         .collect();
-    // What has been made of expressions is in this graph.
+    // New expressions are in this graph.
     let mut spelling = Spelling::new(
         System {
             mechanism,
@@ -140,19 +140,19 @@ pub fn constraints_in_html(system: &System) -> Vec<String> {
 
 /// Writes words as plain text.
 pub struct PlainWords {
-    /// Formulas in words are made in its graph.
+    /// Formulas in words extend its graph.
     spelling: RefCell<Spelling>,
 }
 
 impl PlainWords {
-    /// For words about this system.
+    /// Words about this system.
     pub fn new(system: &System, notation: Notation) -> PlainWords {
         PlainWords {
             spelling: RefCell::new(Spelling::new(system.clone(), Script::Text(notation))),
         }
     }
 
-    /// Words as text.
+    /// Text of a phrase.
     pub fn say(&self, words: &Phrase) -> String {
         self.spelling.borrow_mut().phrase(words)
     }

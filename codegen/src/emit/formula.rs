@@ -1,7 +1,6 @@
-//! One expression → one line, in the spelling of a notation.
+//! Writes one expression on one line, in the spelling of a notation.
 //!
-//! The order of terms, what is written as a fraction and where parentheses stand is the same in all notations; a [`Spelling`] says
-//! how each part is written.
+//! The order of terms, fractions and parentheses are equal in all notations; a [`Spelling`] writes each part.
 
 use super::named_parts::NamedParts;
 use super::parts::{Addend, Fraction, Part, addends, fraction, terms};
@@ -9,7 +8,7 @@ use crate::expr::{Comparison, ExprId, Graph, Node, Rational, Term};
 use crate::program::ConstantPart;
 use crate::system::{SymbolRole, System, WrittenOrder};
 
-/// How the parts of a formula are written.
+/// Spelling of the parts of a formula.
 pub(crate) trait Spelling: Copy {
     /// The sign before a term that is subtracted.
     fn minus(self) -> &'static str;
@@ -32,7 +31,7 @@ pub(crate) trait Spelling: Copy {
     /// π.
     fn pi(self) -> &'static str;
 
-    /// A name that is none of a coordinate's: `l_c3_x`.
+    /// Name other than a coordinate's: `l_c3_x`.
     fn local(self, name: &str) -> String;
 
     /// The name of a vector.
@@ -41,7 +40,7 @@ pub(crate) trait Spelling: Copy {
     /// An unknown, its rate or its acceleration.
     fn unknown(self, unknown: usize, level: usize, system: &System) -> String;
 
-    /// Choices, each with its condition, and what is left; `inside` of a product or not.
+    /// Choices, each with its condition, and the remaining value; `inside` a product or not.
     fn choice(self, choices: &[[String; 2]], otherwise: &str, inside: bool) -> String;
 
     /// A fraction.
@@ -50,10 +49,10 @@ pub(crate) trait Spelling: Copy {
     /// A product of factors, some of which are digits.
     fn product(self, factors: &[(bool, String)]) -> String;
 
-    /// The square root of a number in digits, or of something else.
+    /// Square root of a number in digits, or of another formula.
     fn root(self, radicand: &str, is_digits: bool) -> String;
 
-    /// What stands behind a base.
+    /// Exponent behind a base.
     fn exponent(self, numerator: i128, denominator: i128) -> String;
 
     /// A base with its exponent.
@@ -67,10 +66,10 @@ pub(crate) trait Spelling: Copy {
         format!("{left} {sign} {right}")
     }
 
-    /// Whether the exponent of a sine or a cosine stands behind its name.
+    /// True if the exponent of a sine or a cosine stands behind its name.
     fn raises_names(self) -> bool;
 
-    /// A function of these arguments; `followed` by something that a reader could take into the argument.
+    /// Function of these arguments; `followed` is true before text that could be taken for part of the argument.
     fn function(
         self,
         name: &str,
@@ -94,14 +93,14 @@ pub(crate) struct Printer<'a, S> {
     order: WrittenOrder<'a>,
     spelling: S,
     parts: Option<&'a NamedParts>,
-    /// Whether what is shared has a name, and not choices alone.
+    /// True if shared parts have names, and not choices alone.
     is_long: bool,
-    /// Whether constants are written exactly, however long they are.
+    /// True if constants are written exactly at any length.
     is_exact: bool,
 }
 
 impl<'a, S: Spelling> Printer<'a, S> {
-    /// A printer that mentions the bodies in this order.
+    /// Printer that mentions the bodies in this order.
     pub(crate) fn new(system: &'a System, bodies: &'a [usize], spelling: S) -> Printer<'a, S> {
         Printer {
             system,
@@ -113,7 +112,7 @@ impl<'a, S: Spelling> Printer<'a, S> {
         }
     }
 
-    /// The same, with names in the place of long choices; in a long formula of everything that has one.
+    /// Printer with names for long choices; in a long formula for every named part.
     pub(crate) fn naming(self, parts: &'a NamedParts, is_long: bool) -> Printer<'a, S> {
         Printer {
             parts: Some(parts),
@@ -122,7 +121,7 @@ impl<'a, S: Spelling> Printer<'a, S> {
         }
     }
 
-    /// The same with every constant written exactly, however long it is.
+    /// Printer that writes every constant exactly at any length.
     pub(crate) fn exact(self) -> Printer<'a, S> {
         Printer {
             is_exact: true,
@@ -135,7 +134,7 @@ impl<'a, S: Spelling> Printer<'a, S> {
         &self.system.mechanism.graph
     }
 
-    /// The name that stands for an expression.
+    /// Name of an expression.
     fn name(&self, expr: ExprId) -> Option<String> {
         let is_choice = matches!(self.graph().node(expr), Node::Choose { .. });
         let parts = self.parts.filter(|_| is_choice || self.is_long)?;
@@ -147,7 +146,7 @@ impl<'a, S: Spelling> Printer<'a, S> {
         self.name(expr).unwrap_or_else(|| self.written_out(expr))
     }
 
-    /// The whole expression, whether or not it has a name.
+    /// Whole expression, even if it has a name.
     pub(crate) fn written_out(&self, expr: ExprId) -> String {
         match self.graph().node(expr) {
             Node::Choose { .. } => self.choice(expr, false),
@@ -243,7 +242,7 @@ impl<'a, S: Spelling> Printer<'a, S> {
         self.spelling.product(&factors)
     }
 
-    /// One part of a product; `followed` by something that a reader could take into the argument of a function.
+    /// Factor of a product; `followed` is true before text that could be taken for part of a function's argument.
     pub(super) fn part(&self, part: &Part, followed: bool) -> String {
         let (base, exponent) = match part {
             Part::Digits(digits) => return self.spelling.digits(digits),
@@ -273,7 +272,7 @@ impl<'a, S: Spelling> Printer<'a, S> {
         }
     }
 
-    /// An expression that stands beside a multiplication sign or under a power.
+    /// Expression beside a multiplication sign or under a power.
     pub(super) fn operand(&self, expr: ExprId, followed: bool) -> String {
         if let Some(name) = self.name(expr) {
             return name;
@@ -312,7 +311,7 @@ impl<'a, S: Spelling> Printer<'a, S> {
         }
     }
 
-    /// What has this role.
+    /// Formula of the symbol with this role.
     pub(crate) fn symbol(&self, role: SymbolRole) -> String {
         let (system, spelling) = (self.system, self.spelling);
         match role {

@@ -1,4 +1,4 @@
-//! The languages in which modules are written, and what becomes of a mechanism in each.
+//! Languages of generated modules, and the files of a mechanism in each.
 
 use super::scalar::Scalar;
 use super::{c, rust};
@@ -7,27 +7,27 @@ use crate::program::Program;
 use crate::structure::SolvedPlan;
 use crate::system::System;
 
-/// A language in which a mechanism becomes a module.
+/// Language of a module.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Language {
-    /// A module that needs `linkwright` and nothing else.
+    /// Module that requires only `linkwright`.
     #[default]
     Rust,
-    /// A header and a source of C99, and the runtime that they are compiled with.
+    /// Header and source of C99, and the runtime that they are compiled with.
     C,
 }
 
-/// A file that is to be written.
+/// File to be written.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct OutputFile {
-    /// What it is called, in the folder of the first one.
+    /// Name, in the folder of the first file.
     pub name: String,
-    /// What it holds, ending in a line break.
+    /// Contents, ending in a line break.
     pub text: String,
 }
 
 impl Language {
-    /// What the language asks of the names of a description.
+    /// Rules of the language for names of a description.
     pub(crate) fn naming(self) -> &'static Naming {
         match self {
             Language::Rust => &rust::NAMING,
@@ -35,7 +35,7 @@ impl Language {
         }
     }
 
-    /// What the files are called that a mechanism becomes, the first one `stem` and what the language appends.
+    /// Names of the files of a mechanism; the first is `stem` and the suffix of the language.
     pub fn file_names(self, stem: &str) -> Vec<String> {
         match self {
             Language::Rust => vec![format!("{stem}.rs")],
@@ -48,8 +48,8 @@ impl Language {
         }
     }
 
-    /// The files of the motions of one mechanism, under the names that [`Language::file_names`] says.
-    /// `math` is the path of a module with elementary functions, where the language has modules.
+    /// Files of the motions of one mechanism, under the names of [`Language::file_names`]. `math` is the path of a
+    /// module with elementary functions, if the language has modules.
     pub(crate) fn files(
         self,
         motions: &[(System, SolvedPlan, Program)],

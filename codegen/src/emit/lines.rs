@@ -1,14 +1,14 @@
 //! Widths of lines.
 
-/// The longest line, as wide as the documentation.
+/// Width of the longest line, which is that of the documentation.
 pub(super) const WIDTH: usize = 120;
 
-/// Whether a line is short enough.
+/// True if a line is short enough.
 pub(super) fn fits(line: &str) -> bool {
     line.chars().count() <= WIDTH
 }
 
-/// Pieces one after another in lines that are full.
+/// Joins pieces in full lines.
 pub(super) fn filled<'a>(pieces: impl IntoIterator<Item = &'a str>, depth: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for piece in pieces {

@@ -1,6 +1,6 @@
-//! Any text → the same in a file of tags.
+//! Escapes any text for a file of tags.
 
-/// A text between tags or quotes.
+/// Text between tags or quotes.
 pub fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for letter in text.chars() {
@@ -10,7 +10,7 @@ pub fn escaped(text: &str) -> String {
             '>' => out.push_str("&gt;"),
             '"' => out.push_str("&quot;"),
             '\'' => out.push_str("&#39;"),
-            // No other control character may stand in XML.
+            // XML allows no other control character.
             letter if letter.is_control() => out.push(' '),
             letter => out.push(letter),
         }

@@ -1,10 +1,10 @@
-//! System and Program → Rust, text, LaTeX, MathML and drawings.
+//! Writes a system and its program as Rust, C, text, LaTeX, MathML and pictures.
 //!
-//! [`Language`] lists the languages in which a mechanism becomes a module: each has a room of its own, and what all of them say and
-//! compute stands in `module/`. Another one is another room and a line in that list.
+//! [`Language`] lists the languages of modules. Each has a folder of its own, and the parts common to all are in
+//! `module/`. Another language is another folder and a line in that list.
 //!
-//! All but the last print the same nodes in the same order of terms: that in which the joint names its bodies, then constants, then
-//! functions of time. Deliberately unknown here: files, and where an expression came from.
+//! All except for pictures print the same nodes in one order of terms: that in which the joint names its bodies, then
+//! constants, then functions of time.
 
 mod c;
 mod code;

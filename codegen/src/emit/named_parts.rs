@@ -1,13 +1,13 @@
-//! Formulas → names for long choices and for what makes formulas long, and what each name stands for.
+//! Names long choices, and the shared parts of long formulas.
 //!
-//! A choice that would fill a line by itself, or holds one that does, is written once under the name `piece_1`, and by its
-//! name wherever it occurs; its derivatives are called after it, `piece_1_slope` and `piece_1_curvature`. An argument brought
-//! into one period is `turn_1` in what the names stand for. Names are given when a printer meets a choice, parts before what
-//! they are part of, so that every definition follows those that it needs. Without a long choice nothing gets a name.
+//! A choice that would fill a line by itself, or holds one that does, is written once under the name `piece_1`, and
+//! by its name wherever it occurs. Its derivatives are named after it, `piece_1_slope` and `piece_1_curvature`. An
+//! argument shifted into one period is `turn_1` in the definitions. Names are given when a printer meets a choice,
+//! parts before the choices that contain them, so that every definition follows those that it needs. Without a long
+//! choice nothing gets a name.
 //!
-//! In a formula that nobody would read at one piece, what occurs more than once on the page is `part_1` wherever it occurs again: a
-//! page grows with the graph of its formulas, and not with the tree that it stands for.
-//! Deliberately unknown here: where the definitions stand on a page, and tables, which have names of their own.
+//! In a formula too long to read at once, a part that occurs more than once on the page is `part_1` wherever it
+//! occurs again. So a page grows with the graph of its formulas, and not with their tree.
 
 mod definitions;
 
@@ -19,19 +19,19 @@ use super::formula::Printer;
 use crate::expr::{ExprId, Graph, Node, SymbolId};
 use crate::system::{SymbolRole, System};
 
-/// A choice of at most so many characters, without a name in it, stands where it is used.
+/// Longest choice that stands where it is used, in characters, without a name in it.
 const LONGEST_IN_PLACE: usize = 75;
 
-/// The same for the derivative of a choice that has a name.
+/// Longest derivative of a named choice that stands where it is used, in characters.
 const LONGEST_SLOPE_IN_PLACE: usize = 40;
 
-/// A formula of more characters than this is written with names for what it shares.
+/// Longest formula without names for shared parts, in characters.
 pub(super) const LONGEST_FORMULA: u64 = 2000;
 
-/// What is shared in a long formula has a name from so many characters on.
+/// Shortest shared part of a long formula that has a name, in characters.
 const LONGEST_SHARED: u64 = 40;
 
-/// The names on one page.
+/// Names on one page.
 #[derive(Clone, Debug, Default)]
 pub(super) struct NamedParts {
     state: RefCell<State>,
@@ -39,34 +39,34 @@ pub(super) struct NamedParts {
 
 #[derive(Clone, Debug, Default)]
 struct State {
-    /// The choices and shared parts met so far; `None` for those that stay in place.
+    /// Choices and shared parts met so far; `None` for those that stay in place.
     names: BTreeMap<ExprId, Option<String>>,
     /// Those with a name in the order in which they got it.
     named: Vec<ExprId>,
-    /// How many of them are defined on the page already.
+    /// Number of names that are defined on the page already.
     defined: usize,
-    /// How many have a number of their own.
+    /// Number of names with a number of their own.
     numbers: usize,
-    /// What a choice is the derivative of, and by what.
+    /// Choice of which each choice is the derivative, and the variable.
     slopes: BTreeMap<ExprId, (ExprId, SymbolId)>,
-    /// Whether no more names are given.
+    /// True if no more names are given.
     is_settled: bool,
-    /// The names of the first `defined` of them, as expressions.
+    /// Names of the first `defined` of them, as expressions.
     symbols: BTreeMap<ExprId, ExprId>,
-    /// The numbers of whole periods that stand in definitions, with what replaces each.
+    /// Numbers of whole periods in definitions, with their replacements.
     turns: BTreeMap<ExprId, ExprId>,
-    /// What has been looked at of long formulas.
+    /// Parts of long formulas that were met.
     met: HashSet<ExprId>,
-    /// What of it has been met twice.
+    /// Parts of long formulas that were met twice.
     shared: HashSet<ExprId>,
-    /// How many shared parts have a name.
+    /// Number of shared parts with a name.
     parts: usize,
-    /// What of formulas has been searched for choices.
+    /// Parts of formulas that were searched for choices.
     searched: HashSet<ExprId>,
 }
 
 impl NamedParts {
-    /// Names for the rows of a system, of whose residuals the derivatives are printed up to the second.
+    /// Names for the rows of a system, with derivatives of the residuals up to the second.
     pub(super) fn of_rows(system: &mut System) -> NamedParts {
         let parts = NamedParts::default();
         for row in 0..system.rows.len() {
@@ -76,7 +76,7 @@ impl NamedParts {
         parts
     }
 
-    /// The names that are defined on the page already, and no others: every other choice stays in place.
+    /// Names that are defined on the page already, and no others: every other choice stays in place.
     pub(super) fn settled(&self) -> NamedParts {
         let mut state = self.state.borrow().clone();
         for undefined in state.named.split_off(state.defined) {
@@ -88,8 +88,8 @@ impl NamedParts {
         }
     }
 
-    /// Looks for what a formula shares with itself and with those before it, where it is long. Choices are looked at on their own.
-    /// Answers whether it is.
+    /// Looks for parts that a long formula shares with itself and with those before it. Choices are searched on their
+    /// own. True if it is long.
     pub(super) fn meet(&self, graph: &Graph, formula: ExprId) -> bool {
         let state = &mut *self.state.borrow_mut();
         let is_within = |expr, longest, shared: &HashSet<ExprId>| {
@@ -118,7 +118,7 @@ impl NamedParts {
         true
     }
 
-    /// Whether a formula takes at most so many characters with the names that it is written with.
+    /// True if a formula takes at most this number of characters with the names in it.
     pub(super) fn is_within(&self, graph: &Graph, formula: ExprId, characters: u64) -> bool {
         let state = self.state.borrow();
         let is_choice = |part| !state.is_settled && matches!(graph.node(part), Node::Choose { .. });
@@ -126,7 +126,7 @@ impl NamedParts {
         graph.is_within_with_names(formula, characters, &has_name)
     }
 
-    /// The name of an expression, if it is to be written by one.
+    /// Name of an expression; `None` if it is written out.
     pub(super) fn name(&self, system: &System, expr: ExprId) -> Option<String> {
         if let Some(known) = self.state.borrow().names.get(&expr) {
             return known.clone();
@@ -198,7 +198,7 @@ impl NamedParts {
         name
     }
 
-    /// Whether a choice holds one that has a name, or a number of whole periods: then it is long as a whole.
+    /// True if a choice holds a named one, or a number of whole periods: then it is long as a whole.
     fn holds_more(&self, system: &System, choice: ExprId) -> bool {
         let graph = &system.mechanism.graph;
         let state = self.state.borrow();
@@ -209,7 +209,7 @@ impl NamedParts {
         })
     }
 
-    /// Notes which choices are derivatives of those in an expression, up to an order.
+    /// Records the choices that are derivatives of those in an expression, up to an order.
     pub(super) fn relate(&self, system: &mut System, expr: ExprId, order: usize) {
         let mut choices = self.new_choices(&system.mechanism.graph, expr);
         for _ in 0..order {
@@ -229,7 +229,7 @@ impl NamedParts {
         }
     }
 
-    /// The choices in an expression that have not been found before.
+    /// Choices in an expression that have not been met before.
     fn new_choices(&self, graph: &Graph, expr: ExprId) -> BTreeSet<ExprId> {
         let searched = &mut self.state.borrow_mut().searched;
         let mut choices = BTreeSet::new();
@@ -246,7 +246,7 @@ impl NamedParts {
     }
 }
 
-/// The name of a derivative.
+/// Name of a derivative.
 fn slope_name(of: &str, is_only: bool, system: &System, by: SymbolId) -> String {
     if !is_only {
         return format!("{of}_by_{}", symbol_name(system, by));
@@ -265,7 +265,7 @@ fn symbol_name(system: &System, symbol: SymbolId) -> String {
     name.to_string()
 }
 
-/// The symbols of an expression that change while the mechanism moves.
+/// Symbols of an expression that change during a motion.
 fn moving(system: &System, expr: ExprId) -> Vec<SymbolId> {
     let symbols = system.mechanism.graph.symbols(expr).iter().copied();
     symbols
@@ -273,7 +273,7 @@ fn moving(system: &System, expr: ExprId) -> Vec<SymbolId> {
         .collect()
 }
 
-/// The parts of an expression that are of a kind, itself included.
+/// Parts of an expression that are of a kind, itself included.
 fn parts_of(graph: &Graph, expr: ExprId, is: impl Fn(&Node) -> bool) -> BTreeSet<ExprId> {
     let mut seen = BTreeSet::from([expr]);
     let mut open = vec![expr];

@@ -1,6 +1,6 @@
-//! Which characters a formula in plain text is made of.
+//! Characters of formulas in plain text.
 
-/// How text is written.
+/// Notation of plain text.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Notation {
     /// `x1 + cos(phi1) - x2 + sqrt(3)*cos(phi2)`

@@ -1,15 +1,15 @@
-//! A term of a sum → the parts of the fraction that a person writes for it.
+//! Splits a term of a sum into the factors of a textbook fraction.
 
 use crate::expr::{ExprId, Factor, Graph, Node, Number, Rational, SHORT, Term};
 use crate::program::ConstantPart;
 use crate::system::WrittenOrder;
 
-/// A term without its sign: a fraction.
+/// Term without its sign: a fraction.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Fraction {
-    /// What is multiplied; empty for 1.
+    /// Factors above the bar; empty for 1.
     pub numerators: Vec<Part>,
-    /// What is divided by; empty for 1.
+    /// Factors below the bar; empty for 1.
     pub denominators: Vec<Part>,
 }
 
@@ -26,7 +26,7 @@ impl Fraction {
     }
 }
 
-/// One part of a product.
+/// Factor of a product.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Part {
     /// A number in digits.
@@ -37,7 +37,7 @@ pub(super) enum Part {
     Power(ExprId, Rational),
 }
 
-/// The terms of an expression in written order; an expression that is no sum is its own only term.
+/// Terms of an expression in written order; an expression other than a sum is its own only term.
 pub(super) fn terms(expr: ExprId, graph: &Graph, order: &WrittenOrder<'_>) -> Vec<Term> {
     match graph.node(expr) {
         Node::Sum(terms) => order.terms(terms),
@@ -52,17 +52,17 @@ pub(super) fn terms(expr: ExprId, graph: &Graph, order: &WrittenOrder<'_>) -> Ve
     }
 }
 
-/// A term as it is written, and whether it is subtracted.
+/// Term as written, with its sign.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Addend {
-    /// Whether it is subtracted.
+    /// True if it is subtracted.
     pub negative: bool,
     /// The term without its sign.
     pub fraction: Fraction,
 }
 
-/// Terms, in their order, as they are written: constants exactly where that is short, else as decimals.
-/// What `is_whole` is not taken apart.
+/// Terms in their order: constants exactly if that is short, otherwise as decimals. Expressions for which `is_whole`
+/// holds are not split.
 pub(super) fn addends(
     terms: &[Term],
     graph: &Graph,
@@ -175,7 +175,7 @@ pub(super) fn fraction(term: &Term, graph: &Graph, order: &WrittenOrder<'_>) -> 
     fraction
 }
 
-/// Whether π is a factor: multiples of π are written as fractions.
+/// True if π is a factor: multiples of π are written as fractions.
 fn holds_pi(expr: ExprId, graph: &Graph) -> bool {
     match graph.node(expr) {
         Node::Pi => true,
@@ -217,13 +217,14 @@ fn push_number(number: Number, beside_pi: bool, fraction: &mut Fraction) {
     }
 }
 
-/// The decimal digits of a fraction, where they end soon and it is no whole number.
+/// Decimal digits of a fraction; `None` for a whole number or too many digits.
 fn decimal(numerator: i128, denominator: i128) -> Option<String> {
-    const LONGEST: usize = 12;
+    const MAX_DECIMALS: usize = 12;
     if denominator == 1 {
         return None;
     }
-    let digits = (1..=LONGEST).find(|&digits| 10_i128.pow(digits as u32) % denominator == 0)?;
+    let digits =
+        (1..=MAX_DECIMALS).find(|&digits| 10_i128.pow(digits as u32) % denominator == 0)?;
     let unit = 10_i128.pow(digits as u32);
     let scaled = numerator.checked_mul(unit / denominator)?;
     Some(format!("{}.{:0digits$}", scaled / unit, scaled % unit))

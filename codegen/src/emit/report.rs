@@ -1,10 +1,11 @@
-//! What the solved view computes and leaves out → lines of text, for the generated header and for people.
+//! Lines about the values that the solved formulation computes and leaves out, for the generated header and the
+//! command.
 
 use crate::program::{
     BEYOND_STEPS, EVALUATIONS, Iterations, Operations, Report, STEPS, Work, work,
 };
 
-/// One fact a line.
+/// Writes one fact a line.
 pub fn lines(report: &Report) -> Vec<String> {
     let mut lines = vec![format!(
         "Blocks in solve order: {}.",
@@ -50,7 +51,7 @@ pub fn lines(report: &Report) -> Vec<String> {
     lines
 }
 
-/// What Newton-Raphson takes in one block, and how often at most.
+/// Operations of Newton-Raphson in one block, and its largest number of iterations.
 fn iterations(it: &Iterations) -> Vec<String> {
     let Iterations {
         block,
@@ -138,10 +139,10 @@ fn grouped(number: usize) -> String {
 
 /// The names, at most twenty of them.
 fn listed(names: &[String]) -> String {
-    const MOST: usize = 20;
-    let shown = names[..names.len().min(MOST)].join(", ");
-    match names.len().saturating_sub(MOST) {
-        0 => shown,
-        more => format!("{shown} and {more} more"),
+    const MAX_LISTED_NAMES: usize = 20;
+    let list = names[..names.len().min(MAX_LISTED_NAMES)].join(", ");
+    match names.len().saturating_sub(MAX_LISTED_NAMES) {
+        0 => list,
+        more => format!("{list} and {more} more"),
     }
 }

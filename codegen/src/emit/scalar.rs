@@ -1,6 +1,6 @@
-//! Numbers → their digits in the scalar of the code.
+//! Digits of numbers in the scalar of the code.
 
-/// Magnitudes from the first to below the second are written without an exponent.
+/// Limits of magnitudes without an exponent: from the first to below the second.
 const SMALLEST_PLAIN: f64 = 1e-5;
 const LARGEST_PLAIN: f64 = 1e16;
 
@@ -10,23 +10,23 @@ pub enum Scalar {
     /// Double precision.
     #[default]
     F64,
-    /// Single precision, for processors without hardware for more.
+    /// Single precision, for processors without hardware for double precision.
     F32,
 }
 
 impl Scalar {
-    /// The magnitude of a finite number in the fewest digits that give it back.
+    /// Magnitude of a finite number in the fewest digits that reproduce it.
     pub(super) fn digits(self, value: f64) -> String {
         let size = value.abs();
         match self {
-            // Beyond single precision a number would become infinite or zero; it stays, and the compiler says so.
+            // Beyond single precision a number would become infinite or zero; it stays, and the compiler reports it.
             Scalar::F32 if (size as f32).is_finite() => digits(size, size as f32),
             _ => digits(size, size),
         }
     }
 }
 
-/// The digits of a number; beyond ordinary sizes a literal would be hundreds of digits long.
+/// Digits of a number; at extreme magnitudes a literal would be hundreds of digits long.
 fn digits<T: std::fmt::Display + std::fmt::LowerExp>(size: f64, value: T) -> String {
     if size != 0.0 && !(SMALLEST_PLAIN..LARGEST_PLAIN).contains(&size) {
         return format!("{value:e}");

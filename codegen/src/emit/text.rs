@@ -15,10 +15,10 @@ use crate::expr::ExprId;
 use crate::program::{Constant, ConstantPart};
 use crate::system::{SymbolRole, System};
 
-/// The characters of a line that holds a formula.
+/// Number of characters of a line that holds a formula.
 const LINE: u64 = 100;
 
-/// One expression on one line, with the bodies mentioned in this order.
+/// Expression on one line, with the bodies mentioned in this order.
 pub fn formula(system: &System, bodies: &[usize], notation: Notation, expr: ExprId) -> String {
     Printer::new(system, bodies, notation).expression(expr)
 }
@@ -28,7 +28,7 @@ pub(crate) fn symbol(system: &System, notation: Notation, role: SymbolRole) -> S
     Printer::new(system, &[], notation).symbol(role)
 }
 
-/// The same where somebody would read it at one piece.
+/// Expression on one line; `None` if it is too long to read at once.
 pub fn readable(
     system: &System,
     bodies: &[usize],

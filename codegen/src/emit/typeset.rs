@@ -1,13 +1,11 @@
-//! What formulas have in common where they are typeset: bars of fractions, factors side by side, letters with an index.
-//!
-//! Deliberately unknown here: how any of it is spelled.
+//! Typesetting rules of formulas: bars of fractions, factors side by side, letters with an index.
 
 use super::formula::{Printer, Spelling};
 use super::parts::{Fraction, Part};
 use crate::expr::ExprId;
 use crate::system::{Described, System};
 
-/// A fraction as it is typeset.
+/// Typeset fraction.
 pub(super) enum Typeset {
     /// On a line.
     Line(String),
@@ -15,13 +13,14 @@ pub(super) enum Typeset {
     Bar {
         above: String,
         below: String,
-        /// What stands behind the bar, if anything does.
+        /// Text behind the bar; `None` if there is none.
         beside: Option<String>,
     },
 }
 
 impl Typeset {
-    /// Only short numerators go over the bar; a long one stands beside its coefficient. `is_short` is asked for the bases of powers.
+    /// Only short numerators go over the bar; a long one stands beside its coefficient. `is_short` is called for the
+    /// bases of powers.
     pub(super) fn of<S: Spelling>(
         fraction: &Fraction,
         printer: &Printer<'_, S>,
@@ -63,7 +62,7 @@ pub(super) fn side_by_side(factors: &[(bool, String)], sign: &str, gap: &str) ->
     text
 }
 
-/// A name that is none of a coordinate's.
+/// Name other than a coordinate's.
 pub(super) enum Local<'a> {
     /// The square of the length of a vector, `|AB|^2`.
     SquaredLength(&'a str),
@@ -89,7 +88,7 @@ impl<'a> Local<'a> {
     }
 }
 
-/// What an unknown's letter is followed by.
+/// Index of an unknown's letter.
 pub(super) enum Index<'a> {
     /// The name of a body or of a joint.
     Name(&'a str),
@@ -108,10 +107,10 @@ pub(super) fn letter_and_index(system: &System, unknown: usize) -> (char, Index<
         Described::Contact { joint } => ('s', Index::Name(&system.mechanism.joints[joint].slug)),
         Described::Auxiliary => {
             let symbols = [("psi_", 'ψ'), ("offset_", 'h'), ("length_", 'ℓ')];
-            let found = symbols
+            let known = symbols
                 .iter()
                 .find_map(|(prefix, letter)| Some((*letter, unknown.name.strip_prefix(prefix)?)));
-            let (letter, ends) = found.unwrap_or(('ℓ', &unknown.name));
+            let (letter, ends) = known.unwrap_or(('ℓ', &unknown.name));
             (letter, Index::Ends(ends))
         }
     }

@@ -1,7 +1,8 @@
-//! Files and folders that are not complete, and the removal of those that a killed run has left.
+//! Partial files and folders, and the removal of those that a killed run has left.
 //!
-//! A run holds a lock on each of its partial files, which ends with the run, however that ends. A partial file without a lock is
-//! nobody's. A partial folder belongs to the partial file that it is named after, which is made before it and removed after it.
+//! A run holds a lock on each of its partial files, which ends with the run in any case. A partial file without a
+//! lock is abandoned. A partial folder belongs to the partial file after which it is named, which is made before it
+//! and removed after it.
 
 use std::ffi::OsStr;
 use std::fs::{self, File, OpenOptions, TryLockError};
@@ -9,7 +10,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// A locked file under a name that no other file has, removed when it is dropped.
+/// Locked file with a unique name, removed when it is dropped.
 pub(super) struct Partial {
     path: PathBuf,
     /// The file, open for writing.
@@ -17,7 +18,7 @@ pub(super) struct Partial {
 }
 
 impl Partial {
-    /// A new one in a folder, whoever else is writing there.
+    /// New partial file in a folder, with a name that no other run uses.
     ///
     /// # Errors
     /// No file can be made there.
@@ -32,19 +33,19 @@ impl Partial {
                 file => file?,
             };
             match file.try_lock() {
-                // Another run takes it for one that is left, and removes it.
+                // Another run considers it abandoned, and removes it.
                 Err(TryLockError::WouldBlock) => continue,
                 // A file system without locks: nothing in it is ever removed.
                 Ok(()) | Err(TryLockError::Error(_)) => {}
             }
-            // Nobody removes it any more; was it removed before?
+            // From here on it stays; it may have been removed before.
             if path.exists() {
                 return Ok(Partial { path, file });
             }
         }
     }
 
-    /// The folder that belongs to it, which does not exist yet.
+    /// Folder that belongs to it, which does not exist yet.
     pub fn folder(&self) -> PathBuf {
         folder(&self.path)
     }
@@ -60,13 +61,13 @@ impl Partial {
 
 impl Drop for Partial {
     fn drop(&mut self) {
-        // What became of it has been reported. A name that was taken over by its destination leads nowhere.
+        // The result has been reported. A name that its destination has taken over leads nowhere.
         let _ = fs::remove_dir_all(self.folder());
         let _ = fs::remove_file(&self.path);
     }
 }
 
-/// Removes what killed runs have left in a folder. What cannot be removed stays, and is no error.
+/// Removes remains of killed runs in a folder. Failures to remove them are ignored.
 pub fn sweep(folder: &Path) {
     let Ok(entries) = fs::read_dir(folder) else {
         return;

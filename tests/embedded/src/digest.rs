@@ -1,20 +1,20 @@
-//! Words of 64 bits → one word that tells them from others.
+//! Digests words of 64 bits.
 
-/// What has been seen so far, by the function FNV-1a over words, each folded once.
+/// Digest of all words so far, by the function FNV-1a over words, each folded once.
 #[derive(Clone, Copy)]
 pub struct Digest(u64);
 
 impl Digest {
-    /// Nothing has been seen.
+    /// Digest of no words.
     pub const EMPTY: Self = Self(0xcbf2_9ce4_8422_2325);
 
-    /// Sees one more word.
+    /// Adds a word.
     pub fn add(&mut self, word: u64) {
         let mixed = (self.0 ^ word).wrapping_mul(0x0000_0100_0000_01b3);
         self.0 = mixed ^ (mixed >> 32);
     }
 
-    /// The word.
+    /// Value of the digest.
     pub fn value(self) -> u64 {
         self.0
     }

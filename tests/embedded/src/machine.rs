@@ -1,14 +1,14 @@
-//! What a machine offers besides arithmetic.
+//! Abilities of a machine besides arithmetic.
 
-/// Where the program runs.
+/// Machine that runs the program.
 pub trait Machine {
     /// Prints a text.
     fn write(&mut self, text: &str);
 
-    /// Calls a function and gives the instructions that this took, where they can be counted.
+    /// Calls a function and returns the number of its instructions, if they can be counted.
     fn count<R>(&mut self, call: impl FnOnce() -> R) -> (u64, R);
 
-    /// Calls a function and gives the bytes of the stack that this took, where they can be counted.
+    /// Calls a function and returns the bytes of its stack, if they can be counted.
     fn stack<R>(&mut self, call: impl FnOnce(&mut Self) -> R) -> (u64, R);
 
     /// Prints a number in base 16, after a space.
@@ -19,7 +19,7 @@ pub trait Machine {
         self.write(" ");
         let digits = 16 - (value | 1).leading_zeros() / 4;
         for digit in (0..digits).rev() {
-            // An index that a mask keeps below 16 leaves no panic behind.
+            // The mask keeps the index below 16, so that no panic remains.
             self.write(DIGITS[(value >> (4 * digit)) as usize & 15]);
         }
     }

@@ -1,8 +1,8 @@
-//! A mechanism → what it prints: frames of a loop, frames far apart, failures, and what they have cost.
+//! Moves a mechanism and prints frames of a loop, frames far apart, failures, and their cost.
 //!
-//! A loop asks for a frame every 1/1024 s, for 5 s, all numbers of all frames go into digests, and the frames of every half second
-//! are printed as they are: those are the times of the committed references. Then come steps that are too long for one attempt,
-//! forwards and back, and times that are none.
+//! A loop requests a frame every 1/1024 s, for 5 s. All numbers of all frames go into digests, and the frames of
+//! every half second are printed in full: those are the times of the committed references. Then come steps that are
+//! too long for one attempt, forwards and back, and times that are NaN.
 
 use core::hint::black_box;
 
@@ -11,28 +11,28 @@ use linkwright::{Failure, FailureKind};
 use crate::digest::Digest;
 use crate::machine::Machine;
 
-/// Frames in a second, and in all.
+/// Frames per second, and in all.
 const RATE: u32 = 1024;
 const FRAMES: u32 = 5 * RATE;
-/// How many frames go into one digest.
+/// Number of frames in one digest.
 const BUNDLE: u32 = RATE / 2;
-/// How many long steps are taken, each of so many frames.
+/// Number of long steps, and frames in each.
 const LONG_STEPS: u32 = 24;
 const LONG: u32 = 200;
 
-/// A generated mechanism, in the scalar of its module.
+/// Generated mechanism, in the scalar of its module.
 pub trait Moved: Sized {
     type Real: Real;
     fn assemble(t: Self::Real) -> Result<Self, Failure<Self::Real>>;
     fn advance(&mut self, t: Self::Real) -> Result<(), Failure<Self::Real>>;
     /// Calls `each` with the numbers of the last frame: its time, coordinates, rates, accelerations.
     fn numbers(&self, each: impl FnMut(u64));
-    /// Calls functions of the textbook view, which no loop needs.
+    /// Calls functions of the textbook formulation, which no loop needs.
     #[cfg(feature = "planted_textbook")]
     fn textbook(&self) -> u64;
 }
 
-/// A scalar as its bits.
+/// Scalar as its bits.
 pub trait Real: Copy {
     const NAN: Self;
     fn time(frame: u32) -> Self;
@@ -63,19 +63,19 @@ impl Real for f64 {
     }
 }
 
-/// What a loop calls once: apart, so that its name is in the program.
+/// First call of a loop, a function of its own so that its name is in the program.
 #[inline(never)]
 fn assemble<M: Moved>(t: M::Real) -> Result<M, Failure<M::Real>> {
     M::assemble(t)
 }
 
-/// What a loop calls for each frame.
+/// Call of a loop for each frame.
 #[inline(never)]
 fn advance<M: Moved>(mechanism: &mut M, t: M::Real) -> Result<(), Failure<M::Real>> {
     mechanism.advance(t)
 }
 
-/// Calls of one kind: how many instructions they took.
+/// Instructions of calls of one kind.
 #[derive(Clone, Copy)]
 struct Work {
     calls: u64,
@@ -97,7 +97,7 @@ impl Work {
     }
 }
 
-/// Moves a mechanism and prints what came of it.
+/// Moves a mechanism and prints the results.
 pub fn run<M: Moved, B: Machine>(machine: &mut B) {
     print(machine, "measured state", &[size_of::<M>() as u64]);
     let start = M::Real::time(0);
@@ -117,7 +117,7 @@ pub fn run<M: Moved, B: Machine>(machine: &mut B) {
     print(machine, "planted", &[mechanism.textbook()]);
 }
 
-/// The frames of a loop.
+/// Frames of a loop.
 fn in_loop<M: Moved, B: Machine>(machine: &mut B, mechanism: &mut M) -> Work {
     let (mut work, mut digest) = (Work::NONE, Digest::EMPTY);
     for number in 1..=FRAMES {
@@ -136,7 +136,7 @@ fn in_loop<M: Moved, B: Machine>(machine: &mut B, mechanism: &mut M) -> Work {
     work
 }
 
-/// Steps of a fifth of a second from the end of the loop, two forwards and one back, and a time that is no number.
+/// Steps of a fifth of a second from the end of the loop, two forwards and one back, and a time that is NaN.
 fn in_long_steps<M: Moved, B: Machine>(machine: &mut B, mechanism: &mut M) -> Work {
     let (mut work, mut digest) = (Work::NONE, Digest::EMPTY);
     let mut number = FRAMES;
@@ -188,7 +188,7 @@ fn failed<T: Real, B: Machine>(machine: &mut B, failure: &Failure<T>) {
         iterations,
         ..
     } = *failure;
-    // The bits of a number that is none are the processor's choice.
+    // The bits of a NaN are the processor's choice.
     let time = time.bits();
     let time = if time == T::NAN.bits() { 0 } else { time };
     let numbers = [kind, time, u64::from(block), u64::from(iterations)];

@@ -1,4 +1,4 @@
-//! A mechanism whose forces take a linear solve → a function of the library.
+//! Exports a function of a mechanism whose forces take a linear solve.
 
 mod forced_platform {
     linkwright::include_mechanism!(forced_platform);

@@ -1,4 +1,4 @@
-//! Mechanisms that are given parameters and signals → functions of the library.
+//! Exports functions of mechanisms with parameters and signals.
 
 use linkwright::generated::newton;
 use linkwright::nalgebra::{Const, SVector};
@@ -7,7 +7,7 @@ use linkwright::{Blocks, Equations, Mechanism, PointMotion, Settings, Shell};
 type Parameters<M> = <<M as Mechanism>::Blocks as Blocks>::Parameters;
 type Inputs<M> = <<M as Mechanism>::Blocks as Blocks>::Inputs;
 
-/// What a mechanism is given, and where its answers go.
+/// Inputs of a mechanism, with memory for the results.
 pub struct Call<'a, M: Mechanism> {
     parameters: &'a [Parameters<M>; 2],
     inputs: &'a [Inputs<M>; 2],
@@ -16,8 +16,9 @@ pub struct Call<'a, M: Mechanism> {
     update: &'a mut [f64],
 }
 
-/// Assembles with the first parameters, changes them, advances with the second signals and takes one Newton-Raphson step; false
-/// and untouched points where one of them fails, or where the second parameters are refused.
+/// Assembles with the first parameters, changes them, advances with the second signals and takes one Newton-Raphson
+/// step. If one of them fails, or if the second parameters are refused, returns false and leaves the points
+/// unchanged.
 fn run<M, E, const N: usize>(
     call: &mut Call<'_, M>,
     textbook: fn(Parameters<M>, Inputs<M>) -> E,

@@ -1,8 +1,8 @@
-//! Hand-written and generated mechanisms → a static library that links only if neither a panic path nor an allocation survives.
+//! Static library of hand-written and generated mechanisms that links only without panic paths and allocations.
 //!
-//! The panic handler calls the symbol `PANIC_PATH`, which nothing defines. After `cargo build --release` the library's
-//! symbols tell: `nm` must list neither ` U PANIC_PATH` nor an allocator (`__rust_alloc`, `__rdl_alloc`). All inputs
-//! come from the caller, so the compiler cannot evaluate a solve and drop it.
+//! The panic handler calls the symbol `PANIC_PATH`, which is never defined. After `cargo build --release` the
+//! library's symbols tell: `nm` must list neither ` U PANIC_PATH` nor an allocator (`__rust_alloc`, `__rdl_alloc`).
+//! All inputs come from the caller, so that the compiler cannot evaluate a solve and drop it.
 #![no_std]
 
 #[path = "../../../runtime/tests/solving/exam_equations.rs"]
@@ -34,10 +34,10 @@ fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
     unsafe { PANIC_PATH() }
 }
 
-/// The pose, velocity and acceleration of `N` coordinates.
+/// Pose, velocity and acceleration of `N` coordinates.
 #[repr(C)]
 pub struct Solved<T, const N: usize> {
-    /// Whether both frames were solved; everything else is zero if not.
+    /// True if both frames were solved; everything else is zero otherwise.
     pub solved: bool,
     /// The pose.
     pub q: [T; N],
@@ -61,7 +61,7 @@ fn run<T: Real, const N: usize>(
     motion(frame.ok())
 }
 
-/// The same from a poor estimate, and then along the path on which this is.
+/// Assembles from a poor estimate at `start`, then follows the path to `end`.
 fn run_far<T: Real, const N: usize>(
     equations: &impl Equations<T, Const<N>>,
     estimate: [T; N],
@@ -117,7 +117,7 @@ export!(run, ring_f32, f32, ring::SIZE, ring::Ring);
 export!(run_far, far_exam_f64, f64, 6, exam_equations::Exam);
 export!(run_far, far_exam_f32, f32, 6, exam_equations::Exam);
 
-/// An index that only the caller knows: a panic path that no optimizer removes.
+/// Index that only the caller knows: a panic path that no optimizer removes.
 #[cfg(feature = "planted")]
 #[unsafe(no_mangle)]
 pub extern "C" fn planted(values: &[f64; 4], index: usize) -> f64 {

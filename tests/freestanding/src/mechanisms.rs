@@ -1,28 +1,28 @@
-//! The generated mechanisms → functions of the library: assemble, advance, one Newton-Raphson step, and every point.
+//! Exports functions of the generated mechanisms: assemble, advance, one Newton-Raphson step, and every point.
 //!
-//! One exported function per mechanism does it all, so that nothing of a module can be dropped. The test writes the list
-//! of them.
+//! One exported function per mechanism does it all, so that nothing of a module can be dropped. The test writes the
+//! list of them.
 
 use linkwright::generated::newton;
 use linkwright::nalgebra::{Const, SVector};
 use linkwright::{Blocks, Equations, Mechanism, PointMotion, Settings, Shell, Values};
 
-/// What is asked of a mechanism, and where its answers go.
+/// Requested solves of a mechanism, with memory for the results.
 pub struct Call<'a> {
-    /// A value for each coordinate.
+    /// Value for each coordinate.
     pub estimate: &'a [f64],
-    /// When it is assembled (s).
+    /// Time of the assembly (s).
     pub start: f64,
-    /// Where it is moved to (s).
+    /// Time of the advance (s).
     pub end: f64,
-    /// The motion of each point.
+    /// Motion of each point.
     pub points: &'a mut [PointMotion],
-    /// The Newton-Raphson step of the textbook view.
+    /// Newton-Raphson step of the textbook formulation.
     pub update: &'a mut [f64],
 }
 
-/// Assembles at `start` from an estimate, advances to `end` and takes one Newton-Raphson step; false and untouched points where
-/// one of them fails.
+/// Assembles at `start` from an estimate, advances to `end` and takes one Newton-Raphson step. If one of them fails,
+/// returns false and leaves the points unchanged.
 fn run<M, E, const N: usize>(call: &mut Call<'_>) -> bool
 where
     M: Mechanism<Blocks: Blocks<Scalar = f64> + Default>,
@@ -71,7 +71,7 @@ where
     true
 }
 
-/// The mechanisms of the gallery.
+/// Mechanisms of the gallery.
 #[allow(missing_docs)]
 mod gallery {
     include!(concat!(env!("MODULES"), "/gallery.rs"));
@@ -79,7 +79,7 @@ mod gallery {
 
 include!(concat!(env!("MODULES"), "/functions.rs"));
 
-/// Assembles at `start`, advances to `end`, and gives the motion of the one point that is asked for; false where one of them
+/// Assembles at `start`, advances to `end`, and writes the motion of the one output point; false if one of them
 /// fails.
 #[unsafe(no_mangle)]
 pub extern "C" fn excavator_tool(start: f64, end: f64, point: &mut PointMotion) -> bool {
@@ -94,8 +94,9 @@ pub extern "C" fn excavator_tool(start: f64, end: f64, point: &mut PointMotion) 
     true
 }
 
-/// Reaches for a place with the excavator's tool at `start`, drives the arm by the wanted place at `end`, and gives the motion
-/// of a pin of each actuator; then the same from the lengths of the actuators. False where one of them fails.
+/// Reaches for a position with the excavator's tool at `start`, drives the arm by the requested position at `end`,
+/// and writes the motion of a pin of each actuator; then likewise from the lengths of the actuators. False if one of
+/// them fails.
 #[unsafe(no_mangle)]
 pub extern "C" fn excavator_motions(
     start: f64,
@@ -122,8 +123,8 @@ pub extern "C" fn excavator_motions(
     true
 }
 
-/// Finds the motors of an ankle from where the foot should be, and the foot from where the motors should be, at `end`: the angles, and
-/// what the motors exert. False where one of them fails.
+/// Computes the motors of an ankle from the requested foot, and the foot from the requested motors, at `end`: the
+/// angles, and the torques of the motors. False if one of them fails.
 #[unsafe(no_mangle)]
 pub extern "C" fn ankle(
     end: f64,
@@ -153,7 +154,7 @@ pub extern "C" fn ankle(
     true
 }
 
-/// The same of a differential wrist, its joint from its motors; false where it fails.
+/// Computes the joint of a differential wrist from its motors, and its motors from the joint; false if one fails.
 #[unsafe(no_mangle)]
 pub extern "C" fn differential_wrist(
     end: f64,

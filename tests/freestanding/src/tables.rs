@@ -1,4 +1,4 @@
-//! A mechanism with tables → a function of the library.
+//! Exports a function of a mechanism with tables.
 
 use linkwright::PointMotion;
 

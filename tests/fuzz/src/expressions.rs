@@ -1,4 +1,4 @@
-//! *A formula of t* → *a driver whose value and rate are those computed here*, or one that is refused.
+//! Drives a crank by a formula of t and compares its value and rate, or accepts its refusal.
 //!
 //! The formula is evaluated a second time in dual numbers, each with a running bound of its error.
 
@@ -12,20 +12,20 @@ use super::outcome::with_codes;
 
 use linkwright::nalgebra;
 
-/// When the formula is evaluated (s).
+/// Time of the evaluation (s).
 const TIME: f64 = 0.375;
 
-/// One rounding, with room for those that the library makes where this file makes one.
+/// Bound of one rounding, with a margin for several roundings of the library.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// What may be lost beside that, in shares of a value: the library evaluates other formulas than this file, such as
-/// x/sqrt(1 + x^2) for sin(atan(x)).
+/// Additional error, relative to a value: the library evaluates other formulas than this file, such as x/sqrt(1 +
+/// x^2) for sin(atan(x)).
 const LOST: f64 = 1e-9;
 
 /// Magnitude below which squares are subnormal or nearly so.
 const SQUARE_LIMIT: f64 = 1e-140;
 
-/// A value and its rate, and by how much both may be off.
+/// Value and its rate, with bounds on their errors.
 #[derive(Clone, Copy, Debug)]
 struct Dual {
     value: f64,
@@ -100,7 +100,7 @@ impl Dual {
     }
 }
 
-/// A formula as it is written, and what it is; `None` where this file is not sure.
+/// Formula as text, and its value; `None` if its bounds are too wide.
 struct Formula {
     text: String,
     dual: Option<Dual>,
@@ -203,13 +203,13 @@ fn formula(input: &mut Unstructured<'_>, depth: usize) -> Result<Formula> {
     })
 }
 
-/// Drives a crank by the formula, and compares value and rate; answers codes, or which functions there were.
+/// Drives a crank by the formula, and compares value and rate; returns codes, or the functions of the formula.
 ///
 /// # Panics
-/// Where the library does, or where a value is wrong.
+/// If the library does, or if a value is wrong.
 pub fn run(bytes: &[u8]) -> String {
-    let found = attempt(&mut Unstructured::new(bytes));
-    found.unwrap_or_else(|it| it.to_string())
+    let answer = attempt(&mut Unstructured::new(bytes));
+    answer.unwrap_or_else(|it| it.to_string())
 }
 
 fn attempt(input: &mut Unstructured<'_>) -> Result<String> {

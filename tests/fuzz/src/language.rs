@@ -1,5 +1,5 @@
-//! *Any bytes* → *a description that is read or refused*. Neither panics, whatever is said can be printed, and what can be read can be
-//! formatted.
+//! Reads or refuses any bytes as a description without a panic. All findings can be printed, and a readable text can
+//! be formatted.
 
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
 use linkwright_codegen::{Options, generate};
@@ -7,13 +7,13 @@ use linkwright_codegen::{Options, generate};
 use super::format;
 use super::outcome::with_codes;
 
-/// The largest number of coordinates for which the code is generated too: what is larger only takes longer.
-const LARGEST: usize = 12;
+/// Largest number of coordinates for which the code is generated too: larger mechanisms only take longer.
+const MAX_COORDINATES: usize = 12;
 
-/// Formats, reads, checks and generates; answers how far it came, with codes.
+/// Formats, reads, checks and generates; returns the last stage, with codes.
 ///
 /// # Panics
-/// Where the library does, or where a finding cannot be printed.
+/// If the library does, or if a finding cannot be printed.
 pub fn run(bytes: &[u8]) -> String {
     let source = match Source::from_bytes("fuzzed.mech", bytes) {
         Ok(source) => source,
@@ -43,7 +43,7 @@ pub fn run(bytes: &[u8]) -> String {
     if read
         .motions
         .iter()
-        .all(|it| it.coordinates.len() <= LARGEST)
+        .all(|it| it.coordinates.len() <= MAX_COORDINATES)
     {
         let generated = generate(&source, &Options::default());
         let generated = generated.expect("what is checked can be generated");

@@ -1,5 +1,5 @@
-//! *Numbers with units* → *a mechanism with these numbers* that is refused, fails with a typed failure, or is assembled such that its
-//! links meet, as computed here from the numbers themselves.
+//! Assembles mechanisms with random numbers and units. They are refused, fail with a typed failure, or their links
+//! meet, as computed here from the numbers themselves.
 
 use arbitrary::{Result, Unstructured};
 use linkwright::{Settings, assemble_from_rough_estimate};
@@ -19,10 +19,10 @@ const UNITS: [(&str, f64); 8] = [
     ("ft", 0.3048),
 ];
 
-/// By how much links may gape, in shares of the largest coordinate. The tolerance is 1e-12 of it.
+/// Largest gap between links, relative to the largest coordinate. The tolerance is 1e-12 of the coordinate.
 const GAP: f64 = 1e-10;
 
-/// A length as it is written, and its value.
+/// Length as text, and its value.
 struct Length {
     text: String,
     value: f64,
@@ -53,13 +53,13 @@ fn length(input: &mut Unstructured<'_>) -> Result<Length> {
     })
 }
 
-/// Assembles a four-bar linkage or a slider-crank; answers how far it came, with codes.
+/// Assembles a four-bar linkage or a slider-crank; returns the last stage, with codes.
 ///
 /// # Panics
-/// Where the library does, or where a frame is wrong.
+/// If the library does, or if a frame is wrong.
 pub fn run(bytes: &[u8]) -> String {
-    let found = attempt(&mut Unstructured::new(bytes));
-    found.unwrap_or_else(|it| it.to_string())
+    let answer = attempt(&mut Unstructured::new(bytes));
+    answer.unwrap_or_else(|it| it.to_string())
 }
 
 fn attempt(input: &mut Unstructured<'_>) -> Result<String> {
@@ -118,9 +118,9 @@ fn attempt(input: &mut Unstructured<'_>) -> Result<String> {
     }
     let equations = TextbookEquations::new(&system);
     let settings = Settings::default();
-    let found =
+    let assembled =
         assemble_from_rough_estimate(&equations, equations.estimate(), None, 0.0, &settings);
-    let frame = match found {
+    let frame = match assembled {
         Ok(frame) => frame,
         Err(failure) => {
             assert!(!failure.to_string().is_empty());
@@ -136,7 +136,7 @@ fn attempt(input: &mut Unstructured<'_>) -> Result<String> {
         source.text
     );
     let q: Vec<f64> = frame.q.iter().copied().collect();
-    // The end of a link of this length that begins at a body's origin.
+    // End of a link of this length that begins at a body's origin.
     let tip = |body: usize, length: f64| {
         let (sine, cosine) = q[3 * body + 2].sin_cos();
         [

@@ -1,6 +1,6 @@
-//! *The name of a mechanism* → *its driven angles and lengths as functions of time*, in written order, with two derivatives.
+//! Driven angles and lengths of a mechanism as functions of time, in written order, with two derivatives.
 //!
-//! They are typed here as closures: what the baseline evaluates must not be slower than what a programmer writes.
+//! They are typed here as closures: the baseline must not be slower than a programmer's code.
 
 use std::f64::consts::{FRAC_PI_3, FRAC_PI_4, FRAC_PI_6, PI};
 

@@ -1,7 +1,7 @@
-//! *A kind of joint* → *its rows of Φ, Φ_q, -Φ_t and γ, written by hand.*
+//! Rows of Φ, Φ_q, -Φ_t and γ of each kind of joint, written by hand.
 //!
 //! A body's coordinates are x, y, φ; a mark is at r + A s. With B = dA/dφ, the mark's velocity is ṙ + B s φ̇ and its
-//! acceleration r̈ + B s φ̈ − A s φ̇², whose last term is what γ collects (Haug 1989, sections 3.2, 3.3 and 3.5).
+//! acceleration r̈ + B s φ̈ − A s φ̇². Its last term enters γ (Haug 1989, sections 3.2, 3.3 and 3.5).
 
 use nalgebra::{DMatrix, DVector, Vector2};
 
@@ -9,7 +9,7 @@ use super::drive::Drive;
 
 /// A joint or driver that fills its rows, the first of which is `row`.
 pub trait Joint {
-    /// How many rows it has.
+    /// Number of rows.
     fn rows(&self) -> usize;
     /// Writes its entries of Φ.
     fn residual(&self, q: &DVector<f64>, t: f64, phi: &mut DVector<f64>, row: usize);
@@ -33,7 +33,7 @@ pub trait Joint {
 pub struct Mark {
     /// The body.
     pub body: Option<usize>,
-    /// Where the point is in the body's frame.
+    /// Position of the point in the body's frame.
     pub local: Vector2<f64>,
 }
 

@@ -1,9 +1,10 @@
-//! *A described mechanism* → *a dense solver of the usual kind*, which other methods are measured against.
+//! Dense solver of the usual kind for a described mechanism, the baseline of other methods.
 //!
-//! A `Vec` of joint objects fills a `DMatrix` and a residual; nalgebra's LU solves; a Taylor polynomial predicts; Newton-Raphson
-//! stops at max |Φ| ≤ 1e-12, and two more solves give velocities and accelerations. Equations, derivatives and γ are written by
-//! hand, as a careful programmer would with a textbook beside the keyboard. Only dimensions and the estimate of the pose are
-//! taken from the description; nothing of the generator or the runtime is called while solving.
+//! A `Vec` of joint objects fills a `DMatrix` and a residual; nalgebra's LU solves; a Taylor polynomial predicts;
+//! Newton-Raphson stops at max |Φ| ≤ 1e-12, and two more solves give velocities and accelerations. Equations,
+//! derivatives and γ are written by hand, as a careful programmer would with a textbook beside the keyboard. Only
+//! dimensions and the estimate of the pose are taken from the description. The solve calls neither the generator nor
+//! the runtime.
 
 pub mod drive;
 pub mod joint;

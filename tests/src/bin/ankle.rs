@@ -1,4 +1,4 @@
-//! The ankle of a humanoid beside what robots run for it: `tests/reports/ankle.md`. Run it in release.
+//! Writes `tests/reports/ankle.md`: the ankle of a humanoid beside the usual code of robots. Run it in release.
 
 use std::error::Error;
 use std::hint::black_box;
@@ -16,7 +16,7 @@ use linkwright_tests::swing::swing;
 /// Measures the time and the error of both maps of the ankle and writes a report
 #[derive(Parser)]
 struct Arguments {
-    /// How many sweeps of 1,000 frames are timed; the median counts
+    /// Number of timed sweeps of 1,000 frames; the median counts
     #[arg(long, default_value_t = 201)]
     sweeps: usize,
     #[command(flatten)]
@@ -32,14 +32,14 @@ and the median of the sweeps is given. Errors are those of the angles in rad: of
 beside what the motors were computed from.
 ";
 
-/// The frames of a sweep.
+/// Number of frames of a sweep.
 const FRAMES: u32 = 1000;
 
 fn main() -> ExitCode {
     ended(run(&Arguments::parse()))
 }
 
-/// What the foot is to do in each frame.
+/// Requested motion of the foot in each frame.
 fn wanted() -> Vec<to_motors::Inputs> {
     (0..=FRAMES)
         .map(|frame| {
@@ -52,7 +52,7 @@ fn wanted() -> Vec<to_motors::Inputs> {
         .collect()
 }
 
-/// The frames of one way: its errors, and how long each sweep took.
+/// Frames of one method: its errors, and the duration of each sweep.
 struct Way {
     name: &'static str,
     finds: &'static str,
@@ -74,7 +74,7 @@ fn ways() -> Result<Vec<Way>, Box<dyn Error>> {
     let mut ankle = start;
     let mut motors = Vec::new();
     for (frame, given) in inputs.iter().enumerate() {
-        let found = ankle.advance(1e-3 * frame as f64, given)?;
+        let frame_angles = ankle.advance(1e-3 * frame as f64, given)?;
         let all = |value, rate, acceleration| Signal {
             value,
             rate,
@@ -82,54 +82,54 @@ fn ways() -> Result<Vec<Way>, Box<dyn Error>> {
         };
         motors.push(to_joint::Inputs {
             left_motor: all(
-                found.phi_left(),
-                found.phi_left_rate(),
-                found.phi_left_acceleration(),
+                frame_angles.phi_left(),
+                frame_angles.phi_left_rate(),
+                frame_angles.phi_left_acceleration(),
             ),
             right_motor: all(
-                found.phi_right(),
-                found.phi_right_rate(),
-                found.phi_right_acceleration(),
+                frame_angles.phi_right(),
+                frame_angles.phi_right_rate(),
+                frame_angles.phi_right_acceleration(),
             ),
             ..to_joint::Inputs::default()
         });
     }
-    let given = inputs.clone();
+    let foot_inputs = inputs.clone();
     let generated = move || {
         let mut ankle = start;
         let mut worst = 0.0_f64;
-        for (frame, inputs) in given.iter().enumerate() {
-            let found = ankle.advance(1e-3 * frame as f64, black_box(inputs))?;
-            black_box(found);
-            let angles = [found.phi_left(), found.phi_right()];
+        for (frame, inputs) in foot_inputs.iter().enumerate() {
+            let solved = ankle.advance(1e-3 * frame as f64, black_box(inputs))?;
+            black_box(solved);
+            let angles = [solved.phi_left(), solved.phi_right()];
             if frame % 100 == 0 {
                 worst = worst.max(of_motors(inputs, angles));
             }
         }
         Ok(worst)
     };
-    let given = inputs.clone();
+    let foot_inputs = inputs.clone();
     let by_hand = move || {
         let mut worst = 0.0_f64;
-        for (frame, inputs) in given.iter().enumerate() {
+        for (frame, inputs) in foot_inputs.iter().enumerate() {
             let inputs = black_box(inputs);
             let foot = [inputs.wanted_pitch, inputs.wanted_roll].map(|it| [it.value, it.rate]);
-            let found = black_box(SIDES.map(|side| side.motor(foot)));
+            let motor_angles = black_box(SIDES.map(|side| side.motor(foot)));
             if frame % 100 == 0 {
-                worst = worst.max(of_motors(inputs, found.map(|it| it[0])));
+                worst = worst.max(of_motors(inputs, motor_angles.map(|it| it[0])));
             }
         }
         Ok(worst)
     };
     let start = to_joint::Ankle::assemble(0.0, &motors[0])?;
-    let (given, known) = (motors.clone(), inputs.clone());
+    let (foot_inputs, known) = (motors.clone(), inputs.clone());
     let generated_back = move || {
         let mut ankle = start;
         let mut worst = 0.0_f64;
-        for (frame, (inputs, known)) in given.iter().zip(&known).enumerate() {
-            let found = ankle.advance(1e-3 * frame as f64, black_box(inputs))?;
-            black_box(found);
-            worst = worst.max(of_foot(known, [found.phi_pitch(), found.phi_roll()]));
+        for (frame, (inputs, known)) in foot_inputs.iter().zip(&known).enumerate() {
+            let solved = ankle.advance(1e-3 * frame as f64, black_box(inputs))?;
+            black_box(solved);
+            worst = worst.max(of_foot(known, [solved.phi_pitch(), solved.phi_roll()]));
         }
         Ok(worst)
     };
@@ -166,11 +166,11 @@ fn ways() -> Result<Vec<Way>, Box<dyn Error>> {
     ])
 }
 
-/// How far the angles of the motors are from where the rods have their length.
+/// Distance of the angles of the motors from those at which the rods have their length.
 fn of_motors(inputs: &to_motors::Inputs, motors: [f64; 2]) -> f64 {
     let [pitch, roll] = [inputs.wanted_pitch, inputs.wanted_roll].map(|it| Jet::from(it.value));
     let errors = SIDES.into_iter().zip(motors).map(|(side, motor)| {
-        // By the slope of the residual in the angle.
+        // Newton's step: the gap over its slope in the angle.
         let [gap, slope, _] = side.gap(pitch, roll, Jet([motor, 1.0, 0.0])).0;
         (gap / slope).abs()
     });

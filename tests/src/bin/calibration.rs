@@ -1,4 +1,4 @@
-//! How often calibration finds the lengths of mechanisms within what it says: `tests/reports/calibration.md`.
+//! Writes `tests/reports/calibration.md`: how often calibration finds lengths within their intervals.
 
 use std::error::Error;
 use std::process::ExitCode;
@@ -10,26 +10,26 @@ use linkwright_tests::study::destination::{Destination, ended};
 /// Calibrates mechanisms from noisy points many times and writes a report
 #[derive(Parser)]
 struct Arguments {
-    /// How many trials there are of each mechanism
+    /// Number of trials of each mechanism
     #[arg(long, default_value_t = 10_000)]
     trials: u32,
     #[command(flatten)]
     destination: Destination,
 }
 
-/// What the shares within one and three deviations have to be: 68.3 % and 99.7 % of normal errors are.
+/// Allowed shares within one and three deviations: normal errors have 68.3 % and 99.7 %.
 const BOUNDS: [[f64; 2]; 2] = [[0.66, 0.70], [0.993, 0.999]];
 
-/// What the shares of intervals of 95 % have to be.
+/// Allowed shares of intervals of 95 %.
 const HELD: [f64; 2] = [0.93, 0.97];
 
-/// The steps to which values are rounded, in standard deviations of the noise.
+/// Steps to which values are rounded, in standard deviations of the noise.
 const STEPS: [f64; 4] = [0.0, 0.3, 1.0, 3.0];
 
-/// The same of slow motion.
+/// Steps for slow motion, in standard deviations of the noise.
 const SLOW_STEPS: [f64; 3] = [1.0, 3.0, 10.0];
 
-/// Trials of slow motion take longer, and there are so many times fewer.
+/// Divisor of the number of trials of slow motion, which take longer.
 const SLOWER: u32 = 5;
 
 const EXPLANATION: &str = "\
@@ -42,11 +42,11 @@ trials, and lengths differ from trial to trial: with lengths that stay, errors o
 ";
 
 fn main() -> ExitCode {
-    let found = run(&Arguments::parse()).and_then(|is_good| match is_good {
+    let outcome = run(&Arguments::parse()).and_then(|is_good| match is_good {
         true => Ok(()),
         false => Err("a share is out of its bounds".into()),
     });
-    ended(found)
+    ended(outcome)
 }
 
 fn run(arguments: &Arguments) -> Result<bool, Box<dyn Error>> {
@@ -61,28 +61,28 @@ fn run(arguments: &Arguments) -> Result<bool, Box<dyn Error>> {
     for (study, all_steps, slower) in studies {
         sections += &format!("\n## {}\n\nMeasured: {}.\n", study.name, study.measured);
         for &steps in all_steps {
-            let found = study.coverage(arguments.trials / slower, steps);
-            for place in 0..found.names.len() {
-                is_good &= (HELD[0]..=HELD[1]).contains(&found.held(place));
-                // Deviations that rounding makes are not those of normal errors.
-                let shares = found.shares(place).into_iter().zip(BOUNDS);
+            let coverage = study.coverage(arguments.trials / slower, steps);
+            for place in 0..coverage.names.len() {
+                is_good &= (HELD[0]..=HELD[1]).contains(&coverage.held(place));
+                // Deviations by rounding are not those of normal errors.
+                let shares = coverage.shares(place).into_iter().zip(BOUNDS);
                 is_good &= shares
                     .into_iter()
                     .all(|(share, [low, high])| steps > 0.0 || (low..=high).contains(&share));
             }
-            is_good &= found.failed == 0;
+            is_good &= coverage.failed == 0;
             let rounding = match steps > 0.0 {
                 true => format!("Rounded to steps of {steps} σ"),
                 false => "Not rounded".to_string(),
             };
-            eprint!("{}, {rounding}\n{}", study.name, found.table());
+            eprint!("{}, {rounding}\n{}", study.name, coverage.table());
             sections += &format!(
                 "\n{rounding}: {} of {} trials failed, {} were trusted; one solved its motion {:.1} times on average.\n\n{}",
-                found.failed,
-                found.trials,
-                found.trusted,
-                found.evaluations as f64 / f64::from(found.trials.max(1)),
-                found.table()
+                coverage.failed,
+                coverage.trials,
+                coverage.trusted,
+                coverage.evaluations as f64 / f64::from(coverage.trials.max(1)),
+                coverage.table()
             );
         }
     }

@@ -16,7 +16,7 @@ use linkwright_tests::study::destination::{Destination, ended};
 /// Measures the errors of the elementary functions and writes a report
 #[derive(Parser)]
 struct Arguments {
-    /// How many f64 of each kind are looked at
+    /// Number of f64 of each kind
     #[arg(long, default_value_t = 200_000)]
     samples: u32,
     #[command(flatten)]

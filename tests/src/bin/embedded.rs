@@ -49,7 +49,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Gives what is wrong.
+/// Builds, runs and compares all programs; returns the faults.
 fn run(arguments: &Arguments) -> Result<Vec<String>, Box<dyn Error>> {
     let versions = tools::versions()?;
     println!("{}", versions.join("\n"));
@@ -62,9 +62,9 @@ fn run(arguments: &Arguments) -> Result<Vec<String>, Box<dyn Error>> {
     let programs: Vec<Program> = Program::all().into_iter().filter(is_chosen).collect();
     modules::write()?;
     let mut faults = Vec::new();
-    let wanted = Printed::read_all(&build::host("host,std")?)?;
+    let host_outputs = Printed::read_all(&build::host("host,std")?)?;
     if arguments.only.is_none() {
-        compare_hosts(&wanted, &mut faults)?;
+        compare_hosts(&host_outputs, &mut faults)?;
         find_planted(&mut faults)?;
     }
     let mut known = measured(&programs, &mut faults)?;
@@ -84,7 +84,7 @@ fn run(arguments: &Arguments) -> Result<Vec<String>, Box<dyn Error>> {
         );
         known.add_to(&mut figures);
         faults.extend(known.faults());
-        let host = &wanted[&known.program.variant()];
+        let host = &host_outputs[&known.program.variant()];
         if known.program.language != Language::ByHand {
             let difference = host.difference(printed);
             faults.extend(
@@ -105,7 +105,8 @@ fn run(arguments: &Arguments) -> Result<Vec<String>, Box<dyn Error>> {
     Ok(faults)
 }
 
-/// Builds and runs programs, the C ones beside those in Rust, and what is built while the next one is; what does not succeed is a fault.
+/// Builds and runs programs, the C ones beside those in Rust. While one runs, the next is built. A failed one is a
+/// fault.
 fn measured(programs: &[Program], faults: &mut Vec<String>) -> io::Result<Vec<Known>> {
     let (in_rust, in_c): (Vec<Program>, Vec<Program>) = programs
         .iter()
@@ -117,7 +118,7 @@ fn measured(programs: &[Program], faults: &mut Vec<String>) -> io::Result<Vec<Kn
         });
         known.map_err(|error| format!("{program}: {error}"))
     };
-    let found: Vec<Result<Known, String>> = thread::scope(|scope| {
+    let measurements: Vec<Result<Known, String>> = thread::scope(|scope| {
         let (send, receive) = mpsc::channel();
         let runner = scope.spawn(move || {
             let built = receive.into_iter();
@@ -148,9 +149,9 @@ fn measured(programs: &[Program], faults: &mut Vec<String>) -> io::Result<Vec<Kn
         Ok(rust.into_iter().chain(c).collect())
     })?;
     let mut known = Vec::new();
-    for found in found {
-        match found {
-            Ok(found) => known.push(found),
+    for measurements in measurements {
+        match measurements {
+            Ok(measurements) => known.push(measurements),
             Err(fault) => faults.push(fault),
         }
     }
@@ -166,23 +167,23 @@ fn compare_hosts(
         ("without std", build::host("host")?),
         ("WebAssembly", build::wasm()?),
     ] {
-        let found = Printed::read_all(&text)?;
+        let printed = Printed::read_all(&text)?;
         for (variant, wanted) in wanted {
-            let difference = found
+            let difference = printed
                 .get(variant)
                 .map_or(Some("it is not there".to_string()), |it| {
                     wanted.difference(it)
                 });
             faults.extend(difference.map(|it| format!("{variant}, {name}: {it}")));
         }
-        println!("{name}: {} variants compared", found.len());
+        println!("{name}: {} variants compared", printed.len());
     }
     let mut compiler = Compiler::for_host();
     for (mechanism, (name, _)) in MECHANISMS.iter().enumerate() {
         for scalar in [Scalar::F32, Scalar::F64] {
-            let found = Printed::read(&compiler.answers(mechanism, scalar)?)?;
+            let printed = Printed::read(&compiler.answers(mechanism, scalar)?)?;
             let variant = format!("{name}_{}", scalar.name());
-            let difference = wanted[&variant].difference(&found);
+            let difference = wanted[&variant].difference(&printed);
             faults.extend(difference.map(|it| format!("{variant}, C on the host: {it}")));
         }
     }
@@ -190,7 +191,7 @@ fn compare_hosts(
     Ok(())
 }
 
-/// Asks that what is planted is found.
+/// Checks that planted faults are detected.
 fn find_planted(faults: &mut Vec<String>) -> io::Result<()> {
     let is_meant = |program: &Program| {
         let Program {
@@ -219,17 +220,17 @@ fn find_planted(faults: &mut Vec<String>) -> io::Result<()> {
         ("planted_textbook", "::phi_q"),
     ] {
         let built = build::rust(&program, Some(feature))?;
-        let found = symbols::forbidden(&program, &built.elf)?;
-        match found.iter().any(|it| it.contains(name)) {
-            true => println!("{feature}: {} names are found", found.len()),
-            false => faults.push(format!("{feature} is not found")),
+        let names = symbols::forbidden(&program, &built.elf)?;
+        match names.iter().any(|it| it.contains(name)) {
+            true => println!("{feature}: {} names are names", names.len()),
+            false => faults.push(format!("{feature} is not names")),
         }
     }
     let built = build::rust(&program, Some("planted_recursion"))?;
-    let found = Calls::read(&built.elf)?.recursive(&["main"]);
-    match found.iter().any(|it| it.contains("planted::recursion")) {
-        true => println!("planted_recursion: {found:?}"),
-        false => faults.push("planted_recursion is not found".to_string()),
+    let functions = Calls::read(&built.elf)?.recursive(&["main"]);
+    match functions.iter().any(|it| it.contains("planted::recursion")) {
+        true => println!("planted_recursion: {functions:?}"),
+        false => faults.push("planted_recursion is not functions".to_string()),
     }
     Ok(())
 }

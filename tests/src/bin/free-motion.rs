@@ -13,16 +13,16 @@ use linkwright_tests::study::destination::{Destination, ended, none_wrong};
 /// Simulates mechanisms of the gallery with masses and free drivers, compares them with all coordinates integrated, and writes a report
 #[derive(Parser)]
 struct Arguments {
-    /// What the random numbers begin with
+    /// Seed of the random numbers
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// How many states of each mechanism
+    /// Number of states of each mechanism
     #[arg(long, default_value_t = 200)]
     states: u64,
-    /// After how many minutes no other state begins
+    /// Minutes after which no other state begins
     #[arg(long)]
     limit: Option<f64>,
-    /// How many states are judged at once
+    /// Number of states that are judged at once
     #[arg(long, default_value_t = 1)]
     jobs: usize,
     /// Only this mechanism; each verdict is printed, and no report is written
@@ -91,7 +91,7 @@ fn all(arguments: &Arguments) -> Result<usize, Box<dyn Error>> {
     let end = arguments.limit.map(|it| Duration::from_secs_f64(60.0 * it));
     let next = AtomicU64::new(0);
     let tallies = Mutex::new(vec![Tally::default(); MECHANISMS.len()]);
-    // Where time ends early, each mechanism has as many states as the others.
+    // If time ends early, each mechanism has as many states as the others.
     let judge = || {
         loop {
             let number = next.fetch_add(1, Ordering::Relaxed);

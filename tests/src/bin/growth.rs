@@ -1,4 +1,4 @@
-//! How time and size grow with the length of a chain of dyads: `tests/reports/growth.md`.
+//! Writes `tests/reports/growth.md`: growth of time and size with the length of a chain of dyads.
 //!
 //! Run it in release, on an otherwise idle machine.
 
@@ -22,7 +22,7 @@ struct Arguments {
     /// The largest number of dyads that is compiled and run [default: all]
     #[arg(long)]
     compile_up_to: Option<usize>,
-    /// How long the compiler or a run may take before it is ended, in s
+    /// Seconds after which the compiler or a run is ended
     #[arg(long, default_value_t = 300)]
     limit: u64,
     #[command(flatten)]
@@ -115,7 +115,7 @@ const COSTS: [Quantity; 4] = [
     ("compiler, s", |it| format!("{it:.2}"), |it| it.compiler),
 ];
 
-/// The frames of a chain at the step of this place.
+/// Frames of a chain at the step of this index.
 fn at(place: usize, frames: Option<[Frames; 2]>) -> Option<Frames> {
     frames.map(|frames| frames[place])
 }

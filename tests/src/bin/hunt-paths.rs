@@ -14,10 +14,10 @@ use linkwright_tests::study::destination::{Destination, ended, none_wrong};
 /// Moves mechanisms that are hard to follow in steps of every size, and writes a report
 #[derive(Parser)]
 struct Arguments {
-    /// What the random numbers begin with
+    /// Seed of the random numbers
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// How many mechanisms of each family
+    /// Number of mechanisms of each family
     #[arg(long, default_value_t = 50)]
     count: u64,
     /// Only this family, by its number; no report is written

@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use clap::Parser;
 use linkwright_tests::hunt::known::{Unused, known};
-use linkwright_tests::hunt::run::{self, Hunted, LARGEST};
+use linkwright_tests::hunt::run::{self, Hunted, MAX_BODIES};
 use linkwright_tests::hunt::tally::{Tally, View};
 use linkwright_tests::hunt::{compiled, interpreted, mechanism, report, seed_of};
 use linkwright_tests::study::destination::{Destination, ended, none_wrong};
@@ -14,13 +14,13 @@ use linkwright_tests::study::destination::{Destination, ended, none_wrong};
 /// Solves random mechanisms with known truth in every way and writes a report
 #[derive(Parser)]
 struct Arguments {
-    /// What the random numbers begin with
+    /// Seed of the random numbers
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// How many mechanisms are constructed
+    /// Number of constructed mechanisms
     #[arg(long, default_value_t = 540)]
     count: u64,
-    /// How many of those that can be hunted are also compiled, in f64 and in f32
+    /// Number of the hunted mechanisms that are also compiled, in f64 and in f32
     #[arg(long, default_value_t = 20)]
     compile: usize,
     /// Only this mechanism, compiled too unless --compile is 0; no report is written
@@ -29,7 +29,7 @@ struct Arguments {
     /// With --only: print its description
     #[arg(long, requires = "only")]
     print: bool,
-    /// With --only: print the smallest mechanism of which an interpreted view makes the same
+    /// With --only: print the smallest mechanism with the same fault in an interpreted formulation
     #[arg(long, requires = "only")]
     shrink: bool,
     #[command(flatten)]
@@ -45,9 +45,9 @@ fn main() -> ExitCode {
     ended(wrong.and_then(none_wrong))
 }
 
-/// One mechanism, with all that is not simply correct.
+/// Hunts one mechanism and prints every answer that is not simply correct.
 fn only(arguments: &Arguments, number: u64) -> Result<usize, Box<dyn Error>> {
-    let constructed = mechanism(arguments.seed, number, LARGEST);
+    let constructed = mechanism(arguments.seed, number, MAX_BODIES);
     if arguments.print {
         print!("{}", constructed.text());
     }

@@ -9,13 +9,13 @@ use linkwright_tests::study::destination::{Destination, ended};
 use linkwright_tests::study::table::aligned;
 use linkwright_tests::{description, proofs, reference};
 
-/// Compares what is proven of the motions of the gallery with exact solutions and writes a report
+/// Compares the proven bounds of the gallery's motions with exact solutions and writes a report
 #[derive(Parser)]
 struct Arguments {
-    /// How many random instants are looked at of each mechanism
+    /// Number of random instants for each mechanism
     #[arg(long, default_value_t = 1000)]
     instants: usize,
-    /// When the motions end (s)
+    /// End of the motions (s)
     #[arg(long, default_value_t = 5.0)]
     to: f64,
     #[command(flatten)]
@@ -30,14 +30,14 @@ Wider: by which part of what frames sweep the loosest range is wider than that.
 ";
 
 fn main() -> ExitCode {
-    let found = run(&Arguments::parse()).and_then(|is_good| match is_good {
+    let outcome = run(&Arguments::parse()).and_then(|is_good| match is_good {
         true => Ok(()),
         false => Err("a number is out of its bounds".into()),
     });
-    ended(found)
+    ended(outcome)
 }
 
-/// Whether nothing lies outside its bounds.
+/// True if all values are within their bounds.
 fn run(arguments: &Arguments) -> Result<bool, Box<dyn Error>> {
     let environment = arguments.destination.environment();
     let mut rows = vec![proofs::TITLES.map(str::to_string)];

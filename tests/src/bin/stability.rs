@@ -1,4 +1,4 @@
-//! How far solutions of hard cases are off, beside what condition and rounding allow: `tests/reports/stability.md`.
+//! Writes `tests/reports/stability.md`: errors on hard cases, beside those that condition and rounding allow.
 
 use std::error::Error;
 use std::fmt::Write as _;

@@ -1,4 +1,5 @@
-//! How often every mechanism is assembled from estimates that are off by half a radian and half a link: `tests/reports/starts.md`.
+//! Writes `tests/reports/starts.md`: assemblies of every mechanism from estimates that are off by half a radian and
+//! half a link.
 
 use std::error::Error;
 use std::process::ExitCode;
@@ -13,7 +14,7 @@ use linkwright_tests::study::destination::{Destination, ended, none_wrong};
 /// Assembles every mechanism from many poor estimates and writes a report
 #[derive(Parser)]
 struct Arguments {
-    /// How many estimates there are of each mechanism
+    /// Number of estimates of each mechanism
     #[arg(long, default_value_t = 10_000)]
     starts: u32,
     #[command(flatten)]
@@ -21,8 +22,8 @@ struct Arguments {
 }
 
 const EXPLANATION: &str = "\
-Every coordinate of the drawing is moved at random, evenly up to half a radian or half a link to either side. A link is as long as
-the longest distance between two points of a body, for the median of the bodies; the place where a curve is touched moves by half
+Every coordinate of the drawing is moved at random, evenly up to half a radian or half a link to either side. The length of a link
+is the longest distance between two points of a body, for the median of the bodies; the place where a curve is touched moves by half
 a radian of its parameter. The truth is the pose to which the drawing itself leads, angles but for whole turns.
 
 **Drawing's pose**: the same within 1e-9. **Another pose**: the equations hold and the determinant of Φ_q has the drawing's sign,
@@ -40,15 +41,15 @@ fn run(arguments: &Arguments) -> Result<u32, Box<dyn Error>> {
     let mut measured: Vec<Measured> = Vec::new();
     for name in description::names() {
         for system in description::motions(&name) {
-            let found = measure(&system, arguments.starts);
-            let generated = found.generated.as_ref().map(Outcomes::success);
+            let measurement = measure(&system, arguments.starts);
+            let generated = measurement.generated.as_ref().map(Outcomes::success);
             eprintln!(
                 "{}: textbook {:.2} %, from afar {:.2} %, generated {generated:.2?} %",
-                found.name,
-                found.plain.success(),
-                found.afar.success()
+                measurement.name,
+                measurement.plain.success(),
+                measurement.afar.success()
             );
-            measured.push(found);
+            measured.push(measurement);
         }
     }
     let rows = |pick: fn(&Measured) -> Option<&Outcomes>| {

@@ -1,29 +1,29 @@
-//! *A description* → *what is asked of its modules*.
+//! Cases: a description with the calls of its modules.
 
 use std::fmt::Write as _;
 
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::{Language, Options, OutputFile, Scalar, generate};
 
-/// Both scalars, with what their modules are called.
+/// Both scalars, with the suffixes of their modules.
 pub const SCALARS: [(&str, Scalar); 2] = [("f64", Scalar::F64), ("f32", Scalar::F32)];
 
-/// A mechanism, or several motions of one, and the calls of each.
+/// Mechanism, or several motions of one, and the calls of each.
 #[derive(Clone, Debug)]
 pub struct Case {
-    /// What files and modules are called.
+    /// Name of files and modules.
     pub name: String,
-    /// The description.
+    /// Description.
     pub source: Source,
-    /// The calls, a line each: a letter and numbers, as [`script`] writes them.
+    /// Calls, a line each: a letter and numbers, as [`script`] writes them.
     pub script: String,
 }
 
-/// How many numbers a call has that stand for inputs; every signal takes three of them in turn.
+/// Number of a call's values for inputs; every signal takes three of them in turn.
 pub const INPUTS: usize = 18;
 
-/// A motion of many small steps, of large ones, back, and beyond what can be reached; assemblies in other modes, from estimates that are
-/// off, and of other parameters; inputs that jump, recoveries and durations.
+/// Calls of a motion of many small steps, of large ones, back, and beyond its range. They include assemblies in other
+/// modes, from estimates with errors, and of other parameters; inputs that jump, recoveries and durations.
 pub fn script(end: f64) -> String {
     let mut text = String::new();
     let mut call = |letter: char, t: f64, number: f64| {
@@ -31,7 +31,7 @@ pub fn script(end: f64) -> String {
         for place in 0..INPUTS {
             let phase = t + place as f64;
             let value = match (letter, place % 3) {
-                // The inputs jump by a number, or one of them is no number, while time stands still.
+                // The inputs jump by a number, or one of them is NaN, at constant time.
                 ('j', 0) => number,
                 ('j', _) => 0.0,
                 ('n', _) if place == 3 * number as usize => f64::NAN,
@@ -59,7 +59,7 @@ pub fn script(end: f64) -> String {
         call('v', t * end, number);
     }
     call('x', 0.5 * end, 0.0);
-    // Four modes, and four of the assemblies that are stored.
+    // Four modes, and four of the stored assemblies.
     for mode in 0..8 {
         call('b', 0.0, f64::from(mode));
         call('v', 0.02 * end, 0.0);
@@ -98,7 +98,7 @@ pub fn script(end: f64) -> String {
 }
 
 impl Case {
-    /// The calls of [`script`] on a description.
+    /// Case with the calls of [`script`] on a description.
     pub fn new(name: &str, source: Source, end: f64) -> Case {
         Case {
             name: name.to_string(),
@@ -107,7 +107,7 @@ impl Case {
         }
     }
 
-    /// The files of the module in a language.
+    /// Files of the module in a language.
     ///
     /// # Panics
     /// If the description has errors.

@@ -1,4 +1,4 @@
-//! *The elementary functions of `linkwright_math`* → *what all the bits of many results come down to*, as `elementary.c` computes it of
+//! Digests the bits of many results of the elementary functions of `linkwright_math`, as `elementary.c` does for
 //! those of the C runtime.
 
 use linkwright_math::{double, single};

@@ -1,38 +1,38 @@
-//! *A generated header* → *the functions that can be called*, so that a program calls all of them.
+//! Lists the functions that a generated header declares, so that a program calls all of them.
 
 /// A motion of a mechanism as its header declares it.
 #[derive(Clone, Debug)]
 pub struct Declared {
-    /// What its functions begin with: `four_bar`.
+    /// Prefix of its functions: `four_bar`.
     pub prefix: String,
-    /// What its types begin with: `FourBar`.
+    /// Prefix of its types: `FourBar`.
     pub type_name: String,
-    /// The motion, where there are several.
+    /// Name of the motion; `None` if the mechanism has only one.
     pub motion: Option<String>,
-    /// How many coordinates there are.
+    /// Number of coordinates.
     pub coordinates: usize,
-    /// Whether frames hold them.
+    /// True if frames hold the coordinates.
     pub holds_coordinates: bool,
-    /// How many parameters and inputs there are.
+    /// Numbers of parameters and inputs.
     pub parameters: usize,
     pub inputs: usize,
-    /// The fields of the assembly modes.
+    /// Fields of the assembly modes.
     pub modes: Vec<String>,
-    /// Whether assemblies are stored, of which one can be asked for.
+    /// True if stored assemblies can be selected.
     pub stores_assemblies: bool,
-    /// The functions of a frame, and those of the textbook view.
+    /// Functions of a frame, and those of the textbook formulation.
     pub of_frame: Vec<OfFrame>,
     pub textbook: Vec<Textbook>,
 }
 
-/// A function of a frame: its name without the prefix, and what it returns.
+/// Function of a frame: its name without the prefix, and its result.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct OfFrame {
     pub name: String,
     pub returned: Returned,
 }
 
-/// What a function of a frame returns.
+/// Result of a function of a frame.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Returned {
     Number,
@@ -40,7 +40,7 @@ pub enum Returned {
     Motion,
     Optional,
     Matrix(usize, usize),
-    /// The forces of a load, which is a vector or not.
+    /// Forces of a load; true if it is a vector.
     Forces(bool, usize),
     Sensitivity,
     PointSensitivity,
@@ -48,7 +48,7 @@ pub enum Returned {
     Determinants(usize),
 }
 
-/// A function of the textbook view, and how many numbers it writes.
+/// Function of the textbook formulation, and the number of values that it writes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Textbook {
     pub name: String,
@@ -74,7 +74,7 @@ fn flattened(header: &str) -> Vec<String> {
         .collect()
 }
 
-/// The numbers in brackets: 2 and 3 of `found[2][3])`.
+/// Numbers in brackets: 2 and 3 of `found[2][3])`.
 fn sizes(declaration: &str) -> Vec<usize> {
     let parts = declaration.split('[').skip(1);
     parts
@@ -82,24 +82,24 @@ fn sizes(declaration: &str) -> Vec<usize> {
         .collect()
 }
 
-/// How many fields a structure of this name has, and what they are called; none where there is none.
+/// Names of the fields of a structure; empty if the structure is missing.
 fn fields(lines: &[String], name: &str) -> Vec<String> {
     let opening = format!("typedef struct {name} {{");
     let Some(start) = lines.iter().position(|line| line.contains(&opening)) else {
         return Vec::new();
     };
-    let mut found = Vec::new();
+    let mut names = Vec::new();
     for line in &lines[start..] {
         if line.starts_with('}') {
             break;
         }
         let field = line.rsplit(' ').next().unwrap_or_default();
-        found.push(field.split('[').next().unwrap_or_default().to_string());
+        names.push(field.split('[').next().unwrap_or_default().to_string());
     }
-    found
+    names
 }
 
-/// What a header declares of the motion whose types begin so.
+/// Declarations of the motion whose types have this prefix.
 pub fn declared(header: &str, prefix: &str, type_name: &str, motion: Option<&str>) -> Declared {
     let lines = flattened(header);
     let frame = fields(&lines, &format!("{type_name}Frame"));

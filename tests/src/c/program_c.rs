@@ -1,11 +1,11 @@
-//! *A header* → *a program in C that runs scripts on its mechanism*.
+//! Writes a program in C that runs scripts on the mechanism of a header.
 
 use std::fmt::Write as _;
 
 use super::case::INPUTS;
 use super::header::{Declared, Returned};
 
-/// What every program needs.
+/// Code of every program.
 const COMMON: &str = r#"#include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -50,7 +50,7 @@ static void failed(const FAILURE *failure)
 }
 "#;
 
-/// The program of one motion in a scalar.
+/// Program of one motion in a scalar.
 pub fn main(header: &str, declared: &Declared, real: &str) -> String {
     let suffix = if real == "float" { "f" } else { "" };
     let Declared {
@@ -116,7 +116,7 @@ pub fn main(header: &str, declared: &Declared, real: &str) -> String {
     }
     text.push_str("    } else {\n        failed(&mechanism.failure);\n    }\n}\n\n");
     text.push_str("static void assembled(linkwright_status status)\n{\n    if (status == LINKWRIGHT_OK) {\n        mechanism = fresh;\n        is_held = true;\n        report(status);\n    } else {\n        failed(&fresh.failure);\n");
-    // What is not assembled has no frame, and can be given parameters nevertheless.
+    // A mechanism that is not assembled has no frame, but accepts parameters.
     let _ = writeln!(
         text,
         "        if ({prefix}_frame(&fresh) != NULL) {{\n            printf(\"a frame\\n\");\n        }}"
@@ -132,7 +132,7 @@ pub fn main(header: &str, declared: &Declared, real: &str) -> String {
     text
 }
 
-/// The call of a function of a frame, and its numbers.
+/// Call of a function of a frame, and its numbers.
 fn called(
     prefix: &str,
     type_name: &str,

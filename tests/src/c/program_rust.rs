@@ -1,11 +1,11 @@
-//! *What headers declare* → *a package of Rust that runs the same scripts on the generated modules*.
+//! Writes a package of Rust that runs the scripts on the generated modules, from the declarations of headers.
 
 use std::fmt::Write as _;
 
 use super::case::INPUTS;
 use super::header::{Declared, Returned};
 
-/// What every program needs.
+/// Code of every program.
 const COMMON: &str = r#"
 use linkwright::{Blocks, Failure, FailureKind, PointMotion, Values};
 use linkwright::math::Real;
@@ -42,7 +42,7 @@ pub fn failed<T: Real>(failure: &Failure<T>) -> String {
         FailureKind::NotFinite => (10, T::ZERO, failure.input.map_or(0, |input| input + 1)),
         FailureKind::Undecided => (11, T::ZERO, 0),
         FailureKind::LoadNotFinite { load } => (12, T::ZERO, load),
-        _ => panic!("a kind of failure that C does not know"),
+        _ => panic!("a kind of failure that is unknown in C"),
     };
     let mut text = format!("no {status}");
     number(&mut text, failure.time);
@@ -105,14 +105,14 @@ fn calls(script: &str) -> Vec<Call> {
 }
 "#;
 
-/// A motion of a case in a scalar: the module that holds it, and what its header declares.
+/// Motion of a case in a scalar: the module that holds it, and the declarations of its header.
 #[derive(Clone, Debug)]
 pub struct Motion {
     /// `four_bar_f64`: the file.
     pub module: String,
-    /// `four_bar_f64` or `excavator_motions_f64_dig`: what its answers are called.
+    /// `four_bar_f64` or `excavator_motions_f64_dig`: prefix of the files of its answers.
     pub answers: String,
-    /// The type of the mechanism in its module.
+    /// Type of the mechanism in its module.
     pub type_name: String,
     pub real: &'static str,
     pub declared: Declared,
@@ -144,7 +144,7 @@ pub fn main(motions: &[Motion]) -> String {
     text
 }
 
-/// The function that runs a script on one motion.
+/// Function that runs a script on one motion.
 fn runner(motion: &Motion) -> String {
     let Motion {
         module,

@@ -1,4 +1,4 @@
-//! *Cases* → *programs that are built and run, and what differs in their answers*.
+//! Builds and runs the programs of cases, and compares their answers.
 
 use std::fs;
 use std::io;
@@ -16,7 +16,7 @@ use super::header::{Declared, declared};
 use super::{program_c, program_rust};
 use crate::files;
 
-/// The warnings with which generated C compiles, all of them errors.
+/// Warnings with which generated C compiles, all of them errors.
 pub const FLAGS: [&str; 10] = [
     "-std=c99",
     "-O2",
@@ -30,10 +30,10 @@ pub const FLAGS: [&str; 10] = [
     "-Werror",
 ];
 
-/// Runs a command; its output is the error where it fails.
+/// Runs a command; its output is the error if it fails.
 ///
 /// # Errors
-/// It cannot be started, or ends as it should not.
+/// The command cannot be started, or fails.
 pub fn run(command: &mut Command) -> io::Result<()> {
     let output = command.output()?;
     if output.status.success() {
@@ -47,7 +47,7 @@ pub fn run(command: &mut Command) -> io::Result<()> {
     )))
 }
 
-/// The C compilers of this machine.
+/// C compilers of this machine.
 pub fn compilers() -> &'static [&'static str] {
     static FOUND: OnceLock<Vec<&str>> = OnceLock::new();
     FOUND.get_or_init(found_compilers)
@@ -63,20 +63,20 @@ fn found_compilers() -> Vec<&'static str> {
     ["gcc", "clang"].into_iter().filter(is_there).collect()
 }
 
-/// A case in one scalar, with everything that is generated of it.
+/// Case in one scalar, with everything that is generated from it.
 struct Prepared<'a> {
     case: &'a Case,
-    /// The name of the Rust module.
+    /// Name of the Rust module.
     module: String,
     rust: String,
     c: Vec<OutputFile>,
-    /// The motions as the header declares them.
+    /// Motions as the header declares them.
     motions: Vec<program_rust::Motion>,
-    /// The type of numbers in C.
+    /// Type of numbers in C.
     real: &'static str,
-    /// The last level of optimization named to the C compiler, which counts. Bits must not depend on it.
+    /// Last optimization option of the C compiler, which counts. Bits must not depend on it.
     optimization: &'static str,
-    /// The folder of the C files.
+    /// Folder of the C files.
     place: PathBuf,
 }
 
@@ -129,10 +129,10 @@ fn motions(
         .collect()
 }
 
-/// Builds all programs in `folder`, runs them, and gives what differs: a line each.
+/// Builds all programs in `folder`, runs them, and returns the differences, a line each.
 ///
 /// # Errors
-/// A file cannot be written, something does not compile, or a program does not end as it should.
+/// A file cannot be written, a program does not compile, or a program fails.
 pub fn differences(folder: &Path, repository: &Path, cases: &[Case]) -> io::Result<Vec<String>> {
     let answers = folder.join("answers");
     fs::create_dir_all(&answers)?;
@@ -169,11 +169,11 @@ pub fn differences(folder: &Path, repository: &Path, cases: &[Case]) -> io::Resu
         }
         Ok(())
     })?;
-    let mut found = Vec::new();
+    let mut differing = Vec::new();
     for it in &prepared {
-        found.extend(in_c(&answers, it)?);
+        differing.extend(in_c(&answers, it)?);
     }
-    Ok(found)
+    Ok(differing)
 }
 
 /// The package of the Rust modules.
@@ -226,7 +226,7 @@ fn compile(folder: &Path, prepared: &Prepared<'_>) -> io::Result<()> {
 
 /// Differences between the answers of the C programs of a case and those of its Rust module, with every compiler.
 fn in_c(answers: &Path, prepared: &Prepared<'_>) -> io::Result<Vec<String>> {
-    let mut found = Vec::new();
+    let mut differing = Vec::new();
     for motion in &prepared.motions {
         let script = answers.join(format!("{}.script", motion.answers));
         let rust = fs::read_to_string(answers.join(format!("{}.rust", motion.answers)))?;
@@ -237,22 +237,22 @@ fn in_c(answers: &Path, prepared: &Prepared<'_>) -> io::Result<Vec<String>> {
                 .output()?;
             let c = String::from_utf8(output.stdout).map_err(io::Error::other)?;
             if !output.status.success() || c.is_empty() {
-                found.push(format!(
+                differing.push(format!(
                     "{} with {compiler}: {:?}",
                     motion.answers, output.status
                 ));
             }
-            found.extend(compared(&motion.answers, compiler, &rust, &c));
+            differing.extend(compared(&motion.answers, compiler, &rust, &c));
         }
     }
-    Ok(found)
+    Ok(differing)
 }
 
 fn runtime_object(folder: &Path, compiler: &str) -> PathBuf {
     folder.join(format!("c/runtime/linkwright-{compiler}.o"))
 }
 
-/// Compiles the runtime, which is the same for all mechanisms, from the files of one.
+/// Compiles the runtime, which is equal for all mechanisms, from the files of one.
 fn compile_runtime(folder: &Path, files: &[OutputFile]) -> io::Result<()> {
     let shared = folder.join("c/runtime");
     for file in files {
@@ -290,7 +290,7 @@ fn compared(name: &str, compiler: &str, rust: &str, c: &str) -> Option<String> {
     ))
 }
 
-/// Where a test keeps what it builds.
+/// Folder for the builds of a test.
 pub fn folder(name: &str) -> io::Result<PathBuf> {
     let program = std::env::current_exe()?;
     let target = program.parent().and_then(Path::parent);

@@ -1,4 +1,4 @@
-//! *A compiled chain and instants* → *its frames, and how often they were found by way of the tears*.
+//! Compiled chains, with functions that follow them and count the frames solved by tearing.
 
 use linkwright::generated::{Conditions, Start};
 use linkwright::math::Real;
@@ -6,11 +6,11 @@ use linkwright::{Blocks, Settings, Shell};
 
 use crate::values::{Levels, assembled_from, levels};
 
-/// A chain, and how its modules follow it.
+/// Chain with the functions that follow it.
 pub struct Chain {
-    /// How many cells it has.
+    /// Number of cells.
     pub cells: usize,
-    /// How many times as large as the one before it each cell is.
+    /// Ratio of the size of each cell to that of the one before.
     pub growth: f64,
     /// In f64.
     pub double: Ways,
@@ -18,25 +18,25 @@ pub struct Chain {
     pub single: Ways,
 }
 
-/// The two ways in which a chain is solved.
+/// Functions for the two solution methods.
 pub struct Ways {
-    /// By way of the tears.
+    /// By tearing.
     pub torn: Follow,
     /// By all equations at once.
     pub dense: Follow,
 }
 
-/// What follows a chain from its drawing, which is at t = 0, to these instants (s).
+/// Function that follows a chain from its design configuration, which is at t = 0, to these instants (s).
 pub type Follow = fn(&[f64]) -> Followed;
 
-/// A chain that was followed.
+/// Chain that was followed.
 #[derive(Clone, Debug, Default)]
 pub struct Followed {
-    /// The levels at each instant; `None` where it was refused.
+    /// Levels at each instant; `None` if it was refused.
     pub frames: Vec<Option<Levels>>,
-    /// How many instants were found by way of the tears.
+    /// Number of instants solved by tearing.
     pub by_tears: usize,
-    /// Why instants were refused, in the order of time.
+    /// Reasons of refused instants, in the order of time.
     pub refused: Vec<String>,
 }
 
@@ -48,24 +48,24 @@ where
     let assembled = assembled_from(B::default(), &[], 0.0, Settings::default());
     let mut shell = assembled.unwrap_or_else(|failure| panic!("{failure}"));
     let inputs = shell.blocks().initial_inputs();
-    let mut found = Followed::default();
+    let mut followed = Followed::default();
     for &t in times {
         let t = B::Scalar::from_f64(t);
-        found.by_tears += usize::from(tears_suffice(&shell, t, &inputs));
+        followed.by_tears += usize::from(tears_suffice(&shell, t, &inputs));
         let frame = match shell.advance(t, &inputs) {
             Ok(_) => Some(levels(shell.blocks(), shell.frame())),
             Err(failure) => {
-                found.refused.push(failure.to_string());
+                followed.refused.push(failure.to_string());
                 None
             }
         };
-        found.frames.push(frame);
+        followed.frames.push(frame);
     }
-    found
+    followed
 }
 
-/// Whether the frame at this time is found without all equations at once: these meet no tolerance of zero without an iteration, and
-/// the way by the tears asks for neither.
+/// True if the frame at this time needs tearing only. All equations at once cannot meet a tolerance of zero without
+/// an iteration; tearing needs neither.
 fn tears_suffice<B: Blocks>(shell: &Shell<B>, t: B::Scalar, inputs: &B::Inputs) -> bool
 where
     Settings<B::Scalar>: Default,

@@ -1,4 +1,4 @@
-//! *A compiled chain, followed* → *how far off it is*, by way of the tears and by all equations at once.
+//! Measures the error of a compiled chain, solved by tearing and by all equations at once.
 
 use super::compiled::{Chain, Followed};
 use super::truth::exact;
@@ -6,25 +6,25 @@ use crate::pantograph::Pantograph;
 use crate::stability::precise::Precise;
 use crate::stability::verdict::Scalar;
 
-/// The instants at which a chain is solved, and at which of them it is measured.
+/// Instants at which a chain is solved, and those at which it is measured.
 #[derive(Clone, Copy, Debug)]
 pub struct Sweep {
-    /// The time between two instants (s).
+    /// Time between two instants (s).
     pub step: f64,
-    /// How many there are.
+    /// Number of instants.
     pub frames: u32,
-    /// Which of them are measured: one in so many.
+    /// Number of instants per measured one.
     pub stride: usize,
 }
 
-/// The whole of the drive, in steps that are short beside it.
+/// The whole range of the drive, in relatively short steps.
 pub const FINE: Sweep = Sweep {
     step: 0.003_141_6,
     frames: 2000,
     stride: 1,
 };
 
-/// The same in long steps.
+/// The whole range of the drive, in long steps.
 pub const COARSE: Sweep = Sweep {
     step: 0.05,
     frames: 126,
@@ -34,52 +34,52 @@ pub const COARSE: Sweep = Sweep {
 /// Errors of all bars in all frames.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Errors {
-    /// The root of the mean square.
+    /// Root of the mean square.
     pub mean: f64,
-    /// The largest.
+    /// Largest error.
     pub largest: f64,
 }
 
-/// What is measured of a pose, of its rates and of its accelerations: the angles of the bars (rad), which are what is solved for, and
-/// the places of their beginnings, in the length of the chain, which follow from them.
+/// Measured quantities of a pose, its rates and its accelerations: the angles of the bars (rad), which are the
+/// unknowns, and the positions of their first ends, in lengths of the chain, which follow from the angles.
 pub const QUANTITIES: [&str; 2] = ["angle", "place"];
 
-/// The errors of a chain by one way of solving it.
+/// Errors of a chain by one solution method.
 #[derive(Clone, Debug)]
 pub struct Way {
     /// Of each quantity at each level.
     pub errors: [[Errors; 3]; 2],
-    /// How many frames were found by way of the tears.
+    /// Number of frames solved by tearing.
     pub by_tears: usize,
-    /// Why frames were refused.
+    /// Reasons of refused frames.
     pub refused: Vec<String>,
 }
 
-/// A chain solved both ways.
+/// Chain solved by both methods.
 #[derive(Clone, Debug)]
 pub struct Measured {
-    /// How many cells it has.
+    /// Number of cells.
     pub cells: usize,
-    /// How many times as large as the one before it each cell is.
+    /// Ratio of the size of each cell to that of the one before.
     pub growth: f64,
     /// The scalar.
     pub scalar: Scalar,
-    /// When it was solved.
+    /// Instants.
     pub sweep: Sweep,
-    /// By way of the tears.
+    /// Errors by tearing.
     pub torn: Way,
-    /// By all equations at once.
+    /// Errors by all equations at once.
     pub dense: Way,
 }
 
 impl Measured {
-    /// How many times as large the errors by way of the tears are, of a quantity at a level: in the mean, and the largest.
+    /// Ratios of the errors by tearing to those by all equations, for a quantity at a level: mean and largest.
     pub fn ratios(&self, quantity: usize, level: usize) -> [f64; 2] {
         let [torn, dense] = [&self.torn, &self.dense].map(|way| way.errors[quantity][level]);
         [torn.mean / dense.mean, torn.largest / dense.largest]
     }
 
-    /// The largest of these ratios of all quantities and levels.
+    /// Largest of these ratios over all quantities and levels.
     pub fn largest_ratios(&self) -> [f64; 2] {
         let all = (0..QUANTITIES.len())
             .flat_map(|quantity| (0..3).map(move |level| self.ratios(quantity, level)));
@@ -89,7 +89,7 @@ impl Measured {
     }
 }
 
-/// Follows a chain both ways. Frames that one of them was refused are measured of neither.
+/// Follows a chain by both methods. A frame that one of them refuses is not measured.
 pub fn measure(chain: &Chain, scalar: Scalar, sweep: Sweep) -> Measured {
     let ways = match scalar {
         Scalar::F64 => &chain.double,
@@ -97,12 +97,12 @@ pub fn measure(chain: &Chain, scalar: Scalar, sweep: Sweep) -> Measured {
     };
     let times = (1..=sweep.frames).map(|frame| scalar.round(sweep.step * f64::from(frame)));
     let times: Vec<f64> = times.collect();
-    let found = [(ways.torn)(&times), (ways.dense)(&times)];
+    let solutions = [(ways.torn)(&times), (ways.dense)(&times)];
     let pantograph = Pantograph::new(chain.cells, chain.growth);
     let mut sums = [Sums::default(); 2];
     for (place, &t) in times.iter().enumerate().step_by(sweep.stride) {
         let [Some(torn), Some(dense)] =
-            [&found[0], &found[1]].map(|way| way.frames[place].as_ref())
+            [&solutions[0], &solutions[1]].map(|way| way.frames[place].as_ref())
         else {
             continue;
         };
@@ -113,7 +113,7 @@ pub fn measure(chain: &Chain, scalar: Scalar, sweep: Sweep) -> Measured {
             }
         }
     }
-    let [torn, dense] = found;
+    let [torn, dense] = solutions;
     Measured {
         cells: chain.cells,
         growth: chain.growth,
@@ -124,7 +124,7 @@ pub fn measure(chain: &Chain, scalar: Scalar, sweep: Sweep) -> Measured {
     }
 }
 
-/// Squares of errors added up, how many they are, and the largest error, of each quantity at each level.
+/// Sum of squared errors, their number and the largest error, for each quantity at each level.
 #[derive(Clone, Copy, Debug, Default)]
 struct Sums([[(f64, u32, f64); 3]; 2]);
 
@@ -139,7 +139,7 @@ impl Sums {
             let (squares, count, largest) = &mut self.0[quantity][level];
             *squares += error * error;
             *count += 1;
-            // What is no number stays.
+            // NaN stays.
             if *largest < error || error.is_nan() {
                 *largest = error;
             }

@@ -1,7 +1,7 @@
-//! The study of chains that are solved by way of few tears, beside the same chains solved by all equations at once.
+//! The study of chains that are solved by tearing, beside equal chains solved by all equations at once.
 //!
-//! [`compiled`] chains are followed over the whole of their drive → their frames, [`truth`] says where they are exactly →
-//! [`measure`] says how far off they are → [`report`].
+//! [`compiled`] chains are followed over the whole range of their drive, [`truth`] gives their exact frames,
+//! [`measure`] the errors, and [`report`] the tables.
 
 pub mod compiled;
 pub mod measure;

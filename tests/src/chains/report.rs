@@ -1,13 +1,13 @@
-//! *Measured chains* → *tables*.
+//! Writes tables of measured chains.
 
 use super::measure::Measured;
 use crate::stability::verdict::Scalar;
 use crate::study::table::aligned;
 
-/// What the levels of each quantity are called.
+/// Labels of the levels of each quantity.
 const NAMES: [[&str; 3]; 2] = [["φ", "φ̇", "φ̈"], ["x, y", "ẋ, ẏ", "ẍ, ÿ"]];
 
-/// What a scalar is called.
+/// Name of a scalar.
 pub fn name(scalar: Scalar) -> &'static str {
     match scalar {
         Scalar::F64 => "f64",
@@ -15,7 +15,7 @@ pub fn name(scalar: Scalar) -> &'static str {
     }
 }
 
-/// How every sweep went: how many frames were refused and how many were found by way of the tears, and the largest ratios.
+/// Table of the sweeps: refused frames, frames solved by tearing, and the largest ratios.
 pub fn sweeps(measured: &[Measured]) -> String {
     let mut rows = vec![
         [
@@ -50,7 +50,7 @@ pub fn sweeps(measured: &[Measured]) -> String {
     aligned(&rows, 1)
 }
 
-/// The errors of the chains of one scalar and one step.
+/// Errors of the chains of one scalar and one step.
 pub fn errors<'a>(measured: impl Iterator<Item = &'a Measured>) -> String {
     let mut rows = vec![
         [

@@ -1,7 +1,8 @@
-//! *The numbers of a chain and an instant* → *its pose, velocity and acceleration in 384 bits*.
+//! Exact pose, velocity and acceleration of a chain in 384 bits.
 //!
-//! All bars u are at the angle α and all bars v at β. With half bars hₖ and S = h₁ + … + hₙ₋₁ the pin of the last cell is at
-//! h₀ cos α + S (cos α + cos β), and the end of its bar v lies hₙ cos β beyond. So what drives both gives both cosines.
+//! All bars u are at the angle α and all bars v at β. With half bars hₖ and S = h₁ + … + hₙ₋₁ the pin of the last
+//! cell is at h₀ cos α + S (cos α + cos β), and the end of its bar v lies hₙ cos β beyond. So both drivers give both
+//! cosines.
 
 use crate::pantograph::{OPENING, Pantograph, SWING};
 use crate::stability::precise::Precise;
@@ -16,13 +17,13 @@ fn number(value: f64) -> Precise {
     Precise::from_f64(value)
 }
 
-/// The sum of two motions, each so many times.
+/// Sum of two motions with factors.
 fn sum(terms: [(&Precise, &Motion); 2]) -> Motion {
     let [(first, one), (second, other)] = terms;
     std::array::from_fn(|level| first.times(&one[level]).plus(&second.times(&other[level])))
 }
 
-/// A place that swings about another one as the sine of so many times t.
+/// Position that oscillates about another one as the sine of a multiple of t.
 fn swinging(place: Precise, width: f64, times: f64, t: f64) -> Motion {
     let phase = number(times).times(&number(t));
     let [width, rate, acceleration] = [width, width * times, -width * times * times].map(number);
@@ -51,11 +52,11 @@ fn turned(cosine: Motion, is_negative: bool) -> [Motion; 3] {
     [[sign.times(&c.acos()), rate, acceleration], cosine, sine]
 }
 
-/// Where a chain is at an instant (s).
+/// Exact levels of a chain at an instant (s).
 pub fn exact(chain: &Pantograph, t: f64) -> Exact {
     let halves: Vec<Precise> = chain.halves.iter().map(|&it| number(it)).collect();
     let (first, last) = (&halves[0], halves.len() - 1);
-    // How long the half bars of the cells before each one are together.
+    // Sums of the half bars of the cells before each one.
     let mut before = vec![number(0.0)];
     for half in &halves {
         before.push(before[before.len() - 1].plus(half));

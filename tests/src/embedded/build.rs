@@ -1,4 +1,4 @@
-//! *A program* → *its ELF file*, compiled and linked, and what it prints under QEMU.
+//! Compiles and links a program to its ELF file, and runs it under QEMU.
 
 use std::fs;
 use std::io;
@@ -9,24 +9,24 @@ use super::program::{Processor, Program};
 use super::tools::{cargo_for, cargo_for_host, folder, output};
 use crate::files;
 
-/// The target of both processors.
+/// Target of both processors.
 const TARGET: &str = "thumbv7em-none-eabihf";
 
-/// What QEMU runs, in s, before it is ended.
+/// Time limit of QEMU, in s.
 const PATIENCE: &str = "300";
 
-/// A program that was linked.
+/// Linked program.
 pub struct Built {
-    /// Its file.
+    /// ELF file.
     pub elf: PathBuf,
-    /// What the linker says of its parts, where that is asked.
+    /// Map of the linker; `None` if it was not requested.
     pub map: Option<String>,
 }
 
-/// What every variant prints on the host, with the standard library or without.
+/// Output of every variant on the host, with the standard library or without.
 ///
 /// # Errors
-/// It is not built, or does not run.
+/// The program is not built, or does not run.
 pub fn host(features: &str) -> io::Result<String> {
     output(cargo_for_host().args([
         "run",
@@ -39,10 +39,10 @@ pub fn host(features: &str) -> io::Result<String> {
     ]))
 }
 
-/// What every variant prints as a module of WebAssembly.
+/// Output of every variant as a module of WebAssembly.
 ///
 /// # Errors
-/// It is not built, or does not run.
+/// The program is not built, or does not run.
 pub fn wasm() -> io::Result<String> {
     let target = "wasm32-unknown-unknown";
     let mut command = cargo_for("rustc", target, "")?;
@@ -58,17 +58,17 @@ pub fn wasm() -> io::Result<String> {
     )
 }
 
-/// Firmware in Rust, of which features plant something.
+/// Firmware in Rust; a feature in `planted` adds a fault.
 ///
 /// # Errors
-/// It is not compiled or not linked, as where a panic path is left.
+/// The program is not compiled or not linked, for instance because of a panic path.
 pub fn rust(program: &Program, planted: Option<&str>) -> io::Result<Built> {
     let processor = program.processor.name();
     let flags = format!("-C link-arg=-Tlink.x -C target-cpu={processor}");
     let mut command = cargo_for("build", TARGET, &flags)?;
     let mut features = "firmware".to_string();
     if program.is_small {
-        // Not by a profile of its own, for which everything that generates the modules would be built again.
+        // A profile of its own would rebuild everything that generates the modules.
         command.env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "s");
         features += ",may_panic";
     }
@@ -98,10 +98,10 @@ pub fn rust(program: &Program, planted: Option<&str>) -> io::Result<Built> {
     Ok(Built { elf, map: None })
 }
 
-/// What firmware prints on a board.
+/// Output of firmware on a board.
 ///
 /// # Errors
-/// It does not come to its end.
+/// The program does not come to its end.
 pub fn run(elf: &Path, processor: Processor) -> io::Result<String> {
     let mut command = Command::new("timeout");
     command.args([

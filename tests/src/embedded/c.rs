@@ -1,4 +1,5 @@
-//! *A mechanism in C* → *its program for a board or for this machine*; the generated runtime is compiled once for all programs of a machine.
+//! Builds the program of a mechanism in C, for a board or for this machine. The generated runtime is compiled once
+//! for all programs of a machine.
 
 use std::fs;
 use std::io;

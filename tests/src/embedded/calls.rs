@@ -1,7 +1,9 @@
-//! *Firmware* → *which function calls which*, from its instructions, and the functions that can call themselves.
+//! Finds the calls between the functions of firmware from its instructions, and the functions that can call
+//! themselves.
 //!
-//! A call through a pointer may lead to every function whose address the program holds: in its constants, beside its code, or in a pair
-//! of instructions. So what is found to call itself need not do so, but what is not found cannot.
+//! A call through a pointer may lead to every function whose address the program holds: in its constants, beside its
+//! code, or in a pair of instructions. So a function that is reported as recursive need not be, but one that is not
+//! reported cannot be.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::io;
@@ -14,24 +16,24 @@ use super::tools::output;
 #[derive(Clone, Debug, Default)]
 struct Function {
     name: String,
-    /// The addresses that it branches to.
+    /// Addresses that it branches to.
     targets: BTreeSet<u32>,
-    /// Whether it calls through a pointer.
+    /// True if it calls through a pointer.
     is_indirect: bool,
-    /// Whether it calls itself; a branch to its own start is a loop.
+    /// True if it calls itself; a branch to its own start is a loop.
     calls_itself: bool,
 }
 
-/// The functions of a program.
+/// Functions of a program.
 #[derive(Clone, Debug, Default)]
 pub struct Calls {
     functions: BTreeMap<u32, Function>,
-    /// What pointers may lead to.
+    /// Functions to which pointers may lead.
     held: BTreeSet<u32>,
 }
 
 impl Calls {
-    /// Takes a program apart.
+    /// Disassembles a program.
     ///
     /// # Errors
     /// The file cannot be read.
@@ -54,7 +56,7 @@ impl Calls {
     fn of_code(code: &str) -> Self {
         let mut calls = Self::default();
         let mut address = None;
-        // The lower halves that registers were given.
+        // Lower halves of addresses in registers.
         let mut halves: BTreeMap<String, u32> = BTreeMap::new();
         let mut pairs = Vec::new();
         for line in code.lines() {
@@ -109,7 +111,7 @@ impl Calls {
         calls
     }
 
-    /// Looks among words for addresses of functions, which are odd.
+    /// Records the words that are addresses of functions, which are odd.
     fn hold(&mut self, words: impl IntoIterator<Item = u32>) {
         let odd = words
             .into_iter()
@@ -119,7 +121,7 @@ impl Calls {
             .extend(odd.filter(|it| self.functions.contains_key(it)));
     }
 
-    /// The function that an address lies in.
+    /// Function that contains an address.
     fn place(&self, address: u32) -> Option<u32> {
         self.functions
             .range(..=address)
@@ -138,8 +140,8 @@ impl Calls {
         called
     }
 
-    /// The functions that can be on the stack twice, of those that functions with these words in their names can reach; each
-    /// with `through a pointer` where only that leads back to it.
+    /// Functions that can be on the stack twice, among those that functions with these words in their names can
+    /// reach. `through a pointer` marks those to which only a pointer leads back.
     pub fn recursive(&self, roots: &[&str]) -> Vec<String> {
         let is_root = |function: &Function| roots.iter().any(|it| function.name.contains(it));
         let from = self
@@ -155,7 +157,7 @@ impl Calls {
             .collect()
     }
 
-    /// How many functions these can reach, and how many of them call through pointers.
+    /// Number of functions that these can reach, and of those among them that call through pointers.
     pub fn extent(&self, roots: &[&str]) -> [usize; 2] {
         let is_root = |function: &Function| roots.iter().any(|it| function.name.contains(it));
         let from = self
@@ -195,7 +197,7 @@ fn immediate(operands: &str) -> u32 {
     digits.parse().unwrap_or(0)
 }
 
-/// The words of a listing of memory: an address, four words of four bytes, and their characters.
+/// Words of a listing of memory: an address, four words of four bytes, and their characters.
 fn words(listing: &str) -> Vec<u32> {
     let lines = listing
         .lines()

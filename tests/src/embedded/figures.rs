@@ -1,4 +1,4 @@
-//! *Firmware* → *everything that is known of it*: what it printed, what it holds, how far it is from the references.
+//! Measurements of firmware: its output, its contents, and its error beside the references.
 
 use std::io;
 
@@ -11,7 +11,7 @@ use super::symbols::{self, PARTS, Part};
 use super::work;
 use crate::reference::{reference, yardsticks};
 
-/// What a loop calls, in Rust and in C.
+/// Functions that a loop calls, in Rust and in C.
 const CALLED: [&str; 4] = [
     "motion::assemble",
     "motion::advance",
@@ -19,30 +19,30 @@ const CALLED: [&str; 4] = [
     "_advance",
 ];
 
-/// What is known of a program.
+/// Measurements of a program.
 #[derive(Clone, Debug)]
 pub struct Known {
-    /// Which program.
+    /// Program.
     pub program: Program,
-    /// What it printed.
+    /// Output.
     pub printed: Printed,
-    /// The bytes of flash of each part.
+    /// Bytes of flash of each part.
     pub parts: [u64; PARTS],
-    /// The largest error beside the references, relative to the largest value of a column.
+    /// Largest error beside the references, relative to the largest value of a column.
     pub error: f64,
-    /// The names of what must not be there.
+    /// Names of forbidden symbols.
     pub forbidden: Vec<String>,
-    /// The functions that may be on the stack twice.
+    /// Functions that may be on the stack twice.
     pub recursive: Vec<String>,
-    /// How many functions `assemble` and `advance` reach, and how many of them call through pointers.
+    /// Numbers of functions that `assemble` and `advance` reach, and of those that call through pointers.
     pub extent: [usize; 2],
 }
 
 impl Known {
-    /// Looks at a program that was built and has run.
+    /// Measures a program that was built and has run.
     ///
     /// # Errors
-    /// One of its files cannot be read, or it printed what it should not.
+    /// One of its files cannot be read, or its output is not as expected.
     pub fn of(program: Program, built: &Built, text: &str) -> io::Result<Self> {
         let named = |error: io::Error| io::Error::other(format!("{program}: {error}"));
         let printed = Printed::read(text).map_err(named)?;
@@ -58,12 +58,12 @@ impl Known {
         })
     }
 
-    /// The bytes of flash without the program that moves the mechanism.
+    /// Bytes of flash without the program that moves the mechanism.
     pub fn flash(&self) -> u64 {
         self.parts[..Part::Harness as usize].iter().sum()
     }
 
-    /// What is wrong with it by itself.
+    /// Faults of the program by itself.
     pub fn faults(&self) -> Vec<String> {
         let Known {
             program,
@@ -73,7 +73,7 @@ impl Known {
             ..
         } = self;
         let mut faults = Vec::new();
-        // Those of the tests of references; in f32 the same number of roundings.
+        // The limits of the tests of references; in f32 the same number of roundings.
         let limit = match program.scalar {
             Scalar::F64 => 1e-13,
             Scalar::F32 => 1e-13 * (f64::from(f32::EPSILON) / f64::EPSILON),
@@ -87,7 +87,8 @@ impl Known {
         if !forbidden.is_empty() {
             faults.push(format!("{program}: it holds {forbidden:?}"));
         }
-        // In C the runtime holds the functions of every mechanism by pointers, so that what they may lead to says nothing.
+        // In C the runtime holds the functions of every mechanism by pointers, so that the calls behind them are
+        // unknown.
         if program.language == Language::Rust && !recursive.is_empty() {
             faults.push(format!(
                 "{program}: these may call themselves: {recursive:?}"
@@ -97,7 +98,7 @@ impl Known {
         faults
     }
 
-    /// What is compared with the committed figures.
+    /// Adds the values that are compared with the committed figures.
     pub fn add_to(&self, figures: &mut Figures) {
         let Printed {
             state,
@@ -119,7 +120,7 @@ impl Known {
     }
 }
 
-/// How far the frames that are printed as they are, are from the references.
+/// Largest error of the frames, which are printed unrounded, beside the references.
 ///
 /// # Panics
 /// If the program has not printed the frames of the references.

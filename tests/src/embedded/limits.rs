@@ -1,6 +1,7 @@
-//! The committed figures of all programs, which a change may exceed by a twentieth.
+//! Committed figures of all programs, which a change may exceed by a twentieth.
 //!
-//! What a program takes depends on the compiler, and on whether its library was compiled beforehand: each compiler has figures of its own.
+//! The figures depend on the compiler, and on whether its library was compiled beforehand: each compiler has figures
+//! of its own.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -9,16 +10,16 @@ use std::path::PathBuf;
 
 use crate::files;
 
-/// How much more than what is committed is still let pass.
+/// Largest allowed ratio to a committed figure.
 const TOLERANCE: f64 = 1.05;
 
-/// The same for a compiler without figures, beside those of the newest that has some.
+/// Largest allowed ratio to figures of the newest compiler, for a compiler without figures.
 const OTHER_COMPILER: f64 = 1.2;
 
-/// Where they are, a file for each compiler.
+/// Folder of the figures, with a file for each compiler.
 const FOLDER: &str = "embedded/limits";
 
-/// Figures by program and by what was measured.
+/// Figures by program and by measured quantity.
 pub type Figures = BTreeMap<(String, &'static str), u64>;
 
 /// Writes the figures of a compiler, by its version.
@@ -33,14 +34,14 @@ pub fn write(compiler: &str, figures: &Figures) -> io::Result<()> {
     fs::write(file_of(compiler), text)
 }
 
-/// What exceeds the figures that are committed, or has none, or has gone.
+/// Figures that exceed the committed ones, have no committed counterpart, or are missing.
 ///
 /// # Errors
 /// The file cannot be read.
 pub fn exceeded(compiler: &str, figures: &Figures) -> io::Result<Vec<String>> {
-    let own = file_of(compiler);
-    let (file, tolerance) = match own.exists() {
-        true => (own, TOLERANCE),
+    let compiler_file = file_of(compiler);
+    let (file, tolerance) = match compiler_file.exists() {
+        true => (compiler_file, TOLERANCE),
         false => {
             let newest = newest()?;
             println!(
@@ -62,40 +63,40 @@ pub fn exceeded(compiler: &str, figures: &Figures) -> io::Result<Vec<String>> {
         let value = value.parse().map_err(|_| unreadable(line))?;
         committed.insert((program, figure), value);
     }
-    let mut found = Vec::new();
+    let mut excesses = Vec::new();
     for ((program, figure), value) in figures {
         match committed.remove(&(program.as_str(), *figure)) {
-            None => found.push(format!(
+            None => excesses.push(format!(
                 "{program}, {figure}: {value}, for which no limit is committed"
             )),
             Some(limit) if *value as f64 > limit as f64 * tolerance => {
                 let percent = (tolerance - 1.0) * 100.0;
-                found.push(format!(
+                excesses.push(format!(
                     "{program}, {figure}: {value}, more than {percent:.0} % above {limit}"
                 ));
             }
             Some(_) => {}
         }
     }
-    found.extend(
+    excesses.extend(
         committed
             .keys()
             .map(|(program, figure)| format!("{program}, {figure}: not measured any more")),
     );
-    Ok(found)
+    Ok(excesses)
 }
 
 fn file_of(compiler: &str) -> PathBuf {
     files::package(FOLDER).join(format!("rustc_{compiler}.csv"))
 }
 
-/// The file of the newest compiler that has one.
+/// File of the newest compiler that has one.
 fn newest() -> io::Result<PathBuf> {
-    let mut found = fs::read_dir(files::package(FOLDER))?
+    let mut paths = fs::read_dir(files::package(FOLDER))?
         .map(|entry| entry.map(|it| it.path()))
         .collect::<io::Result<Vec<PathBuf>>>()?;
-    found.sort();
-    found
+    paths.sort();
+    paths
         .pop()
         .ok_or_else(|| io::Error::other(format!("{FOLDER} is empty")))
 }

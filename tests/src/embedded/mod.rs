@@ -1,7 +1,7 @@
-//! Mechanisms as firmware: *the programs of `tests/embedded`* → *what they print, what they cost and what is in them*.
+//! Mechanisms as firmware: the output, the cost and the contents of the programs of `tests/embedded`.
 //!
-//! The programs move the same mechanisms in the same way; see `tests/embedded/src/motion.rs`. Those of the host are the yardstick of
-//! all others, bit by bit.
+//! The programs move equal mechanisms in equal ways; see `tests/embedded/src/motion.rs`. All others must match those
+//! of the host, bit by bit.
 
 pub mod build;
 pub mod c;

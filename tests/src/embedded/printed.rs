@@ -1,50 +1,50 @@
-//! *What a program prints* → *the numbers of its frames, and what was measured*.
+//! Reads the numbers of the frames and the measurements that a program prints.
 
 use std::collections::BTreeMap;
 use std::io;
 
 use super::program::Scalar;
 
-/// The instructions of calls of one kind, and the bytes of the stack below them.
+/// Instructions of calls of one kind, and the bytes of the stack below them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Work {
-    /// How many calls.
+    /// Number of calls.
     pub calls: u64,
-    /// The instructions of all.
+    /// Instructions of all calls.
     pub total: u64,
-    /// The instructions of the longest.
+    /// Instructions of the longest call.
     pub worst: u64,
-    /// How far the stack went.
+    /// Depth of the stack, in bytes.
     pub stack: u64,
 }
 
 impl Work {
-    /// The instructions of a call.
+    /// Mean number of instructions of a call.
     pub fn mean(&self) -> f64 {
         self.total as f64 / self.calls.max(1) as f64
     }
 }
 
-/// What a program has printed.
+/// Output of a program.
 #[derive(Clone, Debug, Default)]
 pub struct Printed {
-    /// The lines with frames, digests and failures, which are the same on every machine.
+    /// Lines with frames, digests and failures, which are equal on every machine.
     pub lines: Vec<String>,
-    /// The bytes of the mechanism.
+    /// Bytes of the mechanism.
     pub state: u64,
     /// One call of `assemble`.
     pub assemble: Work,
     /// The frames of a loop.
     pub advance: Work,
-    /// Steps that are too long for one attempt, and times that are none.
+    /// Steps too long for one attempt, and times that are NaN.
     pub long: Work,
 }
 
 impl Printed {
-    /// Reads what one program has printed.
+    /// Reads the output of one program.
     ///
     /// # Errors
-    /// It has not come to its end, or prints what it should not.
+    /// The output is incomplete, or not as expected.
     pub fn read(text: &str) -> io::Result<Self> {
         let mut printed = Printed::default();
         for line in text.lines() {
@@ -99,7 +99,7 @@ impl Printed {
         Ok(printed)
     }
 
-    /// The same of a program that moves several variants.
+    /// Reads the output of a program that moves several variants.
     ///
     /// # Errors
     /// Those of [`Printed::read`].
@@ -114,7 +114,7 @@ impl Printed {
         parts.collect()
     }
 
-    /// The numbers of the frames that are printed as they are: time, coordinates, rates, accelerations.
+    /// Numbers of the frames that are printed in full: time, coordinates, rates, accelerations.
     pub fn frames(&self, scalar: Scalar) -> Vec<Vec<f64>> {
         let value = |word: &str| {
             let bits = u64::from_str_radix(word, 16).unwrap_or(u64::MAX);
@@ -132,7 +132,7 @@ impl Printed {
             .collect()
     }
 
-    /// The first line that is not the same, if any.
+    /// First line that differs; `None` if all are equal.
     pub fn difference(&self, other: &Self) -> Option<String> {
         if self.lines.len() != other.lines.len() {
             return Some(format!(

@@ -1,8 +1,8 @@
-//! Which programs there are.
+//! Programs that are measured: a mechanism, a language, a scalar and a processor.
 
 use std::fmt;
 
-/// The mechanisms that are moved, and the types that they become.
+/// Mechanisms with the types generated for them.
 pub const MECHANISMS: [(&str, &str); 5] = [
     ("two_body", "TwoBody"),
     ("four_bar", "FourBar"),
@@ -11,14 +11,14 @@ pub const MECHANISMS: [(&str, &str); 5] = [
     ("platform_3rpr", "Platform3rpr"),
 ];
 
-/// What a mechanism is written in.
+/// Language of a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Language {
-    /// The generated module.
+    /// Generated module.
     Rust,
-    /// The generated C.
+    /// Generated C.
     C,
-    /// C that was not generated.
+    /// Hand-written C.
     ByHand,
 }
 
@@ -31,7 +31,7 @@ pub enum Scalar {
     F64,
 }
 
-/// A processor, and how it is compiled for.
+/// Processor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Processor {
     /// With a floating-point unit for f32.
@@ -43,22 +43,22 @@ pub enum Processor {
 /// Firmware of one mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Program {
-    /// What runs it.
+    /// Processor.
     pub processor: Processor,
-    /// In which scalar.
+    /// Scalar.
     pub scalar: Scalar,
-    /// Its place in [`MECHANISMS`].
+    /// Index in [`MECHANISMS`].
     pub mechanism: usize,
-    /// In which language.
+    /// Language.
     pub language: Language,
-    /// Whether `advance` shows that its frames lie on the path.
+    /// True if `advance` proves that its frames lie on the path.
     pub is_guarded: bool,
-    /// Whether it is compiled for size rather than for speed.
+    /// True if compiled for size rather than for speed.
     pub is_small: bool,
 }
 
 impl Scalar {
-    /// As Rust calls it.
+    /// Name in Rust.
     pub fn name(self) -> &'static str {
         match self {
             Scalar::F32 => "f32",
@@ -68,10 +68,10 @@ impl Scalar {
 }
 
 impl Processor {
-    /// Both of them.
+    /// Both processors.
     pub const ALL: [Self; 2] = [Self::CortexM4F, Self::CortexM7];
 
-    /// As compilers call it.
+    /// Name in options of compilers.
     pub fn name(self) -> &'static str {
         match self {
             Processor::CortexM4F => "cortex-m4",
@@ -79,7 +79,7 @@ impl Processor {
         }
     }
 
-    /// The board that has it, as QEMU calls it.
+    /// Board with the processor, in QEMU.
     pub fn board(self) -> &'static str {
         match self {
             Processor::CortexM4F => "mps2-an386",
@@ -87,7 +87,7 @@ impl Processor {
         }
     }
 
-    /// Its floating-point unit, as GCC calls it.
+    /// Floating-point unit, in options of GCC.
     pub fn unit(self) -> &'static str {
         match self {
             Processor::CortexM4F => "fpv4-sp-d16",
@@ -95,7 +95,7 @@ impl Processor {
         }
     }
 
-    /// As people call it.
+    /// Name in reports.
     pub fn title(self) -> &'static str {
         match self {
             Processor::CortexM4F => "Cortex-M4F",
@@ -105,18 +105,18 @@ impl Processor {
 }
 
 impl Program {
-    /// The mechanism's name.
+    /// Name of the mechanism.
     pub fn mechanism(&self) -> &'static str {
         MECHANISMS[self.mechanism].0
     }
 
-    /// What a program of the host calls the same mechanism: `four_bar_f32_unguarded`.
+    /// Name of the mechanism in a program of the host: `four_bar_f32_unguarded`.
     pub fn variant(&self) -> String {
         let guard = if self.is_guarded { "" } else { "_unguarded" };
         format!("{}_{}{guard}", self.mechanism(), self.scalar.name())
     }
 
-    /// All of them: every mechanism in Rust, guarded and not, and in C; one by hand; and one for size.
+    /// All programs: every mechanism in Rust, guarded and not, and in C; one by hand; and one for size.
     pub fn all() -> Vec<Self> {
         let mut programs = Vec::new();
         for processor in Processor::ALL {
@@ -157,7 +157,7 @@ impl Program {
 }
 
 impl fmt::Display for Program {
-    /// `cortex-m4 f32 four_bar rust`, then `unguarded` and `small` where it is.
+    /// Writes `cortex-m4 f32 four_bar rust`, then `unguarded` and `small` if they apply.
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let language = match self.language {
             Language::Rust => "rust",

@@ -1,4 +1,4 @@
-//! *What is known of all programs* → `tests/reports/embedded.md`.
+//! Writes `tests/reports/embedded.md` from the measurements of all programs.
 
 use std::fmt::Write as _;
 
@@ -8,7 +8,7 @@ use super::symbols::TITLES;
 use super::work::work_of;
 use crate::study::table::aligned;
 
-/// What frames of f32 on the Cortex-M4F are aimed at: instructions of `advance`, in the mean.
+/// Targets for frames of f32 on the Cortex-M4F: instructions of `advance`, in the mean.
 const FRAMES: [(&str, u64); 4] = [
     ("four_bar", 420),
     ("excavator", 2300),
@@ -16,7 +16,7 @@ const FRAMES: [(&str, u64); 4] = [
     ("platform_3rpr", 5000),
 ];
 
-/// What their flash is aimed at, in bytes; whether it is compiled for size.
+/// Targets for flash in bytes; true if compiled for size.
 const FLASH: [(&str, bool, u64); 4] = [
     ("four_bar", false, 6_000),
     ("excavator", false, 14_000),
@@ -31,8 +31,8 @@ Written by `cargo run -p linkwright-tests --bin embedded -- --write`; without `-
 and fails where a figure has grown by more than 5 % with the same compiler. The programs are in `tests/embedded`: firmware of one mechanism each, for the boards
 mps2-an386 (Cortex-M4F) and mps2-an500 (Cortex-M7) of QEMU, which counts instructions. It has no model of cycles.
 
-A program assembles the mechanism, asks for a frame every 1/1024 s for 5 s, then takes 24 steps of 0.195 s, forwards and back, three of them
-to times that are no number. A frame is position, velocity and acceleration of all bodies.
+A program assembles the mechanism, requests a frame every 1/1024 s for 5 s, then takes 24 steps of 0.195 s, forwards and back, three of them
+to times that are NaN. A frame is position, velocity and acceleration of all bodies.
 ";
 
 const GUARD: &str = "\
@@ -84,8 +84,8 @@ the largest value of a column:\n"
 const GUARANTEES: &str = "
 ## What is not in the programs
 
-The panic handler of the firmware calls a symbol that nothing defines, so that a program with a panic path does not link, and there is no
-allocator. Neither formatting nor a function of the textbook view is among the symbols. In Rust no function that `assemble` or `advance`
+The panic handler of the firmware calls a symbol that is never defined, so that a program with a panic path does not link. It has
+no allocator. Neither formatting nor a function of the textbook view is among the symbols. In Rust no function that `assemble` or `advance`
 reaches can be on the stack twice: the calls are read from the instructions, and a call through a pointer may lead to every function
 whose address is in the program. A program with each of these planted is found. At opt-level s alone, checks are left that cannot fail, and
 with them a panic path; that is why speed is what the others are compiled for.
@@ -97,7 +97,7 @@ fn select(known: &[Known], processor: Processor, scalar: Scalar) -> impl Iterato
     known.iter().filter(is_wanted)
 }
 
-/// What a program is called in a table of one processor and scalar.
+/// Label of a program in a table of one processor and scalar.
 fn title(known: &Known) -> String {
     let program = &known.program;
     let language = match (program.language, program.is_guarded) {
@@ -118,13 +118,13 @@ fn errors(known: &[Known]) -> String {
     let mut rows = vec![["mechanism", "f32", "f64"].map(String::from)];
     for (name, _) in MECHANISMS {
         let of = |scalar| {
-            let own = known
+            let programs = known
                 .iter()
                 .filter(|it| it.program.mechanism() == name && it.program.scalar == scalar);
-            let own = own
+            let programs = programs
                 .filter(|it| it.program.language != Language::ByHand)
                 .map(|it| it.error);
-            format!("{:.1e}", own.fold(0.0, f64::max))
+            format!("{:.1e}", programs.fold(0.0, f64::max))
         };
         rows.push([name.to_string(), of(Scalar::F32), of(Scalar::F64)]);
     }
@@ -160,14 +160,14 @@ fn instructions(known: &[Known], processor: Processor, scalar: Scalar) -> String
     aligned(&rows, 2)
 }
 
-/// The operations of a frame as the header of the module counts them: of a Newton block those of all its iterations.
+/// Operations of a frame as the header of the module counts them: those of a Newton block for all its iterations.
 fn operations(name: &str) -> String {
     let work = work_of(name);
     let bound = if work.is_iterated { "≤ " } else { "" };
     format!("{bound}{}", work.attempt.total())
 }
 
-/// What is aimed at, beside what was measured with the guard and without.
+/// Targets beside measurements with the guard and without.
 fn aims(known: &[Known]) -> String {
     let find = |name: &str, is_guarded: bool, is_small: bool| {
         select(known, Processor::CortexM4F, Scalar::F32).find(|it| {

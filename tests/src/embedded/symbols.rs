@@ -1,4 +1,4 @@
-//! *Firmware* → *what its flash holds, by part*, and the names in it that must not be there.
+//! Contents of the flash of firmware by part, and forbidden names in it.
 
 use std::io;
 use std::path::Path;
@@ -8,27 +8,27 @@ use super::build::Built;
 use super::program::{Language, Program};
 use super::tools::output;
 
-/// What code and constants belong to.
+/// Owner of code and constants.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Part {
-    /// The generated code of the mechanism.
+    /// Generated code of the mechanism.
     Mechanism,
-    /// The runtime, which is made for the mechanism in Rust.
+    /// Runtime, specialized for the mechanism in Rust.
     Runtime,
     /// Sines, angles and roots.
     Functions,
     /// Constants and tables of all of these.
     Constants,
-    /// What the compiler calls: memory, and arithmetic that the processor does not have.
+    /// Calls of the compiler: memory, and arithmetic that the processor does not have.
     Compiler,
-    /// The program that moves the mechanism, measures and prints.
+    /// Program that moves the mechanism, measures and prints.
     Harness,
 }
 
-/// How many parts there are.
+/// Number of parts.
 pub const PARTS: usize = 6;
 
-/// What the parts are called.
+/// Labels of the parts.
 pub const TITLES: [&str; PARTS] = [
     "mechanism",
     "runtime",
@@ -54,7 +54,7 @@ const FORBIDDEN: [&str; 12] = [
     "abort",
 ];
 
-/// A name in the table of symbols, and how many bytes of flash it has.
+/// Name in the table of symbols, and its bytes of flash.
 struct Symbol {
     name: String,
     size: u64,
@@ -75,7 +75,7 @@ fn symbols(elf: &Path) -> io::Result<Vec<Symbol>> {
     Ok(text.lines().filter_map(symbol).collect())
 }
 
-/// The bytes of flash: code, constants, and the first values of variables.
+/// Bytes of flash: code, constants, and the first values of variables.
 ///
 /// # Errors
 /// The file cannot be read.
@@ -88,7 +88,7 @@ pub fn flash(elf: &Path) -> io::Result<u64> {
     Ok(words.next().unwrap_or(0) + words.next().unwrap_or(0))
 }
 
-/// The bytes of each part. What has no name, such as what lies between functions, is the harness's.
+/// Bytes of each part. Unnamed bytes, such as those between functions, are the harness's.
 ///
 /// # Errors
 /// The file cannot be read.
@@ -107,8 +107,8 @@ pub fn parts(program: &Program, built: &Built) -> io::Result<[u64; PARTS]> {
         }
     }
     let all = flash(&built.elf)?;
-    let own: u64 = parts[..Part::Harness as usize].iter().sum();
-    parts[Part::Harness as usize] = all.saturating_sub(own);
+    let named: u64 = parts[..Part::Harness as usize].iter().sum();
+    parts[Part::Harness as usize] = all.saturating_sub(named);
     Ok(parts)
 }
 
@@ -125,7 +125,7 @@ fn of_rust(name: &str) -> Part {
     if is_called.iter().any(|it| name.starts_with(it)) || starts(&["linkwright::"]) {
         return Part::Runtime;
     }
-    // A loop over frames of the mechanism that the compiler has not taken apart.
+    // Loop over frames of the mechanism that the compiler has not unrolled.
     if starts(&[
         "linkwright_embedded::variants",
         "[&linkwright_embedded::variants",
@@ -176,7 +176,7 @@ fn of_c(program: &Program, section: &str, file: &str) -> Part {
     }
 }
 
-/// The sections that are in flash: their names, files and sizes, from a map of GNU's linker.
+/// Sections in flash: their names, files and sizes, from a map of GNU's linker.
 fn linked(map: &str) -> Vec<(&str, &str, u64)> {
     let (_, map) = map
         .split_once("Linker script and memory map")
@@ -209,7 +209,8 @@ fn linked(map: &str) -> Vec<(&str, &str, u64)> {
     sections
 }
 
-/// Names that must not be in firmware: of panics, allocators and formatting, and of the textbook view, which no loop calls.
+/// Forbidden names in firmware: of panics, allocators and formatting, and of the textbook formulation, which no loop
+/// calls.
 ///
 /// # Errors
 /// The file cannot be read.
@@ -218,14 +219,14 @@ pub fn forbidden(program: &Program, elf: &Path) -> io::Result<Vec<String>> {
     let textbook: Vec<String> = ["phi", "phi_q", "phi_t", "gamma"]
         .iter()
         .flat_map(|name| {
-            let own = program.mechanism();
+            let mechanism = program.mechanism();
             [
                 format!("linkwright_embedded::variants::{variant}::{name}"),
-                format!("{own}_{name}"),
+                format!("{mechanism}_{name}"),
             ]
         })
         .collect();
-    // Where size counts, checks are left that cannot fail.
+    // Code for size keeps checks that cannot fail.
     let is_let_pass = |name: &str| program.is_small && name.contains("core::panicking");
     let is_forbidden = |name: &str| {
         if is_let_pass(name) {

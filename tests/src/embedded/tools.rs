@@ -1,4 +1,4 @@
-//! *The machine* → *its compilers and QEMU*, as commands; what is missing is said.
+//! Compilers and QEMU of the machine, as commands; missing ones are reported.
 
 use std::env;
 use std::io;
@@ -8,10 +8,10 @@ use std::process::Command;
 use super::modules;
 use crate::files;
 
-/// What the compiler of a target needs besides itself.
+/// Linker that the compiler of a target needs besides itself.
 const LINKER: &str = "lib/rustlib/x86_64-unknown-linux-gnu/bin/rust-lld";
 
-/// Where everything is built.
+/// Folder of all builds.
 pub fn folder() -> PathBuf {
     let target = env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
     let target = target.filter(|it| !it.as_os_str().is_empty());
@@ -19,10 +19,10 @@ pub fn folder() -> PathBuf {
     target.join("embedded")
 }
 
-/// What a command prints.
+/// Output of a command.
 ///
 /// # Errors
-/// It cannot be started, or ends as it should not; then what it has printed.
+/// The command cannot be started, or fails; the error then has its output.
 pub fn output(command: &mut Command) -> io::Result<String> {
     let output = command.output().map_err(|error| {
         let program = command.get_program().display().to_string();
@@ -37,14 +37,14 @@ pub fn output(command: &mut Command) -> io::Result<String> {
     Err(io::Error::other(format!("{command:?}\n{}", &text[..end])))
 }
 
-/// A build in `tests/embedded` for the host.
+/// Build in `tests/embedded` for the host.
 pub fn cargo_for_host() -> Command {
     let mut command = Command::new(env!("CARGO"));
     set_up(&mut command);
     command
 }
 
-/// The folders of a build in `tests/embedded`.
+/// Sets the folders of a build in `tests/embedded`.
 fn set_up(command: &mut Command) {
     command.current_dir(files::package("embedded"));
     command.env("CARGO_TARGET_DIR", folder().join("target"));
@@ -52,11 +52,11 @@ fn set_up(command: &mut Command) {
     command.env("MODULES", modules::modules());
 }
 
-/// A build in `tests/embedded` for a target, by the compiler of rustup if that has its library, or else by Debian's with the library's
-/// source.
+/// Build in `tests/embedded` for a target, by the compiler of rustup if that has its library, or else by Debian's
+/// with the library's source.
 ///
 /// # Errors
-/// Neither can.
+/// Neither is possible.
 pub fn cargo_for(subcommand: &str, target: &str, flags: &str) -> io::Result<Command> {
     let sysroot = output(Command::new("rustc").args(["--print", "sysroot"]))?;
     let sysroot = PathBuf::from(sysroot.trim());
@@ -100,7 +100,7 @@ pub fn cargo_for(subcommand: &str, target: &str, flags: &str) -> io::Result<Comm
     Ok(command)
 }
 
-/// The compilers and QEMU, as they call themselves.
+/// Versions of the compilers and of QEMU.
 ///
 /// # Errors
 /// One is missing.

@@ -1,4 +1,4 @@
-//! *What a header says that `advance` computes at most* → *whether the instructions that were counted are within it*.
+//! Checks that counted instructions are within the operations that a header states for `advance`.
 
 use linkwright_codegen::stages::program::{Operations, Work, work};
 
@@ -6,7 +6,7 @@ use super::figures::Known;
 use super::program::{Language, Processor, Scalar};
 use crate::description;
 
-/// The work of a mechanism as its header states it.
+/// Work of a mechanism as its header states it.
 ///
 /// # Panics
 /// If its description has errors.
@@ -15,15 +15,15 @@ pub fn work_of(mechanism: &str) -> Work {
     report.expect("a mechanism that is determined").work
 }
 
-/// The instructions of a Cortex-M4F for so many operations in f32, at most: with what loads their operands and stores them, and the
-/// branches and copies of a frame, which are part of its operations' share.
+/// Largest number of instructions of a Cortex-M4F for these operations in f32, with the loads and stores of their
+/// operands. The branches and copies of a frame are part of its operations' share.
 fn instructions(operations: &Operations) -> usize {
     4 * (operations.additions + operations.multiplications + operations.divisions)
         + 50 * (operations.square_roots + operations.sines)
         + 70 * operations.arctangents
 }
 
-/// What is outside of what the header says: fewer instructions than operations, or more than these can take.
+/// Contradictions to the header: fewer instructions than operations, or more than these can take.
 pub fn outside(known: &Known) -> Vec<String> {
     let program = &known.program;
     let is_meant = (program.processor, program.scalar) == (Processor::CortexM4F, Scalar::F32)
@@ -39,10 +39,10 @@ pub fn outside(known: &Known) -> Vec<String> {
     });
     let attempt = instructions(&work.attempt);
     let (advance, long) = (known.printed.advance, known.printed.long);
-    let mut found = Vec::new();
+    let mut contradictions = Vec::new();
     let mut ask = |what: &str, measured: u64, largest: usize| {
         if measured > largest as u64 {
-            found.push(format!(
+            contradictions.push(format!(
                 "{program}: {measured} instructions of {what}, and the header allows {largest}"
             ));
         }
@@ -63,7 +63,7 @@ pub fn outside(known: &Known) -> Vec<String> {
         poses * attempt + work.windows(work::SUBSTEPS) * window,
     );
     if !work.is_iterated && (advance.mean() as usize) < work.attempt.total() {
-        found.push(format!("{program}: fewer instructions than operations"));
+        contradictions.push(format!("{program}: fewer instructions than operations"));
     }
-    found
+    contradictions
 }

@@ -1,6 +1,8 @@
-//! Judges simulations of the gallery with masses and free drivers from random states, beside all coordinates integrated with multipliers.
+//! Judges simulations of the gallery with masses and free drivers from random states, beside all coordinates
+//! integrated with multipliers.
 //!
-//! What is allowed is measured by the growth of a small change. Each state follows from the seed, the file and a number.
+//! The allowed error is measured by the growth of a small change. Each state follows from the seed, the file and a
+//! number.
 
 mod expected;
 mod gallery;
@@ -30,17 +32,18 @@ pub const TOLERANCES: [f64; 2] = [1e-7, 1e-10];
 /// Largest error of a right motion, in tolerances × growth.
 pub const ALLOWED: f64 = 100.0;
 
-/// Most starts that are drawn for a state: where some equations are solved by iteration, poses far from the drawing are not always found.
+/// Largest number of starts tried for a state: if some equations are iterated, poses far from the design
+/// configuration may be missed.
 const DRAWS: usize = 20;
 
 /// The end of a simulation.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Outcome {
-    /// It went to the end, with this error in tolerances × growth.
+    /// The simulation reached its end, with this error in tolerances × growth.
     Went(f64),
     /// It ended with a typed error, or did not begin.
     Ended(String),
-    /// It went to the end, and there is no reference for this reason.
+    /// The simulation reached its end, but has no reference for this reason.
     NotCompared(&'static str),
 }
 
@@ -51,7 +54,8 @@ pub struct Verdict {
     pub file: &'static str,
     /// The number of its state.
     pub state: u64,
-    /// The determinant of what is free at the start, with gradients of length 1 on an orthonormal basis of what the joints allow.
+    /// Determinant of the free coordinates at the start, with gradients of length 1 on an orthonormal basis of the
+    /// null space of the joints.
     pub determinant: f64,
     /// The relative tolerance.
     pub relative: f64,
@@ -60,7 +64,7 @@ pub struct Verdict {
 }
 
 impl Verdict {
-    /// True if it went to its end with an error that is too large, or is no number.
+    /// True if the simulation reached its end with an error that is too large, or NaN.
     pub fn is_wrong(&self) -> bool {
         match self.outcome {
             Outcome::Went(missed) => missed.is_nan() || missed > ALLOWED,
@@ -70,7 +74,7 @@ impl Verdict {
 }
 
 impl Freed {
-    /// Judges a state at relative tolerances; empty where no start is found.
+    /// Judges a state at relative tolerances; empty if no start exists.
     pub fn judged(&'static self, seed: u64, state: u64, tolerances: &[f64]) -> Vec<Verdict> {
         let (mut random, weighed, start) = self.state(seed, state);
         start.map_or(Vec::new(), |start| {
@@ -79,17 +83,17 @@ impl Freed {
         })
     }
 
-    /// The description of a state; `None` where no start is found.
+    /// Description of a state; `None` if no start exists.
     pub fn text(&'static self, seed: u64, state: u64) -> Option<String> {
         let (_, weighed, start) = self.state(seed, state);
         Some(weighed.started(&start?.values))
     }
 
     fn state(&'static self, seed: u64, state: u64) -> (Random, Weighed, Option<Start>) {
-        let own = self.file.bytes().fold(seed, |sum, byte| {
+        let file_seed = self.file.bytes().fold(seed, |sum, byte| {
             Random::new(sum.wrapping_add(u64::from(byte))).bits()
         });
-        let mut random = Random::new(own.wrapping_add(state));
+        let mut random = Random::new(file_seed.wrapping_add(state));
         let weighed = Weighed::new(self, &mut random);
         let places = Places::new(self, &weighed);
         let start = (0..DRAWS).find_map(|_| places.start(&mut random));
@@ -97,7 +101,7 @@ impl Freed {
     }
 }
 
-/// A mechanism at a start, and its reference.
+/// Mechanism at a start, and its reference.
 struct Judge {
     view: Interpreted,
     reference: Multipliers,

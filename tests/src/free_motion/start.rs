@@ -1,6 +1,7 @@
-//! Random poses and rates of a mechanism, at determinants of what is free over many powers of ten.
+//! Random poses and rates of a mechanism, at determinants of the free coordinates over many powers of ten.
 //!
-//! From the drawing what is free is moved along a ray until there is no pose. Starts lie on the ray before that end.
+//! From the design configuration the free coordinates are moved along a ray until the pose vanishes. Starts lie on
+//! the ray before that end.
 
 use linkwright::{Blocks, Shell, Signal};
 use linkwright_solver::instant::Instant;
@@ -16,10 +17,11 @@ use crate::random::Random;
 use crate::simulated::interpreted;
 use crate::values::assembled_with;
 
-/// Powers of ten of distances from the end of a ray: beside a dead center, determinants are in proportion to their roots.
+/// Powers of ten of distances from the end of a ray: beside a dead center, determinants are proportional to their
+/// roots.
 const CLOSENESS: [f64; 2] = [-8.0, 0.0];
 
-/// First step along a ray, growth of the next ones, and where none of them leads.
+/// First step along a ray, growth of the next ones, and the distance at which the search ends.
 const STEP: f64 = 0.02;
 const GROWTH: f64 = 1.05;
 const FARTHEST: f64 = 3.0;
@@ -27,17 +29,17 @@ const FARTHEST: f64 = 3.0;
 /// Smallest and largest of the largest rate (m/s or rad/s).
 const RATES: [f64; 2] = [2.0, 6.0];
 
-/// A mechanism about as it is drawn, in which starts are looked for.
+/// Mechanism near its design configuration, in which starts are sought.
 pub(super) struct Places {
     view: Interpreted,
     reference: Multipliers,
     freed: &'static Freed,
     drawn: DVector<f64>,
-    /// What is free there.
+    /// Values of the free coordinates there.
     values: DVector<f64>,
 }
 
-/// A start: the pose, and values and rates of what is free.
+/// Start: the pose, and values and rates of the free coordinates.
 pub(super) struct Start {
     pub instant: Instant,
     pub values: Vec<[f64; 2]>,
@@ -48,12 +50,12 @@ impl Places {
         let view = interpreted(&weighed.drawn());
         let reference = Multipliers::new(view.system(), &[], [0.0; 2]);
         let drawn = DVector::from_vec(view.drawn_pose(&view.nominal_parameters()).0);
-        let own = reference.free_values(&drawn);
-        let given = view.input_laws().at(0.0).0;
+        let design_values = reference.free_values(&drawn);
+        let signals = view.input_laws().at(0.0).0;
         let ranges = freed.free.iter().enumerate();
         let values = ranges.map(|(place, range)| match range.value {
-            Some(_) => given[place].value,
-            None => own[place],
+            Some(_) => signals[place].value,
+            None => design_values[place],
         });
         let values = DVector::from_iterator(freed.free.len(), values);
         Places {
@@ -65,16 +67,16 @@ impl Places {
         }
     }
 
-    /// The pose that blocks find for values of what is free, near another one.
+    /// Pose of the blocks at values of the free coordinates, near another one.
     fn pose(&self, values: &[f64], near: &[f64]) -> Option<Instant> {
         let signals = values.iter().map(|value| Signal::new(*value, 0.0, 0.0));
         let inputs = InputSignals(signals.collect());
-        let found: Result<Shell<Interpreted>, _> =
+        let assembled: Result<Shell<Interpreted>, _> =
             assembled_with(self.view.clone(), near, 0.0, &inputs, Default::default());
-        Some(found.ok()?.frame().clone())
+        Some(assembled.ok()?.frame().clone())
     }
 
-    /// A random start; `None` where there is no pose as drawn.
+    /// Random start; `None` if the design configuration cannot be assembled.
     pub fn start(&self, random: &mut Random) -> Option<Start> {
         let ranges = self.freed.free;
         let direction: Vec<f64> = match ranges {
@@ -109,11 +111,11 @@ impl Places {
         })
     }
 
-    /// The last place on a ray at which there is a pose, with that pose; no place where there are poses all along.
+    /// Last point on a ray that has a pose, with that pose; no point if all have poses.
     fn end(&self, at: &impl Fn(f64) -> Vec<f64>) -> Option<(Option<f64>, DVector<f64>)> {
         let pose = |part: f64, near: &DVector<f64>| {
-            let found = self.pose(&at(part), near.as_slice())?;
-            Some(DVector::from_column_slice(found.q()))
+            let pose = self.pose(&at(part), near.as_slice())?;
+            Some(DVector::from_column_slice(pose.q()))
         };
         let mut last = pose(0.0, &self.drawn)?;
         let (mut inside, mut outside, mut step) = (0.0, 0.0, STEP);

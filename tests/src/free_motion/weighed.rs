@@ -84,7 +84,7 @@ impl Weighed {
         self.with(starts)
     }
 
-    /// The same with joints that keep their rank on the way.
+    /// Description whose joints keep their rank along the motion.
     pub fn regular(&self, values: &[[f64; 2]]) -> String {
         let mut text = self.started(values);
         for [joint, instead] in self.freed.regular {

@@ -1,4 +1,4 @@
-//! *Random numbers* → *a mechanism to which groups are added*, each with as many equations as coordinates.
+//! Builds a mechanism from random numbers by adding groups, each with as many equations as coordinates.
 
 use super::joint::Joint;
 use super::law::Law;
@@ -7,16 +7,16 @@ use super::motion::Motions;
 use super::periodic::Periodic;
 use crate::random::Random;
 
-/// A mechanism that grows.
+/// Mechanism that grows.
 pub struct Builder {
     random: Random,
-    /// What has grown so far.
+    /// Mechanism so far.
     pub mechanism: Mechanism,
-    /// Where it grows (m).
+    /// Center of its growth (m).
     centre: [f64; 2],
-    /// How far drivers go, in sizes.
+    /// Range of drivers, in sizes.
     range: f64,
-    /// How far frames may lie from the points of their bodies, in sizes.
+    /// Largest distance of a body's frame from its points, in sizes.
     frames: f64,
     group: usize,
     /// Number of periodic tables.
@@ -67,7 +67,7 @@ impl Builder {
         builder
     }
 
-    /// A number from `low` to below `high`.
+    /// Random number from `low` to below `high`.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         self.random.between(low, high)
     }
@@ -77,12 +77,12 @@ impl Builder {
         self.between(0.0, 1.0) < probability
     }
 
-    /// A whole number below `count`.
+    /// Random whole number below `count`.
     pub fn below(&mut self, count: usize) -> usize {
         (self.random.bits() % count as u64) as usize
     }
 
-    /// One of two, or the other.
+    /// Either pair, at random.
     pub fn either<T>(&mut self, first: T, second: T) -> [T; 2] {
         if self.chance(0.5) {
             [first, second]
@@ -91,7 +91,7 @@ impl Builder {
         }
     }
 
-    /// The size (m).
+    /// Size (m).
     pub fn size(&self) -> f64 {
         self.mechanism.size
     }
@@ -102,13 +102,13 @@ impl Builder {
         self.mechanism.groups.push(name);
     }
 
-    /// Somewhere.
+    /// Random position.
     pub fn place(&mut self) -> [f64; 2] {
         let size = self.size();
         [0, 1].map(|axis| self.centre[axis] + size * self.between(-1.0, 1.0))
     }
 
-    /// Somewhere, at least a seventh of the size from these places (a millionth of it, once in a while).
+    /// Random position, at least a seventh of the size from these positions (at times only a millionth).
     pub fn place_off(&mut self, others: &[[f64; 2]]) -> [f64; 2] {
         let clearance = if self.chance(0.01) { 1e-6 } else { 0.15 };
         for _ in 0..64 {
@@ -142,7 +142,7 @@ impl Builder {
         body
     }
 
-    /// A body that is there already: the ground, or one of those before `before`.
+    /// Existing body: the ground, or one of those before `before`.
     pub fn earlier(&mut self, before: usize) -> usize {
         if before <= 1 || self.chance(0.35) {
             GROUND
@@ -204,7 +204,7 @@ impl Builder {
         }
     }
 
-    /// A periodic table with heights up to `height`, which begins anywhere; half of them have their boundaries at exact binary
+    /// Periodic table with heights up to `height` and any start; half of them have their boundaries at exact binary
     /// numbers, among them the instants of the hunt.
     pub fn periodic(&mut self, height: f64) -> Periodic {
         let number = self.tables;
@@ -233,16 +233,16 @@ impl Builder {
         });
     }
 
-    /// How a length is driven.
+    /// Law of a driven length.
     pub fn length_law(&mut self) -> Law {
         let range = self.range * self.size();
         self.law(range)
     }
 
-    /// How an angle is driven.
+    /// Law of a driven angle.
     pub fn angle_law(&mut self) -> Law {
         if self.chance(0.15) {
-            // All the way round.
+            // Whole turns.
             return Law::Ramp {
                 rate: self.between(1.0, 5.0),
             };

@@ -1,4 +1,4 @@
-//! *Descriptions and tasks* → *what the compiled mechanisms make of them*, in f64 and in f32.
+//! Runs tasks on compiled mechanisms, in f64 and in f32.
 //!
 //! The modules are generated as a build script would, and compiled in a package of their own under the target folder.
 
@@ -19,10 +19,10 @@ use crate::files;
 /// Answers of the compiled code, for one mechanism: in f64 and in f32.
 pub type Answers = [Vec<Answered>; 2];
 
-/// A folder for the package, beside the program that runs.
+/// Folder of the package, beside the running program.
 ///
 /// # Errors
-/// If the program does not know where it is.
+/// If the path of the program is unknown.
 pub fn folder() -> io::Result<PathBuf> {
     let program = std::env::current_exe()?;
     let target = program.parent().and_then(Path::parent);
@@ -65,7 +65,7 @@ pub fn answers(
     read(&printed, tasks).ok_or_else(|| io::Error::other("unreadable answers"))
 }
 
-/// Writes what has changed: Cargo compiles nothing again for a file that is as it was.
+/// Writes changed files: Cargo does not compile an unchanged file again.
 fn write_package(folder: &Path, mechanisms: &[&Mechanism]) -> io::Result<()> {
     let source = folder.join("src");
     fs::create_dir_all(&source)?;

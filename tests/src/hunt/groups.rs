@@ -1,5 +1,5 @@
-//! *A mechanism that grows* → *the same with one more group*: driven bodies, dyads, single bodies on ties, and groups that no
-//! construction with circles and lines solves.
+//! Adds groups to a growing mechanism: driven bodies, dyads, single bodies on ties, and groups that no construction
+//! with circles and lines solves.
 
 use super::builder::Builder;
 use super::joint::Joint;

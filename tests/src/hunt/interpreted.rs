@@ -1,4 +1,4 @@
-//! *A mechanism with its truth* → *what the interpreted views make of it*, in f64.
+//! Answers of the interpreted formulations for a mechanism with its truth, in f64.
 
 use linkwright_solver::interpreted::Interpreted;
 

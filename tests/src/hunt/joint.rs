@@ -1,12 +1,12 @@
-//! *A joint or driver between points and bodies of a constructed mechanism* → *what it says in geometric terms*.
+//! Joints and drivers between points and bodies of a constructed mechanism, with their geometric conditions.
 //!
-//! [`Joint::violation`] is written from what each statement means, on global points, and shares no code with the generator: so
-//! a pose that violates nothing is one of the mechanism that was constructed.
+//! [`Joint::violation`] follows from the meaning of each statement, on global points, and shares no code with the
+//! generator. So a pose that violates nothing is one of the mechanism that was constructed.
 
 use super::law::Law;
 use super::mechanism::{GROUND, Mechanism, Pose, difference, dot, length, rotated};
 
-/// A joint or driver. Points and bodies are indices into the mechanism.
+/// Joint or driver. Points and bodies are indices into the mechanism.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Joint {
     /// Two points coincide.
@@ -29,20 +29,20 @@ pub enum Joint {
     Line(usize, [usize; 2]),
     /// Wheels i and j on a carrier turn in this ratio; `opposite` senses or not.
     Gear {
-        /// The wheels.
+        /// Wheels.
         wheels: [usize; 2],
-        /// What holds their axes.
+        /// Body that holds the wheels' axes.
         carrier: usize,
         /// r_i / r_j.
         ratio: f64,
-        /// Whether they turn against one another.
+        /// True if the wheels turn in opposite senses.
         opposite: bool,
-        /// Whether a belt or teeth.
+        /// True for a belt, false for teeth.
         belt: bool,
     },
     /// A pinion with this centre rolls on a line of another body.
     Rack {
-        /// The centre, on the pinion.
+        /// Center, on the pinion.
         centre: usize,
         /// Two points of the line.
         line: [usize; 2],
@@ -64,7 +64,7 @@ pub enum Joint {
 }
 
 impl Joint {
-    /// How many equations it adds.
+    /// Number of equations.
     pub fn equations(&self) -> usize {
         match self {
             Joint::Revolute(..) | Joint::Translational(..) => 2,
@@ -73,7 +73,7 @@ impl Joint {
         }
     }
 
-    /// The bodies whose drawn poses have a part in what it says.
+    /// Bodies whose design poses affect the joint.
     pub fn drawn(&self, mechanism: &Mechanism) -> Vec<usize> {
         let of = |point: usize| mechanism.points[point].body;
         match *self {
@@ -89,7 +89,7 @@ impl Joint {
         }
     }
 
-    /// The bodies and points it mentions.
+    /// Bodies and points that the joint mentions.
     pub fn mentions(&self) -> (Vec<usize>, Vec<usize>) {
         match *self {
             Joint::Revolute(p, q)
@@ -114,7 +114,7 @@ impl Joint {
         }
     }
 
-    /// The law of a driver.
+    /// Law of a driver.
     pub fn law_mut(&mut self) -> Option<&mut Law> {
         match self {
             Joint::DrivePhi(_, law)
@@ -127,7 +127,7 @@ impl Joint {
         }
     }
 
-    /// By how much it is violated at time `t` in these poses of all bodies: lengths in m and angles in rad.
+    /// Violation at time `t` in these poses of all bodies: lengths in m and angles in rad.
     pub fn violation(&self, mechanism: &Mechanism, poses: &[Pose], t: f64) -> (f64, f64) {
         let now = |point: usize| mechanism.place(point, poses);
         let first = |point: usize| mechanism.points[point].place;
@@ -135,7 +135,7 @@ impl Joint {
         let turned = |body: usize| poses[body][2] - mechanism.bodies[body][2];
         let along = |p: usize, q: usize| difference(first(q), first(p));
         let distance = |a: [f64; 2], b: [f64; 2]| length(difference(a, b));
-        // A direction that is fixed in a body, now.
+        // Current direction of a vector fixed in a body.
         let carried = |direction: [f64; 2], body: usize| rotated(direction, turned(body));
         let across = |d: [f64; 2]| {
             let l = length(d);
@@ -154,8 +154,8 @@ impl Joint {
                     [mechanism.bodies[i][0], mechanism.bodies[i][1]],
                 );
                 let offset = carried(offset, i);
-                let found = difference([poses[j][0], poses[j][1]], [poses[i][0], poses[i][1]]);
-                (distance(found, offset), turned(i) - turned(j))
+                let offset_now = difference([poses[j][0], poses[j][1]], [poses[i][0], poses[i][1]]);
+                (distance(offset_now, offset), turned(i) - turned(j))
             }
             Joint::Absolute(p, axis) => (now(p)[axis] - first(p)[axis], 0.0),
             Joint::AbsoluteAngle(i) => (0.0, turned(i)),
@@ -186,7 +186,7 @@ impl Joint {
                 line: [a, b],
                 radius,
             } => {
-                // The pinion rolls: what its rim turns by is what its centre moves along the line.
+                // The pinion rolls: its rim turns by the distance that its center moves along the line.
                 let rack = of(a);
                 let direction = along(a, b);
                 let l = length(direction);
@@ -220,7 +220,7 @@ impl Joint {
     }
 }
 
-/// The name of a body.
+/// Name of a body.
 pub fn name(body: usize) -> String {
     if body == GROUND {
         "ground".to_string()

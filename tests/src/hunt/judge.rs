@@ -1,4 +1,4 @@
-//! *What a call has made of an instant, and what is true* → *an outcome*, by what the call promises.
+//! Judges the answer of a call at an instant by what the call promises.
 
 use std::f64::consts::{PI, TAU};
 
@@ -7,35 +7,36 @@ use super::ways::{Answered, Call};
 use crate::stability::precise::Precise;
 use crate::stability::verdict::Scalar;
 
-/// What 384 bits leave of a quantity that is zero, relative to the others, and more.
+/// Bound on a zero quantity in 384 bits, relative to the other quantities.
 const NOISE: f64 = 1e-60;
 
-/// The roundings of an elimination per equation: see [`super::mixing`].
+/// Roundings of an elimination per equation: see [`super::mixing`].
 const MIXED: f64 = 3.0;
 
-/// The bound of a coordinate, in its scale, beyond which it is said to have no digits.
+/// Bound of a coordinate, in its scale, beyond which none of its digits is known.
 const NO_DIGITS: f64 = 1e-2;
 
-/// What a call promises of the pose it finds.
+/// Promise of a call about the pose it returns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Promise {
-    /// That it is one.
+    /// A pose of the equations.
     Pose,
-    /// That its determinant has the sign of the branch.
+    /// A pose whose determinant has the sign of the branch.
     Branch,
-    /// That it is on the path.
+    /// The pose on the path.
     Path,
-    /// The same, each angle within half a turn of its last value.
+    /// The pose on the path, with each angle within half a turn of its last value.
     PathButTurns,
 }
 
-/// What a call promises, whose motion has been on the path so far.
+/// Promise of a call whose motion has been on the path so far.
 pub fn promise(call: Call, known: &Known) -> Promise {
     match call {
         Call::Assemble | Call::AdvanceFine | Call::Advance => Promise::Pose,
         Call::Afar => Promise::Branch,
         Call::Follow | Call::FollowLong => Promise::Path,
-        // The modes of closed forms are those of the drawing, which are those of the path where it is the pose.
+        // The branches of closed forms are those of the design configuration: those of the path if both poses
+        // coincide.
         Call::SolvedAssemble | Call::SolvedAfar if known.is_drawn_exactly && known.is_closed => {
             Promise::Branch
         }
@@ -44,17 +45,17 @@ pub fn promise(call: Call, known: &Known) -> Promise {
     }
 }
 
-/// What became of an instant.
+/// Outcome of an instant.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Outcome {
     /// On the path, within the bound; the ratio of error to bound.
     Correct {
-        /// The largest ratio of all coordinates and levels.
+        /// Largest ratio of error to bound over all coordinates and levels.
         ratio: f64,
     },
-    /// A pose of the equations, within its bound, but another one than that on the path; the call promises nothing else.
+    /// Another pose than that on the path, within its bound; the call promises only a pose.
     Other,
-    /// The same, where the path has ended.
+    /// Another pose within its bound, after the end of the path.
     Beyond,
     /// A typed failure where the path has a pose: its kind, and whether the bound leaves no digits.
     Failed(String),
@@ -84,7 +85,7 @@ pub fn judge(known: &Known, answers: &[Answered], scalar: Scalar) -> Vec<Outcome
     outcomes
 }
 
-/// Whether the bound of the pose leaves two digits.
+/// True if the bound of the pose leaves two digits.
 fn has_digits(known: &Known, exact: &Instant, scalar: Scalar) -> bool {
     let [bounds, _, _] = &exact.bounds[usize::from(scalar == Scalar::F32)];
     let scales = known.truth.scales(known.size);
@@ -94,12 +95,12 @@ fn has_digits(known: &Known, exact: &Instant, scalar: Scalar) -> bool {
         .all(|(bound, scale)| bound / scale < NO_DIGITS)
 }
 
-/// A motion so far.
+/// State of a motion.
 struct Followed {
     on_path: bool,
-    /// Whether an angle is whole turns away from the path.
+    /// True if an angle is whole turns away from the path.
     turned: bool,
-    /// The last pose.
+    /// Last pose.
     q: Vec<f64>,
 }
 
@@ -126,14 +127,14 @@ fn one(
         motion.q.clone_from(&levels[0]);
         return (Outcome::Correct { ratio }, motion);
     }
-    // Another pose, if it is one.
-    let found = elsewhere(known, answered.instant, &levels[0]);
+    // The answer may be another pose.
+    let other = elsewhere(known, answered.instant, &levels[0]);
     let why = missed.and_then(Result::err);
-    let Some(found) = found else {
+    let Some(other) = other else {
         let why = why.unwrap_or_else(|| "a pose where there is none".to_string());
         return (Outcome::Wrong(why), motion);
     };
-    if let Err(off) = compare(levels, &found) {
+    if let Err(off) = compare(levels, &other) {
         let why = why.map_or(off.clone(), |why| {
             format!("{why}; from the next pose {off}")
         });
@@ -148,7 +149,7 @@ fn one(
     };
     let kept = match (promise, exact) {
         (Promise::Pose, _) => Ok(()),
-        (Promise::Branch, _) if found.exact.is_negative == known.task.is_negative => Ok(()),
+        (Promise::Branch, _) if other.exact.is_negative == known.task.is_negative => Ok(()),
         (Promise::Branch, _) => Err("a pose of the other branch"),
         (Promise::PathButTurns, Some(exact)) => {
             if !is_turned(known, &levels[0], exact) {
@@ -176,7 +177,7 @@ fn is_angle(known: &Known, place: usize) -> bool {
     known.system.coordinates[place].quantity.power_of_length() == 0
 }
 
-/// Whether the pose is that on the path but for whole turns.
+/// True if the pose is that on the path except for whole turns.
 fn is_turned(known: &Known, q: &[f64], exact: &Instant) -> bool {
     let near = |place: usize| {
         let off = q[place] - exact.exact.levels[0][place].to_f64();
@@ -189,7 +190,7 @@ fn is_turned(known: &Known, q: &[f64], exact: &Instant) -> bool {
     (0..q.len()).all(near)
 }
 
-/// Whether an angle has moved by half a turn or more since the last pose.
+/// True if an angle has moved by half a turn or more since the last pose.
 fn has_far_turn(known: &Known, before: &[f64], exact: &Instant) -> bool {
     (0..before.len()).any(|place| {
         let moved = exact.exact.levels[0][place].to_f64() - before[place];
@@ -197,32 +198,32 @@ fn has_far_turn(known: &Known, before: &[f64], exact: &Instant) -> bool {
     })
 }
 
-/// The largest ratio of error to bound, or what is off by more.
+/// Largest ratio of error to bound; an error names a value that exceeds its bound.
 fn compare(levels: &[Vec<f64>; 3], exact: &Instant, scalar: Scalar) -> Result<f64, String> {
     let bounds = &exact.bounds[usize::from(scalar == Scalar::F32)];
     let mut ratio = 0.0_f64;
     for (level, found) in levels.iter().enumerate() {
-        let wanted = &exact.exact.levels[level];
-        let largest = wanted
+        let expected_level = &exact.exact.levels[level];
+        let largest = expected_level
             .iter()
             .map(|it| it.to_f64().abs())
             .fold(0.0, f64::max);
         let roundings = MIXED * found.len() as f64 * scalar.epsilon();
         for (place, found) in found.iter().enumerate() {
-            let off = Precise::from_f64(*found).minus(&wanted[place]);
+            let off = Precise::from_f64(*found).minus(&expected_level[place]);
             let off = off.to_f64().abs();
             let mixed = match level {
                 0 => 0.0,
                 _ => roundings * exact.mixed[level - 1][place],
             };
             let limit = bounds[level][place].max(mixed).max(NOISE * largest);
-            // No comparison with NaN holds, so that is wrong too.
+            // A comparison with NaN is false, so that NaN is wrong too.
             let within = off <= limit;
             if !within {
                 let name = ["q", "q̇", "q̈"][level];
-                let wanted = wanted[place].to_f64();
+                let expected_level = expected_level[place].to_f64();
                 return Err(format!(
-                    "{name}[{place}] = {found:e} instead of {wanted:e}, off by {off:.1e} where {limit:.1e} is allowed"
+                    "{name}[{place}] = {found:e} instead of {expected_level:e}, off by {off:.1e} where {limit:.1e} is allowed"
                 ));
             }
             if limit > 0.0 {

@@ -1,5 +1,4 @@
-//! *A mechanism by construction* → *its equations and what is true of them*: exact motion and bounds at each instant on its path,
-//! or why there is nothing to hunt.
+//! Equations of a mechanism by construction, with its exact motion and bounds at each instant.
 
 use linkwright::Equations;
 use linkwright_codegen::diagnostic::Source;
@@ -19,63 +18,63 @@ use crate::stability::precise::Precise;
 use crate::stability::truth::{Exact, Given, Levels, Truth};
 use crate::stability::verdict::Scalar;
 
-/// How many instants there are after the first one.
+/// Number of instants after the first one.
 pub const INSTANTS: usize = 24;
 
-/// The time between two of them (s).
-pub const APART: f64 = 0.125;
+/// Time between two instants (s).
+pub const INSTANT_SPACING: f64 = 0.125;
 
-/// What no exact pose may violate in terms of the construction, in sizes and rad per unit of `away`.
+/// Largest violation of the construction by an exact pose, in scales and rad per unit of `away`.
 const VIOLATION: f64 = 1e-9;
 
-/// What is true at an instant.
+/// Exact motion and bounds at an instant.
 pub struct Instant {
-    /// The exact motion.
+    /// Exact motion.
     pub exact: Exact,
-    /// By how much it may be off in f64 and in f32.
+    /// Bounds on the error in f64 and in f32.
     pub bounds: [Levels<f64>; 2],
-    /// What elimination mixes into q̇ and q̈: see [`mixing`].
+    /// Magnitudes that elimination mixes into q̇ and q̈: see [`mixing`].
     pub mixed: [Vec<f64>; 2],
 }
 
 /// A mechanism with its truth.
 pub struct Known {
-    /// The equations.
+    /// Equations.
     pub system: System,
-    /// The same to be evaluated.
+    /// Equations for evaluation.
     pub interpreter: TextbookEquations,
-    /// The same in 384 bits.
+    /// Equations in 384 bits.
     pub truth: Truth,
-    /// What residuals in m are judged against.
+    /// Characteristic length: scale of residuals in m.
     pub length: f64,
-    /// The size (m).
+    /// Size of the mechanism (m).
     pub size: f64,
-    /// The instants that the path reaches.
+    /// Instants that the path reaches.
     pub instants: Vec<Instant>,
-    /// How it goes on after them.
+    /// Continuation of the path after the instants.
     pub end: End,
-    /// Whether the drawing is the exact pose, so that it has the same modes.
+    /// True if the design configuration is the exact pose, so that both have the same assembly mode.
     pub is_drawn_exactly: bool,
-    /// Whether every block of the solved view has a closed form.
+    /// True if every block of the solved formulation has a closed form.
     pub is_closed: bool,
-    /// What is asked.
+    /// Requested solves.
     pub task: Task,
 }
 
-/// Why a mechanism is not hunted.
+/// Reason why a mechanism is not hunted.
 #[derive(Clone, Debug)]
 pub enum Unused {
-    /// The description is refused: the codes, and the whole text.
+    /// Refused description: its codes and the whole text.
     Refused(String, String),
-    /// The pose by construction is so near to a singular one that no path can be followed from it.
+    /// Pose by construction too close to a singular one to follow a path from it.
     Singular,
-    /// The tracker gave up, where it cannot be said whether the path goes on.
+    /// Tracker that gave up: the path may end or continue.
     Undecided,
-    /// The exact pose is none of the mechanism that was constructed: the equations say something else than the text.
+    /// Exact pose that contradicts the construction: the equations differ from the text.
     Contradiction(String),
 }
 
-/// What is true of the equations at `t` on the path through an exact pose near `start`.
+/// Exact motion and bounds at `t` on the path through an exact pose near `start`.
 fn instant(
     truth: &Truth,
     interpreter: &TextbookEquations,
@@ -84,17 +83,17 @@ fn instant(
     start: &DVector<f64>,
     length: f64,
 ) -> Option<Instant> {
-    let given = Given {
+    let instant_inputs = Given {
         t,
         parameters: parameters.to_vec(),
         ..Given::default()
     };
     let start: Vec<Precise> = start.iter().map(|it| Precise::from_f64(*it)).collect();
-    let exact = truth.solve(&given, &start)?;
-    let bounds =
-        [Scalar::F64, Scalar::F32].map(|scalar| truth.allowance(&given, &exact, length, scalar));
+    let exact = truth.solve(&instant_inputs, &start)?;
+    let bounds = [Scalar::F64, Scalar::F32]
+        .map(|scalar| truth.allowance(&instant_inputs, &exact, length, scalar));
     let q: Vec<f64> = exact.levels[0].iter().map(Precise::to_f64).collect();
-    // What is computed may be larger than the exact value by its bound.
+    // A computed value may exceed the exact one by its bound.
     let [qd, qdd] = [1, 2].map(|level| -> Vec<f64> {
         let values = exact.levels[level].iter().zip(&bounds[0][level]);
         values
@@ -109,15 +108,17 @@ fn instant(
     })
 }
 
-/// The times of all instants.
+/// Times of all instants.
 pub fn times() -> Vec<f64> {
-    (0..=INSTANTS).map(|it| it as f64 * APART).collect()
+    (0..=INSTANTS)
+        .map(|it| it as f64 * INSTANT_SPACING)
+        .collect()
 }
 
-/// Reads the description and finds what is true of it.
+/// Reads the description and computes its exact motion.
 ///
 /// # Errors
-/// Why there is nothing to hunt.
+/// The reason why the mechanism is not hunted.
 pub fn known(mechanism: &Mechanism, seed: u64) -> Result<Known, Unused> {
     let source = Source::new("found.mech", mechanism.text());
     let refused = |errors: &linkwright_codegen::diagnostic::Diagnostics| {
@@ -186,7 +187,7 @@ pub fn known(mechanism: &Mechanism, seed: u64) -> Result<Known, Unused> {
             break;
         }
         let violation = mechanism.violation(&q, *t);
-        // No comparison with NaN holds.
+        // A comparison with NaN is false.
         let fits = violation <= VIOLATION * away;
         if !fits {
             return Err(Unused::Contradiction(format!(
@@ -249,15 +250,15 @@ fn task(instants: &[Instant], scales: &[f64], times: Vec<f64>, seed: u64) -> Tas
     }
 }
 
-/// The exact motion through a pose near `found`, wherever that lies; `None` where there is none.
+/// Exact motion through the pose nearest to `found`; `None` if no pose is near.
 pub fn elsewhere(known: &Known, instant: usize, found: &[f64]) -> Option<Instant> {
-    let found = DVector::from_column_slice(found);
+    let near = DVector::from_column_slice(found);
     self::instant(
         &known.truth,
         &known.interpreter,
         &Numbers::nominal_parameters(&known.system).0,
         known.task.times[instant],
-        &found,
+        &near,
         known.length,
     )
 }

@@ -1,8 +1,8 @@
-//! *The shape of a driver's motion* → *its value at a time, and its text*. Every shape is zero at t = 0.
+//! Shapes of a driver's motion, as values at a time and as text. Every shape is zero at t = 0.
 
 use super::periodic::Periodic;
 
-/// How a driven quantity moves away from where it is at t = 0.
+/// Change of a driven quantity from its value at t = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Law {
     /// rate · t.
@@ -12,36 +12,36 @@ pub enum Law {
     },
     /// amplitude · sin(frequency · t).
     Harmonic {
-        /// The amplitude.
+        /// Amplitude.
         amplitude: f64,
         /// In rad/s.
         frequency: f64,
     },
     /// The cubic rise from 0 at `from` to `height` at `to`.
     Step {
-        /// Where it begins (s).
+        /// Beginning (s).
         from: f64,
-        /// Where it ends (s).
+        /// End (s).
         to: f64,
-        /// What it rises by.
+        /// Rise.
         height: f64,
     },
     /// height · (1 - exp(-t)).
     Decay {
-        /// What it approaches.
+        /// Limit.
         height: f64,
     },
     /// The deviation of a periodic table of t from its value at t = 0.
     Repeated(Periodic),
-    /// That of an input, which is zero at t = 0 as well.
+    /// Change of an input, which is zero at t = 0 as well.
     Given {
-        /// Which input.
+        /// Index of the input.
         input: usize,
     },
 }
 
 impl Law {
-    /// The value at `t`.
+    /// Value at `t`.
     pub fn at(self, t: f64) -> f64 {
         match self {
             Law::Ramp { rate } => rate * t,
@@ -94,7 +94,7 @@ impl Law {
         [self.at(t), rate, acceleration]
     }
 
-    /// The shortest time in which it repeats itself, or would (s); what it moves is of this size (m, or 1 for an angle).
+    /// Shortest period, or a comparable time (s), of a driver of a quantity of this size (m, or 1 for an angle).
     pub fn period(self, size: f64) -> f64 {
         match self {
             Law::Ramp { rate } => std::f64::consts::TAU * size / rate.abs(),
@@ -106,7 +106,7 @@ impl Law {
         }
     }
 
-    /// The text of `base` plus the law.
+    /// Text of `base` plus the law.
     pub fn text(self, base: f64) -> String {
         match self {
             Law::Ramp { rate } => format!("{base:?} + {rate:?}*t"),
@@ -125,7 +125,7 @@ impl Law {
         }
     }
 
-    /// The law with heights and rates that are so many times as large.
+    /// Law with heights and rates times a factor.
     pub fn scaled(self, factor: f64) -> Law {
         match self {
             Law::Ramp { rate } => Law::Ramp {

@@ -10,7 +10,7 @@ use super::mechanism::GROUND;
 const LEGS: usize = 3;
 
 /// Largest number of bodies of a leg.
-const LONGEST: usize = 2;
+const MAX_LEG_BODIES: usize = 2;
 
 /// Adds a platform on three legs, of at most so many bodies together.
 pub fn platform(builder: &mut Builder, most: usize) {
@@ -28,8 +28,8 @@ pub fn platform(builder: &mut Builder, most: usize) {
         });
         // One leg is folded at least.
         let bodies = match leg {
-            0 => LONGEST,
-            _ => builder.below(LONGEST.min(left) + 1),
+            0 => MAX_LEG_BODIES,
+            _ => builder.below(MAX_LEG_BODIES.min(left) + 1),
         };
         left -= bodies;
         match bodies {

@@ -1,6 +1,7 @@
-//! *Bodies in exact poses, points, joints* → *a description, all of whose numbers follow from these poses*.
+//! Mechanisms constructed from bodies in exact poses, points and joints, and their descriptions.
 //!
-//! Because every length, offset and angle is measured in the poses, these satisfy the equations at t = 0, up to rounding.
+//! Every length, offset and angle is measured in the poses, so that the poses satisfy the equations at t = 0, up to
+//! rounding.
 
 use std::fmt::Write as _;
 
@@ -10,46 +11,46 @@ use super::motion::Motions;
 use crate::stability::precise::Precise;
 use crate::stability::truth::Levels;
 
-/// The body that does not move.
+/// Index of the fixed body.
 pub const GROUND: usize = 0;
 
 /// x, y (m) and angle (rad).
 pub type Pose = [f64; 3];
 
-/// A point that a body carries.
+/// Point of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
-    /// The body.
+    /// Body.
     pub body: usize,
-    /// Where it is at t = 0, in global coordinates (m).
+    /// Position at t = 0, in global coordinates (m).
     pub place: [f64; 2],
 }
 
-/// A mechanism by construction.
+/// Mechanism by construction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mechanism {
-    /// Its size (m).
+    /// Size (m).
     pub size: f64,
-    /// The poses at t = 0; the first is that of the ground.
+    /// Poses at t = 0; the first is that of the ground.
     pub bodies: Vec<Pose>,
-    /// By how much each body is drawn elsewhere.
+    /// Offset of each body's estimate.
     pub drawn_off: Vec<Pose>,
     /// The points.
     pub points: Vec<Point>,
     /// The joints and drivers, and the group of each.
     pub joints: Vec<(Joint, usize)>,
-    /// What each group is called.
+    /// Name of each group.
     pub groups: Vec<&'static str>,
     /// The bodies in the order in which they are written.
     pub body_order: Vec<usize>,
     /// The joints in the order in which they are written.
     pub joint_order: Vec<usize>,
-    /// The motions, where drivers are written in motions.
+    /// Motions; `None` if drivers stand outside motions.
     pub motions: Option<Motions>,
 }
 
 impl Mechanism {
-    /// Where a point is in these poses of all bodies.
+    /// Position of a point in these poses of all bodies.
     pub fn place(&self, point: usize, poses: &[Pose]) -> [f64; 2] {
         let body = self.points[point].body;
         let [x, y, angle] = poses[body];
@@ -57,14 +58,14 @@ impl Mechanism {
         [x + carried[0], y + carried[1]]
     }
 
-    /// A point in the frame of its body.
+    /// Position of a point in the frame of its body.
     pub fn local(&self, point: usize) -> [f64; 2] {
         let Point { body, place } = self.points[point];
         let [x, y, angle] = self.bodies[body];
         rotated(difference(place, [x, y]), -angle)
     }
 
-    /// The poses of all bodies among coordinates in written order.
+    /// Poses of all bodies among coordinates in written order.
     pub fn poses(&self, q: &[f64]) -> Vec<Pose> {
         let mut poses = self.bodies.clone();
         for (values, body) in q.chunks_exact(3).zip(&self.body_order) {
@@ -73,18 +74,18 @@ impl Mechanism {
         poses
     }
 
-    /// The coordinates at t = 0, in written order.
+    /// Coordinates at t = 0, in written order.
     pub fn coordinates(&self) -> Vec<f64> {
         let bodies = self.body_order.iter();
         bodies.flat_map(|body| self.bodies[*body]).collect()
     }
 
-    /// Whether the drawing is the pose at t = 0.
+    /// True if the design configuration is the pose at t = 0.
     pub fn is_drawn_exactly(&self) -> bool {
         self.drawn_off.iter().all(|it| *it == [0.0; 3])
     }
 
-    /// The largest violation of any joint at time `t`, in sizes of the mechanism and rad.
+    /// Largest violation of any joint at time `t`, in sizes of the mechanism and rad.
     pub fn violation(&self, q: &[f64], t: f64) -> f64 {
         let poses = self.poses(q);
         let all = self.joint_order.iter().map(|joint| {
@@ -98,7 +99,7 @@ impl Mechanism {
         )
     }
 
-    /// The largest part by which rates and accelerations of driven angles differ from their laws at time `t`.
+    /// Largest relative difference of the rates and accelerations of driven angles from their laws at time `t`.
     pub fn rate_violation(&self, levels: &Levels<Precise>, t: f64) -> f64 {
         let angle = |level: usize, body: usize| {
             let place = self.body_order.iter().position(|it| *it == body);
@@ -113,16 +114,16 @@ impl Mechanism {
             };
             let expected = law.motion(t);
             for level in [1, 2] {
-                let found = angle(level, last) - angle(level, first);
-                let off = (found - expected[level]).abs() / (1.0 + expected[level].abs());
-                // Written so that NaN is worst.
+                let driven = angle(level, last) - angle(level, first);
+                let off = (driven - expected[level]).abs() / (1.0 + expected[level].abs());
+                // NaN counts as worst.
                 worst = if off <= worst { worst } else { off };
             }
         }
         worst
     }
 
-    /// The description.
+    /// Description.
     pub fn text(&self) -> String {
         let mut text = String::from("mechanism found {\n");
         let written: Vec<Joint> = self

@@ -1,8 +1,8 @@
-//! *Equations, a pose and a right-hand side's solution x* → *|A⁻¹| |L| |U| |x|*, by which elimination mixes the unknowns.
+//! Computes |A⁻¹| |L| |U| |x| for a solution x, the magnitudes by which elimination mixes the unknowns.
 //!
-//! Solving A x = b by elimination with partial pivoting is off by at most 3 n ε of this, to first order (Higham, *Accuracy and Stability
-//! of Numerical Algorithms*, theorem 9.4): also an unknown that is exactly zero is known to no better than that. A is the Jacobian in
-//! the scales of rows and coordinates, as the runtime eliminates it.
+//! Solving A x = b by elimination with partial pivoting is off by at most 3 n ε of this, to first order (Higham,
+//! *Accuracy and Stability of Numerical Algorithms*, theorem 9.4). So an unknown that is exactly zero has this error
+//! too. A is the Jacobian in the scales of rows and coordinates, as the runtime eliminates it.
 
 use linkwright::Equations;
 use linkwright_solver::textbook::TextbookEquations;

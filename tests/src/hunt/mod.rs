@@ -1,7 +1,8 @@
-//! The hunt for wrong answers: random mechanisms whose truth is known by construction, solved in every way.
+//! The hunt for wrong answers: random mechanisms whose truth is known by construction, solved by every call.
 //!
-//! *A seed* → [`builder`], [`groups`] → [`mod@mechanism`] (poses first, then all numbers of the description from them) → its text →
-//! [`known`] (read, followed by [`track`], made exact in 384 bits) → [`interpreted`] and [`compiled`] answers → [`judge`].
+//! [`builder`] and [`groups`] make a [`mod@mechanism`] from a seed: poses first, then all numbers of the description
+//! from them. [`known`] reads its text, follows it with [`track`] and makes it exact in 384 bits. [`judge`] judges
+//! the answers of [`interpreted`] and [`compiled`].
 
 pub mod builder;
 pub mod compiled;

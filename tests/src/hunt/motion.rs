@@ -39,11 +39,11 @@ pub struct Motions {
 fn driven(joint: &Joint, mechanism: &Mechanism, number: usize, motion: Option<usize>) -> String {
     let (quantity, base, law) = joint.driver(mechanism).expect("a driver");
     let is_alike = mechanism.motions.is_some_and(|it| it.are_alike);
-    let own = |word: &str| match motion {
+    let parameter_name = |word: &str| match motion {
         Some(motion) if !is_alike => format!("{word}{number}of{motion}"),
         _ => format!("{word}{number}"),
     };
-    let names = [own("base"), own("factor")];
+    let names = [parameter_name("base"), parameter_name("factor")];
     // In another motion each name has the meaning of the other one.
     let ([first, second], factor) = match motion {
         None => ([&names[0], &names[1]], FACTORS[0]),

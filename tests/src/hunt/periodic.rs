@@ -54,8 +54,8 @@ impl Periodic {
             matrix[(row, (row + 1) % 4)] += after;
             right[row] = 6.0 * (self.slope(row) - self.slope(row + 3));
         }
-        let found = matrix.full_piv_lu().solve(&right);
-        found.expect("a diagonally dominant system")
+        let solution = matrix.full_piv_lu().solve(&right);
+        solution.expect("a diagonally dominant system")
     }
 
     /// Value, first and second derivative at an argument.

@@ -1,10 +1,10 @@
-//! *Generated modules* → *the package that runs them*: a `main.rs` beside them that is given tasks and prints answers.
+//! Writes the `main.rs` of the package that runs generated modules: it reads tasks and prints answers.
 
 use std::fmt::Write as _;
 
 use super::motion::HUNTED;
 
-/// What the package needs beside the generated modules, `values.rs` and `ways.rs`.
+/// Code of the package beside the generated modules, `values.rs` and `ways.rs`.
 const PROGRAM: &str = r#"#[allow(dead_code)]
 mod values;
 mod ways;
@@ -33,7 +33,7 @@ fn numbers(line: &str) -> Vec<f64> {
     words.map(|word| f64::from_bits(u64::from_str_radix(word, 16).expect("bits"))).collect()
 }
 
-/// A task, as it is written by whoever starts the program.
+/// A task, as the starting process writes it.
 fn task<'a>(lines: &mut impl Iterator<Item = &'a str>) -> Option<Task> {
     let is_negative = lines.next()? == "negative";
     let mut line = || numbers(lines.next().expect("another line"));
@@ -63,12 +63,12 @@ fn print(answers: Vec<Answered>) {
 }
 "#;
 
-/// The name of the module of a mechanism in a scalar.
+/// Name of the module of a mechanism in a scalar.
 pub fn module(index: usize, scalar: &str) -> String {
     format!("found_{index}_{scalar}")
 }
 
-/// `main.rs` for mechanisms, each with its drivers in motions or not.
+/// `main.rs` for mechanisms; true for those with drivers in motions.
 pub fn main(have_motions: &[bool]) -> String {
     let mut text = PROGRAM.to_string();
     let mut calls = String::new();

@@ -1,16 +1,16 @@
-//! *A tally* → *tables in Markdown*.
+//! Writes tables in Markdown of a tally.
 
 use std::fmt::Write as _;
 
 use super::tally::{Counts, Tally};
 use crate::study::table::aligned;
 
-/// How a number of a mechanism is repeated.
+/// Command that repeats a number of a mechanism.
 pub fn command(seed: u64, number: u64) -> String {
     format!("--seed {seed} --only {number} --print")
 }
 
-/// The outcomes of every call.
+/// Outcomes of every call.
 pub fn outcomes(tally: &Tally) -> String {
     let header = [
         "who",
@@ -44,7 +44,7 @@ pub fn outcomes(tally: &Tally) -> String {
     aligned(&rows, 2)
 }
 
-/// The typed failures where there is a pose.
+/// Typed failures at instants with a pose.
 pub fn failures(tally: &Tally, seed: u64) -> String {
     let header = [
         "who",
@@ -75,7 +75,7 @@ pub fn failures(tally: &Tally, seed: u64) -> String {
     aligned(&rows, 4)
 }
 
-/// The mechanisms that were not hunted.
+/// Mechanisms that were not hunted.
 pub fn unused(tally: &Tally, seed: u64) -> String {
     let mut rows = vec![["why", "smallest example", "mechanisms"].map(str::to_string)];
     for (reason, group) in &tally.unused {
@@ -87,7 +87,7 @@ pub fn unused(tally: &Tally, seed: u64) -> String {
     aligned(&rows, 2)
 }
 
-/// The wrong answers, at most `most` of them.
+/// Wrong answers, at most `most` of them.
 pub fn wrong(tally: &Tally, seed: u64, most: usize) -> String {
     let mut text = String::new();
     for it in tally.wrong.iter().take(most) {
@@ -107,7 +107,7 @@ pub fn wrong(tally: &Tally, seed: u64, most: usize) -> String {
     text
 }
 
-/// The run in a few sentences.
+/// Summary of the run.
 pub fn summary(tally: &Tally, constructed: u64, compiled: usize, seconds: f64) -> String {
     let total = tally.total();
     let unused: usize = tally.unused.values().map(|group| group.count).sum();
@@ -149,7 +149,7 @@ angle that has moved by half a turn in one step; by `assemble_from_rough_estimat
 all of whose blocks are in closed form: the modes of the drawing; by `assemble` and `advance` of the textbook view: a pose.
 ";
 
-/// What the groups of failures are, as their examples show.
+/// Causes of the groups of failures, by their examples.
 const BEHIND: &str = "\
 - *no digits*: the bound itself is more than 1 % of the size. In f32 a place 1e5 sizes off the origin is known to 0.6 % of the size and
   worse, so the Jacobian at any such pose cannot be told from a singular one, and Newton-Raphson does not settle.
@@ -165,7 +165,7 @@ pose (K34) or can hold only at t = 0 (K36). Where the tracker gives up, or
 calls the first pose singular, its own f64 does not suffice, as with places or frames 1e5 sizes off.
 ";
 
-/// The report.
+/// Report.
 pub fn report(tally: &Tally, seed: u64, environment: &str, summary: &str) -> String {
     let mut text = format!(
         "# The hunt\n\nWritten by `cargo run --profile optimized -p linkwright-tests --bin hunt`, seed {seed}.\n\n{environment}\n{summary}\n{EXPLANATION}\n## Outcomes\n\n{}",

@@ -1,4 +1,4 @@
-//! *A seed and a range of numbers* → *a tally*: constructs, solves and judges.
+//! Constructs, solves and judges a range of mechanisms of a seed.
 
 use std::io;
 
@@ -10,25 +10,25 @@ use super::ways::{Answered, Task};
 use super::{compiled, interpreted, mechanism, seed_of};
 use crate::stability::verdict::Scalar;
 
-/// The largest number of bodies.
-pub const LARGEST: usize = 8;
+/// Largest number of bodies.
+pub const MAX_BODIES: usize = 8;
 
-/// A mechanism that is hunted.
+/// Mechanism to hunt.
 pub struct Hunted {
-    /// Which it is.
+    /// Seed and number.
     pub specimen: Specimen,
-    /// How it was constructed.
+    /// Construction.
     pub mechanism: Mechanism,
-    /// What is true of it.
+    /// Exact motion and bounds.
     pub known: Known,
 }
 
-/// Constructs a mechanism of a run; `None`, counted, where there is nothing to hunt.
+/// Constructs a mechanism of a run; `None` if it cannot be hunted, which is counted.
 pub fn prepare(seed: u64, number: u64, tally: &mut Tally) -> Option<Hunted> {
-    prepare_this(mechanism(seed, number, LARGEST), seed, number, tally)
+    prepare_this(mechanism(seed, number, MAX_BODIES), seed, number, tally)
 }
 
-/// The same for a mechanism that has been made of that one.
+/// Prepares a given mechanism.
 fn prepare_this(mechanism: Mechanism, seed: u64, number: u64, tally: &mut Tally) -> Option<Hunted> {
     let specimen = Specimen {
         number,
@@ -70,14 +70,14 @@ pub fn count(hunted: &Hunted, view: View, answers: &[Answered], tally: &mut Tall
     }
 }
 
-/// What interpreted views make of a mechanism.
+/// Solves a mechanism with the interpreter in every formulation and counts the outcomes.
 pub fn interpret(hunted: &Hunted, tally: &mut Tally) {
     for answers in interpreted::answers(&hunted.known) {
         count(hunted, View::Interpreted, &answers, tally);
     }
 }
 
-/// What generated code makes of mechanisms.
+/// Solves mechanisms with generated code and counts the outcomes.
 ///
 /// # Errors
 /// Those of [`compiled::answers`].
@@ -92,7 +92,7 @@ pub fn compile(hunted: &[Hunted], tally: &mut Tally) -> io::Result<()> {
     Ok(())
 }
 
-/// What a person may want to look at, line by line: answers that are not those of the path, where it has a pose, and wrong ones.
+/// Lines about answers off the path although it has a pose, and about wrong ones.
 pub fn findings(hunted: &Hunted, view: View, answers: &[Answered]) -> Vec<String> {
     let scalar = match view {
         View::Single => Scalar::F32,
@@ -117,24 +117,24 @@ pub fn findings(hunted: &Hunted, view: View, answers: &[Answered]) -> Vec<String
     lines
 }
 
-/// A smaller mechanism of which an interpreted view makes the same: a wrong answer if there is one, or else the typed failure, where
-/// the path has a pose, that comes first; `None` where there is neither.
+/// Smaller mechanism with the same fault in an interpreted formulation: a wrong answer, or else the first typed
+/// failure where the path has a pose; `None` if the mechanism has neither.
 pub fn shrink(seed: u64, number: u64) -> Option<Mechanism> {
-    let found = |mechanism: &Mechanism| {
+    let tally_of = |mechanism: &Mechanism| {
         let mut tally = Tally::default();
         if let Some(hunted) = prepare_this(mechanism.clone(), seed, number, &mut tally) {
             interpret(&hunted, &mut tally);
         }
         tally
     };
-    let whole = mechanism(seed, number, LARGEST);
-    let first = found(&whole);
+    let whole = mechanism(seed, number, MAX_BODIES);
+    let first = tally_of(&whole);
     let stays: Box<dyn Fn(&Mechanism) -> bool> = if let Some(wrong) = first.wrong.first() {
         let call = wrong.call;
-        Box::new(move |it| found(it).wrong.iter().any(|it| it.call == call))
+        Box::new(move |it| tally_of(it).wrong.iter().any(|it| it.call == call))
     } else {
         let key = first.failures.keys().next()?.clone();
-        Box::new(move |it| found(it).failures.contains_key(&key))
+        Box::new(move |it| tally_of(it).failures.contains_key(&key))
     };
     Some(super::shrink::shrunk(&whole, stays))
 }

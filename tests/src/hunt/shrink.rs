@@ -1,11 +1,12 @@
-//! *A mechanism with a finding* → *a smaller one with the same finding*: groups, laws and digits are left out as long as it stays.
+//! Reduces a mechanism with a finding to a smaller one with the finding: groups, laws and digits that do not matter
+//! are left out.
 
 use super::joint::Joint;
 use super::law::Law;
 use super::mechanism::{GROUND, Mechanism};
 use super::periodic::Periodic;
 
-/// Leaves out whatever `stays` can do without. It is asked once for each attempt.
+/// Leaves out everything that `stays` does not need. `stays` is called once for each attempt.
 pub fn shrunk(mechanism: &Mechanism, stays: impl Fn(&Mechanism) -> bool) -> Mechanism {
     let mut best = mechanism.clone();
     let attempt = |best: &mut Mechanism, candidate: Mechanism| {
@@ -51,7 +52,7 @@ pub fn shrunk(mechanism: &Mechanism, stays: impl Fn(&Mechanism) -> bool) -> Mech
     best
 }
 
-/// The same without a group, if nothing else stands on its bodies.
+/// Mechanism without a group; `None` if other groups depend on its bodies.
 fn without(mechanism: &Mechanism, group: usize) -> Option<Mechanism> {
     let bodies_of = |joint: &Joint| -> Vec<usize> {
         let (mut bodies, points) = joint.mentions();
@@ -64,24 +65,28 @@ fn without(mechanism: &Mechanism, group: usize) -> Option<Mechanism> {
         let groups = joints.filter(|(joint, _)| bodies_of(joint).contains(&body));
         groups.map(|(_, group)| *group).min()
     };
-    let own = |body: &usize| *body != GROUND && owner(*body) == Some(group);
+    let belongs_to_group = |body: &usize| *body != GROUND && owner(*body) == Some(group);
     let others = mechanism.joint_order.iter().filter(|joint| {
         let (_, its) = mechanism.joints[**joint];
         its != group
     });
     let others: Vec<usize> = others.copied().collect();
-    let stands = |joint: &usize| bodies_of(&mechanism.joints[*joint].0).iter().any(own);
+    let stands = |joint: &usize| {
+        bodies_of(&mechanism.joints[*joint].0)
+            .iter()
+            .any(belongs_to_group)
+    };
     if others.len() == mechanism.joint_order.len() || others.iter().any(stands) {
         return None;
     }
     let mut smaller = mechanism.clone();
-    smaller.body_order.retain(|body| !own(body));
+    smaller.body_order.retain(|body| !belongs_to_group(body));
     smaller.joint_order = others;
     let left = !smaller.body_order.is_empty();
     left.then_some(smaller)
 }
 
-/// The same with all places, angles and laws rounded to so many decimals of the size or of a radian.
+/// Mechanism with all positions, angles and laws rounded to this number of decimals of the size or of a radian.
 fn rounded(mechanism: &Mechanism, digits: i32) -> Mechanism {
     let mut round = mechanism.clone();
     let to = |value: f64, unit: f64| {

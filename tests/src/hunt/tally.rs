@@ -1,11 +1,11 @@
-//! *Outcomes* → *counts of each kind*, with the smallest mechanism and the first seed of every group.
+//! Counts outcomes of each kind, and keeps the smallest mechanism and the first seed of every group.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::judge::Outcome;
 use super::ways::Call;
 
-/// Who solves.
+/// Solver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum View {
     /// The interpreters, in f64.
@@ -17,7 +17,7 @@ pub enum View {
 }
 
 impl View {
-    /// In words.
+    /// Label in reports.
     pub fn words(self) -> &'static str {
         match self {
             View::Interpreted => "interpreted, f64",
@@ -27,23 +27,23 @@ impl View {
     }
 }
 
-/// One mechanism of a run.
+/// Mechanism of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Specimen {
-    /// Its number.
+    /// Number of the mechanism.
     pub number: u64,
-    /// How many bodies it has.
+    /// Number of bodies.
     pub bodies: usize,
 }
 
-/// How often something has happened.
+/// Occurrences of an event.
 #[derive(Clone, Debug, Default)]
 pub struct Group {
     /// Instants.
     pub count: usize,
-    /// The numbers of the mechanisms.
+    /// Numbers of the mechanisms.
     pub mechanisms: BTreeSet<u64>,
-    /// The smallest of them, and the first instant there.
+    /// Smallest of them, and the first instant there.
     pub smallest: Option<(Specimen, usize)>,
 }
 
@@ -60,7 +60,7 @@ impl Group {
     }
 }
 
-/// How many instants ended how.
+/// Numbers of instants by outcome.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
     /// On the path and within the bound.
@@ -78,12 +78,12 @@ pub struct Counts {
 }
 
 impl Counts {
-    /// All of them.
+    /// Sum of all.
     pub fn total(&self) -> usize {
         self.correct + self.other + self.beyond + self.failed + self.ended + self.wrong
     }
 
-    /// The sum of both.
+    /// Sum of both.
     #[must_use]
     pub fn plus(self, other: Counts) -> Counts {
         Counts {
@@ -100,15 +100,15 @@ impl Counts {
 /// A wrong answer.
 #[derive(Clone, Debug)]
 pub struct Wrong {
-    /// Of which mechanism.
+    /// Mechanism.
     pub specimen: Specimen,
-    /// By whom.
+    /// Solver.
     pub view: View,
-    /// In which call.
+    /// Call.
     pub call: Call,
-    /// At which instant.
+    /// Index of the instant.
     pub instant: usize,
-    /// What is wrong.
+    /// Description of the error.
     pub why: String,
 }
 
@@ -123,7 +123,7 @@ pub struct Tally {
     pub wrong: Vec<Wrong>,
     /// Mechanisms that were not hunted, by reason.
     pub unused: BTreeMap<String, Group>,
-    /// Mechanisms that were, and of these those whose path ends.
+    /// Numbers of hunted mechanisms, and of those whose path ends.
     pub used: [usize; 2],
     /// The largest ratio of error to bound.
     pub ratio: f64,

@@ -1,44 +1,44 @@
-//! *Equations, a pose and instants* → *the pose at each instant on the path from there, or where the path ends*, in f64.
+//! Follows the path from a pose through instants, or to its end, in f64.
 //!
-//! A tracker of its own: steps so short that the Taylor polynomial misses by less than `MISS`, so that no other path can be
-//! mistaken for this one; complete pivoting; the sign of the determinant. It is slow and shares nothing with the runtime's
-//! Newton-Raphson. What it finds is made exact in 384 bits afterwards.
+//! An independent tracker: complete pivoting, the sign of the determinant, and steps so short that the Taylor
+//! polynomial misses by less than `MISS`. So no other path can be mistaken for this one. It is slow and shares
+//! nothing with the runtime's Newton-Raphson. Its poses are made exact in 384 bits afterwards.
 
 use linkwright::Equations;
 use linkwright_solver::textbook::TextbookEquations;
 use nalgebra::{DMatrix, DVector};
 
-/// The part of its scale by which no coordinate may miss the Taylor polynomial.
+/// Largest deviation of a coordinate from the Taylor polynomial, relative to its scale.
 const MISS: f64 = 1e-4;
 
-/// A correction that is smaller than this is rounding or next to it; where coordinates are many sizes away, this part of them.
+/// Correction below which only rounding is left, relative to the scale.
 const SETTLED: f64 = 1e-9;
 
-/// The same as a part of the largest coordinate.
+/// Correction below which only rounding is left, relative to the largest coordinate.
 const SETTLED_FAR: f64 = 1e-12;
 
-/// How often the way between two instants is halved at most.
+/// Largest number of halvings of the interval between two instants.
 const HALVINGS: i32 = 34;
 
-/// The part of the first smallest singular value that is left where a path ends at a singular pose.
+/// Fraction of the first smallest singular value that is left where a path ends at a singular pose.
 const SINGULAR: f64 = 1e-3;
 
-/// How a path goes on.
+/// Continuation of a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
     /// Beyond the last instant.
     Open,
     /// At a singular pose.
     Singular,
-    /// Nobody knows: the tracker has given up.
+    /// Unknown: the tracker has given up.
     Unknown,
 }
 
-/// The poses at the instants that the path reaches, and how it ends.
+/// Poses at the instants that the path reaches, and its continuation.
 pub struct Path {
     /// q, instant by instant.
     pub poses: Vec<DVector<f64>>,
-    /// Why there are no more.
+    /// Continuation.
     pub end: End,
 }
 
@@ -51,7 +51,7 @@ struct State {
     smallest: f64,
 }
 
-/// The equations with the scales of their coordinates.
+/// Equations with the scales of their coordinates.
 pub struct Tracker<'a> {
     equations: &'a TextbookEquations,
     scales: Vec<f64>,
@@ -59,7 +59,7 @@ pub struct Tracker<'a> {
 }
 
 impl Tracker<'_> {
-    /// For these equations; `scales` are the sizes of the coordinates, and the largest of them is `away` sizes.
+    /// Tracker for these equations; `scales` are those of the coordinates, and the largest of them is `away` sizes.
     pub fn new(equations: &TextbookEquations, scales: Vec<f64>, away: f64) -> Tracker<'_> {
         Tracker {
             equations,
@@ -127,7 +127,7 @@ impl Tracker<'_> {
         jacobian
     }
 
-    /// The solution of J x = b in coordinates, b not yet scaled.
+    /// Solution of J x = b in coordinates, with b unscaled.
     fn solve(&self, jacobian: &DMatrix<f64>, mut b: DVector<f64>) -> Option<DVector<f64>> {
         for (row, value) in b.iter_mut().enumerate() {
             *value /= self.equations.row_scale(row);
@@ -150,7 +150,7 @@ impl Tracker<'_> {
         self.solve(&self.jacobian(q, t), -phi)
     }
 
-    /// Newton-Raphson from a pose that is near.
+    /// Pose by Newton-Raphson from a pose nearby.
     fn solved(&self, near: &DVector<f64>, t: f64) -> Option<DVector<f64>> {
         let mut q = near.clone();
         for _ in 0..8 {

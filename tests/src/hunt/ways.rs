@@ -1,7 +1,7 @@
-//! *Equations or a generated mechanism, and instants* → *what each call makes of each instant*.
+//! Makes each call at each instant, on equations or on a generated mechanism.
 //!
-//! The file needs nothing but the runtime and [`crate::values`], because it is compiled in two places: here for interpreted
-//! mechanisms, and beside the generated ones in a package of their own.
+//! The file needs only the runtime and [`crate::values`]: it is compiled here for interpreted mechanisms, and beside
+//! the generated ones in a package of their own.
 
 use linkwright::math::Real;
 use linkwright::nalgebra::allocator::Allocator;
@@ -13,24 +13,24 @@ use linkwright::{
 
 use crate::values::{Levels, assembled_from, levels};
 
-/// In how many steps a fine motion goes from one instant to the next.
+/// Number of steps of a fine motion between two instants.
 pub const FINE: u32 = 8;
 
-/// How many instants a long step leaves out.
+/// Number of instants that a long step skips.
 pub const LONG: usize = 6;
 
-/// What is asked of a mechanism.
+/// Requested solves of a mechanism.
 #[derive(Clone, Debug, Default)]
 pub struct Task {
-    /// The instants (s), equally far apart, and numbers of f32.
+    /// Instants (s), equally spaced, and numbers of f32.
     pub times: Vec<f64>,
-    /// The pose at the first instant.
+    /// Pose at the first instant.
     pub start: Vec<f64>,
-    /// A good estimate at each instant.
+    /// Good estimate at each instant.
     pub near: Vec<Vec<f64>>,
-    /// A poor one.
+    /// Poor estimate at each instant.
     pub scattered: Vec<Vec<f64>>,
-    /// Whether the determinant is negative on the path.
+    /// True if the determinant is negative on the path.
     pub is_negative: bool,
 }
 
@@ -51,13 +51,13 @@ pub enum Call {
     FollowLong,
     /// The mechanism's `assemble_from` a good estimate.
     SolvedAssemble,
-    /// The same from a poor one.
+    /// The mechanism's `assemble_from` a poor estimate.
     SolvedAfar,
     /// The mechanism's `advance` in [`FINE`] steps.
     SolvedFine,
-    /// The same in one step.
+    /// The mechanism's `advance` in one step.
     Solved,
-    /// The same over [`LONG`] instants.
+    /// The mechanism's `advance` over [`LONG`] instants.
     SolvedLong,
 }
 
@@ -77,7 +77,7 @@ pub const CALLS: [Call; 11] = [
 ];
 
 impl Call {
-    /// Whether it goes on from its last frame; what it begins with is then its answer at the first instant.
+    /// True if the call continues from its last frame; its start is then its answer at the first instant.
     pub fn moves(self) -> bool {
         !matches!(
             self,
@@ -85,7 +85,7 @@ impl Call {
         )
     }
 
-    /// What is called, and how.
+    /// Label in reports.
     pub fn words(self) -> &'static str {
         match self {
             Call::Assemble => "assemble, good estimate",
@@ -103,28 +103,28 @@ impl Call {
     }
 }
 
-/// q, q̇ and q̈ (only q where that is all), or the name of a failure.
+/// q, q̇ and q̈ (only q if the call returns no more), or the name of a failure.
 pub type Answer = Result<Levels, String>;
 
-/// What a call has made of an instant.
+/// Answer of a call at an instant.
 #[derive(Clone, Debug)]
 pub struct Answered {
     /// The call.
     pub call: Call,
     /// The instant.
     pub instant: usize,
-    /// What came of it.
+    /// Answer.
     pub answer: Answer,
 }
 
-/// The name of a failure's kind.
+/// Name of a failure's kind.
 pub fn named<K: std::fmt::Debug>(kind: K) -> String {
     let text = format!("{kind:?}");
     let end = text.find([' ', '{', '(']).unwrap_or(text.len());
     text[..end].to_string()
 }
 
-/// The instants that a motion stops at, each with the times on the way there.
+/// Instants at which a motion stops, each with the times of the steps to it.
 fn stops(times: &[f64], steps: u32, stride: usize) -> Vec<(usize, Vec<f64>)> {
     let indices = (0..times.len()).step_by(stride).skip(1);
     let stop = |index: usize| {
@@ -135,7 +135,7 @@ fn stops(times: &[f64], steps: u32, stride: usize) -> Vec<(usize, Vec<f64>)> {
     indices.map(stop).collect()
 }
 
-/// Solves the equations as one dense system in every way.
+/// Solves the equations as one dense system with every call.
 pub fn textbook<T: Real, D: Dim, E: Equations<T, D>>(equations: &E, task: &Task) -> Vec<Answered>
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
@@ -168,11 +168,11 @@ where
     };
     for (instant, t) in task.times.iter().enumerate() {
         let t = T::from_f64(*t);
-        let found = assemble(equations, &vector(&task.near[instant]), t, &settings);
-        answer(Call::Assemble, instant, &found);
+        let pose = assemble(equations, &vector(&task.near[instant]), t, &settings);
+        answer(Call::Assemble, instant, &pose);
         let estimate = vector(&task.scattered[instant]);
-        let found = assemble_from_rough_estimate(equations, &estimate, Some(branch), t, &settings);
-        answer(Call::Afar, instant, &found);
+        let pose = assemble_from_rough_estimate(equations, &estimate, Some(branch), t, &settings);
+        answer(Call::Afar, instant, &pose);
     }
     let first = T::from_f64(task.times[0]);
     let Ok(first) = assemble(equations, &vector(&task.start), first, &settings) else {
@@ -206,7 +206,7 @@ where
     answers
 }
 
-/// Solves a mechanism block by block in every way.
+/// Solves a mechanism block by block with every call.
 pub fn solved<B: Blocks + Clone>(blocks: &B, task: &Task) -> Vec<Answered>
 where
     Settings<B::Scalar>: Default,
@@ -228,8 +228,8 @@ where
             (Call::SolvedAssemble, &task.near),
             (Call::SolvedAfar, &task.scattered),
         ] {
-            let found = assembled(&estimates[instant], *t);
-            answer(call, instant, found.map(|it| levels(blocks, it.frame())));
+            let pose = assembled(&estimates[instant], *t);
+            answer(call, instant, pose.map(|it| levels(blocks, it.frame())));
         }
     }
     let Ok(first) = assembled(&task.start, task.times[0]) else {
@@ -250,8 +250,8 @@ where
                 let moved = moving.advance(B::Scalar::from_f64(t), &inputs);
                 last = moved.map(|_| ()).map_err(|failure| named(failure.kind));
             }
-            let found = last.map(|()| levels(blocks, moving.frame()));
-            answer(call, instant, found);
+            let frame_levels = last.map(|()| levels(blocks, moving.frame()));
+            answer(call, instant, frame_levels);
         }
     }
     answers

@@ -1,4 +1,4 @@
-//! *A text and what to put where* → *another text*.
+//! Edits of a text by position.
 
 use linkwright_codegen::diagnostic::Span;
 

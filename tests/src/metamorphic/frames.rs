@@ -1,4 +1,4 @@
-//! *The equations of a mechanism* → *its motion in both views*, each value with what rounding may make of it.
+//! Motion of a mechanism in both formulations, with a bound on the rounding of each value.
 
 use linkwright::{
     Blocks, Failure, Frame, Settings, advance, assemble, assemble_from_rough_estimate,
@@ -15,10 +15,10 @@ use crate::stability::truth::{Given, Levels, Truth};
 use crate::stability::verdict::Scalar;
 use crate::values::{assembled_from, levels};
 
-/// The times (s); the mechanism is assembled at the first and moved to the others.
+/// Times (s); the mechanism is assembled at the first and moved to the others.
 pub const TIMES: [f64; 4] = [0.0, 0.01, 0.02, 0.03];
 
-/// The view that is assembled with least squares first.
+/// Name of the formulation that is assembled with least squares first.
 pub const FROM_AFAR: &str = "textbook from afar";
 
 /// Values of q, q̇ and q̈ with the bounds of their errors.
@@ -26,14 +26,14 @@ pub const FROM_AFAR: &str = "textbook from afar";
 pub struct Instant {
     /// The values.
     pub values: Levels<f64>,
-    /// By how much each may be off.
+    /// Bounds on their errors.
     pub bounds: Levels<f64>,
 }
 
-/// What a view makes of a motion: an instant for each time, up to the first failure.
+/// Motion of a formulation: an instant for each time, up to the first failure.
 pub type Moved = Vec<Result<Instant, String>>;
 
-/// The motion as each view has it, with the name of the view.
+/// Motion in each formulation, with its name.
 pub fn motions(system: &System) -> Vec<(&'static str, Moved)> {
     let judge = Judge {
         truth: Truth::new(system),
@@ -45,9 +45,9 @@ pub fn motions(system: &System) -> Vec<(&'static str, Moved)> {
     all
 }
 
-/// The steps of the plan that find something by more than a division, as kinds with their numbers. Whether a coefficient is divided
-/// by in a step of its own depends on whether it is a number, and by way of how many unknowns Newton-Raphson finds a block depends on
-/// the order in which sequences are tried; what it finds does not.
+/// Steps of the plan that solve for something by more than a division, as kinds with their numbers. A coefficient has
+/// a division of its own only if it is not a number. The number of tearing variables depends on the order in which
+/// sequences are tried. Neither changes the solution.
 pub fn plan(system: &System) -> Vec<(String, usize)> {
     let mut system = system.clone();
     let Some(plan) = plan_of_motion(&mut system) else {
@@ -70,11 +70,11 @@ pub fn plan(system: &System) -> Vec<(String, usize)> {
     counted
 }
 
-/// Whether the residuals at a pose are rounded by more than they must be solved to.
+/// True if the rounding of the residuals at a pose exceeds the tolerance to which they must be solved.
 pub fn is_rounded_away(system: &System, t: f64, q: &[f64]) -> bool {
-    let given = Given { t, ..given(system) };
+    let instant_inputs = Given { t, ..given(system) };
     let tolerance = Settings::<f64>::default().tolerance;
-    Truth::new(system).rounding(&given, q, Scalar::F64) > tolerance
+    Truth::new(system).rounding(&instant_inputs, q, Scalar::F64) > tolerance
 }
 
 struct Judge {
@@ -85,18 +85,20 @@ struct Judge {
 
 impl Judge {
     fn instant(&self, t: f64, values: Levels<f64>) -> Result<Instant, String> {
-        let given = Given {
+        let instant_inputs = Given {
             t,
             ..self.given.clone()
         };
-        let exact = self.truth.around(&given, values.clone());
+        let exact = self.truth.around(&instant_inputs, values.clone());
         let exact = exact.ok_or("no bound: the Jacobian has no inverse")?;
-        let bounds = self.truth.bounds_around(&given, &exact, self.length);
+        let bounds = self
+            .truth
+            .bounds_around(&instant_inputs, &exact, self.length);
         Ok(Instant { values, bounds })
     }
 }
 
-/// Parameters and signals as they are where nobody gives any.
+/// Default parameters and signals.
 fn given(system: &System) -> Given {
     let mechanism = &system.mechanism;
     let value = |id| {
@@ -130,11 +132,11 @@ fn textbook(system: &System, judge: &Judge) -> Vec<(&'static str, Moved)> {
     let mut moved = Vec::new();
     let mut last: Option<Frame<f64, Dyn>> = None;
     for t in TIMES {
-        let found = match &last {
+        let solved = match &last {
             None => assemble(&interpreter, estimate, t, &settings),
             Some(frame) => advance(&interpreter, frame, t, &settings),
         };
-        match instant(found) {
+        match instant(solved) {
             Ok((instant, frame)) => {
                 moved.push(Ok(instant));
                 last = Some(frame);

@@ -1,19 +1,20 @@
-//! *A description* → *the same mechanism larger, elsewhere, or turned*.
+//! Rewrites a description as the same mechanism larger, displaced, or turned.
 //!
-//! What is given to the mechanism is changed, and what is taken from it changed back: a driver whose motion is
-//! `distance(A, B) + 5mm` becomes `(distance(A, B)/1000 + 5mm)*1000`. Constants, parameters, laws and tables stay as they are.
+//! Quantities given to the mechanism are changed, and quantities taken from it changed back: a driver whose motion is
+//! `distance(A, B) + 5mm` becomes `(distance(A, B)/1000 + 5mm)*1000`. Constants, parameters, laws and tables stay as
+//! they are.
 
 use linkwright_codegen::stages::syntax::{Document, Equation, Expression, Origin, Pair, Statement};
 
 use super::edits::Edits;
 use super::roles::{Given, Taken, each_formula, each_given, each_taken};
 
-/// A factor for lengths, as it is written.
+/// Factor for lengths.
 #[derive(Clone, Copy, Debug)]
 pub struct Factor {
-    /// What is written behind what is given.
+    /// Text behind a given quantity.
     pub times: &'static str,
-    /// What is written behind what is taken.
+    /// Text behind a taken quantity.
     pub over: &'static str,
     /// The factor.
     pub value: f64,
@@ -33,7 +34,7 @@ pub const FACTORS: [Factor; 2] = [
     },
 ];
 
-/// All lengths by this factor. `power` is the power of the length that the rows of an equation are measured in.
+/// Multiplies all lengths by this factor. `power` is the power of length in the dimension of an equation's rows.
 pub fn scaled(
     text: &str,
     document: &Document,
@@ -74,7 +75,7 @@ fn parenthesize(edits: &mut Edits, inner: &Expression) {
     edits.enclose(inner.span, "");
 }
 
-/// The origin of the global frame elsewhere, so that every abscissa grows by `x` and every ordinate by `y`.
+/// Moves the origin of the global frame, so that every abscissa grows by `x` and every ordinate by `y`.
 pub fn shifted(text: &str, document: &Document, x: &str, y: &str) -> String {
     let mut edits = Edits::default();
     each_formula(&document.mechanism.statements, &mut |formula, live| {
@@ -106,10 +107,10 @@ pub fn shifted(text: &str, document: &Document, x: &str, y: &str) -> String {
 /// The angle of [`turned`], whose cosine is 3/5 and whose sine is 4/5.
 pub const TURN: &str = "atan2(4, 3)";
 
-/// Everything turned by [`TURN`] about the origin; `None` where something is said about the directions x and y themselves.
+/// Turns everything by [`TURN`] about the origin; `None` if a statement refers to the directions x and y themselves.
 pub fn turned(text: &str, document: &Document) -> Option<String> {
     let mut edits = Edits::default();
-    // What only turns has no place that could be turned about the origin.
+    // Angles alone have no position that could be turned about the origin.
     let mut statements = document.mechanism.statements.iter();
     let mut possible = !statements.any(|it| matches!(it, Statement::Angle(_)));
     each_formula(&document.mechanism.statements, &mut |formula, live| {

@@ -1,6 +1,6 @@
-//! *A description* → *the same mechanism, written in another way*, and what its results must be then.
+//! Rewrites descriptions of a mechanism, and predicts the results.
 //!
-//! Every rewriting works on the text, at the places that the syntax tree names, so that the whole pipeline is passed again.
+//! Every rewriting edits the text at the positions of the syntax tree, so that the whole pipeline runs again.
 
 pub mod edits;
 pub mod frames;

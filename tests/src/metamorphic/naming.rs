@@ -1,4 +1,4 @@
-//! *A description* → *the same mechanism with other names* for everything that it names.
+//! Rewrites a description with other names for everything that it names.
 
 use std::collections::BTreeMap;
 
@@ -11,7 +11,7 @@ use super::edits::Edits;
 use super::roles::each_formula;
 use crate::random::Random;
 
-/// Other names for what is declared, one for each text whatever it names. Their order is another one.
+/// Gives declared items other names, one for each text whatever it names. Their order is another one.
 pub fn renamed(text: &str, document: &Document, seed: u64) -> String {
     let mut names = Vec::new();
     declared(&document.mechanism.statements, &mut names);
@@ -43,30 +43,30 @@ pub fn renamed(text: &str, document: &Document, seed: u64) -> String {
 /// The names that statements declare.
 fn declared(statements: &[Statement], names: &mut Vec<String>) {
     for statement in statements {
-        let mut found: Vec<&Name> = Vec::new();
+        let mut declarations: Vec<&Name> = Vec::new();
         match statement {
             Statement::Constant(it)
             | Statement::Parameter(it)
             | Statement::Input(it)
             | Statement::Angle(it) => {
-                found.push(&it.name);
+                declarations.push(&it.name);
             }
-            Statement::Table(it) => found.push(&it.name),
-            Statement::Points(it) => found.extend(it.points.iter().map(|point| &point.name)),
+            Statement::Table(it) => declarations.push(&it.name),
+            Statement::Points(it) => declarations.extend(it.points.iter().map(|point| &point.name)),
             Statement::Body(body) => {
-                found.push(&body.name);
-                found.extend(body.members.iter().filter_map(|member| match member {
+                declarations.push(&body.name);
+                declarations.extend(body.members.iter().filter_map(|member| match member {
                     Member::Local { name, .. } => Some(name),
                     Member::Carried { .. } => None,
                 }));
             }
-            Statement::Joint(it) => found.extend(&it.name),
-            Statement::Drive(it) => found.extend(&it.name),
-            Statement::Free(it) => found.push(&it.name),
-            Statement::Equation(it) => found.extend(&it.name),
-            Statement::Curve(it) => found.extend([&it.name, &it.parameter]),
+            Statement::Joint(it) => declarations.extend(&it.name),
+            Statement::Drive(it) => declarations.extend(&it.name),
+            Statement::Free(it) => declarations.push(&it.name),
+            Statement::Equation(it) => declarations.extend(&it.name),
+            Statement::Curve(it) => declarations.extend([&it.name, &it.parameter]),
             Statement::Motion(motion) => {
-                found.push(&motion.name);
+                declarations.push(&motion.name);
                 declared(&motion.statements, names);
             }
             Statement::Output(_)
@@ -79,9 +79,9 @@ fn declared(statements: &[Statement], names: &mut Vec<String>) {
             | Statement::Reaction(_)
             | Statement::Directive(_)
             | Statement::Units(_) => {}
-            Statement::Element(it) => found.extend(&it.name),
+            Statement::Element(it) => declarations.extend(&it.name),
         }
-        names.extend(found.into_iter().map(|name| name.text.clone()));
+        names.extend(declarations.into_iter().map(|name| name.text.clone()));
     }
 }
 
@@ -197,7 +197,7 @@ impl Renaming {
         match &formula.kind {
             ExpressionKind::Number { .. } => {}
             ExpressionKind::Reference(reference) => {
-                // The component of a point is no name.
+                // The component of a point does not count as a name.
                 match (&reference.body, live) {
                     (Some(point), true) if ["x", "y"].contains(&reference.name.text.as_str()) => {
                         self.name(point);

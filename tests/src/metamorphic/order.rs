@@ -1,4 +1,4 @@
-//! *A description* → *the same mechanism with its bodies and joints in another order*.
+//! Rewrites a description with its bodies and joints in another order.
 
 use linkwright_codegen::stages::syntax::{
     Body, Document, Drive, Orientation, Origin, Reference, Statement,
@@ -6,7 +6,8 @@ use linkwright_codegen::stages::syntax::{
 
 use crate::random::Random;
 
-/// Its bodies, and its joints, drivers and equations, in an order that follows from `seed`; what is declared stays above its use.
+/// Puts bodies, joints, drivers and equations into an order that follows from `seed`; declarations stay above their
+/// uses.
 pub fn reordered(text: &str, document: &Document, seed: u64) -> String {
     let mut random = Random::new(seed);
     let mechanism = &document.mechanism;
@@ -23,7 +24,7 @@ fn shuffled<'a, T>(items: impl Iterator<Item = &'a T>, random: &mut Random) -> V
     items
 }
 
-/// The items in an order in which none comes before what it needs. `needs(a, b)` where a needs b.
+/// Items in an order in which none comes before an item that it needs. `needs(a, b)` is true if a needs b.
 fn settled<T>(mut waiting: Vec<&T>, needs: impl Fn(&T, &T) -> bool) -> Vec<&T> {
     let mut done = Vec::new();
     while !waiting.is_empty() {
@@ -111,7 +112,7 @@ fn ordered(text: &str, statements: &[Statement], random: &mut Random) -> String 
     written
 }
 
-/// Whether the drawing of a body names a point of another one.
+/// True if the estimate of a body names a point of another one.
 fn mentions(body: &Body, name: &str) -> bool {
     let of = |reference: &Reference| reference.body.as_ref().is_some_and(|it| it.text == name);
     let origin = matches!(&body.origin, Origin::Point(reference) if of(reference));

@@ -1,4 +1,4 @@
-//! *A description* → *all its rewritings*, each with what it does to the coordinates.
+//! Rewrites a description in all equivalent forms, each with its effect on the coordinates.
 
 use std::f64::consts::TAU;
 
@@ -11,45 +11,45 @@ use super::naming::renamed;
 use super::order::reordered;
 use super::swapping::swapped;
 
-/// The seed of the first permutation; the others follow it.
+/// Seed of the first permutation; the seeds of the others follow it.
 pub const SEED: u64 = 0x6d65_7461;
 
-/// How often bodies and joints are put into another order.
+/// Number of permutations of bodies and joints.
 pub const PERMUTATIONS: u64 = 3;
 
-/// How far the origin is moved, as written and in m.
+/// Shifts of the origin, as text and in m.
 const SHIFTS: [([&str; 2], [f64; 2]); 2] = [
     (["5/4", "-17/8"], [1.25, -2.125]),
     (["-40000", "30000"], [-4e4, 3e4]),
 ];
 
-/// What a rewriting does to the coordinates.
+/// Effect of a rewriting on the coordinates.
 #[derive(Clone, Copy, Debug)]
 pub enum Change {
     /// Nothing.
     None,
     /// Lengths become larger by this factor.
     Factor(f64),
-    /// Places are moved by this much (m).
+    /// Shifts positions by these lengths (m).
     Shift([f64; 2]),
-    /// Everything is turned by atan2(4, 3).
+    /// Turns everything by atan2(4, 3).
     Turn,
 }
 
-/// A description that says the same in another way.
+/// Equivalent description.
 #[derive(Clone, Debug)]
 pub struct Rewriting {
-    /// What was done.
+    /// Name of the rewriting.
     pub name: String,
     /// The description.
     pub source: Source,
-    /// What this does to the coordinates.
+    /// Effect on the coordinates.
     pub change: Change,
-    /// Whether coordinates are found by their names, since they stand in another order; by their places otherwise.
+    /// True if coordinates are matched by name because their order differs; they are matched by index otherwise.
     pub by_name: bool,
 }
 
-/// The rewritings of a description whose equations are `motions`, and why others are left out.
+/// Rewritings of a description whose equations are `motions`, and the reasons why others are left out.
 ///
 /// # Panics
 /// If the description has errors.
@@ -107,20 +107,24 @@ pub fn all(source: &Source, motions: &[System]) -> (Vec<Rewriting>, Vec<String>)
     (all, left_out)
 }
 
-/// The power of the length that an equation is measured in.
+/// Power of length in the dimension of an equation.
 fn power(equation: &Equation, motions: &[System]) -> i32 {
     let rows = motions.iter().flat_map(|system| {
-        let own = |row: &&linkwright_codegen::stages::system::Row| {
+        let is_of_equation = |row: &&linkwright_codegen::stages::system::Row| {
             system.mechanism.joints[row.joint].span == equation.span
         };
-        system.rows.iter().chain(&system.monitored).filter(own)
+        system
+            .rows
+            .iter()
+            .chain(&system.monitored)
+            .filter(is_of_equation)
     });
     let powers: Vec<i32> = rows.map(|row| row.quantity.power_of_length()).collect();
     *powers.first().expect("the row of an equation")
 }
 
 impl Change {
-    /// What becomes of the `level`th derivative of the coordinates of `system`.
+    /// Values of the `level`th derivative of the coordinates of `system` after the change.
     pub fn apply(&self, system: &System, values: &[f64], level: usize) -> Vec<f64> {
         let mut changed = values.to_vec();
         for (place, coordinate) in system.coordinates.iter().enumerate() {
@@ -140,13 +144,13 @@ impl Change {
         changed
     }
 
-    /// Whether angles stay the same only but for whole turns: a direction of the drawing has an angle of at most half a turn, so
-    /// what is turned may be wound by a whole one.
+    /// True if angles may change by whole turns: a direction in the picture has an angle of at most half a turn, so
+    /// that a turned one may be wound by a whole turn.
     pub fn winds(&self) -> bool {
         matches!(self, Change::Turn)
     }
 
-    /// By how much the coordinate at `place` may be off after the change, when all were off by `bounds` before.
+    /// Bound on the error of the coordinate at `place` after the change, if all errors were within `bounds` before.
     pub fn bound(&self, system: &System, bounds: &[f64], place: usize) -> f64 {
         let coordinate = &system.coordinates[place];
         match (self, coordinate.describes) {
@@ -158,7 +162,7 @@ impl Change {
     }
 }
 
-/// How far two values of the coordinate at `place` are apart; angles of bodies but for whole turns where they may be wound.
+/// Distance between two values of the coordinate at `place`; whole turns of bodies do not count if they may be wound.
 pub fn distance(system: &System, place: usize, [one, other]: [f64; 2], wound: bool) -> f64 {
     let difference = one - other;
     match system.coordinates[place].describes {
@@ -169,7 +173,7 @@ pub fn distance(system: &System, place: usize, [one, other]: [f64; 2], wound: bo
     }
 }
 
-/// Which coordinate of the rewritten system each one of the original became.
+/// Index in the rewritten system of each coordinate of the original.
 ///
 /// # Panics
 /// If one is missing.

@@ -1,37 +1,37 @@
-//! *A document* → *what each of its formulas says*: the places where a length or an angle is given to the mechanism, and those where
-//! one is taken from it.
+//! Finds the roles of the formulas of a document: those that give the mechanism a length or an angle, and those that
+//! take one from it.
 //!
-//! Everything between the two is left alone, so a rewriting needs to know nothing about constants, laws, tables and units.
+//! Everything between the two is left alone, so that a rewriting can ignore constants, laws, tables and units.
 
 use linkwright_codegen::stages::syntax::{
     Body, Center, Curve, Document, Drive, Equation, Expression, ExpressionKind, Joint, Member,
     Orientation, Origin, Pair, Shape, Statement,
 };
 
-/// What a formula gives to the mechanism.
+/// Quantity that a formula gives to the mechanism.
 #[derive(Clone, Copy, Debug)]
 pub enum Given<'a> {
-    /// Where something is in the global frame.
+    /// Position in the global frame.
     Place(&'a Pair),
-    /// Where something is in the frame of a body, or how far apart.
+    /// Position in the frame of a body, or a distance vector.
     Vector(&'a Pair),
-    /// A global abscissa.
+    /// Global abscissa.
     X(&'a Expression),
-    /// A global ordinate.
+    /// Global ordinate.
     Y(&'a Expression),
-    /// A difference of two global coordinates.
+    /// Difference of two global coordinates.
     Component(&'a Expression),
-    /// The angle of a body.
+    /// Angle of a body.
     Angle(&'a Expression),
-    /// A body that is not turned in the drawing: its orientation is left out after this place.
+    /// Body whose frame is parallel to the global one: its orientation is omitted after this position.
     Aligned(&'a Body),
-    /// A distance.
+    /// Distance.
     Length(&'a Expression),
-    /// Both sides of an equation of the user's own.
+    /// Both sides of an equation of the user.
     Sides(&'a Equation),
 }
 
-/// What a formula takes from the mechanism or its drawing.
+/// Quantity that a formula takes from the mechanism or its design configuration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Taken {
     /// A distance.
@@ -44,7 +44,7 @@ pub enum Taken {
     Angle,
 }
 
-/// Calls `visit` with everything that is given, in written order.
+/// Calls `visit` with every quantity given, in written order.
 pub fn each_given<'a>(document: &'a Document, visit: &mut dyn FnMut(Given<'a>)) {
     statements(&document.mechanism.statements, visit);
 }
@@ -84,7 +84,7 @@ fn statements<'a>(all: &'a [Statement], visit: &mut dyn FnMut(Given<'a>)) {
     }
 }
 
-/// Whether formulas give a place.
+/// True if an expression is a position.
 fn is_place(written: &Expression) -> bool {
     matches!(written.kind, ExpressionKind::Components(_))
 }
@@ -175,7 +175,8 @@ fn of_curve<'a>(curve: &'a Curve, visit: &mut dyn FnMut(Given<'a>)) {
     }
 }
 
-/// Calls `visit` with everything that a formula takes. `live` where it stands in an equation, which may mention coordinates.
+/// Calls `visit` with every quantity that a formula takes. `live` is true in an equation, which may mention
+/// coordinates.
 pub fn each_taken<'a>(
     expression: &'a Expression,
     live: bool,
@@ -316,19 +317,22 @@ pub fn each_formula<'a>(all: &'a [Statement], visit: &mut dyn FnMut(&'a Expressi
             }
             Statement::Gravity(gravity) => pair(&gravity.acceleration, visit),
             Statement::Element(element) => {
-                let given = [
+                let formulas = [
                     Some(&element.value),
                     element.free.as_ref(),
                     element.preload.as_ref(),
                 ];
-                given.into_iter().flatten().for_each(|it| visit(it, false));
+                formulas
+                    .into_iter()
+                    .flatten()
+                    .for_each(|it| visit(it, false));
             }
             Statement::Force(force) => {
                 visit(&force.components.x, true);
                 visit(&force.components.y, true);
             }
             Statement::Torque(torque) => visit(&torque.value, true),
-            // Their points are numbers.
+            // Its points are numbers.
             Statement::Table(_)
             | Statement::Output(_)
             | Statement::Transmission(_)

@@ -1,10 +1,10 @@
-//! *A description* → *the same mechanism with the two bodies of each joint in the other order*.
+//! Rewrites a description with the two bodies of each joint exchanged.
 
 use linkwright_codegen::stages::syntax::{Direction, Document, Drive, Joint, Reference, Statement};
 
 use super::edits::Edits;
 
-/// What stays as it is: kinds of joints whose two bodies have different parts.
+/// Kinds of joints that are left alone: their two bodies have different roles.
 pub const ONE_SIDED: [&str; 10] = [
     "absolute_x",
     "absolute_y",
@@ -18,10 +18,10 @@ pub const ONE_SIDED: [&str; 10] = [
     "rack",
 ];
 
-/// Body j first, wherever a joint or a driver says the same of i and j as of j and i.
+/// Puts body j first in every joint or driver that is symmetric in i and j.
 ///
 /// # Panics
-/// On a kind of joint of which this is not known.
+/// On a kind of joint with unknown symmetry.
 pub fn swapped(text: &str, document: &Document) -> String {
     let mut edits = Edits::default();
     let lines = lines(&document.mechanism.statements);
@@ -29,7 +29,7 @@ pub fn swapped(text: &str, document: &Document) -> String {
     edits.apply(text)
 }
 
-/// The lines of the joints that can be turned round, which are driven along them.
+/// Lines of the joints that can be reversed, and along which they are driven.
 fn lines(statements: &[Statement]) -> Vec<&Direction> {
     let joints = statements.iter().filter_map(|statement| match statement {
         Statement::Joint(joint) => Some(joint),

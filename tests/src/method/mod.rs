@@ -1,7 +1,7 @@
-//! *A way to solve a mechanism* → *its motion, and a loop that can be timed.*
+//! Solution methods of a mechanism, each as a loop that can be timed.
 //!
-//! [`methods`] lists all of a mechanism, the baseline first. Each one sweeps through given times from the drawing, in the state
-//! that a user's loop would keep.
+//! [`methods`] lists all of a mechanism, the baseline first. Each one sweeps through given times from the design
+//! configuration, with the state that a user's loop would keep.
 
 mod dense;
 mod solved;
@@ -17,7 +17,7 @@ use linkwright_codegen::stages::{program, structure};
 use crate::description;
 pub use crate::values::Levels;
 
-/// The settings that make sense in a scalar, with their labels: no residual can be smaller than its rounding.
+/// Settings for a scalar, with their labels: no residual can be smaller than its rounding.
 fn settings<T: Real>() -> Vec<(&'static str, Settings<T>)>
 where
     Settings<T>: Default,
@@ -48,17 +48,17 @@ where
     all.iter().map(with).collect()
 }
 
-/// One way to solve a mechanism.
+/// Solution method of a mechanism.
 pub trait Method {
-    /// What it does, as a line of the legend: methods that differ in a setting only have this in common.
+    /// Label in the legend; methods that differ only in a setting share it.
     fn family(&self) -> &str;
-    /// The setting; empty where there is none.
+    /// Setting; empty if the method has none.
     fn setting(&self) -> &str;
     /// `f64` or `f32`.
     fn scalar(&self) -> &'static str;
-    /// Assembles the drawing at the first time and moves to each of the others. Nothing is kept: this is what is timed.
+    /// Assembles at the first time and moves to each of the others. Nothing is kept: this is timed.
     fn sweep(&mut self, times: &[f64]);
-    /// The same sweep; the frames at the times of these indices, which ascend.
+    /// Sweeps and returns the frames at the times of these indices, which ascend.
     fn record(&mut self, times: &[f64], indices: &[usize]) -> Vec<Levels>;
 
     /// Family and setting.
@@ -86,7 +86,7 @@ pub fn methods(mechanism: &str) -> Vec<Box<dyn Method>> {
     methods
 }
 
-/// Whether a block of the mechanism's solved view has no closed form.
+/// True if a block of the mechanism's solved formulation has no closed form.
 fn iterates(mechanism: &str) -> bool {
     let mut system = description::system(mechanism);
     let plan = structure::plan(&mut system);
@@ -95,8 +95,8 @@ fn iterates(mechanism: &str) -> bool {
     forms.iter().flatten().any(|form| form.modes().is_none())
 }
 
-/// The generated solvers of a mechanism, given whether one of its blocks has no closed form: in double precision, then in single
-/// precision.
+/// Generated solvers of a mechanism, in double precision, then in single precision. The argument is true if one of
+/// its blocks has no closed form.
 type Generated = fn(bool) -> Vec<Box<dyn Method>>;
 
 fn generated<M, E, M32, E32, const N: usize>(iterates: bool) -> Vec<Box<dyn Method>>
@@ -113,7 +113,7 @@ where
     methods
 }
 
-/// The mechanisms whose methods are compared: those that the baseline is written for.
+/// Mechanisms whose methods are compared: those of the baseline.
 const GENERATED: &[(&str, Generated)] = {
     use crate::single;
     use linkwright_mechanisms::{
@@ -218,7 +218,7 @@ const GENERATED: &[(&str, Generated)] = {
     ]
 };
 
-/// The names of the mechanisms whose methods are compared.
+/// Names of the mechanisms whose methods are compared.
 pub fn studied() -> impl Iterator<Item = &'static str> {
     GENERATED.iter().map(|(name, _)| *name)
 }

@@ -1,8 +1,9 @@
-//! *The exact motion* → *how far any way to solve the equations may be off*, whatever operations it performs.
+//! Bounds the error of any solution method around the exact motion, whatever operations it performs.
 //!
-//! To first order condition × rounding: |Φ_q⁻¹| times the running errors of the rows and what Newton-Raphson lets pass as
-//! rounding, and ε of the largest coordinate, as elimination and closed forms mix the coordinates. A factor stands for the
-//! operations that are not known. Where they are known, [`super::dense`] and [`super::blocks`] say more.
+//! To first order the bound is condition × rounding: |Φ_q⁻¹| times the running errors of the rows and the residual
+//! that Newton-Raphson accepts as rounding. ε of the largest coordinate is added, as elimination and closed forms mix
+//! the coordinates. A factor stands for unknown operations. For known ones, [`super::dense`] and [`super::blocks`]
+//! are sharper.
 
 use linkwright_codegen::stages::expr::ExprId;
 use linkwright_codegen::stages::system::Row;
@@ -12,14 +13,14 @@ use super::precise::{Nodes, Precise};
 use super::truth::{Exact, Given, Levels, Truth};
 use super::verdict::Scalar;
 
-/// For the operations that are not known.
+/// Factor for unknown operations.
 const FACTOR: f64 = 16.0;
 
-/// What the solver takes for rounding in a scaled residual, in ε.
+/// Rounding level of a scaled residual in the solver, in ε.
 const LEVEL: f64 = linkwright::generated::newton::ROUNDING;
 
 impl Truth {
-    /// By how much q, q̇ and q̈ may be off in a scalar. `length` is what residuals in m are judged against.
+    /// Bounds on the error of q, q̇ and q̈ in a scalar. `length` is the scale of residuals in m.
     pub fn allowance(
         &self,
         given: &Given,
@@ -65,31 +66,33 @@ impl Truth {
                 .collect()
         };
         let still = vec![0.0; n];
-        let found = rows_at(&still, &still);
+        let row_errors = rows_at(&still, &still);
         let rows = || self.system.rows.iter();
         let residuals: Vec<f64> = rows()
             .map(|row| {
                 let scale = length.powi(row.quantity.power_of_length());
-                2.0 * found[row.residual.index()].worst + LEVEL * epsilon * scale
+                2.0 * row_errors[row.residual.index()].worst + LEVEL * epsilon * scale
             })
             .collect();
         let pose = spread(&residuals, &values[0]);
-        let linear = |found: &[Margin], right: fn(&Row) -> ExprId, rates: &[f64]| -> Vec<f64> {
-            let sums = rows().map(|row| {
-                let entries = row.jacobian.iter().map(|entry| {
-                    let rounding = n as f64 * epsilon * nodes.rounded[entry.value.index()].abs();
-                    let off = 2.0 * found[entry.value.index()].worst + rounding;
-                    off * rates[entry.coordinate].abs()
+        let linear =
+            |row_errors: &[Margin], right: fn(&Row) -> ExprId, rates: &[f64]| -> Vec<f64> {
+                let sums = rows().map(|row| {
+                    let entries = row.jacobian.iter().map(|entry| {
+                        let rounding =
+                            n as f64 * epsilon * nodes.rounded[entry.value.index()].abs();
+                        let off = 2.0 * row_errors[entry.value.index()].worst + rounding;
+                        off * rates[entry.coordinate].abs()
+                    });
+                    entries.sum::<f64>() + 2.0 * row_errors[right(row).index()].worst
                 });
-                entries.sum::<f64>() + 2.0 * found[right(row).index()].worst
-            });
-            sums.collect()
-        };
-        let found = rows_at(&pose, &still);
-        let velocity = linear(&found, |row| row.time_derivative, &values[1]);
+                sums.collect()
+            };
+        let row_errors = rows_at(&pose, &still);
+        let velocity = linear(&row_errors, |row| row.time_derivative, &values[1]);
         let velocity = spread(&velocity, &values[1]);
-        let found = rows_at(&pose, &velocity);
-        let acceleration = linear(&found, |row| row.gamma, &values[2]);
+        let row_errors = rows_at(&pose, &velocity);
+        let acceleration = linear(&row_errors, |row| row.gamma, &values[2]);
         let acceleration = spread(&acceleration, &values[2]);
         [pose, velocity, acceleration]
     }

@@ -1,9 +1,9 @@
-//! *The solved view's statements, and the exact motion* → *how far they may be off in floating point*.
+//! Bounds the error of the solved formulation's statements in floating point, around the exact motion.
 //!
-//! The statements of every block are run in 384 bits with the branches of the drawing, which must lead to the exact motion, and
-//! each of them adds its roundings to the errors of what it reads ([`super::bounded`]); a block without a closed form is
-//! bounded as [`super::dense`] says. So these bounds hold for the operations that a generated module really performs, but for
-//! the order of sums and products, for every one of which they hold.
+//! The statements of every block are run in 384 bits with the branches of the design configuration, which must lead
+//! to the exact motion. Each of them adds its roundings to the errors of its operands ([`super::bounded`]); a block
+//! without a closed form is bounded as in [`super::dense`]. So these bounds hold for the operations of a generated
+//! module, in any order of sums and products.
 
 use std::cell::RefCell;
 
@@ -21,14 +21,14 @@ use super::truth::{Exact, Given, Levels};
 use super::verdict::Scalar;
 use crate::magnitude::needed;
 
-/// The solved view of a mechanism.
+/// Solved formulation of a mechanism.
 pub struct Blocks {
     system: System,
     blocks: Vec<Block>,
     branches: Vec<Branch>,
 }
 
-/// The values and errors of all symbols so far.
+/// Values and errors of all symbols so far.
 struct State<'a> {
     system: &'a System,
     nodes: RefCell<Nodes>,
@@ -38,7 +38,7 @@ struct State<'a> {
 }
 
 impl Blocks {
-    /// The solved view with nothing left out; `None` where there is none.
+    /// Solved formulation with all values; `None` if the system has none.
     pub fn new(system: &System) -> Option<Blocks> {
         let mut system = system.without_directions();
         let plan = structure::plan_of_motion(&mut system)?;
@@ -50,10 +50,10 @@ impl Blocks {
         })
     }
 
-    /// By how much q, q̇ and q̈ may be off in a scalar; `length` is what residuals in m are judged against.
+    /// Bounds on the error of q, q̇ and q̈ in a scalar; `length` is the scale of residuals in m.
     ///
     /// # Errors
-    /// Where the statements do not lead to the exact motion.
+    /// The statements do not lead to the exact motion.
     pub fn bounds(
         &self,
         given: &Given,
@@ -100,16 +100,16 @@ impl Blocks {
     }
 }
 
-/// What a function gives.
+/// Results of a function.
 fn results(function: &Function) -> Vec<ExprId> {
     function.results.iter().map(|it| it.expr).collect()
 }
 
-/// What 384 bits leave of a difference.
+/// Bound on a difference that is zero in 384 bits.
 const LOST: f64 = 1e-60;
 
 impl State<'_> {
-    /// The errors of expressions where symbols have the errors `margins`.
+    /// Errors of expressions if symbols have the errors `margins`.
     fn errors(&self, roots: &[ExprId], margins: &[Margin]) -> Vec<Margin> {
         let graph = &self.system.mechanism.graph;
         let order = needed(graph, roots);
@@ -136,10 +136,12 @@ impl State<'_> {
             }
             _ => return,
         };
-        let found = self.errors(&roots, &self.margins);
+        let argument_errors = self.errors(&roots, &self.margins);
         let epsilon = self.scalar.epsilon();
         match statement {
-            Statement::Let { target, value, .. } => self.set(*target, self.value(*value), found[0]),
+            Statement::Let { target, value, .. } => {
+                self.set(*target, self.value(*value), argument_errors[0])
+            }
             Statement::SineCosine {
                 sine,
                 cosine,
@@ -147,7 +149,7 @@ impl State<'_> {
             } => {
                 let angle = self.value(*angle);
                 let [s, c] = [angle.sin(), angle.cos()];
-                let [to_sine, to_cosine] = turned(&s, &c, found[0], epsilon);
+                let [to_sine, to_cosine] = turned(&s, &c, argument_errors[0], epsilon);
                 self.set(*sine, s, to_sine);
                 self.set(*cosine, c, to_cosine);
             }
@@ -158,23 +160,24 @@ impl State<'_> {
             } => {
                 let (y, x) = (self.value(*sine), self.value(*cosine));
                 let size = y.to_f64().hypot(x.to_f64());
-                let moved = found[0]
+                let moved = argument_errors[0]
                     .times(x.to_f64() / size)
-                    .plus(found[1].times(y.to_f64() / size))
+                    .plus(argument_errors[1].times(y.to_f64() / size))
                     .times(1.0 / size);
                 let mut unknowns = self.system.vector_form.unknowns.iter();
                 let unknown = unknowns.position(|it| it.position == *target);
                 let near = unknown.and_then(|unknown| exact.levels[0].get(unknown));
                 let angle = wound(&arctangent(&y, &x), near);
                 // The promise of `linkwright::math::angle_near`: 2 ε of the angle, or of π/4 where that is larger.
-                let own = 2.0 * epsilon * angle.to_f64().abs().max(std::f64::consts::FRAC_PI_4);
-                self.set(*target, angle, moved.plus(Margin::even(own)));
+                let rounding =
+                    2.0 * epsilon * angle.to_f64().abs().max(std::f64::consts::FRAC_PI_4);
+                self.set(*target, angle, moved.plus(Margin::even(rounding)));
             }
             _ => {}
         }
     }
 
-    /// The tears of a block without a closed form, with their rates and accelerations.
+    /// Tearing variables of a block without a closed form, with their rates and accelerations.
     fn iterate(&mut self, newton: &NewtonBlock, exact: &Exact, length: f64) -> Result<(), String> {
         let unknowns: Vec<_> = newton
             .unknowns
@@ -186,12 +189,13 @@ impl State<'_> {
             let symbols = [unknown.position, unknown.rate, unknown.acceleration];
             for (level, symbol) in symbols.into_iter().enumerate() {
                 let value = exact.levels[level].get(*place);
-                let value = value.ok_or("a tear that is no coordinate has no exact value")?;
+                let value =
+                    value.ok_or("a tearing variable without a coordinate has no exact value")?;
                 levels[level].push(value.to_f64());
                 self.set(symbol, value.clone(), Margin::NONE);
             }
         }
-        // The values of the geometry first.
+        // The geometry comes first.
         for function in newton.equations() {
             for statement in &function.statements {
                 self.run(statement, exact);
@@ -277,8 +281,8 @@ impl State<'_> {
         Ok(())
     }
 
-    /// The sines and cosines of angles that a torn block finds on the way to them. All its equations hold as well as where they are
-    /// solved at once, and the angle is that of both, but for its rounding.
+    /// Sines and cosines of angles that a torn block computes in between. All its equations hold as accurately as if
+    /// solved at once, and the angle is that of both, except for its rounding.
     fn point(&mut self, newton: &NewtonBlock, directions: &[Option<[SymbolId; 2]>]) {
         let epsilon = self.scalar.epsilon();
         for (&unknown, direction) in newton.unknowns.iter().zip(directions) {
@@ -288,15 +292,15 @@ impl State<'_> {
             let position = self.system.vector_form.unknowns[unknown].position.index();
             let angle = self.symbols[position].clone();
             let [s, c] = [angle.sin(), angle.cos()];
-            let own = 2.0 * epsilon * angle.to_f64().abs().max(std::f64::consts::FRAC_PI_4);
-            let off = self.margins[position].plus(Margin::even(own));
+            let rounding = 2.0 * epsilon * angle.to_f64().abs().max(std::f64::consts::FRAC_PI_4);
+            let off = self.margins[position].plus(Margin::even(rounding));
             let [to_sine, to_cosine] = turned(&s, &c, off, epsilon);
             self.set(sine, s, to_sine);
             self.set(cosine, c, to_cosine);
         }
     }
 
-    /// That the statements have led to the exact motion.
+    /// Checks that the statements have led to the exact motion.
     fn compare(&self, exact: &Exact) -> Result<(), String> {
         for (place, coordinate) in self.system.coordinates.iter().enumerate() {
             let symbols = [
@@ -308,7 +312,7 @@ impl State<'_> {
                 let scale = exact.levels[level].iter().map(|it| it.to_f64().abs());
                 let scale = scale.fold(0.0, f64::max);
                 let off = self.symbols[symbol.index()].minus(&exact.levels[level][place]);
-                // Written so that NaN differs.
+                // NaN counts as different.
                 let same = off.to_f64().abs() <= LOST * scale;
                 if !same {
                     return Err(format!(
@@ -322,7 +326,7 @@ impl State<'_> {
     }
 }
 
-/// The errors of sine and cosine of an angle with this error.
+/// Errors of sine and cosine of an angle with this error.
 fn turned(sine: &Precise, cosine: &Precise, off: Margin, epsilon: f64) -> [Margin; 2] {
     let (s, c) = (sine.to_f64(), cosine.to_f64());
     [(s, c), (c, s)].map(|(value, slope)| {
@@ -335,7 +339,7 @@ fn turned(sine: &Precise, cosine: &Precise, off: Margin, epsilon: f64) -> [Margi
     })
 }
 
-/// The angle wound up by whole turns until it is next to another.
+/// Angle wound up by whole turns until it is next to another.
 fn wound(angle: &Precise, near: Option<&Precise>) -> Precise {
     let Some(near) = near else {
         return angle.clone();

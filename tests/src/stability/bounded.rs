@@ -1,22 +1,22 @@
-//! *Expressions, their exact values and the errors of their symbols* → *how far each may be off in floating point*.
+//! Bounds the error of expressions in floating point, from exact values and the errors of symbols.
 //!
-//! Running error analysis (Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., section 3.3): every operation
-//! adds its own rounding, and passes on the errors of its operands. Two sizes are kept of each error: the [`Margin::worst`] that
-//! it can have, and the [`Margin::expected`] root of its mean square. Sums are bounded for
-//! every order of their terms. A rounding is half an ε of the result; sine, cosine and exponential are within one ε of it,
-//! which is the promise of the mathematical libraries; numbers that the scalar holds exactly have no error.
+//! Running error analysis (Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., section 3.3): every
+//! operation adds its own rounding, and passes on the errors of its operands. Two magnitudes are kept of each error:
+//! the largest possible one ([`Margin::worst`]), and the root of its mean square ([`Margin::expected`]). Sums are
+//! bounded for every order of their terms. A rounding is half an ε of the result. Sine, cosine and exponential are
+//! within one ε, which mathematical libraries promise. Numbers that the scalar holds exactly have no error.
 
 use linkwright_codegen::stages::expr::{ExprId, Factor, Graph, Node, Number};
 
 use super::precise::{Precise, of_number};
 use super::verdict::Scalar;
 
-/// How far a computed value may be off.
+/// Bounds on the error of a computed value.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Margin {
-    /// What no error exceeds.
+    /// Bound on the error.
     pub worst: f64,
-    /// The standard deviation where roundings are independent and evenly distributed.
+    /// Standard deviation for independent, evenly distributed roundings.
     pub expected: f64,
 }
 
@@ -27,7 +27,7 @@ impl Margin {
         expected: 0.0,
     };
 
-    /// One error of at most this size, every one being as likely.
+    /// Evenly distributed error of at most this magnitude.
     pub fn even(size: f64) -> Margin {
         Margin {
             worst: size.abs(),
@@ -35,7 +35,7 @@ impl Margin {
         }
     }
 
-    /// Both errors together.
+    /// Sum of both errors.
     pub fn plus(self, other: Margin) -> Margin {
         Margin {
             worst: self.worst + other.worst,
@@ -43,7 +43,7 @@ impl Margin {
         }
     }
 
-    /// The error of a multiple; nothing times anything is nothing.
+    /// Error of a multiple; zero times anything is zero.
     pub fn times(self, factor: f64) -> Margin {
         if factor == 0.0 {
             return Margin::NONE;
@@ -55,18 +55,18 @@ impl Margin {
     }
 }
 
-/// A product in which nothing times anything, also infinity, is nothing.
+/// Product in which zero times anything, also infinity, is zero.
 pub fn product_of(a: f64, b: f64) -> f64 {
     if a == 0.0 || b == 0.0 { 0.0 } else { a * b }
 }
 
-/// How far a number is off in the scalar.
+/// Rounding error of a number in the scalar.
 fn literal(number: &Number, scalar: Scalar) -> Margin {
     let kept = Precise::from_f64(scalar.round(number.to_f64()));
     Margin::even(of_number(number).minus(&kept).to_f64())
 }
 
-/// The error of base ^ exponent, and how many roundings it takes.
+/// Power, error and number of roundings of base ^ exponent.
 fn power(base: f64, error: Margin, factor: &Factor) -> (f64, Margin, f64) {
     let exponent = factor.exponent.to_f64();
     let value = base.powf(exponent);
@@ -81,7 +81,8 @@ fn power(base: f64, error: Margin, factor: &Factor) -> (f64, Margin, f64) {
         return (value, Margin::NONE, roundings);
     }
     let slope = exponent * base.powf(exponent - 1.0);
-    // The slope is largest at one end of where the base can be; beyond zero it has no bound unless the power is whole.
+    // The slope is largest at one end of the range of the base; beyond zero it has no bound unless the power is
+    // whole.
     let (low, high) = (base.abs() - error.worst, base.abs() + error.worst);
     let steepest = |at: f64| (exponent * at.powf(exponent - 1.0)).abs();
     let worst = if exponent >= 1.0 {
@@ -98,7 +99,7 @@ fn power(base: f64, error: Margin, factor: &Factor) -> (f64, Margin, f64) {
     (value, margin, roundings)
 }
 
-/// The errors of the nodes in `order` (operands first), by the node's index. `values` are the exact values of the nodes,
+/// Errors of the nodes in `order` (operands first), by the node's index. `values` are the exact values of the nodes,
 /// `symbols` the errors of the symbols.
 pub fn errors(
     graph: &Graph,
@@ -114,10 +115,10 @@ pub fn errors(
     for &id in order {
         let error = |id: &ExprId| all[id.index()];
         let value = |id: &ExprId| values[id.index()];
-        let own = values[id.index()];
+        let node_value = values[id.index()];
         all[id.index()] = match graph.node(id) {
             Node::Number(number) => literal(number, scalar),
-            Node::Pi => Margin::even(unit * own),
+            Node::Pi => Margin::even(unit * node_value),
             Node::Symbol(symbol) => symbols[symbol.index()],
             Node::Sum(terms) => {
                 let (mut sum, mut sizes, mut count) = (Margin::NONE, 0.0, 0.0_f64);
@@ -125,7 +126,7 @@ pub fn errors(
                     let coefficient = term.coefficient.to_f64();
                     let addend = coefficient * value(&term.expr);
                     sum = sum.plus(error(&term.expr).times(coefficient));
-                    // A factor that is a power of two rounds nothing.
+                    // A factor that is a power of two is exact.
                     if coefficient.abs().log2().fract() != 0.0 && value(&term.expr) != 1.0 {
                         let factor = literal(&term.coefficient, scalar).times(value(&term.expr));
                         sum = sum.plus(factor).plus(rounding(addend));
@@ -137,9 +138,9 @@ pub fn errors(
                         count += 1.0;
                     }
                 }
-                // The last addition rounds the result, each of the others at most the sum of all sizes.
+                // The last addition rounds the result, each of the others at most the sum of all magnitudes.
                 if count >= 2.0 {
-                    let result = own.abs() + sum.worst;
+                    let result = node_value.abs() + sum.worst;
                     sum = sum.plus(rounding(result.min(sizes)));
                     for _ in 2..count as u32 {
                         sum = sum.plus(rounding(sizes));
@@ -150,15 +151,16 @@ pub fn errors(
             Node::Product(factors) => {
                 let (mut product, mut margin, mut roundings) = (1.0, Margin::NONE, -1.0);
                 for factor in factors.iter() {
-                    let (power, off, own) = power(value(&factor.base), error(&factor.base), factor);
+                    let (power, off, node_value) =
+                        power(value(&factor.base), error(&factor.base), factor);
                     let both = product_of(margin.worst, off.worst);
                     margin = margin.times(power).plus(off.times(product));
                     margin.worst += both;
                     product *= power;
-                    roundings += 1.0 + own;
+                    roundings += 1.0 + node_value;
                 }
                 for _ in 0..roundings as u32 {
-                    margin = margin.plus(rounding(own.abs() + margin.worst));
+                    margin = margin.plus(rounding(node_value.abs() + margin.worst));
                 }
                 margin
             }
@@ -169,16 +171,16 @@ pub fn errors(
                 } else {
                     sine
                 };
-                function(error(angle), slope, 1.0, epsilon * own)
+                function(error(angle), slope, 1.0, epsilon * node_value)
             }
             Node::Atan2(y, x) => {
                 let size = value(y).hypot(value(x));
                 let moved = error(y).plus(error(x)).times(1.0 / size);
-                moved.plus(Margin::even(epsilon * own))
+                moved.plus(Margin::even(epsilon * node_value))
             }
             Node::Exp(exponent) => {
-                let largest = own * error(exponent).worst.exp();
-                function(error(exponent), own, largest, epsilon * own)
+                let largest = node_value * error(exponent).worst.exp();
+                function(error(exponent), node_value, largest, epsilon * node_value)
             }
             Node::Ln(argument) => {
                 let off = error(argument);
@@ -188,9 +190,9 @@ pub fn errors(
                 } else {
                     f64::INFINITY
                 };
-                function(off, 1.0 / value(argument), largest, epsilon * own)
+                function(off, 1.0 / value(argument), largest, epsilon * node_value)
             }
-            // At a step, or where pieces meet, there is no bound; the study's motions do not stand there.
+            // At a jump, or where pieces meet, the error has no bound; the study's motions avoid these.
             Node::Floor(_) => Margin::NONE,
             Node::Choose {
                 condition,
@@ -210,11 +212,11 @@ pub fn errors(
                 argument,
             } => {
                 let (spline, order) = (graph.spline_of(*spline), usize::from(*order));
-                let found = spline.at(value(argument));
-                // A piece is the sum of four terms, along a distance that is the difference of two places.
-                let size = spline.pieces.iter().flatten().chain(&found);
+                let spline_values = spline.at(value(argument));
+                // A piece is the sum of four terms, along a distance that is the difference of two arguments.
+                let size = spline.pieces.iter().flatten().chain(&spline_values);
                 let size = size.fold(0.0_f64, |size, it| size.max(it.abs()));
-                let slope = found.get(order + 1).copied().unwrap_or(0.0);
+                let slope = spline_values.get(order + 1).copied().unwrap_or(0.0);
                 let place = error(argument).plus(Margin::even(4.0 * unit * value(argument)));
                 place.times(slope).plus(Margin::even(8.0 * unit * size))
             }
@@ -223,7 +225,7 @@ pub fn errors(
     all
 }
 
-/// The error of a function with this slope, nowhere steeper than `steepest`, and its own rounding.
+/// Error of a function with this slope, never steeper than `steepest`, and its own rounding.
 fn function(argument: Margin, slope: f64, steepest: f64, rounding: f64) -> Margin {
     if argument.worst == 0.0 {
         return Margin::even(rounding);

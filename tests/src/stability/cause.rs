@@ -1,27 +1,28 @@
-//! *A typed failure where there is a pose* → *its cause*, from the exact motion and the bounds alone.
+//! Finds the cause of a typed failure at an instant with a pose, from the exact motion and the bounds alone.
 
 use super::bounded::Margin;
 use super::verdict::{Scalar, Way};
 
-/// Why a pose that exists is not found.
+/// Cause of a failure although a pose exists.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Cause {
-    /// Powers of the lengths, up to the fourth, are no normal numbers of the scalar.
+    /// Powers of the lengths, up to the fourth, overflow or are subnormal in the scalar.
     Range,
-    /// Within its error the pose cannot be told from a singular one: the Jacobian changes by as much as itself.
+    /// Within its error the pose cannot be told from a singular one: the Jacobian changes by as much as its own
+    /// magnitude.
     Singular,
-    /// What is given determines the pose to less than three digits.
+    /// The inputs determine the pose to less than three digits.
     NoDigits,
     /// The driver moves too far in one step for the path to be followed.
     Step,
-    /// Plain Newton-Raphson does not come from this estimate to a pose, and is not asked to.
+    /// Plain Newton-Raphson does not converge from this estimate, nor promises to.
     Plain,
     /// None of these.
     Other,
 }
 
 impl Cause {
-    /// All of them, in the order of a report.
+    /// All causes, in the order of a report.
     pub const ALL: [Cause; 6] = [
         Cause::Singular,
         Cause::NoDigits,
@@ -31,7 +32,7 @@ impl Cause {
         Cause::Other,
     ];
 
-    /// What it is called.
+    /// Label in reports.
     pub fn words(self) -> &'static str {
         match self {
             Cause::Range => "powers of the lengths leave the range of the scalar",
@@ -44,11 +45,11 @@ impl Cause {
     }
 }
 
-/// The error of a pose beyond which it has less than three digits.
+/// Error of a pose beyond which it has less than three digits.
 pub const NO_DIGITS: f64 = 1e-3;
 
-/// Why there is no answer: `length` is the size of the mechanism, `pose` the bounds in the coordinates' scales, `change` by how
-/// much the Jacobian changes within the error of the pose.
+/// Cause of a failure: `length` is the size of the mechanism, `pose` the bounds in the coordinates' scales, `change`
+/// the relative change of the Jacobian within the error of the pose.
 pub fn cause(
     kind: &str,
     way: Way,
@@ -69,7 +70,7 @@ pub fn cause(
     {
         return Cause::NoDigits;
     }
-    if change >= CLOSE {
+    if change >= SINGULAR_CHANGE {
         return Cause::Singular;
     }
     if kind == "step too large" && !first {
@@ -81,6 +82,6 @@ pub fn cause(
     Cause::Other
 }
 
-/// The change of the Jacobian within the error from which on a pose may be taken for a singular one. The solver's verdict
-/// falls at an eighth, where it takes the largest singular vector for all errors.
-const CLOSE: f64 = 1.0 / 16.0;
+/// Change of the Jacobian within the error from which on a pose may be taken for a singular one. The solver's limit
+/// is an eighth, where it takes the largest singular vector for all errors.
+const SINGULAR_CHANGE: f64 = 1.0 / 16.0;

@@ -1,15 +1,15 @@
-//! *A family's verdicts* → *an SVG*: errors as points and predicted bounds as lines over what varies, all logarithmic.
+//! Draws the verdicts on a family as an SVG: errors as points and predicted bounds as lines, on logarithmic axes.
 
 use std::error::Error;
 use std::path::Path;
 
 use plotters::prelude::*;
 
-/// One way to solve, with (x, error, bound) of each sample it solved.
+/// Curve of one procedure, with (x, error, bound) of each sample it solved.
 pub struct Series {
-    /// Its name.
+    /// Label.
     pub label: String,
-    /// The points.
+    /// Points.
     pub points: Vec<(f64, f64, f64)>,
 }
 
@@ -20,16 +20,16 @@ const COLORS: [RGBColor; 4] = [
     RGBColor(204, 121, 167),
 ];
 
-/// Where an error of exactly zero is drawn.
-const SMALLEST: f64 = 1e-18;
+/// Ordinate of an error of exactly zero.
+const ZERO_ERROR_ORDINATE: f64 = 1e-18;
 
-/// What is off by more than the whole size is drawn there.
-const LARGEST: f64 = 1e2;
+/// Ordinate of an error that exceeds the whole magnitude.
+const MAX_ERROR_ORDINATE: f64 = 1e2;
 
-/// The end of the axis: the legend stands above everything that is drawn.
+/// End of the axis: the legend stands above all points.
 const END: f64 = 1e9;
 
-/// Draws the chart of a family; false where no point has a place on a logarithmic axis.
+/// Draws the chart of a family; false if no point has a place on a logarithmic axis.
 ///
 /// # Errors
 /// If the file cannot be written.
@@ -51,7 +51,7 @@ pub fn draw(
     if low >= high || low < 1e-30 || high > 1e30 {
         return Ok(false);
     }
-    let drawn = |value: f64| value.clamp(SMALLEST, LARGEST);
+    let drawn = |value: f64| value.clamp(ZERO_ERROR_ORDINATE, MAX_ERROR_ORDINATE);
     let mut svg = String::new();
     {
         let root = SVGBackend::with_string(&mut svg, (760, 440)).into_drawing_area();
@@ -64,7 +64,7 @@ pub fn draw(
             .y_label_area_size(60)
             .build_cartesian_2d(
                 (low / 2.0..high * 2.0).log_scale(),
-                (SMALLEST..END).log_scale(),
+                (ZERO_ERROR_ORDINATE..END).log_scale(),
             )?;
         let power = |value: &f64| format!("1e{:.0}", value.log10());
         chart

@@ -1,4 +1,4 @@
-//! The compiled mechanisms of the study, in both scalars and both views.
+//! Compiled mechanisms of the study, in both scalars and both formulations.
 
 use linkwright::math::Real;
 use linkwright::nalgebra::{Const, SMatrix, SVector};
@@ -14,25 +14,26 @@ use crate::values::{filled, levels, pose};
 pub struct Compiled {
     /// The name of its description.
     pub name: &'static str,
-    /// What the solved view does.
+    /// Solution method of the solved formulation.
     pub solved: &'static str,
     /// In f64, then in f32.
     views: [&'static dyn Run; 2],
 }
 
 impl Compiled {
-    /// Solves a sample; `side` is 0 in f64 and 1 in f32, and `is_negative` says of the determinant of the pose that is meant.
+    /// Solves a sample; `side` is 0 in f64 and 1 in f32, and `is_negative` is true if the requested pose has a
+    /// negative determinant.
     pub fn run(&self, side: usize, way: Way, sample: &Sample, is_negative: bool) -> Outcomes {
         self.views[side].run(way, sample, is_negative)
     }
 }
 
-/// What can be taken through a motion.
+/// Solver that can be moved through a sample.
 trait Run {
     fn run(&self, way: Way, sample: &Sample, is_negative: bool) -> Outcomes;
 }
 
-/// A generated mechanism, and its equations as one dense system with what they are given.
+/// Generated mechanism, and its equations as one dense system with their inputs.
 struct Views<B: Blocks, E, const N: usize> {
     blocks: B,
     textbook: fn(B::Parameters, B::Inputs) -> E,
@@ -59,7 +60,7 @@ fn inputs<B: Blocks>(blocks: &B, sample: &Sample, t: f64) -> B::Inputs {
     inputs
 }
 
-/// The textbook view, with the signals of every time it is evaluated at.
+/// Textbook formulation, with the signals of every time at which it is evaluated.
 struct Moving<'a, B: Blocks, E, const N: usize> {
     views: &'a Views<B, E, N>,
     sample: &'a Sample,

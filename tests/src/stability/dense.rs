@@ -1,33 +1,34 @@
-//! *Equations that Newton-Raphson solves, with their exact solution* → *how far the solver may leave q, q̇ and q̈ off*.
+//! Bounds the error of q, q̇ and q̈ that Newton-Raphson leaves, around the exact solution.
 //!
-//! **The pose.** The solver stops at a pose q whose computed residuals r are at rounding level: below 4 ε of their scales, or so
-//! small that a fresh step does not lower them by a quarter, which only noise prevents; that is what the rows' own rounding
-//! makes of a pose that is rounded. The exact residuals differ from the computed ones by the running error δ of their
-//! evaluation. With the mean value theorem |q − q*| ≤ |Φ_q⁻¹| (|r| + δ + |ΔΦ_q| |q − q*|), component by component, where ΔΦ_q
-//! is by how much the Jacobian changes within the error itself; the smallest solution of this inequality is found by
-//! iteration. Where it does not converge there is no bound: the pose cannot be told from a singular one.
+//! **The pose.** The solver stops at a pose q whose computed residuals r are at rounding level. They are below 4 ε of
+//! their scales, or so small that a fresh step does not lower them by a quarter. Only noise prevents that: the
+//! rounding of the rows at a rounded pose. The exact residuals differ from the computed ones by the running error δ
+//! of their evaluation. With the mean value theorem |q − q*| ≤ |Φ_q⁻¹| (|r| + δ + |ΔΦ_q| |q − q*|), component by
+//! component, where ΔΦ_q is the change of the Jacobian within the error itself. The smallest solution of this
+//! inequality is found by iteration. If the iteration diverges, the error has no bound: the pose cannot be told from
+//! a singular one.
 //!
-//! **The rates** solve Φ_q q̇ = b with entries and a right-hand side that are off by their running errors, which contain the
-//! error of the pose. Elimination solves a system whose entries are off by a few roundings of Σ |l_ik| |u_kj| (Higham, *Accuracy
-//! and Stability of Numerical Algorithms*, 2nd ed., theorem 9.4), where a rounding is counted for every operation on numbers
-//! that are not zero. Again |q̇ − q̇*| ≤ |Φ_q⁻¹| (…), and the same for q̈.
+//! **The rates** solve Φ_q q̇ = b with entries and a right-hand side that are off by their running errors, which
+//! contain the error of the pose. Elimination solves a system whose entries are off by a few roundings of Σ |l_ik|
+//! |u_kj| (Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., theorem 9.4), where a rounding is
+//! counted for every operation on nonzero numbers. Again |q̇ − q̇*| ≤ |Φ_q⁻¹| (…), and likewise for q̈.
 
 use super::bounded::{Margin, product_of as product};
 use super::verdict::Scalar;
 
-/// What Newton-Raphson takes for rounding in a scaled residual, in ε.
+/// Rounding level of a scaled residual in Newton-Raphson, in ε.
 const LEVEL: f64 = linkwright::generated::newton::ROUNDING;
 
-/// A step that leaves more than this part of the residual ends a solve.
+/// Fraction of the residual that ends a solve if a step leaves more.
 const NOISE: f64 = linkwright::generated::newton::NOISE;
 
-/// The errors of everything that is evaluated at a pose with errors.
+/// Errors of everything that is evaluated at a pose with errors.
 pub struct Evaluated {
     /// Of each residual.
     pub residuals: Vec<Margin>,
     /// Of each entry of the Jacobian, row by row.
     pub jacobian: Vec<Vec<Margin>>,
-    /// Of each row's rate with the coordinates held.
+    /// Of each row's rate at fixed coordinates.
     pub drift: Vec<Margin>,
     /// Of each row's γ.
     pub gamma: Vec<Margin>,
@@ -39,24 +40,24 @@ pub struct Dense {
     pub jacobian: Vec<Vec<f64>>,
     /// Φ_q⁻¹.
     pub inverse: Vec<Vec<f64>>,
-    /// What each row is judged against.
+    /// Scale of each row.
     pub rows: Vec<f64>,
-    /// What each coordinate is judged against.
+    /// Scale of each coordinate.
     pub columns: Vec<f64>,
     /// q, q̇ and q̈.
     pub levels: [Vec<f64>; 3],
 }
 
-/// How far the solution may be off.
+/// Bounds on the error of the solution.
 pub struct Bounds {
     /// Of q, q̇ and q̈.
     pub levels: [Vec<Margin>; 3],
-    /// How much of itself the Jacobian changes within the error of the pose.
+    /// Relative change of the Jacobian within the error of the pose.
     pub change: f64,
 }
 
 impl Bounds {
-    /// Nothing is bounded, whatever may be expected of the pose.
+    /// Infinite bounds; the expected errors of the pose are kept.
     fn none(pose: &[Margin]) -> Bounds {
         let unbounded = |expected: f64| Margin {
             worst: f64::INFINITY,
@@ -74,12 +75,12 @@ impl Bounds {
     }
 }
 
-/// Beyond this change of the Jacobian within the error there is no bound.
+/// Largest change of the Jacobian within the error for which a bound exists.
 const LARGEST_CHANGE: f64 = 0.5;
 
 impl Dense {
-    /// How far a solver in this scalar may be off. `evaluate` gives the errors of the equations where the coordinates and the
-    /// rates have errors.
+    /// Bounds on the error of a solver in this scalar. `evaluate` returns the errors of the equations at coordinates
+    /// and rates with errors.
     pub fn bounds(
         &self,
         scalar: Scalar,
@@ -90,7 +91,7 @@ impl Dense {
         let none = vec![Margin::NONE; n];
         let at_pose = evaluate(&none, &none);
         let accepted = self.accepted(&at_pose.residuals, scalar);
-        // What the solver lets pass is no rounding of its own: it is not counted among what is to be expected.
+        // The solver's tolerance is not a rounding of its own: it does not count among the expected errors.
         let noise: Vec<Margin> = at_pose
             .residuals
             .iter()
@@ -102,7 +103,7 @@ impl Dense {
             .collect();
         let mut first = self.spread(&noise);
         for (margin, value) in first.iter_mut().zip(&self.levels[0]) {
-            // The coordinates are rounded when the last step is added; the worst of that is among what is let pass.
+            // The last step rounds the coordinates; the tolerance covers the worst of that.
             margin.expected = margin.expected.hypot(Margin::even(unit * value).expected);
         }
         let change_of = |pose: &[Margin]| -> Vec<Margin> {
@@ -115,7 +116,7 @@ impl Dense {
                         product((moved.worst - still.worst).max(0.0), off.worst)
                     })
                     .sum();
-                // The Jacobian on the way to the exact pose differs by half of that in the mean, or less.
+                // On the way to the exact pose, the mean change of the Jacobian is half of that or less.
                 Margin {
                     worst: 0.5 * sum,
                     expected: 0.0,
@@ -132,7 +133,7 @@ impl Dense {
                 let size = self.size(&pose);
                 largest.max(moved.worst / scale / size)
             });
-            // Written so that NaN is no bound either.
+            // NaN must not count as a bound either.
             let regular = change <= LARGEST_CHANGE;
             if !regular {
                 return Bounds::none(&first);
@@ -149,22 +150,24 @@ impl Dense {
                     let entries = (0..n).map(|column| {
                         let entry = self.jacobian[row][column];
                         // Scaling the rows and columns takes three roundings.
-                        let own = Margin::even(elimination[row][column])
+                        let elimination_error = Margin::even(elimination[row][column])
                             .plus(Margin::even(3.0 * unit * entry));
-                        at.jacobian[row][column].plus(own).times(values[column])
+                        at.jacobian[row][column]
+                            .plus(elimination_error)
+                            .times(values[column])
                     });
                     entries.fold(right[row], Margin::plus)
                 })
                 .collect();
             let first = self.spread(&rows);
             // The same matrix also multiplies the error: |x − x*| ≤ |A⁻¹| (… + |ΔA| |x − x*|).
-            let mut found = first.clone();
+            let mut bound = first.clone();
             for _ in 0..8 {
                 let moved: Vec<Margin> = (0..n)
                     .map(|row| {
                         let entries = (0..n).map(|column| {
                             let off = at.jacobian[row][column].worst + elimination[row][column];
-                            product(off, found[column].worst)
+                            product(off, bound[column].worst)
                         });
                         Margin {
                             worst: entries.sum(),
@@ -173,16 +176,16 @@ impl Dense {
                     })
                     .collect();
                 let moved = self.spread(&moved);
-                for ((margin, first), moved) in found.iter_mut().zip(&first).zip(moved) {
+                for ((margin, first), moved) in bound.iter_mut().zip(&first).zip(moved) {
                     margin.worst = first.worst + moved.worst;
                 }
             }
             // Scaling back rounds the result.
-            let rounded = found.iter().zip(values);
+            let rounded = bound.iter().zip(values);
             rounded
                 .map(|(margin, value)| {
-                    let own = scalar.rounding(*value);
-                    margin.plus(own).plus(own)
+                    let rounding = scalar.rounding(*value);
+                    margin.plus(rounding).plus(rounding)
                 })
                 .collect::<Vec<Margin>>()
         };
@@ -195,7 +198,7 @@ impl Dense {
         }
     }
 
-    /// The residual of each row that the solver may leave.
+    /// Residual of each row that the solver may leave.
     fn accepted(&self, residuals: &[Margin], scalar: Scalar) -> Vec<f64> {
         let epsilon = scalar.epsilon();
         let rounded = self.jacobian.iter().zip(residuals).zip(&self.rows);
@@ -218,7 +221,7 @@ impl Dense {
             .fold(f64::MIN_POSITIVE, f64::max)
     }
 
-    /// |Φ_q⁻¹| times errors of the rows.
+    /// Product of |Φ_q⁻¹| and errors of the rows.
     fn spread(&self, rows: &[Margin]) -> Vec<Margin> {
         let sums = self.inverse.iter().map(|entries| {
             let terms = entries.iter().zip(rows);
@@ -229,7 +232,7 @@ impl Dense {
         sums.collect()
     }
 
-    /// By how much elimination with partial pivoting perturbs the entries, from its own factors.
+    /// Perturbation of the entries by elimination with partial pivoting, from its own factors.
     fn elimination(&self, unit: f64) -> Vec<Vec<f64>> {
         let n = self.rows.len();
         let mut scaled: Vec<Vec<f64>> = (0..n)
@@ -289,9 +292,9 @@ impl Dense {
                 let sum: f64 = met
                     .map(|k| {
                         // A multiplier is rounded twice, and both triangular solves add theirs.
-                        let own = if k == row { 0.0 } else { 2.0 };
+                        let multiplier_roundings = if k == row { 0.0 } else { 2.0 };
                         let solves = in_lower[row] + in_upper[k] + 1.0;
-                        lower(row, k) * upper(k) * (operations + own + solves)
+                        lower(row, k) * upper(k) * (operations + multiplier_roundings + solves)
                     })
                     .sum();
                 perturbed[order[row]][column] =

@@ -1,4 +1,4 @@
-//! The families of hard cases: *a name* → *a compiled mechanism and samples of growing difficulty*.
+//! Families of hard cases: compiled mechanisms with samples of growing difficulty.
 //!
 //! Poses are worked out by hand, from triangles ([`super::poses`]).
 
@@ -13,31 +13,31 @@ use super::sample::Sample;
 
 /// Samples of one kind.
 pub struct Family {
-    /// What is hard.
+    /// Difficulty.
     pub title: &'static str,
-    /// What varies.
+    /// Varied quantity.
     pub varies: &'static str,
-    /// What is solved.
+    /// Compiled mechanism.
     pub compiled: Compiled,
-    /// The samples, the easy ones first.
+    /// Samples, the easy ones first.
     pub samples: Vec<Sample>,
 }
 
-/// The powers of ten from one to the other.
+/// Powers of ten between two exponents.
 fn powers(from: i32, to: i32) -> Vec<f64> {
     digits(from, to, &[1])
 }
 
-/// The same with three times each power between.
+/// Powers of ten, and three times each power between.
 fn finer(from: i32, to: i32) -> Vec<f64> {
     let leading: &[u32] = if from < to { &[1, 3] } else { &[3, 1] };
-    let mut found = digits(from, to, leading);
+    let mut values = digits(from, to, leading);
     // Between the ends, not beyond.
-    found.retain(|value| {
+    values.retain(|value| {
         let exponent = value.log10();
         exponent <= f64::from(from.max(to)) + 0.1
     });
-    found
+    values
 }
 
 fn digits(from: i32, to: i32, leading: &[u32]) -> Vec<f64> {
@@ -236,7 +236,7 @@ pub fn families() -> Vec<Family> {
         steps.iter().map(swing).collect(),
     );
     let late = finer(0, 9);
-    // The exponential law is switched off by its rate too: nothing times infinity is no number.
+    // The exponential law is switched off by its rate too: zero times infinity would be NaN.
     let turning = |t: &f64| moved(*t, &[(SLOW, 3.0), (GROWTH, 0.0)], *t, 0.01, 4, 3.0 * t);
     add(
         "Late times, crank at 3 rad/s, 4 steps of 0.01 s",
@@ -322,7 +322,7 @@ pub fn families() -> Vec<Family> {
         FOUR_BAR,
         huge.to_vec(),
     );
-    // Where the fourth powers of lengths are no normal numbers any more, in f32 and in f64.
+    // Lengths at which fourth powers leave the normal numbers, in f32 and in f64.
     let mut edges: Vec<f64> = finer(-8, -12);
     edges.extend(finer(-75, -82));
     edges.extend(finer(8, 11));

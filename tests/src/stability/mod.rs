@@ -1,7 +1,8 @@
-//! The study of stability: *hard cases of compiled mechanisms* → *errors against high precision beside predicted bounds*.
+//! The study of stability: errors of compiled mechanisms on hard cases, against high precision and beside predicted
+//! bounds.
 //!
-//! [`families`] lists the cases, [`truth`] solves them in 384 bits, [`bounded`], [`dense`] and [`blocks`] predict how far floating
-//! point may be off, [`verdict`] compares, [`cause`] says why there is no answer, [`report`] prints.
+//! [`families`] lists the cases, [`truth`] solves them in 384 bits, [`bounded`], [`dense`] and [`blocks`] predict the
+//! error in floating point, [`verdict`] compares, [`cause`] finds the causes of failures, [`report`] prints.
 
 mod allowance;
 pub mod blocks;

@@ -1,4 +1,4 @@
-//! Poses of the study's mechanisms, worked out by hand: *lengths and angles* → *samples*.
+//! Poses of the study's mechanisms, worked out by hand from lengths and angles.
 
 use std::rc::Rc;
 

@@ -1,6 +1,6 @@
-//! *Expressions and values of their symbols* → *their values in 384 bits*, and linear systems in them.
+//! Evaluates expressions in 384 bits, and solves linear systems in them.
 //!
-//! Numbers of the description are taken exactly, also their square roots, as far as the description holds them exactly.
+//! Numbers of the description are exact, and so are their square roots as far as the description holds them.
 
 use std::cell::RefCell;
 use std::cmp::Ordering;
@@ -8,7 +8,7 @@ use std::cmp::Ordering;
 use astro_float_num::{BigFloat, Consts, RoundingMode};
 use linkwright_codegen::stages::expr::{ExprId, Factor, Graph, Node, Number};
 
-/// The bits of a mantissa: 115 digits.
+/// Bits of a mantissa: 115 digits.
 const BITS: usize = 384;
 const ROUNDING: RoundingMode = RoundingMode::ToEven;
 
@@ -17,12 +17,12 @@ thread_local! {
         RefCell::new(Consts::new().expect("memory for the constants"));
 }
 
-/// A number of 384 bits.
+/// Number of 384 bits.
 #[derive(Clone, Debug)]
 pub struct Precise(BigFloat);
 
 impl Precise {
-    /// The number that a float is, exactly.
+    /// Exact value of a float.
     pub fn from_f64(value: f64) -> Precise {
         if value.is_subnormal() {
             // `from_f64` of astro-float-num 0.3.7 makes half of these.
@@ -33,7 +33,7 @@ impl Precise {
         Precise(BigFloat::from_f64(value, BITS))
     }
 
-    /// The nearest float, but for the last bit; 0 below the normal numbers.
+    /// Nearest float, except for the last bit; 0 below the normal numbers.
     pub fn to_f64(&self) -> f64 {
         if self.0.is_zero() {
             return 0.0;
@@ -52,57 +52,57 @@ impl Precise {
         if sign.is_negative() { -value } else { value }
     }
 
-    /// The sum.
+    /// Sum.
     pub fn plus(&self, other: &Precise) -> Precise {
         Precise(self.0.add(&other.0, BITS, ROUNDING))
     }
 
-    /// The difference.
+    /// Difference.
     pub fn minus(&self, other: &Precise) -> Precise {
         Precise(self.0.sub(&other.0, BITS, ROUNDING))
     }
 
-    /// The product.
+    /// Product.
     pub fn times(&self, other: &Precise) -> Precise {
         Precise(self.0.mul(&other.0, BITS, ROUNDING))
     }
 
-    /// The quotient.
+    /// Quotient.
     pub fn over(&self, other: &Precise) -> Precise {
         Precise(self.0.div(&other.0, BITS, ROUNDING))
     }
 
-    /// The square root.
+    /// Square root.
     pub fn sqrt(&self) -> Precise {
         Precise(self.0.sqrt(BITS, ROUNDING))
     }
 
-    /// The sine.
+    /// Sine.
     pub fn sin(&self) -> Precise {
         with_constants(|constants| Precise(self.0.sin(BITS, ROUNDING, constants)))
     }
 
-    /// The cosine.
+    /// Cosine.
     pub fn cos(&self) -> Precise {
         with_constants(|constants| Precise(self.0.cos(BITS, ROUNDING, constants)))
     }
 
-    /// The angle in [0, π] with this cosine.
+    /// Angle in [0, π] with this cosine.
     pub fn acos(&self) -> Precise {
         with_constants(|constants| Precise(self.0.acos(BITS, ROUNDING, constants)))
     }
 
-    /// The angle in [-π/2, π/2] with this tangent.
+    /// Angle in [-π/2, π/2] with this tangent.
     pub fn atan(&self) -> Precise {
         with_constants(|constants| Precise(self.0.atan(BITS, ROUNDING, constants)))
     }
 
-    /// Whether the number is below zero.
+    /// True if the number is below zero.
     pub fn is_negative(&self) -> bool {
         self.0.is_negative() && !self.0.is_zero()
     }
 
-    /// Whether this is a number, and not infinite.
+    /// True if the number is finite.
     pub fn is_finite(&self) -> bool {
         !(self.0.is_nan() || self.0.is_inf())
     }
@@ -123,7 +123,7 @@ pub fn pi() -> Precise {
     with_constants(|constants| Precise(constants.pi(BITS, ROUNDING)))
 }
 
-/// A number of a description.
+/// Value of a number of a description.
 pub(super) fn of_number(number: &Number) -> Precise {
     match *number {
         Number::Exact { rational, radicand } => {
@@ -157,7 +157,7 @@ fn power(base: &Precise, factor: &Factor) -> Precise {
     }
 }
 
-/// An argument within the period from `first` on, if there is one.
+/// Argument shifted into the period from `first` on, if there is one.
 fn repeated(argument: &Precise, first: f64, period: Option<f64>) -> Precise {
     let Some(period) = period.map(Precise::from_f64) else {
         return argument.clone();
@@ -166,7 +166,7 @@ fn repeated(argument: &Precise, first: f64, period: Option<f64>) -> Precise {
     argument.minus(&period.times(&Precise(turns.0.floor())))
 }
 
-/// The derivative of this order of cubic pieces; before the first one its tangent holds.
+/// Derivative of this order of cubic pieces; before the first one its tangent holds.
 fn of_pieces(starts: &[f64], pieces: &[[f64; 4]], order: u8, argument: &Precise) -> Precise {
     let has_begun = |start: &&f64| !argument.minus(&Precise::from_f64(**start)).is_negative();
     let begun = starts.iter().take_while(has_begun).count();
@@ -185,7 +185,7 @@ fn of_pieces(starts: &[f64], pieces: &[[f64; 4]], order: u8, argument: &Precise)
     })
 }
 
-/// The values of the nodes in `order` (operands first), by the node's index; `symbols` holds a value for each symbol.
+/// Values of the nodes in `order` (operands first), by the node's index; `symbols` holds a value for each symbol.
 pub fn values(graph: &Graph, order: &[ExprId], symbols: &[Precise]) -> Vec<Precise> {
     let mut all = vec![Precise::from_f64(0.0); graph.node_count()];
     for &id in order {
@@ -195,7 +195,7 @@ pub fn values(graph: &Graph, order: &[ExprId], symbols: &[Precise]) -> Vec<Preci
     all
 }
 
-/// The value of a node whose operands have the values `at`.
+/// Value of a node whose operands have the values `at`.
 fn value<'a>(
     graph: &Graph,
     id: ExprId,
@@ -248,15 +248,15 @@ fn value<'a>(
     }
 }
 
-/// The values of nodes at symbols that do not change any more once a node has been evaluated with them.
+/// Values of nodes at symbols that are fixed once a node has been evaluated with them.
 pub struct Nodes {
     precise: Vec<Option<Precise>>,
-    /// The same rounded, by the node's index; NaN for nodes that have not been evaluated.
+    /// Rounded values, by the node's index; NaN for nodes that have not been evaluated.
     pub rounded: Vec<f64>,
 }
 
 impl Nodes {
-    /// Nothing is known yet.
+    /// Nodes without values.
     pub fn new(graph: &Graph) -> Nodes {
         Nodes {
             precise: vec![None; graph.node_count()],
@@ -269,17 +269,17 @@ impl Nodes {
         for &id in order {
             if self.precise[id.index()].is_none() {
                 let at = |id: ExprId| self.of(id);
-                let found = value(graph, id, &at, symbols);
-                self.rounded[id.index()] = found.to_f64();
-                self.precise[id.index()] = Some(found);
+                let node_value = value(graph, id, &at, symbols);
+                self.rounded[id.index()] = node_value.to_f64();
+                self.precise[id.index()] = Some(node_value);
             }
         }
     }
 
-    /// The value of a node.
+    /// Value of a node.
     ///
     /// # Panics
-    /// Where it has not been evaluated.
+    /// If it has not been evaluated.
     pub fn of(&self, id: ExprId) -> &Precise {
         self.precise[id.index()]
             .as_ref()
@@ -287,7 +287,7 @@ impl Nodes {
     }
 }
 
-/// The angle of the vector (x, y), in (-π, π].
+/// Angle of the vector (x, y), in (-π, π].
 pub(super) fn arctangent(y: &Precise, x: &Precise) -> Precise {
     let zero = Precise::from_f64(0.0);
     if x.0.is_zero() {
@@ -307,16 +307,16 @@ pub(super) fn arctangent(y: &Precise, x: &Precise) -> Precise {
     }
 }
 
-/// A square matrix as P A = L U.
+/// Square matrix as P A = L U.
 pub struct Factors {
     rows: Vec<Vec<Precise>>,
     order: Vec<usize>,
-    /// Whether the determinant is negative.
+    /// True if the determinant is negative.
     pub is_negative: bool,
 }
 
 impl Factors {
-    /// The factors by elimination with partial pivoting; `None` for a singular matrix.
+    /// Factors by elimination with partial pivoting; `None` for a singular matrix.
     pub fn new(mut rows: Vec<Vec<Precise>>) -> Option<Factors> {
         let n = rows.len();
         let mut order: Vec<usize> = (0..n).collect();
@@ -357,7 +357,7 @@ impl Factors {
         })
     }
 
-    /// The solution x of A x = b.
+    /// Solution x of A x = b.
     pub fn solve(&self, b: &[Precise]) -> Vec<Precise> {
         let n = self.rows.len();
         let mut x: Vec<Precise> = self.order.iter().map(|&row| b[row].clone()).collect();

@@ -1,4 +1,4 @@
-//! *Families* → *verdicts of every sample in every way*, as tables in Markdown.
+//! Tables in Markdown of the verdicts on every sample of a family by every procedure.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -11,35 +11,35 @@ use super::truth::Truth;
 use super::verdict::{Judge, Scalar, Verdict, Way, exact};
 use crate::description;
 
-/// How many ways each sample is solved in: three in each scalar.
+/// Number of solves of each sample: three procedures in each scalar.
 pub const WAYS: usize = 6;
 
-/// A family with the verdicts of its samples.
+/// Family with the verdicts on its samples.
 pub struct Judged {
     /// The family.
     pub family: Family,
-    /// A verdict for each sample and way, those in f64 first.
+    /// Verdict for each sample and procedure, those in f64 first.
     pub verdicts: Vec<[Verdict; WAYS]>,
 }
 
-/// How many cells ended how.
+/// Numbers of cells by outcome.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Counts {
     /// Solved within the bound.
     pub solved: usize,
-    /// Of these, at another pose than the one on the path, in the way that does not promise it.
+    /// Of these, at another pose than the one on the path, by the procedure that does not promise the path.
     pub elsewhere: usize,
-    /// Of these, where the bound leaves less than three digits: in f64 and in f32.
+    /// Of these, with a bound that leaves less than three digits: in f64 and in f32.
     pub without_digits: [usize; 2],
-    /// Of these, those that are really off by more than that.
+    /// Of these, with an actual error that large.
     pub far_off: [usize; 2],
-    /// A typed failure where there is a pose, by its cause, in f64 and in f32.
+    /// A typed failure at an instant that has a pose, by its cause, in f64 and in f32.
     pub failed: BTreeMap<Cause, [usize; 2]>,
-    /// A typed failure where there is none.
+    /// A typed failure at an instant without a pose.
     pub impossible: usize,
     /// Wrong answers.
     pub wrong: usize,
-    /// Of every cell that was solved the largest ratio of error to bound, and of error to what was expected.
+    /// Largest ratios of error to bound and of error to expected error, for every solved cell.
     pub ratios: Vec<[f64; 2]>,
 }
 
@@ -63,17 +63,17 @@ impl Counts {
         }
     }
 
-    /// How many failures there are where there is a pose.
+    /// Number of failures at instants that have a pose.
     pub fn failures(&self) -> usize {
         self.failed.values().flatten().sum()
     }
 
-    /// How many cells there are.
+    /// Number of cells.
     pub fn total(&self) -> usize {
         self.solved + self.failures() + self.impossible + self.wrong
     }
 
-    /// The summary: how many cells ended how, why there is no answer, and how tight the bounds are.
+    /// Summary: numbers of cells by outcome, causes of failures, and tightness of the bounds.
     pub fn summary(&self) -> String {
         let mut text = format!(
             "{} cells:\n\n| outcome | f64 and f32 |\n|---|---|\n| within the bound | {} |\n| a typed failure where there is a pose | {} |\n| a typed failure where there is none, or the description is refused | {} |\n| **wrong** | **{}** |\n",
@@ -93,8 +93,7 @@ impl Counts {
             self.far_off[0],
             self.far_off[1]
         );
-        text +=
-            "\n| why there is no answer although there is a pose | f64 | f32 |\n|---|---|---|\n";
+        text += "\n| cause of a failure although there is a pose | f64 | f32 |\n|---|---|---|\n";
         for cause in Cause::ALL {
             let [double, single] = self.failed.get(&cause).copied().unwrap_or_default();
             let _ = writeln!(text, "| {} | {double} | {single} |", cause.words());
@@ -116,7 +115,7 @@ impl Counts {
     }
 }
 
-/// Solves every `stride`th sample of a family in every way.
+/// Solves every `stride`th sample of a family by every procedure.
 pub fn judged(mut family: Family, stride: usize) -> Judged {
     family.samples = family.samples.into_iter().step_by(stride).collect();
     let system = description::system(family.compiled.name);
@@ -140,7 +139,7 @@ pub fn judged(mut family: Family, stride: usize) -> Judged {
     Judged { family, verdicts }
 }
 
-/// What a cell says of a verdict.
+/// Text of a cell.
 pub fn cell(verdict: &Verdict) -> String {
     match verdict {
         Verdict::Solved(answer) => {
@@ -178,7 +177,7 @@ pub fn cell(verdict: &Verdict) -> String {
 }
 
 impl Judged {
-    /// The names of the ways.
+    /// Names of the procedures.
     pub fn ways(&self) -> [String; WAYS] {
         let solved = self.family.compiled.solved;
         let name =
@@ -188,7 +187,7 @@ impl Judged {
         [a, b, c, d, e, f]
     }
 
-    /// The table of the family.
+    /// Table of the family.
     pub fn table(&self) -> String {
         let mut text = format!("| {} |", self.family.varies);
         for way in self.ways() {
@@ -205,10 +204,10 @@ impl Judged {
         text
     }
 
-    /// What a chart shows.
+    /// Series of the chart.
     pub fn series(&self) -> Vec<Series> {
         let ways = self.ways().into_iter().enumerate();
-        // The two textbook ways would hide one another.
+        // The curves of the two textbook procedures would cover one another.
         let ways = ways.filter(|(way, _)| Way::ALL[way % Way::ALL.len()] != Way::Plain);
         ways.map(|(way, label)| {
             let samples = self.family.samples.iter().zip(&self.verdicts);

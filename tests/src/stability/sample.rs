@@ -1,37 +1,37 @@
-//! *What a mechanism is given along a motion* → *what each way to solve it makes of it*.
+//! Samples: the inputs of a mechanism along a motion, and the outcomes of its solution.
 
 use std::rc::Rc;
 
 use super::truth::Levels;
 
-/// The signals at a time: value, rate and acceleration of each.
+/// Signals at a time: value, rate and acceleration of each.
 pub type Signals = Rc<dyn Fn(f64) -> Vec<[f64; 3]>>;
 
-/// A motion that a mechanism is to be taken through: assembled at the first time, moved to each of the others.
+/// Motion of a mechanism: assembled at the first time, moved to each of the others.
 #[derive(Clone)]
 pub struct Sample {
-    /// What varies within a family.
+    /// Varied quantity of the family.
     pub x: f64,
-    /// The parameters, in written order.
+    /// Parameters, in written order.
     pub parameters: Vec<f64>,
-    /// The times (s).
+    /// Times (s).
     pub times: Vec<f64>,
-    /// In how many steps the exact solution goes from one time to the next.
+    /// Number of steps of the exact solution between two times.
     pub fine: u32,
-    /// The signals.
+    /// Signals.
     pub signals: Signals,
-    /// The pose from which the mechanism is assembled.
+    /// Pose from which the mechanism is assembled.
     pub estimate: Vec<f64>,
-    /// A pose from which the exact solution is found.
+    /// Pose from which the exact solution starts.
     pub start: Vec<f64>,
-    /// The size of the mechanism (m).
+    /// Size of the mechanism (m).
     pub length: f64,
 }
 
-/// What a solver made of the instants of a sample, up to its first failure.
+/// Levels at the instants of a sample, up to the first failure of a solver.
 pub type Outcomes = Vec<Result<Levels<f64>, String>>;
 
-/// What a failure is called in a table.
+/// Name of a failure in a table.
 pub fn named<T>(kind: linkwright::FailureKind<T>) -> &'static str {
     use linkwright::FailureKind as Kind;
     match kind {

@@ -1,4 +1,4 @@
-//! Hard numbers in the text of a description: *a text* → *refused with a code, failed, or solved within the bound*.
+//! Hard numbers in the text of a description: refused with a code, failed, or solved within the bound.
 
 use std::rc::Rc;
 
@@ -35,7 +35,7 @@ fn four_bar([g, l1, l2, l3]: [&str; 4], place: &str) -> String {
     )
 }
 
-/// The cases: what is hard, and the text.
+/// Cases: the difficulty, and the text.
 pub fn cases() -> Vec<(String, String)> {
     let mut cases = Vec::new();
     for exponent in [
@@ -82,7 +82,7 @@ pub fn cases() -> Vec<(String, String)> {
     cases
 }
 
-/// What becomes of a text: a verdict, and what the description is refused with.
+/// Verdict on a text, and the finding that refuses it.
 pub fn judged(text: &str) -> (Verdict, Option<String>) {
     let refused = |first: &str| {
         let verdict = Verdict::Failed {

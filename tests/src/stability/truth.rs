@@ -1,8 +1,7 @@
-//! *A description's equations, and a start* → *pose, velocity and acceleration in 384 bits, and what floating point may make of
-//! them*.
+//! Pose, velocity and acceleration of a description in 384 bits, and bounds on their error in floating point.
 //!
-//! The pose is found by Newton-Raphson in high precision. [`Truth::bounds`] says how far the textbook view may be off
-//! ([`super::dense`]); what the solved view's own statements may be off says [`super::blocks`].
+//! The pose is solved by Newton-Raphson in high precision. [`Truth::bounds`] bounds the error of the textbook
+//! formulation ([`super::dense`]); [`super::blocks`] bounds that of the solved formulation.
 
 use linkwright_codegen::stages::expr::{ExprId, Tape};
 use linkwright_codegen::stages::system::{Row, System};
@@ -20,29 +19,29 @@ const STEPS: usize = 200;
 /// q, q̇ and q̈.
 pub type Levels<T> = [Vec<T>; 3];
 
-/// The equations of a mechanism, to be solved exactly.
+/// Equations of a mechanism, for exact solution.
 pub struct Truth {
     /// The system.
     pub system: System,
-    /// What Φ needs, and what Φ and Φ_q need.
+    /// Nodes that Φ needs, and nodes that Φ and Φ_q need.
     residual: Vec<ExprId>,
     position: Vec<ExprId>,
     pub(super) all: Vec<ExprId>,
 }
 
-/// What the equations are given at one instant: parameters, signals and the time.
+/// Inputs of the equations at one instant: parameters, signals and the time.
 #[derive(Clone, Debug, Default)]
 pub struct Given {
-    /// The parameters, in written order.
+    /// Parameters, in written order.
     pub parameters: Vec<f64>,
     /// Value, rate and acceleration of each signal, in written order.
     pub signals: Vec<[f64; 3]>,
-    /// The time (s).
+    /// Time (s).
     pub t: f64,
 }
 
 impl Given {
-    /// A value for each symbol, those of the coordinates not yet.
+    /// Value for each symbol; those of the coordinates are set later.
     pub fn symbols<T: Clone>(&self, system: &System, number: impl Fn(f64) -> T) -> Vec<T> {
         let mechanism = &system.mechanism;
         let mut symbols = vec![number(0.0); mechanism.graph.symbol_count()];
@@ -59,19 +58,19 @@ impl Given {
     }
 }
 
-/// The exact motion at one instant.
+/// Exact motion at one instant.
 #[derive(Clone, Debug)]
 pub struct Exact {
     /// q, q̇ and q̈.
     pub levels: Levels<Precise>,
-    /// The inverse Jacobian, row by row.
+    /// Inverse Jacobian, row by row.
     pub(super) inverse: Vec<Vec<f64>>,
-    /// Whether the determinant of Φ_q is negative.
+    /// True if the determinant of Φ_q is negative.
     pub is_negative: bool,
 }
 
 impl Truth {
-    /// The equations of a system, which must be square.
+    /// Equations of a system, which must be square.
     pub fn new(system: &System) -> Truth {
         let residual: Vec<ExprId> = system.rows.iter().map(|row| row.residual).collect();
         let entries = system.rows.iter().flat_map(|row| {
@@ -90,12 +89,12 @@ impl Truth {
         }
     }
 
-    /// How many coordinates there are.
+    /// Number of coordinates.
     pub fn count(&self) -> usize {
         self.system.coordinates.len()
     }
 
-    /// The magnitude of each coordinate: the characteristic length given, and 1 for angles.
+    /// Magnitude of each coordinate: the characteristic length, and 1 for angles.
     pub fn scales(&self, length: f64) -> Vec<f64> {
         let coordinates = self.system.coordinates.iter();
         coordinates
@@ -103,7 +102,7 @@ impl Truth {
             .collect()
     }
 
-    /// What lengths are judged against with these parameters (m).
+    /// Characteristic length with these parameters (m).
     pub fn length(&self, given: &Given) -> f64 {
         let symbols = given.symbols(&self.system, |value| value);
         let mut lengths = vec![0.0; self.system.lengths.len()];
@@ -129,20 +128,20 @@ impl Truth {
         rows
     }
 
-    /// The motion on the path to which Newton-Raphson in high precision leads from `start` without changing the sign of the
-    /// determinant; `None` where it leads nowhere, or the solution is singular.
+    /// Motion on the path to which Newton-Raphson in high precision leads from `start` without changing the sign of
+    /// the determinant; `None` if it diverges, or if the solution is singular.
     pub fn solve(&self, given: &Given, start: &[Precise]) -> Option<Exact> {
         let (symbols, q, factors) = self.converge(given, start, 1e-90)?;
         Some(self.complete(symbols, q, &factors))
     }
 
-    /// The same pose to 20 digits, to start from.
+    /// Solution pose to 20 digits, as a start.
     pub fn approach(&self, given: &Given, start: &[Precise]) -> Option<Vec<Precise>> {
         let (_, q, _) = self.converge(given, start, 1e-10)?;
         Some(q)
     }
 
-    /// The symbols, the pose and the Jacobian there, once a step is below `limit`.
+    /// Symbols, pose and Jacobian once a step is below `limit`.
     fn converge(
         &self,
         given: &Given,
@@ -219,8 +218,8 @@ impl Truth {
         }
     }
 
-    /// What [`Truth::bounds`] needs at a pose that is known to rounding, which is taken for the exact one; `None` where its Jacobian
-    /// has no inverse. Unlike [`Truth::solve`] this takes no arithmetic of high precision.
+    /// Data of [`Truth::bounds`] at a pose that is known to rounding and taken for the exact one; `None` if its
+    /// Jacobian is singular. Unlike [`Truth::solve`] this takes no arithmetic of high precision.
     pub fn around(&self, given: &Given, levels: Levels<f64>) -> Option<Exact> {
         let graph = &self.system.mechanism.graph;
         let mut symbols = given.symbols(&self.system, |number| number);
@@ -255,8 +254,8 @@ impl Truth {
         })
     }
 
-    /// The largest error of a residual at a pose, in the scales of the rows, by the rounding of its terms and of the coordinates
-    /// themselves: below it no solver can tell poses apart.
+    /// Largest error of a residual at a pose, in the scales of the rows, by the rounding of its terms and of the
+    /// coordinates. Below it no solver can tell poses apart.
     pub fn rounding(&self, given: &Given, q: &[f64], scalar: Scalar) -> f64 {
         let graph = &self.system.mechanism.graph;
         let mut symbols = given.symbols(&self.system, |number| number);
@@ -266,13 +265,14 @@ impl Truth {
             margins[coordinate.position.index()] = scalar.rounding(*value);
         }
         let values = crate::magnitude::values(graph, &self.residual, &symbols);
-        let found = errors(graph, &self.residual, &values, &margins, scalar);
+        let node_errors = errors(graph, &self.residual, &values, &margins, scalar);
         let rows = self.system.rows.iter();
-        rows.map(|row| found[row.residual.index()].worst / self.system.scale(row.quantity))
+        rows.map(|row| node_errors[row.residual.index()].worst / self.system.scale(row.quantity))
             .fold(0.0, f64::max)
     }
 
-    /// By how much q, q̇ and q̈ of the textbook view may be off in a scalar. `length` is what residuals in m are judged against.
+    /// Bounds on the error of q, q̇ and q̈ of the textbook formulation in a scalar. `length` is the scale of
+    /// residuals in m.
     pub fn bounds(&self, given: &Given, exact: &Exact, length: f64, scalar: Scalar) -> Bounds {
         let graph = &self.system.mechanism.graph;
         let mut symbols = given.symbols(&self.system, Precise::from_f64);
@@ -283,24 +283,24 @@ impl Truth {
         self.bounds_at(&nodes.rounded, exact, length, scalar)
     }
 
-    /// The same around a pose from [`Truth::around`], in f64: by how much each value may be off.
+    /// Bounds around a pose from [`Truth::around`], in f64, for each value.
     pub fn bounds_around(&self, given: &Given, exact: &Exact, length: f64) -> Levels<f64> {
         let graph = &self.system.mechanism.graph;
         let mut symbols = given.symbols(&self.system, |number| number);
         for (place, coordinate) in self.system.coordinates.iter().enumerate() {
-            let own = [coordinate.position, coordinate.rate];
-            for (level, symbol) in own.into_iter().enumerate() {
+            let level_symbols = [coordinate.position, coordinate.rate];
+            for (level, symbol) in level_symbols.into_iter().enumerate() {
                 symbols[symbol.index()] = exact.levels[level][place].to_f64();
             }
         }
         let values = crate::magnitude::values(graph, &self.all, &symbols);
-        let found = self.bounds_at(&values, exact, length, Scalar::F64);
-        found
+        let bounds = self.bounds_at(&values, exact, length, Scalar::F64);
+        bounds
             .levels
             .map(|level| level.into_iter().map(|margin| margin.worst).collect())
     }
 
-    /// The bounds with these values of the nodes.
+    /// Bounds with these values of the nodes.
     fn bounds_at(&self, values: &[f64], exact: &Exact, length: f64, scalar: Scalar) -> Bounds {
         let graph = &self.system.mechanism.graph;
         let n = self.count();
@@ -328,14 +328,14 @@ impl Truth {
                 margins[coordinate.position.index()] = *pose;
                 margins[coordinate.rate.index()] = *rate;
             }
-            let found = errors(graph, &self.all, values, &margins, scalar);
+            let node_errors = errors(graph, &self.all, values, &margins, scalar);
             let of = |pick: fn(&Row) -> ExprId| -> Vec<Margin> {
-                rows().map(|row| found[pick(row).index()]).collect()
+                rows().map(|row| node_errors[pick(row).index()]).collect()
             };
             let mut jacobian = vec![vec![Margin::NONE; n]; n];
             for (row, entries) in rows().zip(&mut jacobian) {
                 for entry in &row.jacobian {
-                    entries[entry.coordinate] = found[entry.value.index()];
+                    entries[entry.coordinate] = node_errors[entry.value.index()];
                 }
             }
             Evaluated {
@@ -348,7 +348,7 @@ impl Truth {
         dense.bounds(scalar, &evaluate)
     }
 
-    /// The largest scaled residual of an exact pose, in f64: what is left in 384 bits.
+    /// Largest scaled residual of an exact pose, in f64, as evaluated in 384 bits.
     pub fn residual(&self, given: &Given, q: &[Precise]) -> f64 {
         let mut symbols = given.symbols(&self.system, Precise::from_f64);
         self.place(&mut symbols, 0, q);

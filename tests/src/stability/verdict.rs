@@ -1,4 +1,4 @@
-//! *A sample and a way to solve it* → *a verdict*: within the bound, a typed failure, or wrong.
+//! Verdict on a solved sample: within the bound, a typed failure, or wrong.
 
 use super::blocks::Blocks;
 use super::bounded::Margin;
@@ -17,7 +17,7 @@ pub enum Scalar {
 }
 
 impl Scalar {
-    /// The number of the type that is nearest.
+    /// Nearest number of the type.
     pub fn round(self, value: f64) -> f64 {
         match self {
             Scalar::F64 => value,
@@ -25,7 +25,7 @@ impl Scalar {
         }
     }
 
-    /// The distance from 1 to the next number.
+    /// Distance from 1 to the next number.
     pub fn epsilon(self) -> f64 {
         match self {
             Scalar::F64 => f64::EPSILON,
@@ -33,7 +33,7 @@ impl Scalar {
         }
     }
 
-    /// The smallest and the largest normal number.
+    /// Smallest and largest normal number.
     pub fn range(self) -> (f64, f64) {
         match self {
             Scalar::F64 => (f64::MIN_POSITIVE, f64::MAX),
@@ -41,7 +41,8 @@ impl Scalar {
         }
     }
 
-    /// The error of rounding a number of this size: half an ε of it, and one distance between numbers where it is not normal.
+    /// Rounding error of a number of this magnitude: half an ε of it, and one spacing of numbers where it is
+    /// subnormal.
     pub fn rounding(self, size: f64) -> Margin {
         let (smallest, _) = self.range();
         match size.abs() {
@@ -51,7 +52,7 @@ impl Scalar {
         }
     }
 
-    /// The name of the type.
+    /// Name of the type.
     pub fn name(self) -> &'static str {
         match self {
             Scalar::F64 => "f64",
@@ -60,76 +61,77 @@ impl Scalar {
     }
 }
 
-/// What 384 bits leave of a quantity that is zero, relative to the others, and more.
+/// Bound on a zero quantity in 384 bits, relative to the other quantities.
 const NOISE: f64 = 1e-60;
 
-/// A way to solve.
+/// Solution procedure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Way {
-    /// The textbook view on a path and a branch: `assemble_from_rough_estimate` and `follow`.
+    /// Textbook formulation on a path and a branch: `assemble_from_rough_estimate` and `follow`.
     Followed,
-    /// The textbook view as it is taught: `assemble` and `advance`, which promise a pose, but not which one.
+    /// Textbook formulation with `assemble` and `advance`, which promise a pose but not which one.
     Plain,
     /// The generated mechanism.
     Solved,
 }
 
 impl Way {
-    /// All of them, in the order of a report.
+    /// All procedures, in the order of a report.
     pub const ALL: [Way; 3] = [Way::Followed, Way::Plain, Way::Solved];
 }
 
 /// Numbers of an answer. Errors and bounds are those of the worst coordinate of q, in its scale.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Answer {
-    /// The largest error of q.
+    /// Largest error of q.
     pub error: f64,
-    /// The largest standard deviation of q.
+    /// Largest standard deviation of q.
     pub expected: f64,
-    /// The largest bound of q.
+    /// Largest bound of q.
     pub bound: f64,
-    /// The largest ratio of an error to its bound, over q, q̇, q̈ and all instants.
+    /// Largest ratio of an error to its bound, over q, q̇, q̈ and all instants.
     pub ratio: f64,
-    /// The largest ratio of an error to its standard deviation, over the same.
+    /// Largest ratio of an error to its standard deviation, over q, q̇, q̈ and all instants.
     pub deviations: f64,
-    /// Whether some instant is another pose than the one on the path, where the way does not promise the path.
+    /// True if an instant has another pose than that on the path and the procedure does not promise the path.
     pub elsewhere: bool,
 }
 
-/// What became of a sample.
+/// Outcome of a sample.
 #[derive(Clone, Debug)]
 pub enum Verdict {
     /// All instants were solved.
     Solved(Answer),
-    /// A typed failure, and how many instants had been solved within their bounds before.
+    /// A typed failure.
     Failed {
-        /// Its kind.
+        /// Kind of the failure.
         kind: String,
-        /// Instants before.
+        /// Number of instants solved within their bounds before.
         solved: usize,
-        /// Why there is no answer; `None` where there is no pose.
+        /// Cause of the failure; `None` if the instant has no pose.
         cause: Option<Cause>,
     },
-    /// An `Ok` that is off by more than its bound, or where there is no pose.
+    /// An `Ok` that is off by more than its bound, or although no pose exists.
     Wrong {
-        /// What is wrong.
+        /// Description of the error.
         why: String,
     },
 }
 
 impl Verdict {
-    /// Whether this is an answer that is wrong.
+    /// True if the answer is wrong.
     pub fn is_wrong(&self) -> bool {
         matches!(self, Verdict::Wrong { .. })
     }
 }
 
-/// The exact motion at each time of a sample, as a scalar is given it; `None` from where there is none.
+/// Exact motion at each time of a sample, with the inputs rounded to a scalar; `None` from the first time without a
+/// pose.
 pub fn exact(truth: &Truth, sample: &Sample, scalar: Scalar) -> Vec<(Given, Option<Exact>)> {
     let round =
         |values: &[f64]| -> Vec<f64> { values.iter().map(|it| scalar.round(*it)).collect() };
     let parameters = round(&sample.parameters);
-    let given = |t: f64| Given {
+    let inputs_at = |t: f64| Given {
         parameters: parameters.clone(),
         signals: (sample.signals)(t)
             .into_iter()
@@ -137,7 +139,7 @@ pub fn exact(truth: &Truth, sample: &Sample, scalar: Scalar) -> Vec<(Given, Opti
             .collect(),
         t,
     };
-    let mut found: Vec<(Given, Option<Exact>)> = Vec::new();
+    let mut motion: Vec<(Given, Option<Exact>)> = Vec::new();
     let mut start: Option<Vec<Precise>> = Some(
         sample
             .start
@@ -151,30 +153,30 @@ pub fn exact(truth: &Truth, sample: &Sample, scalar: Scalar) -> Vec<(Given, Opti
         let steps = if from == t { 1 } else { sample.fine };
         for step in 1..steps {
             let at = from + (t - from) * f64::from(step) / f64::from(steps);
-            start = start.and_then(|start| truth.approach(&given(at), &start));
+            start = start.and_then(|start| truth.approach(&inputs_at(at), &start));
         }
         let reached = start
             .as_ref()
-            .and_then(|start| truth.solve(&given(t), start));
+            .and_then(|start| truth.solve(&inputs_at(t), start));
         start = reached.as_ref().map(|it| it.levels[0].clone());
-        found.push((given(t), reached));
+        motion.push((inputs_at(t), reached));
     }
-    found
+    motion
 }
 
-/// What a mechanism's answers are compared with.
+/// References for the answers of a mechanism.
 pub struct Judge<'a> {
-    /// The textbook view.
+    /// Textbook formulation.
     pub truth: &'a Truth,
-    /// The solved view.
+    /// Solved formulation.
     pub blocks: &'a Blocks,
     /// The scalar.
     pub scalar: Scalar,
 }
 
 impl Judge<'_> {
-    /// Solves a sample in a way and compares with the exact motion. Whoever solves is told whether the determinant of the pose that
-    /// is meant is negative.
+    /// Solves a sample by a procedure and compares it with the exact motion. The solver gets the sign of the
+    /// determinant at the start.
     pub fn judge(
         &self,
         sample: &Sample,
@@ -189,7 +191,7 @@ impl Judge<'_> {
         self.judge_outcomes(sample, exact, way, solve(negative))
     }
 
-    /// Compares what has been made of a sample with the exact motion.
+    /// Compares the outcomes of a sample with the exact motion.
     pub fn judge_outcomes(
         &self,
         sample: &Sample,
@@ -218,7 +220,7 @@ impl Judge<'_> {
             };
             let compared = match (compared, way) {
                 (Err(why), Way::Plain) => {
-                    // A pose it must be, if not this one.
+                    // Another pose than this one must still satisfy the equations.
                     let start: Vec<Precise> =
                         levels[0].iter().map(|it| Precise::from_f64(*it)).collect();
                     answer.elsewhere = true;
@@ -240,7 +242,7 @@ impl Judge<'_> {
         Verdict::Solved(answer)
     }
 
-    /// Why there is no answer although there is a pose.
+    /// Cause of a failure at an instant that has a pose.
     fn cause(
         &self,
         sample: &Sample,
@@ -285,7 +287,7 @@ impl Judge<'_> {
             self.truth.bounds(given, exact, length, self.scalar).levels
         };
         let scales = self.truth.scales(sample.length);
-        let mut found = *answer;
+        let mut extremes = *answer;
         for level in 0..3 {
             let scaled = exact.levels[level].iter().zip(&scales);
             let largest = scaled
@@ -296,13 +298,13 @@ impl Judge<'_> {
                 let off = off.to_f64().abs();
                 let margin = bounds[level][place];
                 let floor = NOISE * largest * scales[place];
-                // What is infinite times nothing is no bound.
+                // Infinity times zero is not a bound.
                 let limit = if margin.worst.is_nan() {
                     f64::INFINITY
                 } else {
                     margin.worst.max(floor)
                 };
-                // No comparison with NaN holds, so that is wrong too.
+                // A comparison with NaN is false, so that NaN is wrong too.
                 let within = off <= limit;
                 if !within {
                     let name = ["q", "q̇", "q̈"][level];
@@ -312,17 +314,17 @@ impl Judge<'_> {
                     ));
                 }
                 if off > floor {
-                    found.ratio = found.ratio.max(off / limit);
-                    found.deviations = found.deviations.max(off / margin.expected);
+                    extremes.ratio = extremes.ratio.max(off / limit);
+                    extremes.deviations = extremes.deviations.max(off / margin.expected);
                 }
                 if level == 0 {
-                    found.error = found.error.max(off / scales[place]);
-                    found.expected = found.expected.max(margin.expected / scales[place]);
-                    found.bound = found.bound.max(limit / scales[place]);
+                    extremes.error = extremes.error.max(off / scales[place]);
+                    extremes.expected = extremes.expected.max(margin.expected / scales[place]);
+                    extremes.bound = extremes.bound.max(limit / scales[place]);
                 }
             }
         }
-        *answer = found;
+        *answer = extremes;
         Ok(())
     }
 }

@@ -1,8 +1,8 @@
-//! *A mechanism and starts* → *where each ends*: at the pose of the drawing, at another one, or at a typed failure, with the number of
-//! evaluations.
+//! Assembles a mechanism from many starts and records where each ends: at the design pose, at another one, or at a
+//! typed failure, with the number of evaluations.
 //!
-//! The truth is the pose to which the drawing itself leads; angles count but for whole turns. A frame that is reported as solved is
-//! judged by a residual of its own evaluation.
+//! The reference is the pose to which the design configuration itself leads; whole turns of angles do not count. A
+//! solved frame is judged by a residual of its own evaluation.
 
 use std::cell::Cell;
 use std::collections::BTreeMap;
@@ -20,24 +20,24 @@ use super::perturbation::{estimate, reach};
 use crate::generated::MODULES;
 use crate::stability::sample::named;
 
-/// How far a pose may be from the truth, in scales: the tolerance is 1e-12.
-const SAME: f64 = 1e-9;
+/// Largest distance of a pose from the reference, in scales: the tolerance is 1e-12.
+const POSE_DISTANCE_LIMIT: f64 = 1e-9;
 
-/// The largest scaled residual of what is called solved.
+/// Largest scaled residual of a solved frame.
 const SOLVED: f64 = 1e-11;
 
-/// Where starts ended, and what they cost.
+/// Numbers of starts by end, and their cost.
 #[derive(Clone, Debug, Default)]
 pub struct Outcomes {
-    /// How many starts there were.
+    /// Number of starts.
     pub starts: u32,
-    /// At the pose of the drawing.
+    /// At the design pose.
     pub drawn: u32,
     /// At another pose with the same sign of the determinant.
     pub another: u32,
-    /// At a pose with the other sign, where no sign was asked for.
+    /// At a pose with the other sign, if no sign was requested.
     pub other_branch: u32,
-    /// At no pose, or at one of the other sign although this one was asked for.
+    /// At no pose, or at one with the other sign although a sign was requested.
     pub wrong: u32,
     /// Typed failures by kind.
     pub failed: BTreeMap<&'static str, u32>,
@@ -52,24 +52,24 @@ impl Outcomes {
         *self.failed.entry(named(failure.kind)).or_default() += 1;
     }
 
-    /// The share of the starts that ended at the pose of the drawing, in percent.
+    /// Share of the starts that ended at the design pose, in percent.
     pub fn success(&self) -> f64 {
         100.0 * f64::from(self.drawn) / f64::from(self.starts.max(1))
     }
 }
 
-/// One motion of a mechanism, by every way to assemble it.
+/// One motion of a mechanism, by every function that assembles it.
 #[derive(Clone, Debug)]
 pub struct Measured {
-    /// The mechanism, with its motion where it has several.
+    /// Name of the mechanism, with its motion if it has several.
     pub name: String,
-    /// How many coordinates it has.
+    /// Number of coordinates.
     pub coordinates: usize,
-    /// `assemble` of the textbook view.
+    /// `assemble` of the textbook formulation.
     pub plain: Outcomes,
-    /// `assemble_from_rough_estimate` of the textbook view on the branch of the drawing.
+    /// `assemble_from_rough_estimate` of the textbook formulation on the branch of the design configuration.
     pub afar: Outcomes,
-    /// `assemble_from` of the generated mechanism, where its frames hold all coordinates and it is given nothing.
+    /// `assemble_from` of the generated mechanism, if its frames hold all coordinates and it has no inputs.
     pub generated: Option<Outcomes>,
 }
 
@@ -115,7 +115,7 @@ impl Equations<f64, Dyn> for Counted<'_> {
 /// Assembles a motion from this many estimates.
 ///
 /// # Panics
-/// If the drawing itself does not lead to a pose.
+/// If the design configuration itself does not lead to a pose.
 pub fn measure(system: &System, starts: u32) -> Measured {
     let mechanism = &system.mechanism;
     let motion = mechanism.motion.as_ref();
@@ -155,7 +155,7 @@ pub fn measure(system: &System, starts: u32) -> Measured {
                 residuals: Cell::new(0),
                 jacobians: Cell::new(0),
             };
-            let found: Result<Frame<f64, Dyn>, _> = if from_rough_estimate {
+            let assembled: Result<Frame<f64, Dyn>, _> = if from_rough_estimate {
                 assemble_from_rough_estimate(&counted, &start, Some(branch), 0.0, &settings)
             } else {
                 assemble(&counted, &start, 0.0, &settings)
@@ -163,7 +163,7 @@ pub fn measure(system: &System, starts: u32) -> Measured {
             outcomes.starts += 1;
             outcomes.jacobians.push(counted.jacobians.get());
             outcomes.residuals.push(counted.residuals.get());
-            match found {
+            match assembled {
                 Ok(frame) => {
                     let is_branch = branch_of(&interpreter, &frame.q, 0.0, &settings) == Ok(branch);
                     judge.judge(&frame.q, is_branch, from_rough_estimate, outcomes);
@@ -177,7 +177,7 @@ pub fn measure(system: &System, starts: u32) -> Measured {
                 Ok(q) => {
                     let q = DVector::from_vec(q);
                     let is_branch = branch_of(&interpreter, &q, 0.0, &settings) == Ok(branch);
-                    // Its modes are those of its blocks, so that the sign of the whole says nothing more.
+                    // Its branches are those of its blocks, so that the sign of the whole determinant adds nothing.
                     judge.judge(&q, is_branch, true, outcomes);
                 }
                 Err(failure) => outcomes.fail(&failure),
@@ -198,7 +198,7 @@ impl Judge<'_> {
         let mut phi = DVector::zeros(q.len());
         self.interpreter.residual(q, 0.0, &mut phi);
         let scaled = phi.iter().zip(&self.system.rows);
-        // Written so that NaN is no pose.
+        // NaN does not count as a pose.
         let is_solved = scaled
             .map(|(value, row)| value.abs() / self.system.scale(row.quantity))
             .all(|value| value <= SOLVED);
@@ -222,7 +222,7 @@ impl Judge<'_> {
                 if coordinate.quantity == Quantity::Angle {
                     difference -= TAU * (difference / TAU).round();
                 }
-                difference.abs() <= SAME * self.system.scale(coordinate.quantity)
+                difference.abs() <= POSE_DISTANCE_LIMIT * self.system.scale(coordinate.quantity)
             })
     }
 }

@@ -1,4 +1,4 @@
-//! *Estimates that are off at random* → *where a mechanism is assembled from them*, and at what cost.
+//! Assembles mechanisms from estimates with random errors, and measures success and cost.
 
 pub mod measure;
 pub mod perturbation;

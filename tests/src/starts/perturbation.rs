@@ -1,4 +1,4 @@
-//! *A drawing* → *estimates that are off by up to half a radian and half a link* in every coordinate.
+//! Estimates that differ from the design configuration by up to half a radian and half a link in every coordinate.
 
 use linkwright_codegen::stages::joint::Quantity;
 use linkwright_codegen::stages::system::System;

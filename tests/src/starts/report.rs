@@ -1,8 +1,8 @@
-//! *Measured starts* → *tables*.
+//! Writes tables of measured starts.
 
 use super::measure::{Measured, Outcomes};
 
-/// The table of one way to assemble.
+/// Table of one function that assembles.
 pub fn table(rows: &[(&str, &Outcomes)]) -> String {
     let mut text =
         "| mechanism | drawing's pose | another pose | other branch | typed failures | wrong |\n\
@@ -30,7 +30,7 @@ pub fn table(rows: &[(&str, &Outcomes)]) -> String {
     text
 }
 
-/// What the textbook view costs: median and maximum of the evaluations.
+/// Cost of the textbook formulation: median and maximum of the evaluations.
 pub fn work(measured: &[Measured]) -> String {
     let mut text =
         "| mechanism | coordinates | Jacobians: median | maximum | residuals: median | maximum |\n\

@@ -1,4 +1,4 @@
-//! *Measurements of a mechanism* → *an SVG*: error over time per frame, both logarithmic, a panel per level.
+//! Draws the measurements of a mechanism as an SVG: error over time per frame, both logarithmic, a panel per level.
 
 use std::path::Path;
 
@@ -10,8 +10,8 @@ use super::measurement::Measurement;
 const SIZE: (u32, u32) = (1260, 560);
 const LEVELS: [&str; 3] = ["position", "velocity", "acceleration"];
 
-/// Where an error of exactly zero is drawn: below every rounding.
-const SMALLEST: f64 = 1e-17;
+/// Ordinate of an error of exactly zero: below every rounding.
+const ZERO_ERROR_ORDINATE: f64 = 1e-17;
 
 /// Distinct also without colors, by their order in the legend and the labels at the points (Okabe and Ito 2008).
 const COLORS: [RGBColor; 8] = [
@@ -102,7 +102,7 @@ fn panel(
     let (left, right) = decades(measurements.iter().map(|it| it.time));
     // All levels have the same scale, so that they can be compared.
     let errors = measurements.iter().flat_map(|it| it.errors);
-    let (bottom, top) = decades(errors.map(|error| error.max(SMALLEST)));
+    let (bottom, top) = decades(errors.map(|error| error.max(ZERO_ERROR_ORDINATE)));
     let mut chart = ChartBuilder::on(area)
         .margin(8)
         .margin_right(28)
@@ -120,7 +120,7 @@ fn panel(
         .light_line_style(WHITE)
         .draw()?;
     for line in series {
-        let at = |it: &&Measurement| (it.time, it.errors[level].max(SMALLEST));
+        let at = |it: &&Measurement| (it.time, it.errors[level].max(ZERO_ERROR_ORDINATE));
         chart.draw_series(LineSeries::new(
             line.points.iter().map(at),
             line.color.stroke_width(1),

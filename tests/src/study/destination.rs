@@ -1,4 +1,4 @@
-//! *The arguments that all programs share which write a report* → *its environment, its files, and how the program ends*.
+//! Shared arguments of the programs that write a report: its environment, its files, and the end of the program.
 
 use std::error::Error;
 use std::fs;

@@ -1,4 +1,4 @@
-//! *The machine* → *what a reader needs to know about a measurement*: processor, compiler, commit and date.
+//! Environment of a measurement: processor, compiler, commit and date.
 
 use std::fs;
 use std::path::Path;
@@ -7,7 +7,7 @@ use std::time::{SystemTime, UNIX_EPOCH};
 
 use crate::files;
 
-/// Where and when something was measured.
+/// Machine and date of a measurement.
 #[derive(Clone, Debug)]
 pub struct Environment {
     /// The processor as it calls itself, and how many of it.
@@ -23,7 +23,7 @@ pub struct Environment {
 }
 
 impl Environment {
-    /// This machine, with the commit given or asked of git.
+    /// This machine, with the given commit or that of git.
     pub fn here(commit: Option<&str>) -> Environment {
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
         Environment {
@@ -74,7 +74,7 @@ fn from_git() -> String {
     }
 }
 
-/// The first line that a program prints; `unknown` where it cannot be run.
+/// First line that a program prints; `unknown` if it cannot be run.
 fn output(program: &str, arguments: &[&str]) -> String {
     let run = Command::new(program)
         .args(arguments)

@@ -1,4 +1,4 @@
-//! *Sizes and what was measured on them* → *the exponent p of size^p*.
+//! Fits the exponent p of size^p to measurements.
 
 /// The slope of the least-squares line through the logarithms; `None` for fewer than two points.
 pub fn fitted(points: &[(f64, f64)]) -> Option<f64> {

@@ -1,7 +1,8 @@
-//! *A number of dyads* → *what it costs*: time of the generator, size of the Rust, time of the compiler, time per frame.
+//! Measures the cost of chains of dyads: time of the generator, size of the Rust, time of the compiler, time per
+//! frame.
 //!
-//! The generated module is compiled in a package of its own outside the repository, so that the compiler's time is that of
-//! this module alone; its dependencies are built before.
+//! The generated module is compiled in a package of its own outside the repository, so that the compiler's time is
+//! that of this module alone; its dependencies are built before.
 
 use std::fs;
 use std::io;
@@ -14,29 +15,29 @@ use linkwright_codegen::diagnostic::Source;
 
 use crate::files;
 
-/// What a chain of some size costs; `None` for what took longer than the limit or did not run.
+/// Cost of a chain; `None` for a value over the limit or without a run.
 #[derive(Clone, Copy, Debug)]
 pub struct Cost {
-    /// The number of dyads.
+    /// Number of dyads.
     pub dyads: usize,
-    /// The fastest run of the generator (s).
+    /// Fastest run of the generator (s).
     pub generator: f64,
-    /// The size of the generated Rust (bytes).
+    /// Size of the generated Rust (bytes).
     pub bytes: usize,
-    /// The time of `cargo build --release` for the module and a main function (s).
+    /// Time of `cargo build --release` for the module and a main function (s).
     pub compiler: Option<f64>,
-    /// The times of frames in steps of 1 ms and of 10 ms.
+    /// Times of frames in steps of 1 ms and of 10 ms.
     pub guarded: Option<[Frames; 2]>,
-    /// The same without the path guard.
+    /// Times of frames without the path guard.
     pub unguarded: Option<[Frames; 2]>,
 }
 
-/// The times of the frames of one motion (ns).
+/// Times of the frames of one motion (ns).
 #[derive(Clone, Copy, Debug)]
 pub struct Frames {
-    /// Their mean.
+    /// Mean.
     pub mean: f64,
-    /// The longest one.
+    /// Longest.
     pub worst: f64,
 }
 
@@ -71,14 +72,14 @@ pub fn generate(description: String) -> (f64, String) {
     }
 }
 
-/// A package outside the repository with a generated module and a main function that times it.
+/// Package outside the repository with a generated module and a main function that times it.
 pub struct Scratch {
     folder: PathBuf,
 }
 
-/// Advances the chain for 5 s in steps of 1 ms and of 10 ms, and prints a line for each: the mean and the longest time of a frame. Of
-/// each frame the fastest of three runs counts, so that what else the machine does stays out. Frames of large chains are large, and lie
-/// on the stack.
+/// Program that advances the chain for 5 s in steps of 1 ms and of 10 ms, and prints the mean and the longest time of
+/// a frame for each. The fastest of three runs of each frame counts, which excludes other work of the machine. Frames
+/// of large chains are large, and lie on the stack.
 const MAIN: &str = r#"mod dyad_chain;
 
 use std::hint::black_box;
@@ -136,7 +137,7 @@ impl Scratch {
         }
     }
 
-    /// The compiler's time (s) and the times of frames of a generated chain in steps of 1 ms and of 10 ms.
+    /// Time of the compiler (s) and times of frames of a generated chain in steps of 1 ms and of 10 ms.
     ///
     /// # Errors
     /// If a file cannot be written or a process cannot be started.
@@ -179,12 +180,12 @@ impl Scratch {
 
 impl Drop for Scratch {
     fn drop(&mut self) {
-        // What is left in the folder for temporary files does no harm.
+        // Remains in the folder for temporary files are harmless.
         let _ = fs::remove_dir_all(&self.folder);
     }
 }
 
-/// What a process prints; `None` if it fails, or does not end within the limit and is ended.
+/// Output of a process; `None` if the process fails, or exceeds the limit and is killed.
 fn within(command: &mut Command, file: &Path, limit: Duration) -> io::Result<Option<String>> {
     let output = fs::File::create(file)?;
     let mut child = command

@@ -1,4 +1,4 @@
-//! *A mechanism with a reference* → *error and time per frame of each method*.
+//! Measures error and time per frame of each method on mechanisms with a reference.
 
 use std::time::Instant;
 
@@ -6,20 +6,20 @@ use crate::method::{Method, methods};
 use crate::reference::{reference, yardsticks};
 use crate::table::Table;
 
-/// The frames of a sweep: 0 to 5 s by 0.01 s.
+/// Number of frames of a sweep: 0 to 5 s by 0.01 s.
 const FRAMES: usize = 501;
 
-/// How much is measured.
+/// Extent of a measurement.
 #[derive(Clone, Copy, Debug)]
 pub struct Effort {
-    /// How often each method is timed; the median counts.
+    /// Number of timed repeats of each method; the median counts.
     pub repeats: usize,
-    /// The shortest time (s) over which a repeat is measured, in whole sweeps.
+    /// Shortest time (s) over which a repeat is measured, in whole sweeps.
     pub shortest: f64,
 }
 
 impl Effort {
-    /// Sweeps of a method in a repeat, by the time (s) that one takes; that is not asked where one is enough.
+    /// Sweeps of a method in a repeat, by the time (s) of one, which is not measured if one is enough.
     fn sweeps(&self, once: impl FnOnce() -> f64) -> usize {
         if self.shortest == 0.0 {
             return 1;
@@ -28,28 +28,28 @@ impl Effort {
     }
 }
 
-/// One method on one mechanism.
+/// Method on a mechanism.
 #[derive(Clone, Debug)]
 pub struct Measurement {
-    /// The family of the method.
+    /// Family of the method.
     pub family: String,
-    /// The setting of the method.
+    /// Setting of the method.
     pub setting: String,
     /// Family and setting.
     pub name: String,
     /// `f64` or `f32`.
     pub scalar: &'static str,
-    /// The largest relative error of positions, velocities and accelerations.
+    /// Largest relative error of positions, velocities and accelerations.
     pub errors: [f64; 3],
-    /// The median time per frame (ns).
+    /// Median time per frame (ns).
     pub time: f64,
-    /// The fastest and slowest repeat (ns per frame).
+    /// Fastest and slowest repeat (ns per frame).
     pub range: [f64; 2],
 }
 
-/// Measures all methods of a mechanism, the baseline first. `progress` hears what is done.
+/// Measures all methods of a mechanism, the baseline first. `progress` is called with each step.
 ///
-/// Repeats go round the methods, so that what else the machine does meets all of them alike.
+/// Repeats alternate between the methods, so that other work of the machine affects all of them alike.
 ///
 /// # Panics
 /// If a method fails: the motions of the repository exist.
@@ -69,28 +69,33 @@ pub fn measure(
         .iter_mut()
         .map(|method| effort.sweeps(|| seconds(&mut **method, &times, 1)))
         .collect();
-    let mut found: Vec<Vec<f64>> = vec![Vec::new(); methods.len()];
+    let mut times_per_method: Vec<Vec<f64>> = vec![Vec::new(); methods.len()];
     for repeat in 0..effort.repeats {
         progress(&format!("repeat {} of {}", repeat + 1, effort.repeats));
-        for ((method, &sweeps), found) in methods.iter_mut().zip(&sweeps).zip(&mut found) {
+        for ((method, &sweeps), times_per_method) in
+            methods.iter_mut().zip(&sweeps).zip(&mut times_per_method)
+        {
             let taken = seconds(&mut **method, &times, sweeps);
-            found.push(taken * 1e9 / (sweeps * FRAMES) as f64);
+            times_per_method.push(taken * 1e9 / (sweeps * FRAMES) as f64);
         }
     }
     methods
         .iter()
         .zip(errors)
-        .zip(found)
-        .map(|((method, errors), mut found)| {
-            found.sort_by(f64::total_cmp);
+        .zip(times_per_method)
+        .map(|((method, errors), mut times_per_method)| {
+            times_per_method.sort_by(f64::total_cmp);
             Measurement {
                 family: method.family().to_string(),
                 setting: method.setting().to_string(),
                 name: method.name(),
                 scalar: method.scalar(),
                 errors,
-                time: median(&found),
-                range: [found[0], found[found.len() - 1]],
+                time: median(&times_per_method),
+                range: [
+                    times_per_method[0],
+                    times_per_method[times_per_method.len() - 1],
+                ],
             }
         })
         .collect()
@@ -104,7 +109,7 @@ fn seconds(method: &mut dyn Method, times: &[f64], sweeps: usize) -> f64 {
     start.elapsed().as_secs_f64()
 }
 
-/// Of sorted values.
+/// Median of sorted values.
 pub(super) fn median(sorted: &[f64]) -> f64 {
     let middle = sorted.len() / 2;
     if sorted.len() % 2 == 1 {
@@ -114,7 +119,7 @@ pub(super) fn median(sorted: &[f64]) -> f64 {
     }
 }
 
-/// The largest error of each level at the times of the reference, in the largest magnitude of its column.
+/// Largest error of each level at the times of the reference, relative to the largest magnitude of its column.
 fn errors(method: &mut dyn Method, times: &[f64], table: &Table) -> [f64; 3] {
     let indices: Vec<usize> = table
         .rows

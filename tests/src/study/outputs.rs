@@ -1,4 +1,4 @@
-//! *The excavator, asked for everything and for its tool alone* → *operations and time per frame of both*.
+//! Operations and time per frame of the excavator with all outputs and with its tool alone.
 
 use std::fmt::Write as _;
 use std::hint::black_box;
@@ -28,7 +28,7 @@ macro_rules! sweep {
     };
 }
 
-/// The section of the report. The repeats alternate, so that what else the machine does meets both alike.
+/// Section of the report. The repeats alternate, so that other work of the machine affects both alike.
 pub fn section(effort: Effort) -> String {
     let sweeps: [fn(); 2] = [
         sweep!(excavator::Excavator),
@@ -60,7 +60,7 @@ pub fn section(effort: Effort) -> String {
     ];
     let mut text = String::from(
         "\n## Only what is asked for\n\nThe excavator with all coordinates, and with `output K` alone. An operation is an addition, multiplication,\n\
-         division, root, sine or arctangent; an arctangent takes as long as many of the others.\n\n\
+         division, root, sine or arctangent; an arctangent takes the time of many others.\n\n\
          | asked for | operations | of them arctangents | ns per frame |\n|---|---:|---:|---:|\n",
     );
     for (name, place) in [("everything", 0), ("the tool K", 1)] {

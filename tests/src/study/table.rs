@@ -1,4 +1,4 @@
-//! *Measurements* → *a table in Markdown*, aligned, in the order of the methods.
+//! Writes measurements as a table in Markdown, aligned, in the order of the methods.
 
 use super::measurement::Measurement;
 

@@ -104,7 +104,7 @@ fn mistakes_in_a_description_are_errors_with_their_place() {
             "`{expected}` is missing in\n{printed}"
         );
     }
-    // An error of the description is no crash of the generator.
+    // An error of the description must not look like a crash of the generator.
     assert!(
         !printed.contains("panicked") && !printed.contains("backtrace"),
         "{printed}"

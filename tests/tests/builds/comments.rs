@@ -1,4 +1,4 @@
-//! Comments of a description in the generated documentation, read by the parser that `rustdoc` reads it with: nothing in them is
+//! Comments of a description in the generated documentation, read by the parser of `rustdoc`: nothing in them is
 //! Rust, HTML, or a name to be resolved.
 
 use linkwright_codegen::diagnostic::Source;
@@ -7,7 +7,7 @@ use linkwright_tests::files;
 use linkwright_tests::random::Random;
 use pulldown_cmark::{BrokenLink, CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 
-/// What lines are made of: all that means something, and a few words.
+/// Pieces of lines: all that have a meaning in Markdown, and a few words.
 const PARTS: &[&str] = &[
     "```",
     "````",
@@ -77,7 +77,7 @@ fn below(random: &mut Random, count: usize) -> usize {
 
 fn line(random: &mut Random) -> String {
     let pick = |random: &mut Random| PARTS[below(random, PARTS.len())];
-    // Often the line goes on as others do.
+    // Often the line continues as others do.
     match below(random, 8) {
         0 => String::new(),
         1 => "```".to_string(),
@@ -86,16 +86,16 @@ fn line(random: &mut Random) -> String {
     }
 }
 
-/// What `rustdoc` would take for more than text.
+/// Elements that `rustdoc` would take for more than text.
 fn live(markdown: &str) -> Vec<String> {
-    // Those that `rustdoc` switches on.
+    // The extensions that `rustdoc` switches on.
     let options = Options::ENABLE_TABLES
         | Options::ENABLE_FOOTNOTES
         | Options::ENABLE_STRIKETHROUGH
         | Options::ENABLE_TASKLISTS
         | Options::ENABLE_SMART_PUNCTUATION;
     let mut names = Vec::new();
-    let mut found = Vec::new();
+    let mut elements = Vec::new();
     let mut note = |link: BrokenLink<'_>| {
         names.push(format!("a name: {}", link.reference));
         None
@@ -116,38 +116,38 @@ fn live(markdown: &str) -> Vec<String> {
             )
             | Event::Html(_)
             | Event::InlineHtml(_)
-            | Event::FootnoteReference(_) => found.push(format!("{event:?}")),
+            | Event::FootnoteReference(_) => elements.push(format!("{event:?}")),
             Event::Text(text) if links == 0 && !in_block => {
                 let addresses = text.split("http").skip(1);
                 let is_bare = |it: &str| {
                     let rest = it.trim_start_matches('s').strip_prefix("://");
                     rest.is_some_and(|it| it.starts_with(|it: char| it.is_ascii_alphanumeric()))
                 };
-                found.extend(addresses.filter(|it| is_bare(it)).map(str::to_string));
+                elements.extend(addresses.filter(|it| is_bare(it)).map(str::to_string));
             }
             _ => {}
         }
     }
-    found.extend(names);
-    found
+    elements.extend(names);
+    elements
 }
 
-/// The documentation of every point of a module, as `rustdoc` reads it.
+/// Documentation of every point of a module, as `rustdoc` reads it.
 fn of_points(code: &str) -> Vec<String> {
-    let mut found = Vec::new();
+    let mut comments = Vec::new();
     let mut lines: Vec<&str> = Vec::new();
     for line in code.lines().map(str::trim_start) {
         match line.strip_prefix("///") {
             Some(text) => lines.push(text.strip_prefix(' ').unwrap_or(text)),
             None => {
                 if line.starts_with("pub fn point_") {
-                    found.push(lines.join("\n"));
+                    comments.push(lines.join("\n"));
                 }
                 lines.clear();
             }
         }
     }
-    found
+    comments
 }
 
 #[test]
@@ -176,17 +176,17 @@ fn nothing_in_a_comment_is_more_than_text() {
         let emitted = of_points(generated.code());
         assert_eq!(emitted.len(), POINTS);
         for (written, emitted) in written.iter().zip(&emitted) {
-            let found = live(emitted);
+            let elements = live(emitted);
             assert!(
-                found.is_empty(),
-                "{found:?} in\n{emitted}\n\nof\n\n{written}"
+                elements.is_empty(),
+                "{elements:?} in\n{emitted}\n\nof\n\n{written}"
             );
         }
     }
 }
 
 #[test]
-fn what_is_live_is_found() {
+fn live_markup_is_found() {
     for text in [
         "```\na\n```",
         "- ~~~rust\n  a",
@@ -213,7 +213,8 @@ fn what_is_live_is_found() {
     }
 }
 
-/// The page beside every module is one block of HTML, of elements that draw and typeset and no others, and refers to nothing.
+/// The page beside every module is one block of HTML with elements for pictures and formulas only, and refers to
+/// nothing.
 #[test]
 fn pages_are_one_block_of_harmless_html() {
     const ELEMENTS: &str = "div style svg title rect g path circle text details summary ul li p table thead tbody tr th td h2 code \

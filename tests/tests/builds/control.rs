@@ -1,4 +1,5 @@
-//! The controller of the guide in C prints what its page says; the checks of the repository run the one in Rust, which says the same.
+//! The controller of the guide in C prints the output of its page; the checks of the repository run the one in Rust,
+//! with equal output.
 
 use std::fs;
 use std::path::Path;
@@ -35,9 +36,12 @@ fn the_controller_in_c_prints_what_its_page_says() {
     }
     fs::write(folder.join("main.c"), block(&page, "`main.c`")).expect("written");
     let counted = |line: &&str| line.contains("sines, angles and roots");
-    let said = block(&page, "`cargo run` with `--release` prints");
-    let said: Vec<&str> = said.lines().filter(|line| !counted(line)).collect();
-    assert!(said.len() > 10 && !compilers().is_empty());
+    let printed_block = block(&page, "`cargo run` with `--release` prints");
+    let printed_block: Vec<&str> = printed_block
+        .lines()
+        .filter(|line| !counted(line))
+        .collect();
+    assert!(printed_block.len() > 10 && !compilers().is_empty());
     for compiler in compilers() {
         let mut command = Command::new(compiler);
         command.args(&FLAGS[..5]).arg("-Werror");
@@ -54,6 +58,10 @@ fn the_controller_in_c_prints_what_its_page_says() {
             .output()
             .expect("it runs");
         let printed = String::from_utf8(output.stdout).expect("text");
-        assert_eq!(printed.lines().collect::<Vec<_>>(), said, "{compiler}");
+        assert_eq!(
+            printed.lines().collect::<Vec<_>>(),
+            printed_block,
+            "{compiler}"
+        );
     }
 }

@@ -1,8 +1,8 @@
-//! The runtime and every generated mechanism as a static library without std: no panic path, no allocator, nothing of the
-//! standard library.
+//! The runtime and every generated mechanism as a static library without std: no panic path, no allocator, nothing of
+//! the standard library.
 //!
-//! The library's panic handler calls the symbol `PANIC_PATH`, which nothing defines. What `nm` lists as undefined is all
-//! that the library needs from outside.
+//! The library's panic handler calls the symbol `PANIC_PATH`, which is never defined. `nm` lists all symbols that the
+//! library needs from outside as undefined.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -14,13 +14,13 @@ use linkwright_codegen::Options;
 use linkwright_codegen::stages::emit::rust::type_name;
 use linkwright_tests::{description, files};
 
-/// What the compiler itself may call, also on a microcontroller: copying, filling and comparing memory.
+/// Functions that the compiler itself may call, also on a microcontroller: copying, filling and comparing memory.
 const ALLOWED: [&str; 5] = ["memcpy", "memmove", "memset", "memcmp", "bcmp"];
 
 /// Only one build at a time: all of them write the library to the same path.
 static BUILDING: Mutex<()> = Mutex::new(());
 
-/// Descriptions that only tests need, of which the library takes modules.
+/// Descriptions that only tests need, whose modules are in the library.
 const SMALL: [&str; 5] = [
     "four_bar_given",
     "platform_given",
@@ -130,8 +130,8 @@ fn no_panic_path_and_no_allocator_survives_and_nothing_of_std_is_needed() {
         .collect();
     assert!(allocators.is_empty(), "{allocators:?}");
     // The other objects are compiler_builtins, which cargo adds to every static library.
-    let own = symbols(&library, "--undefined-only", "linkwright_freestanding-");
-    let needed: Vec<&String> = own
+    let undefined = symbols(&library, "--undefined-only", "linkwright_freestanding-");
+    let needed: Vec<&String> = undefined
         .iter()
         .filter(|symbol| !ALLOWED.contains(&symbol.as_str()))
         .collect();
@@ -142,11 +142,12 @@ fn no_panic_path_and_no_allocator_survives_and_nothing_of_std_is_needed() {
     {
         assert!(defined.contains(&name), "{name} is not in the library");
     }
-    println!("undefined: {own:?}");
+    println!("undefined: {undefined:?}");
 }
 
 #[test]
 fn a_planted_panic_is_found() {
-    // Without the generated mechanisms: the library with them has no panic path, so a part of it has none but the planted one.
+    // Without the generated mechanisms: the library with them has no panic path, so that a part of it has only the
+    // planted one.
     assert!(symbols(&build("planted"), "--undefined-only", "").contains("PANIC_PATH"));
 }

@@ -73,8 +73,8 @@ fn every_name_and_every_shape_is_clean() {
     let named = [SPELLED, LOOPED, ON_AXIS].iter().enumerate();
     let named = named.map(|(place, text)| (format!("named_{place}"), Source::new("a.mech", *text)));
     // The gallery is a package of its own, with lints of its own.
-    let own = files::with_extension(&files::package("descriptions"), "mech");
-    let written = own.iter().filter_map(|path| {
+    let paths = files::with_extension(&files::package("descriptions"), "mech");
+    let written = paths.iter().filter_map(|path| {
         let name = path.file_stem()?.to_str()?.to_string();
         let source = description::source(&name);
         Some((name, source))

@@ -1,7 +1,8 @@
-//! `mechanism!` in the package of a user: the module is the one that a build script generates, and errors are where they belong.
+//! `mechanism!` in the package of a user: the module is the one that a build script generates, and errors are in
+//! their places.
 //!
-//! The package `fixtures/macros` is copied before it is built, with the lock file of the workspace, so that nothing has to be
-//! downloaded and the repository stays as it is.
+//! The package `fixtures/macros` is copied before it is built, with the lock file of the workspace. Nothing is
+//! downloaded and the repository stays unchanged.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -19,7 +20,7 @@ mod in_code {
     include!(concat!(env!("OUT_DIR"), "/in_code.rs"));
 }
 
-/// A copy of the package under another name, with this library.
+/// Copies the package under another name, with this library.
 fn copy(name: &str, library: &str) -> PathBuf {
     let to = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
     let from = files::package("fixtures/macros");
@@ -39,7 +40,7 @@ fn copy(name: &str, library: &str) -> PathBuf {
             _ => from.join(file),
         };
         let text = fs::read_to_string(source).expect("a file of the package");
-        // Cargo tells packages of one target folder apart by their names, not by where they lie.
+        // Cargo tells packages of one target folder apart by their names, not by their paths.
         let text = text.replace("name = \"in-code\"", &format!("name = \"{name}\""));
         let text = text.replace("../../../../..", repository);
         let text = text.replace("../../..", repository);
@@ -55,18 +56,18 @@ fn copy(name: &str, library: &str) -> PathBuf {
     to
 }
 
-/// Cargo in a package, with a command of several words.
+/// Runs cargo in a package, with a command of several words.
 fn cargo(package: &Path, command: &str) -> Output {
     let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join("built");
     user_package::cargo(package, &target, command)
 }
 
-/// What the compiler says of a package, as `line: beginning of the message | marked text`, in the order of the lines, and whether it
-/// gives helps.
+/// Messages of the compiler about a package: line, beginning of the message, marked text, in the order of the lines.
+/// Checks that helps are given.
 fn said(package: &Path, level: &str) -> Vec<(u64, String, String)> {
     let output = cargo(package, "check --message-format=json");
     let printed = String::from_utf8_lossy(&output.stdout).into_owned();
-    let mut found = Vec::new();
+    let mut messages = Vec::new();
     for line in printed.lines() {
         let record: Value = serde_json::from_str(line).expect("cargo prints JSON");
         let message = &record["message"];
@@ -83,39 +84,39 @@ fn said(package: &Path, level: &str) -> Vec<(u64, String, String)> {
         let text: String = text[place("highlight_start")..place("highlight_end")]
             .iter()
             .collect();
-        found.push((
+        messages.push((
             span["line_start"].as_u64().expect("a line"),
             message["message"].as_str().expect("words").to_string(),
             text,
         ));
     }
-    found.sort();
-    found
+    messages.sort();
+    messages
 }
 
-/// What a library of the package says with `//~` that it will be told: line, beginning of the message, marked text.
+/// Messages that a library of the package expects with `//~`: line, beginning of the message, marked text.
 fn expected(library: &str) -> Vec<(u64, String, String)> {
     let text = fs::read_to_string(files::package("fixtures/macros/src").join(library));
     let text = text.expect("the library");
-    let mut found = Vec::new();
+    let mut messages = Vec::new();
     for (number, line) in (1..).zip(text.lines()) {
         let Some((code, expected)) = line.split_once("//~ ") else {
             continue;
         };
         let (message, marked) = expected.split_once(" | ").expect("a marked text");
-        // Where the line has no code, the one before is meant, which the note would change the meaning of.
+        // A line without code stands for the one before, which a note there would change.
         let number = if code.trim().is_empty() {
             number - 1
         } else {
             number
         };
-        found.push((number, message.to_string(), marked.to_string()));
+        messages.push((number, message.to_string(), marked.to_string()));
     }
-    found.sort();
-    found
+    messages.sort();
+    messages
 }
 
-/// Compares what is said with what is expected.
+/// Compares messages with the expected ones.
 fn assert_said(library: &str, found: &[(u64, String, String)]) {
     let expected = expected(library);
     let is_as_expected = found.len() == expected.len()
@@ -154,14 +155,14 @@ fn good_descriptions_compile_without_a_warning_and_move() {
 
 #[test]
 fn every_error_is_at_its_token() {
-    let found = said(&copy("in-code-wrong", "wrong.rs"), "error");
-    assert_said("wrong.rs", &found);
-    for (_, message, _) in &found {
+    let messages = said(&copy("in-code-wrong", "wrong.rs"), "error");
+    assert_said("wrong.rs", &messages);
+    for (_, message, _) in &messages {
         let is_coded = message.starts_with('K');
         assert!(!is_coded || message.contains("\nhelp: "), "{message}");
     }
     // Other places are named by their lines.
-    let (_, twice, _) = &found[0];
+    let (_, twice, _) = &messages[0];
     assert!(
         twice.contains("\nfirst declared here: src/lib.rs:5:15"),
         "{twice}"
@@ -225,7 +226,7 @@ fn the_compilers_tokens_say_what_the_text_says() {
             Err(errors) => panic!("{}", errors.render(source)),
         };
         assert!(code(&rebuilt) == code(&source), "{name}: {text}");
-        // Each line that is no comment is where it was.
+        // Each line except for comments is in its place.
         let start = source.text.lines().position(|line| !line.is_empty());
         let written = source.text.lines().skip(start.unwrap_or(0));
         for (line, rebuilt) in written.zip(text.lines()) {
@@ -245,15 +246,15 @@ where
     let blocks = M::Blocks::default();
     let drawn = numbers(&blocks.drawn_pose(&blocks.nominal_parameters()));
     let mut shell = assembled_from(blocks, &drawn, 0.0, Settings::default()).expect("a pose");
-    let mut found = Vec::new();
+    let mut all_bits = Vec::new();
     for step in 0..=20 {
         let t = f64::from(step) / 100.0;
         let inputs = shell.blocks().initial_inputs();
         shell.advance(t, &inputs).expect("a frame");
         let [q, qd, qdd] = levels(shell.blocks(), shell.frame());
-        found.extend(q.into_iter().chain(qd).chain(qdd).map(f64::to_bits));
+        all_bits.extend(q.into_iter().chain(qd).chain(qdd).map(f64::to_bits));
     }
-    found
+    all_bits
 }
 
 #[test]

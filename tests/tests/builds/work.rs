@@ -1,4 +1,5 @@
-//! The work of `advance` and `recover` in headers follows from the numbers of the runtime, and from the functions that are emitted.
+//! Work of `advance` and `recover` in headers follows from the numbers of the runtime, and from the functions that
+//! are emitted.
 
 use std::fs;
 
@@ -40,7 +41,8 @@ fn bounds_are_those_of_the_runtime() {
     for (file, name, value) in same {
         assert_eq!(constant(file, name), value as f64, "{name}");
     }
-    // A guard looks at windows of 1024 steps at most and two at least, each shorter than the last one, and at the step alone.
+    // A guard verifies windows of 1024 steps at most and two at least, each shorter than the last one, and the step
+    // alone.
     let guard =
         fs::read_to_string(files::repository().join("runtime/src/guard.rs")).expect("a source");
     assert!(guard.contains("const AHEAD: [f64; 3] = [16.0, 2.0, 1024.0];"));
@@ -61,21 +63,21 @@ fn bounds_are_those_of_the_runtime() {
     assert!(assembly.expect("a source").contains(&stated));
 }
 
-/// The four-bar linkage as a person counts it: two additions and one multiplication for the crank's angle and so on, all levels
-/// together; see its module.
+/// The four-bar linkage as counted by hand: two additions and one multiplication for the crank's angle and so on, all
+/// levels together; see its module.
 #[test]
 fn closed_forms_are_counted_exactly() {
     let work = work_of("four_bar");
     assert!(!work.is_iterated);
     let attempt = work.attempt;
-    // One angle that is driven, one triangle: its root, two divisions, two angles.
-    let found = (
+    // One driven angle, one triangle: its root, two divisions, two angles.
+    let counted = (
         attempt.sines,
         attempt.square_roots,
         attempt.divisions,
         attempt.arctangents,
     );
-    assert_eq!(found, (2, 1, 2, 2));
+    assert_eq!(counted, (2, 1, 2, 2));
     assert_eq!((attempt.additions, attempt.multiplications), (18, 44));
     assert_eq!(work.recover, attempt);
     // Each attempt once and twice for each dead point, with its windows.

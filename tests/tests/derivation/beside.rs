@@ -1,4 +1,4 @@
-//! What is drawn beside a mechanism changes nothing but rounding: points, bodies and curves that nothing uses, in sizes from 1e-9 to 1e9.
+//! Unused points, bodies and curves in sizes from 1e-9 to 1e9 change a mechanism by rounding alone.
 
 use linkwright::{Blocks, Settings, Shell};
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
@@ -9,10 +9,10 @@ use linkwright_tests::hunt::paths::families::{course, junk, with};
 use linkwright_tests::random::Random;
 use linkwright_tests::{description, files};
 
-/// By how much a coordinate may change, in its scale.
+/// Largest change of a coordinate, in its scale.
 const ROUNDING: f64 = 1e-9;
 
-/// How many steps of how long (s) a mechanism is moved.
+/// Number and length (s) of the steps of a motion.
 const STEPS: (u8, f64) = (24, 0.083);
 
 fn systems(text: &str) -> Result<Vec<System>, String> {
@@ -50,7 +50,7 @@ fn moved(system: &System) -> Vec<Result<Vec<f64>, String>> {
     frames
 }
 
-/// What has changed: the coordinates of bodies, and behind all bodies those of contacts.
+/// Changed coordinates of bodies, and of contacts, which follow all bodies.
 fn changed(before: &System, after: &System) -> Option<String> {
     let names = |system: &System| -> Vec<String> {
         system
@@ -70,7 +70,7 @@ fn changed(before: &System, after: &System) -> Option<String> {
                 let scale = was.iter().map(|it| it.abs()).fold(0.0, f64::max);
                 for ((name, was), place) in own.iter().zip(was).zip(&places) {
                     let off = (was - is[*place]).abs();
-                    // Written so that NaN is a change.
+                    // NaN counts as a change.
                     let is_rounding = off <= ROUNDING * scale;
                     if !is_rounding {
                         return Some(format!("step {step}: {name} = {was} became {}", is[*place]));
@@ -95,7 +95,7 @@ fn is_unchanged(name: &str, text: &str, far: bool, random: &mut Random, counts: 
         counts[1] += 1;
         return;
     };
-    // As large as links are at most, or larger.
+    // At least as large as the largest links.
     let more = junk(random, if far { 1.0 } else { 1e-10 });
     let text = with(text, &more);
     let after =
@@ -114,7 +114,7 @@ fn mechanisms_of_the_repository(far: bool) {
     for path in files::with_extension(&files::repository().join("mechanisms"), "mech") {
         let name = files::stem(&path);
         let source = description::source(name);
-        // What stands behind motions belongs to none of them.
+        // Statements after motions belong to none of them.
         if !source.text.contains("motion ") {
             is_unchanged(name, &source.text, far, &mut random, &mut counts);
         }

@@ -1,4 +1,4 @@
-//! What the blocks are called, and what is said of them where they are singular, for every described mechanism.
+//! Names of the blocks, and their singular poses in words, for every described mechanism.
 
 use linkwright_codegen::stages::emit::derivation::Script;
 use linkwright_codegen::stages::emit::{Notation, derivation};
@@ -10,7 +10,7 @@ fn block_words() -> String {
     let mut text = String::new();
     let mut names = description::names();
     names.extend(description::small());
-    // Each kind of block once beside those of the repository is enough to be read.
+    // One example of each kind of block beside those of the repository is enough to read.
     let read = [
         "crane",
         "driven_coupler",
@@ -40,9 +40,9 @@ fn block_words() -> String {
             let is_read = described.contains(&name) || read.contains(&name.as_str());
             let mut own_text = format!("{}\n", system.mechanism.title());
             for (block, words) in lowered.blocks.iter().zip(&words) {
-                let own = poses.iter().filter(|pose| Some(pose.block) == block.place);
-                for said in own.filter_map(|pose| pose.said.as_ref()) {
-                    // Names of unknowns are those of the generated code, and none for a person.
+                let block_poses = poses.iter().filter(|pose| Some(pose.block) == block.place);
+                for said in block_poses.filter_map(|pose| pose.said.as_ref()) {
+                    // Names of unknowns are those of the generated code, and must not reach the user.
                     for unknown in ["psi_", "phi_", "length_", "offset_", " s_"] {
                         assert!(!said.contains(unknown), "{name}: {said}");
                     }

@@ -1,4 +1,4 @@
-//! The derivation as `linkwright plan` prints it: its words, and whether its formulas give the motion.
+//! Derivation as `linkwright plan` prints it: its words, and that its formulas give the motion.
 
 use std::collections::BTreeSet;
 
@@ -18,7 +18,7 @@ fn snapshot(name: &str, printed: &str) {
     crate::assert_snapshot("plans", name, printed);
 }
 
-/// What is read from the first line to the last: each form where it is plainest, and the excavator as a whole.
+/// Pages with a snapshot of the whole text: each solution method in its plainest example, and the excavator.
 const PAGES: [&str; 13] = [
     "planetary_gear",
     "leveled_slider",
@@ -35,7 +35,7 @@ const PAGES: [&str; 13] = [
     "cam_dwell",
 ];
 
-/// The other ways of writing, for the exam and for one page with vectors and a driven length.
+/// Pages in the other notations: the exam, and one page with vectors and a driven length.
 const TYPESET: [&str; 2] = ["two_body", "crane"];
 
 #[test]
@@ -55,7 +55,7 @@ fn the_exam_and_a_crane_are_typeset_as_in_their_snapshots() {
     }
 }
 
-/// Whatever form any described mechanism has, but for the size of a Newton-Raphson.
+/// Every solution method of any described mechanism, except for the size of a Newton-Raphson.
 #[test]
 fn every_form_has_a_page() {
     let kinds = |names: &[String]| -> BTreeSet<String> {
@@ -92,13 +92,13 @@ fn no_snapshot_is_orphaned() {
     }
 }
 
-/// The forms with the names of their unknowns, in solve order.
+/// Solution methods with the names of their unknowns, in solve order.
 fn named_forms(name: &str) -> Vec<(Vec<String>, String)> {
     let (system, plan) = planned(name);
     forms(system, &plan)
 }
 
-/// With pins instead of centers of mass as origins the same angles are found in the same order by the same methods.
+/// With pins instead of centers of mass as origins, equal angles are solved in the same order by the same methods.
 #[test]
 fn the_frames_make_no_difference_to_the_steps() {
     let dyads = [
@@ -107,9 +107,9 @@ fn the_frames_make_no_difference_to_the_steps() {
         ["phi_c4", "phi_c6"],
         ["phi_c1", "phi_c5"],
     ];
-    let wanted = dyads.map(|pair| (pair.map(str::to_string).to_vec(), "RRR dyad".to_string()));
-    assert_eq!(named_forms("excavator"), wanted);
-    assert_eq!(named_forms("excavator_pins"), wanted);
+    let expected = dyads.map(|pair| (pair.map(str::to_string).to_vec(), "RRR dyad".to_string()));
+    assert_eq!(named_forms("excavator"), expected);
+    assert_eq!(named_forms("excavator_pins"), expected);
 }
 
 /// The headings name the pins as the description does.
@@ -151,7 +151,7 @@ fn the_exam_is_derived_as_its_hand_solution() {
     }
 }
 
-/// What a page says when it is read line by line: values by name, and those that were not printed but needed.
+/// Values of a page read line by line: by name, and the names of those that were not printed but needed.
 struct Calculated {
     values: Values,
     /// The names with a formula on the page.
@@ -159,12 +159,12 @@ struct Calculated {
 }
 
 /// Evaluates the displayed equations in order. `others` are values that the page uses without a formula of its own:
-/// the tears of Newton-Raphson, and accelerations that it leaves to the reader.
+/// the tearing variables of Newton-Raphson, and accelerations that it leaves to the reader.
 fn calculated(text: &str, t: f64, others: &Values) -> Calculated {
     let mut values = others.clone();
     values.insert("t".to_string(), t);
     let mut printed = Vec::new();
-    // A wide choice goes on over several lines.
+    // A wide choice continues over several lines.
     let mut lines: Vec<String> = Vec::new();
     for line in text.lines().filter_map(|line| line.strip_prefix("    ")) {
         match lines.last_mut() {
@@ -191,7 +191,7 @@ fn calculated(text: &str, t: f64, others: &Values) -> Calculated {
             }
             continue;
         }
-        // Sums on the left, vectors and lengths that have no value say nothing that could be computed.
+        // Lines with sums on the left, vectors and lengths without a value define nothing.
         let Some(found) = value(right, &values) else {
             continue;
         };
@@ -208,8 +208,8 @@ fn calculated(text: &str, t: f64, others: &Values) -> Calculated {
     Calculated { values, printed }
 }
 
-/// Every printed formula of every mechanism, evaluated as it is printed, against the high-precision references: coordinates,
-/// velocities and the accelerations that are printed.
+/// Every printed formula of every mechanism, evaluated as printed, against the high-precision references:
+/// coordinates, velocities and the accelerations that are printed.
 #[test]
 fn the_printed_formulas_give_the_motion() {
     for (name, _) in REFERENCES {
@@ -235,26 +235,26 @@ fn the_printed_formulas_give_the_motion() {
                 .cloned()
                 .zip(row[1..].iter().copied())
                 .collect();
-            // What the page has a formula for must come from it, and before it is used.
+            // A value with a formula on the page must come from that formula, and before its use.
             let printed = calculated(&text, row[0], &exact).printed;
             let mut others = exact.clone();
             others.retain(|name, _| !printed.contains(name));
-            let found = calculated(&text, row[0], &others);
+            let page = calculated(&text, row[0], &others);
             let compared = |level: std::ops::Range<usize>| {
                 names[level]
                     .iter()
-                    .filter(|it| found.printed.contains(it))
+                    .filter(|it| page.printed.contains(it))
                     .count()
             };
             let size = system.coordinates.len();
             assert_eq!(compared(0..size), size - tears, "{name} prints no formula");
             for (column, quantity) in names.iter().enumerate() {
-                if !found.printed.contains(quantity) {
+                if !page.printed.contains(quantity) {
                     continue;
                 }
-                let mut error = found.values[quantity] - exact[quantity];
+                let mut error = page.values[quantity] - exact[quantity];
                 if quantity.starts_with("phi") && !quantity.ends_with('\'') {
-                    // An angle is found up to whole turns.
+                    // An angle is unique up to whole turns.
                     error = (error / std::f64::consts::TAU).fract();
                     error = (error - error.round()) * std::f64::consts::TAU;
                 }
@@ -269,8 +269,8 @@ fn the_printed_formulas_give_the_motion() {
     }
 }
 
-/// Forms that no described mechanism has, each with its method: the printed formulas satisfy the textbook's equations and
-/// their first derivative. The residuals are judged against lengths of 1 to 4 m.
+/// Solution methods that no described mechanism has: the printed formulas satisfy the textbook's equations and their
+/// first derivative. The residuals are judged against lengths of 1 to 4 m.
 #[test]
 fn the_other_forms_satisfy_the_textbook_equations() {
     for (name, method) in [
@@ -285,20 +285,21 @@ fn the_other_forms_satisfy_the_textbook_equations() {
         ("driven_coupler", "RRR dyad"),
     ] {
         let (system, plan) = planned(name);
-        let found = forms(system.clone(), &plan);
-        let methods: Vec<&str> = found.iter().map(|(_, form)| form.as_str()).collect();
+        let solved_forms = forms(system.clone(), &plan);
+        let methods: Vec<&str> = solved_forms.iter().map(|(_, form)| form.as_str()).collect();
         assert_eq!(methods, [method]);
         let text = derivation::text(&system, &plan, Notation::Ascii);
         for t in [0.0, 0.4, 1.1, 2.7] {
-            let found = calculated(&text, t, &Values::new()).values;
+            let solved_forms = calculated(&text, t, &Values::new()).values;
             let graph = &system.mechanism.graph;
             let mut symbols = vec![0.0; graph.symbol_count()];
             symbols[system.mechanism.time.index()] = t;
             for coordinate in &system.coordinates {
-                symbols[coordinate.position.index()] = found[&coordinate.name];
+                symbols[coordinate.position.index()] = solved_forms[&coordinate.name];
             }
-            let rate =
-                |coordinate: usize| found[&format!("{}'", system.coordinates[coordinate].name)];
+            let rate = |coordinate: usize| {
+                solved_forms[&format!("{}'", system.coordinates[coordinate].name)]
+            };
             let evaluated = |expr| {
                 let mut result = [0.0];
                 Tape::new(graph, &[expr]).evaluate(&symbols, &mut Vec::new(), &mut result);
@@ -314,7 +315,7 @@ fn the_other_forms_satisfy_the_textbook_equations() {
                 // A constant has no formula for its rate, which is zero.
                 let moving = row.jacobian.iter().filter(|entry| {
                     let name = &system.coordinates[entry.coordinate].name;
-                    found.contains_key(&format!("{name}'"))
+                    solved_forms.contains_key(&format!("{name}'"))
                 });
                 let moved: f64 = moving
                     .map(|entry| evaluated(entry.value) * rate(entry.coordinate))

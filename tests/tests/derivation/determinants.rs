@@ -1,4 +1,4 @@
-//! The determinants of the blocks against that of the whole Φ_q, and the closed forms that are printed.
+//! Determinants of the blocks against that of the whole Φ_q, and the closed forms that are printed.
 
 use linkwright::{Settings, advance, assemble};
 use linkwright_codegen::stages::emit::derivation::Script;
@@ -15,7 +15,7 @@ use linkwright_tests::random::Random;
 use linkwright_tests::values::assembled_from;
 use nalgebra::DMatrix;
 
-/// The product of the determinants of all parts, and det Φ_q, at times of a motion.
+/// Product of the determinants of all subsystems, and det Φ_q, at times of a motion.
 fn products(name: &str, times: &[f64]) -> Vec<(f64, f64)> {
     let system = description::system(name);
     let textbook = TextbookEquations::new(&system);
@@ -24,22 +24,22 @@ fn products(name: &str, times: &[f64]) -> Vec<(f64, f64)> {
     let form = &solved.system().vector_form;
     let parts = solved.program().forms.iter().flatten();
     let parts = parts.map(|part| {
-        let found = part.determinant(form, &mut graph);
-        let roots: Vec<ExprId> = match found.value {
+        let evaluated = part.determinant(form, &mut graph);
+        let roots: Vec<ExprId> = match evaluated.value {
             Some(value) => vec![value],
-            None => found.jacobian.concat(),
+            None => evaluated.jacobian.concat(),
         };
-        let size = if found.value.is_some() {
+        let size = if evaluated.value.is_some() {
             0
         } else {
-            found.jacobian.len()
+            evaluated.jacobian.len()
         };
         (size, Reader::new(&graph, solved.layout(), &roots))
     });
     let parts: Vec<(usize, Reader)> = parts.collect();
     let settings = Settings::default();
     let mut frame = assemble(&textbook, textbook.estimate(), 0.0, &settings).expect("assembled");
-    let mut found = Vec::new();
+    let mut pairs = Vec::new();
     for &t in times {
         while frame.t < t {
             let next = (frame.t + 0.01).min(t);
@@ -59,9 +59,9 @@ fn products(name: &str, times: &[f64]) -> Vec<(f64, f64)> {
         };
         let product: f64 = parts.iter().map(determinant).product();
         let whole = Condition::of(&jacobian(&textbook, &frame.q, t)).determinant;
-        found.push((product, whole));
+        pairs.push((product, whole));
     }
-    found
+    pairs
 }
 
 /// Random times, ascending.
@@ -72,9 +72,9 @@ fn times(count: usize) -> Vec<f64> {
     times
 }
 
-/// What det Φ_q is in multiples of the product, up to the sign: constants that elimination divides out. A held distance is
-/// |d|² = L² in Φ and a vector of length L in the plan, which is a factor of 2 for each of the two links; the teeth of a planet
-/// are counted against a carrier.
+/// Ratio of det Φ_q to the product, up to the sign: constants that elimination divides out. A fixed distance is |d|²
+/// = L² in Φ and a vector of length L in the plan, which is a factor of 2 for each of the two links. The teeth of a
+/// planet are counted against a carrier.
 fn factor(name: &str) -> f64 {
     match name {
         "planetary_gear" => 1.4,
@@ -83,7 +83,7 @@ fn factor(name: &str) -> f64 {
     }
 }
 
-/// At random poses on the way, for every mechanism. Larger ones are left out for the time that their dense matrices take.
+/// At random poses of the motion, for every mechanism except for large ones, whose dense matrices take too long.
 #[test]
 fn the_product_of_the_blocks_is_the_determinant_of_the_whole() {
     let mut compared = 0;
@@ -91,13 +91,13 @@ fn the_product_of_the_blocks_is_the_determinant_of_the_whole() {
         if description::system(&name).coordinates.len() > 60 {
             continue;
         }
-        let found = products(&name, &times(12));
-        let sign = (found[0].0 * found[0].1).signum();
-        for (product, whole) in found {
-            let wanted = sign * factor(&name) * product;
+        let pairs = products(&name, &times(12));
+        let sign = (pairs[0].0 * pairs[0].1).signum();
+        for (product, whole) in pairs {
+            let expected = sign * factor(&name) * product;
             assert!(
-                (whole - wanted).abs() <= 1e-11 * wanted.abs() && wanted != 0.0,
-                "{name}: {whole} instead of {wanted}"
+                (whole - expected).abs() <= 1e-11 * expected.abs() && expected != 0.0,
+                "{name}: {whole} instead of {expected}"
             );
         }
         compared += 1;
@@ -105,7 +105,7 @@ fn the_product_of_the_blocks_is_the_determinant_of_the_whole() {
     assert!(compared >= 19, "only {compared} mechanisms");
 }
 
-/// The exam's own: det Φ_q = ±√3 sin φ2, and one block has all of it.
+/// The exam: det Φ_q = ±√3 sin φ2, all of it in one block.
 #[test]
 fn the_exam_has_the_determinant_of_its_solution() {
     for (product, whole) in products("two_body", &times(100)) {

@@ -1,4 +1,5 @@
-//! Pictures of every described mechanism: names stand apart and inside, joints where the solver puts them, and nothing is missing.
+//! Pictures of every described mechanism: names do not overlap, joints are where the solver puts them, and nothing is
+//! missing.
 
 use std::collections::BTreeMap;
 
@@ -13,10 +14,10 @@ use linkwright_solver::interpreted::Interpreted;
 use linkwright_tests::values::assembled_from;
 use linkwright_tests::{description, files};
 
-/// The size of letters in a picture (px).
+/// Size of letters in a picture (px).
 const LETTERS: f64 = 13.0;
 
-/// Every motion of every description that a reader or a test has, by its title.
+/// Every motion of every description of the repository, by its title.
 fn gallery() -> BTreeMap<String, System> {
     let folders = [
         files::repository().join("mechanisms"),
@@ -48,11 +49,11 @@ fn picture(system: &System) -> (String, Instant) {
         caption: system.mechanism.title(),
         ..Options::default()
     };
-    let shown = pose(&view, &instant);
-    (drawing::draw(system, &shown, &[], &[], &options), instant)
+    let posed = pose(&view, &instant);
+    (drawing::draw(system, &posed, &[], &[], &options), instant)
 }
 
-/// The value of an attribute of a tag.
+/// Value of an attribute of a tag.
 fn attribute<'a>(tag: &'a str, name: &str) -> Option<&'a str> {
     let begin = tag.find(&format!(" {name}=\""))? + name.len() + 3;
     let rest = &tag[begin..];
@@ -64,7 +65,7 @@ fn number(tag: &str, name: &str) -> f64 {
     value.parse().unwrap_or_else(|_| panic!("{name} in {tag}"))
 }
 
-/// The numbers of `translate(…)` and of `rotate(…)`, or zeros.
+/// Numbers of `translate(…)` and of `rotate(…)`, or zeros.
 fn transform(tag: &str) -> ([f64; 2], f64) {
     let text = attribute(tag, "transform").unwrap_or_default();
     let of = |word: &str| -> Vec<f64> {
@@ -83,7 +84,7 @@ fn transform(tag: &str) -> ([f64; 2], f64) {
     (moved, turned.to_radians())
 }
 
-/// A box (px): its left, its upper, its right and its lower edge.
+/// Box (px): its left, its upper, its right and its lower edge.
 #[derive(Clone, Copy, Debug)]
 struct Label([f64; 4]);
 
@@ -94,7 +95,7 @@ impl Label {
     }
 }
 
-/// The boxes of all texts of a picture with their texts, those of tags for names of bodies.
+/// Boxes of all texts of a picture with their texts; those with a tag have the box of the tag.
 fn labels(svg: &str) -> Vec<(String, Label)> {
     let mechanism = svg
         .split('\n')
@@ -103,7 +104,7 @@ fn labels(svg: &str) -> Vec<(String, Label)> {
     let (origin, _) = transform(mechanism);
     let begin = svg.find("<g id=\"names\">").expect("names");
     let legend = svg.find("<g id=\"legend\">").expect("a legend");
-    let mut found = Vec::new();
+    let mut texts = Vec::new();
     for (place, _) in svg.match_indices("<text ") {
         let rest = &svg[place..];
         let (tag, after) = rest.split_once('>').expect("a tag");
@@ -119,7 +120,7 @@ fn labels(svg: &str) -> Vec<(String, Label)> {
         };
         // Capitals are 0.72 of the size high, and letters reach 0.2 below the line.
         let edges = [left, y - 0.72 * LETTERS, left + width, y + 0.2 * LETTERS];
-        found.push((text, Label(edges)));
+        texts.push((text, Label(edges)));
     }
     for (place, _) in svg.match_indices("<rect class=\"tag\"") {
         let tag = svg[place..].split('>').next().expect("a tag");
@@ -127,17 +128,17 @@ fn labels(svg: &str) -> Vec<(String, Label)> {
         let [x, y] = [at[0] + origin[0], at[1] + origin[1]];
         let text = svg[place..].split("<text").nth(1).expect("its text");
         let text = text.split(['>', '<']).nth(1).expect("its text");
-        let own = found.iter_mut().find(|(name, label)| {
+        let tagged = texts.iter_mut().find(|(name, label)| {
             name == text && label.meets(&Label([x, y, x + at[2], y + at[3]]))
         });
-        let (_, label) = own.expect("the text in a tag");
+        let (_, label) = tagged.expect("the text in a tag");
         assert!(
             x <= label.0[0] && label.0[2] <= x + at[2],
             "{text} in its tag"
         );
         *label = Label([x, y, x + at[2], y + at[3]]);
     }
-    found
+    texts
 }
 
 #[test]
@@ -160,7 +161,7 @@ fn names_stand_apart_and_none_leaves_the_picture() {
                 );
             }
         }
-        // Every body has its name, every point at least one of those that it may be called by.
+        // Every body has its name, every point at least one of its names.
         let has = |wanted: &str| labels.iter().any(|(text, _)| text == wanted);
         for body in system.mechanism.moving_bodies() {
             assert!(has(&body.name), "{title}: no name of body {}", body.name);
@@ -177,7 +178,7 @@ fn names_stand_apart_and_none_leaves_the_picture() {
     }
 }
 
-/// The elements of a group, up to the next one that is named.
+/// Elements of a group, up to the next named one.
 fn group<'a>(svg: &'a str, id: &str) -> Option<&'a str> {
     let begin = svg.find(&format!("<g id=\"{id}\""))?;
     let rest = &svg[begin + 1..];
@@ -221,7 +222,7 @@ fn every_joint_and_every_body_appears_once() {
     }
 }
 
-/// Where a mark is, by the coordinates that the solver gives.
+/// Position of a mark, by the solver's coordinates.
 fn solved(system: &System, instant: &Instant, mark: &Mark) -> [f64; 2] {
     let graph = &system.mechanism.graph;
     let body = &system.mechanism.bodies[mark.frame.body.0];
@@ -299,19 +300,19 @@ fn a_size_that_is_asked_for_is_kept() {
         };
         let svg = drawing::draw(&system, &pose(&view, &instant), &[], &[], &options);
         let first = svg.split('>').next().expect("the first tag");
-        let found = ["width", "height"].map(|name| number(first, name));
-        assert_eq!(found, size.map(f64::from));
+        let size_px = ["width", "height"].map(|name| number(first, name));
+        assert_eq!(size_px, size.map(f64::from));
         assert!(has_ink(group(&svg, "frame-ground")) && has_ink(group(&svg, "frame-shoe")));
     }
 }
 
-/// The sixteen assemblies of the excavator, each four times: as many panels as are drawn at most.
+/// The sixteen assemblies of the excavator, each four times: the largest number of panels in a picture.
 #[test]
 fn sixty_four_assemblies_have_one_scale_and_a_panel_each() {
     let system = description::system("excavator");
     let view = Interpreted::new(&system).expect("its blocks have an order");
-    let found = assemblies(&view, 0.0).found;
-    let panels: Vec<Panel> = found
+    let list = assemblies(&view, 0.0).found;
+    let panels: Vec<Panel> = list
         .iter()
         .cycle()
         .take(64)
@@ -343,7 +344,7 @@ fn sixty_four_assemblies_have_one_scale_and_a_panel_each() {
             .filter(|it| it.kind.keyword == "revolute")
         {
             let mark = &joint.operands.marks[0];
-            let instant = &found[place % found.len()].instant;
+            let instant = &list[place % list.len()].instant;
             let [u, v] = solved(&system, instant, mark);
             let at = [x + scale * u - corner[0], y - scale * v - corner[1]];
             assert!(
@@ -360,7 +361,7 @@ fn sixty_four_assemblies_have_one_scale_and_a_panel_each() {
     }
 }
 
-/// The picture without its style sheet, which is the same in all.
+/// Picture without its style sheet, which is equal in all.
 fn snapshot(name: &str) {
     let (svg, _) = picture(&description::system(name));
     let (head, rest) = svg.split_once("<style>").expect("a style sheet");

@@ -4,7 +4,7 @@ use linkwright_codegen::{Language, Options, generate};
 use linkwright_tests::description;
 
 /// Longest line, in characters.
-const LONGEST: usize = 120;
+const MAX_LINE_LENGTH: usize = 120;
 
 /// Words of a comment, and the names of the values that it explains.
 const EXPLAINED: [(&str, &[&str]); 3] = [
@@ -33,7 +33,7 @@ fn explained(name: &str, text: &str) -> usize {
     for (place, line) in lines.iter().enumerate() {
         let comment = EXPLAINED.iter().find(|(words, _)| line.contains(words));
         if let Some((_, names)) = comment {
-            assert!(line.chars().count() <= LONGEST, "{name}: {line}");
+            assert!(line.chars().count() <= MAX_LINE_LENGTH, "{name}: {line}");
             let next = named(lines[place + 1]).unwrap_or_default();
             assert!(names.contains(&next), "{name}: {line} before {next}");
         }

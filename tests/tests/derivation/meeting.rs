@@ -1,4 +1,5 @@
-//! Blocks whose two modes never meet, whatever drivers do: by Grashof's inequalities, for cranks and for driven lengths.
+//! Blocks whose two branches never meet for any drivers: by Grashof's inequalities, for cranks and for driven
+//! lengths.
 
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::stages::{assemblies, program, structure};
@@ -6,7 +7,7 @@ use linkwright_codegen::{Options, generate, read};
 use linkwright_tests::description;
 use linkwright_tests::random::Random;
 
-/// Whether some block of a description has two modes that may meet, as far as is known.
+/// True if a block of a description may have branches that meet.
 fn may_meet(text: &str) -> bool {
     let read = read(&Source::new("meeting.mech", text)).expect("no errors");
     let mut system = read.only().expect("one motion").clone();
@@ -20,7 +21,7 @@ fn may_meet(text: &str) -> bool {
 
 /// A four-bar linkage with these lengths of ground, crank, coupler and rocker.
 fn four_bar([ground, crank, coupler, rocker]: [f64; 4], given: &str, law: &str) -> String {
-    // The crank across the ground, where coupler and rocker meet at their distance from both ends.
+    // The crank is perpendicular to the ground, and coupler and rocker meet at their distance from both ends.
     let bridged = ground.hypot(crank);
     let along = (bridged * bridged + coupler * coupler - rocker * rocker) / (2.0 * bridged);
     let coupler_angle = (along / coupler).clamp(-1.0, 1.0).acos() - crank.atan2(ground);
@@ -56,7 +57,7 @@ fn modes_of_four_bar_linkages_stay_apart_where_the_crank_turns_all_round() {
         if bridged > coupler + rocker || bridged < (coupler - rocker).abs() {
             continue;
         }
-        // How far the distance to be bridged stays from where both links are in line.
+        // Distance of the bridged length from that at which both links are collinear.
         let folded = (ground - crank).abs() - (coupler - rocker).abs();
         let stretched = coupler + rocker - (ground + crank);
         let may_meet = may_meet(&four_bar(lengths, "", "pi/2 + 3*t"));
@@ -85,7 +86,7 @@ fn a_crank_may_be_given_and_lengths_may_not() {
     assert!(may_meet(&text.replace("B: (0.4, 0)", "B: (throw, 0)")));
 }
 
-/// A crank that is geared to a driven wheel turns by any angle, however little the wheel turns it.
+/// A crank that is geared to a driven wheel turns by any angle, however small the range of the wheel.
 #[test]
 fn geared_cranks_are_looked_at_all_round() {
     let geared = |lengths, ratio: &str| {
@@ -101,7 +102,7 @@ fn geared_cranks_are_looked_at_all_round() {
     };
     for ratio in ["1/7", "1", "7/2"] {
         assert!(!may_meet(&geared([1.0, 0.4, 1.2, 0.8], ratio)), "{ratio}");
-        // In line only where the crank points away from the other pin, as it does not in the drawing.
+        // Collinear only if the crank points away from the other pin, unlike in the design configuration.
         assert!(may_meet(&geared([1.0, 0.4, 0.7, 0.7], ratio)), "{ratio}");
     }
 }
@@ -124,9 +125,9 @@ fn driven_lengths_are_bounded_by_their_laws() {
     assert!(may_meet(&hoist("0.9 + 0.1*t")));
 }
 
-/// Where modes never meet, no part of a program crosses.
+/// If branches never meet, no block of a program has a crossing.
 #[test]
-fn what_never_meets_is_not_exchanged() {
+fn branches_that_never_meet_are_not_exchanged() {
     let exchanges = |name: &str| {
         let source = description::source(name);
         let generated = generate(&source, &Options::default())

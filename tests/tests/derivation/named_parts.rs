@@ -1,4 +1,4 @@
-//! Long choices on the printed pages: written once under a name, and the page with its names says what the rows are.
+//! Long choices on the printed pages: written once under a name, and the page with its names equals the rows.
 
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::stages::emit::{Notation, derivation, latex, text};
@@ -9,7 +9,7 @@ use linkwright_tests::files;
 use linkwright_tests::printed::{Values, value};
 use linkwright_tests::random::Random;
 
-/// A heading of the page and what its rows print.
+/// Heading of the page with the expression of its rows.
 type Printed = (&'static str, fn(&Row) -> ExprId);
 
 const PAGES: [&str; 4] = [
@@ -38,7 +38,7 @@ fn evaluated(system: &System, expr: ExprId, symbols: &[f64]) -> f64 {
     result[0]
 }
 
-/// The lines below a heading, without their indentation; a wide choice is one line.
+/// Lines below a heading, without their indentation; a wide choice is one line.
 fn section(page: &str, heading: &str) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     let below = page
@@ -55,7 +55,8 @@ fn section(page: &str, heading: &str) -> Vec<String> {
     lines
 }
 
-/// Φ, Φ_t and γ as printed, with what the page defines below them, at random places against the expressions themselves.
+/// Φ, Φ_t and γ as printed, with the definitions of the page below them, at random values against the expressions
+/// themselves.
 #[test]
 fn the_printed_rows_with_their_names_are_the_rows() {
     let mut random = Random::new(7);
@@ -79,10 +80,10 @@ fn the_printed_rows_with_their_names_are_the_rows() {
             }
             for line in &definitions {
                 let (left, right) = line.split_once(" = ").expect("a definition");
-                let found = value(right, &values);
-                let found = found.unwrap_or_else(|| panic!("{name}: {line} has no value"));
+                let defined = value(right, &values);
+                let defined = defined.unwrap_or_else(|| panic!("{name}: {line} has no value"));
                 assert!(
-                    values.insert(left.to_string(), found).is_none(),
+                    values.insert(left.to_string(), defined).is_none(),
                     "{left} twice"
                 );
             }
@@ -104,12 +105,13 @@ fn the_printed_rows_with_their_names_are_the_rows() {
                     let formula = line.rsplit("  ").next().expect("a formula").trim();
                     let row = &system.rows[number - 1];
                     let exact = evaluated(&system, of(row), &symbols);
-                    let found = value(formula, &values);
-                    let found = found.unwrap_or_else(|| panic!("{name}: {formula} has no value"));
+                    let evaluated = value(formula, &values);
+                    let evaluated =
+                        evaluated.unwrap_or_else(|| panic!("{name}: {formula} has no value"));
                     // The terms of γ are products of two rates below 7 with lengths below a few meters.
                     assert!(
-                        (found - exact).abs() <= 1e-12 * (1.0 + exact.abs()),
-                        "{name}: {formula} is {found}, not {exact}"
+                        (evaluated - exact).abs() <= 1e-12 * (1.0 + exact.abs()),
+                        "{name}: {formula} is {evaluated}, not {exact}"
                     );
                     compared += 1;
                 }
@@ -119,7 +121,7 @@ fn the_printed_rows_with_their_names_are_the_rows() {
     }
 }
 
-/// Every choice that is more than a short one stands at its definition and nowhere else, on all pages.
+/// Every long choice stands at its definition and nowhere else, on all pages.
 #[test]
 fn a_long_choice_is_written_once() {
     for name in PAGES {
@@ -185,7 +187,7 @@ fn the_typeset_pages_are_balanced() {
     }
 }
 
-/// What has no long choice is printed without names.
+/// A page without a long choice has no names.
 #[test]
 fn a_short_choice_stays_in_its_place() {
     let short = read(
@@ -203,7 +205,7 @@ fn a_short_choice_stays_in_its_place() {
     );
 }
 
-/// One sine and one cosine for position, velocity and acceleration, however many stations there are.
+/// A sequence of any number of stations has one sine and one cosine for position, velocity and acceleration.
 #[test]
 fn a_sequence_asks_first_and_computes_one_sine() {
     for stations in [2_usize, 3, 8] {

@@ -1,10 +1,10 @@
-//! The plans a person would follow, for every described mechanism.
+//! Plans of every described mechanism are those of a textbook solution.
 
 use linkwright_tests::description;
 use linkwright_tests::plan::form_names;
 
-/// Blocks and their kinds. The slider of the slider-crank moves along a fixed axis, so its rod has an equation of its own. How
-/// the bodies' frames were chosen makes no difference: the excavator is described twice.
+/// Blocks and their kinds. The slider of the slider-crank moves along a fixed axis, so that its rod has an equation
+/// of its own. The choice of the bodies' frames has no influence: the excavator is described twice.
 #[test]
 fn every_mechanism_is_solved_as_a_person_would() {
     let two_rotations = "RRR dyad";
@@ -35,9 +35,9 @@ fn every_mechanism_is_solved_as_a_person_would() {
     assert_eq!(names, description::whole());
     let mut wrong = Vec::new();
     for (name, wanted) in plans {
-        let found = form_names(name);
-        if found != wanted {
-            wrong.push(format!("{name}: {found:?} instead of {wanted:?}"));
+        let methods = form_names(name);
+        if methods != wanted {
+            wrong.push(format!("{name}: {methods:?} instead of {wanted:?}"));
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));

@@ -1,5 +1,5 @@
-//! What is said of singular poses against the points that it names: a sentence is true where the determinant is zero, and only
-//! there, if what it measures is the determinant at every pose.
+//! Sentences about singular poses against the points that they name: a sentence is true where the determinant is
+//! zero, and only there, if the quantity that it names equals the determinant at every pose.
 
 use linkwright::{Blocks, Settings, Shell};
 use linkwright_codegen::stages::expr::ExprId;
@@ -11,7 +11,7 @@ use linkwright_tests::description;
 use linkwright_tests::random::Random;
 use nalgebra::{DMatrix, Matrix3};
 
-/// Where the points of a mechanism are at one pose.
+/// Positions of the points of a mechanism at one pose.
 struct Points<'a> {
     solved: &'a Interpreted,
     instant: &'a Instant,
@@ -25,7 +25,7 @@ impl Points<'_> {
         Reader::new(&graph, self.solved.layout(), &[written]).values(self.instant)[0]
     }
 
-    /// Every place where a point of this name is: bodies may carry different ones.
+    /// Positions of all points with this name: bodies may carry different ones.
     fn places(&self, name: &str) -> Vec<[f64; 2]> {
         let system = self.solved.system();
         if let Some(body) = name.strip_prefix("the origin of body ") {
@@ -47,7 +47,7 @@ impl Points<'_> {
             .collect()
     }
 
-    /// The determinant of the coordinates of three lines `A-P, B-Q and C-R`: zero where they belong to one pencil.
+    /// Determinant of the coordinates of three lines `A-P, B-Q and C-R`: zero if they belong to one pencil.
     fn lines_in_one_point(&self, lines: &str) -> Option<Vec<f64>> {
         let names: Vec<&str> = lines
             .split([',', ' '])
@@ -64,7 +64,7 @@ impl Points<'_> {
         Some(vec![Matrix3::from([a, b, c]).determinant()])
     }
 
-    /// What a sentence says is zero, in every reading of its names; `None` where it names no points.
+    /// Quantities that vanish by a sentence, in every reading of its names; `None` if it names no points.
     fn measures(&self, sentence: &str) -> Option<Vec<f64>> {
         let vectors = |text: &str| -> Option<Vec<[f64; 2]>> {
             let origin = text.strip_prefix("the line from ");
@@ -72,13 +72,13 @@ impl Points<'_> {
                 Some(rest) => rest.split_once(" to ")?,
                 None => text.split_once('-')?,
             };
-            let mut found = Vec::new();
+            let mut differences = Vec::new();
             for a in self.places(from) {
                 for b in self.places(to) {
-                    found.push([b[0] - a[0], b[1] - a[1]]);
+                    differences.push([b[0] - a[0], b[1] - a[1]]);
                 }
             }
-            (!found.is_empty()).then_some(found)
+            (!differences.is_empty()).then_some(differences)
         };
         let pairs = |one: &str, other: &str, measure: fn([f64; 2], [f64; 2]) -> f64| {
             let (one, other) = (vectors(one)?, vectors(other)?);
@@ -88,8 +88,8 @@ impl Points<'_> {
             Some(all.collect())
         };
         let single = |text: &str, axis: usize| {
-            let found = vectors(text)?;
-            Some(found.into_iter().map(|it| it[axis]).collect())
+            let components = vectors(text)?;
+            Some(components.into_iter().map(|it| it[axis]).collect())
         };
         if let Some(lines) = sentence.strip_suffix(" meet in one point or are parallel") {
             return self.lines_in_one_point(lines.strip_prefix("the lines ")?);
@@ -111,8 +111,8 @@ impl Points<'_> {
         }
         if let Some(points) = sentence.strip_suffix(" coincide") {
             let (one, other) = points.split_once(" and ")?;
-            let found = vectors(&format!("{one}-{other}"))?;
-            return Some(found.into_iter().map(|it| it[0].hypot(it[1])).collect());
+            let pair = vectors(&format!("{one}-{other}"))?;
+            return Some(pair.into_iter().map(|it| it[0].hypot(it[1])).collect());
         }
         if let Some(link) = sentence.strip_suffix(" is parallel to the x axis") {
             return single(link, 1);
@@ -124,9 +124,10 @@ impl Points<'_> {
     }
 }
 
-/// For every mechanism of the repository and of the tests, at random times of its motion, in the modes of the drawing.
+/// Checks every mechanism of the repository and of the tests, at random times of its motion, in the branches of the
+/// design configuration.
 #[test]
-fn what_is_said_to_vanish_is_the_determinant() {
+fn quantities_reported_to_vanish_are_the_determinant() {
     let (mut checked, mut silent) = (0, Vec::new());
     for name in description::whole().into_iter().chain(description::small()) {
         let solved = Interpreted::new(&description::system(&name)).expect("a plan");
@@ -137,11 +138,11 @@ fn what_is_said_to_vanish_is_the_determinant() {
             };
             let part = &solved.program().forms[pose.block][pose.part];
             let mut graph = solved.system().mechanism.graph.clone();
-            let found = part.determinant(&solved.system().vector_form, &mut graph);
-            let order = found.jacobian.len();
-            let entries = match found.value {
+            let evaluated = part.determinant(&solved.system().vector_form, &mut graph);
+            let order = evaluated.jacobian.len();
+            let entries = match evaluated.value {
                 Some(value) => vec![value],
-                None => found.jacobian.concat(),
+                None => evaluated.jacobian.concat(),
             };
             let determinant = Reader::new(&graph, solved.layout(), &entries);
             let mut random = Random::new(11);
@@ -167,7 +168,7 @@ fn what_is_said_to_vanish_is_the_determinant() {
                     continue;
                 };
                 let entries = determinant.values(shell.frame());
-                let wanted = match found.value {
+                let expected = match evaluated.value {
                     Some(_) => entries[0].abs(),
                     None => DMatrix::from_row_slice(order, order, &entries)
                         .determinant()
@@ -175,10 +176,10 @@ fn what_is_said_to_vanish_is_the_determinant() {
                 };
                 let is_said = said
                     .iter()
-                    .any(|it| (it.abs() - wanted).abs() < 1e-9 * (1.0 + wanted));
+                    .any(|it| (it.abs() - expected).abs() < 1e-9 * (1.0 + expected));
                 assert!(
                     is_said,
-                    "{name}: {sentence}: {said:?} instead of {wanted} at {t}"
+                    "{name}: {sentence}: {said:?} instead of {expected} at {t}"
                 );
                 seen += 1;
             }

@@ -149,8 +149,8 @@ fn a_direction_between_drawn_points_is_not_turned_there_and_back() {
     for (row, expected) in [(1, ["-0.8", "0.6"]), (2, ["0.6", "0.8"])] {
         let row = &system.rows[row];
         for (entry, expected) in row.jacobian.iter().zip(expected) {
-            let shown = text::formula(&system, &row.bodies, Notation::Ascii, entry.value);
-            assert_eq!(shown, expected);
+            let printed = text::formula(&system, &row.bodies, Notation::Ascii, entry.value);
+            assert_eq!(printed, expected);
         }
         let residual = text::formula(&system, &row.bodies, Notation::Ascii, row.residual);
         assert!(residual.len() < 200, "{residual}");

@@ -1,4 +1,4 @@
-//! Free coordinates that stand still on the way: the motion is that of a coordinate that never does.
+//! Free coordinates whose rate vanishes in between: the motion is that of a coordinate whose rate never does.
 
 use linkwright_solver::dormand_prince::Step;
 use linkwright_solver::rates::Rates;
@@ -11,7 +11,7 @@ use linkwright_tests::simulated::{
 };
 use nalgebra::{SMatrix, SVector};
 
-/// A crank with an eccentric weight and a piston; what is free of it.
+/// Crank with an eccentric weight and a piston; `free` names its free coordinate.
 fn engine(free: &str) -> String {
     format!(
         "mechanism engine {{
@@ -35,13 +35,13 @@ fn engine(free: &str) -> String {
     )
 }
 
-/// A coordinate of a description and its rate where it starts, as a statement that frees another one there.
+/// Coordinate of a description and its initial rate, as a statement that frees another one there.
 fn freed(start: &Simulation, name: &str, written: &str) -> String {
     let [value, rate] = coordinate(start, name);
     format!("free other: {written} = {value:?} rate {rate:?};")
 }
 
-/// The largest difference of all coordinates and of their rates, beside the largest rate.
+/// Largest difference of all coordinates and of their rates, beside the largest rate.
 fn difference(one: &Simulation, other: &Simulation) -> [f64; 2] {
     let [one, other] = [one.frame(), other.frame()];
     let largest = |pairs: [&[f64]; 2]| {
@@ -57,7 +57,7 @@ fn difference(one: &Simulation, other: &Simulation) -> [f64; 2] {
     ]
 }
 
-/// Follows two descriptions of one motion; the one that changes its coordinates, and the largest differences.
+/// Follows two descriptions of one motion; returns the one that changes its coordinates, and the largest differences.
 fn followed(changed: &str, reference: &str, end: f64, steps: u32) -> (Simulation, [f64; 2]) {
     let mut reference = simulation(reference, end, options(1e-13));
     let mut changed = simulation(changed, end, options(1e-13));
@@ -70,8 +70,8 @@ fn followed(changed: &str, reference: &str, end: f64, steps: u32) -> (Simulation
         if let Err(stop) = changed.advance(t) {
             panic!("{}", stop.explained(changed.view(), changed.frame()));
         }
-        let found = difference(&changed, &reference);
-        worst = [0, 1].map(|level| worst[level].max(found[level]));
+        let gaps = difference(&changed, &reference);
+        worst = [0, 1].map(|level| worst[level].max(gaps[level]));
         kinetic = kinetic.max(force(&changed, "kinetic_energy"));
         let work = changed.added_work().expect("on the step");
         drift = drift.max((energy(&changed) - first - work).abs());
@@ -91,7 +91,7 @@ fn a_piston_moves_its_crank_over_both_dead_centers() {
     assert!(coordinate(&found, "phi_crank")[0].abs() > 60.0);
 }
 
-/// A cylinder that a crank swings: the length is shortest and longest where they are in line.
+/// Cylinder that a crank swings: the length is shortest and longest where they are collinear.
 fn cylinder(free: &str) -> String {
     format!(
         "mechanism pump {{
@@ -162,9 +162,9 @@ impl Rates for PointMasses {
                 right[4 + row] -= (moves[axis] - others[axis]).powi(2);
             }
         }
-        let found = matrix.lu().solve(&right).ok_or(())?;
+        let solution = matrix.lu().solve(&right).ok_or(())?;
         rates[..4].copy_from_slice(&state[4..]);
-        rates[4..].copy_from_slice(&found.as_slice()[..4]);
+        rates[4..].copy_from_slice(&solution.as_slice()[..4]);
         Ok(())
     }
 
@@ -173,7 +173,8 @@ impl Rates for PointMasses {
     }
 }
 
-/// No angle of it is a coordinate all the way round: those of both rockers turn back, and so does that of the coupler.
+/// No angle of it is a coordinate all the way round: those of both rockers turn back, and so does that of the
+/// coupler.
 #[test]
 fn a_triple_rocker_goes_round_by_one_angle_after_the_other() {
     let text = "mechanism rockers {
@@ -202,7 +203,7 @@ fn a_triple_rocker_goes_round_by_one_angle_after_the_other() {
         let view = simulation.view();
         let points = view.points(simulation.frame());
         let outputs = &view.system().outputs;
-        let own = names.map(|name| {
+        let values_by_name = names.map(|name| {
             let place = outputs
                 .iter()
                 .position(|it| it.name == name)
@@ -210,7 +211,7 @@ fn a_triple_rocker_goes_round_by_one_angle_after_the_other() {
             let [position, velocity] = [points[place].position, points[place].velocity];
             [position[0], position[1], velocity[0], velocity[1]]
         });
-        own.to_vec()
+        values_by_name.to_vec()
     };
     let start = pins(&rockers);
     let mut state: Vec<f64> = start.iter().flat_map(|it| [it[0], it[1]]).collect();
@@ -254,14 +255,14 @@ fn leaning(t: f64) -> [f64; 2] {
     [angle, 1.0 / dn]
 }
 
-/// B0 at t = 1, 4 and 10 s, to 20 digits.
+/// Positions of B0 at t = 1, 4 and 10 s, to 20 digits.
 const N_FOUR_BAR: [(f64, [f64; 2]); 3] = [
     (1.0, [-0.195_020_301_949_435_1, -0.980_799_205_662_173_8]),
     (4.0, [0.117_616_102_376_808_61, 0.993_059_138_451_325_1]),
     (10.0, [0.328_458_111_540_815_4, 0.944_518_538_178_600_9]),
 ];
 
-/// The height of its bars is free, from when it has passed its first flat pose.
+/// The height of its bars is free after they have passed their first flat pose.
 fn falling_bars(start: f64) -> String {
     let [angle, rate] = leaning(start);
     let [height, falls] = [angle.cos(), -angle.sin() * rate];
@@ -271,8 +272,8 @@ fn falling_bars(start: f64) -> String {
     )
 }
 
-/// That height is the cosine of their angle and stands still where they are upright. In the flat poses equations of the joints lose rank, and
-/// the motion goes straight through.
+/// That height is the cosine of their angle, and its rate vanishes where they are upright. In the flat poses
+/// equations of the joints lose rank, and the motion passes straight through.
 #[test]
 fn an_n_four_bar_goes_on_by_an_angle_and_straight_through_its_flat_poses() {
     let start = 0.8;
@@ -280,19 +281,16 @@ fn an_n_four_bar_goes_on_by_an_angle_and_straight_through_its_flat_poses() {
     let first = energy(&bars);
     for (t, expected) in N_FOUR_BAR {
         bars.advance(t - start).expect("no end");
-        let found = ["x_bar0", "y_bar0"].map(|name| coordinate(&bars, name)[0]);
+        let tip = ["x_bar0", "y_bar0"].map(|name| coordinate(&bars, name)[0]);
         for axis in 0..2 {
-            assert!(
-                (found[axis] - expected[axis]).abs() <= 1e-9,
-                "{t}: {found:?}"
-            );
+            assert!((tip[axis] - expected[axis]).abs() <= 1e-9, "{t}: {tip:?}");
         }
         assert!((energy(&bars) - first).abs() <= 1e-9 * 70.0);
     }
     assert_eq!(bars.passed().len(), 9);
 }
 
-/// What formulas mention may stand still, too: a spring on the piston brings back what it takes.
+/// A coordinate in a formula may be at rest, too: a spring on the piston returns the energy that it stores.
 #[test]
 fn a_coordinate_that_is_mentioned_goes_on() {
     let text = engine(
@@ -314,7 +312,8 @@ fn a_coordinate_that_is_mentioned_goes_on() {
     }
 }
 
-/// A driver that follows what is free: a crank turns another one twice as fast, which adds four times its inertia.
+/// A driver that follows a free coordinate: a crank turns another one twice as fast, which adds four times its
+/// inertia.
 #[test]
 fn a_driver_may_follow_what_is_free() {
     let text = "mechanism follower {
@@ -342,7 +341,7 @@ fn a_driver_may_follow_what_is_free() {
     assert!((other - 7.0).abs() <= 1e-10);
 }
 
-/// One of two free coordinates stands still on the way.
+/// The rate of one of two free coordinates vanishes in between.
 #[test]
 fn one_of_two_coordinates_may_stand_still() {
     let text = |free: &str| {
@@ -357,7 +356,7 @@ fn one_of_two_coordinates_may_stand_still() {
     assert!(worst[0] <= 1e-8 && worst[1] <= 1e-8, "{worst:?}");
 }
 
-/// Forces of joints do not depend on what is free.
+/// Reactions do not depend on the choice of the free coordinates.
 #[test]
 fn reactions_and_efforts_stay_those_of_the_description() {
     let reference = engine("free turn: phi(crank) = pi/4 rate 25; effort;");

@@ -1,5 +1,5 @@
-//! What drivers exert and joints carry, against a dense solve with loads in plain numbers, and the power balance, on every description
-//! with masses, springs, dampers and forces put on it.
+//! Driving forces and reactions against a dense solve with loads in plain numbers, and the power balance, on every
+//! description with masses, springs, dampers and forces put on it.
 
 use linkwright::Equations;
 use linkwright_codegen::stages::model::{Body, Role};
@@ -10,11 +10,11 @@ use linkwright_tests::pantograph::Pantograph;
 use linkwright_tests::{description, files};
 use nalgebra::{DMatrix, DVector};
 
-/// How far a motion is followed (s), and in how many frames.
+/// Duration of a motion (s); the number of frames follows.
 const END: f64 = 0.5;
 const FRAMES: u32 = 20;
 
-/// What rounding may make of a force, beside the largest of the instant.
+/// Bound on rounding of a force, relative to the largest force of the instant.
 const LIMIT: f64 = 1e-10;
 
 const GRAVITY: [f64; 2] = [0.4, -9.81];
@@ -33,7 +33,7 @@ fn weight(body: usize) -> Weight {
     }
 }
 
-/// A description with loads on its bodies, and with everything asked for that can be.
+/// Description with loads on its bodies, and with all possible requests.
 fn loaded(text: &str, system: &System) -> String {
     let mechanism = &system.mechanism;
     let bodies: Vec<&str> = mechanism
@@ -96,7 +96,7 @@ fn has_reactions(system: &System) -> bool {
         .all(|it| it.redundant.is_none())
 }
 
-/// What acts on the bodies in plain numbers: Q − M q̈, the rate of the energies, and the power of what else acts.
+/// Loads on the bodies in plain numbers: Q − M q̈, the rate of the energies, and the power of the other loads.
 struct Plain {
     loads: DVector<f64>,
     kinetic: [f64; 2],
@@ -109,10 +109,10 @@ fn plain(bodies: usize, coordinates: usize, t: f64, at: &dyn Fn(usize) -> Moving
     let (mut kinetic, mut potential) = ([0.0; 2], [0.0; 2]);
     for body in 0..bodies {
         let (weight, moving) = (weight(body), at(body));
-        let own = weight.load(GRAVITY, &moving);
+        let body_load = weight.load(GRAVITY, &moving);
         let energies = [weight.kinetic(&moving), weight.potential(GRAVITY, &moving)];
         for axis in 0..3 {
-            loads[3 * body + axis] += own[axis];
+            loads[3 * body + axis] += body_load[axis];
         }
         for part in 0..2 {
             kinetic[part] += energies[0][part];
@@ -121,7 +121,7 @@ fn plain(bodies: usize, coordinates: usize, t: f64, at: &dyn Fn(usize) -> Moving
     }
     let last = bodies - 1;
     let (first, end) = (at(0), at(last));
-    // The spring between the last body and the ground: 2 (0 − φ − 0.1) + 0.5 turns the body on.
+    // The spring between the last body and the ground: 2 (0 − φ − 0.1) + 0.5 turns the body forward.
     let further = -end.at[2] - 0.1;
     let torque = 2.0 * further + 0.5;
     loads[3 * last + 2] += torque;
@@ -150,8 +150,8 @@ fn plain(bodies: usize, coordinates: usize, t: f64, at: &dyn Fn(usize) -> Moving
     }
 }
 
-/// The force and the moment of a joint on its second body, by the rows of Φ_q and the multipliers; the moment about the point of the
-/// joint on that body. Where the second body is the ground, the opposite of what acts on the first.
+/// Force and moment of a joint on its second body, by the rows of Φ_q and the multipliers; the moment about the point
+/// of the joint on that body. If the second body is the ground, the opposite of the load on the first.
 fn wrench(
     system: &System,
     joint: usize,
@@ -159,17 +159,17 @@ fn wrench(
     multipliers: &DVector<f64>,
     at: &dyn Fn(usize) -> Moving,
 ) -> [f64; 3] {
-    let own = &system.mechanism.joints[joint];
+    let joint_row = &system.mechanism.joints[joint];
     let graph = &system.mechanism.graph;
     let local = |mark: &linkwright_codegen::stages::joint::geometry::Mark| {
         mark.local
             .map(|part| graph.constant_value(part).expect("a number"))
     };
-    let marks = &own.operands.marks;
+    let marks = &joint_row.operands.marks;
     let (first, second) = match &marks[..] {
         [only] => (None, *only),
         // A curve presses on its follower.
-        [follower, curve, ..] if own.operands.curve.is_some() => (Some(*curve), *follower),
+        [follower, curve, ..] if joint_row.operands.curve.is_some() => (Some(*curve), *follower),
         [first, second, ..] => (Some(*first), *second),
         [] => return [f64::NAN; 3],
     };
@@ -196,15 +196,15 @@ fn wrench(
     let origin = at(body - 1).at;
     let arm = [place[0] - origin[0], place[1] - origin[1]];
     wrench[2] -= cross(arm, [wrench[0], wrench[1]]);
-    if own.kind.keyword.ends_with("gear") || own.kind.keyword.ends_with("belt") {
-        // The row has the slope 1 in the angle of the second wheel, whatever holds that.
+    if joint_row.kind.keyword.ends_with("gear") || joint_row.kind.keyword.ends_with("belt") {
+        // The row has the slope 1 in the angle of the second wheel, whichever row constrains that angle.
         let row = system.rows.iter().position(|row| row.joint == joint);
         wrench[2] = -multipliers[row.expect("its row")];
     }
     wrench
 }
 
-/// What is asked for at an instant against the dense solve, and the balance of powers.
+/// Requested values at an instant against the dense solve, and the balance of powers.
 fn compare(name: &str, system: &System, followed: &Followed, t: f64) -> usize {
     let instant = followed.instant();
     let coordinates = system.coordinates.len();
@@ -222,10 +222,10 @@ fn compare(name: &str, system: &System, followed: &Followed, t: f64) -> usize {
         .fold(plain.loads.amax(), |most, (_, value)| most.max(value.abs()));
     let mut compared = 0;
     let mut agree = |what: &str, expected: f64, size: f64| {
-        let found = followed.value(what);
+        let reported = followed.value(what);
         assert!(
-            (found - expected).abs() <= LIMIT * size.max(1.0),
-            "{name} at t = {t}: {what} is {found}, by the dense solve {expected}, beside {size}"
+            (reported - expected).abs() <= LIMIT * size.max(1.0),
+            "{name} at t = {t}: {what} is {reported}, by the dense solve {expected}, beside {size}"
         );
         compared += 1;
     };
@@ -255,11 +255,11 @@ fn compare(name: &str, system: &System, followed: &Followed, t: f64) -> usize {
                 "x" => agree(column, x, size),
                 "y" => agree(column, y, size),
                 "moment" => agree(column, moment, size),
-                // The direction belongs to the joint; there is no force across it.
+                // The direction belongs to the joint; the force across it is zero.
                 "normal" | "tension" | "tooth" | "pressure" => {
-                    let found = followed.value(column).abs();
+                    let magnitude = followed.value(column).abs();
                     assert!(
-                        (found - x.hypot(y)).abs() <= LIMIT * size,
+                        (magnitude - x.hypot(y)).abs() <= LIMIT * size,
                         "{name}: {column}"
                     );
                 }
@@ -290,7 +290,7 @@ fn compare(name: &str, system: &System, followed: &Followed, t: f64) -> usize {
     compared
 }
 
-/// The texts of all descriptions, the gallery's and those of the tests, and of a chain whose loops were shortened.
+/// Texts of all descriptions, the gallery's and those of the tests, and of a chain whose loops were shortened.
 fn descriptions() -> Vec<(String, String)> {
     let folders = [
         files::repository().join("mechanisms"),
@@ -312,12 +312,12 @@ fn descriptions() -> Vec<(String, String)> {
 fn forces_are_those_of_the_dense_solve_and_powers_balance() {
     let (mut mechanisms, mut compared) = (0, 0);
     for (name, text) in descriptions() {
-        // A copy would not find the file, and those with forces have loads of their own.
+        // A copy would not find the file, and descriptions with forces have loads of their own.
         if text.contains("\" in (") || text.contains("mass ") {
             continue;
         }
         for (place, system) in systems(&name, &text).iter().enumerate() {
-            // What has no body has no mass.
+            // An angle without a body has no mass.
             if system.mechanism.bodies.iter().any(Body::is_angle) {
                 continue;
             }

@@ -1,4 +1,5 @@
-//! Generated code has the forces of the interpreter, in both precisions, in closed form and by a linear system; its cost is bounded.
+//! Forces of generated code are those of the interpreter, in both precisions, in closed form and by a linear system;
+//! their cost is bounded.
 
 use linkwright::{Blocks, FailureKind, Settings, Shell, Signal, Values};
 use linkwright_codegen::stages::report;
@@ -73,7 +74,7 @@ fn a_linkage_with_every_load_has_the_forces_of_the_interpreter() {
             frame.reaction_c(),
             frame.reaction_d(),
         ];
-        let mut found = vec![
+        let mut values = vec![
             ("effort_crank", frame.effort_crank()),
             ("power_crank", frame.power_crank()),
             ("kinetic_energy", frame.kinetic_energy()),
@@ -87,14 +88,14 @@ fn a_linkage_with_every_load_has_the_forces_of_the_interpreter() {
             ["reaction_d_x", "reaction_d_y"],
         ];
         for (names, pin) in names.into_iter().zip(pins) {
-            found.extend(names.into_iter().zip(pin));
+            values.extend(names.into_iter().zip(pin));
         }
-        compare(&followed, &found, t);
+        compare(&followed, &values, t);
     }
 }
 
-/// 1/(φ − 0.5), 1/(t − 1) and a force that an input divides are infinite at φ = 0.5, at t = 1 s and at a gap of zero: the load is named
-/// by the module and by the interpreter, which agree on the failure, and the motion goes on afterwards.
+/// 1/(φ − 0.5), 1/(t − 1) and a force that an input divides are infinite at φ = 0.5, at t = 1 s and at a gap of zero.
+/// Module and interpreter name the load, agree on the failure, and continue afterwards.
 #[test]
 fn a_load_that_is_not_finite_is_named() {
     let gap = |value| Signal {
@@ -136,16 +137,16 @@ fn a_load_that_is_not_finite_is_named() {
             continue;
         };
         let failure = generated.expect_err("an infinite load");
-        // The time is that to which the motion could be followed; on the way to it the gap is positive.
+        // The time is that to which the motion could be followed; until then the gap is positive.
         assert!((0.0..1e-6).contains(&(t - failure.time)), "{failure}");
         let FailureKind::LoadNotFinite { load: place } = failure.kind else {
             panic!("{failure}");
         };
         assert_eq!(endless_loads::LOADS[usize::from(place)], load);
-        let said = format!("{load} is not finite, at t = {} s", failure.time);
-        assert_eq!(endless_loads::describe(&failure).to_string(), said);
+        let message = format!("{load} is not finite, at t = {} s", failure.time);
+        assert_eq!(endless_loads::describe(&failure).to_string(), message);
         let blocks = interpreted.blocks();
-        assert_eq!(blocks.explained(&failure).to_string(), said);
+        assert_eq!(blocks.explained(&failure).to_string(), message);
     }
 }
 
@@ -198,7 +199,7 @@ fn gears_have_the_forces_of_the_interpreter() {
         let [[sx, sy], [rx, ry], [cx, cy]] =
             [frame.reaction_s(), frame.reaction_r(), frame.reaction_c()];
         let [[ix, iy], [ox, oy]] = [frame.reaction_inner(), frame.reaction_outer()];
-        let found = [
+        let values = [
             ("effort_input_shaft", frame.effort_input_shaft()),
             ("power_input_shaft", frame.power_input_shaft()),
             ("reaction_s_x", sx),
@@ -214,7 +215,7 @@ fn gears_have_the_forces_of_the_interpreter() {
             ("reaction_outer_y", oy),
             ("reaction_outer_moment", frame.reaction_outer_moment()),
         ];
-        compare(&followed, &found, t);
+        compare(&followed, &values, t);
     }
 }
 
@@ -228,7 +229,7 @@ fn a_platform_that_is_iterated_has_the_forces_of_the_interpreter() {
         let frame = mechanism.advance(t).expect("within reach");
         let [px, py] = frame.reaction_p();
         let [cx, cy] = frame.reaction_c();
-        let found = [
+        let values = [
             ("effort_drive_length_a_p", frame.effort_drive_length_a_p()),
             ("power_drive_length_a_p", frame.power_drive_length_a_p()),
             ("effort_drive_length_b_q", frame.effort_drive_length_b_q()),
@@ -243,7 +244,7 @@ fn a_platform_that_is_iterated_has_the_forces_of_the_interpreter() {
             ("potential_energy", frame.potential_energy()),
             ("added_power", frame.added_power()),
         ];
-        compare(&followed, &found, t);
+        compare(&followed, &values, t);
     }
 }
 
@@ -258,7 +259,7 @@ fn a_slider_crank_has_the_forces_of_the_interpreter() {
         let [ox, oy] = frame.reaction_o();
         let [bx, by] = frame.reaction_b();
         let [px, py] = frame.reaction_p();
-        let found = [
+        let values = [
             ("effort_drive_phi_crank", frame.effort_drive_phi_crank()),
             ("power_drive_phi_crank", frame.power_drive_phi_crank()),
             ("reaction_o_x", ox),
@@ -273,7 +274,7 @@ fn a_slider_crank_has_the_forces_of_the_interpreter() {
             ("potential_energy", frame.potential_energy()),
             ("added_power", frame.added_power()),
         ];
-        compare(&followed, &found, t);
+        compare(&followed, &values, t);
     }
 }
 
@@ -299,7 +300,7 @@ fn single_precision_has_the_forces_of_double_precision() {
     }
 }
 
-/// What forces cost beside the frame, in operations: those of the excavator with a mass on every body.
+/// Cost of the forces beside that of the frame, in operations, for the excavator with a mass on every body.
 #[test]
 fn forces_cost_less_than_the_frame() {
     let text = description::source("excavator").text;
@@ -323,7 +324,7 @@ fn forces_cost_less_than_the_frame() {
         .total();
     assert!(2 * efforts <= frame, "{efforts} beside {frame}");
     assert!(2 * reactions <= 3 * frame, "{reactions} beside {frame}");
-    // What does not weigh and is not asked for is not computed.
+    // Values without weight that are not requested are not computed.
     assert!(with("energy;").forces.expect("asked for").total() < efforts);
     assert!(
         report(&systems("excavator", &text)[0])
@@ -333,7 +334,7 @@ fn forces_cost_less_than_the_frame() {
     );
 }
 
-/// What each parameter of `weighed_given` is, and what is said where it is negative.
+/// Kinds of the parameters of `weighed_given`, and the words for a negative one.
 const WEIGHED: [&str; 7] = [
     "body crank: the mass, unless zero,",
     "body crank: the moment of inertia, unless zero,",
@@ -345,7 +346,7 @@ const WEIGHED: [&str; 7] = [
 ];
 
 #[test]
-fn what_is_refused_of_forces_in_a_description_is_refused_at_run_time() {
+fn forces_refused_in_a_description_are_refused_at_run_time() {
     use weighed_given::{Parameters, WeighedGiven, describe};
     let systems = systems("weighed_given", &description::source("weighed_given").text);
     let blocks = Interpreted::new(&systems[0]).expect("its blocks");
@@ -380,12 +381,12 @@ fn what_is_refused_of_forces_in_a_description_is_refused_at_run_time() {
             assert_eq!(blocks.explained(&same).to_string(), words);
             assert_eq!(*interpreted.parameters(), nominal);
         }
-        // Nothing need weigh, pull or rub; but what has a moment of inertia has a mass.
+        // Masses, springs and frictions may vanish; but a body with a moment of inertia has a mass.
         let mut zero = Parameters::default();
         zero.set(place, 0.0);
         let mut also = nominal.clone();
         also.set(place, 0.0);
-        let found = [
+        let refusals = [
             generated.set_parameters(&zero).map_err(|it| it.kind),
             interpreted.set_parameters(&also).map_err(|it| it.kind),
         ];
@@ -393,7 +394,7 @@ fn what_is_refused_of_forces_in_a_description_is_refused_at_run_time() {
             0 => Err(FailureKind::NotPositive { value: 0.0 }),
             _ => Ok(()),
         };
-        assert_eq!(found, [expected; 2], "{said}");
+        assert_eq!(refusals, [expected; 2], "{said}");
         generated
             .set_parameters(&Parameters::default())
             .expect("the defaults");
@@ -424,7 +425,7 @@ fn joints_that_share_have_the_forces_of_the_interpreter() {
         let [[dx, dy], [kx, ky]] = [frame.reaction_d(), frame.reaction_k()];
         let [[mx, my], [nx, ny]] = [frame.reaction_m(), frame.reaction_n()];
         let [[bx, by], [lx, ly]] = [frame.reaction_b(), frame.reaction_l()];
-        let found = [
+        let values = [
             ("effort_crank", frame.effort_crank()),
             ("power_crank", frame.power_crank()),
             ("reaction_a_x", ax),
@@ -444,9 +445,9 @@ fn joints_that_share_have_the_forces_of_the_interpreter() {
             ("reaction_n_x", nx),
             ("reaction_n_y", ny),
         ];
-        compare(&cranks, &found, t);
+        compare(&cranks, &values, t);
         let frame = two.advance(t).expect("a path");
-        let found = [
+        let values = [
             ("effort_lift", frame.effort_lift()),
             ("power_lift", frame.power_lift()),
             ("reaction_front_normal", frame.reaction_front_normal()),
@@ -454,6 +455,6 @@ fn joints_that_share_have_the_forces_of_the_interpreter() {
             ("reaction_back_normal", frame.reaction_back_normal()),
             ("reaction_back_moment", frame.reaction_back_moment()),
         ];
-        compare(&rails, &found, t);
+        compare(&rails, &values, t);
     }
 }

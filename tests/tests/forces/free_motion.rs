@@ -7,7 +7,7 @@ use linkwright_tests::multipliers::{Motion, Multipliers, apart};
 use linkwright_tests::simulated::PENDULUM;
 use nalgebra::DVector;
 
-/// Judges states of mechanisms; none goes to its end with a wrong result, and so many are compared.
+/// Judges states of mechanisms: no motion ends with a wrong result, and at least this number is compared.
 fn judge(names: &[&str], states: u64, seed: u64, least: usize) {
     let mut compared = 0;
     for name in names {
@@ -67,9 +67,9 @@ fn all_mechanisms_are_listed() {
     assert_eq!(listed, files);
 }
 
-/// What is no number is neither right nor a reference: not in a pose, not in a rate, not in a mass, not in an error.
+/// NaN is neither right nor a reference: not in a pose, not in a rate, not in a mass, not in an error.
 #[test]
-fn what_is_no_number_is_never_right() {
+fn nan_is_never_right() {
     let motion = |place: usize| {
         let numbers = |from: usize| {
             DVector::from_fn(3, |row, _| match from + row == place {
@@ -101,8 +101,8 @@ fn what_is_no_number_is_never_right() {
             pose: DVector::from_vec(vec![0.0, 0.0, 1.0]),
             rates: DVector::zeros(3),
         };
-        let found = reference.after(&start, 0.1, 1e-12, &mut 1e-3);
-        assert_eq!(found.is_some(), is_found, "{mass}");
+        let reached = reference.after(&start, 0.1, 1e-12, &mut 1e-3);
+        assert_eq!(reached.is_some(), is_found, "{mass}");
     }
     for (missed, is_wrong) in [(99.0, false), (101.0, true), (f64::NAN, true)] {
         let verdict = Verdict {

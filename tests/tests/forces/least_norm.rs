@@ -1,4 +1,5 @@
-//! What redundant joints carry with the least norm, against a pseudo-inverse of free bodies that are written out by hand.
+//! Reactions of redundant joints with the least norm, against a pseudo-inverse of free bodies that are written out by
+//! hand.
 
 use linkwright_codegen::diagnostic::Source;
 use linkwright_solver::dense::Dense;
@@ -8,23 +9,23 @@ use nalgebra::{DMatrix, DVector};
 
 const GRAVITY: [f64; 2] = [1.3, -9.81];
 
-/// What passes a force or a moment on to its second body, and the opposite to its first; body 0 is the ground.
+/// Force or moment on a second body and its opposite on a first one; body 0 is the ground.
 enum Passes {
-    /// A force through a point that has a name.
+    /// Force through a named point.
     Pin(&'static str, [usize; 2]),
-    /// A force to the left of a direction, at a place, and a moment about it.
+    /// Force to the left of a direction through a point, and a moment about it.
     Slide([usize; 2], [f64; 2], &'static str),
-    /// A force along the line between two points, with which they are pulled together.
+    /// Force along the line between two points; tension pulls them together.
     Rod([&'static str; 2], [usize; 2]),
-    /// The multiplier of an equation between angles: what turns the second body back, and the first on.
+    /// Multiplier of an equation between angles: it turns the second body back, and the first one forward.
     Angles([usize; 2]),
     /// A torque.
     Torque(usize),
-    /// A force along a direction through a point, of a driver.
+    /// Force of a driver along a direction through a point.
     Push(usize, [f64; 2], &'static str),
 }
 
-/// A mechanism with a driver, its weights, and what passes forces on: in the order of its reactions, then the driver.
+/// Mechanism with its weights, its reactions in order, and its driver last.
 struct Case {
     name: &'static str,
     text: String,
@@ -60,7 +61,7 @@ fn written(weights: &[Weight], names: &[&str]) -> String {
     )
 }
 
-/// Cranks of which two guide the coupler.
+/// Cranks, two of which suffice to guide the coupler.
 fn cranks(count: usize) -> Case {
     let mut text = "mechanism cranks {\n".to_string();
     let pivots = ["A", "B", "C", "D"];
@@ -105,7 +106,7 @@ fn cranks(count: usize) -> Case {
     }
 }
 
-/// Two cranks on a coupler, and an equation that repeats that they turn alike.
+/// Two cranks on a coupler, and a redundant equation of their angles.
 fn alike() -> Case {
     let Case {
         text,
@@ -124,7 +125,7 @@ fn alike() -> Case {
     }
 }
 
-/// A carriage on two rails, both of which hold its angle.
+/// Carriage on two rails, both of which constrain its angle.
 fn rails() -> Case {
     let weights = [weight(1)];
     let text = format!(
@@ -161,7 +162,7 @@ fn rails() -> Case {
     }
 }
 
-/// A platform on three rods, of which two are cranks' worth; its third one repeats them.
+/// Platform on three parallel rods, of which the third one is redundant.
 fn rods() -> Case {
     let weights: Vec<Weight> = (0..3).map(weight).collect();
     let text = format!(
@@ -195,7 +196,8 @@ fn rods() -> Case {
     }
 }
 
-/// The balance of every body as columns of what passes forces on, and the weights of the components; those of the driver have none.
+/// Balance of every body as columns of the reactions and the driver, and the weights of the components; the driver
+/// has none.
 fn balance(followed: &Followed, case: &Case, length: f64) -> (DMatrix<f64>, Vec<Option<f64>>) {
     let view = followed.shell.blocks();
     let outputs = &view.system().outputs;
@@ -263,11 +265,12 @@ fn balance(followed: &Followed, case: &Case, length: f64) -> (DMatrix<f64>, Vec<
     (DMatrix::from_columns(&columns), weights)
 }
 
-/// Of all x with B x = f that whose weighed components are least, by singular values: (1 − D D⁺) takes out what drivers do.
+/// Solution x of B x = f whose weighted components are least, by singular values: (1 − D D⁺) removes the part of the
+/// drivers.
 fn least(balance: &DMatrix<f64>, weights: &[Option<f64>], load: &DVector<f64>) -> DVector<f64> {
     let is_joint = |column: &usize| weights[*column].is_some();
     let (joints, drivers): (Vec<usize>, Vec<usize>) = (0..weights.len()).partition(is_joint);
-    let own = balance.select_columns(&joints);
+    let joint_balance = balance.select_columns(&joints);
     let driven = balance.select_columns(&drivers);
     let inverse = |matrix: &DMatrix<f64>| {
         let svd = matrix.clone().svd(true, true);
@@ -279,10 +282,10 @@ fn least(balance: &DMatrix<f64>, weights: &[Option<f64>], load: &DVector<f64>) -
         .iter()
         .map(|&column| 1.0 / weights[column].expect("a weight"));
     let scales = DVector::from_iterator(joints.len(), scales);
-    let scaled = &own * DMatrix::from_diagonal(&scales);
-    let found = inverse(&(&rest * scaled)) * (&rest * load);
-    let forces = found.component_mul(&scales);
-    let left = load - &own * &forces;
+    let scaled = &joint_balance * DMatrix::from_diagonal(&scales);
+    let least_norm = inverse(&(&rest * scaled)) * (&rest * load);
+    let forces = least_norm.component_mul(&scales);
+    let left = load - &joint_balance * &forces;
     let efforts = inverse(&driven) * left;
     let mut all = DVector::zeros(weights.len());
     for (place, &column) in joints.iter().enumerate() {
@@ -315,26 +318,26 @@ fn redundant_joints_carry_the_smallest_forces_that_balance_every_body() {
             let expected = least(&balance, &weights, &-&acts);
             let all = followed.all();
             let of = |word: &str| -> Vec<f64> {
-                let own = all.iter().filter(|(name, _)| name.starts_with(word));
-                own.map(|(_, value)| *value).collect()
+                let named = all.iter().filter(|(name, _)| name.starts_with(word));
+                named.map(|(_, value)| *value).collect()
             };
-            let found: Vec<f64> = [of("reaction"), of("effort")].concat();
-            let found = DVector::from_vec(found);
-            // All equations at once give the same.
+            let components: Vec<f64> = [of("reaction"), of("effort")].concat();
+            let components = DVector::from_vec(components);
+            // All equations at once give equal forces.
             let at_once = dense.forces(followed.instant()).expect("regular");
             for ((name, one), other) in all.iter().zip(at_once) {
                 assert!(
-                    (one - other).abs() <= 1e-11 * found.amax(),
+                    (one - other).abs() <= 1e-11 * components.amax(),
                     "{} {name}: {one} {other}",
                     case.name
                 );
             }
-            assert_eq!(found.len(), expected.len(), "{}: {all:?}", case.name);
+            assert_eq!(components.len(), expected.len(), "{}: {all:?}", case.name);
             let largest = expected.amax();
             // Each body is balanced, and the forces are those of the least norm.
-            let left = (&balance * &found + &acts).amax();
+            let left = (&balance * &components + &acts).amax();
             assert!(left <= 1e-12 * largest, "{} {step}: {left}", case.name);
-            let missed = (&found - &expected).amax();
+            let missed = (&components - &expected).amax();
             assert!(
                 missed <= 1e-11 * largest,
                 "{} {step}: {missed}\n{all:?}\n{expected}",
@@ -344,7 +347,7 @@ fn redundant_joints_carry_the_smallest_forces_that_balance_every_body() {
     }
 }
 
-/// Which of the joints is said to repeat the others makes no difference.
+/// The least-norm reactions do not depend on the joint that is marked as redundant.
 #[test]
 fn the_smallest_forces_do_not_depend_on_which_joint_is_marked() {
     let text = cranks(3).text;
@@ -366,7 +369,7 @@ fn the_smallest_forces_do_not_depend_on_which_joint_is_marked() {
     }
 }
 
-/// Two hinges in line carry one half each.
+/// Two collinear hinges carry one half each.
 #[test]
 fn two_hinges_carry_one_half_each() {
     let text = "mechanism door {
@@ -385,19 +388,22 @@ fn two_hinges_carry_one_half_each() {
     let (sine, cosine) = 0.3_f64.sin_cos();
     let half = [-3.0 * cosine * 0.09, 0.5 * (3.0 * 9.81 - 6.0 * sine * 0.09)];
     for name in ["reaction_o", "reaction_p"] {
-        let found = ["x", "y"].map(|axis| door.value(&format!("{name}_{axis}")));
-        assert!((found[0] - half[0]).abs() <= 1e-14, "{name}: {found:?}");
+        let reaction = ["x", "y"].map(|axis| door.value(&format!("{name}_{axis}")));
         assert!(
-            (found[1] - half[1]).abs() <= 1e-14 * 30.0,
-            "{name}: {found:?}"
+            (reaction[0] - half[0]).abs() <= 1e-14,
+            "{name}: {reaction:?}"
+        );
+        assert!(
+            (reaction[1] - half[1]).abs() <= 1e-14 * 30.0,
+            "{name}: {reaction:?}"
         );
     }
 }
 
 fn errors(text: &str) -> String {
     let source = Source::new("door.mech", text);
-    let found = linkwright_codegen::read(&source).expect_err("an error");
-    found.render(&source)
+    let findings = linkwright_codegen::read(&source).expect_err("an error");
+    findings.render(&source)
 }
 
 #[test]
@@ -425,7 +431,7 @@ fn it_is_asked_for_where_there_is_a_choice() {
             "or write `least_norm;` for the smallest of all answers",
         ),
     ] {
-        let said = errors(&text.replace(from, to));
-        assert!(said.contains(message), "{said}");
+        let rendered = errors(&text.replace(from, to));
+        assert!(rendered.contains(message), "{rendered}");
     }
 }

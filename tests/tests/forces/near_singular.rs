@@ -3,7 +3,8 @@
 use linkwright_solver::simulation::{Simulation, Stop};
 use linkwright_tests::simulated::{coordinate, energy, options, simulation};
 
-/// Moves a simulation to angles of its crank at times, which were found by DOP853 with multipliers at 1e-12 and by t = ∫ sqrt(M/2E) dφ.
+/// Moves a simulation to angles of its crank at times computed by DOP853 with multipliers at 1e-12 and by t = ∫
+/// sqrt(M/2E) dφ.
 fn passes(simulation: &mut Simulation, angles: &[(f64, f64)]) {
     for &(t, expected) in angles {
         simulation.advance(t).expect("no end");
@@ -47,7 +48,7 @@ fn a_rocker_that_nearly_folds_keeps_its_motion() {
     }
 }
 
-/// A five-bar with two free cranks, each pushed by a constant torque.
+/// Five-bar with two free cranks, each loaded by a constant torque.
 const FIVE_BAR: &str = "mechanism five_bar_folds {
     point A = (0, 0), E = (0.6, 0);
     body left  at (0, 0, 70deg)      { A: (0, 0), B: (0.33, 0) }
@@ -69,15 +70,16 @@ const FIVE_BAR: &str = "mechanism five_bar_folds {
     energy;
 }";
 
-/// What is called free is singular on the way, where the upper and the lower link are in line; the mechanism is not.
+/// The free coordinates become singular in between, where the upper and the lower link are collinear; the mechanism
+/// does not.
 #[test]
 fn a_five_bar_folds_and_goes_on() {
     let mut folds = simulation(FIVE_BAR, 1.1, options(1e-11));
     folds.advance(1.1).expect("no end");
-    let found = ["phi_left", "phi_right"].map(|name| coordinate(&folds, name)[0]);
+    let angles = ["phi_left", "phi_right"].map(|name| coordinate(&folds, name)[0]);
     // All 12 coordinates integrated with multipliers at 1e-12.
-    assert!((found[0] - 0.376_470_1).abs() <= 1e-6, "{found:?}");
-    assert!((found[1] + 3.494_677_4).abs() <= 1e-6, "{found:?}");
+    assert!((angles[0] - 0.376_470_1).abs() <= 1e-6, "{angles:?}");
+    assert!((angles[1] + 3.494_677_4).abs() <= 1e-6, "{angles:?}");
     let upper = coordinate(&folds, "phi_upper")[0] - coordinate(&folds, "phi_lower")[0];
     assert!((upper.sin() - 0.032_79).abs() <= 1e-4, "{upper}");
 }
@@ -116,7 +118,7 @@ fn a_slider_that_nearly_stands_still_keeps_its_motion() {
     assert!((energy(&slider) - 13.383_319_706_2).abs() <= 1e-7);
 }
 
-/// Another five-bar, whose energy is what its torques have worked.
+/// Another five-bar, whose energy is the work of its torques.
 const GAINING: &str = "mechanism five_bar_gains {
     point A = (0, 0), E = (0.48, 0);
     body left at (0, 0, 135deg) { A: (0, 0), B: (0.3, 0) }
@@ -142,16 +144,16 @@ const GAINING: &str = "mechanism five_bar_gains {
 fn a_five_bar_gains_what_its_torques_work() {
     let mut gains = simulation(GAINING, 1.2, options(1e-10));
     gains.advance(1.2).expect("no end");
-    let found = ["phi_left", "phi_right"].map(|name| coordinate(&gains, name)[0]);
+    let angles = ["phi_left", "phi_right"].map(|name| coordinate(&gains, name)[0]);
     // All 12 coordinates integrated with multipliers at 1e-12.
-    assert!((found[0] - 0.633_502_2).abs() <= 1e-6, "{found:?}");
-    assert!((found[1] - 2.442_418_7).abs() <= 1e-6, "{found:?}");
+    assert!((angles[0] - 0.633_502_2).abs() <= 1e-6, "{angles:?}");
+    assert!((angles[1] - 2.442_418_7).abs() <= 1e-6, "{angles:?}");
     let work = gains.added_work().expect("on the step");
     assert!((energy(&gains) - 0.885_739_1).abs() <= 1e-6);
     assert!((work - 0.885_739_1).abs() <= 1e-6, "{work}");
 }
 
-/// Equal cranks, whose coupler is longer than the distance of their pivots by this.
+/// Equal cranks, whose coupler exceeds the distance of their pivots by this length.
 fn cranks(longer: f64) -> String {
     let right = 1.1 + longer;
     format!(
@@ -206,15 +208,15 @@ fn branches_with_a_gap_are_not_crossed() {
     }
 }
 
-/// With a tolerance that shows nothing of the motion, the balance of the energy ends it.
+/// If a tolerance hides the motion, the energy balance ends the simulation.
 #[test]
 fn a_motion_that_loses_its_energy_ends() {
     let mut rocker = simulation(ROCKER, 5.0, options(1e-2));
     let stop = rocker.advance(5.0).expect_err("out of balance");
     assert!(matches!(stop, Stop::Unbalanced { .. }), "{stop:?}");
-    let said = stop.explained(rocker.view(), rocker.frame());
+    let message = stop.explained(rocker.view(), rocker.frame());
     assert!(
-        said.contains("the energy is out of balance at t = "),
-        "{said}"
+        message.contains("the energy is out of balance at t = "),
+        "{message}"
     );
 }

@@ -1,4 +1,5 @@
-//! What forces move, against closed solutions in elliptic functions, against 28 digits of Andrews' mechanism, and against energy.
+//! Simulated motions against closed solutions in elliptic functions, against 28 digits of Andrews' mechanism, and
+//! against energy.
 
 use linkwright::Signal;
 use linkwright_solver::simulation::{ReducedMotion, Simulation, Stop};
@@ -21,9 +22,9 @@ fn a_pendulum_swings_as_elliptic_functions_do() {
         let t = 0.1 * f64::from(step);
         pendulum.advance(t).expect("no end");
         let [angle, rate] = swung(t);
-        let found = coordinate(&pendulum, "phi_bob");
-        assert!((found[0] - angle).abs() <= 1e-9, "{t}: {found:?} {angle}");
-        assert!((found[1] - rate).abs() <= 1e-9, "{t}: {found:?} {rate}");
+        let bob = coordinate(&pendulum, "phi_bob");
+        assert!((bob[0] - angle).abs() <= 1e-9, "{t}: {bob:?} {angle}");
+        assert!((bob[1] - rate).abs() <= 1e-9, "{t}: {bob:?} {rate}");
         assert!((energy(&pendulum) - first).abs() <= 1e-9 * 3.0 * 9.81 * 4.0);
     }
 }
@@ -82,7 +83,7 @@ fn andrews_mechanism_arrives_where_it_should() {
     let against = |body: usize, of: usize| {
         [0, 1].map(|level| bodies[body - 1][level] - bodies[of - 1][level])
     };
-    let found = [
+    let motion = [
         bodies[0],
         against(2, 1),
         bodies[2],
@@ -92,9 +93,9 @@ fn andrews_mechanism_arrives_where_it_should() {
         bodies[6],
     ];
     let mut worst = [0.0_f64; 2];
-    for (found, expected) in found.iter().zip(&ANDREWS) {
+    for (motion, expected) in motion.iter().zip(&ANDREWS) {
         for level in 0..2 {
-            let error = ((found[level] - expected[level]) / expected[level]).abs();
+            let error = ((motion[level] - expected[level]) / expected[level]).abs();
             worst[level] = worst[level].max(error);
         }
     }
@@ -103,7 +104,7 @@ fn andrews_mechanism_arrives_where_it_should() {
     assert!(effort.evaluations <= 2500, "{effort:?}");
 }
 
-/// Two coordinates push one another: the accelerations of a double pendulum of two points, from Lagrange's equations written out.
+/// Two coupled free coordinates: the accelerations of a double pendulum of two points, from Lagrange's equations.
 #[test]
 fn a_double_pendulum_has_the_accelerations_of_the_textbook() {
     let (m, n, l, k, g) = (1.5, 0.7, 0.9, 0.6, 9.81);
@@ -144,24 +145,24 @@ fn a_double_pendulum_has_the_accelerations_of_the_textbook() {
         let reduced = motion.acceleration(&frame).expect("masses");
         let matrix = motion.mass(&frame);
         let accelerations = start.frame().qdd();
-        let found = [accelerations[2], accelerations[5]];
-        for (one, other) in reduced.iter().zip(found) {
+        let free_accelerations = [accelerations[2], accelerations[5]];
+        for (one, other) in reduced.iter().zip(free_accelerations) {
             assert!((one - other).abs() <= 1e-12 * one.abs().max(100.0));
         }
         for (place, entry) in [((0, 0), 0), ((1, 0), 1), ((0, 1), 1), ((1, 1), 2)] {
             assert!((matrix[place] - mass[entry]).abs() <= 1e-14 * mass[0]);
         }
-        for (found, expected) in reduced.iter().zip(expected) {
+        for (free_accelerations, expected) in reduced.iter().zip(expected) {
             let size = expected.abs().max(100.0);
             assert!(
-                (found - expected).abs() <= 1e-13 * size,
-                "{case}: {found} {expected}"
+                (free_accelerations - expected).abs() <= 1e-13 * size,
+                "{case}: {free_accelerations} {expected}"
             );
         }
     }
 }
 
-/// What is free of it: it starts upright at 1 m/s.
+/// Free coordinate: it starts upright at 1 m/s.
 const FREE_TURN: &str = "free turn: phi(link0) = pi/2 rate -1;";
 
 /// On the parallelogram θ = 2 am(t/2 | −4 W g/I) with I = (N + 1)/3 + N and W = (N + 1)/2 + N, to 20 digits: B0 at t = 1, 4 and 10 s.
@@ -178,14 +179,11 @@ fn an_n_four_bar_goes_straight_through_its_flat_poses() {
     for (t, expected) in N_FOUR_BAR {
         bars.advance(t).expect("no end");
         let [angle, _] = coordinate(&bars, "phi_link0");
-        let found = [angle.cos(), angle.sin()];
+        let tip = [angle.cos(), angle.sin()];
         for axis in 0..2 {
-            assert!(
-                (found[axis] - expected[axis]).abs() <= 1e-9,
-                "{t}: {found:?}"
-            );
+            assert!((tip[axis] - expected[axis]).abs() <= 1e-9, "{t}: {tip:?}");
         }
-        // It is still the parallelogram.
+        // The bars are still a parallelogram.
         let [bar, _] = coordinate(&bars, "phi_bar1");
         assert!(bar.sin().abs() <= 1e-9 && bar.cos() > 0.0, "{t}: {bar}");
         assert!((energy(&bars) - first).abs() <= 1e-9 * 70.0);
@@ -193,7 +191,7 @@ fn an_n_four_bar_goes_straight_through_its_flat_poses() {
     assert_eq!(bars.passed().len(), 10, "{:?}", bars.passed());
 }
 
-/// What a damper takes and a torque brings is what the energy changes by.
+/// The energy changes by the work of a torque less the loss in a damper.
 #[test]
 fn work_and_energy_balance() {
     let text = PENDULUM.replace(
@@ -212,9 +210,9 @@ fn work_and_energy_balance() {
     assert!(largest > 10.0);
 }
 
-/// A free coordinate that moves nothing with a mass has no acceleration.
+/// A free coordinate that moves no mass has no acceleration.
 #[test]
-fn what_has_no_mass_has_no_acceleration() {
+fn massless_coordinates_have_no_acceleration() {
     let text = "mechanism weightless {
         point O = (0, 0), Q = (1, 0);
         body one at O { O }
@@ -235,11 +233,12 @@ fn what_has_no_mass_has_no_acceleration() {
             coordinates: vec![1]
         }
     );
-    let said = stop.not_begun(&view);
-    assert!(said.contains("`free b: phi(other)`"), "{said}");
+    let message = stop.not_begun(&view);
+    assert!(message.contains("`free b: phi(other)`"), "{message}");
 }
 
-/// x = (1 − t)·φ moves a mass m, so that the reduced mass m·(1 − t)² of φ vanishes at t = 1 s. The other free coordinate keeps its own.
+/// x = (1 − t)·φ moves a mass m, so that the reduced mass m·(1 − t)² of φ vanishes at t = 1 s. The other free
+/// coordinate keeps its mass.
 #[test]
 fn a_coordinate_that_loses_its_mass_is_named_alone() {
     let text = "mechanism fading {
@@ -257,7 +256,7 @@ fn a_coordinate_that_loses_its_mass_is_named_alone() {
         mass slide = 2kg;
         mass wheel = 1kg inertia 0.5;
     }";
-    // The free coordinates in the other order have the other places.
+    // Free coordinates in the other order have the other indices.
     let turned = text.replace("free a: phi(arm) = 0;", "");
     let turned = turned.replace("mass slide", "free a: phi(arm) = 0; mass slide");
     for (text, place) in [(text, 0), (turned.as_str(), 1)] {
@@ -305,7 +304,7 @@ fn generated_code_has_the_reduced_mass_and_force_of_the_interpreter() {
     }
 }
 
-/// What the interpreter was solved with.
+/// Inputs of the interpreter.
 fn generated_inputs(simulation: &Simulation) -> free_linkage::Inputs {
     let system = simulation.view().system();
     let [turn, swing] = [0, 1].map(|input: usize| {

@@ -16,14 +16,14 @@ fn a_strong_damper_costs_little() {
         for relative in [1e-6, 1e-8, 1e-10] {
             let automatic = options(Method::Automatic, relative);
             let run = |damper, motion| {
-                let found = damped.compared(damper, motion, END, automatic);
-                found.expect("no end")
+                let comparison = damped.compared(damper, motion, END, automatic);
+                comparison.expect("no end")
             };
-            let found: [Found; 2] = [run(10.0, &weak), run(1e6, &strong)];
-            for it in &found {
+            let runs: [Found; 2] = [run(10.0, &weak), run(1e6, &strong)];
+            for it in &runs {
                 assert!(it.error <= 300.0 * relative, "{damped:?} {relative} {it:?}");
             }
-            let [weak, strong] = found.map(|it| it.effort);
+            let [weak, strong] = runs.map(|it| it.effort);
             assert_eq!(weak.implicit, 0, "{weak:?}");
             assert!(strong.implicit > 0, "{strong:?}");
             if relative == 1e-6 {
@@ -44,24 +44,21 @@ fn a_method_can_be_forced() {
         let motion = damped.motion(damper, END);
         for relative in [1e-6, 1e-9] {
             let implicit = options(Method::Implicit, relative);
-            let found = damped.compared(damper, &motion, END, implicit);
-            let found = found.expect("no end");
-            assert!(
-                found.error <= 300.0 * relative,
-                "{damper} {relative} {found:?}"
-            );
-            assert_eq!(found.effort.implicit, found.effort.steps);
+            let run = damped.compared(damper, &motion, END, implicit);
+            let run = run.expect("no end");
+            assert!(run.error <= 300.0 * relative, "{damper} {relative} {run:?}");
+            assert_eq!(run.effort.implicit, run.effort.steps);
         }
         let explicit = damped.compared(damper, &motion, END, options(Method::Explicit, 1e-6));
         let explicit = explicit.expect("no end");
         assert!(explicit.error <= 300.0 * 1e-6, "{damper} {explicit:?}");
         assert_eq!(explicit.effort.implicit, 0);
-        // No step is longer than 6.1 in times of the decay, which is 1e4/3 per s or faster.
+        // No step is longer than 6.1 decay times; the decay rate is at least 1e4/3 per s.
         assert!(damper < 1e4 || explicit.effort.steps >= 540, "{explicit:?}");
     }
 }
 
-/// A pendulum without any damper keeps its energy by implicit steps, and is where elliptic functions say.
+/// A pendulum without damping keeps its energy with implicit steps and follows the elliptic functions.
 #[test]
 fn implicit_steps_keep_the_energy() {
     let mut pendulum = simulation(PENDULUM, 5.0, options(Method::Implicit, 1e-9));
@@ -76,7 +73,7 @@ fn implicit_steps_keep_the_energy() {
     }
 }
 
-/// A damping that fades: steps become explicit again once it no longer matters.
+/// Steps become explicit again once a fading damping no longer matters.
 #[test]
 fn steps_are_explicit_again_when_a_motion_is_no_longer_stiff() {
     let text = Damped::Cart.text(0.0).replace(
@@ -103,17 +100,17 @@ fn steps_are_explicit_again_when_a_motion_is_no_longer_stiff() {
 fn compared(chain: DampedChain) -> [Found; 3] {
     let motion = chain.motion(2.0);
     [1e-4, 1e-6, 1e-8].map(|relative| {
-        let found = chain.compared(&motion, 2.0, options(Method::Automatic, relative));
-        let found = found.expect("no end");
+        let comparison = chain.compared(&motion, 2.0, options(Method::Automatic, relative));
+        let comparison = comparison.expect("no end");
         assert!(
-            found.error <= 20.0 * relative,
-            "{chain:?} {relative} {found:?}"
+            comparison.error <= 20.0 * relative,
+            "{chain:?} {relative} {comparison:?}"
         );
-        found
+        comparison
     })
 }
 
-/// Dampers between bodies that both turn hold them like one body: errors stay within tolerances, however strong they are.
+/// Dampers between two turning bodies make them move as one body: errors stay within tolerances for any damping.
 #[test]
 fn dampers_between_turning_bodies_leave_small_errors() {
     let about = [10.0, 1e3, 1e6, 1e8, 1e10].map(|damper| (Element::Joint, damper));
@@ -129,7 +126,7 @@ fn dampers_between_turning_bodies_leave_small_errors() {
     }
 }
 
-/// Torques and forces whose formulas are those of dampers hold as dampers do.
+/// Torques and forces whose formulas are those of dampers act as dampers do.
 #[test]
 fn dampers_written_by_hand_leave_small_errors() {
     let torques = [1e5, 1e7, 1e8].map(|damper| (Element::Torques, damper));
@@ -148,7 +145,7 @@ fn dampers_written_by_hand_leave_small_errors() {
     }
 }
 
-/// What a strong damper holds is found to rounding, which tolerances near it do not take for a step that is too long.
+/// The force of a strong damper is exact to rounding; tolerances near rounding do not make its step look too long.
 #[test]
 fn tolerances_near_rounding_are_kept() {
     for (element, damper) in [
@@ -163,32 +160,29 @@ fn tolerances_near_rounding_are_kept() {
         };
         let motion = chain.motion(2.0);
         for (relative, most) in [(1e-11, 10_000), (1e-12, 15_000)] {
-            let found = chain.compared(&motion, 2.0, options(Method::Automatic, relative));
-            let found = found.expect("no end");
+            let run = chain.compared(&motion, 2.0, options(Method::Automatic, relative));
+            let run = run.expect("no end");
             assert!(
-                found.error <= 20.0 * relative && found.effort.evaluations <= most,
-                "{chain:?} {relative} {found:?}"
+                run.error <= 20.0 * relative && run.effort.evaluations <= most,
+                "{chain:?} {relative} {run:?}"
             );
         }
     }
 }
 
-/// A drag whose direction no coordinate has takes thousands of steps; what they miss does not add up.
+/// A drag along no coordinate takes thousands of steps; their errors do not accumulate.
 #[test]
 fn a_drag_that_turns_leaves_small_errors() {
     for drag in [10.0, 1e4, 1e6, 1e8] {
         for relative in [1e-4, 1e-6, 1e-8] {
-            let found = Sled { drag }.compared(2.0, options(Method::Automatic, relative));
-            let found = found.expect("no end");
-            assert!(
-                found.error <= 20.0 * relative,
-                "{drag} {relative} {found:?}"
-            );
+            let run = Sled { drag }.compared(2.0, options(Method::Automatic, relative));
+            let run = run.expect("no end");
+            assert!(run.error <= 20.0 * relative, "{drag} {relative} {run:?}");
         }
     }
 }
 
-/// Steps that stability limits are not taken for accurate ones: there the estimate of their error misses what adds up.
+/// Steps limited by stability do not count as accurate ones: their error estimate misses the accumulated error.
 #[test]
 fn steps_that_stability_limits_become_implicit() {
     let chain = DampedChain {
@@ -198,9 +192,9 @@ fn steps_that_stability_limits_become_implicit() {
     };
     let motion = chain.motion(2.0);
     for relative in [1e-6, 1e-7] {
-        let found = chain.compared(&motion, 2.0, options(Method::Automatic, relative));
-        let found = found.expect("no end");
-        assert!(found.error <= 20.0 * relative, "{relative} {found:?}");
-        assert!(found.effort.implicit > 0, "{found:?}");
+        let run = chain.compared(&motion, 2.0, options(Method::Automatic, relative));
+        let run = run.expect("no end");
+        assert!(run.error <= 20.0 * relative, "{relative} {run:?}");
+        assert!(run.effort.implicit > 0, "{run:?}");
     }
 }

@@ -1,4 +1,5 @@
-//! What the drivers transmit: T ṡ is the velocity, virtual work is conserved, closed forms, the textbook view, singular poses.
+//! Transmissions of the drivers: T ṡ is the velocity, virtual work is conserved, closed forms, the textbook
+//! formulation, singular poses.
 
 use std::path::Path;
 
@@ -11,18 +12,18 @@ use linkwright_codegen::stages::system::System;
 use linkwright_solver::textbook::TextbookEquations;
 use linkwright_tests::values::{Levels, assembled, levels, point_names};
 
-/// One transmission of one frame.
+/// Transmission of one frame.
 pub struct Sample {
     name: &'static str,
-    /// The velocity of the point, or the rate of the coordinate.
+    /// Velocity of the point, or rate of the coordinate.
     velocity: Vec<f64>,
-    /// T: a row for each component, a column for each driver.
+    /// Matrix T: a row for each component, a column for each driver.
     transmission: DMatrix<f64>,
-    /// What the loads do to the drivers.
+    /// Forces of the loads on the drivers.
     forces: DVector<f64>,
 }
 
-/// One frame of a mechanism.
+/// Frame of a mechanism.
 pub struct Instant {
     t: f64,
     q: Vec<f64>,
@@ -31,13 +32,13 @@ pub struct Instant {
     samples: Vec<Sample>,
 }
 
-/// The frames at these times.
+/// Frames at these times.
 type Follow = fn(&[f64]) -> Vec<Levels>;
 
-/// A mechanism of which every point and every angle is asked for.
+/// Mechanism with the transmissions of every point and every angle.
 pub struct Transmitting {
     name: &'static str,
-    /// The frames at these times, with the samples under a load.
+    /// Frames at these times, with the samples under a load.
     sample: fn(&[f64], [f64; 2]) -> Vec<Instant>,
     /// q, q̇ and q̈ of the mechanism without transmissions.
     original: Option<Follow>,
@@ -45,7 +46,7 @@ pub struct Transmitting {
 
 type Frame<M> = <<M as Mechanism>::Blocks as Blocks>::Frame;
 
-/// What is asked of a point or of a coordinate.
+/// Functions of a point or of a coordinate.
 pub struct Quantity<F> {
     name: &'static str,
     transmission: fn(&F) -> DMatrix<f64>,
@@ -64,7 +65,7 @@ where
     let points = point_names(&blocks);
     let mut instants = Vec::new();
     for &t in times {
-        // One mechanism folds on the way; nothing is known of it afterwards.
+        // One mechanism folds; nothing is known of its later motion.
         let Ok(frame) = shell.advance(t, &inputs) else {
             break;
         };
@@ -146,7 +147,7 @@ fn times() -> Vec<f64> {
 const LOAD: [f64; 2] = [0.7, -1.3];
 
 impl Transmitting {
-    /// The equations with the transmission of every point and angle.
+    /// Equations with the transmission of every point and angle.
     fn system(&self) -> System {
         let folder = Path::new(env!("OUT_DIR")).join("transmitting");
         let path = folder.join(format!("{}.mech", self.name));
@@ -159,7 +160,7 @@ impl Transmitting {
             .clone()
     }
 
-    /// ṡ at these times: the derivatives of what the drivers prescribe, in written order.
+    /// Rates ṡ at these times: the derivatives of the drivers' laws, in written order.
     fn driver_rates(&self) -> Vec<DVector<f64>> {
         let mut system = self.system();
         let mechanism = &mut system.mechanism;
@@ -183,11 +184,11 @@ impl Transmitting {
     }
 }
 
-/// The largest sum of the terms of T ṡ: what rounding is judged against, since points that rest do so as a difference.
+/// Largest sum of the terms of T ṡ: scale for rounding, since points at rest are a difference of these terms.
 fn fastest(instant: &Instant, rates: &DVector<f64>) -> f64 {
     let terms = |sample: &Sample| (sample.transmission.abs() * rates.abs()).max();
     let largest = instant.samples.iter().map(terms).fold(0.0, f64::max);
-    // Where all drivers rest, everything does.
+    // If all drivers rest, everything does.
     if largest == 0.0 { 1.0 } else { largest }
 }
 
@@ -258,7 +259,7 @@ fn a_transmission_does_not_change_the_motion() {
     assert!(compared > 5 * TIMES);
 }
 
-/// Φ_q X = −Φ_δ of the textbook view as one dense system, at the pose that generated code found.
+/// Φ_q X = −Φ_δ of the textbook formulation as one dense system, at the pose of generated code.
 #[test]
 fn the_textbook_view_transmits_the_same() {
     for mechanism in ALL {
@@ -356,7 +357,7 @@ fn the_legs_of_a_platform_move_as_they_are_driven() {
     }
 }
 
-/// Where crank and rod come in line the transmission grows without limit; what is returned is finite, or a failure.
+/// If crank and rod become collinear the transmission grows without limit; the result is finite, or a failure.
 #[test]
 fn a_singular_pose_is_a_failure_and_never_infinite() {
     let mut mechanism = folding::TransmittingFolding::assemble(0.0).expect("as drawn");
@@ -382,7 +383,7 @@ fn a_singular_pose_is_a_failure_and_never_infinite() {
     assert_eq!(mechanism.frame().transmission_phi2(), before);
 }
 
-/// Only the pose and what is transmitted are computed, and they are those of the mechanism that is asked for everything.
+/// Only the pose and the transmissions are computed, and they equal those of the mechanism with all requests.
 #[test]
 fn a_transmission_needs_no_velocities() {
     let whole = ALL
@@ -414,7 +415,7 @@ fn a_transmission_needs_no_velocities() {
     let read = linkwright_codegen::read(&source).expect("no errors");
     let report = linkwright_codegen::stages::report(&read.only().expect("one motion"))
         .expect("it is determined");
-    // The reciprocal of the determinant is what velocities would share with the transmission.
+    // Velocities would share only the reciprocal of the determinant with the transmission.
     assert_eq!(report.operations[1].total(), 1);
     assert_eq!(report.operations[2].total(), 0);
     assert!(report.transmission.expect("it is asked for").total() < 20);

@@ -1,7 +1,7 @@
-//! Work follows the size of a description: in proportion, and where that is not enough, up to a bound that names a statement.
+//! Work is proportional to the size of a description, or ends at a bound that names a statement.
 //!
-//! Work is counted in the terms and factors that the stages build. What they build none for is measured by the clock, as the ratio
-//! of two sizes on the same machine one after the other.
+//! Work is counted in the terms and factors that the stages build. Work without these is measured by the clock, as
+//! the ratio of two sizes on one machine one after the other.
 
 use std::time::Instant;
 
@@ -16,7 +16,7 @@ fn source(text: String) -> Source {
     Source::new("large.mech", text)
 }
 
-/// The terms and factors that all stages up to the program touch and store.
+/// Terms and factors that all stages up to the program read and store.
 fn work(kind: &Kind, n: usize) -> usize {
     let source = source((kind.text)(n));
     let read =
@@ -29,7 +29,7 @@ fn work(kind: &Kind, n: usize) -> usize {
     graph.work() + graph.store() + graph.node_count()
 }
 
-/// The first error, which must mark a part of the text.
+/// First error, which must mark a part of the text.
 fn refusal(source: &Source, found: Diagnostics) -> (Code, String) {
     let rendered = found.render(source);
     let sorted = found.into_sorted();
@@ -46,7 +46,7 @@ fn refusal(source: &Source, found: Diagnostics) -> (Code, String) {
 fn terms_and_factors_grow_in_proportion_to_the_text() {
     for kind in KINDS {
         let [short, long] = [60, 240].map(|n| work(&kind, n));
-        // In proportion 4-fold; a product of n factors n log² n, below 8-fold.
+        // Proportional work is 4-fold; a product of n factors takes n log² n, below 8-fold.
         assert!(
             long < 8 * short,
             "{}: {short} for 60 and {long} for 240",
@@ -55,7 +55,7 @@ fn terms_and_factors_grow_in_proportion_to_the_text() {
     }
 }
 
-/// The characters of the pages and of the module.
+/// Characters of the pages and of the module.
 fn printed(kind: &Kind, n: usize) -> [usize; 3] {
     let source = source((kind.text)(n));
     let read =
@@ -77,7 +77,7 @@ fn pages_and_modules_grow_in_proportion_to_the_text() {
             .iter()
             .zip(short.into_iter().zip(long))
         {
-            // In proportion 4-fold; what n log² n terms make is broken into lines, below 9-fold.
+            // Proportional text is 4-fold; n log² n terms are broken into lines, below 9-fold.
             assert!(
                 long < 9 * short,
                 "{}, {page}: {short} for 30 and {long} for 120",
@@ -111,7 +111,7 @@ fn nested_formulas_are_printed_as_graphs() {
                     .chain([equations, module.code().to_string()]);
                 all.map(|text| text.len()).sum::<usize>()
             };
-            // Each level adds as much as the one before; written out it would double or triple the formula.
+            // Each level adds a constant length; written out it would double or triple the formula.
             let [low, middle, high] = [16, 24, 32].map(length);
             assert!(
                 high < 2 * middle && middle < 2 * low.max(8000),
@@ -123,7 +123,7 @@ fn nested_formulas_are_printed_as_graphs() {
 
 #[test]
 fn a_long_chain_of_operations_is_written_in_steps() {
-    // The formatter walks a chain by recursion, on the stack of the thread of a test.
+    // The formatter walks a chain by recursion, on the stack of a test's thread.
     for between in [" + ", "*"] {
         let terms: Vec<String> = (1..3000).map(|k| format!("sin({k}*t)")).collect();
         let before = "mechanism long {\n    body 1 at (0, 0);\n    absolute_x(1) = 0;\n    absolute_y(1) = 0;\n";
@@ -154,15 +154,15 @@ fn seconds(kind: &Kind, n: usize) -> f64 {
     start.elapsed().as_secs_f64()
 }
 
-/// The length of the shorter text: what compares each part with every other takes most of the time for the longer one.
+/// Length of the shorter text: for the longer one, a comparison of all pairs would take most of the time.
 const BYTES: usize = 12_000;
 
 #[test]
 fn time_grows_in_proportion_to_the_text() {
     for kind in KINDS.iter().chain(&MISTAKES) {
         let n = 100 * BYTES / (kind.text)(100).len();
-        // Four times the text takes four times as long, and sixteen times where each part is compared with every other. On a busy
-        // machine a measurement may be off, so the best of a few counts.
+        // Four times the text takes four times as long, and sixteen times if each part is compared with every other.
+        // On a busy machine a measurement may be off, so that the best of a few counts.
         let mut ratios = Vec::new();
         while ratios.len() < 5 && ratios.iter().all(|&ratio| ratio > 8.0) {
             ratios.push(seconds(kind, 4 * n) / seconds(kind, n));
@@ -179,14 +179,14 @@ fn time_grows_in_proportion_to_the_text() {
 fn every_function_is_nested_through_names_up_to_a_bound() {
     for formula in NESTS {
         for from_parameter in [false, true] {
-            // Shallow nests are answered, and walked on the stack of a thread of a test.
+            // Shallow nests are accepted, and walked on the stack of a test's thread.
             let shallow = source(large::nest(formula, from_parameter, 30));
             if let Err(errors) = read(&shallow) {
                 panic!("{formula}: {}", errors.render(&shallow));
             }
             let deep = source(large::nest(formula, from_parameter, 2000));
             match read(&deep) {
-                // Numbers that are always the same end a nest.
+                // Constant numbers end a nest.
                 Ok(read) => {
                     let system = read.only().expect("one motion");
                     assert!(system.mechanism.graph.node_count() < 20_000, "{formula}");
@@ -202,7 +202,7 @@ fn every_function_is_nested_through_names_up_to_a_bound() {
 }
 
 #[test]
-fn what_is_shared_stays_shared() {
+fn shared_expressions_stay_shared() {
     // Written out the formula has 3^25 terms.
     let source = source(large::nest("sin(@)*cos(@) + @", true, 25));
     let read = read(&source).unwrap_or_else(|errors| panic!("{}", errors.render(&source)));
@@ -213,20 +213,20 @@ fn what_is_shared_stays_shared() {
     assert!(nodes < 2000, "{nodes}");
 }
 
-/// That a description is refused, and what the first error marks.
+/// Checks that a description is refused, and returns the text that the first error marks.
 fn refused(text: String, code: Code) -> String {
     let source = source(text);
-    let found = match generate(&source, &Options::default()) {
+    let errors = match generate(&source, &Options::default()) {
         Ok(_) => panic!("answered"),
         Err(found) => found,
     };
-    let (first, marked) = refusal(&source, found);
+    let (first, marked) = refusal(&source, errors);
     assert_eq!(first, code);
     marked
 }
 
 #[test]
-fn what_is_too_large_is_refused_with_its_statement() {
+fn too_large_statements_are_refused() {
     let marked = refused(large::doubling_constants(), Code::TooMuchWork);
     assert!(marked.starts_with("const c"), "{marked}");
     let marked = refused(large::facing_one_another(300), Code::NestedTooDeeply);
@@ -238,7 +238,7 @@ fn what_is_too_large_is_refused_with_its_statement() {
 }
 
 #[test]
-fn what_is_promised_is_not_refused() {
+fn documented_sizes_are_not_refused() {
     let stations = KINDS
         .iter()
         .find(|kind| kind.name == "stations of a sequence");
@@ -274,7 +274,7 @@ fn tables_are_read_in_proportion_to_their_columns() {
         });
         shortest.fold(f64::INFINITY, f64::min)
     };
-    // In proportion 16-fold; looking for the end of the line at each cell makes it 150-fold.
+    // Proportional work is 16-fold; a search for the end of the line at each cell makes it 150-fold.
     let [short, long] = [2_000, 32_000].map(seconds);
     assert!(long < 50.0 * short, "{short} s and {long} s");
 }

@@ -1,6 +1,7 @@
-//! Corpora of the fuzz targets: each input is run again, and few inputs stand for all outcomes that have been found.
+//! Corpora of the fuzz targets: each input is run again, and few inputs stand for all known outcomes.
 //!
-//! With `FUZZ_CORPUS_UPDATE=1` the shortest input of each outcome is written, with the FNV-1a hash of its content for a name.
+//! With `FUZZ_CORPUS_UPDATE=1` the shortest input of each outcome is written, with the FNV-1a hash of its content for
+//! a name.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -8,16 +9,16 @@ use std::path::PathBuf;
 
 use linkwright_tests::files;
 
-/// Most inputs of one corpus.
-const MOST: usize = 90;
+/// Largest number of inputs of one corpus.
+const MAX_INPUTS: usize = 90;
 
-/// Most bytes of an input.
-const LONGEST: usize = 1500;
+/// Largest number of bytes of an input.
+const MAX_INPUT_BYTES: usize = 1500;
 
-/// The names of all targets.
+/// Names of all targets.
 const TARGETS: [&str; 3] = ["language", "numbers", "expressions"];
 
-/// Label of the input that is being looked at; printed if it fails.
+/// Label of the current input; printed if it fails.
 pub struct Input(pub String);
 
 impl Drop for Input {
@@ -28,7 +29,7 @@ impl Drop for Input {
     }
 }
 
-/// Inputs of a target, and what it answered to others.
+/// Inputs of a target, and its answers to others.
 pub struct Corpus {
     /// Inputs in the repository, by name.
     pub inputs: Vec<Vec<u8>>,
@@ -39,7 +40,7 @@ pub struct Corpus {
 }
 
 impl Corpus {
-    /// The corpus of a target, which has been run on all of it.
+    /// Corpus of a target, which has been run on all of it.
     pub fn replayed(target: &'static str, run: fn(&[u8]) -> String) -> Corpus {
         let mut corpus = Corpus {
             inputs: Vec::new(),
@@ -61,12 +62,12 @@ impl Corpus {
         let outcome = (self.run)(input);
         let known = self.shortest.get(&outcome);
         let is_shorter = known.is_none_or(|it| (input.len(), input) < (it.len(), it));
-        if is_shorter && input.len() <= LONGEST {
+        if is_shorter && input.len() <= MAX_INPUT_BYTES {
             self.shortest.insert(outcome, input.to_vec());
         }
     }
 
-    /// Writes the corpus anew if that is asked for: of too many outcomes those of the fewest words.
+    /// Writes the corpus again on request; of too many outcomes, those with the fewest words.
     pub fn renew(self) {
         if std::env::var_os("FUZZ_CORPUS_UPDATE").is_none() {
             return;
@@ -75,9 +76,9 @@ impl Corpus {
         for (name, _) in stored(self.target) {
             fs::remove_file(folder.join(name)).expect("a file of the corpus");
         }
-        let mut found: Vec<(String, Vec<u8>)> = self.shortest.into_iter().collect();
-        found.sort_by_key(|(outcome, _)| (outcome.split(' ').count(), outcome.clone()));
-        for (_, input) in found.iter().take(MOST) {
+        let mut outcomes: Vec<(String, Vec<u8>)> = self.shortest.into_iter().collect();
+        outcomes.sort_by_key(|(outcome, _)| (outcome.split(' ').count(), outcome.clone()));
+        for (_, input) in outcomes.iter().take(MAX_INPUTS) {
             fs::write(folder.join(name(input)), input).expect("it can be written");
         }
     }
@@ -90,15 +91,15 @@ fn folder(target: &str) -> PathBuf {
 /// Inputs in the repository with their names, by name.
 fn stored(target: &str) -> Vec<(String, Vec<u8>)> {
     let entries = fs::read_dir(folder(target)).expect("a corpus");
-    let mut found: Vec<(String, Vec<u8>)> = entries
+    let mut inputs: Vec<(String, Vec<u8>)> = entries
         .map(|entry| {
             let entry = entry.expect("a listed file");
             let name = entry.file_name().to_string_lossy().into_owned();
             (name, fs::read(entry.path()).expect("a readable file"))
         })
         .collect();
-    found.sort();
-    found
+    inputs.sort();
+    inputs
 }
 
 /// Hash of an input by FNV-1a (Fowler, Noll and Vo), in hexadecimal digits.
@@ -110,14 +111,14 @@ fn name(input: &[u8]) -> String {
 
 #[test]
 fn corpora_are_small_and_named_by_their_content() {
-    // That of `a`, as the authors of the hash print it.
+    // Hash of `a`, as the authors of the hash print it.
     assert_eq!(name(b"a"), "af63dc4c8601ec8c");
     for target in TARGETS {
         let inputs = stored(target);
-        assert!((1..=MOST).contains(&inputs.len()), "{target}");
+        assert!((1..=MAX_INPUTS).contains(&inputs.len()), "{target}");
         for (given, input) in inputs {
             assert_eq!(given, name(&input), "{target}");
-            assert!(input.len() <= LONGEST, "{target}: {given}");
+            assert!(input.len() <= MAX_INPUT_BYTES, "{target}: {given}");
         }
     }
 }

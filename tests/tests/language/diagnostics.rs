@@ -1,4 +1,5 @@
-//! Every diagnostic code as it is printed: one or more case files per code, each with its rendered text as a snapshot.
+//! Every diagnostic code as it is printed: one or more case files per code, each with its rendered text as a
+//! snapshot.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -35,7 +36,7 @@ fn snapshot(name: &str, rendered: &str) {
     settings.bind(|| insta::assert_snapshot!(name, rendered));
 }
 
-/// What any rendered finding must have: the code, the place, the line and carets under it.
+/// Checks that a rendered finding has the code, the place, the line and carets under it.
 fn assert_rendered(rendered: &str, code: Code, file: &str) {
     assert!(
         rendered.contains(&format!("[{}]: ", code.name())),
@@ -52,7 +53,7 @@ fn assert_helpful(found: &Diagnostics, source: &Source) {
     }
 }
 
-/// The code that a case is named after.
+/// Code after which a case is named.
 fn named_code(path: &Path) -> Code {
     let stem = files::stem(path);
     let code = Code::ALL
@@ -65,12 +66,12 @@ fn named_code(path: &Path) -> Code {
 fn every_case_yields_its_code_and_reads_as_in_its_snapshot() {
     for path in files::with_extension(&files::package("cases/errors"), "mech") {
         let source = source(&path);
-        let found = findings(&source);
+        let reported = findings(&source);
         let code = named_code(&path);
-        assert_helpful(&found, &source);
-        let rendered = found.render(&source);
+        assert_helpful(&reported, &source);
+        let rendered = reported.render(&source);
         assert!(
-            found.iter().any(|it| it.code == code),
+            reported.iter().any(|it| it.code == code),
             "{} lacks {code}:\n{rendered}",
             source.name
         );
@@ -79,7 +80,8 @@ fn every_case_yields_its_code_and_reads_as_in_its_snapshot() {
     }
 }
 
-/// Codes whose cases are bytes that no text file should hold, which the tests below build, and that of defects, which no text should cause.
+/// Codes without case files: bytes that no text file should hold, which the tests below build, and defects, which no
+/// text should cause.
 const BUILT: [Code; 2] = [Code::UnreadableFile, Code::InternalError];
 
 #[test]
@@ -126,10 +128,10 @@ fn bytes_that_are_not_utf_8_are_shown_with_their_place() {
 fn a_file_that_is_too_large_is_refused() {
     let text = "// more\n".repeat(Source::MAX_BYTES / 8 + 1);
     let source = Source::new("K00_too_large.mech", text.clone());
-    let found = findings(&source);
-    assert!(found.iter().all(|it| it.code == Code::UnreadableFile));
-    assert_helpful(&found, &source);
-    snapshot("K00_too_large", &found.render(&source));
+    let reported = findings(&source);
+    assert!(reported.iter().all(|it| it.code == Code::UnreadableFile));
+    assert_helpful(&reported, &source);
+    snapshot("K00_too_large", &reported.render(&source));
     let from_bytes = Source::from_bytes("K00_too_large.mech", text.as_bytes());
     assert!(
         from_bytes.is_err()
@@ -137,14 +139,14 @@ fn a_file_that_is_too_large_is_refused() {
     );
 }
 
-/// The errors of the text itself, all at once; then, when those are mended, all those of names, values and forms.
+/// All errors of the text itself at once; then, after their correction, all those of names, values and forms.
 #[test]
 fn all_errors_of_a_file_are_reported_at_once() {
     let source = source(&files::package("cases/many_errors.mech"));
-    let found = findings(&source);
-    let rendered = found.render(&source);
+    let reported = findings(&source);
+    let rendered = reported.render(&source);
     snapshot("many_errors", &rendered);
-    let codes: BTreeSet<Code> = found.iter().map(|it| it.code).collect();
+    let codes: BTreeSet<Code> = reported.iter().map(|it| it.code).collect();
     for code in [
         Code::MissingSemicolon,
         Code::UnknownStatement,

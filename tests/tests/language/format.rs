@@ -1,6 +1,6 @@
-//! Formatting, of every description of the repository and of thousands that were made up: the same meaning, every comment kept, and
-//! nothing to change when it is formatted again. What the repository describes is formatted. Mutations of all of it are formatted by the
-//! suite `fuzz`.
+//! Formats every description of the repository and thousands of random ones: the meaning is unchanged, every comment
+//! kept, and formatting again changes nothing. The descriptions of the repository are formatted. The suite `fuzz`
+//! formats mutations of all of them.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -9,12 +9,12 @@ use linkwright_codegen::diagnostic::Source;
 use linkwright_tests::files;
 use linkwright_tests::hunt::mechanism;
 use linkwright_tests::hunt::paths::families::{FAMILIES, course};
-use linkwright_tests::hunt::run::LARGEST;
+use linkwright_tests::hunt::run::MAX_BODIES;
 use linkwright_tests::random::Random;
 
 use crate::targets::format;
 
-/// The seed of all that is made up.
+/// Seed of all random texts.
 const SEED: u64 = 0x666f_726d;
 
 fn read(path: &Path) -> Source {
@@ -23,20 +23,20 @@ fn read(path: &Path) -> Source {
 }
 
 fn all(extension: &str) -> Vec<PathBuf> {
-    // Without what was built.
+    // Without build products.
     files::below(&files::repository(), extension, &["target", ".git"])
 }
 
 /// The descriptions of the reference and of the guide.
 fn of_pages() -> Vec<Source> {
-    let mut found = Vec::new();
+    let mut sources = Vec::new();
     for page in all("md") {
         let text = fs::read_to_string(&page).expect("a page");
         let blocks = text.split("\n```mech\n").skip(1);
         let blocks = blocks.filter_map(|it| Some(it.split_once("\n```")?.0));
-        found.extend(blocks.map(|it| Source::new(page.display().to_string(), format!("{it}\n"))));
+        sources.extend(blocks.map(|it| Source::new(page.display().to_string(), format!("{it}\n"))));
     }
-    found
+    sources
 }
 
 #[test]
@@ -56,7 +56,7 @@ fn every_description_keeps_its_meaning_and_its_comments() {
 }
 
 #[test]
-fn what_the_repository_describes_is_formatted() {
+fn descriptions_of_the_repository_are_formatted() {
     for folder in ["../mechanisms", "descriptions", "stability"] {
         for path in files::with_extension(&files::package(folder), "mech") {
             let source = read(&path);
@@ -72,9 +72,9 @@ fn what_the_repository_describes_is_formatted() {
 }
 
 #[test]
-fn what_the_hunts_make_up_keeps_its_meaning() {
+fn formatted_random_mechanisms_keep_their_meaning() {
     for number in 0..100 {
-        let text = mechanism(SEED, number, LARGEST).text();
+        let text = mechanism(SEED, number, MAX_BODIES).text();
         assert!(format::run(&Source::new("grown.mech", text)));
     }
     for (family, (name, _)) in FAMILIES.iter().enumerate() {
@@ -103,7 +103,7 @@ const BETWEEN: [&str; 14] = [
     "\n\n/* h */",
 ];
 
-/// The text with what stands between its words and marks replaced at random places.
+/// Text with the blanks between its words and marks replaced at random.
 fn shaken(text: &str, random: &mut Random) -> String {
     let mut shaken = String::new();
     let (mut last, mut is_comment) = (' ', false);
@@ -121,7 +121,7 @@ fn shaken(text: &str, random: &mut Random) -> String {
                 || ",;(){}[]=+-*/^<>:".contains(last));
         if is_edge && random.bits().is_multiple_of(4) {
             let number = random.bits() as usize % BETWEEN.len();
-            // No comment begins or ends where there is none.
+            // Comments begin and end only where they are complete.
             let is_safe = last != '/' && next != '/' && last != '*' && next != '*';
             shaken.push_str(if is_safe { BETWEEN[number] } else { " " });
         }

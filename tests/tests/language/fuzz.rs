@@ -1,6 +1,6 @@
-//! Targets of `tests/fuzz/` on a stable compiler: all inputs of the corpus and all descriptions of the repository, and then some thousand
-//! mutations of them and random bytes, or as many as fit into `LINKWRIGHT_FUZZ_SECONDS`. `cargo fuzz` looks farther; see
-//! `tests/fuzz/README.md`.
+//! Runs the targets of `tests/fuzz/` on a stable compiler: all inputs of the corpus, all descriptions of the
+//! repository, and mutations of them and random bytes, some thousand or as many as fit into
+//! `LINKWRIGHT_FUZZ_SECONDS`. `cargo fuzz` searches farther; see `tests/fuzz/README.md`.
 
 use std::fs;
 use std::time::{Duration, Instant};
@@ -11,20 +11,20 @@ use linkwright_tests::random::Random;
 use crate::corpora::{Corpus, Input};
 use crate::targets::{expressions, language, numbers};
 
-/// The seed of all mutations, unless `LINKWRIGHT_FUZZ_SEED` is another one.
+/// Seed of all mutations, unless `LINKWRIGHT_FUZZ_SEED` gives another one.
 const SEED: u64 = 0x6675_7a7a;
 
-/// Runs a check on inputs made from random bits: `count` of them, or as many as fit into the time that is given.
+/// Runs a check on inputs made from random bits: `count` of them, or as many as fit into the time limit.
 ///
-/// What fails is printed with its seed and number, from which it is made again.
+/// A failure is printed with its seed and number, which reproduce it.
 fn repeat(count: usize, check: &mut dyn FnMut(&mut Random)) {
-    let given = |name: &str| {
+    let variable = |name: &str| {
         let text = std::env::var(name).ok()?;
         let value = text.parse::<u64>();
         Some(value.unwrap_or_else(|_| panic!("{name} is a whole number, not `{text}`")))
     };
-    let seed = given("LINKWRIGHT_FUZZ_SEED").unwrap_or(SEED);
-    let duration = given("LINKWRIGHT_FUZZ_SECONDS").map(Duration::from_secs);
+    let seed = variable("LINKWRIGHT_FUZZ_SEED").unwrap_or(SEED);
+    let duration = variable("LINKWRIGHT_FUZZ_SECONDS").map(Duration::from_secs);
     let (begun, mut random, mut number) = (Instant::now(), Random::new(seed), 0);
     println!("seed {seed}");
     let goes_on = |number: usize| match duration {
@@ -37,14 +37,14 @@ fn repeat(count: usize, check: &mut dyn FnMut(&mut Random)) {
         check(&mut random);
         // A short input that takes long is a finding, too.
         let taken = next.elapsed();
-        assert!(taken < LONGEST, "input {number} took {taken:?}");
+        assert!(taken < INPUT_TIME_LIMIT, "input {number} took {taken:?}");
         number += 1;
     }
     println!("{number} inputs");
 }
 
-/// How long one input may take, on a machine that does other things at the same time.
-const LONGEST: Duration = Duration::from_secs(20);
+/// Time limit for one input, on a machine with other work.
+const INPUT_TIME_LIMIT: Duration = Duration::from_secs(20);
 
 fn below(random: &mut Random, end: usize) -> usize {
     (random.bits() % end.max(1) as u64) as usize

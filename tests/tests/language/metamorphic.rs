@@ -1,10 +1,11 @@
-//! The same mechanism written in another way has the same motion but for rounding: larger, smaller, elsewhere, turned, renamed,
+//! Rewritten mechanisms have the original motion except for rounding: larger, smaller, displaced, turned, renamed,
 //! reordered, with the bodies of each joint exchanged.
 //!
-//! What rounding may change is the sum of the bounds (condition × rounding, [`linkwright_tests::stability::truth`]) of both
-//! writings. What is left out is printed, with the reason: a description that speaks of the directions x and y means something else
-//! when it is turned, and not every joint says the same of j and i as of i and j. Far from the origin an equation whose terms
-//! are rounded by more than the tolerance may fail, and must say so.
+//! Rounding may change a motion by the sum of the bounds (condition × rounding,
+//! [`linkwright_tests::stability::truth`]) of both texts. Omitted rewritings are printed with the reason. A
+//! description with the directions x and y changes its meaning when it is turned, and not every joint is symmetric in
+//! i and j. Far from the origin an equation whose terms are rounded by more than the tolerance may fail, and must
+//! report it.
 
 use std::fmt::Write;
 
@@ -16,14 +17,14 @@ use linkwright_tests::metamorphic::frames::{
 use linkwright_tests::metamorphic::rewriting::{Rewriting, SEED, all, distance, places};
 use linkwright_tests::{description, files};
 
-/// The equations of every motion, which must be determined.
+/// Equations of every motion, which must be determined.
 fn read(source: &Source) -> Result<Vec<System>, String> {
     let read = linkwright_codegen::read(source).map_err(|errors| errors.render(source))?;
     linkwright_codegen::stages::check_all(&read.motions).map_err(|errors| errors.render(source))?;
     Ok(read.motions)
 }
 
-/// What changes by more than rounding in one view, and the largest ratio of change to bound.
+/// Changes by more than rounding in one formulation, and the largest ratio of change to bound.
 fn compare(
     rewriting: &Rewriting,
     [before, after]: [&System; 2],
@@ -33,7 +34,7 @@ fn compare(
 ) -> Result<(), String> {
     let places = places(rewriting, before, after);
     let change = rewriting.change;
-    // Whoever assembles from afar is promised a pose, and not how its angles are wound.
+    // Assembly from a rough estimate promises a pose, but not the whole turns of its angles.
     let wound = change.winds() || poor;
     for (index, (was, is)) in was.iter().zip(is).enumerate() {
         let t = TIMES[index];
@@ -63,16 +64,16 @@ fn compare(
         for level in 0..3 {
             let expected = change.apply(before, &was.values[level], level);
             for (place, coordinate) in before.coordinates.iter().enumerate() {
-                let found = is.values[level][places[place]];
-                let own = change.bound(before, &was.bounds[level], place);
-                let bound = own + is.bounds[level][places[place]];
-                let off = distance(before, place, [found, expected[place]], wound);
-                // No comparison with NaN holds.
+                let rewritten = is.values[level][places[place]];
+                let original_bound = change.bound(before, &was.bounds[level], place);
+                let bound = original_bound + is.bounds[level][places[place]];
+                let off = distance(before, place, [rewritten, expected[place]], wound);
+                // A comparison with NaN is false.
                 let within = off <= bound;
                 if !within {
                     let name = ["", "rate of ", "acceleration of "][level];
                     return Err(format!(
-                        "t = {t}: {name}{} is {found:e} instead of {:e}, off by {off:.1e}, allowed {bound:.1e}",
+                        "t = {t}: {name}{} is {rewritten:e} instead of {:e}, off by {off:.1e}, allowed {bound:.1e}",
                         coordinate.name, expected[place]
                     ));
                 }
@@ -88,7 +89,7 @@ fn compare(
     Ok(())
 }
 
-/// All rewritings of all descriptions with these names; what is found is told at once.
+/// Checks all rewritings of all descriptions with these names; all faults are reported at once.
 fn hold(names: &[String]) {
     println!("seed {SEED:#x}");
     let mut findings = String::new();
@@ -113,7 +114,8 @@ fn hold(names: &[String]) {
             for ((before, after), were) in before.iter().zip(&after).zip(&were) {
                 let [mut was, mut is] = [before, after].map(plan);
                 if rewriting.change.winds() {
-                    // The sine of a drawn angle may be no number then, so that what was a definition is a step in closed form.
+                    // The sine of an estimated angle may not be exact then, so that an explicit assignment becomes a
+                    // step in closed form.
                     for plan in [&mut was, &mut is] {
                         plan.retain(|(step, _)| step.starts_with("Newton"));
                     }

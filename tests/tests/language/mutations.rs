@@ -271,7 +271,7 @@ fn originals() -> [Vec<Vec<u8>>; 2] {
     [right.collect(), wrong.collect()]
 }
 
-/// The same cases on every machine and run; a failure can be repeated as it is.
+/// Runner with equal cases on every machine and run; a failure can be repeated.
 fn runner() -> TestRunner {
     let config = Config {
         cases: CASES,

@@ -151,7 +151,7 @@ fn imported() -> BTreeSet<String> {
 fn no_mechanism_is_named_like_what_its_module_uses() {
     let mut names = imported();
     assert!(names.len() > 15, "{names:?}");
-    let own = [
+    let reserved = [
         "Branches",
         "Coordinates",
         "Default",
@@ -166,7 +166,7 @@ fn no_mechanism_is_named_like_what_its_module_uses() {
         "Textbook",
         "PathEnclosures",
     ];
-    names.extend(own.map(str::to_string));
+    names.extend(reserved.map(str::to_string));
     let description = |name: &str| {
         format!(
             "mechanism {name} {{
@@ -178,9 +178,9 @@ fn no_mechanism_is_named_like_what_its_module_uses() {
             }}"
         )
     };
-    let given = Source::new("crank.mech", description("crank"));
+    let source = Source::new("crank.mech", description("crank"));
     assert!(
-        generate(&given, &Options::default()).is_ok(),
+        generate(&source, &Options::default()).is_ok(),
         "only the name is wrong below"
     );
     for name in names {

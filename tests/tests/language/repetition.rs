@@ -1,4 +1,4 @@
-//! Repetitions and parts, against descriptions that are written by hand and against motions that are moved as a whole.
+//! Repetitions and parts, against descriptions that are written by hand and against motions of displaced mechanisms.
 
 use std::f64::consts::PI;
 use std::fmt::Write as _;
@@ -25,7 +25,7 @@ fn findings(text: &str) -> Diagnostics {
     generate(&source(text), &Options::default()).expect_err("an error")
 }
 
-/// A ladder of parallelograms, each on top of the last one.
+/// Ladder of parallelograms, each on top of the last one.
 fn ladder(rungs: usize) -> String {
     format!(
         "mechanism ladder {{
@@ -53,7 +53,7 @@ fn ladder(rungs: usize) -> String {
     )
 }
 
-/// The same, every statement by hand.
+/// The ladder, every statement by hand.
 fn ladder_by_hand(rungs: usize) -> String {
     let mut text = "mechanism ladder {\nparam width = 0.5;\n".to_string();
     for i in 0..=rungs {
@@ -95,7 +95,7 @@ fn a_repetition_is_what_is_written_by_hand() {
     }
 }
 
-/// The statements of the scissor lift between its documentation and its driver.
+/// Statements of the scissor lift between its documentation and its driver.
 const SCISSOR: &str = "
     point A = (0, 0), B = (0.8, 0);
     repeat i from 1 to 6 {
@@ -142,7 +142,7 @@ fn the_code_grows_by_the_same_amount_with_every_repetition() {
     );
 }
 
-/// A crank rocker with a coupler point and a spring; what drives it stands outside.
+/// Crank rocker with a coupler point and a spring; its driver stands outside.
 const LEG: &str = "
 mechanism leg {
     param crank_length = 20mm;
@@ -185,19 +185,19 @@ fn a_part_moves_as_it_does_alone_where_it_is_and_as_it_is_turned() {
         alone.advance(t);
         placed.advance(t);
         for point in ["B", "C", "K"] {
-            let own = alone.point(point);
+            let reference = alone.point(point);
             let there = placed.point(&format!("leg2_{point}"));
-            for (own, there, origin) in [
-                (own.position, there.position, [x, y]),
-                (own.velocity, there.velocity, [0.0, 0.0]),
-                (own.acceleration, there.acceleration, [0.0, 0.0]),
+            for (reference, there, origin) in [
+                (reference.position, there.position, [x, y]),
+                (reference.velocity, there.velocity, [0.0, 0.0]),
+                (reference.acceleration, there.acceleration, [0.0, 0.0]),
             ] {
                 let turned = [
-                    origin[0] + cosine * own[0] - sine * own[1],
-                    origin[1] + sine * own[0] + cosine * own[1],
+                    origin[0] + cosine * reference[0] - sine * reference[1],
+                    origin[1] + sine * reference[0] + cosine * reference[1],
                 ];
                 let error = (turned[0] - there[0]).hypot(turned[1] - there[1]);
-                let size = 1.0 + own[0].hypot(own[1]);
+                let size = 1.0 + reference[0].hypot(reference[1]);
                 assert!(error < 1e-13 * size, "{point} at {t}: {error}");
             }
         }
@@ -248,19 +248,19 @@ fn a_part_knows_nothing_of_what_stands_around_it() {
             point B = (5, 5);
             repeat i from 1 to 40 { part cell[i] = cell; drive phi(cell[i].rod) = t; }
         }";
-    let found = findings(text).into_sorted();
-    assert_eq!(found.len(), 1, "{found:?}");
-    assert_eq!(found[0].message, "no constant is named `cell[1].gap`");
-    let line = &text[found[0].primary.span.range()];
+    let errors = findings(text).into_sorted();
+    assert_eq!(errors.len(), 1, "{errors:?}");
+    assert_eq!(errors[0].message, "no constant is named `cell[1].gap`");
+    let line = &text[errors[0].primary.span.range()];
     assert_eq!(line, "gap");
     assert_eq!(
-        found[0].notes,
+        errors[0].notes,
         ["the same holds where it is written out 39 more times"]
     );
 }
 
 #[test]
-fn what_lacks_an_equation_is_named_as_it_is_written() {
+fn missing_equations_are_named_as_written() {
     let text = format!(
         "{LEG} mechanism stand {{
             repeat i from 1 to 2 {{ part leg[i] = leg at (0, i); }}
@@ -268,11 +268,11 @@ fn what_lacks_an_equation_is_named_as_it_is_written() {
         }}"
     );
     let source = source(&text);
-    let found = generate(&source, &Options::default())
+    let message = generate(&source, &Options::default())
         .expect_err("one leg has no driver")
         .render(&source);
-    assert!(found.contains("`leg[2].crank`"), "{found}");
-    assert!(!found.contains("`leg2_crank`"), "{found}");
+    assert!(message.contains("`leg[2].crank`"), "{message}");
+    assert!(!message.contains("`leg2_crank`"), "{message}");
 }
 
 #[test]
@@ -285,10 +285,10 @@ fn a_text_that_repeats_too_much_is_refused_at_once() {
          mechanism c { repeat i from 1 to 99 { part b[i] = b; } }
          mechanism d { repeat i from 1 to 99 { part c[i] = c; } }",
     ] {
-        let found = findings(text).into_sorted();
-        assert_eq!(found[0].code.name(), "K37", "{text}: {found:?}");
+        let errors = findings(text).into_sorted();
+        assert_eq!(errors[0].code.name(), "K37", "{text}: {errors:?}");
     }
-    // Each is twice the one above, and the first is empty.
+    // Each line is twice the one above, and the first is empty.
     let mut doubled = "mechanism a0 {}".to_string();
     for level in 1..=60 {
         let above = level - 1;
@@ -297,8 +297,11 @@ fn a_text_that_repeats_too_much_is_refused_at_once() {
             "mechanism a{level} {{ part x = a{above}; part y = a{above}; }}"
         );
     }
-    let found = findings(&doubled);
-    assert!(found.iter().any(|it| it.code.name() == "K37"), "{found:?}");
+    let errors = findings(&doubled);
+    assert!(
+        errors.iter().any(|it| it.code.name() == "K37"),
+        "{errors:?}"
+    );
 }
 
 #[test]
@@ -348,7 +351,7 @@ fn repeated_descriptions_are_formatted_and_mean_the_same() {
     assert_eq!(code(&tidy), code(&ladder(3)));
 }
 
-/// Every motion is a mechanism of its own: what it copied of all others' names would grow with the square of their count.
+/// Every motion is a mechanism of its own: copied names of all others would grow with the square of their number.
 #[test]
 fn motions_that_are_written_out_share_the_spellings_of_names() {
     let text = "mechanism many {

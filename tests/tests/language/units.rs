@@ -1,4 +1,4 @@
-//! Units of measurement: do descriptions, columns and documentation know the same ones, and are they worth what standards say?
+//! Units of measurement: descriptions, columns and documentation have equal units, with the values of standards.
 
 use std::collections::BTreeSet;
 
@@ -7,7 +7,7 @@ use linkwright_codegen::stages::columns::{Columns, Known, Unit};
 use linkwright_codegen::stages::model::UNITS;
 use linkwright_tests::files;
 
-/// The value in SI units of a parameter that is written so.
+/// Value in SI units of a parameter with this text.
 fn value(written: &str) -> Result<f64, String> {
     let text = format!(
         "mechanism m {{
@@ -21,15 +21,15 @@ fn value(written: &str) -> Result<f64, String> {
     let source = Source::new("units.mech", text);
     let read = linkwright_codegen::read(&source).map_err(|found| found.render(&source))?;
     let system = read.only().expect("one motion");
-    let own = &system.mechanism.parameters[0];
+    let parameter = &system.mechanism.parameters[0];
     Ok(system
         .mechanism
         .graph
-        .constant_value(own.nominal)
+        .constant_value(parameter.nominal)
         .expect("a number"))
 }
 
-/// The factors of the BIPM's brochure (9th edition) and of NIST SP 811, appendix B.
+/// Factors of the BIPM's brochure (9th edition) and of NIST SP 811, appendix B.
 const STANDARDS: [(&str, f64); 14] = [
     ("1inch", 0.0254),
     ("1ft", 0.3048),
@@ -50,9 +50,9 @@ const STANDARDS: [(&str, f64); 14] = [
 #[test]
 fn factors_are_those_of_standards() {
     for (written, expected) in STANDARDS {
-        let found = value(written).unwrap_or_else(|error| panic!("{written}: {error}"));
-        let off = (found / expected - 1.0).abs();
-        assert!(off < 1e-15, "{written}: {found}");
+        let computed = value(written).unwrap_or_else(|error| panic!("{written}: {error}"));
+        let off = (computed / expected - 1.0).abs();
+        assert!(off < 1e-15, "{written}: {computed}");
     }
     for written in ["1U", "2r", "1U/kg", "30U /min"] {
         let error = value(written).expect_err(written);
@@ -69,7 +69,7 @@ fn columns_know_all_units_of_descriptions() {
     }
 }
 
-/// The table in the documentation of the language.
+/// Compares the table in the documentation of the language.
 #[test]
 fn the_documentation_lists_all_units() {
     let path = files::repository().join("mechanisms/README.md");
@@ -111,10 +111,10 @@ fn a_line_of_units_may_not_contradict_the_names() {
         "t (s),P_x (mm)\ns,mm\n0,50\n",
         "t (s),M (mN*m)\n[s],[Nmm]\n0,50\n",
         "t,P_x (mm)\ns,mm\n0,50\n",
-        // A row of names below a title is no line of units, although t is a tonne.
+        // A row of names below a title does not count as units, although t is a tonne.
         "lift,four_bar\nt,s\n0,50\n",
     ] {
-        let found = Columns::read(text.as_bytes(), Known::default());
-        assert!(found.is_ok(), "{text}: {found:?}");
+        let columns = Columns::read(text.as_bytes(), Known::default());
+        assert!(columns.is_ok(), "{text}: {columns:?}");
     }
 }

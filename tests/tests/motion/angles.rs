@@ -1,4 +1,4 @@
-//! Angles that need no body: what formulas and statements say of them, against what is known in closed form.
+//! Angles without a body: formulas and statements of them against closed forms.
 
 use std::f64::consts::{FRAC_PI_3, PI};
 use std::fmt::Write as _;
@@ -15,7 +15,7 @@ use linkwright_tests::random::Random;
 use linkwright_tests::swing::swing;
 use linkwright_tests::values::{assembled_from, levels};
 
-/// A value, a rate and an acceleration of a combination of two signals.
+/// Value, rate and acceleration of a combination of two signals.
 fn combined(parts: [(f64, Signal); 2]) -> [f64; 3] {
     let sum = |of: fn(&Signal) -> f64| parts.iter().map(|(by, signal)| by * of(signal)).sum();
     [
@@ -42,18 +42,18 @@ fn near(found: [f64; 3], expected: [f64; 3], limit: f64) {
 #[test]
 fn a_differential_turns_as_its_teeth_say_with_its_torques_and_powers() {
     const RATIO: f64 = 1.5;
-    let given = |t: f64| to_joint::Inputs {
+    let inputs_at = |t: f64| to_joint::Inputs {
         left_motor: swing(0.0, 1.2, 2.0, t),
         right_motor: swing(0.0, 0.7, 3.1, t),
         pitch_torque: constant(1.0 + t),
         roll_torque: constant(2.0 - 3.0 * t),
     };
-    let mut wrist = to_joint::DifferentialWrist::assemble(0.0, &given(0.0)).expect("as drawn");
+    let mut wrist = to_joint::DifferentialWrist::assemble(0.0, &inputs_at(0.0)).expect("as drawn");
     let mut back = to_motors::DifferentialWrist::assemble(0.0, &to_motors::Inputs::default())
         .expect("as drawn");
     for step in 0..=400 {
         let t = 0.01 * f64::from(step);
-        let inputs = given(t);
+        let inputs = inputs_at(t);
         let frame = wrist.advance(t, &inputs).expect("never singular");
         let [left, right] = [inputs.left_motor, inputs.right_motor];
         let pitch = [
@@ -69,7 +69,7 @@ fn a_differential_turns_as_its_teeth_say_with_its_torques_and_powers() {
         near(pitch, combined([(0.5, left), (0.5, right)]), 1e-14);
         let half = 0.5 / RATIO;
         near(roll, combined([(half, left), (-half, right)]), 1e-14);
-        // Motors hold what the loads exert through the teeth.
+        // The motors balance the loads through the teeth.
         let loads = [inputs.pitch_torque.value, inputs.roll_torque.value];
         let efforts = [
             frame.effort_drive_phi_left(),
@@ -89,7 +89,7 @@ fn a_differential_turns_as_its_teeth_say_with_its_torques_and_powers() {
             + loads[0] * pitch[1]
             + loads[1] * roll[1];
         assert!(power.abs() < 1e-12, "{power} W are lost at {t}");
-        let wanted = to_motors::Inputs {
+        let requested = to_motors::Inputs {
             wanted_pitch: Signal {
                 value: pitch[0],
                 rate: pitch[1],
@@ -101,7 +101,7 @@ fn a_differential_turns_as_its_teeth_say_with_its_torques_and_powers() {
                 acceleration: roll[2],
             },
         };
-        let motors = back.advance(t, &wanted).expect("never singular");
+        let motors = back.advance(t, &requested).expect("never singular");
         near(
             [
                 motors.phi_left(),
@@ -121,14 +121,14 @@ fn code(text: &str) -> String {
     generated.code().to_string()
 }
 
-/// What solves a description: its forms, by name.
+/// Solution methods of a description, by name.
 fn forms(text: &str) -> Vec<String> {
     let solved = Interpreted::new(&written(text)).expect("a plan");
     let forms = solved.program().forms.iter().flatten();
     forms.map(|form| form.name()).collect()
 }
 
-/// The angle of this coordinate at an instant.
+/// Angle of this coordinate at an instant.
 fn angle_at(text: &str, name: &str, t: f64) -> f64 {
     let solved = Interpreted::new(&written(text)).expect("a plan");
     let at = solved
@@ -166,8 +166,8 @@ fn cosines_of_sums_of_angles_are_closed_forms() {
     for (drawn, sign) in [(2.0, 1.0), (-0.5, -1.0)] {
         assert_eq!(forms(&text(drawn)).last().expect("a block"), "one angle");
         let expected = 0.4 + PI / 9.0 + sign * 0.3_f64.acos();
-        let found = angle_at(&text(drawn), "phi_b", 0.0);
-        assert!((found - expected).abs() < 1e-14, "{found} for {expected}");
+        let angle = angle_at(&text(drawn), "phi_b", 0.0);
+        assert!((angle - expected).abs() < 1e-14, "{angle} for {expected}");
     }
 }
 
@@ -226,16 +226,16 @@ fn the_drawing_says_which_of_two_angles() {
             "mechanism m {{ angle a = {drawn}; equation cos(a) = 0.5; equation sin(a)^2 = 0.75; }}"
         )
     };
-    // Two equations of one angle are one too many.
+    // Two equations of one angle are overdetermined.
     assert!(generate(&Source::new("m.mech", text("60deg")), &Options::default()).is_err());
     let text = |drawn: &str| format!("mechanism m {{ angle a = {drawn}; equation cos(a) = 0.5; }}");
     for (drawn, sign) in [("50deg", 1.0), ("-70deg", -1.0)] {
-        let found = angle_at(&text(drawn), "phi_a", 0.0);
-        assert!((found - sign * FRAC_PI_3).abs() < 1e-15, "{found}");
+        let angle = angle_at(&text(drawn), "phi_a", 0.0);
+        assert!((angle - sign * FRAC_PI_3).abs() < 1e-15, "{angle}");
     }
 }
 
-/// Random linear equations, many of which say that an angle follows another one: the order in which they are solved is the plan's business.
+/// Random linear equations, many of which only couple two angles: the plan must order them.
 #[test]
 fn linear_equations_of_angles_have_the_solution_of_the_dense_system() {
     let mut random = Random::new(20_261_123);
@@ -249,8 +249,8 @@ fn linear_equations_of_angles_have_the_solution_of_the_dense_system() {
             let _ = writeln!(text, "angle a{angle} = 0;");
         }
         for row in 0..count {
-            let own = 2 + below(2);
-            for _ in 0..own {
+            let terms = 2 + below(2);
+            for _ in 0..terms {
                 let factors = [1.0, -1.0, 1.0, -1.0, 2.0, -3.0, 0.5];
                 matrix[(row, below(count))] = factors[below(factors.len())];
             }
@@ -261,7 +261,7 @@ fn linear_equations_of_angles_have_the_solution_of_the_dense_system() {
             let _ = writeln!(text, "equation {} = {row} + 0.1*t;", terms.join(" + "));
         }
         text.push('}');
-        let wanted = DVector::from_fn(count, |row, _| row as f64 + 0.1);
+        let right_side = DVector::from_fn(count, |row, _| row as f64 + 0.1);
         let inverse = matrix
             .clone()
             .try_inverse()
@@ -269,16 +269,16 @@ fn linear_equations_of_angles_have_the_solution_of_the_dense_system() {
         let Some(inverse) = inverse else {
             continue;
         };
-        let expected = inverse * wanted;
+        let expected = inverse * right_side;
         let solved = Interpreted::new(&written(&text)).expect("a plan");
         let shell = assembled_from(solved, &[], 1.0, Settings::default());
         let shell = shell.unwrap_or_else(|failure| panic!("{failure}\n{text}"));
-        let found = levels(shell.blocks(), shell.frame());
-        for (found, expected) in found[0].iter().zip(expected.iter()) {
-            let gap = (found - expected).abs();
+        let computed = levels(shell.blocks(), shell.frame());
+        for (computed, expected) in computed[0].iter().zip(expected.iter()) {
+            let gap = (computed - expected).abs();
             assert!(
                 gap < 1e-11 * expected.abs().max(1.0),
-                "{found} for {expected}\n{text}"
+                "{computed} for {expected}\n{text}"
             );
         }
         compared += 1;

@@ -19,7 +19,7 @@ fn every_row_and_column_agrees_with_adams() {
             let point = solver.point("K");
             let frame = solver.frame();
             let (c8, c10) = (7 * 3, 9 * 3);
-            let found = [
+            let computed = [
                 ("c10_x", frame.q[c10]),
                 ("c10_y", frame.q[c10 + 1]),
                 ("c10_phid", frame.qd[c10 + 2]),
@@ -37,12 +37,12 @@ fn every_row_and_column_agrees_with_adams() {
                 ("K_phid", frame.qd[c8 + 2]),
                 ("K_phidd", frame.qdd[c8 + 2]),
             ];
-            let names: Vec<&str> = found.iter().map(|(name, _)| *name).collect();
+            let names: Vec<&str> = computed.iter().map(|(name, _)| *name).collect();
             assert_eq!(names, table.names[1..]);
-            for ((name, found), wanted) in found.into_iter().zip(&row[1..]) {
-                let error = (found - wanted).abs();
+            for ((name, computed), wanted) in computed.into_iter().zip(&row[1..]) {
+                let error = (computed - wanted).abs();
                 let place = format!(
-                    "{} {name} at t = {}: {found} instead of {wanted}",
+                    "{} {name} at t = {}: {computed} instead of {wanted}",
                     solver.kind(),
                     row[0]
                 );

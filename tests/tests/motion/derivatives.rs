@@ -15,18 +15,18 @@ use nalgebra::DVector;
 
 const SAMPLES: usize = 1000;
 
-/// Of each mechanism that only tests have.
+/// Number of samples of each mechanism that only tests have.
 const FEWER_SAMPLES: usize = 200;
 
-/// The step of first differences: truncation c₅ h⁴ and rounding ε/h are about equal.
+/// Step of first differences: truncation c₅ h⁴ and rounding ε/h are about equal.
 const FIRST_STEP: f64 = 1.0 / 1024.0;
 
-/// The step of second differences: the same for c₆ h⁴ and ε/h².
+/// Step of second differences: c₆ h⁴ and ε/h² are about equal.
 const SECOND_STEP: f64 = 1.0 / 256.0;
 
-/// Mechanisms whose fast laws or near poles leave no useful bound at some poses: their errors are judged in tests of their own,
-/// for the [laws of motion](../laws.rs), the [rope](../equations.rs) and [Andrews' crank](../forces_by_hand.rs), which swings at 200 rad/s,
-/// and here only where they have one.
+/// Mechanisms whose fast laws or near poles leave no useful bound at some poses. Their errors are judged in tests of
+/// their own, for the [laws of motion](../laws.rs), the [rope](../equations.rs) and [Andrews'
+/// crank](../forces_by_hand.rs), which swings at 200 rad/s. Here they are judged only at poses with a bound.
 const WIDE: [&str; 4] = ["andrews", "laws", "pieces", "rope"];
 
 /// Largest error in units of its bound, and the largest bound itself.
@@ -35,9 +35,9 @@ struct Record {
     share: f64,
     bound: f64,
     error: f64,
-    /// How many entries were compared.
+    /// Number of compared entries.
     compared: usize,
-    /// How many had no bound, since a piece of their formula may change within the step.
+    /// Number of entries without a bound, since a piece of their formula may change within the step.
     unbounded: usize,
 }
 
@@ -45,7 +45,7 @@ impl Record {
     /// Asserts that `found` is the derivative that the quotient approximates; `rounding` is the error of `found` itself.
     fn check(&mut self, found: f64, rounding: f64, quotient: Quotient, place: impl Fn() -> String) {
         let (bound, error) = (quotient.error + rounding, (found - quotient.value).abs());
-        // Infinity times zero is no number either.
+        // Infinity times zero is NaN.
         if !bound.is_finite() {
             self.unbounded += 1;
             return;
@@ -65,12 +65,12 @@ impl Record {
     }
 }
 
-/// The expressions of a system that the tests look at.
+/// Expressions of a system under test.
 struct Roots {
     residuals: Vec<ExprId>,
-    /// The nodes of Φ, operands first.
+    /// Nodes of Φ, operands first.
     of_residuals: Vec<ExprId>,
-    /// The nodes of Φ, Φ_q, Φ_t and γ, operands first.
+    /// Nodes of Φ, Φ_q, Φ_t and γ, operands first.
     of_all: Vec<ExprId>,
 }
 
@@ -91,8 +91,8 @@ impl Roots {
     }
 }
 
-/// Every symbol that moves with the slope 1, which is at least its slope along any coordinate and along t. Parameters are fixed, and
-/// the interpreter holds signals.
+/// Every moving symbol has the slope 1, which is at least its slope along any coordinate and along t. Parameters are
+/// fixed, and the interpreter holds signals.
 fn ones(system: &System) -> Vec<f64> {
     let mut slopes = vec![1.0; system.mechanism.graph.symbol_count()];
     for parameter in &system.mechanism.parameters {
@@ -142,10 +142,10 @@ fn check_first(system: &System, roots: &Roots, solver: &dyn Solver, sample: &Sam
                 (functions.phi_t[index], Some(row.time_derivative))
             };
             // An entry that is not listed is zero without rounding.
-            let own = expr.map_or(0.0, |expr| rounding[expr.index()].error);
+            let entry_error = expr.map_or(0.0, |expr| rounding[expr.index()].error);
             let values = values.each_ref().map(|phi| phi[index]);
             let quotient = first(values, FIRST_STEP, &bounds[roots.residuals[index].index()]);
-            record.check(found, own, quotient, || {
+            record.check(found, entry_error, quotient, || {
                 format!("{} Φ_q({}, {column})", solver.kind(), row.name)
             });
         }
@@ -189,8 +189,8 @@ fn check_second(system: &System, roots: &Roots, solver: &dyn Solver, sample: &Sa
     for (index, row) in system.rows.iter().enumerate() {
         let values = values.each_ref().map(|phi| phi[index]);
         let quotient = second(values, SECOND_STEP, &bounds[row.residual.index()]);
-        let own = rounding[row.gamma.index()].error;
-        record.check(-gamma[index], own, quotient, || {
+        let gamma_error = rounding[row.gamma.index()].error;
+        record.check(-gamma[index], gamma_error, quotient, || {
             format!("{} γ({})", solver.kind(), row.name)
         });
     }
@@ -232,7 +232,7 @@ fn derivatives_of_one_agree(name: &str, system: &System, samples: usize) {
             "{name}, {}: Φ_q and Φ_t {slopes:?}, γ {curves:?}",
             solver.kind()
         );
-        // Bounds so wide that they hide an error would prove nothing.
+        // Bounds wide enough to hide an error would prove nothing.
         assert!(
             slopes.bound < 1e-8 && curves.bound < 1e-5 || WIDE.contains(&name),
             "{name}: {slopes:?}, {curves:?}"
@@ -261,7 +261,7 @@ fn derivatives_of_the_arm_agree_with_differences() {
     derivatives_agree("arm", SAMPLES);
 }
 
-/// Those that have no test of their own above, so that a new description is tested from its first day.
+/// All without a test of their own above, so that a new description is tested from its first day.
 #[test]
 fn derivatives_of_all_others_agree_with_differences() {
     for name in description::names() {
@@ -271,8 +271,8 @@ fn derivatives_of_all_others_agree_with_differences() {
     }
 }
 
-/// Each kind of joint and driver has one among them, most between two bodies that both move and turn. Those with tables
-/// have [tests of their own](../tables.rs), since no majorant of a spline is known here.
+/// Each kind of joint and driver has one among them, most between two bodies that both move and turn. Those with
+/// tables have [tests of their own](../tables.rs), since the majorant of a spline is unknown here.
 #[test]
 fn derivatives_of_the_small_mechanisms_agree_with_differences() {
     for name in description::small() {

@@ -1,4 +1,4 @@
-//! Equations that a description writes out: closed forms, their place among joints, and what they are compared with.
+//! Equations of a description: closed forms, their order among joints, and their scales.
 
 use linkwright_codegen::check;
 use linkwright_codegen::stages::emit::{Notation, text};
@@ -19,12 +19,12 @@ mod ellipse {
     linkwright::include_mechanism!(ellipse);
 }
 
-/// The same a thousand million times as large.
+/// A point on an ellipse, a thousand million times as large.
 mod ellipse_large {
     linkwright::include_mechanism!(ellipse_large);
 }
 
-/// The exam's mechanism with two ways to write its pin.
+/// The exam's mechanism with two formulas for its pin.
 mod written_pin {
     linkwright::include_mechanism!(written_pin);
 }
@@ -49,7 +49,7 @@ fn a_rope_over_a_peg_has_its_length() {
     }
 }
 
-/// Central differences along a random line; distances that move are roots, of which `derivatives` knows no bounds.
+/// Central differences along a random line; variable distances are roots, for which `derivatives` has no bounds.
 #[test]
 fn derivatives_of_the_rope_agree_with_differences() {
     use rope::{Coordinates, gamma, phi, phi_q, phi_t};
@@ -57,7 +57,7 @@ fn derivatives_of_the_rope_agree_with_differences() {
     let step = 1e-5;
     for _ in 0..200 {
         let mut pick = |low: f64, high: f64| [(); 6].map(|()| random.between(low, high));
-        // Away from the peg, where a distance has no derivative.
+        // Away from the peg, where a distance is not differentiable.
         let (mut q, qd) = (pick(-1.0, 1.0), pick(-1.0, 1.0));
         q[1] -= 4.0;
         q[4] -= 4.0;
@@ -77,12 +77,12 @@ fn derivatives_of_the_rope_agree_with_differences() {
         let slope = (value(step) - value(-step)) / (2.0 * step);
         assert!((slope - rate(0.0)).amax() < 1e-8);
         let bend = (rate(step) - rate(-step)) / (2.0 * step);
-        let found = gamma(&Coordinates::from_array(q), &Coordinates::from_array(qd), t);
-        assert!((bend + found).amax() < 1e-8);
+        let generated_gamma = gamma(&Coordinates::from_array(q), &Coordinates::from_array(qd), t);
+        assert!((bend + generated_gamma).amax() < 1e-8);
     }
 }
 
-/// The equation of the ellipse is a ratio: judged against the size of the mechanism it would be solved to 1e-3.
+/// The equation of the ellipse is a ratio: relative to the size of the mechanism it would be solved only to 1e-3.
 #[test]
 fn a_point_on_a_large_ellipse_stays_there() {
     let mut ellipse = ellipse_large::EllipseLarge::assemble(0.0).expect("as drawn");
@@ -192,11 +192,11 @@ fn equations_are_rows_with_names_of_their_own() {
         ("equation 4", "equation_4", "sqrt((0.5 - x2)^2 + y2^2) - 2"),
     ];
     let rows = rows(&system);
-    let found: Vec<(&str, &str, &str)> = rows
+    let printed: Vec<(&str, &str, &str)> = rows
         .iter()
         .map(|(label, name, row)| (*label, *name, row.as_str()))
         .collect();
-    assert_eq!(found, expected);
+    assert_eq!(printed, expected);
     let roles: Vec<Role> = system.mechanism.joints.iter().map(|it| it.role).collect();
     use Role::{Constraint, Driver};
     assert_eq!(roles, [Constraint, Constraint, Driver, Constraint]);
@@ -208,7 +208,7 @@ fn equations_are_rows_with_names_of_their_own() {
     assert_eq!(scales, [4.0, 2.0, 1.0, 2.0]);
 }
 
-/// The sine and the cosine of a body's angle are arms, so that a person's closed forms are found.
+/// The sine and the cosine of a body's angle are rotated local vectors, so that the textbook's closed forms apply.
 #[test]
 fn equations_in_sines_and_cosines_are_solved_in_closed_form() {
     let mut system = written(

@@ -16,7 +16,7 @@ fn sqrt_3() -> f64 {
     3_f64.sqrt()
 }
 
-/// The pose of the exam's question 4.
+/// Pose of the exam's question 4.
 fn initial_pose() -> [f64; 6] {
     [0.0, 0.0, FRAC_PI_6, sqrt_3(), 2.0, FRAC_PI_3]
 }
@@ -72,7 +72,7 @@ fn the_answers_at_the_start_come_out() {
     }
 }
 
-/// The matrix and the right-hand side of the exam's question 6. The pose of floating-point numbers is the exam's to one
+/// Matrix and right-hand side of the exam's question 6. The pose in floating-point numbers is the exam's to one
 /// rounding of π/6, π/3 and √3, and so are the sines; everything else is exact.
 #[test]
 fn the_first_newton_step_at_t_0_01_is_the_printed_one() {
@@ -116,7 +116,7 @@ fn the_first_newton_step_at_t_0_01_is_the_printed_one() {
     }
 }
 
-/// The same with exact numbers: the pose is put into the equations symbolically.
+/// The printed Newton step with exact numbers: the pose is substituted into the equations symbolically.
 #[test]
 fn the_printed_newton_step_is_exact_in_the_equations() {
     let mut system = description::system(NAME);
@@ -163,12 +163,12 @@ fn the_printed_newton_step_is_exact_in_the_equations() {
     let sine = graph.sin(argument);
     let last = graph.negate(sine);
     for ((index, row), printed) in rows.iter().enumerate().zip(printed) {
-        let found: Vec<_> = row
+        let entries: Vec<_> = row
             .jacobian
             .iter()
             .map(|entry| (entry.coordinate, graph.substitute(entry.value, &place)))
             .collect();
-        assert_eq!(found, printed, "row {index}");
+        assert_eq!(entries, printed, "row {index}");
         let residual = graph.substitute(row.residual, &place);
         assert_eq!(
             residual,
@@ -187,19 +187,19 @@ fn the_determinant_is_the_root_of_3_times_the_sine_of_phi2() {
     for _ in 0..1000 {
         let q: Vec<f64> = (0..6).map(|_| random.between(-PI, PI)).collect();
         for solver in &solvers {
-            let found = determinant(
+            let computed = determinant(
                 &solver
                     .functions(&q, &[0.0; 6], random.between(0.0, 5.0))
                     .phi_q,
             );
-            let wanted = sqrt_3() * q[5].sin();
-            signs.push(found.signum() == wanted.signum());
-            let error = (found.abs() - wanted.abs()).abs() / wanted.abs();
+            let expected = sqrt_3() * q[5].sin();
+            signs.push(computed.signum() == expected.signum());
+            let error = (computed.abs() - expected.abs()).abs() / expected.abs();
             largest = largest.max(error);
             // One sine and one product on either side; every other pivot is ±1.
             assert!(
                 error <= 2.0 * f64::EPSILON,
-                "{}: {found} instead of ±{wanted}",
+                "{}: {computed} instead of ±{expected}",
                 solver.kind()
             );
         }

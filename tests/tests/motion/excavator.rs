@@ -1,7 +1,7 @@
 //! The report's arm: its determinant, and both descriptions against a high-precision reference.
 
 use linkwright::generated::{Factorization, Scales};
-use linkwright_tests::deviation::{STILL, deviations, worst};
+use linkwright_tests::deviation::{REST_MAGNITUDE, deviations, worst};
 use linkwright_tests::solver::both;
 use linkwright_tests::table::Table;
 use nalgebra::Dyn;
@@ -69,20 +69,20 @@ fn points_agree_with_the_origins_of_the_reference() {
                 solver.sweep_to(row[0]);
                 for (index, point) in ORIGINS.iter().enumerate() {
                     let motion = solver.point(point);
-                    let found = [
+                    let levels = [
                         ("q", motion.position),
                         ("qd", motion.velocity),
                         ("qdd", motion.acceleration),
                     ];
-                    for ((level, [x, y]), axes) in found.into_iter().zip([["x", "y"]; 3]) {
-                        for (found, axis) in [x, y].into_iter().zip(axes) {
+                    for ((level, [x, y]), axes) in levels.into_iter().zip([["x", "y"]; 3]) {
+                        for (levels, axis) in [x, y].into_iter().zip(axes) {
                             let column = table.column(&format!("{level}_{axis}{}", index + 1));
-                            let error = (found - row[column]).abs();
-                            let magnitude = table.magnitude(column).max(STILL);
+                            let error = (levels - row[column]).abs();
+                            let magnitude = table.magnitude(column).max(REST_MAGNITUDE);
                             largest = largest.max(error / magnitude);
                             assert!(
                                 error <= 1e-12 * magnitude,
-                                "{name}, {}: {level} of {point} at t = {}: {found} instead of {}, {error:e}",
+                                "{name}, {}: {level} of {point} at t = {}: {levels} instead of {}, {error:e}",
                                 solver.kind(),
                                 row[0],
                                 row[column]

@@ -1,4 +1,4 @@
-//! The excavator driven from either end: what its actuators do to the tool, the tool undoes.
+//! The excavator driven from either end: one motion inverts the other.
 
 use linkwright::{PointMotion, Signal};
 use linkwright_mechanisms::excavator_motions::{forward, reach};
@@ -54,22 +54,22 @@ fn lengths_to_the_tool_and_back_are_the_same_lengths() {
     let mut largest = [0.0; 3];
     for step in 0..=500 {
         let t = 0.01 * f64::from(step);
-        let given = lengths(t);
-        let tool = there.advance(t, &given).expect("it moves").point_k();
-        let wanted = reach::Inputs {
+        let lengths_now = lengths(t);
+        let tool = there.advance(t, &lengths_now).expect("it moves").point_k();
+        let requested = reach::Inputs {
             tool_x: component(tool, 0),
             tool_y: component(tool, 1),
         };
-        let frame = back.advance(t, &wanted).expect("the tool is in reach");
+        let frame = back.advance(t, &requested).expect("the tool is in reach");
         compare(
             &mut largest,
             length(frame.point_n(), frame.point_m()),
-            given.boom,
+            lengths_now.boom,
         );
         compare(
             &mut largest,
             length(frame.point_h(), frame.point_g()),
-            given.stick,
+            lengths_now.stick,
         );
     }
     println!("lengths there and back: {largest:?}");
@@ -78,7 +78,7 @@ fn lengths_to_the_tool_and_back_are_the_same_lengths() {
 
 #[test]
 fn the_tool_to_lengths_and_back_is_the_same_path() {
-    // An ellipse about where the tool is drawn.
+    // An ellipse about the design position of the tool.
     let path = |t: f64| {
         let start = std::f64::consts::FRAC_PI_2;
         let shifted = swing(0.0, 0.04, 1.0, t + start);
@@ -96,15 +96,15 @@ fn the_tool_to_lengths_and_back_is_the_same_path() {
     let mut largest = [0.0; 3];
     for step in 0..=630 {
         let t = 0.01 * f64::from(step);
-        let wanted = path(t);
-        let frame = back.advance(t, &wanted).expect("the tool is in reach");
+        let requested = path(t);
+        let frame = back.advance(t, &requested).expect("the tool is in reach");
         let lengths = forward::Inputs {
             boom: length(frame.point_n(), frame.point_m()),
             stick: length(frame.point_h(), frame.point_g()),
         };
         let tool = there.advance(t, &lengths).expect("it moves").point_k();
-        compare(&mut largest, component(tool, 0), wanted.tool_x);
-        compare(&mut largest, component(tool, 1), wanted.tool_y);
+        compare(&mut largest, component(tool, 0), requested.tool_x);
+        compare(&mut largest, component(tool, 1), requested.tool_y);
     }
     println!("the tool's path there and back: {largest:?}");
     assert!(largest.iter().all(|difference| *difference <= 1e-12));

@@ -1,4 +1,4 @@
-//! What each mechanism of the gallery is known for, from the generated code.
+//! Characteristic property of each mechanism of the gallery, from the generated code.
 
 use linkwright_mechanisms::{
     cam_dwell, disc_cam, double_wishbone, jansen, pantograph, peaucellier, planetary_gear,
@@ -117,7 +117,7 @@ fn rack_steering_is_odd() {
     assert!(widest.to_degrees() > 15.0);
 }
 
-/// The pen draws 2.5 times what the tracer traces, in velocity and acceleration too.
+/// The pen enlarges the path of the tracer by 2.5, with its velocity and acceleration.
 #[test]
 fn a_pantograph_draws_larger() {
     let mut links = pantograph::Pantograph::assemble(0.0).expect("the drawing assembles");
@@ -158,7 +158,8 @@ fn a_quick_return_takes_half_the_time() {
     }
 }
 
-/// The wheel's center is as high as it is driven; the wheel leans inwards at full bump, as a shorter upper wishbone makes it.
+/// The wheel's center is as high as it is driven; the wheel leans inwards at full bump, because the upper wishbone is
+/// shorter.
 #[test]
 fn a_double_wishbone_gains_camber() {
     let mut wheel = double_wishbone::DoubleWishbone::assemble(0.0).expect("the drawing assembles");
@@ -193,12 +194,12 @@ fn a_roller_follows_an_eccentric_disc() {
             frame.q.y_follower
         );
         if let Some(angle) = frame.pressure_angle_wheel() {
-            // Where the follower turns round, the direction of its velocity is lost in rounding.
+            // At the follower's reversal, the direction of its velocity is lost in rounding.
             if frame.qd.y_follower.abs() > 1e-6 {
-                let wanted = (e * cosine / reach).asin().abs();
+                let expected = (e * cosine / reach).asin().abs();
                 assert!(
-                    (angle.abs() - wanted).abs() < 1e-9,
-                    "{angle} for {wanted} at {t}"
+                    (angle.abs() - expected).abs() < 1e-9,
+                    "{angle} for {expected} at {t}"
                 );
             }
         }
@@ -231,24 +232,24 @@ fn a_cam_follower_obeys_its_law() {
         };
         let [y, slope, bend] = cycloid(s);
         let rate = 3.0 / length;
-        let wanted = [
+        let expected = [
             h0 + (h1 - h0) * y,
             (h1 - h0) * slope * rate,
             (h1 - h0) * bend * rate * rate,
         ];
         let frame = cam.advance(t).expect("the motion is regular");
-        let found = [
+        let levels = [
             frame.q.x_follower,
             frame.qd.x_follower,
             frame.qdd.x_follower,
         ];
         for level in 0..3 {
-            worst[level] = worst[level].max((found[level] - wanted[level]).abs());
+            worst[level] = worst[level].max((levels[level] - expected[level]).abs());
         }
         if let Some(angle) = frame.pressure_angle_tip()
-            && wanted[1].abs() > 1e-6
+            && expected[1].abs() > 1e-6
         {
-            let tangent = (wanted[1] / 3.0 / wanted[0]).abs();
+            let tangent = (expected[1] / 3.0 / expected[0]).abs();
             assert!((angle.abs().tan() - tangent).abs() < 1e-9, "{angle} at {t}");
         }
     }

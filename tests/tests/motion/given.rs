@@ -1,4 +1,4 @@
-//! Parameters and inputs of generated mechanisms, against the same mechanism with everything written down.
+//! Parameters and inputs of generated mechanisms, against the same mechanism with all numbers in its description.
 
 use linkwright::nalgebra::SVector;
 use linkwright::{FailureKind, Signal};
@@ -14,7 +14,7 @@ mod four_bar_written {
 use four_bar_given::{FourBarGiven, Inputs, Parameters};
 use four_bar_written::FourBarWritten;
 
-/// What `four_bar_written` says of its lengths.
+/// Lengths in `four_bar_written`.
 const WRITTEN: Parameters = Parameters {
     g: 0.11,
     l1: 0.035,
@@ -23,7 +23,7 @@ const WRITTEN: Parameters = Parameters {
     off: -0.02,
 };
 
-/// What `four_bar_written` says of its crank: f, f' and f''.
+/// Motion of the crank in `four_bar_written`: f, f' and f''.
 fn crank(t: f64) -> Inputs {
     let start = 40.0_f64.to_radians();
     Inputs {
@@ -60,27 +60,27 @@ fn assert_same(given: &four_bar_given::Frame, written: &four_bar_written::Frame)
 #[test]
 fn parameters_and_signals_give_what_is_written_down() {
     let mut written = FourBarWritten::assemble(0.0).expect("the drawing assembles");
-    let mut given =
+    let mut driven =
         FourBarGiven::assemble_for(&WRITTEN, 0.0, &crank(0.0)).expect("the drawing assembles");
-    assert_same(given.frame(), written.frame());
+    assert_same(driven.frame(), written.frame());
     for step in 1..=300 {
         let t = f64::from(step) / 100.0;
         let written = written.advance(t).expect("the crank turns");
-        let given = given.advance(t, &crank(t)).expect("the crank turns");
-        assert_same(given, written);
+        let driven = driven.advance(t, &crank(t)).expect("the crank turns");
+        assert_same(driven, written);
     }
 }
 
 #[test]
 fn parameters_set_on_the_way_count_from_the_next_instant() {
-    let mut given = FourBarGiven::assemble(0.0, &crank(0.0)).expect("the drawing assembles");
-    assert_eq!(*given.parameters(), Parameters::default());
-    let before = *given.frame();
-    given.set_parameters(&WRITTEN).expect("positive lengths");
-    assert_eq!(*given.parameters(), WRITTEN);
-    assert_eq!(*given.frame(), before);
+    let mut driven = FourBarGiven::assemble(0.0, &crank(0.0)).expect("the drawing assembles");
+    assert_eq!(*driven.parameters(), Parameters::default());
+    let before = *driven.frame();
+    driven.set_parameters(&WRITTEN).expect("positive lengths");
+    assert_eq!(*driven.parameters(), WRITTEN);
+    assert_eq!(*driven.frame(), before);
     let mut written = FourBarWritten::assemble(0.0).expect("the drawing assembles");
-    let now = given.advance(0.25, &crank(0.25)).expect("the crank turns");
+    let now = driven.advance(0.25, &crank(0.25)).expect("the crank turns");
     let expected = written.advance(0.25).expect("the crank turns");
     assert_same(now, expected);
 }
@@ -97,9 +97,9 @@ fn the_nominal_values_are_those_of_the_description() {
 }
 
 #[test]
-fn what_is_no_number_is_a_failure_and_keeps_the_last_frame() {
-    let mut given = FourBarGiven::assemble(0.0, &crank(0.0)).expect("the drawing assembles");
-    let before = *given.frame();
+fn nan_is_a_failure_and_keeps_the_last_frame() {
+    let mut driven = FourBarGiven::assemble(0.0, &crank(0.0)).expect("the drawing assembles");
+    let before = *driven.frame();
     for level in 0..3 {
         let mut wrong = crank(0.1);
         let signal = &mut wrong.crank_angle;
@@ -108,7 +108,7 @@ fn what_is_no_number_is_a_failure_and_keeps_the_last_frame() {
             &mut signal.rate,
             &mut signal.acceleration,
         ][level] = f64::NAN;
-        let failure = given.advance(0.1, &wrong).expect_err("not a number");
+        let failure = driven.advance(0.1, &wrong).expect_err("not a number");
         assert_eq!(failure.kind, FailureKind::NotFinite);
         assert!(FourBarGiven::assemble(0.1, &wrong).is_err());
     }
@@ -116,17 +116,17 @@ fn what_is_no_number_is_a_failure_and_keeps_the_last_frame() {
         off: f64::INFINITY,
         ..WRITTEN
     };
-    let failure = given.set_parameters(&wrong).expect_err("infinite");
+    let failure = driven.set_parameters(&wrong).expect_err("infinite");
     assert_eq!(failure.kind, FailureKind::NotFinite);
-    assert_eq!(*given.parameters(), Parameters::default());
-    assert_eq!(*given.frame(), before);
-    // Links that do not meet say so, and the mechanism can be repaired.
+    assert_eq!(*driven.parameters(), Parameters::default());
+    assert_eq!(*driven.frame(), before);
+    // Links that do not meet are a failure, and the mechanism can be repaired.
     let apart = Parameters { g: 0.5, ..WRITTEN };
-    given.set_parameters(&apart).expect("positive lengths");
-    let failure = given.advance(0.1, &crank(0.1)).expect_err("out of reach");
+    driven.set_parameters(&apart).expect("positive lengths");
+    let failure = driven.advance(0.1, &crank(0.1)).expect_err("out of reach");
     assert!(matches!(failure.kind, FailureKind::OutOfReach { .. }));
-    given.set_parameters(&WRITTEN).expect("positive lengths");
-    assert!(given.advance(0.1, &crank(0.1)).is_ok());
+    driven.set_parameters(&WRITTEN).expect("positive lengths");
+    assert!(driven.advance(0.1, &crank(0.1)).is_ok());
 }
 
 mod sliders_given {
@@ -170,7 +170,7 @@ mod sleeve_given {
     linkwright::include_mechanism!(sleeve_given);
 }
 
-/// a + b sin(c t) with its derivatives.
+/// Signal a + b sin(c t) with its derivatives.
 fn harmonic(a: f64, b: f64, c: f64, t: f64) -> Signal {
     Signal::new(
         a + b * (c * t).sin(),
@@ -205,7 +205,7 @@ const SLIDER: slider_given::Parameters = slider_given::Parameters {
     speed: 2.5,
 };
 
-/// The first two derivatives at 0, from five places `h` apart: errors of the order h⁴.
+/// First two derivatives at 0, from five times `h` apart: errors of the order h⁴.
 fn derivatives<const N: usize>(of: impl Fn(f64) -> [f64; N], h: f64) -> [[f64; N]; 2] {
     let values = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|step: f64| of(step * h));
     let [a, b, c, d, e] = values;
@@ -216,8 +216,8 @@ fn derivatives<const N: usize>(of: impl Fn(f64) -> [f64; N], h: f64) -> [[f64; N
     [first, second]
 }
 
-/// The solved view against the textbook's functions, its rates against differences of its positions, and the textbook's
-/// derivatives against differences of Φ along straight lines through poses that satisfy no equation.
+/// Compares the solved formulation with the textbook functions and its rates with differences of its positions.
+/// Textbook derivatives are compared with differences of Φ along straight lines through poses off the constraints.
 macro_rules! agrees {
     ($module:ident, $mechanism:ident, $parameters:expr, $signals:expr) => {{
         use $module::{Coordinates, gamma, phi, phi_q, phi_t, $mechanism};
@@ -288,7 +288,8 @@ fn rates_count_those_of_the_signals() {
     agrees!(four_bar_given, FourBarGiven, WRITTEN, crank);
 }
 
-/// Where the crank's pin is, and through which point the rod passes: the rod is drawn from B to S, so it turns with both.
+/// The crank's pin, and the point through which the rod passes: the rod is designed from B to S, so it turns with
+/// both.
 #[test]
 fn a_line_that_is_drawn_with_parameters_follows_them() {
     use sleeve_given::{Inputs, Parameters, SleeveGiven};
@@ -303,7 +304,7 @@ fn a_line_that_is_drawn_with_parameters_follows_them() {
     };
     let mut mechanism =
         SleeveGiven::assemble_for(&parameters, 0.0, &signals(0.0)).expect("the drawing assembles");
-    // The distance of D from the line B-S as drawn, which the sleeve keeps.
+    // The sleeve keeps the distance of D from the line B-S in the design configuration.
     let line = [parameters.d - parameters.crank_x, parameters.slope];
     let length = line[0].hypot(line[1]);
     let to_pivot = [parameters.d - parameters.crank_x, 0.03 - parameters.h];
@@ -318,8 +319,8 @@ fn a_line_that_is_drawn_with_parameters_follows_them() {
         let (sine, cosine) = signals(t).angle.value.sin_cos();
         let [x, y] = [parameters.crank_x, parameters.h];
         let pin = [cosine * x - sine * y, sine * x + cosine * y];
-        let found = frame.point_b().position;
-        assert!((found[0] - pin[0]).hypot(found[1] - pin[1]) < 1e-15);
+        let position = frame.point_b().position;
+        assert!((position[0] - pin[0]).hypot(position[1] - pin[1]) < 1e-15);
         // The rod's x axis is its line, since its frame faces from B to S.
         let (sine, cosine) = frame.phi_rod().sin_cos();
         let to_pivot = [parameters.d - pin[0], 0.03 - pin[1]];
@@ -335,7 +336,7 @@ mod crane {
     linkwright::include_mechanism!(crane);
 }
 
-/// The example of README.md.
+/// Checks the example of README.md.
 #[test]
 fn a_crane_is_lengthened_and_lifted() -> Result<(), linkwright::Failure> {
     use crane::{Crane, Inputs, Parameters};

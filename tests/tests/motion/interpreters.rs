@@ -1,5 +1,6 @@
-//! The two interpreters agree: textbook and solved view of every description, along its motion, in pose, velocity and
-//! acceleration. The first iterates on all rows, the second takes block after block by the statements of the generated code.
+//! The two interpreters agree: textbook and solved formulation of every description, along its motion, in pose,
+//! velocity and acceleration. The first iterates on all rows, the second takes block after block by the statements of
+//! the generated code.
 
 use linkwright::{FailureKind, Settings, Shell, assemble, branch_of, follow};
 use linkwright_codegen::diagnostic::Source;
@@ -10,14 +11,15 @@ use linkwright_solver::view::View;
 use linkwright_tests::description;
 use linkwright_tests::values::{assembled_from, assembled_with};
 
-/// How far a motion is followed (s), and in how many frames.
+/// Duration of a motion (s); the number of frames follows.
 const END: f64 = 0.5;
 const FRAMES: u32 = 50;
 
-/// What rounding may make of a pose, velocity or acceleration of these mechanisms, none of which comes near a singular pose.
+/// Bound on rounding of a pose, velocity or acceleration of these mechanisms, none of which comes near a singular
+/// pose.
 const LIMIT: f64 = 1e-13;
 
-/// The largest difference of q, q̇ and q̈, in the size of the largest value of each level (or 1).
+/// Largest difference of q, q̇ and q̈, relative to the largest value of each level (or 1).
 fn difference(system: &System) -> Option<[f64; 3]> {
     let textbook = TextbookEquations::new(system);
     let solved = Interpreted::new(system)?;
@@ -28,7 +30,7 @@ fn difference(system: &System) -> Option<[f64; 3]> {
     let mut worst = [0.0_f64; 3];
     for step in 0..=FRAMES {
         let t = END * f64::from(step) / f64::from(FRAMES);
-        let found = match &mut shell {
+        let solved_frame = match &mut shell {
             None => {
                 let assembled = assembled_with(solved.clone(), &[], t, &laws.at(t), settings);
                 assembled.map(|assembled| {
@@ -39,15 +41,15 @@ fn difference(system: &System) -> Option<[f64; 3]> {
             }
             Some(shell) => shell.advance(t, &laws.at(t)).cloned(),
         };
-        let frame = match (&last, &found) {
+        let frame = match (&last, &solved_frame) {
             (Some((frame, branch)), _) => follow(&textbook, frame, *branch, t, &settings),
-            // A poor drawing may be nearer to another assembly than to the one with its modes.
+            // A poor estimate may be nearer to another assembly than to the one with its branches.
             (None, Ok(instant)) => assemble(&textbook, &instant.frame().q, t, &settings),
             (None, Err(_)) => return None,
         };
-        let (frame, found) = match (frame, found) {
-            (Ok(frame), Ok(found)) => (frame, found.frame()),
-            // Where a motion ends it ends in both views.
+        let (frame, solved_frame) = match (frame, solved_frame) {
+            (Ok(frame), Ok(solved_frame)) => (frame, solved_frame.frame()),
+            // A motion ends in both formulations.
             (Err(_), Err(_)) => break,
             // The textbook formulation of this test has no loads.
             (Ok(_), Err(failure)) if matches!(failure.kind, FailureKind::LoadNotFinite { .. }) => {
@@ -57,7 +59,7 @@ fn difference(system: &System) -> Option<[f64; 3]> {
         };
         for (level, (one, other)) in [&frame.q, &frame.qd, &frame.qdd]
             .into_iter()
-            .zip([&found.q, &found.qd, &found.qdd])
+            .zip([&solved_frame.q, &solved_frame.qd, &solved_frame.qdd])
             .enumerate()
         {
             let size = one.amax().max(1.0);
@@ -84,7 +86,8 @@ fn both_views_describe_the_same_motion() {
     }
 }
 
-/// One leg of the platform is driven beyond what the others reach: the attempt fails on the way, and nothing of it stays.
+/// One leg of the platform is driven beyond the reach of the others: the attempt fails in a substep, and leaves no
+/// trace.
 #[test]
 fn a_motion_that_ends_leaves_the_last_pose() {
     let text = description::source("platform_3rpr").text.clone();
@@ -102,7 +105,7 @@ fn a_motion_that_ends_leaves_the_last_pose() {
     shell.advance(0.1, &laws.at(0.1)).expect("a short step");
 }
 
-/// A page or a server solves where its interface does not wait.
+/// A page or a server solves in a thread besides that of its interface.
 #[test]
 fn an_interpreted_mechanism_may_be_moved_to_another_thread() {
     let system = description::system("four_bar");

@@ -18,7 +18,7 @@ mod pieces {
     linkwright::include_mechanism!(pieces);
 }
 
-/// Every rise from (x0, h0) = (1, 0.5) to (x1, h1) = (3, 2): s = (t − 1)/2, and one unit of y is 3/2.
+/// Each rise from (x0, h0) = (1, 0.5) to (x1, h1) = (3, 2): s = (t − 1)/2, and one unit of y is 3/2.
 fn rise(law: &str) -> Law {
     Law::new(&format!("{law}(t, 1, 0.5, 3, 2)"))
 }
@@ -33,7 +33,7 @@ fn close(found: f64, expected: f64, scale: f64, what: &str) {
     );
 }
 
-/// A law's name and its y, y', y'' in s.
+/// Name of a law and its y, y', y'' in s.
 type Closed = (&'static str, fn(f64) -> [f64; 3]);
 
 const CLOSED: [Closed; 8] = [
@@ -97,7 +97,7 @@ fn a_rise_follows_its_closed_form_and_rests_before_and_after() {
         let motion = rise(law);
         for step in -20..=120 {
             let s = f64::from(step) / 100.0;
-            let found = motion.at(1.0 + LENGTH * s);
+            let values = motion.at(1.0 + LENGTH * s);
             let expected = if step < 0 {
                 [0.0; 3]
             } else if step < 100 {
@@ -105,13 +105,13 @@ fn a_rise_follows_its_closed_form_and_rests_before_and_after() {
             } else {
                 [1.0, 0.0, 0.0]
             };
-            // The terms of a polynomial add up to as much as its coefficients do.
+            // The terms of a polynomial are as large as its coefficients.
             let scales = [300.0, 3000.0, 20000.0];
             for order in 0..3 {
                 let height = if order == 0 { 0.5 } else { 0.0 };
                 let expected = height + HEIGHT * expected[order] / LENGTH.powi(order as i32);
                 let what = format!("{law}, order {order}, s = {s}");
-                close(found[order], expected, scales[order], &what);
+                close(values[order], expected, scales[order], &what);
             }
         }
     }
@@ -149,8 +149,8 @@ fn the_modified_laws_have_the_acceleration_that_defines_them() {
         let width = 1.0 / f64::from(steps);
         for step in 0..steps {
             let s = f64::from(step) * width;
-            let found = motion.at(1.0 + LENGTH * (s + 0.5 * width));
-            let acceleration = found[2] * LENGTH * LENGTH / HEIGHT;
+            let values = motion.at(1.0 + LENGTH * (s + 0.5 * width));
+            let acceleration = values[2] * LENGTH * LENGTH / HEIGHT;
             let expected = norton(b, d, peak, s + 0.5 * width);
             assert!(
                 (acceleration - expected).abs() < 1e-6 * peak,
@@ -163,7 +163,7 @@ fn the_modified_laws_have_the_acceleration_that_defines_them() {
                 "{law}, s = {s}"
             );
             largest = [largest[0].max(acceleration.abs()), largest[1].max(rate)];
-            // From the interior, so that a jump at the end of a piece is not smoothed over.
+            // Samples from the interior keep a jump at the end of a piece.
             let ends = [1e-12, 1.0 - 1e-12].map(|end| norton(b, d, peak, s + end * width));
             let middle = norton(b, d, peak, s + 0.5 * width);
             y += slope * width + width * width * (ends[0] + 2.0 * middle) / 6.0;
@@ -178,7 +178,7 @@ fn the_modified_laws_have_the_acceleration_that_defines_them() {
     }
 }
 
-/// How many derivatives vanish at the ends, from the first on.
+/// Number of derivatives that vanish at the ends, from the first on.
 const REST: [(&str, usize); 7] = [
     ("step", 1),
     ("simple_harmonic", 1),
@@ -193,7 +193,7 @@ const REST: [(&str, usize); 7] = [
 fn the_ends_rest_as_the_law_says_and_no_more() {
     for (law, resting) in REST {
         let motion = rise(law);
-        // Just inside, where the pieces of the rise hold; a derivative that vanishes is of the size of the distance.
+        // Just inside, within the pieces of the rise; a derivative that vanishes is as small as the distance.
         let inside = [1.0 + 1e-9, 3.0 - 1e-9].map(|t| motion.at(t));
         for (end, height) in inside.iter().zip([0.5, 2.0]) {
             assert!((end[0] - height).abs() < 1e-8, "{law}: {end:?}");
@@ -233,13 +233,13 @@ fn derivatives_agree_with_differences() {
         let mut compared = 0;
         for _ in 0..400 {
             let t = random.between(0.0, 6.0);
-            // Where a derivative jumps within reach, by more than the next one explains, a difference says nothing.
+            // Where a derivative jumps nearby, by more than the next one explains, a difference is meaningless.
             let stencil = [-2.0, -1.0, 1.0, 2.0].map(|side| motion.at(t + side * step));
             let here = motion.at(t);
             let jumps = (1..5).any(|order| {
                 let size = |of: usize| stencil.iter().map(|it| it[of].abs()).fold(1e-9, f64::max);
                 let moved = stencil.iter().map(|it| (it[order] - here[order]).abs());
-                // The fifth derivative is not at hand; where the fourth is smooth it moves little.
+                // The fifth derivative is not available; where the fourth is smooth it changes little.
                 let explained = if order < 4 {
                     3.0 * step * size(order + 1)
                 } else {
@@ -289,7 +289,7 @@ fn a_sequence_goes_through_its_stations_and_repeats() {
     }
     assert_eq!(once.at(-3.0), [0.2, 0.0, 0.0, 0.0, 0.0]);
     assert_eq!(once.at(7.0), [0.2, 0.0, 0.0, 0.0, 0.0]);
-    // The fall takes twice as long as the rise.
+    // The fall takes twice the time of the rise.
     close(
         motion.at(4.0)[1],
         -0.8,
@@ -351,17 +351,17 @@ fn generated_code_agrees_with_the_interpreter() {
                 close(*found, *expected, 1000.0, &format!("{name} at {t}"));
             }
         }
-        // The solved view has what the rows of the drivers say at q = 0: f(t), f'(t) and f''(t).
+        // The solved formulation has the values of the drivers' rows at q = 0: f(t), f'(t) and f''(t).
         let frame = moved.advance(t).expect("the motion can be followed");
-        let found = [
+        let levels = [
             [frame.q.phi_crank, frame.qd.phi_crank, frame.qdd.phi_crank],
             [frame.q.x_slide, frame.qd.x_slide, frame.qdd.x_slide],
             [frame.q.phi_table, frame.qd.phi_table, frame.qdd.phi_table],
         ];
-        for (found, row) in found.iter().zip([2, 5, 8]) {
+        for (levels, row) in levels.iter().zip([2, 5, 8]) {
             let expected = [-values[3 * row], -values[3 * row + 1], values[3 * row + 2]];
-            for (found, expected) in found.iter().zip(expected) {
-                close(*found, expected, 1000.0, &format!("row {row} at {t}"));
+            for (levels, expected) in levels.iter().zip(expected) {
+                close(*levels, expected, 1000.0, &format!("row {row} at {t}"));
             }
         }
     }
@@ -392,14 +392,14 @@ fn pieces_are_what_their_conditions_say() {
         } else {
             [t + 1.0, 1.0, 0.0]
         };
-        let found = [frame.q.x_slide - 1.0, frame.qd.x_slide, frame.qdd.x_slide];
-        for (found, expected) in found.iter().zip(expected) {
-            close(*found, 0.1 * expected, 1000.0, &format!("length at {t}"));
+        let slide = [frame.q.x_slide - 1.0, frame.qd.x_slide, frame.qdd.x_slide];
+        for (slide, expected) in slide.iter().zip(expected) {
+            close(*slide, 0.1 * expected, 1000.0, &format!("length at {t}"));
         }
     }
 }
 
-/// The findings about a driven angle.
+/// Findings about a driven angle.
 fn findings(written: &str) -> String {
     let text = format!(
         "mechanism case {{ param L = 2s; body 1 at (0, 0); absolute_x(1) = 0; absolute_y(1) = 0; drive phi(1) = {written}; }}"
@@ -440,19 +440,19 @@ fn a_jump_is_named_with_its_place_and_both_sides() {
         ),
     ];
     for (written, expected) in cases {
-        let found = findings(written);
-        assert!(found.contains(expected), "{written}:\n{found}");
+        let messages = findings(written);
+        assert!(messages.contains(expected), "{written}:\n{messages}");
     }
     let smooth = [
         "if t < L { t^3 } else { t^3 + (t - L)^3 }",
         "if t < 2s { step(t, 0s, 0, 1s, 1) } else { 1 }",
         // The inner boundary is never reached.
         "if t < 2s { if t < 3s { 1 } else { t } } else { 1 }",
-        // Sines are rounded, which is no jump.
+        // Rounding of sines does not count as a jump.
         "if t < 1s { sin(pi*t/3) } else { sin(pi*t/3) + (t - 1)^3 }",
     ];
     for written in smooth {
-        let found = findings(written);
-        assert!(!found.contains("K28"), "{written}:\n{found}");
+        let messages = findings(written);
+        assert!(!messages.contains("K28"), "{written}:\n{messages}");
     }
 }

@@ -1,4 +1,4 @@
-//! The elementary functions: their errors, their special values, and a module that takes other ones.
+//! Elementary functions: their errors, their special values, and a module with other functions.
 
 use std::cell::Cell;
 
@@ -9,13 +9,13 @@ use linkwright_tests::elementary::{
 };
 use linkwright_tests::random::Random;
 
-/// What the documentation of the functions promises, in ulps.
+/// Bounds in the documentation of the functions, in ulps.
 const SINE: f64 = 1.0;
 const ANGLE: f64 = 2.0;
 
 fn assert_within(worst: &Worst, bound: f64, count: u64) {
     assert!(worst.count >= count && worst.error <= bound, "{worst:?}");
-    // An error of an exact function would say that nothing was compared.
+    // An error near zero would show that nothing was compared.
     assert!(worst.error > 0.4, "{worst:?}");
 }
 
@@ -42,7 +42,7 @@ fn sine_and_cosine_are_within_one_ulp_in_single_precision() {
         single_sine_and_cosine(f32::from_bits(bits), &mut worst);
         single_sine_and_cosine(-f32::from_bits(bits), &mut worst);
     }
-    // What is close to multiples of π/2, up to 8192 rad and beyond.
+    // Angles close to multiples of π/2, up to 8192 rad and beyond.
     for multiple in 1..20_000 {
         let nearest = (f64::from(multiple) * std::f64::consts::FRAC_PI_2) as f32;
         for bits in nearest.to_bits() - 1..=nearest.to_bits() + 1 {
@@ -87,7 +87,7 @@ fn an_angle_is_followed_within_two_epsilons() {
     }
 }
 
-/// The standard library and these functions agree about zeros, infinities and what is no number, with their signs.
+/// The standard library and these functions agree about zeros, infinities and NaN, with their signs.
 #[test]
 fn special_values_are_those_of_the_standard_library() {
     let values = [
@@ -108,7 +108,7 @@ fn special_values_are_those_of_the_standard_library() {
     };
     for y in signed.clone() {
         for x in signed.clone() {
-            // Both are rounded correctly where one of the components is special.
+            // Both are rounded correctly if one of the components is special.
             let special = |it: f64| it == 0.0 || !it.is_finite();
             if special(x) || special(y) {
                 let (found, expected) = (double::atan2(y, x), y.atan2(x));
@@ -151,7 +151,7 @@ fn sine_is_odd_and_cosine_even_to_the_last_bit() {
     }
 }
 
-/// The interpreter, the generator and the runtime take the same functions.
+/// Interpreter, generator and runtime use the same functions.
 #[test]
 fn the_runtime_has_these_functions() {
     let mut random = Random::new(5);
@@ -160,12 +160,12 @@ fn the_runtime_has_these_functions() {
         assert_eq!(math::sin_cos(x), double::sin_cos(x));
         assert_eq!(math::atan2(y, x).to_bits(), double::atan2(y, x).to_bits());
         let [y, x] = [y, x].map(|it| it as f32);
-        let found = math::angle_near(y, x, 1.0);
-        assert_eq!(found.to_bits(), single::angle_near(y, x, 1.0).to_bits());
+        let angle = math::angle_near(y, x, 1.0);
+        assert_eq!(angle.to_bits(), single::angle_near(y, x, 1.0).to_bits());
     }
 }
 
-/// Functions that count how often they are called.
+/// Functions that count their calls.
 mod counting {
     pub use linkwright::math::*;
 
@@ -206,14 +206,17 @@ mod counted {
 fn a_module_calls_the_functions_that_its_options_name() {
     use linkwright_mechanisms::four_bar;
     let mut usual = four_bar::FourBar::assemble(0.0).expect("it assembles");
-    let mut own = counted::FourBar::assemble(0.0).expect("it assembles");
+    let mut counted_mechanism = counted::FourBar::assemble(0.0).expect("it assembles");
     counting::CALLS.set([0; 3]);
     for step in 1..=100 {
         let t = f64::from(step) / 100.0;
         let usual = usual.advance(t).expect("it moves").q.to_array();
-        let own = own.advance(t).expect("it moves").q.to_array();
-        for (own, usual) in own.into_iter().zip(usual) {
-            assert!((own - usual).abs() < 1e-13, "{own} {usual}");
+        let counted_mechanism = counted_mechanism.advance(t).expect("it moves").q.to_array();
+        for (counted_mechanism, usual) in counted_mechanism.into_iter().zip(usual) {
+            assert!(
+                (counted_mechanism - usual).abs() < 1e-13,
+                "{counted_mechanism} {usual}"
+            );
         }
     }
     let [waves, roots, angles] = counting::CALLS.get();

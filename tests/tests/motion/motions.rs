@@ -1,4 +1,4 @@
-//! One mechanism with several motions: each is a module of its own, and what one does the other undoes.
+//! Mechanisms with several motions: each motion is a module of its own, and one inverts the other.
 
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
 use linkwright_codegen::stages::check_all;
@@ -35,7 +35,7 @@ fn parameters_of_a_motion_are_its_own_behind_those_of_the_mechanism() {
         assert!((frame.q.phi_arm - (1.0 - 0.7 * t)).abs() <= 1e-14, "{t}");
         assert!((frame.point_p().position[0] - 0.4 * (1.0 - 0.7 * t).cos()).abs() <= 1e-14);
     }
-    // What one motion is set to, the other does not know.
+    // Parameters of one motion do not affect the other.
     let changed = home::Parameters {
         pace: 0.2,
         ..nominal.1
@@ -59,11 +59,12 @@ fn a_slider_crank_driven_from_either_end_moves_the_same_way() {
         let (sine, cosine) = angle.sin_cos();
         let root = (4.0 - sine * sine).sqrt();
         let slope = -sine - sine * cosine / root;
-        // The closed forms of the slider's place and rate.
+        // Closed forms of the slider's position and rate.
         assert!((slider.position[0] - (cosine + root)).abs() <= 4e-15);
         assert!(slider.position[1].abs() <= 1e-15);
         assert!((slider.velocity[0] - slope * t.cos()).abs() <= 1e-14);
-        // The way back: the crank has the angle that the slider's law was made from, as well as its rate and acceleration.
+        // Backwards: the crank has the angle from which the slider's law was made, as well as its rate and
+        // acceleration.
         assert!((frame.q.phi_crank - angle).abs() <= 1e-12, "{t}");
         assert!((frame.qd.phi_crank - t.cos()).abs() <= 1e-12, "{t}");
         assert!((frame.qdd.phi_crank + t.sin()).abs() <= 1e-11, "{t}");
@@ -75,7 +76,7 @@ fn errors(text: &str) -> Diagnostics {
     generate(&Source::new("motions.mech", text), &Options::default()).expect_err("errors")
 }
 
-/// The mechanism around these motions: a crank that nothing drives.
+/// Mechanism around these motions: a crank without a driver.
 fn crank(motions: &str) -> String {
     format!(
         "mechanism crank {{
@@ -115,14 +116,14 @@ fn a_motion_is_a_complete_mechanism() {
     assert!(read.only().is_none());
 }
 
-/// The rows of a motion are those of the same mechanism with the motion's statements written at its end.
+/// Rows of a motion are those of the mechanism with the motion's statements at its end.
 #[test]
 fn a_motion_alone_generates_what_its_statements_would() {
     let [inside, outside] =
         ["motion only { drive phi(1) = 2*t; }", "drive phi(1) = 2*t;"].map(|text| {
             generate(&Source::new("crank.mech", crank(text)), &Options::default()).expect("good")
         });
-    // Without comments, and without what depends on how far a line is indented.
+    // Comments and line breaks by indentation do not count.
     let tokens = |code: &str| -> String {
         let lines = code.lines().map(str::trim);
         let kept = lines.filter(|line| !line.starts_with("//"));
@@ -139,20 +140,20 @@ fn a_motion_alone_generates_what_its_statements_would() {
 }
 
 #[test]
-fn what_all_motions_lack_is_said_once() {
-    let found = errors(&crank(
+fn faults_of_all_motions_are_reported_once() {
+    let findings = errors(&crank(
         "motion a { output P; } motion b { output velocity P; }",
     ));
-    let messages: Vec<&str> = found.iter().map(|it| it.message.as_str()).collect();
+    let messages: Vec<&str> = findings.iter().map(|it| it.message.as_str()).collect();
     assert_eq!(messages.len(), 1, "{messages:?}");
     assert!(
         messages[0].starts_with("1 equation too few"),
         "{messages:?}"
     );
-    let found = errors(&crank(
+    let findings = errors(&crank(
         "motion a { output P; } motion b { drive phi(1) = t; }",
     ));
-    let messages: Vec<&str> = found.iter().map(|it| it.message.as_str()).collect();
+    let messages: Vec<&str> = findings.iter().map(|it| it.message.as_str()).collect();
     assert!(
         messages.len() == 1 && messages[0].starts_with("motion `a`: 1 equation too few"),
         "{messages:?}"

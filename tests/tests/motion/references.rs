@@ -48,8 +48,8 @@ fn the_references_cover_five_seconds_in_the_order_of_the_coordinates() {
     for (name, _) in REFERENCES {
         let table = reference(name);
         let times: Vec<f64> = table.rows.iter().map(|row| row[0]).collect();
-        let wanted: Vec<f64> = (0..=10).map(|step| f64::from(step) / 2.0).collect();
-        assert_eq!(times, wanted, "{name}");
+        let expected: Vec<f64> = (0..=10).map(|step| f64::from(step) / 2.0).collect();
+        assert_eq!(times, expected, "{name}");
         let system = description::system(name);
         let columns = ["q", "qd", "qdd"].into_iter().flat_map(|level| {
             system.coordinates.iter().map(move |coordinate| {

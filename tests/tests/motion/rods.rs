@@ -1,4 +1,5 @@
-//! Rods between places that formulas give, in the plane and in space: against matrices, a closed form by hand, and other descriptions.
+//! Rods between positions that formulas give, in the plane and in space: against matrices, a closed form by hand, and
+//! other descriptions.
 
 use linkwright::{Blocks, FailureKind, Settings, Signal};
 use linkwright_mechanisms::ankle::{to_joint, to_motors};
@@ -24,7 +25,7 @@ fn wanted(t: f64) -> to_motors::Inputs {
     }
 }
 
-/// The motors with their rates and accelerations; what holds the foot is in the frame.
+/// Motors with their rates and accelerations.
 fn motors(frame: &to_motors::Frame) -> [Signal; 2] {
     [
         Signal {
@@ -47,17 +48,17 @@ fn cranks_of_the_ankle_are_where_matrices_and_a_closed_form_say() {
     for step in 0..=2000 {
         let t = 1e-3 * f64::from(step);
         let inputs = wanted(t);
-        let found = motors(ankle.advance(t, &inputs).expect("in reach"));
+        let solved = motors(ankle.advance(t, &inputs).expect("in reach"));
         let [pitch, roll] = [inputs.wanted_pitch, inputs.wanted_roll];
-        for (side, motor) in SIDES.into_iter().zip(found) {
+        for (side, motor) in SIDES.into_iter().zip(solved) {
             let gap = side.gap(jet(pitch), jet(roll), jet(motor)).0;
             for (worst, gap) in of_gap.iter_mut().zip(gap) {
                 *worst = worst.max(gap.abs());
             }
             let by_hand = side.motor([pitch, roll].map(|it| [it.value, it.rate]));
-            let own = [motor.value, motor.rate];
-            for ((worst, own), by_hand) in of_hand.iter_mut().zip(own).zip(by_hand) {
-                *worst = worst.max((own - by_hand).abs());
+            let generated = [motor.value, motor.rate];
+            for ((worst, generated), by_hand) in of_hand.iter_mut().zip(generated).zip(by_hand) {
+                *worst = worst.max((generated - by_hand).abs());
             }
         }
     }
@@ -79,7 +80,7 @@ fn the_foot_follows_from_the_cranks_and_both_maps_undo_one_another() {
         let inputs = wanted(t);
         let frame = *there.advance(t, &inputs).expect("in reach");
         let [left_motor, right_motor] = motors(&frame);
-        let given = to_joint::Inputs {
+        let joint_inputs = to_joint::Inputs {
             left_motor,
             right_motor,
             pitch_torque: Signal {
@@ -92,11 +93,11 @@ fn the_foot_follows_from_the_cranks_and_both_maps_undo_one_another() {
             },
         };
         if first {
-            back = to_joint::Ankle::assemble(t, &given).expect("near the drawing");
+            back = to_joint::Ankle::assemble(t, &joint_inputs).expect("near the drawing");
             first = false;
         }
-        let foot = *back.advance(t, &given).expect("in reach");
-        let found = [
+        let foot = *back.advance(t, &joint_inputs).expect("in reach");
+        let levels = [
             [
                 foot.phi_pitch(),
                 foot.phi_pitch_rate(),
@@ -109,10 +110,10 @@ fn the_foot_follows_from_the_cranks_and_both_maps_undo_one_another() {
             ],
         ];
         let [pitch, roll] = [inputs.wanted_pitch, inputs.wanted_roll];
-        for (found, wanted) in found.iter().zip([pitch, roll]) {
-            let wanted = [wanted.value, wanted.rate, wanted.acceleration];
-            for (order, wanted) in wanted.into_iter().enumerate() {
-                worst[order] = worst[order].max((found[order] - wanted).abs());
+        for (levels, wanted) in levels.iter().zip([pitch, roll]) {
+            let expected = [wanted.value, wanted.rate, wanted.acceleration];
+            for (order, expected) in expected.into_iter().enumerate() {
+                worst[order] = worst[order].max((levels[order] - expected).abs());
             }
         }
         // One map of rates is the inverse of the other.
@@ -128,11 +129,11 @@ fn the_foot_follows_from_the_cranks_and_both_maps_undo_one_another() {
                 worst[3] = worst[3].max((product - unit).abs());
             }
         }
-        // What motors supply the loads take.
+        // The loads take the power that the motors supply.
         let efforts = [foot.effort_drive_phi_left(), foot.effort_drive_phi_right()];
         let power =
-            efforts[0] * left_motor.rate + efforts[1] * right_motor.rate + 20.0 * found[0][1]
-                - 7.0 * found[1][1];
+            efforts[0] * left_motor.rate + efforts[1] * right_motor.rate + 20.0 * levels[0][1]
+                - 7.0 * levels[1][1];
         worst[4] = worst[4].max(power.abs());
         let loads = [20.0, -7.0];
         for (at, effort) in efforts.into_iter().enumerate() {
@@ -149,7 +150,7 @@ fn the_foot_follows_from_the_cranks_and_both_maps_undo_one_another() {
     assert!(worst[3] < 1e-12 && worst[4] < 1e-11);
 }
 
-/// Where the crank ends, its path does, with the time.
+/// At the limit of the crank's range, the path ends, and the failure names the time.
 #[test]
 fn a_foot_out_of_reach_is_refused_with_the_time_at_which_the_path_ends() {
     let ramp = |t: f64| to_motors::Inputs {
@@ -169,14 +170,14 @@ fn a_foot_out_of_reach_is_refused_with_the_time_at_which_the_path_ends() {
         })
         .expect("an end");
     assert!(matches!(failure.kind, FailureKind::OutOfReach { .. }));
-    // There a b = c: the crank and its rod are in line.
+    // There a b = c: the crank and its rod are collinear.
     let end = failure.time;
     let motor = |pitch: f64| SIDES.map(|side| side.motor([[pitch, 0.0], [0.0, 0.0]])[0]);
     assert!(motor(end - 1e-3).iter().all(|it| it.is_finite()), "{end}");
     assert!(motor(end + 1e-3).iter().any(|it| it.is_nan()), "{end}");
 }
 
-/// The values of two coordinates of a four-bar at an instant, with rates and accelerations.
+/// Values of two coordinates of a four-bar at an instant, with rates and accelerations.
 fn four_bar(text: &str, names: [&str; 2], t: f64) -> [[f64; 3]; 2] {
     let solved = Interpreted::new(&written(text)).expect("a plan");
     let at = names.map(|name| {
@@ -220,7 +221,7 @@ fn a_four_bar_of_angles_and_a_rod_is_the_four_bar_of_bodies() {
     }
 }
 
-/// A rod pulls with a force whose moment about the motor is what the motor exerts.
+/// A rod pulls with a force whose moment about the motor is the torque of the motor.
 #[test]
 fn rods_carry_what_motors_exert() {
     let text = std::fs::read_to_string(files::repository().join("mechanisms/ankle.mech"));

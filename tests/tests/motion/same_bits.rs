@@ -1,5 +1,5 @@
-//! The interpreter computes what generated code computes, bit by bit: every motion of every description that is compiled, along its path,
-//! with other parameters and inputs, back and forth and as far as it goes.
+//! The interpreter computes the values of generated code, bit by bit: every motion of every description that is
+//! compiled, along its path, with other parameters and inputs, back and forth and to its limits.
 
 use linkwright::{Blocks, Failure, Mechanism, Settings, Shell, Signals, math};
 use linkwright_codegen::stages::system::System;
@@ -27,7 +27,7 @@ const DIFFERENT: usize = 1_419;
 /// Numbers of compared and of different values, for each kind.
 type Tally = [[usize; 2]; KINDS.len()];
 
-/// A motion of a description that is compiled.
+/// Motion of a description that is compiled.
 pub struct Compared {
     name: &'static str,
     motion: usize,
@@ -39,7 +39,7 @@ type Frame<M> = <<M as Mechanism>::Blocks as Blocks>::Frame;
 /// Values of frames that `output` limits: names of coordinates, 0 to 2 for the levels, and values.
 type Outputs = Vec<(&'static str, usize, f64)>;
 
-/// A compiled mechanism and an interpreted one, which are moved together.
+/// Compiled mechanism and interpreted one, which are moved together.
 struct Both<'a, M: Mechanism> {
     generated: Option<Shell<M::Blocks>>,
     interpreted: Option<Shell<Interpreted>>,
@@ -91,9 +91,9 @@ where
         else {
             return;
         };
-        let own = supplied(generated.blocks(), inputs);
+        let compiled_inputs = supplied(generated.blocks(), inputs);
         let failures = [
-            generated.advance(t, &own).err(),
+            generated.advance(t, &compiled_inputs).err(),
             interpreted.advance(t, inputs).err(),
         ];
         if self.failed(failures.each_ref().map(Option::as_ref)) {
@@ -101,16 +101,16 @@ where
         }
     }
 
-    /// Gives both other parameters on the way.
+    /// Changes the parameters of both during the motion.
     fn change(&mut self, parameters: &[f64]) {
         let (Some(generated), Some(interpreted)) = (&mut self.generated, &mut self.interpreted)
         else {
             return;
         };
-        let own = filled(generated.parameters().clone(), parameters);
+        let compiled_parameters = filled(generated.parameters().clone(), parameters);
         let same = filled(interpreted.parameters().clone(), parameters);
         let failures = [
-            generated.set_parameters(&own).err(),
+            generated.set_parameters(&compiled_parameters).err(),
             interpreted.set_parameters(&same).err(),
         ];
         self.failed(failures.each_ref().map(Option::as_ref));
@@ -152,7 +152,7 @@ where
         for (place, own) in points.enumerate() {
             let name = blocks.point_name(place).expect("a name");
             let mut names = (0..).map_while(|it| view.point_name(it));
-            // Outputs are named as fields are.
+            // Names of outputs are those of fields.
             let same = names.position(|it| it.eq_ignore_ascii_case(name));
             let same = same.and_then(|place| view.point(instant, place));
             let same = same.expect("a point of the same name");
@@ -164,11 +164,11 @@ where
                 pairs[3].extend([0, 1].map(|axis| [own[axis], same[axis]]));
             }
         }
-        let asked = [
+        let requests = [
             ((self.forces)(frame), view.forces(instant)),
             ((self.derivatives)(frame), view.derivatives(instant)),
         ];
-        for (pairs, (own, same)) in pairs[4..].iter_mut().zip(asked) {
+        for (pairs, (own, same)) in pairs[4..].iter_mut().zip(requests) {
             if !own.is_empty() {
                 let same = same.expect("columns");
                 assert_eq!(own.len(), same.len());
@@ -183,14 +183,14 @@ where
     }
 }
 
-/// The inputs of a compiled mechanism.
+/// Inputs of a compiled mechanism.
 fn supplied<B: Blocks<Scalar = f64>>(blocks: &B, inputs: &InputSignals) -> B::Inputs {
-    let mut own = blocks.initial_inputs();
-    assert_eq!(own.count(), inputs.count());
+    let mut supplied = blocks.initial_inputs();
+    assert_eq!(supplied.count(), inputs.count());
     for place in 0..inputs.count() {
-        own.set(place, inputs.signal(place).expect("an input"));
+        supplied.set(place, inputs.signal(place).expect("an input"));
     }
-    own
+    supplied
 }
 
 /// Moves a compiled mechanism and an interpreted one, and compares both.
@@ -215,7 +215,7 @@ where
         derivatives,
         tally: Tally::default(),
     };
-    // What follows from laws, and what a caller supplies who keeps to none.
+    // Inputs that follow laws, and inputs of a caller that follow none.
     let other = |t: f64| {
         let mut inputs = laws.at(t);
         for (place, signal) in (0..).zip(&mut inputs.0) {
@@ -231,7 +231,7 @@ where
         let t = 0.01 * f64::from(frame);
         both.advance(&laws.at(t), t);
     }
-    // Large steps, back, and beyond what can be reached.
+    // Large steps, back, and beyond the range.
     for t in [2.5, 1.0, 1.3, 4.0, 0.0, -0.7, 30.0] {
         both.advance(&laws.at(t), t);
     }
@@ -289,7 +289,7 @@ fn interpreted_and_generated_numbers_are_the_same() {
     assert!(of_outputs <= DIFFERENT, "{of_outputs}");
 }
 
-/// Powers, roots and logarithms as generated code writes them, of which no description above has any.
+/// Powers, roots and logarithms of generated code, which no description above has.
 #[test]
 fn interpreted_powers_and_logarithms_are_those_of_generated_code() {
     type Written = fn(f64) -> f64;

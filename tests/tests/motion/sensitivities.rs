@@ -1,4 +1,5 @@
-//! How the motion depends on parameters: against differences, closed forms and the textbook view, and where it has no answer.
+//! Derivatives of the motion by parameters: against differences, closed forms and the textbook formulation, and at
+//! singular poses.
 
 use std::path::Path;
 
@@ -9,7 +10,7 @@ use linkwright_codegen::stages::system::System;
 use linkwright_solver::textbook::TextbookEquations;
 use linkwright_tests::values::{filled, levels, numbers};
 
-/// The derivatives along one parameter: position and velocity of all coordinates, then of all points.
+/// Derivatives by one parameter: position and velocity of all coordinates, then of all points.
 pub type Derivatives = [Vec<f64>; 2];
 
 /// One frame of a mechanism.
@@ -22,12 +23,12 @@ pub struct Instant {
     sensitivities: Vec<Derivatives>,
 }
 
-/// A mechanism with the sensitivity to each of its parameters.
+/// Mechanism with the sensitivity to each of its parameters.
 pub struct Sensing {
     name: &'static str,
     parameters: &'static [&'static str],
     nominal: fn() -> Vec<f64>,
-    /// The frames at these times with these parameters.
+    /// Function for the frames at these times with these parameters.
     sample: fn(&[f64], &[f64]) -> Vec<Instant>,
 }
 
@@ -37,7 +38,7 @@ fn nominal<M: Mechanism<Blocks: Blocks<Scalar = f64> + Default>>() -> Vec<f64> {
     numbers(&M::Blocks::default().nominal_parameters())
 }
 
-/// The derivatives of all coordinates with their rates, then of points with their velocities.
+/// Derivatives of all coordinates with their rates, then of points with their velocities.
 fn all<C: Values<f64>>(coordinates: [C; 2], points: &[[[f64; 2]; 2]]) -> Derivatives {
     let mut derivatives = coordinates.map(|it| numbers(&it));
     for point in points {
@@ -48,7 +49,7 @@ fn all<C: Values<f64>>(coordinates: [C; 2], points: &[[[f64; 2]; 2]]) -> Derivat
     derivatives
 }
 
-/// The frames of a mechanism at these times, with what its frames say of each parameter.
+/// Frames of a mechanism at these times, with the sensitivities of its frames to each parameter.
 fn sample<M>(
     parameters: &[f64],
     times: &[f64],
@@ -134,7 +135,7 @@ impl Sensing {
     }
 }
 
-/// The largest difference of two lists of derivatives, and the largest of the second.
+/// Largest difference of two lists of derivatives, and the largest of the second.
 fn apart(one: &Derivatives, other: &Derivatives, level: usize) -> (f64, f64) {
     assert_eq!(one[level].len(), other[level].len());
     let pairs = one[level].iter().zip(&other[level]);
@@ -164,14 +165,14 @@ fn sensitivities_are_the_limits_of_differences() {
                         .collect()
                 });
                 for level in 0..2 {
-                    let own = &instant.sensitivities[parameter];
-                    let (error, size) = apart(&extrapolated, own, level);
+                    let generated = &instant.sensitivities[parameter];
+                    let (error, size) = apart(&extrapolated, generated, level);
                     largest[level] = largest[level].max(error);
                     scale[level] = scale[level].max(size);
                 }
                 compared += 1;
             }
-            // Nothing of these mechanisms is independent of any parameter.
+            // These mechanisms depend on each parameter.
             assert!(scale[0] > 0.0, "{name} of {}", mechanism.name);
             for level in 0..2 {
                 let error = largest[level] / scale[level].max(scale[0]);
@@ -187,9 +188,10 @@ fn sensitivities_are_the_limits_of_differences() {
     assert!(compared > 1000);
 }
 
-/// Halving the step of a central difference quarters what is left: the rest is truncation, not an error of the derivative.
+/// Halving the step of a central difference quarters the remainder, which is truncation and not an error of the
+/// derivative.
 #[test]
-fn what_differences_leave_is_their_truncation() {
+fn differences_leave_their_truncation() {
     let mechanism = named("sensed_four_bar");
     let nominal = (mechanism.nominal)();
     let exact = (mechanism.sample)(&nominal, &times());
@@ -201,7 +203,7 @@ fn what_differences_leave_is_their_truncation() {
                 pairs.map(|(found, instant)| apart(found, &instant.sensitivities[parameter], 1).0);
             errors.fold(0.0, f64::max)
         });
-        // What is linear in a parameter has no truncation.
+        // A value that is linear in a parameter has no truncation.
         if errors[0] < 1e-12 {
             continue;
         }
@@ -216,7 +218,7 @@ fn what_differences_leave_is_their_truncation() {
     }
 }
 
-/// Φ_q ∂q/∂p = −Φ_p and the same of the rates, as dense systems at the frame that generated code found.
+/// Φ_q ∂q/∂p = −Φ_p and its derivative for the rates, as dense systems at the frame of generated code.
 #[test]
 fn the_textbook_view_depends_on_parameters_alike() {
     for mechanism in ALL {
@@ -241,11 +243,11 @@ fn the_textbook_view_depends_on_parameters_alike() {
                 .expect("a regular pose");
             for (parameter, own) in instant.sensitivities.iter().enumerate() {
                 for (level, dense) in [&position, &velocity].into_iter().enumerate() {
-                    let own = DVector::from_column_slice(&own[level][..count]);
+                    let generated = DVector::from_column_slice(&own[level][..count]);
                     let dense = dense.column(parameter);
-                    // Some move nothing but a point.
+                    // Some parameters move only a point.
                     let scale = dense.amax().max(position.column(parameter).amax());
-                    let error = (own - dense).amax() / if scale > 0.0 { scale } else { 1.0 };
+                    let error = (generated - dense).amax() / if scale > 0.0 { scale } else { 1.0 };
                     assert!(
                         error < 1e-11,
                         "{} of {}, {level}: {error:e}",
@@ -312,12 +314,12 @@ fn a_four_bar_depends_on_its_lengths_as_its_closure_says() {
         for (parameter, angles) in expected.iter().enumerate() {
             for (angle, place) in angles.iter().zip([5, 8]) {
                 for (level, expected) in angle.iter().enumerate() {
-                    let found = instant.sensitivities[parameter][level][place];
-                    let error = (found - expected).abs() / expected.abs().max(10.0);
+                    let derivative = instant.sensitivities[parameter][level][place];
+                    let error = (derivative - expected).abs() / expected.abs().max(10.0);
                     let name = mechanism.parameters[parameter];
                     assert!(
                         error < 1e-12,
-                        "{name}, {place}, {level}: {found} {expected}"
+                        "{name}, {place}, {level}: {derivative} {expected}"
                     );
                 }
             }
@@ -329,9 +331,9 @@ mod sensed_outputs {
     linkwright::include_mechanism!(sensed_outputs);
 }
 
-/// Only what `output` names is differentiated, and it is what the mechanism that is asked for everything says.
+/// Only the quantities of `output` are differentiated; they equal those of the mechanism with all outputs.
 #[test]
-fn what_is_asked_for_is_differentiated_alone() {
+fn only_outputs_are_differentiated() {
     let whole = named("sensed_four_bar");
     let mut mechanism = sensed_outputs::SensedOutputs::assemble(0.0).expect("as drawn");
     for (t, instant) in times()
@@ -360,7 +362,7 @@ mod sensed_folding {
     linkwright::include_mechanism!(sensed_folding);
 }
 
-/// Where crank and rod come in line the derivative grows without limit; what is returned is finite, or a failure.
+/// If crank and rod become collinear the derivative grows without limit; the result is finite, or a failure.
 #[test]
 fn a_singular_pose_is_a_failure_and_never_infinite() {
     use sensed_folding::SensedFolding;

@@ -1,4 +1,5 @@
-//! The solved view satisfies the textbook view, keeps its branch, and says how much is missing where it cannot be assembled.
+//! The solved formulation satisfies the textbook formulation, keeps its branch, and reports the missing length if it
+//! cannot be assembled.
 
 use linkwright::nalgebra::{SMatrix, SVector};
 use linkwright::{Branch, FailureKind};
@@ -28,7 +29,7 @@ mod leveled_slider {
     linkwright::include_mechanism!(leveled_slider);
 }
 
-/// Σ|a_ij x_j|: what the rounding of a product is judged against.
+/// Sum Σ|a_ij x_j|: scale for the rounding of a product.
 fn product_scale<const N: usize>(
     matrix: &SMatrix<f64, N, N>,
     x: &SVector<f64, N>,
@@ -36,7 +37,7 @@ fn product_scale<const N: usize>(
     matrix.map(f64::abs) * x.map(f64::abs)
 }
 
-/// The largest |value| / scale, where rows without any scale must be zero.
+/// Largest |value| / scale; rows without any scale must be zero.
 fn largest<const N: usize>(values: &SVector<f64, N>, scales: &SVector<f64, N>) -> f64 {
     values
         .iter()
@@ -54,7 +55,8 @@ fn largest<const N: usize>(values: &SVector<f64, N>, scales: &SVector<f64, N>) -
         })
 }
 
-/// What the solved view leaves in Φ, Φ_q q̇ + Φ_t and Φ_q q̈ − γ over the whole motion, relative to the terms.
+/// Residuals of the solved formulation in Φ, Φ_q q̇ + Φ_t and Φ_q q̈ − γ over the whole motion, relative to the
+/// terms.
 macro_rules! defects {
     ($module:ident, $mechanism:ident) => {{
         let mut defects = [0.0_f64; 3];
@@ -66,7 +68,7 @@ macro_rules! defects {
             let [qv, qd, qdd] = [frame.q, frame.qd, frame.qdd].map(|values| SVector::from(values.to_array()));
             let phi_t = $module::phi_t(&q, t);
             let gamma = $module::gamma(&q, &frame.qd, t);
-            // A row of Φ is made of the coordinates and of turned vectors of the size of the mechanism.
+            // A row of Φ consists of the coordinates and of rotated vectors of the size of the mechanism.
             let size = qv.map(f64::abs).max().max(1.0);
             let phi = $module::phi(&q, t);
             defects[0] = defects[0].max(largest(&phi, &SVector::repeat(size)));
@@ -74,7 +76,7 @@ macro_rules! defects {
             defects[1] = defects[1].max(largest(&velocity, &(product_scale(&phi_q, &qd) + phi_t.map(f64::abs))));
             let acceleration = phi_q * qdd - gamma;
             let scale = product_scale(&phi_q, &qdd) + gamma.map(f64::abs);
-            // Where a row's accelerations happen to vanish, the squares of its rates are what was added up.
+            // If a row's accelerations happen to vanish, the squares of its rates were its terms.
             let floor = qd.map(|rate| rate * rate).max().max(qdd.map(f64::abs).max());
             let scale = scale.zip_map(&acceleration, |scale, value| if value == 0.0 { scale } else { scale.max(floor) });
             defects[2] = defects[2].max(largest(&acceleration, &scale));
@@ -104,7 +106,7 @@ fn every_motion_satisfies_the_textbook_equations() {
 }
 
 #[test]
-fn what_is_asked_for_is_the_same_as_of_the_whole() {
+fn limited_outputs_equal_those_of_the_whole() {
     let mut whole = excavator::Excavator::assemble(0.0).expect("the drawing assembles");
     let mut tool = excavator_tool::ExcavatorTool::assemble(0.0).expect("the drawing assembles");
     for step in 0..=500 {
@@ -113,21 +115,21 @@ fn what_is_asked_for_is_the_same_as_of_the_whole() {
             .advance(t)
             .expect("the motion can be followed")
             .point_k();
-        let found = tool
+        let limited = tool
             .advance(t)
             .expect("the motion can be followed")
             .point_k();
         let pairs = [
-            (expected.position, found.position),
-            (expected.velocity, found.velocity),
-            (expected.acceleration, found.acceleration),
+            (expected.position, limited.position),
+            (expected.velocity, limited.velocity),
+            (expected.acceleration, limited.acceleration),
         ];
-        for (expected, found) in pairs {
+        for (expected, limited) in pairs {
             for axis in 0..2 {
-                let error = (expected[axis] - found[axis]).abs();
+                let error = (expected[axis] - limited[axis]).abs();
                 assert!(
                     error <= 1e-13 * expected[axis].abs().max(1.0),
-                    "t = {t}: {expected:?} {found:?}"
+                    "t = {t}: {expected:?} {limited:?}"
                 );
             }
         }
@@ -141,22 +143,34 @@ fn single_quantities_are_those_of_the_whole_up_to_their_level() {
     for step in 0..=500 {
         let t = f64::from(step) / 100.0;
         let expected = *whole.advance(t).expect("the motion can be followed");
-        let found = single.advance(t).expect("the motion can be followed");
+        let limited = single.advance(t).expect("the motion can be followed");
         let pairs = [
-            (expected.point_p().position[0], found.point_p_position()[0]),
-            (expected.point_p().position[1], found.point_p_position()[1]),
-            (expected.point_q().position[0], found.point_q_position()[0]),
-            (expected.point_q().velocity[1], found.point_q_velocity()[1]),
-            (expected.q.phi2, found.phi2()),
-            (expected.qd.phi2, found.phi2_rate()),
-            (expected.q.y2, found.y2()),
-            (expected.qd.y2, found.y2_rate()),
-            (expected.qdd.y2, found.y2_acceleration()),
+            (
+                expected.point_p().position[0],
+                limited.point_p_position()[0],
+            ),
+            (
+                expected.point_p().position[1],
+                limited.point_p_position()[1],
+            ),
+            (
+                expected.point_q().position[0],
+                limited.point_q_position()[0],
+            ),
+            (
+                expected.point_q().velocity[1],
+                limited.point_q_velocity()[1],
+            ),
+            (expected.q.phi2, limited.phi2()),
+            (expected.qd.phi2, limited.phi2_rate()),
+            (expected.q.y2, limited.y2()),
+            (expected.qd.y2, limited.y2_rate()),
+            (expected.qdd.y2, limited.y2_acceleration()),
         ];
-        for (expected, found) in pairs {
+        for (expected, limited) in pairs {
             assert!(
-                (expected - found).abs() <= 1e-14 * expected.abs().max(1.0),
-                "{expected} {found} at {t}"
+                (expected - limited).abs() <= 1e-14 * expected.abs().max(1.0),
+                "{expected} {limited} at {t}"
             );
         }
     }
@@ -201,7 +215,7 @@ fn a_rod_that_does_not_reach_says_by_how_much() {
         assert_eq!(failure.block, 1);
         assert_eq!(*mechanism.frame(), before, "the last frame is intact");
     }
-    // Where crank and rod are in line the rates are infinite, whatever the last digit of the angle says.
+    // If crank and rod are collinear the rates are infinite, for any last digit of the angle.
     let failure = mechanism.advance(quarter).expect_err("a singular pose");
     let in_line = matches!(
         failure.kind,
@@ -217,7 +231,7 @@ fn a_time_that_is_no_number_leaves_the_last_frame() {
     let mut mechanism = excavator::Excavator::assemble(0.0).expect("the drawing assembles");
     let before = *mechanism.frame();
     for t in [f64::NAN, f64::INFINITY] {
-        let failure = mechanism.advance(t).expect_err("a time that is no number");
+        let failure = mechanism.advance(t).expect_err("a NaN as time");
         assert_eq!(failure.kind, FailureKind::NotFinite);
         assert_eq!(*mechanism.frame(), before);
     }
@@ -225,7 +239,7 @@ fn a_time_that_is_no_number_leaves_the_last_frame() {
     assert!(after.q.x_c1.is_finite());
 }
 
-/// The largest relative deviation of single from double precision over the motion, per level.
+/// Largest relative deviation of single from double precision over the motion, per level.
 macro_rules! single_precision {
     ($module:ident, $mechanism:ident) => {{
         let mut double = $module::$mechanism::assemble(0.0).expect("the drawing assembles");
@@ -233,26 +247,26 @@ macro_rules! single_precision {
             .expect("the drawing assembles in single precision");
         let mut largest = [0.0_f64; 3];
         for step in 0..=500 {
-            // The same instants: the single precision's time is what both are given.
+            // Both precisions get the time in single precision.
             let t = step as f32 / 100.0;
             let exact = *double
                 .advance(f64::from(t))
                 .expect("the motion can be followed");
-            let found = *single
+            let frame = *single
                 .advance(t)
                 .expect("the motion can be followed in single precision");
             let levels = [
-                (exact.q, found.q),
-                (exact.qd, found.qd),
-                (exact.qdd, found.qdd),
+                (exact.q, frame.q),
+                (exact.qd, frame.qd),
+                (exact.qdd, frame.qdd),
             ];
-            for (largest, (exact, found)) in largest.iter_mut().zip(levels) {
+            for (largest, (exact, frame)) in largest.iter_mut().zip(levels) {
                 let scale = exact
                     .to_array()
                     .iter()
                     .fold(1.0, |scale: f64, value| scale.max(value.abs()));
-                for (exact, found) in exact.to_array().iter().zip(found.to_array()) {
-                    *largest = largest.max((exact - f64::from(found)).abs() / scale);
+                for (exact, frame) in exact.to_array().iter().zip(frame.to_array()) {
+                    *largest = largest.max((exact - f64::from(frame)).abs() / scale);
                 }
             }
         }

@@ -1,4 +1,4 @@
-//! Tables: what the spline through given points must be, and the generated code against the interpreter.
+//! Tables: the spline through given points against closed forms, and the generated code against the interpreter.
 
 use std::f64::consts::{PI, TAU};
 
@@ -33,7 +33,7 @@ fn close(found: f64, expected: f64, bound: f64, what: &str) {
     );
 }
 
-/// A table as a function of t.
+/// Table as a function of t.
 fn table(points: &[[f64; 2]], ends: &str) -> Law {
     let points: Vec<String> = points
         .iter()
@@ -67,18 +67,24 @@ fn a_cubic_with_its_slopes_at_the_ends_is_reproduced() {
             close(*found, expected, 1e-13, &format!("order {order} at {x}"));
         }
     }
-    // Outside it goes on with the tangent.
+    // Outside, the tangent continues.
     for (end, x) in [(-1.0, -3.5), (3.0, 7.25)] {
         let [value, slope, ..] = cubic(end);
-        let found = motion.at(x);
-        close(found[0], value + slope * (x - end), 1e-12, "a continuation");
-        close(found[1], slope, 1e-13, "its slope");
-        assert_eq!(found[2..], [0.0; 3]);
+        let continued = motion.at(x);
+        close(
+            continued[0],
+            value + slope * (x - end),
+            1e-12,
+            "a continuation",
+        );
+        close(continued[1], slope, 1e-13, "its slope");
+        assert_eq!(continued[2..], [0.0; 3]);
     }
 }
 
-/// The points of `periodic_from_elsewhere`, of which the second derivative at the boundary of two periods follows from an independent
-/// solution: 70/11 1/s², by the three equations of the ring (de Boor, chapter IV), solved by hand with 0.3, 0.4 and 0.3 s between points.
+/// Points of `periodic_from_elsewhere`. The second derivative at the boundary of two periods follows from an
+/// independent solution: 70/11 1/s², by the three equations of the ring (de Boor, chapter IV), solved by hand with
+/// 0.3, 0.4 and 0.3 s between points.
 const SWING: [[f64; 2]; 4] = [[0.2, 0.0], [0.5, 0.6], [0.9, -0.3], [1.2, 0.0]];
 const SWING_SECOND: f64 = 70.0 / 11.0;
 
@@ -110,7 +116,8 @@ fn a_periodic_table_is_smooth_at_its_boundaries_wherever_it_begins() {
     }
 }
 
-/// A spline has a continuous second derivative: beside a boundary it differs by the third one times the distance at most.
+/// A spline has a continuous second derivative: beside a boundary it differs by the third one times the distance at
+/// most.
 #[test]
 fn periodic_tables_of_random_places_are_smooth_at_their_boundaries() {
     const BESIDE: f64 = 1e-5;
@@ -147,13 +154,13 @@ fn periodic_tables_of_random_places_are_smooth_at_their_boundaries() {
     assert_eq!(looked_at, 7200);
 }
 
-/// Samples of the sine over one turn, at so many places.
+/// Samples of the sine over one turn, with this number of pieces.
 fn sine(pieces: u32, ends: &str) -> (f64, Law) {
     let width = TAU / f64::from(pieces);
     let points: Vec<[f64; 2]> = (0..=pieces)
         .map(|place| {
             let x = width * f64::from(place);
-            // The last sample is the first one, as a periodic table asks.
+            // The last sample is the first one, as a periodic table requires.
             [x, if place == pieces { 0.0 } else { x.sin() }]
         })
         .collect();
@@ -180,23 +187,23 @@ fn a_sampled_sine_is_met_to_the_order_of_truncation() {
             }
             for (order, (constant, power)) in bounds.iter().enumerate() {
                 let bound = constant * width.powi(*power);
-                let found = largest[order];
+                let error = largest[order];
                 assert!(
-                    found <= bound + 1e-14,
-                    "{ends}, order {order}: {found:e}, {bound:e}"
+                    error <= bound + 1e-14,
+                    "{ends}, order {order}: {error:e}, {bound:e}"
                 );
                 assert!(
-                    found >= 0.1 * bound,
-                    "{ends}, order {order}: {found:e}, {bound:e}"
+                    error >= 0.1 * bound,
+                    "{ends}, order {order}: {error:e}, {bound:e}"
                 );
             }
             errors.push(largest);
         }
         for pair in errors.windows(2) {
             for (order, power) in [4.0, 3.0, 2.0].iter().enumerate() {
-                let found = (pair[0][order] / pair[1][order]).log2();
+                let order_of_convergence = (pair[0][order] / pair[1][order]).log2();
                 close(
-                    found,
+                    order_of_convergence,
                     *power,
                     0.1,
                     &format!("{ends}: the power of order {order}"),
@@ -206,7 +213,7 @@ fn a_sampled_sine_is_met_to_the_order_of_truncation() {
     }
 }
 
-/// Points at unequal places, with the same first and last value.
+/// Points at unequal distances, with equal first and last values.
 const UNEQUAL: [[f64; 2]; 6] = [
     [-0.5, 0.25],
     [0.25, 1.5],
@@ -230,7 +237,7 @@ fn pieces_join_in_value_slope_and_curvature_but_not_beyond() {
             let [left, right] = [x.next_down(), x].map(|x| motion.at(x));
             close(right[0], y, 1e-14, "the value at a point");
             let is_end = place == 0 || place == UNEQUAL.len() - 1;
-            // Beside clamped ends the table goes on straight.
+            // Beside clamped ends the table continues straight.
             let smooth = if is_end && ends.starts_with("clamped") {
                 2
             } else {
@@ -270,7 +277,7 @@ fn pieces_join_in_value_slope_and_curvature_but_not_beyond() {
             assert_eq!([from, to], [0.0; 2]);
         }
     }
-    // The default of `clamped` is to rest.
+    // The default of `clamped` is rest.
     let resting = table(&UNEQUAL, "clamped");
     assert_eq!([resting.at(-7.0)[1], resting.at(9.0)[1]], [0.0; 2]);
 }
@@ -324,7 +331,7 @@ fn derivatives_agree_with_differences() {
     let (mut random, step, mut compared) = (Random::new(3), 1e-3, 0);
     for _ in 0..2000 {
         let t = random.between(-6.0, 6.0);
-        // Across a point of the table the third derivative jumps, and a difference of the second says nothing.
+        // Across a point of the table the third derivative jumps, and a difference of the second is meaningless.
         let piece = |t: f64| {
             let place = (inner(t) + 0.5).rem_euclid(4.0) - 0.5;
             UNEQUAL.iter().filter(|point| point[0] <= place).count()
@@ -378,7 +385,7 @@ fn generated_code_agrees_with_the_interpreter_in_both_precisions() {
         symbols[system.mechanism.time.index()] = t;
         tape.evaluate(&symbols, &mut Vec::new(), &mut values);
         let [q_named, qd_named] = [q, qd].map(generated::Coordinates::from_array);
-        let found = [
+        let generated_levels = [
             generated::phi(&q_named, t),
             generated::phi_t(&q_named, t),
             generated::gamma(&q_named, &qd_named, t),
@@ -394,7 +401,7 @@ fn generated_code_agrees_with_the_interpreter_in_both_precisions() {
             for level in 0..3 {
                 let expected = values[3 * row + level];
                 let what = format!("{name}, level {level} at {t}");
-                close(found[level][row], expected, 1e-14 * 30.0, &what);
+                close(generated_levels[level][row], expected, 1e-14 * 30.0, &what);
                 close(
                     f64::from(rough[level][row]),
                     expected,
@@ -406,7 +413,7 @@ fn generated_code_agrees_with_the_interpreter_in_both_precisions() {
     }
 }
 
-/// The pitch curve of the description: its radius every 30 degrees.
+/// Pitch curve of the description: its radius every 30 degrees.
 const PITCH: [f64; 12] = [
     40.0, 41.0, 44.0, 48.0, 52.0, 55.0, 56.0, 55.0, 52.0, 48.0, 44.0, 41.0,
 ];
@@ -438,7 +445,7 @@ fn a_table_drives_through_its_points() {
         close(frame.q.phi_crank, degrees.to_radians(), 1e-15, "the crank");
         close(frame.q.x_shaft, 0.012, 1e-17, "a table at a number");
     }
-    // From 2 s on the shaft turns on with the slope that is given.
+    // From 2 s on the shaft turns with the given slope.
     let frame = moved.advance(5.0).expect("the motion can be followed");
     close(
         frame.q.phi_shaft,
@@ -467,7 +474,7 @@ fn a_table_of_a_file_is_the_same_as_the_one_that_lists_its_points() {
     assert!(travelled > 0.03, "{travelled}");
 }
 
-/// However a table is written in a file, and among which other columns: the code is the same to the last byte.
+/// A table gives equal code to the last byte in any format of a file, and among any other columns.
 #[test]
 fn tables_of_other_programs_give_the_same_code() {
     let code = |statement: &str, bytes: &[u8]| {
@@ -497,11 +504,11 @@ fn tables_of_other_programs_give_the_same_code() {
         (" columns (Winkel, 3)", &wide),
         ("", b"# angle lift\n%\ta comment\n0 0\n1.5707963267948966 12.5e-3\n3.141592653589793 .02\n6.283185307179586 0\n"),
     ] {
-        let found = code(statement, bytes);
+        let module = code(statement, bytes);
         match statement.is_empty() {
-            // Radians are no exact parts of a turn.
-            true => assert!(found.contains("0.0125"), "{found}"),
-            false => assert_eq!(found, plain, "{statement}"),
+            // Values in rad are not exact fractions of a turn.
+            true => assert!(module.contains("0.0125"), "{module}"),
+            false => assert_eq!(module, plain, "{statement}"),
         }
     }
 }

@@ -45,7 +45,7 @@ fn units_are_joined_without_blanks() {
 }
 
 #[test]
-fn what_is_declared_is_no_unit() {
+fn declared_names_are_not_units() {
     let source = sprung("const mm = 1mm/2;", "2.25N/mm", "9.81");
     let plain = sprung("", "4500", "9.81");
     assert_eq!(

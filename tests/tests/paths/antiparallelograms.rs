@@ -92,11 +92,11 @@ fn passed(grounds: &[f64], step: f64, offset: f64) -> usize {
             break;
         };
         for (place, expected) in places.iter().zip(angles(grounds, at(k))) {
-            let found = frame.q()[*place];
+            let coordinate = frame.q()[*place];
             let case = format!("{grounds:?}, step {step}, offset {offset}, frame {k}");
             assert!(
-                (found - expected).abs() < 1e-6,
-                "{case}: {found} instead of {expected}"
+                (coordinate - expected).abs() < 1e-6,
+                "{case}: {coordinate} instead of {expected}"
             );
         }
         beyond += usize::from(k > 0);

@@ -1,4 +1,4 @@
-//! Motions through poses in which links are in line go straight on, wherever frames fall.
+//! Motions through poses with collinear links pass straight through, wherever frames fall.
 
 use std::f64::consts::PI;
 use std::fmt::Write as _;
@@ -10,7 +10,8 @@ use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::view::View;
 use linkwright_tests::values::assembled_from;
 
-/// Cranks of one length in a row, each of which turns the next one through a coupler as long as the ground between them.
+/// Cranks of one length in a row, each of which turns the next one through a coupler of the length of the ground
+/// between them.
 struct Row {
     loops: usize,
     coupler: f64,
@@ -52,7 +53,8 @@ const ROWS: [Row; 5] = [
     },
 ];
 
-/// What the first crank turns by: the law, its value with rate and acceleration, and the time at which the links are first in line.
+/// Motion of the first crank: the law, its value with rate and acceleration, and the time at which the links are
+/// first collinear.
 type Law = (&'static str, fn(f64) -> [f64; 3], f64);
 
 const LAWS: [Law; 3] = [
@@ -68,7 +70,7 @@ const LAWS: [Law; 3] = [
 /// Steps from a thousandth of a radian to three turns.
 const STEPS: [f64; 6] = [1e-3, 1e-2, 0.1, 1.0, 2.5, 6.0 * PI];
 
-/// Distances of a frame from the pose in which the links are in line.
+/// Distances of a frame from the pose in which the links are collinear.
 const OFFSETS: [f64; 17] = [
     0.0, 1e-12, -1e-12, 1e-10, -1e-10, 1e-8, -1e-8, 1e-6, -1e-6, 1e-5, -1e-5, 1e-4, -1e-4, 1e-3,
     -1e-3, 0.1, -0.1,
@@ -166,8 +168,8 @@ impl Row {
         .ok()
     }
 
-    /// Drives through the first pose in which the links are in line, with a frame at a distance from it; gives how far values, rates
-    /// and accelerations are off, as parts of lengths.
+    /// Drives through the first pose with collinear links, with a frame at a distance from it; returns the errors of
+    /// values, rates and accelerations, relative to lengths.
     fn driven(&self, blocks: &Interpreted, law: &Law, step: f64, offset: f64) -> [f64; 3] {
         let hit = law.2 + offset;
         let before = (0.05 / step).ceil();
@@ -177,7 +179,7 @@ impl Row {
             self.loops, self.coupler, law.0
         );
         let mut off = [0.0_f64; 3];
-        // In that pose itself it cannot be assembled.
+        // It cannot be assembled in that pose itself.
         let Some(mut shell) = self.assembled(blocks, law, start) else {
             let [q, _, _] = self.exact(law.1(start));
             assert!(
@@ -194,8 +196,8 @@ impl Row {
             let frame = frame.unwrap_or_else(|failure| panic!("{case}: to {t}: {failure}"));
             for (level, exact) in self.exact(law.1(t)).into_iter().enumerate() {
                 for (index, exact) in exact.into_iter().enumerate() {
-                    let found = blocks.coordinate(frame, index).expect("a coordinate")[level];
-                    let error = (found - exact).abs() / self.coupler.max(1.0);
+                    let coordinate = blocks.coordinate(frame, index).expect("a coordinate")[level];
+                    let error = (coordinate - exact).abs() / self.coupler.max(1.0);
                     off[level] = off[level].max(error);
                 }
             }
@@ -213,12 +215,12 @@ fn blocks(text: String) -> Interpreted {
     Interpreted::new(&system.only().expect("one motion")).expect("its blocks")
 }
 
-/// The mechanism at t = 0 in the modes of the drawing.
+/// Mechanism at t = 0 in the branches of the design configuration.
 fn as_drawn(blocks: &Interpreted) -> Shell<Interpreted> {
     assembled_from(blocks.clone(), &[], 0.0, Settings::default()).expect("as drawn")
 }
 
-/// One to three loops are singular in the same instant, and a frame falls there, beside it, or jumps it.
+/// One to three loops are singular at once, and a frame falls on that pose, beside it, or beyond.
 #[test]
 fn rows_of_parallelograms_are_driven_straight_on() {
     for row in &ROWS {
@@ -237,7 +239,8 @@ fn rows_of_parallelograms_are_driven_straight_on() {
     }
 }
 
-/// Steps far smaller than what is nearly singular: every frame there is interpolated, and each goes on from the last one.
+/// Steps far smaller than the nearly singular range: every frame there is interpolated, and each continues from the
+/// last one.
 #[test]
 fn many_frames_may_fall_beside_a_change_point() {
     let row = &ROWS[3];
@@ -247,7 +250,8 @@ fn many_frames_may_fall_beside_a_change_point() {
     }
 }
 
-/// Links that differ by a millionth have no common pose of both modes: the mechanism turns back before it, or its links pass quickly.
+/// Links that differ by a millionth have no common pose of both branches: the mechanism turns back before it, or its
+/// links pass quickly.
 #[test]
 fn nearly_equal_links_keep_their_mode() {
     for difference in [1e-4, -1e-4, 1e-6, -1e-6] {
@@ -284,7 +288,7 @@ fn nearly_equal_links_keep_their_mode() {
     }
 }
 
-/// A parallelogram of which the first crank turns by a law, in line at t = 1 s.
+/// Parallelogram whose first crank turns by a law, collinear at t = 1 s.
 fn resting(law: &str, crank: f64) -> Interpreted {
     let [x, y] = [0.2 * crank.cos(), 0.2 * crank.sin()];
     blocks(format!(
@@ -302,7 +306,7 @@ fn resting(law: &str, crank: f64) -> Interpreted {
     ))
 }
 
-/// A motion that rests in a pose at which modes meet may go on in either, and a shorter step changes nothing of that.
+/// A motion that rests at a change point may continue on either branch, and a shorter step cannot decide which.
 #[test]
 fn a_motion_that_rests_where_modes_meet_is_undecided() {
     for power in [2, 3, 5] {

@@ -1,4 +1,5 @@
-//! Lengths that inputs or t drive: where they are not positive there is no frame, as where a description states such a length.
+//! Lengths driven by inputs or by t: a length that is not positive is a failure, as such a length in a description is
+//! an error.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -27,7 +28,7 @@ fn rope(length: f64) -> Inputs {
 
 #[test]
 fn an_input_that_makes_a_length_not_positive_is_refused() {
-    let said = |figure: &str| {
+    let message = |figure: &str| {
         format!(
             "drive distance(ground.W, boom.H): the distance must be positive, and would be {figure}"
         )
@@ -53,7 +54,7 @@ fn an_input_that_makes_a_length_not_positive_is_refused() {
                 assert_eq!(failure.kind, FailureKind::NotPositive { value: length });
                 assert_eq!(failure.time, t);
                 let text = winch::describe(&failure).to_string();
-                assert!(text.starts_with(&said(figure)), "{text}");
+                assert!(text.starts_with(&message(figure)), "{text}");
             }
         }
         assert_eq!(*winch.frame(), before);
@@ -66,7 +67,8 @@ fn a_law_of_time_ends_where_its_length_does() {
     // Both links from the pivot are 0.4 m long, so the triangle closes for every length up to 0.8 m.
     let mut hauled = Hauled::assemble(0.0).expect("the drawing assembles");
     let inside = hauled.frame_at(1.5).expect("0.035 m").q.phi_boom;
-    // The boom is turned by the apex of an isosceles triangle; in the drawing it encloses atan(4/3) with the line to the winch.
+    // The boom is turned by the apex of an isosceles triangle; in the design configuration it encloses atan(4/3) with
+    // the line to the winch.
     let half = 0.25 * 1.5_f64.cos();
     let expected = 2.0 * (half / 0.4).asin() - (4.0_f64 / 3.0).atan();
     assert!((inside - expected).abs() < 1e-12, "{inside} {expected}");
@@ -92,7 +94,7 @@ fn a_law_of_time_ends_where_its_length_does() {
 }
 
 #[test]
-fn what_is_interpreted_refuses_them_too() {
+fn interpreter_refuses_them_too() {
     let interpreted = Interpreted::new(&description::system("hauled")).expect("its blocks");
     let (laws, settings) = (interpreted.input_laws(), Settings::default());
     let shell = assembled_with(interpreted.clone(), &[], 0.0, &laws.at(0.0), settings);
@@ -103,9 +105,9 @@ fn what_is_interpreted_refuses_them_too() {
     assert!(
         matches!(failure.kind, FailureKind::NotPositive { value: found } if (found - value).abs() < 1e-15)
     );
-    let said = interpreted.explained(&failure).to_string();
+    let message = interpreted.explained(&failure).to_string();
     assert!(
-        said.starts_with("drive distance(ground.W, boom.H): the distance must be positive"),
-        "{said}"
+        message.starts_with("drive distance(ground.W, boom.H): the distance must be positive"),
+        "{message}"
     );
 }

@@ -1,5 +1,5 @@
-//! The ways in which Newton-Raphson itself fails, in both views of generated mechanisms: what a failure carries, that the last
-//! frame is intact after it, and that the motion goes on.
+//! Failures of Newton-Raphson itself, in both formulations of generated mechanisms: the data of a failure, the last
+//! frame, which is intact after it, and the continuation of the motion.
 
 use linkwright::generated::newton;
 use linkwright::nalgebra::SVector;
@@ -18,12 +18,12 @@ mod square_slider {
 use cubic_slider::CubicSlider;
 use square_slider::SquareSlider;
 
-/// The drawing with the slider elsewhere.
+/// Design configuration with the slider elsewhere.
 fn textbook_at(x: f64) -> SVector<f64, 3> {
     SVector::from([x, 0.0, 0.0])
 }
 
-/// The time after 0 for which the slider is predicted at about `x`: 1 + t/2 − t²/8 = x.
+/// Time after 0 for which the slider is predicted at about `x`: 1 + t/2 − t²/8 = x.
 fn predicted_at(x: f64) -> f64 {
     2.0 + (12.0 - 8.0 * x).sqrt()
 }
@@ -35,7 +35,7 @@ fn one_attempt() -> Settings {
     }
 }
 
-/// 0 → 1 → 0: the third step is the first that can be compared with a pose that was kept.
+/// Cycle 0 → 1 → 0: the third step is the first that can be compared with a stored pose.
 #[test]
 fn the_textbook_view_cycles() {
     let settings = Settings::default();
@@ -67,7 +67,8 @@ fn the_textbook_view_diverges() {
     assert!((next.q[0] - 1.1_f64.sqrt()).abs() < 1e-15);
 }
 
-/// The same in one attempt of the solved view: the block, the time and the step are named, and shorter ones go on.
+/// One attempt of the solved formulation from there: the failure names the block, the time and the step, and shorter
+/// steps continue.
 #[test]
 fn a_block_diverges_where_one_attempt_is_all_it_has() {
     let (estimate, modes) = (
@@ -83,21 +84,22 @@ fn a_block_diverges_where_one_attempt_is_all_it_has() {
     assert_eq!((failure.block, failure.time, failure.iterations), (1, t, 1));
     assert!(failure.residual > newton::LARGEST_GROWTH, "{failure}");
     let text = square_slider::describe(&failure).to_string();
-    let wanted = "equation 1: Newton-Raphson diverges, after 1 iteration with";
-    assert!(text.starts_with(wanted), "{text}");
+    let expected = "equation 1: Newton-Raphson diverges, after 1 iteration with";
+    assert!(text.starts_with(expected), "{text}");
     assert_eq!(*mechanism.frame(), before, "the last frame is intact");
     mechanism.advance(0.1).expect("a short step");
-    // With the attempts that it has by default the same way is gone in several steps.
+    // With the default number of attempts, substeps cover the whole step.
     let mut mechanism = with(Settings::default());
     let frame = mechanism.advance(t).expect("in several steps");
     assert!((frame.q.x1 - (1.0 + t).sqrt()).abs() < 1e-14);
 }
 
-/// A block of the solved view cannot be made to cycle by a motion: each of its steps is at most half as long as the one before,
-/// so all that follow one are together shorter than it, and no pose comes back to within rounding. From the estimate that cycles in the textbook
-/// view it is assembled after least squares, which arrive next to the pose where the tangent is level: there is no way down, and
-/// the step from there runs away. Plain Newton-Raphson, which is tried next, cycles, and damped Newton-Raphson stops at the
-/// level tangent; what is reported is what the first attempt ended with.
+/// A motion cannot make a block of the solved formulation cycle. Each of its steps is at most half the one before, so
+/// that all following ones together are shorter than it, and no pose returns to within rounding. From the estimate
+/// that cycles in the textbook formulation the block is assembled after least squares, which arrive next to the pose
+/// with the level tangent. The residual has a local minimum there, and the next step diverges. Plain Newton-Raphson,
+/// which is tried next, cycles, and damped Newton-Raphson stops at the level tangent. The report gives the end of the
+/// first attempt.
 #[test]
 fn a_block_does_not_cycle() {
     let modes = cubic_slider::Branches::DESIGN;
@@ -105,15 +107,16 @@ fn a_block_does_not_cycle() {
         x1: 0.0,
         ..cubic_slider::Coordinates::DESIGN
     };
-    let found = CubicSlider::assemble_with(&estimate, modes, 0.0, Settings::default()).map(|_| ());
-    let failure = found.expect_err("the estimate is on the far side of a level tangent");
+    let assembled =
+        CubicSlider::assemble_with(&estimate, modes, 0.0, Settings::default()).map(|_| ());
+    let failure = assembled.expect_err("the estimate is on the far side of a level tangent");
     assert_eq!(failure.kind, FailureKind::Diverged);
     assert_eq!(
         (failure.block, failure.time, failure.iterations),
         (1, 0.0, 1)
     );
     assert!(failure.residual > newton::LARGEST_GROWTH, "{failure}");
-    // What the steps of a motion may do, short and far too long ones.
+    // Steps of a motion, short and far too long ones.
     let mut kinds: Vec<FailureKind> = Vec::new();
     for hundredth in 1..=1000_u16 {
         let mut mechanism = CubicSlider::assemble_with(
@@ -144,7 +147,7 @@ fn a_block_does_not_cycle() {
     assert!(!kinds.contains(&FailureKind::Cycling), "{kinds:?}");
 }
 
-/// The limit of iterations and a stall, with what is said of them, where the settings leave no room.
+/// The iteration limit and a stall, with their messages, if the settings are too tight.
 #[test]
 fn a_block_reports_its_iterations_and_its_residual() {
     let (estimate, modes) = (
@@ -177,7 +180,7 @@ fn a_block_reports_its_iterations_and_its_residual() {
     good.advance(1e-9).expect("a short step");
 }
 
-/// Every other kind in the textbook view, each from the same frame, which goes on afterwards.
+/// Every other kind in the textbook formulation, each from the same frame, which continues afterwards.
 #[test]
 fn the_textbook_view_goes_on_after_every_failure() {
     let (settings, equations) = (Settings::default(), square_slider::Textbook);

@@ -16,7 +16,7 @@ fn with(settings: Settings) -> Result<Stephenson, linkwright::Failure> {
 }
 
 #[test]
-fn what_a_loop_without_a_closed_form_fails_with_is_named_after_the_loop() {
+fn failures_of_iterated_loops_name_the_loop() {
     let good = Settings::default();
     let iterations = Settings {
         iterations: 0,

@@ -1,5 +1,5 @@
-//! The assembly modes are those of the drawing, whatever drives the mechanism: each driver becomes an input with any default, a law that
-//! fits at a late start alone, and a parameter.
+//! Assembly modes are those of the design configuration for any driver: each driver becomes an input with any
+//! default, a law that fits only at a late start, and a parameter.
 
 use std::collections::BTreeMap;
 
@@ -12,7 +12,7 @@ use linkwright_tests::hunt::paths::families::course;
 use linkwright_tests::random::Random;
 use linkwright_tests::{description, files};
 
-/// What takes the place of a law.
+/// Replacement of a law.
 #[derive(Clone, Copy, Debug)]
 enum Role {
     Input,
@@ -28,7 +28,7 @@ fn systems(text: &str) -> Result<Vec<System>, String> {
     Ok(read.motions)
 }
 
-/// The modes of closed forms by their names. What the sign of another block's determinant tells apart depends on the order of its
+/// Branches of closed forms by their names. The sign of another block's determinant depends on the order of its
 /// equations, which drivers may change.
 fn modes(system: &System) -> BTreeMap<String, Branch> {
     let blocks = Interpreted::new(system).expect("determined");
@@ -60,7 +60,7 @@ fn late(law: &str) -> String {
     text
 }
 
-/// The description with something else in the place of the law of its driver `place`; `None` where it has no more drivers.
+/// Description with a replacement of the law of its driver `place`; `None` if it has fewer drivers.
 fn driven(text: &str, place: usize, role: Role, default: f64) -> Option<String> {
     let mut drivers = text.match_indices("drive ").filter(|(at, _)| {
         text[..*at]
@@ -92,7 +92,7 @@ fn driven(text: &str, place: usize, role: Role, default: f64) -> Option<String> 
     ))
 }
 
-/// How many variants have been looked at, and how many the language refuses.
+/// Counts tested variants, and those that the language refuses.
 fn keeps_modes(name: &str, text: &str, random: &mut Random, counts: &mut [usize; 2]) {
     let Ok(before) = systems(text) else { return };
     let before: Vec<_> = before.iter().map(modes).collect();

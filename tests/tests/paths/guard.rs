@@ -56,7 +56,7 @@ fn a_parallelogram_stays_one_through_its_change_points() {
     }
 }
 
-/// A parallelogram with cranks of 0.4 times the given coupler, drawn at 60° to a ground that is turned.
+/// Parallelogram with cranks of 0.4 times the given coupler, estimated at 60° to a turned ground.
 fn slanted(coupler: f64, turned: f64) -> String {
     let crank = 0.4 * coupler;
     let along = |length: f64, angle: f64| [length * angle.cos(), length * angle.sin()];
@@ -78,7 +78,7 @@ fn slanted(coupler: f64, turned: f64) -> String {
     )
 }
 
-/// The bend of a path in metres must not hide in which mode it goes on, which differs by angles alone.
+/// The bend of a path in metres must not hide its branch, which differs in angles alone.
 #[test]
 fn parallelograms_of_all_sizes_are_driven_through() {
     for (coupler, turned) in [
@@ -133,7 +133,7 @@ fn modes_that_only_come_close_are_not_exchanged() {
         let mut mechanism = Kite::assemble(0.0).expect("as drawn");
         let branches = mechanism.branches();
         for step in 1..=60 {
-            // A failure is an answer; a pose of the other mode is none.
+            // A failure is allowed; a pose of the other branch is not.
             if mechanism.advance(h * f64::from(step)).is_err() {
                 break;
             }
@@ -144,7 +144,7 @@ fn modes_that_only_come_close_are_not_exchanged() {
 
 #[test]
 fn a_gap_is_not_stepped_over() {
-    // Coupler and crank are in line where |AC| is their difference, 80 mm: the angle at D is then acos 0.625.
+    // Coupler and crank are collinear where |AC| is their difference, 80 mm: the angle at D is then acos 0.625.
     let end = ((PI - 0.625_f64.acos() - 70_f64.to_radians()) / 60_f64.to_radians()).asin();
     for h in [0.01, 0.3, 1.0, 1.8, 2.0, 2.5, 4.0, 6.0] {
         let mut mechanism = RockerLimit::assemble(0.0).expect("as drawn");
@@ -168,25 +168,25 @@ fn a_gap_is_not_stepped_over() {
     }
 }
 
-/// Goes from an instant in steps until the path ends, in generated code and by the interpreter, which must end alike; gives the
-/// failure.
+/// Steps from an instant until the path ends, in generated code and by the interpreter, which must end alike; returns
+/// the failure.
 fn end_from(start: f64, step: f64, interpreted: &Interpreted) -> Failure {
     let mut generated = RockerLimit::assemble(start).expect("the links reach");
     let (laws, settings) = (interpreted.input_laws(), Settings::default());
-    let given = laws.at(start);
-    let mut same =
-        assembled_with(interpreted.clone(), &[], start, &given, settings).expect("the links reach");
+    let inputs_now = laws.at(start);
+    let mut same = assembled_with(interpreted.clone(), &[], start, &inputs_now, settings)
+        .expect("the links reach");
     for count in 1..=4000 {
         let t = start + step * f64::from(count);
-        let found = generated.advance(t).map(|frame| frame.t);
+        let moved = generated.advance(t).map(|frame| frame.t);
         let also = same.advance(t, &laws.at(t)).map(|frame| frame.t());
-        match (found, also) {
-            (Ok(found), Ok(also)) => assert_eq!(found, also),
-            (Err(found), Err(also)) => {
-                assert_eq!(found, also, "from {start} by {step}");
-                return found;
+        match (moved, also) {
+            (Ok(moved), Ok(also)) => assert_eq!(moved, also),
+            (Err(moved), Err(also)) => {
+                assert_eq!(moved, also, "from {start} by {step}");
+                return moved;
             }
-            (found, also) => panic!("from {start} by {step} to {t}: {found:?}, {also:?}"),
+            (moved, also) => panic!("from {start} by {step} to {t}: {moved:?}, {also:?}"),
         }
     }
     panic!("from {start} by {step}: it does not end");
@@ -199,7 +199,7 @@ fn a_gap_ends_paths_from_both_sides() {
     let interpreted = Interpreted::new(&system).expect("its blocks");
     let first = ((PI - 0.625_f64.acos() - 70_f64.to_radians()) / 60_f64.to_radians()).asin();
     let last = PI - first;
-    // They are in line again where |AC| is their sum, 160 mm.
+    // They are collinear again where |AC| is their sum, 160 mm.
     let other = ((70_f64.to_radians() - 0.575_f64.acos()) / 60_f64.to_radians()).asin();
     for h in [
         0.001, 0.01, 0.1, 0.3, 0.7, 1.0, 1.3, 1.8, 2.0, 2.4, 4.0, 6.0,

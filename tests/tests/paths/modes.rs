@@ -257,13 +257,13 @@ fn other_parameters_make_the_last_frame_an_estimate() {
     mechanism
         .set_parameters(&parameters)
         .expect("positive lengths");
-    let found = *mechanism
+    let reconfigured = *mechanism
         .advance(0.0, &platform_signals(0.8))
         .expect("another platform");
     let expected =
         platform_given::PlatformGiven::assemble_for(&parameters, 0.0, &platform_signals(0.8))
             .expect("as drawn");
-    let (one, two) = (found.q.to_array(), expected.frame().q.to_array());
+    let (one, two) = (reconfigured.q.to_array(), expected.frame().q.to_array());
     assert!(
         one.iter()
             .zip(two)

@@ -1,4 +1,4 @@
-//! How close generated mechanisms say they are to a singular pose: against closed forms, 384 bits, the interpreter's
+//! Distances of generated mechanisms from singular poses, against closed forms, 384 bits, the interpreter's
 //! determinants, singular values and single precision.
 
 use linkwright::{Blocks, Failure, Mechanism, NormalizedDeterminant, Settings, Shell};
@@ -13,13 +13,14 @@ use linkwright_tests::stability::precise::Precise;
 use linkwright_tests::values::{assembled, assembled_from};
 use nalgebra::DMatrix;
 
-/// The measures of every loop at these times, or why there are none.
+/// Normalized determinants of every loop at these times, or the failure.
 type Measured = Result<Vec<Vec<NormalizedDeterminant>>, Failure>;
 
 /// A mechanism's function for them.
 type Measures = fn(&[f64]) -> Measured;
 
-/// The measures of all frames of a mechanism at these times; its frames say those of each loop, and the closest.
+/// Normalized determinants of all frames of a mechanism at these times; its frames give those of each loop, and the
+/// smallest.
 fn measures<M>(
     times: &[f64],
     of: impl Fn(&<M::Blocks as Blocks>::Frame) -> (Vec<NormalizedDeterminant>, NormalizedDeterminant),
@@ -30,13 +31,13 @@ where
     let mut mechanism: M = assembled(times[0])?;
     let shell = mechanism.shell_mut();
     let inputs = shell.blocks().initial_inputs();
-    let mut found = Vec::new();
+    let mut measures = Vec::new();
     for &t in times {
         let (each, closest) = of(shell.advance(t, &inputs)?);
         assert_eq!(closest, NormalizedDeterminant::closest(&each));
-        found.push(each);
+        measures.push(each);
     }
-    Ok(found)
+    Ok(measures)
 }
 
 #[allow(dead_code)]
@@ -70,13 +71,13 @@ fn times() -> Vec<f64> {
     (0..=120).map(|frame| 0.01 * f64::from(frame)).collect()
 }
 
-/// The interpreter, as it is drawn.
+/// Interpreter of a description of the gallery.
 fn interpreted(name: &str) -> Shell<Interpreted> {
     let solved = Interpreted::new(&description::system(name)).expect("a plan");
     assembled_from(solved, &[], 0.0, Settings::default()).expect("as drawn")
 }
 
-/// The sizes of the measures of the interpreter at these times, and its closest approaches.
+/// Magnitudes of the interpreter's determinants at these times, and its closest approaches.
 fn watched(name: &str, times: &[f64]) -> (Vec<Vec<f64>>, Vec<Approach>) {
     let mut shell = interpreted(name);
     let laws = shell.blocks().input_laws();
@@ -92,14 +93,14 @@ fn watched(name: &str, times: &[f64]) -> (Vec<Vec<f64>>, Vec<Approach>) {
 
 /// The measures of generated code, and those of the interpreter.
 fn both(name: &str) -> (Vec<Vec<NormalizedDeterminant>>, Vec<Vec<f64>>) {
-    let found = of(name)(&times()).unwrap_or_else(|failure| panic!("{name}: {failure}"));
+    let generated = of(name)(&times()).unwrap_or_else(|failure| panic!("{name}: {failure}"));
     let (wanted, _) = watched(name, &times());
-    (found, wanted)
+    (generated, wanted)
 }
 
 /// Blocks with two and more unknowns, and angles that are measured along a line.
 #[test]
-fn what_generated_code_says_is_what_the_interpreter_monitors() {
+fn generated_determinants_are_those_of_the_interpreter() {
     let compared = [
         "double_wishbone",
         "excavator",
@@ -126,7 +127,7 @@ fn what_generated_code_says_is_what_the_interpreter_monitors() {
     }
 }
 
-/// One equation encloses no angle; its slope is scaled, and 1 where it is larger.
+/// A block of one equation has no angle between rows; its slope is scaled, and 1 if larger.
 #[test]
 fn one_equation_has_the_slope_that_the_interpreter_monitors() {
     for name in ["disc_cam", "leveled_slider"] {
@@ -163,8 +164,8 @@ fn the_exam_is_as_far_as_the_sine_of_its_rod() {
         let cosine = precise(1.0).minus(&cosine);
         let square = precise(1.0).minus(&cosine.times(&cosine));
         let truth = square.sqrt().to_f64();
-        let own = found[1][0];
-        let error = (own.reciprocal_condition - truth).abs();
+        let loop_determinant = found[1][0];
+        let error = (loop_determinant.reciprocal_condition - truth).abs();
         // sin φ2 falls like the root of cos t, which is known to rounding of 1.
         let bound = 8.0 * f64::EPSILON / truth;
         println!("1e-{exponent}: {truth:e}, error {error:.1e} of {bound:.1e}");
@@ -172,9 +173,17 @@ fn the_exam_is_as_far_as_the_sine_of_its_rod() {
             error <= bound,
             "{error:e} beyond {bound:e} at 1e-{exponent}"
         );
-        assert_eq!(own.determinant.abs(), own.reciprocal_condition);
-        assert_eq!(own.block, 1);
-        assert!(own.to_string().starts_with("revolute P(1, 2): "), "{own}");
+        assert_eq!(
+            loop_determinant.determinant.abs(),
+            loop_determinant.reciprocal_condition
+        );
+        assert_eq!(loop_determinant.block, 1);
+        assert!(
+            loop_determinant
+                .to_string()
+                .starts_with("revolute P(1, 2): "),
+            "{loop_determinant}"
+        );
     }
 }
 
@@ -190,8 +199,8 @@ fn a_four_bar_is_as_far_as_the_sine_of_its_transmission_angle() {
         let gap = (crank * cosine - ground).hypot(crank * sine);
         let product = 2.0 * coupler * rocker;
         let cosine = (coupler * coupler + rocker * rocker - gap * gap) / product;
-        let wanted = (1.0 - cosine * cosine).sqrt();
-        let error = (frame.smallest_determinant().reciprocal_condition - wanted).abs();
+        let transmission_sine = (1.0 - cosine * cosine).sqrt();
+        let error = (frame.smallest_determinant().reciprocal_condition - transmission_sine).abs();
         assert!(error < 1e-14, "{error:e} at {t}");
     }
 }
@@ -200,7 +209,7 @@ fn a_four_bar_is_as_far_as_the_sine_of_its_transmission_angle() {
 #[test]
 fn a_newton_block_has_the_condition_of_its_jacobian() {
     for name in ["double_wishbone", "platform_3rpr"] {
-        let found = of(name)(&times()).expect("it moves");
+        let frames = of(name)(&times()).expect("it moves");
         let mut shell = interpreted(name);
         let solved = shell.blocks().clone();
         let mut forms = solved.program().forms.iter().flatten();
@@ -213,7 +222,7 @@ fn a_newton_block_has_the_condition_of_its_jacobian() {
         let size = jacobian.len();
         let entries = Reader::new(&graph, solved.layout(), &jacobian.concat());
         let inputs = solved.initial_inputs();
-        for (t, own) in times().into_iter().zip(found) {
+        for (t, own) in times().into_iter().zip(frames) {
             let instant = shell.advance(t, &inputs).expect("a pose");
             let entries = entries.values(instant);
             let mut unit = DMatrix::from_row_slice(size, size, &entries);
@@ -222,8 +231,8 @@ fn a_newton_block_has_the_condition_of_its_jacobian() {
                 column /= length;
             }
             let squares = unit.singular_values().map(|it| 1.0 / (it * it)).sum();
-            let wanted = (size as f64 / squares).sqrt();
-            let error = (own[0].reciprocal_condition - wanted).abs();
+            let reciprocal_condition = (size as f64 / squares).sqrt();
+            let error = (own[0].reciprocal_condition - reciprocal_condition).abs();
             assert!(error < 1e-12, "{name}: {error:e} at {t}");
         }
     }
@@ -252,31 +261,31 @@ fn outputs_leave_the_measures_as_they_are() {
 fn single_precision_measures_the_same() {
     let double = of("platform_3rpr")(&[0.0, 0.5]).expect("it moves");
     let mut platform = single::platform::MonitoringPlatform3rpr::assemble(0.0).expect("as drawn");
-    let own = platform
+    let smallest = platform
         .advance(0.5)
         .expect("it moves")
         .smallest_determinant();
-    let gap = (f64::from(own.reciprocal_condition) - double[1][0].reciprocal_condition).abs();
+    let gap = (f64::from(smallest.reciprocal_condition) - double[1][0].reciprocal_condition).abs();
     assert!(gap < 1e-5, "{gap:e}");
     let exam = single::folding::MonitoringFolding::assemble(0.5).expect("as drawn");
     let double = of("folding")(&[0.5]).expect("as drawn");
-    let own = exam.frame().smallest_determinant();
-    let gap = (f64::from(own.determinant) - double[0][0].determinant).abs();
+    let smallest = exam.frame().smallest_determinant();
+    let gap = (f64::from(smallest.determinant) - double[0][0].determinant).abs();
     assert!(
-        gap < 1e-6 && own.is_below(1.0) && !own.is_below(0.1),
+        gap < 1e-6 && smallest.is_below(1.0) && !smallest.is_below(0.1),
         "{gap:e}"
     );
 }
 
 #[test]
-fn what_cannot_be_singular_says_so() {
+fn blocks_that_cannot_be_singular_report_it() {
     let mechanism = all::planetary_gear::MonitoringPlanetaryGear::assemble(0.0).expect("as drawn");
     let smallest = mechanism.frame().smallest_determinant();
     assert_eq!(smallest.reciprocal_condition, 1.0);
     assert_eq!(smallest.to_string(), "the mechanism: never singular");
 }
 
-/// Nothing is generated for it, and the module without the statement is the same but for it.
+/// A module without the statement differs only by the function.
 #[test]
 fn without_the_statement_nothing_is_computed() {
     for name in description::names() {
@@ -311,10 +320,10 @@ fn without_the_statement_nothing_is_computed() {
 fn the_smallest_value_comes_near_what_check_finds() {
     let times: Vec<f64> = (0..=2000).map(|frame| 0.001 * f64::from(frame)).collect();
     let (_, found) = watched("four_bar", &times);
-    let own = of("four_bar")(&times).expect("it turns");
-    let smallest = own.iter().map(|it| it[0].reciprocal_condition);
+    let determinants = of("four_bar")(&times).expect("it turns");
+    let smallest = determinants.iter().map(|it| it[0].reciprocal_condition);
     let smallest = smallest.fold(f64::INFINITY, f64::min);
-    // Sampled beside refined: a parabola at half a millisecond from its bottom.
+    // Sampling against refinement: a parabola half a millisecond from its minimum.
     let gap = smallest - found[0].measure;
     assert!((0.0..1e-5).contains(&gap), "{gap:e}");
 }

@@ -1,8 +1,8 @@
-//! No assembly of random platforms on three legs is missed: as many are found as their polynomial has real roots.
+//! Random platforms on three legs have as many assemblies as their polynomial has real roots.
 //!
-//! With τ = tan(φ/2), two differences of the circle equations are linear in the position of the platform, and what remains is a
-//! polynomial in τ with integer coefficients (Gosselin and Sefrioui 1991, after which six of its zeros are poses). Sturm's theorem
-//! counts its real zeros in whole numbers, so no rounding takes part.
+//! With τ = tan(φ/2), two differences of the circle equations are linear in the position of the platform, and the
+//! remaining equation is a polynomial in τ with integer coefficients (Gosselin and Sefrioui 1991, after which six of
+//! its zeros are poses). Sturm's theorem counts its real zeros in whole numbers, without rounding.
 
 use std::ops::{Add, Mul, Sub};
 
@@ -13,10 +13,10 @@ use linkwright_tests::random::Random;
 use num_bigint::{BigInt, Sign};
 use num_integer::Integer;
 
-/// How many platforms are looked at.
+/// Number of platforms.
 const PLATFORMS: u64 = 1000;
 
-/// All lengths are multiples of this (m).
+/// Unit of all lengths (m).
 const UNIT: f64 = 1e-6;
 
 /// Coefficients, that of the highest power last and not zero.
@@ -63,7 +63,7 @@ impl Polynomial {
                 *value -= &quotient * own;
             }
         }
-        // Without what all coefficients have in common, which would double their digits at every division.
+        // Without a common factor of the coefficients, which would double their digits at every division.
         let common = rest
             .iter()
             .fold(BigInt::default(), |common, it| common.gcd(it));
@@ -82,7 +82,7 @@ impl Polynomial {
         }
     }
 
-    /// How many different real zeros it has (Sturm 1829).
+    /// Number of different real zeros (Sturm 1829).
     fn real_zeros(&self) -> usize {
         let mut sequence = vec![self.clone(), self.derivative()];
         while let [.., before, last] = &sequence[..] {
@@ -142,7 +142,7 @@ struct Platform {
     drawn: ([i64; 2], f64),
 }
 
-/// A whole number, up to this many in size.
+/// Whole number of at most this magnitude.
 fn within(random: &mut Random, most: i64) -> i64 {
     let most = most as f64;
     random.between(-most, most).round() as i64
@@ -206,7 +206,7 @@ impl Platform {
         )
     }
 
-    /// In how many poses it can be assembled.
+    /// Number of poses in which the platform can be assembled.
     fn poses(&self) -> usize {
         let one = Polynomial::of([1, 0, 1]);
         // (1 + τ²) times the vector from the base to the pin of a leg, where the platform's origin is at zero.
@@ -261,15 +261,12 @@ fn no_assembly_of_a_platform_is_missed() {
     for number in 0..PLATFORMS {
         let platform = Platform::random(&mut random);
         let text = platform.description();
-        let found = assemblies(&Interpreted::new(&written(&text)).expect("a plan"), 0.0);
-        assert!(
-            found.proven && found.undecided.is_empty(),
-            "{number}: {text}"
-        );
-        assert_eq!(found.found.len(), platform.poses(), "{number}: {text}");
-        counts[found.found.len()] += 1;
+        let list = assemblies(&Interpreted::new(&written(&text)).expect("a plan"), 0.0);
+        assert!(list.proven && list.undecided.is_empty(), "{number}: {text}");
+        assert_eq!(list.found.len(), platform.poses(), "{number}: {text}");
+        counts[list.found.len()] += 1;
     }
-    // All numbers of poses occur that a platform with legs of a pose can have.
+    // All numbers of poses occur that a platform can have.
     assert!(
         counts[2] > 0 && counts[4] > 0 && counts[6] > 0,
         "{counts:?}"

@@ -53,7 +53,7 @@ fn at_work() -> Crane {
 
 #[test]
 fn a_dropout_in_the_middle_of_a_motion_ends_with_the_first_sample() {
-    // Without samples, with samples that are no numbers, and with the last one repeated.
+    // Without samples, with samples that are NaN, and with the last one repeated.
     for dropout in 0..3 {
         let mut crane = at_work();
         for tick in 301..1100 {

@@ -1,4 +1,4 @@
-//! Joints marked `redundant`: the motion against its closed form, in both views, and what is monitored.
+//! Joints marked `redundant`: the motion against its closed form, in both formulations, and the monitored equations.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -16,7 +16,7 @@ mod parallel_sliders {
     linkwright::include_mechanism!(parallel_sliders);
 }
 
-/// A value with its rate and acceleration.
+/// Value with its rate and acceleration.
 type Moving = [f64; 3];
 
 fn constant(value: f64) -> Moving {
@@ -41,7 +41,7 @@ fn turned(radius: f64, angle: Moving) -> [Moving; 2] {
     ]
 }
 
-/// The parallelogram with two cranks: all cranks turn alike and the coupler stays level.
+/// Parallelogram with two cranks: all cranks turn alike and the coupler stays level.
 fn parallelogram(t: f64) -> Vec<Moving> {
     let angle = [
         (4.0_f64).atan2(3.0) + 0.4 * (2.0 * t).sin(),
@@ -66,7 +66,7 @@ fn parallelogram(t: f64) -> Vec<Moving> {
     ]
 }
 
-/// The table on one rail.
+/// Table on one rail.
 fn rail(t: f64) -> Vec<Moving> {
     let length = 1.25_f64.sqrt();
     let travel = [length + 0.3 * t.sin(), 0.3 * t.cos(), -0.3 * t.sin()];
@@ -88,7 +88,7 @@ fn assert_close(what: &str, t: f64, found: [&[f64]; 3], expected: &[Moving]) {
     }
 }
 
-/// The textbook view, from the description alone.
+/// Checks the textbook formulation, from the description alone.
 fn assert_textbook(name: &str, exact: fn(f64) -> Vec<Moving>) {
     let mut textbook = Interpreted::new(name);
     textbook.assemble(0.0);
@@ -96,8 +96,8 @@ fn assert_textbook(name: &str, exact: fn(f64) -> Vec<Moving>) {
         let t = f64::from(step) * 0.02;
         textbook.advance(t);
         let frame = textbook.frame();
-        let found = [&frame.q, &frame.qd, &frame.qdd].map(|values| values.as_slice());
-        assert_close(name, t, found, &exact(t));
+        let levels = [&frame.q, &frame.qd, &frame.qdd].map(|values| values.as_slice());
+        assert_close(name, t, levels, &exact(t));
     }
 }
 
@@ -107,8 +107,8 @@ fn three_cranks_move_as_two_do() {
     for step in 0..=200 {
         let t = f64::from(step) * 0.02;
         let frame = *mechanism.advance(t).expect("regular");
-        let found = [frame.q, frame.qd, frame.qdd].map(|values| values.to_array());
-        let [q, qd, qdd] = &found;
+        let levels = [frame.q, frame.qd, frame.qdd].map(|values| values.to_array());
+        let [q, qd, qdd] = &levels;
         assert_close("three_cranks", t, [q, qd, qdd], &parallelogram(t));
         let [left] = three_cranks::monitored(&frame.q, t);
         assert!(left.abs() <= 1e-14, "{left} at {t}");
@@ -122,8 +122,8 @@ fn a_table_between_two_rails_moves_as_on_one() {
     for step in 0..=200 {
         let t = f64::from(step) * 0.02;
         let frame = *mechanism.advance(t).expect("regular");
-        let found = [frame.q, frame.qd, frame.qdd].map(|values| values.to_array());
-        let [q, qd, qdd] = &found;
+        let levels = [frame.q, frame.qd, frame.qdd].map(|values| values.to_array());
+        let [q, qd, qdd] = &levels;
         assert_close("parallel_sliders", t, [q, qd, qdd], &rail(t));
         for left in parallel_sliders::monitored(&frame.q, t) {
             assert!(left.abs() <= 1e-14, "{left} at {t}");
@@ -132,7 +132,7 @@ fn a_table_between_two_rails_moves_as_on_one() {
     assert_textbook("parallel_sliders", rail);
 }
 
-/// What is monitored is the equation itself: it sees a pose that only the solved equations allow.
+/// The monitored value is the equation itself: it shows a pose that only the solved equations allow.
 #[test]
 fn a_pose_off_the_redundant_equation_shows_in_it() {
     let mut mechanism = three_cranks::ThreeCranks::assemble(0.0).expect("assembles");
@@ -159,7 +159,7 @@ fn degrees_of_freedom_are_counted_by_rank() {
     assert_eq!((platform.kinematic, platform.net), (3, 0));
 }
 
-/// All wheels turn alike, whether frames fall on the poses in which rod and cranks are in line, beside them or beyond.
+/// All wheels turn alike, with frames at the poses in which rod and cranks are collinear, beside them or beyond.
 #[test]
 fn coupled_wheels_turn_through_their_change_points() {
     use coupled_wheels::CoupledWheels;
@@ -170,8 +170,8 @@ fn coupled_wheels_turn_through_their_change_points() {
             let frame = mechanism
                 .advance(t)
                 .unwrap_or_else(|failure| panic!("step {step}: {failure}"));
-            let found = [frame.q, frame.qd, frame.qdd].map(|values| values.to_array());
-            for (order, values) in found.iter().enumerate() {
+            let levels = [frame.q, frame.qd, frame.qdd].map(|values| values.to_array());
+            for (order, values) in levels.iter().enumerate() {
                 let turned = [FRAC_PI_2 + 0.5 * t, 0.5, 0.0][order];
                 for wheel in 0..4 {
                     let error = (values[3 * wheel + 2] - turned).abs();

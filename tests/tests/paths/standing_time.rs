@@ -1,4 +1,4 @@
-//! Inputs and parameters that change while time stands still: a step of their own, which succeeds or fails as any other.
+//! Inputs and parameters that change at constant time: a step of its own, which succeeds or fails as any other.
 
 use linkwright::{Failure, FailureKind, Signal};
 
@@ -8,7 +8,7 @@ mod winch {
 
 use winch::{Inputs, Parameters, Winch, describe};
 
-/// A winch that stands, at its nominal pose.
+/// Winch at rest, at its nominal pose.
 fn standing(t: f64) -> Winch {
     Winch::assemble(t, &rope(0.6)).expect("the drawing assembles")
 }
@@ -19,7 +19,8 @@ fn rope(length: f64) -> Inputs {
     }
 }
 
-/// Asks that the rope has this length, and that the boom is on the drawing's side of the line from its pivot to the winch.
+/// Checks that the rope has this length, and that the boom is on its original side of the line from its pivot to the
+/// winch.
 ///
 /// The angle at the pivot follows from the three sides by the law of cosines.
 fn assert_holds(winch: &Winch, head: [f64; 2], length: f64) {
@@ -28,10 +29,10 @@ fn assert_holds(winch: &Winch, head: [f64; 2], length: f64) {
     let cosine = (far * far + near * near - length * length) / (2.0 * far * near);
     let direction = anchor[1].atan2(anchor[0]) + cosine.acos();
     let expected = direction - head[1].atan2(head[0]);
-    let found = winch.frame().q.phi_boom;
+    let boom_angle = winch.frame().q.phi_boom;
     assert!(
-        (found - expected).abs() < 1e-9,
-        "{length}: {found} {expected}"
+        (boom_angle - expected).abs() < 1e-9,
+        "{length}: {boom_angle} {expected}"
     );
 }
 
@@ -152,8 +153,8 @@ fn an_input_that_is_not_finite_is_named_and_forgotten() {
                     (FailureKind::NotFinite, Some(0))
                 );
                 assert_eq!(failure.time, t);
-                let said = describe(&failure).to_string();
-                assert_eq!(said, format!("input rope is not finite, at t = {t} s"));
+                let message = describe(&failure).to_string();
+                assert_eq!(message, format!("input rope is not finite, at t = {t} s"));
                 assert_eq!(failure.to_string(), format!("not finite: input 0, t = {t}"));
                 let failure = winch.frame_at(t, &inputs).expect_err("not finite");
                 assert_eq!((failure.input, failure.time), (Some(0), t));

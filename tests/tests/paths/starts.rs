@@ -1,7 +1,7 @@
 //! Assembly of the described mechanisms from estimates that are off by up to half a radian and half a link.
 //!
-//! The estimate of every coordinate of the drawing is moved at random. The truth is the pose that the drawing itself leads to;
-//! angles count modulo whole turns.
+//! The estimate of every coordinate is moved at random. The reference is the pose to which the design configuration
+//! itself leads; angles count modulo whole turns.
 
 use std::f64::consts::TAU;
 
@@ -14,10 +14,10 @@ use linkwright_tests::random::Random;
 use linkwright_tests::starts::measure::measure;
 use linkwright_tests::starts::perturbation::SEED;
 
-/// How many of the starts ended where.
+/// Numbers of starts by end.
 #[derive(Debug, Default, PartialEq)]
 struct Outcomes {
-    /// The drawing's pose.
+    /// Design pose.
     drawn: u32,
     /// Another pose with the same sign of the determinant.
     same_branch: u32,
@@ -25,7 +25,7 @@ struct Outcomes {
     refused: u32,
 }
 
-/// Whether two poses (x, y, φ of each body) differ by whole turns at most.
+/// True if two poses (x, y, φ of each body) differ by whole turns at most.
 fn coincide<const N: usize>(a: &SVector<f64, N>, b: &SVector<f64, N>) -> bool {
     a.iter().zip(b.iter()).enumerate().all(|(place, (a, b))| {
         let mut difference = a - b;
@@ -52,9 +52,9 @@ macro_rules! outcomes {
                 let reach = if place % 3 == 2 { 0.5 } else { 0.5 * $link };
                 drawn[place] + $factor * reach * random.between(-1.0, 1.0)
             });
-            let found: Result<Frame<_, _>, Failure> =
+            let assembled: Result<Frame<_, _>, Failure> =
                 assemble_from_rough_estimate(&Textbook, &start, Some(branch), 0.0, &settings);
-            match found {
+            match assembled {
                 Ok(frame) => {
                     let ends = branch_of(&Textbook, &frame.q, 0.0, &settings);
                     assert_eq!(ends, Ok(branch));
@@ -123,7 +123,7 @@ fn no_start_of_any_mechanism_is_answered_wrongly() {
     println!("seed {SEED:#x}");
     for name in description::names() {
         for system in description::motions(&name) {
-            // The matrices of a large mechanism cost more than its starts tell.
+            // For a large mechanism, the cost of the matrices exceeds the information of more starts.
             let starts = if system.coordinates.len() <= 12 {
                 200
             } else {

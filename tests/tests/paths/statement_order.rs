@@ -88,7 +88,7 @@ fn permitted(system: &System, case: &Case, start: &[(usize, f64)]) -> Result<Per
         many,
     )
     .map_err(failed)?;
-    let mut found = Permitted::default();
+    let mut permitted = Permitted::default();
     for part in INSTANTS {
         let t = case.course.span[0] + part * case.course.period;
         shell.advance(t, &given(&blocks, case, t)).map_err(failed)?;
@@ -117,7 +117,7 @@ fn permitted(system: &System, case: &Case, start: &[(usize, f64)]) -> Result<Per
             for exponent in EXPONENTS[0]..=EXPONENTS[1] {
                 let step = sense * case.course.period * 2.0_f64.powf(0.5 * f64::from(exponent));
                 let passed = passes(step);
-                found.verdicts.push(passed);
+                permitted.verdicts.push(passed);
                 if passed || is_bounded {
                     last = if is_bounded { last } else { step };
                     continue;
@@ -132,14 +132,14 @@ fn permitted(system: &System, case: &Case, start: &[(usize, f64)]) -> Result<Per
                         high = middle;
                     }
                 }
-                found.largest.push(low);
+                permitted.largest.push(low);
             }
             if !is_bounded {
-                found.largest.push(f64::INFINITY);
+                permitted.largest.push(f64::INFINITY);
             }
         }
     }
-    Ok(found)
+    Ok(permitted)
 }
 
 /// Places and values of the start in a description with these coordinates.

@@ -1,5 +1,5 @@
-//! The assemblies that generated modules store: they are those that the solver proves to be all, under the same labels, and each is the
-//! one that is found when it is asked for, in generated code and by its letter.
+//! Assemblies that generated modules store: they are those that the solver proves to be all, under equal labels. Each
+//! is the one that is solved for its label, in generated code and by its letter.
 
 use std::f64::consts::TAU;
 
@@ -79,7 +79,7 @@ fn is_turned_wholly(angle: f64) -> bool {
     (angle - TAU * (angle / TAU).round()).abs() < 1e-11
 }
 
-/// Whether two poses differ by whole turns of bodies at most.
+/// True if two poses differ by whole turns of bodies at most.
 fn is_same(one: &[f64], other: &[f64]) -> bool {
     let pairs = one.iter().zip(other).enumerate();
     one.len() == other.len()
@@ -89,7 +89,7 @@ fn is_same(one: &[f64], other: &[f64]) -> bool {
         })
 }
 
-/// What is stored is what is proven, and the poses are those that are found with them.
+/// Compares stored assemblies with the proven ones, and their poses with the solved ones.
 fn compare(all: &Assemblies, labels: &[&str], poses: &[Vec<f64>]) {
     assert!(all.proven && all.undecided.is_empty());
     let proven = all.found.iter().map(|it| it.label());
@@ -99,9 +99,9 @@ fn compare(all: &Assemblies, labels: &[&str], poses: &[Vec<f64>]) {
     stored.sort();
     assert_eq!(proven, stored);
     for (label, pose) in labels.iter().zip(poses) {
-        let own = all.found.iter().find(|it| it.label() == *label);
-        let own = own.expect("a label of the solver").instant.q();
-        assert!(is_same(own, pose), "{label}: {own:?} {pose:?}");
+        let proven = all.found.iter().find(|it| it.label() == *label);
+        let proven = proven.expect("a label of the solver").instant.q();
+        assert!(is_same(proven, pose), "{label}: {proven:?} {pose:?}");
     }
 }
 
@@ -156,12 +156,12 @@ fn stored_assemblies_are_those_that_are_proven() {
     );
 }
 
-/// Which assemblies of the platform there are depends on the mode of the four-bar that carries one of its legs.
+/// The assemblies of the platform depend on the branch of the four-bar that carries one of its legs.
 #[test]
 fn signs_of_loops_before_are_part_of_what_is_stored() {
-    let found = stored!(carried::carried, Carried, written(carried::TEXT));
+    let count = stored!(carried::carried, Carried, written(carried::TEXT));
     let labels = carried::carried::Branches::LABELS;
-    assert_eq!(found, 4);
+    assert_eq!(count, 4);
     for sign in ["+", "-"] {
         assert!(
             labels.iter().any(|label| label.starts_with(sign)),
@@ -170,7 +170,7 @@ fn signs_of_loops_before_are_part_of_what_is_stored() {
     }
 }
 
-/// `--branch` reads these wishes.
+/// `--branch` reads these labels.
 #[test]
 fn every_assembly_is_found_by_its_letter() {
     for (text, count) in [(six::TEXT, 6), (butterfly::TEXT, 8)] {
@@ -190,7 +190,7 @@ fn every_assembly_is_found_by_its_letter() {
     }
 }
 
-/// At another time the letter leads to the pose that has moved on from it, as long as that is near.
+/// At another time the letter leads to the pose that has moved on from it, if that is near.
 #[test]
 fn a_stored_assembly_is_where_the_motion_begins() {
     use linkwright_mechanisms::stephenson::{Branches, Stephenson};

@@ -1,5 +1,5 @@
-//! Blocks without a closed form, solved by way of fewer unknowns: the motion is the one that is known, or the one of all equations at
-//! once, also where a step on the way is singular and the block is not.
+//! Blocks without a closed form, solved by tearing: the motion is the known one, or that of all equations at once,
+//! also if the explicit system is singular and the block is not.
 
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
@@ -20,8 +20,8 @@ fn methods(solved: &Interpreted) -> Vec<String> {
     forms.map(|form| form.name()).collect()
 }
 
-/// Three legs between these pins on the ground and those of a platform, of which every length is that of a known motion:
-/// x = 0.7 + 0.2 sin t, y = 1.1 + 0.1 sin 1.3 t, φ = a sin(t − b).
+/// Three legs between these pins on the ground and those of a platform. The lengths of the legs are those of a known
+/// motion: x = 0.7 + 0.2 sin t, y = 1.1 + 0.1 sin 1.3 t, φ = a sin(t − b).
 fn platform(base: [[f64; 2]; 3], pins: [[f64; 2]; 3], [a, b]: [f64; 2]) -> String {
     let mut text = String::from("mechanism platform {\n");
     for (name, [x, y]) in ["A", "B", "C"].iter().zip(base) {
@@ -51,7 +51,7 @@ fn platform(base: [[f64; 2]; 3], pins: [[f64; 2]; 3], [a, b]: [f64; 2]) -> Strin
     text + "}\n"
 }
 
-/// The largest errors of the platform's x, y and φ, of their rates and of their accelerations.
+/// Largest errors of the platform's x, y and φ, of their rates and of their accelerations.
 fn errors(text: &str, [a, b]: [f64; 2]) -> [f64; 3] {
     let solved = Interpreted::new(&written(text)).expect("a plan");
     assert_eq!(methods(&solved), ["Newton of size 1 for 4 unknowns"]);
@@ -60,8 +60,8 @@ fn errors(text: &str, [a, b]: [f64; 2]) -> [f64; 3] {
     let mut worst = [0.0_f64; 3];
     for step in 1..=5000 {
         let t = 0.002 * f64::from(step);
-        let found = shell.advance(t, &laws.at(t)).expect("a regular pose");
-        let frame = found.frame();
+        let moved = shell.advance(t, &laws.at(t)).expect("a regular pose");
+        let frame = moved.frame();
         let exact = [
             [
                 0.7 + 0.2 * t.sin(),
@@ -71,17 +71,17 @@ fn errors(text: &str, [a, b]: [f64; 2]) -> [f64; 3] {
             [0.2 * t.cos(), 0.13 * (1.3 * t).cos(), a * (t - b).cos()],
             [-0.2 * t.sin(), -0.169 * (1.3 * t).sin(), -a * (t - b).sin()],
         ];
-        let found = [&frame.q, &frame.qd, &frame.qdd];
-        for (worst, (found, exact)) in worst.iter_mut().zip(found.into_iter().zip(exact)) {
-            for (found, exact) in found.iter().zip(exact) {
-                *worst = worst.max((found - exact).abs());
+        let moved = [&frame.q, &frame.qd, &frame.qdd];
+        for (worst, (moved, exact)) in worst.iter_mut().zip(moved.into_iter().zip(exact)) {
+            for (moved, exact) in moved.iter().zip(exact) {
+                *worst = worst.max((moved - exact).abs());
             }
         }
     }
     worst
 }
 
-/// With φ = 0 the two linear equations for the platform's place are the same, although its legs hold it.
+/// With φ = 0 the two linear equations for the platform's position coincide, although its legs constrain it.
 #[test]
 fn a_platform_moves_through_poses_at_which_its_linear_equations_vanish() {
     let base = [[0.0, 0.0], [1.5, 0.3], [1.8, 0.8]];
@@ -96,7 +96,7 @@ fn a_platform_moves_through_poses_at_which_its_linear_equations_vanish() {
     assert!(worst.iter().all(|&it| it < 2e-13), "{worst:?}");
 }
 
-/// The largest difference from all textbook equations at once, in the size of the largest value of each level (or 1).
+/// Largest difference from all textbook equations at once, relative to the largest value of each level (or 1).
 fn difference(text: &str, frames: u32) -> [f64; 3] {
     let system = written(text);
     let textbook = TextbookEquations::new(&system);
@@ -109,15 +109,15 @@ fn difference(text: &str, frames: u32) -> [f64; 3] {
     let mut worst = [0.0_f64; 3];
     for step in 1..=frames {
         let t = 0.01 * f64::from(step);
-        let found = shell
+        let torn = shell
             .advance(t, &laws.at(t))
             .expect("a regular pose")
             .frame();
         frame = follow(&textbook, &frame, branch, t, &settings).expect("a regular pose");
         let levels = [
-            (&frame.q, &found.q),
-            (&frame.qd, &found.qd),
-            (&frame.qdd, &found.qdd),
+            (&frame.q, &torn.q),
+            (&frame.qd, &torn.qd),
+            (&frame.qdd, &torn.qdd),
         ];
         for (worst, (one, other)) in worst.iter_mut().zip(levels) {
             *worst = worst.max((one - other).amax() / one.amax().max(1.0));
@@ -171,7 +171,7 @@ fn chains_that_are_driven_at_their_end_are_as_accurate_as_all_equations_at_once(
     }
 }
 
-/// In another order of bodies and joints the loops that remain go long ways round, and have to be shortened.
+/// In another order of bodies and joints the remaining loops are long, and have to be shortened.
 #[test]
 fn chains_are_torn_in_whatever_order_they_are_written() {
     let text = Pantograph::new(10, 0.875).text("");
@@ -180,7 +180,7 @@ fn chains_are_torn_in_whatever_order_they_are_written() {
         let lines = text.lines();
         lines.filter(|line| line.starts_with(kind)).collect()
     });
-    // No factor of how many there are of each kind.
+    // Coprime to the numbers of bodies and joints.
     for step in [1, 3, 7, 11, 17, 19] {
         let mut places = [0; 2];
         let lines = text.lines().map(|line| {
@@ -205,8 +205,9 @@ fn chains_are_torn_in_whatever_order_they_are_written() {
     }
 }
 
-/// Half bars of a cell are alike, so all bars of a family are parallel, and what the last cell is driven by gives both angles. Without
-/// iterations and shorter steps there is no way to a frame but that by the tears, and the path is shown from frame to frame.
+/// Half bars of a cell are equal, so that all bars of a family are parallel, and the driver of the last cell gives
+/// both angles. Without iterations and substeps, only tearing yields a frame, and the path is proven from frame to
+/// frame.
 #[test]
 fn long_chains_do_without_all_equations_at_once() {
     for (cells, length, statements) in [(60, 0.1, ""), (120, 0.1, ""), (120, 0.01, "unguarded;")] {
@@ -223,9 +224,9 @@ fn long_chains_do_without_all_equations_at_once() {
         let mut worst = 0.0_f64;
         for step in 1..=30 {
             let t = length * f64::from(step);
-            let found = shell.advance(t, &laws.at(t)).expect("a regular pose");
-            let found = found.frame();
-            // All of x(M) is a half of one bar and the rest of pairs of both families; v(B) lies half a bar beyond.
+            let moved = shell.advance(t, &laws.at(t)).expect("a regular pose");
+            let moved = moved.frame();
+            // Half of one bar and pairs of both families give x(M); v(B) lies half a bar beyond.
             let half = chain.halves[0];
             let width = chain.end - chain.middle + OPENING * (2.0 * t).sin();
             let pairs = (cells - 1) as f64;
@@ -234,7 +235,7 @@ fn long_chains_do_without_all_equations_at_once() {
                 (whole / (half + pairs * half)).acos(),
                 -(width / half).acos(),
             ];
-            let bodies = found.q.as_slice().chunks_exact(3).enumerate();
+            let bodies = moved.q.as_slice().chunks_exact(3).enumerate();
             worst = bodies.fold(worst, |worst, (body, place)| {
                 worst.max((place[2] - known[body % 2]).abs())
             });
@@ -244,17 +245,19 @@ fn long_chains_do_without_all_equations_at_once() {
     }
 }
 
-/// Reports say how often the runtime evaluates at most.
+/// The report's limit on evaluations is that of the runtime.
 #[test]
 fn reports_count_as_the_runtime_does() {
     assert_eq!(EVALUATIONS, torn::EVALUATIONS);
     assert_eq!(STEPS, usize::from(Settings::<f64>::default().iterations));
 }
 
-/// The values of a coordinate in all assemblies, ascending; angles, of which that next to the drawing's is found, without whole turns.
+/// Values of a coordinate in all assemblies, ascending; angles lie within half a turn of zero.
 fn values(all: &Assemblies, coordinate: usize) -> Vec<f64> {
-    let found = all.found.iter().map(|it| it.instant.q()[coordinate]);
-    let mut values: Vec<f64> = found.map(|it| it - TAU * (it / TAU).round()).collect();
+    let coordinates = all.found.iter().map(|it| it.instant.q()[coordinate]);
+    let mut values: Vec<f64> = coordinates
+        .map(|it| it - TAU * (it / TAU).round())
+        .collect();
     values.sort_by(f64::total_cmp);
     values
 }
@@ -317,8 +320,8 @@ fn all_six_assemblies_of_a_platform_are_found_and_proven_to_be_all() {
         ),
     ];
     for (coordinate, known) in known {
-        let found = values(&all, coordinate);
-        assert!(are_near(&found, &known), "{coordinate}: {found:?}");
+        let computed = values(&all, coordinate);
+        assert!(are_near(&computed, &known), "{coordinate}: {computed:?}");
     }
 }
 
@@ -337,6 +340,6 @@ fn all_eight_assemblies_of_the_double_butterfly_are_found_and_proven_to_be_all()
         0.454_975_827_511_359,
         0.469_997_567_774_262,
     ];
-    let found = values(&all, 5);
-    assert!(are_near(&found, &known), "{found:?}");
+    let computed = values(&all, 5);
+    assert!(are_near(&computed, &known), "{computed:?}");
 }

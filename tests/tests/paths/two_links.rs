@@ -1,7 +1,7 @@
-//! What shows by the bounds of two links that a span holds one path never says so of a span in which links come in line.
+//! The proof of a path by the bounds of two links never accepts a window in which the links become collinear.
 //!
-//! Chains of random dyads are looked at in spans of every size; where their path is vouched for, poses all over the span must exist,
-//! follow one another without a jump, and turn no link by more than is supposed.
+//! Windows of every size of chains of random dyads are verified. If their path is proven, poses exist all over the
+//! window, follow one another without a jump, and turn no link by more than is assumed.
 
 mod rows;
 
@@ -19,13 +19,13 @@ use linkwright_tests::description;
 use linkwright_tests::random::Random;
 use linkwright_tests::values::assembled_with;
 
-/// In how many places of a span poses are computed.
+/// Number of times in a window at which poses are computed.
 const SAMPLES: i32 = 300;
 
-/// How far a link may turn in a span, in rad.
+/// Largest turn of a link in a window, in rad.
 const LARGEST_TURN: f64 = 1.5;
 
-/// A mechanism without its path.
+/// Mechanism without its path.
 struct Poses<'a> {
     blocks: &'a Interpreted,
     modes: Modes,
@@ -33,7 +33,7 @@ struct Poses<'a> {
 }
 
 impl Poses<'_> {
-    /// The pose at a time in these modes, with angles near another one; `None` where the links do not reach.
+    /// Pose at a time in these branches, with angles near another one; `None` if the links do not reach.
     fn at(&self, t: f64, near: &Instant, inputs: &InputSignals) -> Option<Instant> {
         let mut at = near.clone();
         let conditions = self.conditions(t, inputs);
@@ -64,20 +64,20 @@ fn no_parameters() -> &'static <Interpreted as Blocks>::Parameters {
     &NONE
 }
 
-/// What became of one span.
+/// Outcome of one window.
 #[derive(Debug, PartialEq)]
 enum Outcome {
-    /// A frame of it does not exist.
+    /// A frame of the window does not exist.
     NoFrames,
-    /// Its path is vouched for, and is one.
+    /// The path is proven, and is smooth.
     Vouched,
-    /// It is not vouched for, and there is no path that is smooth all over it.
+    /// The path is not proven, and is not smooth over the window.
     Broken,
-    /// It is not vouched for.
+    /// The path is not proven.
     Undecided,
 }
 
-/// Looks at a span about the frames at `t - h` and `t`, between which inputs go.
+/// Verifies a window about the frames at `t - h` and `t`, between which inputs go.
 fn looked(blocks: &Interpreted, [t, h, stretch]: [f64; 3], inputs: [&InputSignals; 2]) -> Outcome {
     let settings = Settings::default();
     let Ok(shell) = assembled_with(blocks.clone(), &[], t - h, inputs[0], settings) else {
@@ -104,7 +104,7 @@ fn looked(blocks: &Interpreted, [t, h, stretch]: [f64; 3], inputs: [&InputSignal
         false => TimeWindow::between(h),
     };
     let is_vouched = blocks.verify_nonsingular(&pair, &span).is_ok();
-    // Without a look ahead the path ends with the frames.
+    // Without look-ahead the path ends with the frames.
     let ends: &[f64] = if stretch > 1.0 { &[-1.0, 1.0] } else { &[-1.0] };
     let is_smooth = ends
         .iter()
@@ -119,7 +119,7 @@ fn looked(blocks: &Interpreted, [t, h, stretch]: [f64; 3], inputs: [&InputSignal
     }
 }
 
-/// Whether poses from `t` on, so far, follow one another.
+/// True if the sampled poses from `t` on follow one another without a jump.
 fn is_smooth(
     poses: &Poses<'_>,
     first: &Instant,
@@ -130,15 +130,15 @@ fn is_smooth(
     for sample in 1..=SAMPLES {
         let time = t + way * f64::from(sample) / f64::from(SAMPLES);
         let part = (1.0 + (time - t) / h).clamp(0.0, 1.0);
-        let given = inputs[0].towards(inputs[1], h, part);
-        let Some(at) = poses.at(time, &before, &given) else {
+        let interpolated = inputs[0].towards(inputs[1], h, part);
+        let Some(at) = poses.at(time, &before, &interpolated) else {
             return false;
         };
         let turned = |from: &Instant, most: f64| {
             let mut both = at.q().iter().zip(from.q()).skip(2).step_by(3);
             both.all(|(now, then)| (now - then).abs() <= most)
         };
-        // The drive goes as far as it likes, and links by much less than a quarter of a turn from one sample to the next.
+        // The drive is unbounded; links turn by much less than a quarter of a turn from one sample to the next.
         if !turned(&before, LARGEST_TURN / 2.0) || !turned(first, LARGEST_TURN) {
             return false;
         }
@@ -147,7 +147,7 @@ fn is_smooth(
     true
 }
 
-/// A chain of dyads behind a crank, each of which ends at the ground or at the link before.
+/// Chain of dyads behind a crank, each of which ends at the ground or at the link before.
 fn chain(random: &mut Random, drive: &str) -> String {
     let mut text = String::from("mechanism chain {\n");
     let count = 1 + (random.bits() % 4) as usize;
@@ -200,20 +200,20 @@ fn blocks_of(source: &Source) -> Interpreted {
     blocks
 }
 
-/// A size of a step or of a window, evenly in its logarithm.
+/// Size of a step or of a window, even in its logarithm.
 fn size(random: &mut Random, least: f64, most: f64) -> f64 {
     random.between(least.ln(), most.ln()).exp()
 }
 
 #[test]
-fn what_is_vouched_for_by_laws_is_one_path() {
+fn paths_proven_for_laws_are_smooth() {
     let mut random = Random::new(1966);
     let mut counts = [0; 3];
     for number in 0..150 {
         let (swing, pace) = (random.between(0.1, 3.0), random.between(0.5, 3.0));
-        // Where single values are asked for, frames hold the direction of a link and not its angle.
-        let asked = ["", "\n    output P1;"][number % 2];
-        let drive = format!("drive phi(crank) = {swing:.3}*sin({pace:.3}*t);{asked}");
+        // With an output of single values, frames hold the direction of a link and not its angle.
+        let output = ["", "\n    output P1;"][number % 2];
+        let drive = format!("drive phi(crank) = {swing:.3}*sin({pace:.3}*t);{output}");
         let text = chain(&mut random, &drive);
         let blocks = blocks_of(&Source::new("chain.mech", &text));
         let none = InputSignals::default();
@@ -231,12 +231,12 @@ fn what_is_vouched_for_by_laws_is_one_path() {
             }
         }
     }
-    // All three happen, so that each is looked at.
+    // Each outcome occurs, so that each is tested.
     assert!(counts.iter().all(|&count| count > 200), "{counts:?}");
 }
 
 #[test]
-fn what_is_vouched_for_by_inputs_is_one_path() {
+fn paths_proven_for_inputs_are_smooth() {
     let mut random = Random::new(1969);
     let mut counts = [0; 3];
     for _ in 0..100 {
@@ -269,7 +269,8 @@ fn what_is_vouched_for_by_inputs_is_one_path() {
 
 #[test]
 fn cylinders_are_vouched_for_as_far_as_they_reach() {
-    // The arm of the excavator, also with its cylinders driven farther than its links reach, and with one that passes beside its pin.
+    // The arm of the excavator, also with its cylinders driven farther than its links reach, and with one that passes
+    // beside its pin.
     let drawn = description::source("excavator").text;
     let beside = [
         ("point K =", "point T = (0.25, 0.75);\n    point K ="),
@@ -308,7 +309,7 @@ fn cylinders_are_vouched_for_as_far_as_they_reach() {
 
 #[test]
 fn no_span_with_a_change_point_is_vouched_for() {
-    // The cranks are in line with the couplers at every half turn, although the links reach all the while.
+    // Crank and coupler are collinear at every half turn, although the links always reach.
     for name in ["parallelogram", "kite"] {
         let blocks = blocks_of(&description::source(name));
         let none = InputSignals::default();

@@ -70,7 +70,7 @@ fn every_row_leads_from_files_to_tests() {
         );
         assert!(!tests.is_empty(), "{path} has no tests");
         for test in tests {
-            assert!(exists(&test, &packages), "{path}: there is no {test}");
+            assert!(exists(&test, &packages), "{path}: {test} is missing");
         }
     }
 }

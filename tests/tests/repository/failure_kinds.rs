@@ -1,18 +1,18 @@
-//! What a new kind of failure takes: its words and its number in three files, and whoever raises it.
+//! Checks that each kind of failure has its words and its number in three files, and a place that raises it.
 
 use std::collections::BTreeSet;
 use std::fs;
 
 use linkwright_tests::files;
 
-/// Where every kind is listed: with what it is and its words, in Rust, and with its number and its words, in C.
+/// Lists of all kinds: with their meaning and words in Rust, and with their numbers and words in C.
 const LISTS: [&str; 3] = [
     "codegen/src/emit/c/runtime/shared.c",
     "codegen/src/emit/c/runtime/shared.h",
     "runtime/src/failure.rs",
 ];
 
-/// Kinds that nobody tells from others, and where they are raised, in Rust and in C.
+/// Kinds that no code tells from others, and the files that raise them, in Rust and in C.
 const RAISED: [(&str, &[&str]); 3] = [
     (
         "Cycling",
@@ -39,7 +39,7 @@ const RAISED: [(&str, &[&str]); 3] = [
     ),
 ];
 
-/// The files of the product that name a kind, by their paths in the repository.
+/// Files of the product that name a kind, by their paths in the repository.
 fn naming(kind: &str) -> BTreeSet<String> {
     let in_c = format!("LINKWRIGHT_{}", kind.to_uppercase());
     let in_rust = [format!("FailureKind::{kind}"), format!("Self::{kind}")];
@@ -48,8 +48,8 @@ fn naming(kind: &str) -> BTreeSet<String> {
     let of = |extension: &str| {
         let skip = ["tests", "target", "node_modules"];
         let folders = folders.iter();
-        let found = folders.flat_map(|it| files::below(it, extension, &skip));
-        found.collect::<Vec<_>>()
+        let paths = folders.flat_map(|it| files::below(it, extension, &skip));
+        paths.collect::<Vec<_>>()
     };
     ["rs", "c", "h"]
         .into_iter()

@@ -1,4 +1,4 @@
-//! Does every link of the pages that a user reads lead to a file, and to a heading in it?
+//! Checks that every link of the pages for users leads to a file, and to a heading in it.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -26,9 +26,9 @@ fn text(page: &str) -> Vec<(usize, &str)> {
 
 /// The targets of the links on a line, without those to other sites.
 fn targets(line: &str) -> Vec<&str> {
-    let found = line.split("](").skip(1);
-    let found = found.filter_map(|rest| rest.split([')', ' ']).next());
-    found.filter(|target| !target.contains("://")).collect()
+    let links = line.split("](").skip(1);
+    let links = links.filter_map(|rest| rest.split([')', ' ']).next());
+    links.filter(|target| !target.contains("://")).collect()
 }
 
 /// The anchor of a heading: lower case, without marks, with hyphens for spaces.
@@ -48,7 +48,7 @@ fn anchors(page: &str) -> Vec<String> {
         .collect()
 }
 
-/// What is wrong with a link from a page.
+/// Fault of a link from a page.
 fn problem(page: &Path, target: &str) -> Option<String> {
     let (file, heading) = target.split_once('#').unwrap_or((target, ""));
     let place = match file {

@@ -1,10 +1,10 @@
-//! The order of the generator's rooms, and of the packages: each imports only what is named before it.
+//! Order of the generator's modules, and of the packages: each imports only modules named before it.
 
 use std::fs;
 
 use linkwright_tests::files;
 
-/// The folders of the generator's packages, each with its rooms, in the order of the pipeline.
+/// Folders of the generator's packages, each with its modules, in the order of the pipeline.
 pub(super) const ORDER: [(&str, &[&str]); 3] = [
     (
         "codegen/description/src",
@@ -40,7 +40,7 @@ pub(super) const ORDER: [(&str, &[&str]); 3] = [
     ),
 ];
 
-/// The folders of the packages that are published, each with those of ours that it is built from.
+/// Folders of the packages that are published, each with our packages from which it is built.
 const PACKAGES: [(&str, &[&str]); 11] = [
     ("runtime/math", &[]),
     ("runtime", &["linkwright-math"]),
@@ -74,8 +74,8 @@ fn rank(room: &str) -> Option<usize> {
     rooms.position(|it| *it == room)
 }
 
-/// The names after `crate::`: one, or several in braces, which may stand on several lines. What is exported by `lib.rs` itself
-/// counts as `lib`.
+/// Names after `crate::`: one, or several in braces, which may stand on several lines. Exports of `lib.rs` itself
+/// count as `lib`.
 fn imported(text: &str) -> Vec<String> {
     let code: String = text
         .lines()
@@ -106,7 +106,7 @@ fn imported(text: &str) -> Vec<String> {
     names
 }
 
-/// The parts of a list up to its closing brace, whatever lists they hold themselves.
+/// Items of a list up to its closing brace, with nested lists inside them.
 fn items(list: &str) -> Vec<&str> {
     let (mut depth, mut start, mut found) = (0, 0, Vec::new());
     for (at, it) in list.char_indices() {
@@ -127,32 +127,34 @@ fn items(list: &str) -> Vec<&str> {
     found
 }
 
-/// What `text` of the room `room` imports against the order.
+/// Imports of `text` in the module `room` that are against the order.
 fn violations(room: &str, text: &str) -> Vec<String> {
-    let own = rank(room).unwrap_or_else(|| panic!("the room {room} has no place in the order"));
+    let room_rank =
+        rank(room).unwrap_or_else(|| panic!("the room {room} has no place in the order"));
     // The build script's front end calls `generate`: the only one that looks up to `lib.rs`.
-    let allowed =
-        |name: &str| rank(name) < Some(own) || name == room || (room == "cargo" && name == "lib");
+    let allowed = |name: &str| {
+        rank(name) < Some(room_rank) || name == room || (room == "cargo" && name == "lib")
+    };
     imported(text)
         .into_iter()
         .filter(|name| !allowed(name))
         .collect()
 }
 
-/// The packages of ours in the tables of a manifest whose dependencies a user builds.
+/// Our packages in those tables of a manifest that a user's build compiles.
 fn dependencies(manifest: &str) -> Vec<String> {
     let mut counts = false;
-    let mut found = Vec::new();
+    let mut names = Vec::new();
     for line in manifest.lines() {
         if let Some(table) = line.strip_prefix('[') {
             counts = table.starts_with("dependencies") || table.starts_with("build-dependencies");
         } else if counts && line.starts_with("linkwright") {
             let name = line.split(['.', ' ', '=']).next().unwrap_or(line);
-            found.push(name.to_string());
+            names.push(name.to_string());
         }
     }
-    found.sort();
-    found
+    names.sort();
+    names
 }
 
 #[test]
@@ -174,8 +176,12 @@ fn a_room_imports_only_rooms_named_before_it() {
                 "{folder} has no place for the room {room}"
             );
             let text = fs::read_to_string(&path).expect("a source file");
-            let found = violations(&room, &text);
-            assert!(found.is_empty(), "{} imports {found:?}", path.display());
+            let wrong_imports = violations(&room, &text);
+            assert!(
+                wrong_imports.is_empty(),
+                "{} imports {wrong_imports:?}",
+                path.display()
+            );
             rooms.push(room);
         }
         for room in order {

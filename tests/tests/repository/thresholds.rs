@@ -1,14 +1,15 @@
-//! Does the page of thresholds name every number by which the product decides something, with its value, and no other?
+//! Checks that the page of thresholds names every number by which the product decides something, with its value, and
+//! no other.
 //!
-//! A threshold is a constant of a number type, or of a list of numbers, or a duration, in the sources of the packages. These are none,
-//! because nothing would be decided otherwise with another value:
+//! A threshold is a constant of a number type, or of a list of numbers, or a duration, in the sources of the
+//! packages. Other values of the following would not change a decision:
 //! - a constant of mathematics, which is one of `core::f64::consts` or is written with ten or more digits;
 //! - a mark for nothing, the largest number of its type;
 //! - the length of a list;
-//! - how large something is drawn, in pixels;
-//! - what is in tests.
+//! - sizes in pictures, in pixels;
+//! - numbers in tests.
 //!
-//! A number with an exponent has to be a constant: elsewhere nobody would find it.
+//! A number with an exponent must be a constant: elsewhere a reader would miss it.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -17,7 +18,7 @@ use std::str::FromStr;
 use linkwright_tests::files;
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
-/// The folders with the sources of the packages that are published.
+/// Folders with the sources of the packages that are published.
 const SOURCES: [&str; 8] = [
     "runtime/src",
     "codegen/description/src",
@@ -29,17 +30,17 @@ const SOURCES: [&str; 8] = [
     "codegen/command/src",
 ];
 
-/// The page, which is part of the documentation of the runtime.
+/// Page of thresholds, part of the documentation of the runtime.
 const PAGE: &str = "runtime/src/thresholds.md";
 
-/// The room whose fractions are sizes in pixels.
+/// Folder whose fractions are sizes in pixels.
 const DRAWING: &str = "codegen/src/emit/drawing/";
 
 const NUMBERS: [&str; 13] = [
     "f32", "f64", "i8", "i16", "i32", "i64", "i128", "u8", "u16", "u32", "u64", "u128", "usize",
 ];
 
-/// What a file holds.
+/// Numbers in a file.
 #[derive(Debug, Default)]
 struct Found {
     /// Names and values of constants, in their order.
@@ -48,7 +49,7 @@ struct Found {
     unnamed: Vec<(usize, String)>,
 }
 
-/// Tokens as text, without regard to how they were spaced and whether a list on several lines ends in a comma.
+/// Tokens as text, regardless of spacing and of a trailing comma in a list on several lines.
 fn spelled(tokens: &[TokenTree]) -> String {
     let text: TokenStream = tokens.iter().cloned().collect();
     text.to_string().replace(" ,]", "]")
@@ -58,7 +59,7 @@ fn is_mark(token: &TokenTree, mark: char) -> bool {
     matches!(token, TokenTree::Punct(it) if it.as_char() == mark)
 }
 
-/// Whether a type is made of numbers, or is a duration.
+/// True if a type is made of numbers, or is a duration.
 fn is_numeric(kind: &[TokenTree]) -> bool {
     match kind {
         [TokenTree::Ident(name)] => {
@@ -79,7 +80,7 @@ fn is_numeric(kind: &[TokenTree]) -> bool {
     }
 }
 
-/// Whether nothing would be decided otherwise with another value.
+/// True if another value would not change a decision.
 fn decides_nothing(value: &[TokenTree]) -> bool {
     let text = spelled(value).replace(' ', "");
     let digits = |word: &str| {
@@ -94,32 +95,32 @@ fn decides_nothing(value: &[TokenTree]) -> bool {
             .any(|(_, number)| digits(number) >= 10)
 }
 
-/// The numbers among tokens, with their lines.
+/// Numbers among tokens, with their lines.
 fn literals(tokens: &[TokenTree]) -> Vec<(usize, String)> {
-    let mut found = Vec::new();
+    let mut numbers = Vec::new();
     for token in tokens {
         match token {
             TokenTree::Literal(literal) => {
                 let text = literal.to_string();
                 if text.starts_with(|it: char| it.is_ascii_digit()) {
-                    found.push((literal.span().start().line, text));
+                    numbers.push((literal.span().start().line, text));
                 }
             }
             TokenTree::Group(group) => {
                 let inner: Vec<TokenTree> = group.stream().into_iter().collect();
-                found.extend(literals(&inner));
+                numbers.extend(literals(&inner));
             }
             _ => {}
         }
     }
-    found
+    numbers
 }
 
 fn has_exponent(number: &str) -> bool {
     !number.starts_with("0x") && number.contains(['e', 'E']) && !number.ends_with("size")
 }
 
-/// Reads the tokens of a file, or of what is inside it.
+/// Reads the tokens of a file, or of a group in it.
 fn read(tokens: TokenStream, found: &mut Found) {
     let tokens: Vec<TokenTree> = tokens.into_iter().collect();
     let mut rest = &tokens[..];
@@ -172,28 +173,31 @@ fn tokens(text: &str) -> TokenStream {
     TokenStream::from_str(text).unwrap_or_else(|error| panic!("{error}: {text}"))
 }
 
-/// What all sources hold, by their paths in the repository.
+/// Numbers of all sources, by their paths in the repository.
 fn scanned() -> BTreeMap<String, Found> {
     let root = files::repository();
     let paths = SOURCES
         .iter()
-        // What `new` writes belongs to whoever it is written for.
+        // The files that `new` writes belong to the user.
         .flat_map(|folder| files::below(&root.join(folder), "rs", &["tests", "template"]))
         .filter(|path| files::stem(path) != "tests");
     paths
         .map(|path| {
-            let mut found = Found::default();
+            let mut numbers = Found::default();
             read(
                 tokens(&fs::read_to_string(&path).expect("a source file")),
-                &mut found,
+                &mut numbers,
             );
             let relative = path.strip_prefix(&root).expect("a path in the repository");
-            (relative.to_str().expect("UTF-8").replace('\\', "/"), found)
+            (
+                relative.to_str().expect("UTF-8").replace('\\', "/"),
+                numbers,
+            )
         })
         .collect()
 }
 
-/// The rows of the page: name, value, what it decides, why, and the file.
+/// Rows of the page: name, value, decision, reason, and file.
 fn rows(page: &str) -> Vec<[String; 5]> {
     let lines = page.lines().filter(|line| line.starts_with("| `"));
     lines
@@ -217,7 +221,7 @@ fn the_page_names_every_threshold_with_its_value_and_no_other() {
     for (file, found) in scanned() {
         let is_drawing = file.starts_with(DRAWING);
         let thresholds = found.thresholds.into_iter();
-        // What is counted there are whole numbers; the widths of letters are sizes, too.
+        // Counts there are whole numbers; the widths of letters are sizes, too.
         let is_size = |value: &str| value.contains('.') || file.ends_with("letters.rs");
         let thresholds = thresholds.filter(|(_, value)| !(is_drawing && is_size(value)));
         expected.extend(thresholds.map(|(name, value)| format!("{file}: {name} = {value}")));
@@ -260,7 +264,7 @@ fn numbers_with_an_exponent_are_constants() {
 
 #[test]
 fn thresholds_are_told_from_other_constants() {
-    let mut found = Found::default();
+    let mut numbers = Found::default();
     read(
         tokens(
             "
@@ -282,16 +286,16 @@ fn thresholds_are_told_from_other_constants() {
             mod tests { const SEED: u64 = 5; fn it() -> f64 { 1e-3 } }
             ",
         ),
-        &mut found,
+        &mut numbers,
     );
-    let names: Vec<&str> = found
+    let names: Vec<&str> = numbers
         .thresholds
         .iter()
         .map(|(name, _)| name.as_str())
         .collect();
     assert_eq!(names, ["SMALL", "PAIR", "SHOWN", "WAIT", "AFTER"]);
-    assert_eq!(found.thresholds[0].1, "1e-9");
-    let unnamed: Vec<&str> = found
+    assert_eq!(numbers.thresholds[0].1, "1e-9");
+    let unnamed: Vec<&str> = numbers
         .unnamed
         .iter()
         .map(|(_, number)| number.as_str())

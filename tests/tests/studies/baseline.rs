@@ -1,11 +1,11 @@
-//! The baseline solves the same mechanisms: what the methods are measured against must be right.
+//! The baseline solves the same mechanisms: the reference of the methods must be right.
 
 use linkwright_tests::baseline::Baseline;
 use linkwright_tests::description;
 use linkwright_tests::method::studied;
 use linkwright_tests::reference::{reference, yardsticks};
 
-/// It stops at 1e-12, so its error is that times the condition of the mechanism, and more in the derivatives.
+/// It stops at 1e-12, so that its error is that times the condition of the mechanism, and more in the derivatives.
 #[test]
 fn the_baseline_agrees_with_the_references_as_far_as_its_stopping_rule_allows() {
     for name in studied() {
@@ -20,10 +20,10 @@ fn the_baseline_agrees_with_the_references_as_far_as_its_stopping_rule_allows() 
                 frame += 1;
                 baseline.advance(f64::from(frame) / 100.0);
             }
-            let found = [&baseline.q, &baseline.qd, &baseline.qdd];
-            let found = found.into_iter().flat_map(|vector| vector.iter());
-            for (column, (found, wanted)) in found.zip(&row[1..]).enumerate() {
-                largest = largest.max((found - wanted).abs() / yardsticks[column]);
+            let levels = [&baseline.q, &baseline.qd, &baseline.qdd];
+            let levels = levels.into_iter().flat_map(|vector| vector.iter());
+            for (column, (levels, wanted)) in levels.zip(&row[1..]).enumerate() {
+                largest = largest.max((levels - wanted).abs() / yardsticks[column]);
             }
         }
         println!("{name}: {largest:.1e}");

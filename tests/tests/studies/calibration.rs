@@ -1,4 +1,5 @@
-//! Calibration: is the truth as near as the fit says, are derivatives those of the motion, and is what cannot be told apart named?
+//! Calibration: the truth is as near as the fit reports, derivatives are those of the motion, and indistinguishable
+//! parameters are named.
 
 use std::f64::consts::TAU;
 
@@ -11,49 +12,49 @@ use linkwright_tests::calibration::{Study, calibrator, four_bar_text, observable
 #[test]
 fn the_truth_is_as_near_as_the_fit_says() {
     for study in [Study::four_bar(), Study::platform()] {
-        let found = study.coverage(400, 0.0);
-        println!("{}\n{}", study.name, found.table());
-        assert_eq!(found.failed, 0);
-        for (place, name) in found.names.iter().enumerate() {
-            let [one, three] = found.shares(place);
+        let coverage = study.coverage(400, 0.0);
+        println!("{}\n{}", study.name, coverage.table());
+        assert_eq!(coverage.failed, 0);
+        for (place, name) in coverage.names.iter().enumerate() {
+            let [one, three] = coverage.shares(place);
             assert!((0.59..0.78).contains(&one), "{} {name}: {one}", study.name);
             assert!(three > 0.975, "{} {name}: {three}", study.name);
         }
     }
 }
 
-/// Intervals hold the truth in 95 % of all fits, also where values are rounded: of 400 fits the share varies by 0.011.
+/// Intervals hold the truth in 95 % of all fits, also if values are rounded: of 400 fits the share varies by 0.011.
 #[test]
 fn intervals_hold_the_truth_in_spite_of_rounding() {
     let study = Study::four_bar();
     for steps in [0.0, 0.3, 1.0, 3.0] {
-        let found = study.coverage(400, steps);
-        println!("steps of {steps} σ\n{}", found.table());
-        assert_eq!(found.failed, 0);
-        for (place, name) in found.names.iter().enumerate() {
-            let held = found.held(place);
+        let coverage = study.coverage(400, steps);
+        println!("steps of {steps} σ\n{}", coverage.table());
+        assert_eq!(coverage.failed, 0);
+        for (place, name) in coverage.names.iter().enumerate() {
+            let held = coverage.held(place);
             assert!((0.91..0.985).contains(&held), "{steps} {name}: {held}");
         }
-        // One fit of a thousand is refused for nothing.
-        assert!(found.trusted >= 396, "{steps}: {}", found.trusted);
+        // One fit of a thousand is refused without a cause.
+        assert!(coverage.trusted >= 396, "{steps}: {}", coverage.trusted);
     }
 }
 
-/// Rows of slow motion are rounded alike, to a step of ten deviations of the noise. Of 400 fits the share varies by 0.011; with errors
-/// that are taken for independent it is 0.79 of L2 and 0.86 of L3.
+/// Rows of slow motion are rounded alike, to a step of ten deviations of the noise. Of 400 fits the share varies by
+/// 0.011; if errors are taken for independent it is 0.79 of L2 and 0.86 of L3.
 #[test]
 fn intervals_hold_the_truth_where_neighboring_rows_are_equal() {
-    let found = Study::slow().coverage(400, 10.0);
-    println!("{}", found.table());
-    assert_eq!(found.failed, 0);
-    for (place, name) in found.names.iter().enumerate() {
-        let held = found.held(place);
+    let coverage = Study::slow().coverage(400, 10.0);
+    println!("{}", coverage.table());
+    assert_eq!(coverage.failed, 0);
+    for (place, name) in coverage.names.iter().enumerate() {
+        let held = coverage.held(place);
         assert!((0.915..0.985).contains(&held), "{name}: {held}");
     }
-    assert!(found.trusted >= 396, "{}", found.trusted);
+    assert!(coverage.trusted >= 396, "{}", coverage.trusted);
 }
 
-/// What the mechanism measures of itself with some parameters, fitted from the nominal ones.
+/// Fit from the nominal parameters to measurements of the mechanism with other parameters.
 fn fitted(
     calibrator: &Calibrator,
     quantities: &[Named],
@@ -103,7 +104,7 @@ fn exact_points_give_exact_lengths() {
     }
 }
 
-/// The ground link is made of two parts, of which nothing that moves knows but their sum.
+/// The ground link is the sum of two lengths, and the motion depends on their sum alone.
 #[test]
 fn a_pair_that_cannot_be_told_apart_is_named() {
     let text = four_bar_text().replace("param G = 100mm;", "param G = 70mm;\n    param H = 30mm;");
@@ -125,12 +126,12 @@ fn a_pair_that_cannot_be_told_apart_is_named() {
     assert_eq!(fit.identified.rank(), 2);
     let determined: Vec<bool> = fit.deviations.iter().map(Option::is_some).collect();
     assert_eq!(determined, [false, false, true]);
-    // They keep their values, and so what is left is no noise.
+    // They keep their values, so that the remainder is not noise.
     assert_eq!(fit.values[..2], [0.07, 0.03]);
     assert!(!fit.is_trusted());
 }
 
-/// Angles alone know nothing of the size of a mechanism: all lengths can grow alike.
+/// Angles alone are independent of the size of a mechanism: all lengths can grow alike.
 #[test]
 fn angles_do_not_tell_the_size() {
     let (calibrator, quantities) = calibrator(&four_bar_text(), &["G", "L2", "L3", "L4"], 0.1);
@@ -157,8 +158,8 @@ fn angles_do_not_tell_the_size() {
 }
 
 #[test]
-fn what_moves_nothing_is_named() {
-    // Where P lies on the coupler is nothing to the rocker.
+fn parameters_without_effect_are_named() {
+    // The position of P on the coupler does not affect the rocker.
     let text = four_bar_text().replace("P: (60mm, 40mm)", "P: (along, 40mm)");
     let text = text.replace("param G", "param along = 60mm;\n    param G");
     let (calibrator, quantities) = calibrator(&text, &["along", "L3"], 0.1);
@@ -190,12 +191,12 @@ fn fits_that_cannot_be_are_refused() {
         Err(Unfit::TooFew(1, 2))
     );
     // No leg reaches ten metres.
-    let found = calibrator.fit(
+    let fit = calibrator.fit(
         &Measurements {
             times: vec![0.0, 0.1],
             columns: vec![column(vec![Some(0.28), Some(0.28)])],
         },
         &[10.0, 0.794],
     );
-    assert!(matches!(found, Err(Unfit::Unsolved(_))), "{found:?}");
+    assert!(matches!(fit, Err(Unfit::Unsolved(_))), "{fit:?}");
 }

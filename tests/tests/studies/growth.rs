@@ -10,7 +10,7 @@ use linkwright_tests::dyad_chain;
 use linkwright_tests::values::assembled_with;
 
 /// The largest ratio of the times of frames with and without the guard.
-const MOST: f64 = 2.0;
+const MAX_GUARD_RATIO: f64 = 2.0;
 
 const DYADS: usize = 300;
 
@@ -54,6 +54,6 @@ fn guarding_three_hundred_dyads_takes_less_than_a_frame() {
             .collect();
         ratios.sort_by(f64::total_cmp);
         let median = ratios[RUNS / 2];
-        assert!(median < MOST, "steps of {step} s: {ratios:?}");
+        assert!(median < MAX_GUARD_RATIO, "steps of {step} s: {ratios:?}");
     }
 }

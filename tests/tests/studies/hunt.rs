@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use linkwright_codegen::diagnostic::Source;
 use linkwright_tests::hunt::mechanism;
-use linkwright_tests::hunt::run::{LARGEST, interpret, prepare};
+use linkwright_tests::hunt::run::{MAX_BODIES, interpret, prepare};
 use linkwright_tests::hunt::tally::Tally;
 
 use linkwright_tests::hunt::paths::families::FAMILIES;
@@ -39,10 +39,10 @@ fn no_answer_is_wrong() {
 #[test]
 fn mechanisms_of_every_kind_are_constructed() {
     let groups: BTreeSet<&str> = (0..200)
-        .flat_map(|number| mechanism(SEED, number, LARGEST).groups)
+        .flat_map(|number| mechanism(SEED, number, MAX_BODIES).groups)
         .collect();
     assert_eq!(groups.len(), 19, "{groups:?}");
-    let text = |number| mechanism(SEED, number, LARGEST).text();
+    let text = |number| mechanism(SEED, number, MAX_BODIES).text();
     assert_eq!(text(3), text(3));
     assert_ne!(text(3), text(4));
 }
@@ -63,7 +63,7 @@ fn self_referring(text: &str) -> Option<String> {
 fn bodies_that_are_placed_by_their_own_points_are_refused() {
     let mut refused = 0;
     for number in 0..60 {
-        let text = mechanism(SEED, number, LARGEST).text();
+        let text = mechanism(SEED, number, MAX_BODIES).text();
         let Some(text) = self_referring(&text) else {
             continue;
         };

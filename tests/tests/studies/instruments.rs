@@ -110,14 +110,14 @@ fn closed_forms_solve_the_description() {
         let truth = Truth::new(&written(&chain.text("")));
         for t in [0.3, 2.0] {
             let [q, qd, qdd] = exact(&chain, t);
-            let given = Given {
+            let instant_inputs = Given {
                 t,
                 ..Given::default()
             };
-            let solved = truth.solve(&given, &q).expect("a regular pose");
-            let found = [q, qd, qdd];
-            for (found, solved) in found.iter().flatten().zip(solved.levels.iter().flatten()) {
-                let difference = found.minus(solved).to_f64().abs();
+            let solved = truth.solve(&instant_inputs, &q).expect("a regular pose");
+            let levels = [q, qd, qdd];
+            for (levels, solved) in levels.iter().flatten().zip(solved.levels.iter().flatten()) {
+                let difference = levels.minus(solved).to_f64().abs();
                 assert!(difference < 1e-80, "growth {growth}: {difference:e}");
             }
         }
@@ -132,7 +132,7 @@ fn powers_have_their_exponent() {
 }
 
 #[test]
-fn what_is_not_needed_is_left_out() {
+fn unneeded_parts_are_left_out() {
     let number = (0..100).find(|number| {
         let groups = mechanism(3, *number, 8).groups;
         groups.len() >= 4 && groups.contains(&"dyad RRR")

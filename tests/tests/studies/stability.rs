@@ -78,7 +78,7 @@ fn the_truth_is_the_closed_form() {
     let truth = Truth::new(&description::system("study_exam"));
     let rod = 3.0_f64.sqrt();
     for angle in [0.5, 1.2, 1.57, std::f64::consts::FRAC_PI_2 - 3e-8] {
-        let given = Given {
+        let instant_inputs = Given {
             parameters: vec![1.0, rod, rod],
             signals: vec![[angle, 1.0, 0.0]],
             t: 0.0,
@@ -88,14 +88,14 @@ fn the_truth_is_the_closed_form() {
         let cosine = one.minus(&phi1.cos().over(&Precise::from_f64(rod)));
         let phi2 = cosine.acos();
         let start = [0.0, 0.0, angle, rod, 1.5, phi2.to_f64() * 1.001].map(Precise::from_f64);
-        let exact = truth.solve(&given, &start).expect("a pose");
+        let exact = truth.solve(&instant_inputs, &start).expect("a pose");
         let off = exact.levels[0][5].minus(&phi2).to_f64();
         assert!(off.abs() < 1e-90, "{off}");
         // The rate: sin φ1 + √3 sin φ2 φ̇2 = 0.
         let rate = phi1.sin().over(&phi2.sin().times(&Precise::from_f64(rod)));
         let off = exact.levels[1][5].plus(&rate).to_f64();
         assert!(off.abs() < 1e-80 * rate.to_f64(), "{off}");
-        assert!(truth.residual(&given, &exact.levels[0]) < 1e-90);
+        assert!(truth.residual(&instant_inputs, &exact.levels[0]) < 1e-90);
     }
     assert!(pi().sin().to_f64().abs() < 1e-110);
 }

@@ -16,8 +16,8 @@ fn measured(name: &str) -> Vec<Measurement> {
 }
 
 fn found<'a>(measurements: &'a [Measurement], name: &str) -> &'a Measurement {
-    let found = measurements.iter().find(|it| it.name == name);
-    found.unwrap_or_else(|| panic!("no method `{name}`"))
+    let named = measurements.iter().find(|it| it.name == name);
+    named.unwrap_or_else(|| panic!("no method `{name}`"))
 }
 
 /// The errors do not depend on how long is measured; times are not judged here.

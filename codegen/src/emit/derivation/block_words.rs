@@ -1,4 +1,4 @@
-//! The blocks of a program → what they are called, and what is said of them where they are singular.
+//! Names of the blocks of a program, and their singular poses in words.
 
 use super::SingularPose;
 use crate::program::{Block, Statement};
@@ -6,16 +6,16 @@ use crate::structure::SolvedPlan;
 use crate::system::System;
 use crate::words::loop_name;
 
-/// What a failure says of a block.
+/// Words of a failure about a block.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BlockWords {
     /// `loop F-N-M`.
     pub name: String,
-    /// `c2 and the actuator c8-c7 are collinear`; empty where the block is never singular.
+    /// Condition of its singular poses; empty if the block is never singular.
     pub singular: String,
 }
 
-/// What each block is called, in solve order; `poses` says where the parts of the plan are singular.
+/// Words for each block, in solve order; `poses` are the singular poses of the plan's subsystems.
 pub fn block_words(
     blocks: &[Block],
     system: &System,
@@ -45,7 +45,7 @@ pub fn block_words(
     blocks.iter().map(words).collect()
 }
 
-/// Returns what leaves forces undetermined that follow from the pose, in words; empty if nothing does.
+/// Causes that leave forces undetermined, in words; empty if there are none.
 fn without_forces(block: &Block, system: &System) -> String {
     let Some(forces) = &system.forces else {
         return String::new();

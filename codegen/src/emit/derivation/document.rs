@@ -1,15 +1,15 @@
-//! What a derivation consists of, whatever it is printed on.
+//! Parts of a derivation, independent of the page.
 //!
 //! Formulas and words are in the script of the page already; only their places are open.
 
 /// A whole derivation.
 #[derive(Clone, Debug)]
 pub(super) struct Document {
-    /// The mechanism's name.
+    /// Name of the mechanism.
     pub name: String,
-    /// How many unknowns are found in which way.
+    /// Numbers of unknowns by solution method.
     pub summary: String,
-    /// What is found by which method, in solve order.
+    /// Unknowns and methods, in solve order.
     pub outline: Vec<OutlineLine>,
     /// One for each block.
     pub sections: Vec<Section>,
@@ -18,11 +18,11 @@ pub(super) struct Document {
 /// One step, or the explicit formulas, of a block.
 #[derive(Clone, Debug)]
 pub(super) struct OutlineLine {
-    /// The block's number, at its first line only.
+    /// Number of the block, at its first line only.
     pub block: String,
-    /// What is found.
+    /// Unknowns.
     pub unknowns: String,
-    /// How.
+    /// Solution method.
     pub method: String,
     /// The joints whose equations the block uses, at its first line only.
     pub joints: String,
@@ -31,7 +31,7 @@ pub(super) struct OutlineLine {
 /// One block.
 #[derive(Clone, Debug)]
 pub(super) struct Section {
-    /// What it finds, and from what.
+    /// Unknowns of the block, and their equations.
     pub heading: String,
     /// In reading order.
     pub items: Vec<Item>,
@@ -49,10 +49,10 @@ pub(super) enum Item {
 /// left = right, with a remark.
 #[derive(Clone, Debug)]
 pub(super) struct DisplayedEquation {
-    /// What stands left of the sign.
+    /// Left side.
     pub left: String,
-    /// What stands right of it.
+    /// Right side.
     pub right: String,
-    /// Where it comes from; may be empty.
+    /// Origin of the equation; may be empty.
     pub note: String,
 }

@@ -1,26 +1,26 @@
-//! A derivation → the parts of an HTML page.
+//! Lays out a derivation as parts of an HTML page.
 
 use super::document::{DisplayedEquation, Document, Item, OutlineLine, Section};
 use crate::emit::markup::escaped;
 use crate::emit::mathml::lines;
 
-/// A derivation as a page shows it.
+/// Derivation for a page.
 #[derive(Clone, Debug)]
 pub struct HtmlDerivation {
-    /// How many unknowns are found in which way, as text.
+    /// Numbers of unknowns by solution method, as text.
     pub summary: String,
-    /// The table of what is found by which method: its rows.
+    /// Rows of the table of unknowns and methods.
     pub outline: String,
-    /// One for each block, then what bearings do not carry and the singular poses, where there are any.
+    /// One for each block, then undetermined bearing forces and singular poses, if there are any.
     pub sections: Vec<HtmlSection>,
 }
 
 /// A section with its heading.
 #[derive(Clone, Debug)]
 pub struct HtmlSection {
-    /// What stands in the heading.
+    /// Heading.
     pub heading: String,
-    /// What stands below it.
+    /// Text below the heading.
     pub body: String,
 }
 

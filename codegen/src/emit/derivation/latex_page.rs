@@ -1,11 +1,11 @@
-//! A derivation → a LaTeX document.
+//! Lays out a derivation as a LaTeX document.
 
 use super::document::{DisplayedEquation, Document, Item, OutlineLine};
 use crate::emit::latex::lines::{
     Line, displayed, document as latex_document, fragment as latex_fragment, title,
 };
 
-/// The whole document; it needs amsmath and nothing else.
+/// Whole document, which requires only amsmath.
 pub(super) fn page(document: &Document) -> String {
     latex_document(&body(document))
 }

@@ -1,4 +1,4 @@
-//! A plan and its forms → its summary in a sentence and in a table.
+//! Summarizes a plan and its solution methods in a sentence and in a table.
 
 use std::sync::Arc;
 
@@ -10,7 +10,7 @@ use crate::structure::SolvedPlan;
 use crate::system::{SymbolRole, System};
 use crate::words::{counted, pin};
 
-/// How many unknowns are found in which way.
+/// Numbers of unknowns by solution method.
 pub(super) fn summary(system: &System, plan: &SolvedPlan, forms: &[Vec<Arc<dyn Form>>]) -> String {
     let explicit: usize = plan
         .blocks
@@ -61,7 +61,7 @@ pub(super) fn summary(system: &System, plan: &SolvedPlan, forms: &[Vec<Arc<dyn F
     format!("{unknowns}: {}; {newton}", parts.join(", "))
 }
 
-/// One line for each part and one for what follows from them.
+/// One line for each subsystem and one for the values that follow from them.
 pub(super) fn outline(
     system: &System,
     plan: &SolvedPlan,

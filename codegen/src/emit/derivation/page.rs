@@ -1,4 +1,4 @@
-//! The functions of all blocks → the sections of a derivation.
+//! Writes the sections of a derivation from the functions of all blocks.
 
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -16,7 +16,7 @@ use crate::structure::{SolvedBlock, SolvedPlan};
 use crate::system::SymbolRole;
 use crate::words::{Phrase, Piece, not_carried};
 
-/// So many accelerations are written out; more would fill the page with what differentiating once more says.
+/// Number of accelerations that are written out; more would fill the page with plain derivatives.
 pub(super) const FEW: usize = 3;
 
 /// A derivation in the making.
@@ -71,7 +71,7 @@ impl<'a> Writer<'a> {
             };
             self.spelling.replace(branch.symbol, sign);
         }
-        // Where the values of drivers are shifted, they are so by nothing.
+        // Shifts of drivers are zero.
         let shifts: Vec<SymbolId> = self
             .spelling
             .system
@@ -121,7 +121,7 @@ impl<'a> Writer<'a> {
         let mut is_asked = true;
         for statement in &block.function.statements {
             if let Statement::Section(level) = statement {
-                // What drivers and parameters do is not derived by hand.
+                // Derivatives by drivers and parameters are not derived by hand.
                 is_asked = matches!(level, Level::Velocity | Level::Acceleration | Level::Forces);
             }
             if !is_asked {
@@ -182,7 +182,7 @@ impl<'a> Writer<'a> {
         headings.join("; ")
     }
 
-    /// The equation of an assignment; none for what the page writes out.
+    /// Equation of an assignment; `None` if the page writes its value out.
     fn assignment(
         &mut self,
         block: &Block,
@@ -202,7 +202,7 @@ impl<'a> Writer<'a> {
                 self.spelling.replace(target, name);
                 self.spelling.formula_as_is(name)
             }
-            // An arm is written as cosines and sines.
+            // A rotated local vector is written as cosines and sines.
             (None, SymbolRole::Arm(_)) => return None,
             (None, role) => {
                 let left = self.symbol(target);
@@ -230,7 +230,7 @@ impl<'a> Writer<'a> {
         self.spelling.formula_as_is(variable)
     }
 
-    /// What stands for a local value on the page.
+    /// Replacement of a local value on the page.
     fn page_name(&mut self, name: &PageName) -> ExprId {
         match name {
             PageName::Component(vector, axis) => {
@@ -250,7 +250,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// The accelerations that are not written out: where many follow, only those of functions of time are.
+    /// Accelerations that are not written out: of many, only those of functions of time are written.
     fn skipped(&self, solved: &SolvedBlock) -> HashSet<SymbolId> {
         let system = &self.spelling.system;
         let graph = &system.mechanism.graph;
@@ -269,7 +269,7 @@ impl<'a> Writer<'a> {
             .definitions
             .iter()
             .filter(|it| graph.is_fixed(it.value));
-        // What does not move has no rates worth writing.
+        // A constant has no rates worth writing.
         let at_rest = fixed.flat_map(|it| {
             let unknown = &unknowns[it.unknown];
             [unknown.rate, unknown.acceleration]
@@ -293,7 +293,7 @@ impl<'a> Writer<'a> {
     }
 
     fn singular_section(&mut self, forms: &[Vec<Arc<dyn Form>>]) -> Option<Section> {
-        // A determinant stands alone: only what the page has defined already may be written by its name.
+        // A determinant stands alone: only names that the page has defined already may occur.
         let mut spelling = Spelling::new(self.spelling.system.clone(), self.spelling.script);
         spelling.parts = self.spelling.parts.settled();
         let poses = singular_poses(&mut spelling, self.plan, forms);
@@ -325,14 +325,14 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// Notes which choices are derivatives of those in an expression.
+    /// Records the choices that are derivatives of those in an expression.
     fn relate(&mut self, expr: ExprId) {
         self.spelling
             .parts
             .relate(&mut self.spelling.system, expr, 2);
     }
 
-    /// Says at a place what the names stand for that were used since they were last defined.
+    /// Inserts the definitions of the names that were used since the last call.
     fn define(&mut self, place: usize) {
         let spelling = &mut self.spelling;
         let definitions = spelling.parts.definitions(&mut spelling.system);

@@ -1,4 +1,4 @@
-//! How words and formulas look: as typed text, as LaTeX, or as HTML with MathML.
+//! Spelling of words and formulas as typed text, as LaTeX, or as HTML with MathML.
 
 use crate::emit::formula::Printer;
 use crate::emit::formula::Spelling as _;
@@ -10,7 +10,7 @@ use crate::emit::{Notation, latex, mathml, text};
 use crate::expr::ExprId;
 use crate::system::{SymbolRole, System};
 
-/// What words and formulas are written in.
+/// Script of words and formulas.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Script {
     /// Plain text.
@@ -22,7 +22,7 @@ pub enum Script {
 }
 
 impl Script {
-    /// Picks what fits the script.
+    /// Picks the argument for the script.
     fn either<'a>(
         self,
         ascii: &'a str,
@@ -107,7 +107,7 @@ impl Script {
         }
     }
 
-    /// How long a formula is, in characters of the text; of MathML those that are seen count.
+    /// Length of a formula in characters of the text; of MathML only visible ones count.
     pub(super) fn length_of(self, formula: &str) -> usize {
         match self {
             Script::Text(_) | Script::Latex => formula.chars().count(),
@@ -127,7 +127,7 @@ impl Script {
         }
     }
 
-    /// A name or a label as a word.
+    /// Name or label as a word.
     pub(super) fn word(self, name: &str) -> String {
         match self {
             Script::Text(_) => name.to_string(),
@@ -240,7 +240,7 @@ impl Script {
         format!("{} {sign} {}", self.vector(first), self.vector(second))
     }
 
-    /// A factor before something that is no number.
+    /// Sign between a factor and an expression other than a number.
     pub(super) fn times(self) -> &'static str {
         match self {
             Script::Text(Notation::Ascii) => "*",

@@ -1,7 +1,6 @@
-//! The determinant of each part → where the part is singular, as a formula and in the geometry's own words.
+//! Singular poses of each subsystem, as a formula and in geometric words.
 //!
-//! What the words say is the equation det = 0 of the form and nothing else: which of the poses where it holds a motion comes to is
-//! not known here.
+//! The words state the equation det = 0 of the solution method. They do not tell which of its poses a motion reaches.
 
 use std::sync::Arc;
 
@@ -13,33 +12,33 @@ use crate::program::forms::Form;
 use crate::structure::SolvedPlan;
 use crate::words::{Known, enumerated};
 
-/// The longest formula that is shown.
-const LONGEST: usize = 400;
+/// Longest determinant that is printed, in characters.
+const MAX_DETERMINANT_LENGTH: usize = 400;
 
-/// Where a part of the plan is singular.
+/// Singular poses of a subsystem of the plan.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SingularPose {
-    /// The block, from 0.
+    /// Index of the block.
     pub block: usize,
-    /// The part in its block, from 0.
+    /// Index of the subsystem in its block.
     pub part: usize,
-    /// What the part finds: `phi2`, `phi_c3 and phi_c10`.
+    /// Unknowns of the subsystem: `phi2`, `phi_c3 and phi_c10`.
     pub unknowns: String,
-    /// How: `RRR dyad`.
+    /// Solution method.
     pub method: String,
-    /// The determinant of the part's Jacobian up to its sign; `None` where there is no closed form, or none that a person would
+    /// Determinant of the subsystem's Jacobian up to its sign; `None` without a closed form, or if it is too long to
     /// read.
     pub determinant: Option<String>,
-    /// What the pose is like where the determinant is zero: `A-B and B-C are collinear`. `None` where it never is.
+    /// Condition of points in a singular pose: `A-B and B-C are collinear`. `None` if the subsystem is never singular.
     pub meaning: Option<String>,
-    /// The same of bodies, as a message says it: `crank and coupler are collinear`. `None` where it never is.
+    /// Condition of bodies in a singular pose, for messages. `None` if the subsystem is never singular.
     pub said: Option<String>,
-    /// Pins of the loop that two links close: `B-C-D`. `None` for other parts, and where a pin has no name.
+    /// Pins of the loop that two links close: `B-C-D`. `None` for other subsystems, and if a pin has no name.
     pub pins: Option<String>,
 }
 
 impl SingularPose {
-    /// One sentence for all of it.
+    /// Sentence about unknowns, method, determinant and condition.
     pub fn sentence(&self) -> String {
         match (&self.determinant, &self.meaning) {
             (_, None) => "never singular.".to_string(),
@@ -53,14 +52,14 @@ impl SingularPose {
     }
 }
 
-/// Where each part is singular, in solve order.
+/// Singular poses of each subsystem, in solve order.
 pub(super) fn singular_poses(
     spelling: &mut Spelling,
     plan: &SolvedPlan,
     forms: &[Vec<Arc<dyn Form>>],
 ) -> Vec<SingularPose> {
     let mut known = Known::nothing(&spelling.system);
-    // What moves a driver for the sake of a derivative is zero.
+    // Shifts of drivers for the sake of derivatives are zero.
     let directions = spelling.system.directions.iter();
     let drivers = directions.filter(|direction| !direction.is_parameter());
     let shifts: Vec<_> = drivers.map(|direction| direction.symbol).collect();
@@ -109,7 +108,7 @@ pub(super) fn singular_poses(
     poses
 }
 
-/// A determinant as a formula without its sign; `None` where it is too long to be read.
+/// Determinant as a formula without its sign; `None` if it is too long.
 fn unsigned(value: ExprId, spelling: &mut Spelling) -> Option<String> {
     if !spelling
         .parts
@@ -122,5 +121,6 @@ fn unsigned(value: ExprId, spelling: &mut Spelling) -> Option<String> {
         let minus = spelling.graph().negate(value);
         text = spelling.formula_as_is(minus);
     }
-    (spelling.script.length_of(&text) <= LONGEST).then(|| spelling.script.inline(&text))
+    (spelling.script.length_of(&text) <= MAX_DETERMINANT_LENGTH)
+        .then(|| spelling.script.inline(&text))
 }

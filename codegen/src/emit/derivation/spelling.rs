@@ -1,7 +1,7 @@
-//! Expressions and phrases → formulas and sentences in a script.
+//! Writes expressions and phrases as formulas and sentences in a script.
 //!
-//! What a page knows of a symbol stands in its place: the number that an unknown is, the cosines and sines that an arm consists of, the
-//! value of a local name that a person would not give.
+//! The value of a symbol on the page stands in its place: the number of an unknown, the cosines and sines of a
+//! rotated local vector, the value of a local name that a textbook would not introduce.
 
 use std::collections::HashMap;
 
@@ -12,14 +12,14 @@ use crate::joint::geometry::{Vector, turned};
 use crate::system::{SymbolRole, System, VectorTerm};
 use crate::words::{Phrase, Piece};
 
-/// How the formulas of one page are written.
+/// Spelling of the formulas on one page.
 pub(super) struct Spelling {
-    /// Of the page's own, since new formulas are made in its graph.
+    /// System of the page's own, since new formulas extend its graph.
     pub system: System,
     pub script: Script,
     /// The names of long choices.
     pub parts: NamedParts,
-    /// What stands in the place of a symbol; only looked up.
+    /// Replacement of a symbol; only looked up.
     replacements: HashMap<SymbolId, ExprId>,
 }
 
@@ -59,7 +59,7 @@ impl Spelling {
         }
     }
 
-    /// A component of an arm as cosines and sines of the angle that turns it.
+    /// Component of a rotated local vector as cosines and sines of its angle.
     fn written_arm(&mut self, place: usize, symbol: SymbolId) -> ExprId {
         let System {
             mechanism,
@@ -81,7 +81,7 @@ impl Spelling {
         self.formula_as_is(written)
     }
 
-    /// A formula of which nothing is replaced.
+    /// Formula without replacements.
     pub(super) fn formula_as_is(&self, expr: ExprId) -> String {
         let is_long = self.parts.meet(&self.system.mechanism.graph, expr);
         self.script
@@ -161,8 +161,8 @@ impl Spelling {
         format!("{} {}", self.script.rotation(&angle), self.pair(v))
     }
 
-    /// The two expressions as one vector: `r_c3 + R(phi_c3) (0.3, 0.2) - (0.4, -0.2)`; as a pair of components where they are no
-    /// such sum.
+    /// Two expressions as one vector: `r_c3 + R(phi_c3) (0.3, 0.2) - (0.4, -0.2)`; as a pair of components if they
+    /// are not such a sum.
     fn sum(&mut self, pair: Vector) -> String {
         let Some(terms) = self.system.vector_sum(pair) else {
             return self.pair(pair);
@@ -186,7 +186,7 @@ impl Spelling {
         text
     }
 
-    /// A term of a sum of vectors, and whether it is subtracted.
+    /// Term of a sum of vectors; true if it is subtracted.
     fn term(&mut self, term: VectorTerm) -> (bool, String) {
         let (factor, vector) = match term {
             VectorTerm::Constant(pair) => return (false, self.pair(pair)),

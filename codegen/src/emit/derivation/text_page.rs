@@ -1,12 +1,12 @@
-//! A derivation → a page of plain text.
+//! Lays out a derivation as plain text.
 
 use super::document::{DisplayedEquation, Document, Item, OutlineLine};
 use crate::emit::text::table::{aligned, in_lines, shown_width};
 
-/// Words are broken into lines of at most so many columns; formulas are not.
+/// Number of columns at which words are wrapped; formulas are not.
 const WIDTH: usize = 100;
 
-/// A cell of the table of blocks is broken after a comma where it is wider.
+/// Width at which a cell of the table of blocks is broken after a comma.
 const WIDEST_CELL: usize = 80;
 
 /// The whole page.
@@ -50,7 +50,7 @@ pub(super) fn outline(lines: &[OutlineLine]) -> String {
     aligned(&table)
 }
 
-/// A list in lines that are no wider than a cell where its entries permit it.
+/// Breaks a list into lines no wider than a cell if its entries permit.
 fn folded(list: &str) -> Vec<String> {
     let mut depth = 0_i32;
     let entries = list.split_inclusive(|character| {
@@ -78,14 +78,14 @@ fn displayed(equations: &[DisplayedEquation]) -> String {
     aligned(&lines)
 }
 
-/// Words in lines that begin after two spaces.
+/// Wraps words in lines that begin after two spaces.
 fn wrapped(words: &str) -> String {
     let lines = filled(words.split(' '), WIDTH).into_iter();
     let lines: Vec<String> = lines.map(|line| format!("  {line}\n")).collect();
     lines.concat()
 }
 
-/// Pieces with a blank between them, in lines that are no wider than this where each of them permits it.
+/// Joins pieces by blanks, in lines no wider than this if each piece permits.
 fn filled<'a>(pieces: impl Iterator<Item = &'a str>, width: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for piece in pieces {
@@ -118,8 +118,8 @@ mod tests {
         let words = text
             .split_whitespace()
             .map(|word| word.trim_end_matches(','));
-        let found: Vec<&str> = words.filter(|word| word.starts_with("phi_")).collect();
-        assert_eq!(found, names);
+        let angles: Vec<&str> = words.filter(|word| word.starts_with("phi_")).collect();
+        assert_eq!(angles, names);
         assert_eq!(text.matches("Newton").count(), 1, "{text}");
     }
 }

@@ -1,4 +1,4 @@
-//! A motion → a picture that moves by itself, or one picture for each pose.
+//! Draws a motion as an animated picture, or as one picture for each pose.
 
 use super::extras::Traced;
 use super::keyframes::Keyframes;
@@ -46,7 +46,7 @@ impl Animation {
         self.composition.text_of(&figure, Written::Frame)
     }
 
-    /// An SVG that goes through the poses at equal times in this many seconds, for ever.
+    /// SVG that shows the poses at equal times in this many seconds, forever.
     pub fn smil(&self, duration: f64) -> String {
         let scale = self.composition.figure.scale;
         let stances = (0..self.count()).map(|pose| self.scene.stance(pose, scale));

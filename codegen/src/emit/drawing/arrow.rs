@@ -1,8 +1,8 @@
-//! Arrows of drivers: which way what they drive goes now.
+//! Arrows of drivers: the current sense of driven quantities.
 
 use super::draft::{BLOCK, Draft};
 use super::figure::{Frame, Group, Layer, Look, Outline};
-use super::plane::{NEGLIGIBLE, distance, heading, left_of, onward, scaled};
+use super::plane::{RELATIVE_ROUNDING, distance, heading, left_of, onward, scaled};
 use super::pose::{At, Sign};
 use crate::joint::Feature;
 
@@ -10,7 +10,7 @@ use crate::joint::Feature;
 const HEAD: f64 = 8.0;
 
 impl Draft<'_> {
-    /// The angle of a body that is driven: an arc about its pin.
+    /// Draws the driven angle of a body: an arc about its pin.
     pub fn turning(&mut self, sign: &Sign, group: &mut Group) {
         let body = sign.marks[0].body;
         let center = self.pivot(body);
@@ -18,7 +18,7 @@ impl Draft<'_> {
         let way = if sign.is_falling { -1.0 } else { 1.0 };
         let radius = self.clear_radius(center);
         let ends = match self.corners[body].len() {
-            // Nothing says where the body points to: above, away from a support.
+            // The body has no direction: above, away from a support.
             0 | 1 => [-0.7, 0.7].map(|it| std::f64::consts::FRAC_PI_2 + way * it),
             _ => [start + way * 0.35, start + way * 1.75],
         };
@@ -34,8 +34,8 @@ impl Draft<'_> {
     /// The radius of an arc about a pin, beside a wheel's edge or within it.
     fn clear_radius(&self, center: At) -> f64 {
         let wheels = self.figure.bodies.iter().flat_map(|it| it.parts());
-        let own = wheels.filter(|it| it.frame == Frame::Body(center.body));
-        let radii = own
+        let rims = wheels.filter(|it| it.frame == Frame::Body(center.body));
+        let radii = rims
             .flat_map(|it| &it.elements)
             .filter_map(|it| match it.outline {
                 Outline::Circle(about, radius) if distance(about, center.local) < 1.0 => {
@@ -82,11 +82,11 @@ impl Draft<'_> {
     pub fn pivot(&self, body: usize) -> At {
         let marks = self.scene.signs.iter().filter_map(|sign| {
             let is_kept = matches!(sign.feature, Feature::Coordinate(_)) && !sign.is_driver;
-            let own = *sign.marks.iter().find(|it| it.body == body)?;
+            let mark = *sign.marks.iter().find(|it| it.body == body)?;
             let is_grounded = sign.marks.iter().any(|it| it.body == 0);
             match sign.feature {
-                Feature::Pin => Some((if is_grounded { 0 } else { 2 }, own)),
-                _ if is_kept => Some((1, own)),
+                Feature::Pin => Some((if is_grounded { 0 } else { 2 }, mark)),
+                _ if is_kept => Some((1, mark)),
                 _ => None,
             }
         });
@@ -98,7 +98,7 @@ impl Draft<'_> {
         self.pixels(best.map_or(origin, |(_, at)| at))
     }
 
-    /// The x or the y of a point that is driven: an arrow from it.
+    /// Draws the driven x or y of a point: an arrow from it.
     pub fn moved_coordinate(&mut self, sign: &Sign, axis: usize, group: &mut Group) {
         let at = self.pixels(sign.marks[0]);
         let mut along = [0.0; 2];
@@ -116,7 +116,7 @@ impl Draft<'_> {
         );
     }
 
-    /// The length along a line that is driven: an arrow beside what slides.
+    /// Draws the driven length along a line: an arrow beside the sliding body.
     pub fn stroke(&mut self, sign: &Sign, group: &mut Group) {
         let Some((line, owner, other)) = Self::line_of(sign) else {
             return;
@@ -130,7 +130,7 @@ impl Draft<'_> {
         let along = scaled(line.along, way);
         // Hatching lies below rather than above.
         let left = left_of(line.along);
-        let is_up = self.figure.stance.places[owner.body].rotate(left)[1] > -NEGLIGIBLE;
+        let is_up = self.figure.stance.places[owner.body].rotate(left)[1] > -RELATIVE_ROUNDING;
         let out = scaled(left, if is_up { 1.0 } else { -1.0 });
         let middle = scaled(out, (BLOCK[1] + 9.0) * self.unit);
         let half = 17.0 * self.unit;

@@ -10,14 +10,14 @@ use crate::joint::Feature;
 const BARREL: f64 = 7.5;
 const ROD: f64 = 2.4;
 
-/// How long barrel and rod are, in pixels.
+/// Lengths of barrel and rod, in pixels.
 struct Lengths {
     barrel: f64,
     rod: f64,
 }
 
 impl Lengths {
-    /// For a stroke from `least` to `most`: the piston stays in the barrel, and some of the rod outside.
+    /// Lengths for a stroke from `least` to `most`: the piston stays in the barrel, and some of the rod outside.
     fn of(least: f64, most: f64) -> Lengths {
         let rod = 0.86 * least;
         let barrel = (0.58 * least).max(most - rod + 0.06 * least);
@@ -29,7 +29,7 @@ impl Lengths {
 }
 
 impl Draft<'_> {
-    /// Whether the line of a sign is driven and both its bodies move, so that it stays apart and points one way.
+    /// True if the line of a sign is driven and both its bodies move, so that it keeps its direction.
     pub fn is_cylinder(&self, sign: &Sign) -> bool {
         let Some((line, owner, other)) = Self::line_of(sign) else {
             return false;
@@ -47,7 +47,7 @@ impl Draft<'_> {
             && travel.aside.abs() * self.figure.scale < 1.0
     }
 
-    /// The barrel on the body of the line, the rod on the other.
+    /// Draws the barrel on the body of the line, the rod on the other.
     pub fn cylinder(&mut self, sign: &Sign, line: Line, group: &mut Group) {
         let [owner, other] = [line.owner, line.other].map(|mark| self.pixels(sign.marks[mark]));
         let travel = self.scene.travel(sign, line);
@@ -66,7 +66,7 @@ impl Draft<'_> {
         group.add(Layer::Upon, Frame::Body(owner.body), Look::Edge, gland);
     }
 
-    /// The same between two points whose distance is driven.
+    /// Draws a cylinder between two points whose distance is driven.
     pub fn free_cylinder(&mut self, from: At, to: At, [least, most]: [f64; 2], group: &mut Group) {
         let lengths = Lengths::of(least, most);
         let along = [1.0, 0.0];
@@ -108,7 +108,7 @@ impl Draft<'_> {
         vec![(Look::Body, rod), (Look::Body, piston), (Look::Body, eye)]
     }
 
-    /// Where the rod leaves the barrel.
+    /// Ring at which the rod leaves the barrel.
     fn gland(&self, from: Point, along: Point, length: f64) -> Outline {
         let half = [1.6 * self.unit, (BARREL + 1.2) * self.unit];
         Outline::block(onward(from, length, along), along, half)

@@ -1,19 +1,19 @@
-//! Dials: angles that need no body, each as a pointer on a circle of its own.
+//! Dials: angles without a body, each as a pointer on a circle of its own.
 //!
-//! They stand in a row, below the bodies where there are some; zero is to the right, as it is for bodies.
+//! They stand in a row, below the bodies if there are any; zero is to the right, as it is for bodies.
 
 use super::draft::{Draft, PIN};
 use super::figure::{Frame, Layer, Look, Outline};
 use super::plane::{Bounds, Place, Point};
 use super::pose::{At, Carried};
 
-/// The radius of a dial, and the gap between two of them, as parts of the room that each takes.
+/// Radius of a dial, and gap between two of them, relative to the space of each.
 const RADIUS: f64 = 0.34;
 
-/// The room of a dial as a part of the size of what else is drawn.
+/// Space of a dial relative to the size of the rest.
 const SHARE: f64 = 0.3;
 
-/// Puts the angles of these numbers beside one another in all poses; `size` is what lengths are measured against.
+/// Puts the angles of these numbers beside one another in all poses; `size` is the characteristic length.
 pub(super) fn arrange(
     angles: &[usize],
     bodies: &mut [Carried],
@@ -49,7 +49,7 @@ pub(super) fn arrange(
 }
 
 impl Draft<'_> {
-    /// Where the dial of an angle is, in pixels of the ground.
+    /// Position of the dial of an angle, in pixels of the ground.
     pub(super) fn dial(&self, body: usize) -> At {
         At {
             body: 0,

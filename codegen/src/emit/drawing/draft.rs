@@ -1,8 +1,8 @@
-//! *A scene and a scale* → *its figure*: the signs of joints and the shapes of bodies, as one sheet.
+//! Drafts the figure of a scene at a scale: the signs of joints and the shapes of bodies, on one sheet.
 //!
-//! Which sign a joint has is its kind's; here several signs at one place become one: x and y of a point that are kept are a pin on
-//! the ground, one of them together with the angle of the body is a block on a guide, a line whose length is driven between two
-//! moving bodies is a cylinder. Deliberately unknown here: kinds, names, and where labels go.
+//! The kind of a joint decides its sign; several signs at one point are combined here. Fixed x and y of a point are a
+//! pin on the ground. One of them together with the angle of the body is a block on a guide. A driven line between
+//! two moving bodies is a cylinder.
 
 use super::figure::{Figure, Frame, Group, Layer, Look, Outline};
 use super::plane::{Point, distance, hull, scaled};
@@ -14,15 +14,15 @@ use crate::joint::Feature;
 pub(super) struct Draft<'a> {
     pub scene: &'a Scene,
     pub figure: Figure,
-    /// How large signs are: 1 where there is room, less where pins are close to one another.
+    /// Size of signs: 1 if the figure has room, smaller if pins are close to one another.
     pub unit: f64,
     /// The corners of each body's shape, in pixels of its frame.
     pub corners: Vec<Vec<Point>>,
-    /// Whether a body has a shape already.
+    /// True if a body has a shape already.
     pub is_shaped: Vec<bool>,
-    /// Where supports stand.
+    /// Positions of supports.
     pub supports: Vec<Point>,
-    /// The edges of bodies, and what lies between the ends of cylinders and of links without a body.
+    /// Edges of bodies, and the lines of cylinders and of links without a body.
     pub lines: Vec<[Point; 2]>,
 }
 
@@ -76,7 +76,7 @@ pub(super) fn drafted(scene: &Scene, scale: f64) -> (Figure, f64) {
 }
 
 impl Draft<'_> {
-    /// The points of each body's shape: those it carries, and those at which joints hold it.
+    /// Collects the points of each body's shape: its own points, and those of its joints.
     fn collect_corners(&mut self) {
         for (body, carried) in self.scene.bodies.iter().enumerate() {
             self.corners[body].extend(&carried.points);
@@ -132,7 +132,7 @@ impl Draft<'_> {
         }
     }
 
-    /// How large signs may be: the length of the shortest link decides.
+    /// Largest size of signs: the length of the shortest link decides.
     fn room(&self) -> f64 {
         let links = self.corners.iter().skip(1);
         let lengths = links.map(|corners| {
@@ -145,7 +145,7 @@ impl Draft<'_> {
         (shortest / 34.0).clamp(0.55, 1.0)
     }
 
-    /// A mark in pixels of its body.
+    /// Mark in pixels of its body.
     pub fn pixels(&self, at: At) -> At {
         At {
             body: at.body,
@@ -153,7 +153,7 @@ impl Draft<'_> {
         }
     }
 
-    /// Where a mark is, in pixels.
+    /// Position of a mark, in pixels.
     pub fn global(&self, at: At) -> Point {
         scaled(self.scene.global(at), self.figure.scale)
     }
@@ -192,7 +192,7 @@ impl Draft<'_> {
         }
     }
 
-    /// The shape of a body: what lies within half a link's width of the convex hull of its points.
+    /// Adds the shape of a body: half a link's width around the convex hull of its points.
     fn shape(&mut self, body: usize) {
         let corners = hull(&self.corners[body]);
         let is_shaped = self.is_shaped[body];
@@ -220,7 +220,7 @@ impl Draft<'_> {
         }
     }
 
-    /// The points with a name, which pins cover where there are some.
+    /// Draws the points with a name, which pins may cover.
     fn dots(&mut self) {
         let radius = 2.0 * self.unit;
         let mut ground = Group::new("body-ground".to_string(), "ground".to_string());
@@ -235,7 +235,7 @@ impl Draft<'_> {
         self.figure.extras.push(ground);
     }
 
-    /// Whether a wheel or a cam of the body, or a rack's bar, holds all its points.
+    /// True if a wheel or a cam of the body, or a rack's bar, covers all its points.
     fn is_covered(&self, body: usize, corners: &[Point]) -> bool {
         let Some(group) = self.figure.bodies.get(body - 1) else {
             return false;
@@ -264,13 +264,13 @@ impl Draft<'_> {
         })
     }
 
-    /// The sign, other than this, that says what `wanted` looks for.
+    /// Sign other than this one for which `wanted` holds.
     pub fn partner(&self, sign: &Sign, wanted: impl Fn(&Sign) -> bool) -> Option<&Sign> {
         let mut others = self.scene.signs.iter();
         others.find(|it| it.slug != sign.slug && wanted(it))
     }
 
-    /// A line in a sign, where it has one.
+    /// Line of a sign; `None` if it has none.
     pub fn line_of(sign: &Sign) -> Option<(Line, At, At)> {
         let line = sign.line?;
         Some((

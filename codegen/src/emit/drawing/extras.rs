@@ -8,24 +8,24 @@ use super::plane::{Point, onward, scaled};
 pub struct Traced {
     /// The name of the point.
     pub name: String,
-    /// Where it is, at one time after another.
+    /// Positions at successive times.
     pub points: Vec<Point>,
-    /// Where it is at equal times.
+    /// Positions at equal intervals of time.
     pub ticks: Vec<Point>,
 }
 
-/// Two points that ought to coincide and do not, in m.
+/// Two points that should coincide and do not, in m.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gap {
     /// Positions of the two ends.
     pub ends: [Point; 2],
-    /// Their distance as it is written.
+    /// Distance of the ends, as text.
     pub text: String,
     /// Joint that is open between them.
     pub title: String,
 }
 
-/// How long the axes of a frame are, in units.
+/// Length of the axes of a frame, in units.
 pub(super) const AXIS: f64 = 58.0;
 
 impl Figure {

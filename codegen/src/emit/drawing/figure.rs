@@ -1,18 +1,18 @@
-//! What a picture is made of: groups of outlines, each in a frame that moves as a whole.
+//! Parts of a picture: groups of outlines, each in a frame that moves as a whole.
 //!
-//! Lengths are pixels and y points upwards; a frame of a body is its frame with lengths in pixels. Whoever moves the mechanism moves
-//! the frames and nothing else. Deliberately unknown here: joints, colours, and how an outline is written.
+//! Lengths are pixels and y points upwards; a frame of a body is its frame with lengths in pixels. A motion changes
+//! only the frames.
 
 use super::plane::{Bounds, Point, difference, distance, heading, onward, sum};
 use super::pose::At;
 use super::stance::Stance;
 
-/// What moves with one frame.
+/// Frame of outlines that move together.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Frame {
     /// The body of this number; 0 is the ground.
     Body(usize),
-    /// At a point, turned as this body is.
+    /// At a point, turned as this body.
     Riding(At, usize),
     /// At a point, turned as one body at the inner radius and as another at the outer one.
     Wound(At, Winding),
@@ -20,11 +20,11 @@ pub(super) enum Frame {
     Toward(At, At),
     /// Place between two points, stretched along x so that the second point is always this far from the first.
     Between(At, At, f64),
-    /// At a point, along the force of the load of this number, and as long as its arrow.
+    /// At a point, along the force of the load of this number, and with the length of its arrow.
     Force(At, usize),
     /// At a point and at an angle to its body, mirrored at x where the torque of the load of this number is clockwise.
     Torque(At, f64, usize),
-    /// The picture as it is in this pose.
+    /// Drawn for this pose only.
     Still,
 }
 
@@ -33,18 +33,18 @@ pub(super) enum Frame {
 pub(super) struct Winding {
     /// Bodies that its inner and its outer end turn with.
     pub bodies: [usize; 2],
-    /// Angle of the second body to the first one as the description draws them, in rad.
+    /// Angle of the second body to the first one in the design configuration, in rad.
     pub drawn: f64,
     /// Distance of its inner and its outer end from the point.
     pub radii: [f64; 2],
 }
 
-/// What an outline is, and so how it looks.
+/// Kind of an outline, which decides its style.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Look {
     /// The shape of a body, filled with its tint.
     Body,
-    /// The same without an edge of its own.
+    /// Shape of a body without an edge of its own.
     Disc,
     /// A hole through it or a part set upon it.
     Part,
@@ -52,13 +52,13 @@ pub(super) enum Look {
     Edge,
     /// A thick edge, where bodies touch.
     Face,
-    /// A pitch line, or another line that is only thought.
+    /// Pitch line, or another imaginary line.
     Thought,
     /// A link without a body.
     Massless,
     /// Hatching of the ground.
     Hatch,
-    /// What a driver does.
+    /// Sign of a driver.
     Drive,
     /// The head of its arrow.
     DriveHead,
@@ -70,7 +70,7 @@ pub(super) enum Look {
     Path,
     /// A tick on it.
     Tick,
-    /// What is filled with ink.
+    /// Area filled with ink.
     Ink,
     /// A spring or a damper.
     Element,
@@ -82,7 +82,7 @@ pub(super) enum Look {
     Gap,
 }
 
-/// Where ink goes, in a frame.
+/// Outline in a frame.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Outline {
     /// From point to point.
@@ -111,17 +111,17 @@ pub(super) struct Part {
     pub elements: Vec<Element>,
 }
 
-/// What is drawn of a body, a joint or a path.
+/// Outlines of a body, a joint or a path.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Group {
-    /// Its name in the file.
+    /// Id in the file.
     pub id: String,
-    /// What it is called when pointed at.
+    /// Tooltip.
     pub title: String,
     pub layers: [Vec<Part>; 3],
 }
 
-/// Where a joint is drawn.
+/// Layer of a joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Layer {
     /// Under the bodies.
@@ -160,7 +160,7 @@ impl Group {
     }
 }
 
-/// All that is drawn of a mechanism.
+/// Picture of a mechanism.
 #[derive(Clone, Debug)]
 pub(super) struct Figure {
     /// Pixels per metre.
@@ -173,7 +173,7 @@ pub(super) struct Figure {
     pub joints: Vec<Group>,
     /// Loads, paths, axes and gaps.
     pub extras: Vec<Group>,
-    /// What has no sign, in words.
+    /// Loads without a sign, in words.
     pub notes: Vec<String>,
 }
 
@@ -217,7 +217,7 @@ impl Figure {
     }
 }
 
-/// An outline where it is.
+/// Outline in its position.
 #[derive(Clone, Debug)]
 pub(super) struct Trace {
     pub look: Look,
@@ -237,7 +237,7 @@ impl Trace {
     }
 }
 
-/// How many corners stand for a circle.
+/// Number of corners that stand for a circle.
 const CORNERS: usize = 24;
 
 impl Outline {
@@ -303,7 +303,7 @@ impl Outline {
     }
 }
 
-/// Where the edges of a rounded polygon begin and end.
+/// Ends of the edges of a rounded polygon.
 pub(super) fn offset_edges(corners: &[Point], radius: f64) -> Vec<[Point; 2]> {
     let next = corners.iter().cycle().skip(1);
     corners
@@ -312,7 +312,7 @@ pub(super) fn offset_edges(corners: &[Point], radius: f64) -> Vec<[Point; 2]> {
         .map(|(&a, &b)| {
             let length = distance(a, b);
             let along = difference(b, a);
-            // Counterclockwise, what is outside lies to the right.
+            // Counterclockwise, the outside lies to the right.
             let out = [along[1] * radius / length, -along[0] * radius / length];
             [sum(a, out), sum(b, out)]
         })

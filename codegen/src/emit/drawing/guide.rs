@@ -1,8 +1,8 @@
-//! What slides: blocks on guides, stems in bushings, pins in slots, rollers on the ground.
+//! Sliding bodies: blocks on guides, stems in bushings, pins in slots, rollers on the ground.
 
 use super::draft::{BLOCK, Draft, LINK, PIN};
 use super::figure::{Frame, Group, Layer, Look, Outline};
-use super::plane::{Bounds, NEGLIGIBLE, Point, difference, dot, left_of, onward, scaled};
+use super::plane::{Bounds, Point, RELATIVE_ROUNDING, difference, dot, left_of, onward, scaled};
 use super::pose::{At, Line, Sign};
 use crate::joint::Feature;
 
@@ -49,7 +49,7 @@ impl Draft<'_> {
             let ends = [onward(base, -half[0], along), onward(base, half[0], along)];
             self.ground(ends, behind, group);
         }
-        // What slides goes around the bar.
+        // The sliding body encloses the bar.
         let slit = [
             onward([0.0; 2], -half[0], line.along),
             onward([0.0; 2], half[0], line.along),
@@ -62,7 +62,7 @@ impl Draft<'_> {
         );
     }
 
-    /// The bar of a body along a line through one of its marks, unless a link of it is that bar.
+    /// Draws the bar of a body along a line through one of its marks, unless a link of the body is that bar.
     fn bar(&mut self, owner: At, line: Line, [least, most]: [f64; 2]) {
         let mark = self.pixels(owner).local;
         let across = left_of(line.along);
@@ -119,8 +119,8 @@ impl Draft<'_> {
         self.hole(other, group);
     }
 
-    /// A body whose point stays on a line of the ground, and which does not turn: a block on a guide, or a stem in a bushing
-    /// where its own shape or what it touches is in the way. The range says how far it goes from here.
+    /// Draws a body whose point stays on a line of the ground, and which does not turn: a block on a guide, or a stem
+    /// in a bushing if its own shape or its contact is in the way. The range is its travel from here.
     pub fn guided(&mut self, at: At, along: Point, range: [f64; 2], group: &mut Group) {
         let center = self.global(at);
         let place = self.figure.stance.places[at.body];
@@ -191,7 +191,9 @@ impl Draft<'_> {
                 let length = 0.5 * (range[1] - range[0]) + 2.0 * BLOCK[0] * self.unit;
                 (along[axis] * length).abs() + (out[axis] * 5.0 * self.unit).abs()
             });
-            let upward = if out[1] > NEGLIGIBLE || (out[1].abs() <= NEGLIGIBLE && out[0] < 0.0) {
+            let upward = if out[1] > RELATIVE_ROUNDING
+                || (out[1].abs() <= RELATIVE_ROUNDING && out[0] < 0.0)
+            {
                 14.0
             } else {
                 0.0
@@ -222,7 +224,7 @@ impl Draft<'_> {
         self.hole(at, group);
     }
 
-    /// Where the body begins whose curve a follower touches.
+    /// Origin of the body whose curve a follower touches.
     fn touched_from(&self, follower: usize) -> Option<Point> {
         let mut signs = self.scene.signs.iter();
         let sign = signs

@@ -1,4 +1,4 @@
-//! Poses at equal times → elements of SMIL that move what is drawn from one to the next, for ever.
+//! Elements of SMIL that move a picture through poses at equal times, forever.
 
 use std::f64::consts::{PI, TAU};
 
@@ -16,14 +16,14 @@ pub(super) struct Keyframes {
 }
 
 impl Keyframes {
-    /// Elements that move a frame; nothing for one that rests.
+    /// Elements that move a frame; empty for one at rest.
     pub fn motion(&self, frame: Frame) -> String {
         let places: Vec<_> = self.stances.iter().map(|it| it.place(frame)).collect();
         let origins = places.iter().map(|it| pair([it.origin[0], -it.origin[1]]));
         let mut turned = Vec::with_capacity(places.len());
         let mut last = 0.0;
         for place in &places {
-            // The shorter way round from the last one.
+            // The smaller angle from the last one.
             last += (place.angle - last + PI).rem_euclid(TAU) - PI;
             turned.push(number(-last.to_degrees()));
         }
@@ -56,7 +56,7 @@ impl Keyframes {
         }
     }
 
-    /// Element that gives a path these shapes, given by pose; nothing for one that keeps its shape.
+    /// Element that gives a path these shapes, by pose; empty for one that keeps its shape.
     pub fn shape(&self, line: impl Fn(&Stance) -> String) -> String {
         let values: Vec<String> = self.stances.iter().map(line).collect();
         match rests(&values) {

@@ -1,57 +1,58 @@
-//! *Names with places where they may stand, and what is drawn* → *where each stands, or that it finds no room*.
+//! Places names among drawn outlines, and leaves out those without room.
 //!
-//! Every name has candidates around its anchors; what they cost grows with the lines that they cover and with the way from the
-//! anchor. Names are placed one after another, then each again while the others stay (Christensen, Marks and Shieber 1995 compare
-//! such searches). Afterwards no two names overlap and all lie in the area. The same input gives the same places.
+//! Every name has candidates around its anchors. Their cost grows with the lines that they cover and with the
+//! distance from the anchor. Names are placed one after another, then each again while the others stay (Christensen,
+//! Marks and Shieber 1995 compare such searches). Afterwards no two names overlap and all lie in the area. Equal
+//! input gives equal positions.
 
 use std::cell::OnceCell;
 
 use super::obstacles::Obstacles;
 use super::plane::{Bounds, Point, distance, onward};
 
-/// A place from which candidates lie outwards.
+/// Point from which candidates lie outwards.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Anchor {
     pub at: Point,
-    /// The unit vector in which a name goes away from it, or zero for a name upon it.
+    /// Unit vector from the anchor to its names, or zero for a name upon it.
     pub out: Point,
-    /// How far the name stays away.
+    /// Distance of the name.
     pub gap: f64,
-    /// How little it is liked.
+    /// Cost of the anchor.
     pub cost: f64,
 }
 
-/// A name that is to be placed.
+/// Name to be placed.
 #[derive(Clone, Debug)]
 pub(super) struct Label {
-    /// Half its width and half its height.
+    /// Half the width and half the height.
     pub half: Point,
     pub anchors: Vec<Anchor>,
-    /// The outline to which it belongs, among the filled ones.
+    /// Index among the filled outlines of the one to which it belongs; `None` if there is none.
     pub owner: Option<usize>,
 }
 
-/// The steps away from an anchor, in pixels.
+/// Distances from an anchor, in pixels.
 const STEPS: [f64; 7] = [0.0, 5.0, 11.0, 19.0, 30.0, 44.0, 64.0];
 
-/// How many free places are compared for a name that finds no room beside what it names.
+/// Number of free positions that are compared for a name without room beside its anchor.
 const NEAREST: usize = 100;
 
-/// A candidate that costs less than this is free.
-const FREE: f64 = 12.0;
+/// Cost below which a candidate is free.
+const FREE_COST_LIMIT: f64 = 12.0;
 
-/// How often each name is placed again.
+/// Number of times that each name is placed again.
 const ROUNDS: usize = 3;
 
-/// Where a name stands.
+/// Position of a name.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Placed {
     pub area: Bounds,
-    /// The anchor, where it is so far away that a line leads there.
+    /// Anchor at the end of a leader line; `None` if the name is close to it.
     pub leader: Option<Point>,
 }
 
-/// Where the names stand; `None` for one that finds no room.
+/// Positions of the names; `None` for one without room.
 pub(super) fn placed(
     labels: &[Label],
     obstacles: &Obstacles,
@@ -67,7 +68,7 @@ pub(super) fn placed(
     let mut order: Vec<usize> = (0..labels.len()).collect();
     let free = |at: usize| {
         let all = candidates[at].iter();
-        all.filter(|it| it.least < FREE && cost(at, it) < FREE)
+        all.filter(|it| it.least < FREE_COST_LIMIT && cost(at, it) < FREE_COST_LIMIT)
             .count()
     };
     order.sort_by_key(|&at| free(at));
@@ -91,7 +92,7 @@ pub(super) fn placed(
             }
             chosen[at] = match best {
                 Some((_, placed)) => Some(placed),
-                // In the end any free place is better than none.
+                // In the end any free position is better than none.
                 None if round == ROUNDS => anywhere(&labels[at], &others, obstacles, area),
                 None => None,
             };
@@ -100,12 +101,12 @@ pub(super) fn placed(
     chosen
 }
 
-/// A place where a name may stand.
+/// Possible position of a name.
 struct Candidate {
-    /// What it costs if it covers nothing.
+    /// Cost if it covers nothing.
     least: f64,
     placed: Placed,
-    /// What it covers is found out where somebody asks.
+    /// Cost with everything it covers, computed on demand.
     whole: OnceCell<f64>,
 }
 
@@ -117,7 +118,7 @@ impl Candidate {
 }
 
 fn candidates(label: &Label, obstacles: &Obstacles, area: &Bounds) -> Vec<Candidate> {
-    let mut found = Vec::new();
+    let mut candidates = Vec::new();
     for anchor in &label.anchors {
         let is_upon = anchor.out == [0.0; 2];
         let steps = if is_upon { &STEPS[..1] } else { &STEPS[..] };
@@ -126,25 +127,28 @@ fn candidates(label: &Label, obstacles: &Obstacles, area: &Bounds) -> Vec<Candid
             // A box beside the point touches the circle about it, rather than the line across.
             let reach = (anchor.out[0] * half[0]).abs() + (anchor.out[1] * half[1]).abs();
             let center = onward(anchor.at, anchor.gap + step + reach, anchor.out);
-            let own = Bounds::around(center, half);
-            let is_free = obstacles.taken.iter().all(|it| !it.meets(&own));
-            if !area.holds(&own) || !is_free {
+            let area_here = Bounds::around(center, half);
+            let is_free = obstacles.taken.iter().all(|it| !it.meets(&area_here));
+            if !area.holds(&area_here) || !is_free {
                 continue;
             }
             let is_led = *step > 25.0;
             let far = if is_led { 8.0 } else { 0.0 };
             let leader = is_led.then_some(anchor.at);
-            found.push(Candidate {
+            candidates.push(Candidate {
                 least: anchor.cost + far + 0.42 * step,
-                placed: Placed { area: own, leader },
+                placed: Placed {
+                    area: area_here,
+                    leader,
+                },
                 whole: OnceCell::new(),
             });
         }
     }
-    found
+    candidates
 }
 
-/// The free place nearest to the first anchor, with a line that leads to it.
+/// Free position nearest to the first anchor, with a leader line to it.
 fn anywhere(
     label: &Label,
     others: &[Bounds],
@@ -160,10 +164,10 @@ fn anywhere(
     let cells = (0..=rows).flat_map(|row| (0..=columns).map(move |column| [column, row]));
     let free = cells.filter_map(|cell| {
         let at = [0, 1].map(|axis| area.low[axis] + label.half[axis] + step * cell[axis] as f64);
-        let own = Bounds::around(at, label.half);
+        let area_here = Bounds::around(at, label.half);
         let mut taken = others.iter().chain(&obstacles.taken);
-        let is_free = area.holds(&own) && taken.all(|it| !it.meets(&own));
-        is_free.then(|| (distance(at, from), own))
+        let is_free = area.holds(&area_here) && taken.all(|it| !it.meets(&area_here));
+        is_free.then(|| (distance(at, from), area_here))
     });
     let mut free: Vec<(f64, Bounds)> = free.collect();
     free.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -204,8 +208,8 @@ mod tests {
             anchors: around([5.0, 20.0]),
             owner: None,
         };
-        let found = placed(&vec![label; 4], &Obstacles::default(), &area);
-        let boxes: Vec<Bounds> = found.iter().flatten().map(|it| it.area).collect();
+        let positions = placed(&vec![label; 4], &Obstacles::default(), &area);
+        let boxes: Vec<Bounds> = positions.iter().flatten().map(|it| it.area).collect();
         assert_eq!(boxes.len(), 4);
         for (at, one) in boxes.iter().enumerate() {
             assert!(area.holds(one));
@@ -224,8 +228,8 @@ mod tests {
             anchors: around([5.0, 7.0]),
             owner: None,
         };
-        let found = placed(&vec![label; 3], &Obstacles::default(), &area);
-        assert_eq!(found.iter().flatten().count(), 1);
+        let positions = placed(&vec![label; 3], &Obstacles::default(), &area);
+        assert_eq!(positions.iter().flatten().count(), 1);
     }
 
     #[test]
@@ -250,7 +254,7 @@ mod tests {
             anchors: around([0.0, 0.0]),
             owner: None,
         };
-        let found = placed(&[label], &obstacles, &area);
-        assert_eq!(found[0].map(|it| it.area.center()), Some([-12.0, 0.0]));
+        let positions = placed(&[label], &obstacles, &area);
+        assert_eq!(positions[0].map(|it| it.area.center()), Some([-12.0, 0.0]));
     }
 }

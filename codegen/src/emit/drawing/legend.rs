@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use super::figure::{Figure, Outline};
 use super::letters::width;
 use super::naming::SIZE;
-use super::plane::{NEGLIGIBLE, Point, onward};
+use super::plane::{Point, RELATIVE_ROUNDING, onward};
 use super::scale_bar::scale_bar;
 use super::svg::number;
 use crate::emit::markup::escaped;
@@ -78,7 +78,7 @@ pub(super) fn legend_text(
 /// The arrow of gravity in the legend right of a point, and where it ends. Here y points downwards.
 fn falling([left, middle]: Point, gravity: Point) -> (String, f64) {
     let size = gravity[0].hypot(gravity[1]);
-    let along = match size > NEGLIGIBLE {
+    let along = match size > RELATIVE_ROUNDING {
         true => [gravity[0] / size, -gravity[1] / size],
         false => [0.0, 1.0],
     };

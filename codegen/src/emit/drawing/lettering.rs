@@ -1,4 +1,4 @@
-//! Names with their places → text that stays beside what moves.
+//! Text of placed names that moves with its points.
 
 use std::fmt::Write as _;
 
@@ -14,7 +14,7 @@ use super::style::TINTS;
 use super::svg::{Written, number};
 use crate::emit::markup::escaped;
 
-/// A name where it stands.
+/// Name in its position.
 #[derive(Debug)]
 pub(super) struct Lettering {
     /// Attribute of its class, or nothing.
@@ -23,12 +23,12 @@ pub(super) struct Lettering {
     at: Option<At>,
     /// Attribute that names the point, or nothing.
     point: String,
-    /// Line that leads to what it names, or nothing.
+    /// Leader line to the named point, or nothing.
     leader: String,
     text: String,
 }
 
-/// The names where they stand.
+/// Names in their positions.
 pub(super) fn lettering(
     scene: &Scene,
     figure: &Figure,
@@ -39,14 +39,14 @@ pub(super) fn lettering(
     let mut names = names(scene, figure, unit);
     names.extend(options.gap.iter().map(|gap| missing(gap, figure)));
     let mut obstacles = obstacles(figure);
-    let mut found = Vec::new();
+    let mut letters = Vec::new();
     for &body in &options.frames {
         let place = figure.stance.place(Frame::Body(body));
         for (along, letter) in [([1.0, 0.0], "x"), ([0.0, 1.0], "y")] {
             let at = place.globally(onward([0.0; 2], AXIS * unit + 9.0, along));
             obstacles.taken.push(Bounds::around(at, [6.0, 7.0]));
             let place = figure.stance.places[body].locally(at);
-            found.push(Lettering {
+            letters.push(Lettering {
                 class: String::new(),
                 at: Some(At { body, local: place }),
                 point: String::new(),
@@ -112,7 +112,7 @@ pub(super) fn lettering(
             escaped(&name.text)
         );
         let (at, point) = followed(name, center, scene, figure);
-        found.push(Lettering {
+        letters.push(Lettering {
             class: tint,
             at,
             point,
@@ -120,7 +120,7 @@ pub(super) fn lettering(
             text,
         });
     }
-    found
+    letters
 }
 
 /// Anchor that a name follows, as a point of a body in pixels, and an attribute that names it.
@@ -140,7 +140,7 @@ fn followed(name: &Name, center: Point, scene: &Scene, figure: &Figure) -> (Opti
     }
 }
 
-/// Names as text; those that follow what they name have moved with it from the first figure to the second.
+/// Names as text; those that follow a point have moved with it from the first figure to the second.
 pub(super) fn names_text(
     names: &[Lettering],
     [composed, shown]: [&Figure; 2],
@@ -160,7 +160,7 @@ pub(super) fn names_text(
             }
             (Written::Frame, Some(at)) => {
                 let [x, y] = moved(&shown.stance, at);
-                // What turns below a name leaves its line behind.
+                // Content that turns below a name leaves its line behind.
                 children.clear();
                 attributes += &format!(" transform=\"translate({} {})\"", number(x), number(-y));
             }

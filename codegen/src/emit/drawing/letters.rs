@@ -1,7 +1,7 @@
-//! How wide a text is.
+//! Width of a text.
 //!
-//! Nobody knows with which font a picture will be shown. The widths are those of a common sans serif (Helvetica, and Arial and
-//! Liberation Sans like it), in thousandths of the size, and a reserve for wider ones.
+//! The font of a reader is unknown. The widths are those of a common sans serif (Helvetica, and Arial and Liberation
+//! Sans like it), in thousandths of the size, with a reserve for wider ones.
 
 /// The widths of the characters from space to tilde.
 const WIDTHS: [u16; 95] = [
@@ -12,10 +12,10 @@ const WIDTHS: [u16; 95] = [
     222, 833, 556, 556, 556, 556, 333, 500, 278, 556, 500, 722, 500, 500, 500, 334, 260, 334, 584,
 ];
 
-/// What a character outside the table takes: most letters are narrower, and ideographs as wide.
+/// Width of a character outside the table: most letters are narrower, and ideographs equally wide.
 const OTHERS: u16 = 1000;
 
-/// By how much other fonts are wider.
+/// Factor for wider fonts.
 const RESERVE: f64 = 1.14;
 
 /// The width of a text in letters of this size.

@@ -1,4 +1,4 @@
-//! What holds points without a body: massless links, kept offsets and angles, written equations.
+//! Signs between points without a body: massless links, fixed offsets and angles, written equations.
 
 use super::draft::{BLOCK, Draft, PIN};
 use super::figure::{Frame, Group, Layer, Look, Outline};
@@ -6,11 +6,11 @@ use super::plane::{Point, difference, distance, scaled};
 use super::pose::{At, Sign};
 use crate::joint::Feature;
 
-/// Length for which a link is drawn at least, in pixels: one that vanishes in a pose could not be stretched.
+/// Smallest length of a drawn link, in pixels: one that vanishes in a pose could not be stretched.
 pub(super) const SHORTEST: f64 = 20.0;
 
 impl Draft<'_> {
-    /// A link without a body of its own, or where its length is driven a cylinder.
+    /// Draws a link without a body of its own, or a cylinder if its length is driven.
     pub fn link(&mut self, sign: &Sign, is_driver: bool, group: &mut Group) {
         let [from, to] = [sign.marks[0], sign.marks[1]];
         for end in [from, to] {
@@ -51,7 +51,7 @@ impl Draft<'_> {
         }
     }
 
-    /// How far one point lies beside, or above, another.
+    /// Draws the distance of one point beside, or above, another.
     pub fn offset(&mut self, sign: &Sign, axis: usize, is_driver: bool, group: &mut Group) {
         let [from, to] = [sign.marks[0], sign.marks[1]].map(|it| self.global(it));
         let mut corner = from;
@@ -98,14 +98,14 @@ impl Draft<'_> {
             At { body: b, local }
         });
         let there = self.figure.stance.places[b].globally(center.local);
-        let own = At {
+        let center = At {
             body: a,
             local: self.figure.stance.places[a].locally(there),
         };
         let turned = self.figure.stance.places[b].angle - self.figure.stance.places[a].angle;
-        let from = self.facing(own);
+        let from = self.facing(center);
         let to = self.facing(center) + turned;
-        // The shorter way round.
+        // The smaller angle.
         let span = (to - from + std::f64::consts::PI).rem_euclid(std::f64::consts::TAU)
             - std::f64::consts::PI;
         let frame = Frame::Riding(center, a);
@@ -122,7 +122,7 @@ impl Draft<'_> {
         }
     }
 
-    /// What an equation speaks of.
+    /// Draws the points and bodies in an equation.
     pub fn written(&mut self, sign: &Sign, group: &mut Group) {
         let mut places: Vec<Point> = Vec::new();
         for mark in &sign.marks {
@@ -130,11 +130,11 @@ impl Draft<'_> {
                 continue;
             }
             let there = self.global(*mark);
-            let own = self.pixels(*mark).local;
-            // The origin of a frame alone is nothing to be seen.
+            let local = self.pixels(*mark).local;
+            // The origin of a frame alone is invisible.
             if self.corners[mark.body]
                 .iter()
-                .all(|it| distance(*it, own) > 0.5)
+                .all(|it| distance(*it, local) > 0.5)
             {
                 continue;
             }
@@ -156,7 +156,7 @@ impl Draft<'_> {
         self.figure.notes.push(sign.label.clone());
     }
 
-    /// The pin between two bodies, as the second carries it, in pixels.
+    /// Pin between two bodies in the frame of the second, in pixels.
     pub fn pin_between(&self, a: usize, b: usize) -> Option<At> {
         let mut signs = self.scene.signs.iter();
         signs.find_map(|sign| {
@@ -165,8 +165,8 @@ impl Draft<'_> {
             }
             let [one, other] = [sign.marks[0], sign.marks[1]];
             let pair = [(one, other), (other, one)];
-            let found = pair.into_iter().find(|(i, j)| i.body == a && j.body == b)?;
-            Some(self.pixels(found.1))
+            let marks = pair.into_iter().find(|(i, j)| i.body == a && j.body == b)?;
+            Some(self.pixels(marks.1))
         })
     }
 }

@@ -1,4 +1,4 @@
-//! Signs of what acts on bodies: coils, dashpots, arrows of forces and torques.
+//! Signs of loads: coils, dashpots, arrows of forces and torques.
 
 use std::f64::consts::PI;
 
@@ -15,21 +15,21 @@ use crate::joint::Feature;
 const HALF: f64 = 7.5;
 
 /// Distance between the middles of elements beside one another, in units.
-const APART: f64 = 20.0;
+const ELEMENT_SPACING: f64 = 20.0;
 
 /// Length of half a winding, at least and at most, in units.
 const WINDING: [f64; 2] = [5.0, 8.0];
 
-/// Fewest and most half windings of a coil.
+/// Smallest and largest number of half windings of a coil.
 const WINDINGS: [f64; 2] = [7.0, 21.0];
 
 /// Straight ends of a coil, as a part of its length.
 const ENDS: f64 = 0.12;
 
-/// Length of a dashpot's cylinder where its stroke needs no more, in units.
+/// Length of a dashpot's cylinder for short strokes, in units.
 const CYLINDER: f64 = 34.0;
 
-/// Part of the shortest length that a cylinder takes at most.
+/// Largest length of a cylinder, relative to the shortest length of the element.
 const LONGEST_CYLINDER: f64 = 0.8;
 
 /// Length of the arrow of the largest force, in units.
@@ -60,7 +60,7 @@ impl Draft<'_> {
         let scene = self.scene;
         let spans: Vec<Option<Span>> = (0..scene.loads.len()).map(|it| self.span(it)).collect();
         for span in spans.iter().flatten().filter(|it| it.aside != 0.0) {
-            // Supports stand where no element is.
+            // Supports stand on a free side.
             let line = self.beside(*span);
             self.lines.push(line);
         }
@@ -139,7 +139,7 @@ impl Draft<'_> {
             matches!(sign.feature, Feature::Slide | Feature::Link) && is_same(&sign.marks)
         });
         let steps = match is_taken {
-            // On both sides of what is there already.
+            // On both sides of the existing ones.
             true => {
                 let out = (rank / 2 + 1) as f64;
                 if rank.is_multiple_of(2) { out } else { -out }
@@ -155,14 +155,14 @@ impl Draft<'_> {
         Some(Span {
             from: self.pixels(from),
             to: self.pixels(to),
-            aside: steps * APART * self.unit,
+            aside: steps * ELEMENT_SPACING * self.unit,
             now: lengths[0],
             least: lengths.iter().copied().fold(f64::INFINITY, f64::min),
             most: lengths.iter().copied().fold(0.0, f64::max),
         })
     }
 
-    /// A coil that is as long as the distance between its ends.
+    /// Draws a coil with the length of the distance between its ends.
     fn coil(&self, span: Span, group: &mut Group) {
         let length = span.now.max(SHORTEST);
         let half = HALF * self.unit;
@@ -199,7 +199,7 @@ impl Draft<'_> {
             self.piston(frame, -span.aside, [0.0, rod], group);
             return;
         }
-        // No cylinder is as short as the one length and as long as the other: the sign is stretched as a whole.
+        // No cylinder suits both lengths: the sign is stretched as a whole.
         let length = span.now.max(SHORTEST);
         let frame = Frame::Between(span.from, span.to, length);
         let (start, cylinder) = (0.3 * length, 0.4 * length);
@@ -239,8 +239,8 @@ impl Draft<'_> {
         }
     }
 
-    /// A spring about a joint. Its inner end turns with the first body, and its outer end with the second one. As the description draws
-    /// them, one and a half turns lie between.
+    /// Draws a spring about a joint. Its inner end turns with the first body, and its outer end with the second one.
+    /// In the design configuration one and a half turns lie between.
     fn spiral(&self, center: At, bodies: [usize; 2], drawn: f64, group: &mut Group) {
         let (turns, steps) = (1.5, 24);
         let radii = [5.0, 15.0].map(|it| it * self.unit);
@@ -294,7 +294,7 @@ impl Draft<'_> {
         group.add(Layer::Above, frame, Look::LoadHead, head);
     }
 
-    /// An arc about the pin of a body, on the side away from where the body points.
+    /// Draws an arc about the pin of a body, on the side opposite to the body.
     fn torque(&self, place: usize, body: usize, group: &mut Group) {
         let center = self.pivot(body);
         let frame = Frame::Torque(center, self.facing(center) + PI, place);

@@ -1,4 +1,4 @@
-//! Loads of a system in numbers: where they act, and which forces and torques act in a pose.
+//! Loads of a system in numbers: their points, and the forces and torques in a pose.
 
 use super::numbers::Numbers;
 use super::plane::{Point, scaled};
@@ -8,10 +8,10 @@ use crate::force::{Element, Place, Shape};
 use crate::joint::geometry::{BodyId, Mark, add, perpendicular};
 use crate::system::System;
 
-/// Length of the shortest arrow beside the longest: what is shorter could not be seen.
+/// Length of the shortest arrow beside the longest: shorter ones are invisible.
 const SHORTEST: f64 = 0.4;
 
-/// Magnitude that counts as zero beside the largest.
+/// Relative magnitude that counts as zero.
 const ZERO: f64 = 1e-9;
 
 /// A load in numbers.
@@ -20,24 +20,24 @@ pub(super) struct Load {
     /// Label in messages: `spring main`, `force on 1.P`.
     pub label: String,
     pub shape: Shape,
-    /// Points that it acts on.
+    /// Points on which it acts.
     pub marks: Vec<At>,
-    /// Angle of its second body to the first one as the description draws them, in rad.
+    /// Angle of its second body to the first one in the design configuration, in rad.
     pub drawn: f64,
 }
 
-/// Points of a load as bodies and places among the numbers, and the places of what it exerts.
+/// Points of a load as bodies and indices among the numbers, and the indices of its force or torque.
 #[derive(Clone, Debug)]
 struct Numbered {
     label: String,
     shape: Shape,
     marks: Vec<(usize, [usize; 2])>,
-    /// Angles of its first and its last body as the description draws them.
+    /// Angles of its first and its last body in the design configuration.
     drawn: [usize; 2],
     vector: [usize; 2],
 }
 
-/// Loads of a system and its gravity, by their places among numbers.
+/// Loads of a system and its gravity, by their indices among numbers.
 #[derive(Clone, Debug)]
 pub(super) struct NumberedLoads {
     loads: Vec<Numbered>,
@@ -45,7 +45,7 @@ pub(super) struct NumberedLoads {
 }
 
 impl NumberedLoads {
-    /// Adds what acts in a system to the numbers of a drawing.
+    /// Adds the loads of a system to the numbers of a picture.
     pub fn new(system: &System, graph: &mut Graph, numbers: &mut Numbers) -> NumberedLoads {
         let forces = &system.mechanism.forces;
         let zero = graph.zero();
@@ -101,27 +101,27 @@ impl NumberedLoads {
         loads.collect()
     }
 
-    /// Returns what each load exerts: a force, or a torque as the first component.
+    /// Returns the vector of each load: a force, or a torque as the first component.
     pub fn vectors(&self, value: &[f64]) -> Vec<Point> {
         let loads = self.loads.iter();
         loads.map(|it| it.vector.map(|at| value[at])).collect()
     }
 
-    /// Acceleration of what falls, in m/s²; `None` where nothing does.
+    /// Gravitational acceleration, in m/s²; `None` without gravity.
     pub fn gravity(&self, value: &[f64]) -> Option<Point> {
         let gravity = self.gravity?.map(|at| value[at]);
         (gravity != [0.0; 2]).then_some(gravity)
     }
 
-    /// Returns the arrows of these vectors of all poses, in parts of the longest of their kind.
+    /// Returns the arrows of these vectors of all poses, relative to the longest of their kind.
     pub fn arrows(&self, vectors: &[Vec<Point>]) -> Vec<Vec<Point>> {
         let magnitude = |[x, y]: Point| x.hypot(y);
         let largest = |shape: Shape| {
             let all = vectors
                 .iter()
                 .flat_map(|of_pose| self.loads.iter().zip(of_pose));
-            let own = all.filter(|(load, _)| load.shape == shape);
-            let sizes = own.map(|(_, vector)| magnitude(*vector));
+            let of_shape = all.filter(|(load, _)| load.shape == shape);
+            let sizes = of_shape.map(|(_, vector)| magnitude(*vector));
             sizes.filter(|it| it.is_finite()).fold(0.0, f64::max)
         };
         let [force, torque] = [Shape::Force, Shape::Torque].map(largest);
@@ -131,9 +131,9 @@ impl NumberedLoads {
                 Shape::Torque => torque,
                 _ => return [0.0; 2],
             };
-            let own = magnitude(*vector);
-            match own > ZERO * largest && own.is_finite() {
-                true => scaled(*vector, (own / largest).max(SHORTEST) / own),
+            let size = magnitude(*vector);
+            match size > ZERO * largest && size.is_finite() {
+                true => scaled(*vector, (size / largest).max(SHORTEST) / size),
                 false => [0.0; 2],
             }
         };
@@ -189,7 +189,7 @@ pub struct ActingLoads {
 }
 
 impl ActingLoads {
-    /// Prepares those of a system.
+    /// Prepares the loads of a system.
     pub fn new(system: &System) -> ActingLoads {
         let mut graph = system.mechanism.graph.clone();
         let mut numbers = Numbers::default();
@@ -201,8 +201,8 @@ impl ActingLoads {
         }
     }
 
-    /// Returns the arrow of each load in each pose, in parts of the longest: along the force, or of a torque its first component, positive
-    /// counterclockwise. Loads without an arrow have zeros.
+    /// Returns the arrow of each load in each pose, relative to the longest: along the force, or a torque as the
+    /// first component, positive counterclockwise. Loads without an arrow have zeros.
     pub fn arrows<'a>(&self, poses: impl IntoIterator<Item = &'a Pose>) -> Vec<Vec<Point>> {
         let values = poses
             .into_iter()

@@ -1,23 +1,25 @@
-//! System and poses → a picture of the mechanism as an SVG.
+//! Draws the mechanism in given poses as an SVG.
 //!
-//! A mechanism is drawn as a mechanical engineer draws it: supports and guides of the ground are hatched, links are rounded shapes
-//! around the points of their bodies, cylinders have a barrel and a rod, gears are their pitch circles. Which sign a joint has is its
-//! kind's (`Feature`). Lines and signs are measured in pixels, whatever the size of the mechanism.
+//! A mechanism is drawn as a mechanical engineer draws it: supports and guides of the ground are hatched, links are
+//! rounded shapes around the points of their bodies, cylinders have a barrel and a rod, gears are their pitch
+//! circles. The kind of a joint decides its sign (`Feature`). Lines and signs are measured in pixels, for any size of
+//! the mechanism.
 //!
-//! The text is the same on every run. It begins with `<svg`, refers to nothing outside, and follows the reader's choice of light or
-//! dark. Every moving body is one element `<g id="body-NAME" transform="…">` drawn in its own frame, and every joint
-//! one `<g id="joint-…">`; whoever moves them reads where to from `data-` attributes:
+//! The text is equal on every run. It begins with `<svg`, refers to nothing outside, and follows the reader's choice
+//! of light or dark. Every moving body is one element `<g id="body-NAME" transform="…">` drawn in its own frame, and
+//! every joint one `<g id="joint-…">`; a script that moves them reads their positions from `data-` attributes:
 //! - on the drawing, `data-scale`: pixels per metre;
 //! - `data-body="K"`: the frame of body K;
-//! - `data-at="K x y" data-turned="L"`: at a point of body K, in pixels of its frame with y downwards, turned as body L is;
+//! - `data-at="K x y" data-turned="L"`: at a point of body K, in pixels of its frame with y downwards, turned as body
+//!   L is;
 //! - `data-from="K x y" data-to="L x y"`: at the one point, turned towards the other;
-//! - `data-length="l"` besides: drawn as if the points were l pixels apart, so that x grows with their distance;
-//! - `data-force="N"` or `data-torque="N a"` beside `data-at`: the arrow of load N, which is along x and as long as the longest. It has
-//!   the direction of a force, or is turned by `a` degrees clockwise and mirrored at x where a torque is clockwise;
-//! - `data-still=""`: right in this pose only;
-//! - `data-follows="K x y"` on a name, where that is asked for: it keeps its place beside the point, and is not turned.
-//!
-//! Deliberately unknown here: how a pose is found, files, and what is not drawn in the plane.
+//! - `data-length="l"` besides: drawn for a distance of l pixels between the points, so that x grows with their
+//!   distance;
+//! - `data-force="N"` or `data-torque="N a"` beside `data-at`: the arrow of load N, drawn along x with the length of
+//!   the longest. It has the direction of a force, or is turned by `a` degrees clockwise and mirrored at x for a
+//!   clockwise torque;
+//! - `data-still=""`: valid in this pose only;
+//! - `data-follows="K x y"` on a name, on request: it keeps its place beside the point, and is not turned.
 
 mod animation;
 mod arrow;

@@ -1,6 +1,6 @@
-//! Several motions of one mechanism → one picture, and the groups in which the other motions differ.
+//! Draws several motions of one mechanism: one picture, and the groups in which the other motions differ.
 //!
-//! Guides, bars and cylinders are as long as what moves needs, so that they are others in another assembly.
+//! The lengths of guides, bars and cylinders depend on the motion, so that they differ in another assembly.
 
 use std::collections::BTreeMap;
 
@@ -10,17 +10,17 @@ use super::pose::{Pose, Scene};
 use super::svg::{Written, groups};
 use crate::system::System;
 
-/// A picture that is moved.
+/// Picture for several motions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Moving {
     /// The SVG of the first motion.
     pub picture: String,
-    /// For each of the others the elements that stand for those of the picture with the same ids.
+    /// For each other motion, the elements that replace those of the picture with equal ids.
     pub others: Vec<BTreeMap<String, String>>,
 }
 
-/// Draws a pose with room for those of its motion, and what is drawn otherwise for each of some other motions. A motion without a pose has
-/// nothing of its own.
+/// Draws a pose with room for those of its motion, and the differing elements of other motions. A motion without a
+/// pose has none.
 pub fn moving(
     system: &System,
     shown: &Pose,

@@ -1,4 +1,4 @@
-//! *A scene and its figure* → *its names, and where each may stand*.
+//! Names of a scene, and their possible positions.
 
 use super::extras::Gap;
 use super::figure::{Figure, Frame, Look, Outline, offset_edges};
@@ -8,17 +8,17 @@ use super::obstacles::Obstacles;
 use super::plane::{Point, difference, distance, heading, hull, left_of, scaled};
 use super::pose::{At, Scene};
 
-/// The size of letters in pixels.
+/// Size of letters in pixels.
 pub(super) const SIZE: f64 = 13.0;
 
-/// What a name is of.
+/// Object of a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Named {
     /// A point, by its number among the points with names.
     Point(usize),
     /// A body.
     Body(usize),
-    /// The gap between two points that ought to coincide.
+    /// Gap between two points that should coincide.
     Gap,
 }
 
@@ -30,10 +30,10 @@ pub(super) struct Name {
     pub label: Label,
 }
 
-/// How many directions a name may stand in.
+/// Number of directions around a point in which a name may stand.
 const DIRECTIONS: usize = 16;
 
-/// More names than this are left out: nobody could read them.
+/// Largest number of names; more are unreadable and left out.
 const NAMED: usize = 250;
 
 /// The names of all points and of all moving bodies.
@@ -46,7 +46,7 @@ pub(super) fn names(scene: &Scene, figure: &Figure, unit: f64) -> Vec<Name> {
     let place = |at: At| scaled(scene.global(at), figure.scale);
     for (number, point) in scene.points.iter().enumerate() {
         let there = place(point.at);
-        // What bodies carry under one name at one place is one point to whoever looks at it.
+        // Points of one name at one position look like one point.
         let mut namesakes = scene.points.iter().filter(|it| it.written == point.written);
         let text = match namesakes.all(|it| distance(place(it.at), there) < 1.0) {
             true => &point.written,
@@ -83,7 +83,7 @@ pub(super) fn names(scene: &Scene, figure: &Figure, unit: f64) -> Vec<Name> {
     names
 }
 
-/// The length of a gap, beside the line that is drawn across it.
+/// Length of a gap, beside the line that is drawn across it.
 pub(super) fn missing(gap: &Gap, figure: &Figure) -> Name {
     let [a, b] = gap.ends.map(|it| scaled(it, figure.scale));
     let half = [0.5 * width(&gap.text, SIZE), 0.5 * SIZE];
@@ -106,7 +106,7 @@ pub(super) fn missing(gap: &Gap, figure: &Figure) -> Name {
     }
 }
 
-/// What names avoid.
+/// Outlines that names avoid.
 pub(super) fn obstacles(figure: &Figure) -> Obstacles {
     let mut obstacles = Obstacles::default();
     for (place, group) in figure.bodies.iter().enumerate() {
@@ -122,7 +122,7 @@ pub(super) fn obstacles(figure: &Figure) -> Obstacles {
     obstacles
 }
 
-/// Around a point; to the upper right rather than elsewhere.
+/// Anchors around a point, preferably to the upper right.
 fn around(at: Point, gap: f64) -> Vec<Anchor> {
     let anchor = |direction: usize| {
         let angle = std::f64::consts::TAU * direction as f64 / DIRECTIONS as f64;
@@ -140,7 +140,7 @@ fn around(at: Point, gap: f64) -> Vec<Anchor> {
     (0..DIRECTIONS).map(anchor).collect()
 }
 
-/// Beside the shape of a body, or upon it where it is large.
+/// Anchors beside the shape of a body, or upon it if it is large.
 fn beside(figure: &Figure, body: usize, width: f64) -> Vec<Anchor> {
     let place = figure.stance.places[body];
     let mut anchors = Vec::new();
@@ -151,12 +151,12 @@ fn beside(figure: &Figure, body: usize, width: f64) -> Vec<Anchor> {
         cost,
     };
     let group = &figure.bodies[body - 1];
-    let own = group.parts().flat_map(|part| &part.elements);
-    let own: Vec<&Outline> = own
+    let elements = group.parts().flat_map(|part| &part.elements);
+    let elements: Vec<&Outline> = elements
         .filter(|it| matches!(it.look, Look::Body | Look::Disc))
         .map(|it| &it.outline)
         .collect();
-    for outline in &own {
+    for outline in &elements {
         match outline {
             Outline::Circle(center, radius) => {
                 anchors.extend(around(place.globally(*center), radius + 3.0));
@@ -210,7 +210,7 @@ fn beside(figure: &Figure, body: usize, width: f64) -> Vec<Anchor> {
                     }
                 }
                 let bounds = super::plane::Bounds::of(points.iter().copied());
-                // A name does not hide what is no larger.
+                // A name must not hide a smaller shape.
                 if bounds.size()[0] > 1.5 * width && bounds.size()[1] > 4.0 * SIZE {
                     anchors.push(upon(bounds.center(), 0.0));
                 }
@@ -226,7 +226,7 @@ fn beside(figure: &Figure, body: usize, width: f64) -> Vec<Anchor> {
     anchors
 }
 
-/// Beside the blocks that stand for a body.
+/// Anchors beside the blocks that stand for a body.
 fn ridden(anchors: &mut Vec<Anchor>, figure: &Figure, body: usize) {
     let parts = figure.joints.iter().flat_map(|it| it.parts());
     for part in parts {
@@ -248,7 +248,7 @@ fn ridden(anchors: &mut Vec<Anchor>, figure: &Figure, body: usize) {
     }
 }
 
-/// Along an edge of a shape that lies to its left.
+/// Anchors along an edge of a shape that lies to its left.
 fn edge(anchors: &mut Vec<Anchor>, a: Point, b: Point) {
     let length = distance(a, b);
     if length < 3.0 {

@@ -1,14 +1,14 @@
-//! *Expressions and the values of symbols* → *their numbers*, all at once.
+//! Evaluates many expressions for given values of symbols at once.
 
 use super::plane::Point;
 use crate::expr::{ExprId, Graph, SymbolId, Tape};
 use crate::joint::geometry::Vector;
 use crate::system::System;
 
-/// How finely a curve is drawn.
+/// Number of points of a curve.
 const SAMPLES: usize = 180;
 
-/// The points of a curve for even steps of its parameter.
+/// Points of a curve at even steps of its parameter.
 pub(super) fn sampled(
     graph: &Graph,
     point: Vector,
@@ -21,9 +21,9 @@ pub(super) fn sampled(
     let mut workspace = Vec::new();
     let sample = |place: usize| {
         values[parameter.index()] = from + (to - from) * place as f64 / SAMPLES as f64;
-        let mut found = [0.0; 2];
-        tape.evaluate(&values, &mut workspace, &mut found);
-        found
+        let mut point = [0.0; 2];
+        tape.evaluate(&values, &mut workspace, &mut point);
+        point
     };
     (0..=SAMPLES).map(sample).collect()
 }
@@ -35,7 +35,7 @@ pub(super) struct Numbers {
 }
 
 impl Numbers {
-    /// The place of one more.
+    /// Adds an expression and returns its index.
     pub fn one(&mut self, root: ExprId) -> usize {
         self.roots.push(root);
         self.roots.len() - 1
@@ -45,7 +45,7 @@ impl Numbers {
         vector.map(|part| self.one(part))
     }
 
-    /// The places of the x, y and φ of every body.
+    /// Adds the x, y and φ of every body and returns their indices.
     pub fn places(&mut self, system: &System) -> Vec<[usize; 3]> {
         let frames = system.mechanism.bodies.iter().map(|body| body.frame);
         frames
@@ -60,8 +60,8 @@ impl Numbers {
     pub fn evaluate(&self, graph: &Graph, values: &[f64]) -> Vec<f64> {
         let mut values = values.to_vec();
         values.resize(graph.symbol_count(), 0.0);
-        let mut found = vec![0.0; self.roots.len()];
-        Tape::new(graph, &self.roots).evaluate(&values, &mut Vec::new(), &mut found);
-        found
+        let mut numbers = vec![0.0; self.roots.len()];
+        Tape::new(graph, &self.roots).evaluate(&values, &mut Vec::new(), &mut numbers);
+        numbers
     }
 }

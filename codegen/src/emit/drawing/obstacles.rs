@@ -1,6 +1,7 @@
-//! *What is drawn* → *what it costs to cover a box of it with a name*.
+//! Cost of covering a box of the figure with a name.
 //!
-//! Edges and shapes are found by the cells of a grid in which they lie, so that a box is compared with its neighbourhood only.
+//! Edges and shapes are found by the cells of a grid in which they lie, so that a box is compared with its
+//! neighbourhood only.
 
 use std::collections::BTreeMap;
 
@@ -10,7 +11,7 @@ use super::plane::{Bounds, Point, is_inside};
 /// The side of a cell in pixels.
 const CELL: f64 = 32.0;
 
-/// What names avoid.
+/// Outlines that names avoid.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Obstacles {
     segments: Vec<(f64, [Point; 2])>,
@@ -18,7 +19,7 @@ pub(super) struct Obstacles {
     fills: Vec<(usize, Bounds, Vec<Point>)>,
     /// The segments and the fills near each cell.
     cells: BTreeMap<[i64; 2], [Vec<usize>; 2]>,
-    /// Boxes that are taken.
+    /// Occupied boxes.
     pub taken: Vec<Bounds>,
 }
 
@@ -31,7 +32,7 @@ fn cells(bounds: &Bounds) -> impl Iterator<Item = [i64; 2]> {
 }
 
 impl Obstacles {
-    /// Takes in an outline; `owner` tells whose it is, where names know that.
+    /// Adds an outline; `owner` is the outline's index for its own name.
     pub fn add(&mut self, trace: &Trace, owner: Option<usize>) {
         let weight = match trace.look {
             Look::Hatch => 0.5,
@@ -56,7 +57,7 @@ impl Obstacles {
                 }
                 self.fills.push((owner, bounds, trace.points.clone()));
             }
-            // What is small and closed hides a name that lies within as well.
+            // A small closed shape hides a name within as well.
             (Look::Part | Look::Ink, _) => {
                 let [low, high] = [bounds.low, bounds.high];
                 self.add_segment(weight, [low, high]);
@@ -66,7 +67,7 @@ impl Obstacles {
         }
     }
 
-    /// Where the segment is cut into pieces no longer than a cell, few cells hear of it.
+    /// Pieces no longer than a cell touch few cells.
     fn add_segment(&mut self, weight: f64, [a, b]: [Point; 2]) {
         let length = super::plane::distance(a, b);
         let pieces = (length / CELL).ceil().max(1.0);
@@ -81,7 +82,7 @@ impl Obstacles {
         }
     }
 
-    /// What it costs to cover a box.
+    /// Cost of covering a box.
     pub fn cost(&self, area: &Bounds, owner: Option<usize>) -> f64 {
         let near = area.widened(1.5);
         let [mut segments, mut fills] = [Vec::new(), Vec::new()];
@@ -98,7 +99,7 @@ impl Obstacles {
         let lines = segments.into_iter().map(|at: usize| {
             let (weight, [a, b]) = self.segments[at];
             let inside = near.length_inside(a, b);
-            // Crossing a line at its narrowest is no better than touching its end.
+            // Crossing a line at its narrowest costs as much as touching its end.
             if inside > 0.0 {
                 weight * (inside + 2.0)
             } else {

@@ -1,4 +1,4 @@
-//! *A scene* → *one picture with names, a scale bar and a caption*.
+//! Composes the picture of a scene with names, a scale bar and a caption.
 
 use std::fmt::Write as _;
 
@@ -7,42 +7,42 @@ use super::extras::{Gap, Traced};
 use super::figure::Figure;
 use super::legend::{ROW, legend_text};
 use super::lettering::{Lettering, lettering, names_text};
-use super::plane::{Bounds, NEGLIGIBLE, Point};
+use super::plane::{Bounds, Point, RELATIVE_ROUNDING};
 use super::pose::{Pose, Scene};
 use super::style::{Themes, sheet};
 use super::svg::{Written, layers, number};
 use crate::emit::markup::escaped;
 use crate::system::System;
 
-/// What can be chosen about a drawing.
+/// Options of a picture.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Options {
-    /// Width and height in pixels; where none is given, as much as the drawing needs.
+    /// Width and height in pixels; `None` for the size that the figure needs.
     pub size: Option<[u32; 2]>,
-    /// The bodies whose frames are drawn: indices into those of the mechanism, 0 for the ground.
+    /// Bodies whose frames are drawn: indices into those of the mechanism, 0 for the ground.
     pub frames: Vec<usize>,
-    /// What stands in the lower right corner.
+    /// Text in the lower right corner.
     pub caption: String,
-    /// Two points that ought to coincide; `None` where all do.
+    /// Two points that should coincide; `None` if all do.
     pub gap: Option<Gap>,
-    /// Whether there is room for the other poses too, and names say what they follow, for whoever moves the mechanism.
+    /// True if the picture has room for the other poses, and names refer to their points, for scripts that move it.
     pub is_moving: bool,
-    /// Who chooses between light and dark.
+    /// Source of the choice between light and dark.
     pub themes: Themes,
 }
 
-/// The largest picture where no size is given.
-const LARGEST: Point = [760.0, 620.0];
-/// The smallest.
-const SMALLEST: Point = [420.0, 220.0];
+/// Largest picture without a requested size.
+const LARGEST_PICTURE: Point = [760.0, 620.0];
+/// Smallest picture without a requested size.
+const SMALLEST_PICTURE: Point = [420.0, 220.0];
 
-/// Room for names around the figure.
+/// Margin for names around the figure.
 const MARGIN: f64 = 30.0;
 
-/// In how many poses a moving figure is looked at.
+/// Number of poses of a moving figure that decide its bounds.
 const REACHED: usize = 32;
 
-/// The mechanism in a pose, with paths of points. Guides are as long as what slides on them needs in the other poses.
+/// Draws the mechanism in a pose, with paths of points. Guides have the length that the other poses need.
 pub fn draw(
     system: &System,
     shown: &Pose,
@@ -68,12 +68,14 @@ pub(super) struct Composition {
 }
 
 impl Composition {
-    /// Finds a scale and places for all names.
+    /// Finds a scale and positions for all names.
     pub fn new(system: &System, scene: &Scene, paths: &[Traced], options: &Options) -> Composition {
         let title = system.mechanism.title();
         let notes = noted(scene);
         let legend = 12.0 + ROW * (1.0 + notes as f64);
-        let room = options.size.map_or(LARGEST, |size| size.map(f64::from));
+        let room = options
+            .size
+            .map_or(LARGEST_PICTURE, |size| size.map(f64::from));
         let inner = [
             (room[0] - 2.0 * MARGIN).max(40.0),
             (room[1] - 2.0 * MARGIN - legend).max(40.0),
@@ -100,15 +102,15 @@ impl Composition {
                 let needed = bounds.size();
                 [
                     (needed[0] + 2.0 * MARGIN)
-                        .clamp(SMALLEST[0], LARGEST[0])
+                        .clamp(SMALLEST_PICTURE[0], LARGEST_PICTURE[0])
                         .ceil(),
                     (needed[1] + 2.0 * MARGIN + legend)
-                        .clamp(SMALLEST[1], LARGEST[1])
+                        .clamp(SMALLEST_PICTURE[1], LARGEST_PICTURE[1])
                         .ceil(),
                 ]
             }
         };
-        // Where the origin is in the picture, with y upwards from its lower edge.
+        // Position of the origin in the picture, with y upwards from its lower edge.
         let middle = [0.5 * size[0], 0.5 * (size[1] + legend)];
         let origin = [0, 1].map(|axis| (middle[axis] - bounds.center()[axis]).round());
         let area = Bounds {
@@ -155,7 +157,7 @@ impl Composition {
     }
 }
 
-/// The first tag, and what the picture is called.
+/// First tag, with the title of the picture.
 pub(super) fn opening(size: Point, title: &str) -> String {
     let [width, height] = size.map(number);
     let title = escaped(title);
@@ -165,7 +167,7 @@ pub(super) fn opening(size: Point, title: &str) -> String {
     )
 }
 
-/// Around the figure in the poses that the drawing is made for, as many of them as tell how far it comes.
+/// Bounds of the figure over a sample of its poses.
 fn reached(figure: &Figure, scene: &Scene) -> Bounds {
     let every = scene.motion.len().div_ceil(REACHED).max(1);
     let poses = (0..scene.motion.len()).step_by(every);
@@ -176,7 +178,7 @@ fn reached(figure: &Figure, scene: &Scene) -> Bounds {
     Bounds::of(corners)
 }
 
-/// How many notes the legend has.
+/// Number of notes in the legend.
 fn noted(scene: &Scene) -> usize {
     let signs = scene.signs.iter();
     signs
@@ -184,7 +186,8 @@ fn noted(scene: &Scene) -> usize {
         .count()
 }
 
-/// The pixels per metre with which a figure fills a room. Signs do not grow with the scale, so it is approached in steps.
+/// Pixels per metre with which a figure fills an area. Signs do not grow with the scale, so that it is approached in
+/// steps.
 pub(super) fn fitted(scene: &Scene, room: Point, bounds: impl Fn(f64) -> Bounds) -> f64 {
     let places = scene.bodies.iter().flat_map(|body| {
         let origin = std::iter::once(body.place.origin);
@@ -193,11 +196,14 @@ pub(super) fn fitted(scene: &Scene, room: Point, bounds: impl Fn(f64) -> Bounds)
     let extent = Bounds::of(places.skip(1)).size();
     let extent = extent[0].max(extent[1]);
     let least = room[0].min(room[1]);
-    let most = match extent > NEGLIGIBLE * scene.size {
+    let most = match extent > RELATIVE_ROUNDING * scene.size {
         true => 4.0 * room[0].max(room[1]) / extent,
         false => 0.4 * least / scene.size,
     };
-    let mut scale = 0.5 * least / extent.max(scene.size * NEGLIGIBLE).max(f64::MIN_POSITIVE);
+    let mut scale = 0.5 * least
+        / extent
+            .max(scene.size * RELATIVE_ROUNDING)
+            .max(f64::MIN_POSITIVE);
     scale = scale.min(most);
     for _ in 0..12 {
         let size = bounds(scale).size();

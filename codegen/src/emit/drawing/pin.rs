@@ -29,7 +29,7 @@ impl Draft<'_> {
         group.add(Layer::Above, Frame::Body(at.body), Look::Part, circle);
     }
 
-    /// What holds a pin on the ground, on the side where there is room for it; one for each place.
+    /// Draws the support of a pin on the ground, on a side with room for it; one for each position.
     pub fn support(&mut self, at: Point, group: &mut Group) {
         if self.supports.iter().any(|it| distance(*it, at) < 1.0) {
             return;
@@ -73,21 +73,22 @@ impl Draft<'_> {
         }
     }
 
-    /// How much of the bodies' lines runs through an area.
+    /// Length of the bodies' lines inside an area.
     pub fn inked(&self, area: &Bounds) -> f64 {
         let area = area.widened(0.5 * LINK * self.unit);
         let lines = self.lines.iter();
         lines.map(|[a, b]| area.length_inside(*a, *b)).sum()
     }
 
-    /// The mark that joins two bodies for good.
+    /// Draws the mark of a weld between two bodies.
     pub fn weld(&mut self, sign: &Sign, group: &mut Group) {
         let at = self.pixels(sign.marks[1]);
         let square = Outline::block(at.local, [1.0, 0.0], [5.0 * self.unit; 2]);
         group.add(Layer::Above, Frame::Body(at.body), Look::Ink, square);
     }
 
-    /// A point that keeps its x or its y: with the other on the ground, with the angle a block on a guide, and alone a roller.
+    /// Draws a point with a fixed x or y: with the other on the ground, with the angle a block on a guide, and alone
+    /// a roller.
     pub fn kept_coordinate(&mut self, sign: &Sign, axis: usize, group: &mut Group) {
         let mark = sign.marks[0];
         let is_kept = |it: &Sign, axis: usize| {
@@ -114,7 +115,7 @@ impl Draft<'_> {
         }
     }
 
-    /// Whether a constraint keeps the angle of a body.
+    /// True if a constraint fixes the angle of a body.
     pub fn keeps_angle(&self, body: usize) -> bool {
         let mut signs = self.scene.signs.iter();
         signs.any(|it| {
@@ -122,7 +123,7 @@ impl Draft<'_> {
         })
     }
 
-    /// Whether a point of the body is kept on a line along an axis, but not on both.
+    /// True if a point of the body is fixed on a line along an axis, but not on both.
     pub fn is_guided(&self, body: usize) -> bool {
         let kept = self.scene.signs.iter().filter(|it| {
             matches!(it.feature, Feature::Coordinate(_))

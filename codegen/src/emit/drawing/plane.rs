@@ -1,12 +1,12 @@
 //! Points, places of frames and outlines in the plane.
 
-/// What is rounding, as a part of the size of what is drawn.
-pub(super) const NEGLIGIBLE: f64 = 1e-9;
+/// Relative size of rounding in a picture.
+pub(super) const RELATIVE_ROUNDING: f64 = 1e-9;
 
 /// Components along x and y.
 pub type Point = [f64; 2];
 
-/// Where a frame is.
+/// Position of a frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Place {
     /// Its origin.
@@ -28,12 +28,12 @@ impl Place {
         [cosine * v[0] + sine * v[1], cosine * v[1] - sine * v[0]]
     }
 
-    /// Where a point of the frame is.
+    /// Global position of a point of the frame.
     pub fn globally(&self, local: Point) -> Point {
         sum(self.origin, self.rotate(local))
     }
 
-    /// The point of the frame that is there.
+    /// Point of the frame at a global position.
     pub fn locally(&self, global: Point) -> Point {
         self.unrotate(difference(global, self.origin))
     }
@@ -152,7 +152,7 @@ impl Bounds {
         (0..2).all(|axis| self.low[axis] <= point[axis] && point[axis] <= self.high[axis])
     }
 
-    /// How much of the segment from `a` to `b` lies inside (Liang and Barsky 1984).
+    /// Length of the segment from `a` to `b` inside the box (Liang and Barsky 1984).
     pub fn length_inside(&self, a: Point, b: Point) -> f64 {
         let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
         let along = difference(b, a);
@@ -177,9 +177,9 @@ pub(super) fn hull(points: &[Point]) -> Vec<Point> {
     let mut sorted = points.to_vec();
     sorted.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
     let size = Bounds::of(points.iter().copied()).size();
-    // What is nearer to a line than this lies on it.
-    let slack = NEGLIGIBLE * (size[0] + size[1]).powi(2);
-    sorted.dedup_by(|a, b| distance(*a, *b) <= NEGLIGIBLE * (size[0] + size[1]));
+    // A point closer to a line than this lies on it.
+    let slack = RELATIVE_ROUNDING * (size[0] + size[1]).powi(2);
+    sorted.dedup_by(|a, b| distance(*a, *b) <= RELATIVE_ROUNDING * (size[0] + size[1]));
     if sorted.len() < 3 {
         return sorted;
     }
@@ -202,7 +202,7 @@ pub(super) fn hull(points: &[Point]) -> Vec<Point> {
     corners
 }
 
-/// Whether a point lies inside a closed polygon.
+/// True if a point lies inside a closed polygon.
 pub(super) fn is_inside(point: Point, polygon: &[Point]) -> bool {
     let edges = polygon.iter().zip(polygon.iter().cycle().skip(1));
     edges

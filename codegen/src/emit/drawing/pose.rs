@@ -1,7 +1,6 @@
-//! *A system and the values of its symbols* → *what a drawing is made from, in m and rad*.
+//! Scene of a pose: everything that a picture shows, in m and rad.
 //!
-//! Afterwards nothing is an expression: every body has its place, every joint its sign with marks, line and numbers. Deliberately
-//! unknown here: pixels, and how a sign looks.
+//! No expressions are left: every body has its place, every joint its sign with marks, line and numbers.
 
 use super::dial;
 use super::loads::{Load, NumberedLoads};
@@ -13,7 +12,7 @@ use crate::joint::{Feature, Follower};
 use crate::model::Role;
 use crate::system::System;
 
-/// The gap of a closed curve at most, as a part of its size: descriptions have six digits.
+/// Largest gap of a closed curve, relative to its size: descriptions have six digits.
 const CLOSED: f64 = 1e-6;
 
 /// The values of all symbols at one instant.
@@ -23,7 +22,7 @@ pub struct Pose {
 }
 
 impl Pose {
-    /// The pose in which these symbols have these values; all others have that of their declaration, or zero.
+    /// Pose with these values of symbols; all others have that of their declaration, or zero.
     pub fn new(system: &System, given: impl IntoIterator<Item = (SymbolId, f64)>) -> Pose {
         let graph = &system.mechanism.graph;
         let mut values = vec![0.0; graph.symbol_count()];
@@ -34,7 +33,7 @@ impl Pose {
         Pose { values }
     }
 
-    /// The pose in which the description draws the mechanism.
+    /// Design configuration of the description.
     pub fn drawn(system: &System) -> Pose {
         let graph = &system.mechanism.graph;
         let estimates = system.coordinates.iter().filter_map(|coordinate| {
@@ -60,10 +59,10 @@ pub(super) struct At {
 /// The line of a joint.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Line {
-    /// The mark that it is fixed with and the other one: indices.
+    /// Indices of the mark that carries the line, and of the other one.
     pub owner: usize,
     pub other: usize,
-    /// The unit vector along it in the frame of the owner's body.
+    /// Unit vector along the line in the frame of the owner's body.
     pub along: Point,
 }
 
@@ -78,18 +77,18 @@ pub(super) struct Drawn {
 /// A joint in numbers.
 #[derive(Clone, Debug)]
 pub(super) struct Sign {
-    /// Its unique name.
+    /// Unique id.
     pub slug: String,
-    /// How messages name it.
+    /// Label in messages.
     pub label: String,
     pub feature: Feature,
     pub is_driver: bool,
-    /// Whether a driven quantity decreases.
+    /// True if a driven quantity decreases.
     pub is_falling: bool,
     pub marks: Vec<At>,
     pub line: Option<Line>,
     pub curve: Option<Drawn>,
-    /// The number in its feature, or zero.
+    /// Number in its feature, or zero.
     pub number: f64,
 }
 
@@ -100,41 +99,41 @@ pub(super) struct Carried {
     pub place: Place,
     /// The points it carries, in its frame.
     pub points: Vec<Point>,
-    /// Whether it is an angle without a body: a pointer from the one point to the other.
+    /// True for an angle without a body: a pointer from the first point to the second.
     pub is_dial: bool,
 }
 
 /// A point with its name.
 #[derive(Clone, Debug)]
 pub(super) struct Entitled {
-    /// Its name among all points.
+    /// Name among all points.
     pub name: String,
-    /// As bodies carry it, where several points may have it.
+    /// Name on its body, which several points may have.
     pub written: String,
     pub at: At,
 }
 
-/// A mechanism in one pose, in numbers.
+/// Mechanism in one pose, in numbers.
 #[derive(Clone, Debug)]
 pub(super) struct Scene {
     pub bodies: Vec<Carried>,
     pub signs: Vec<Sign>,
-    /// The points with a name, each once.
+    /// Points with a name, each once.
     pub points: Vec<Entitled>,
-    /// What lengths are measured against.
+    /// Characteristic length of the picture.
     pub size: f64,
-    /// Where the bodies are in each pose that the drawing is made for.
+    /// Positions of the bodies in each pose of the picture.
     pub motion: Vec<Vec<Place>>,
     /// Springs, dampers, forces and torques, in written order.
     pub loads: Vec<Load>,
-    /// Arrow of each load in each of these poses, in parts of the longest.
+    /// Arrow of each load in each of these poses, relative to the longest.
     pub arrows: Vec<Vec<Point>>,
-    /// Acceleration of what falls, in m/s²; `None` where nothing does.
+    /// Gravitational acceleration, in m/s²; `None` without gravity.
     pub gravity: Option<Point>,
 }
 
 impl Scene {
-    /// The mechanism in a pose; lengths of guides follow from the other poses as well.
+    /// Scene of a pose; lengths of guides follow from the other poses as well.
     pub fn new(system: &System, shown: &Pose, others: &[Pose]) -> Scene {
         let mechanism = &system.mechanism;
         let mut graph = mechanism.graph.clone();
@@ -256,12 +255,14 @@ impl Scene {
                 .zip(&points)
                 .map(|(point, place)| {
                     let marks = &mechanism.bodies[point.mark.frame.body.0].marks;
-                    let own = marks.iter().find(|it| {
+                    let entitled = marks.iter().find(|it| {
                         it.mark.local == point.mark.local && point.name.starts_with(&it.name)
                     });
                     Entitled {
                         name: point.name.clone(),
-                        written: own.map_or(&point.name, |own| &own.name).clone(),
+                        written: entitled
+                            .map_or(&point.name, |entitled| &entitled.name)
+                            .clone(),
                         at: at(place),
                     }
                 })
@@ -277,17 +278,17 @@ impl Scene {
         scene
     }
 
-    /// Whether nothing has a place but the ground.
+    /// True if only the ground has a position.
     pub fn is_of_angles_alone(&self) -> bool {
         self.bodies[1..].iter().all(|body| body.is_dial)
     }
 
-    /// Where a point of a body is.
+    /// Position of a point of a body.
     pub fn global(&self, at: At) -> Point {
         self.bodies[at.body].place.globally(at.local)
     }
 
-    /// The same point of the drawing as another body carries it.
+    /// The point of the picture in the frame of another body.
     pub fn carried_by(&self, body: usize, global: Point) -> At {
         At {
             body,
@@ -295,13 +296,13 @@ impl Scene {
         }
     }
 
-    /// The line of a sign in global components: a unit vector.
+    /// Line of a sign in global components: a unit vector.
     pub fn along(&self, sign: &Sign, line: Line) -> Point {
         let body = sign.marks[line.owner].body;
         self.bodies[body].place.rotate(line.along)
     }
 
-    /// How far along its line the other mark of a sign comes, and how far to its left it is now.
+    /// Travel of the other mark of a sign along its line, and its current distance to the left.
     pub fn travel(&self, sign: &Sign, line: Line) -> Travel {
         let [owner, other] = [line.owner, line.other].map(|mark| sign.marks[mark]);
         let reached = |places: &[Place]| {
@@ -328,7 +329,7 @@ impl Scene {
     }
 }
 
-/// A displacement over all poses, in m.
+/// Displacement over all poses, in m.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Travel {
     pub now: f64,

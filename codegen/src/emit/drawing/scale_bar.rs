@@ -1,12 +1,12 @@
 //! Chooses a round length for the scale bar of a picture, and its text.
 
-use super::plane::NEGLIGIBLE;
+use super::plane::RELATIVE_ROUNDING;
 use crate::units::OutputUnit;
 
-/// Longer bars are written with a power of ten, in m.
-const LONGEST: f64 = 1e6;
+/// Length from which on a bar has a power of ten, in m.
+const POWER_OF_TEN_LIMIT: f64 = 1e6;
 
-/// A length that is shown.
+/// Length of a scale bar.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct ScaleBar {
     /// In pixels.
@@ -39,7 +39,7 @@ pub(super) fn scale_bar(scale: f64, room: f64, unit: Option<&OutputUnit>) -> Opt
     let length = digits
         .into_iter()
         .map(round)
-        .find(|it| *it <= most * (1.0 + NEGLIGIBLE))?;
+        .find(|it| *it <= most * (1.0 + RELATIVE_ROUNDING))?;
     Some(ScaleBar {
         length: length * scale,
         text: match unit {
@@ -53,10 +53,12 @@ pub(super) fn scale_bar(scale: f64, room: f64, unit: Option<&OutputUnit>) -> Opt
 fn in_usual_unit(meters: f64) -> String {
     let unit = UNITS
         .iter()
-        .find(|(_, size)| meters >= size * (1.0 - NEGLIGIBLE));
+        .find(|(_, size)| meters >= size * (1.0 - RELATIVE_ROUNDING));
     match unit {
-        // A length so long or so short is written with its power of ten.
-        Some((name, size)) if meters < LONGEST => format!("{} {name}", (meters / size).round()),
+        // An extreme length is written with its power of ten.
+        Some((name, size)) if meters < POWER_OF_TEN_LIMIT => {
+            format!("{} {name}", (meters / size).round())
+        }
         _ => format!("{meters:e} m"),
     }
 }

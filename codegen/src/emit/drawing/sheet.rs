@@ -1,4 +1,4 @@
-//! *Several poses of one mechanism* → *one picture with a panel for each*, all at one scale.
+//! Draws several poses of one mechanism as panels of one picture, all at one scale.
 
 use std::fmt::Write as _;
 
@@ -13,25 +13,25 @@ use super::svg::{Written, layers, number};
 use crate::emit::markup::escaped;
 use crate::system::System;
 
-/// One pose and what is written above it.
+/// Pose with its title.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Panel {
-    /// What it is called.
+    /// Title.
     pub title: String,
-    /// The pose.
+    /// Pose.
     pub pose: Pose,
 }
 
-/// The width of the whole.
+/// Width of the whole.
 const WIDTH: f64 = 1120.0;
 
-/// The largest width of a panel.
+/// Largest width of a panel.
 const WIDEST: f64 = 420.0;
 
-/// How many panels stand side by side at most.
+/// Largest number of panels side by side.
 const COLUMNS: usize = 8;
 
-/// Up to this many columns panels have room for names.
+/// Largest number of columns with room for names.
 const WITH_NAMES: usize = 3;
 
 /// The height of a title.
@@ -40,7 +40,7 @@ const TITLE: f64 = 24.0;
 /// Room around a figure.
 const MARGIN: f64 = 12.0;
 
-/// The poses side by side, each in the middle of its panel; empty where there are none.
+/// Draws the poses side by side, each in the middle of its panel; empty without poses.
 pub fn sheet(system: &System, panels: &[Panel]) -> String {
     let scenes: Vec<Scene> = panels
         .iter()

@@ -1,20 +1,20 @@
-//! A pose in pixels → where each frame of a figure is.
+//! Position of each frame of a figure in a pose, in pixels.
 
 use super::figure::{Frame, Winding};
 use super::plane::{Place, Point, angle_of, difference, distance, scaled};
 use super::pose::Scene;
 
-/// Where what is drawn is in one pose.
+/// Positions of all frames in one pose.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Stance {
     /// The frames of the bodies, in pixels.
     pub places: Vec<Place>,
-    /// The arrows of the loads, in parts of the longest.
+    /// Arrows of the loads, relative to the longest.
     pub arrows: Vec<Point>,
 }
 
 impl Stance {
-    /// Where a frame is in this pose.
+    /// Position of a frame in this pose.
     pub fn place(&self, frame: Frame) -> Place {
         match frame {
             Frame::Body(body) => self.places[body],
@@ -47,7 +47,7 @@ impl Stance {
         }
     }
 
-    /// How much larger than it is written a frame is drawn along its axes in this pose.
+    /// Factors by which a frame is stretched along its axes in this pose.
     pub fn stretch(&self, frame: Frame) -> [f64; 2] {
         match frame {
             Frame::Between(from, to, length) => {
@@ -66,7 +66,7 @@ impl Stance {
         }
     }
 
-    /// Where a point of a frame is along its axes in this pose.
+    /// Position of a point of a frame along its axes in this pose.
     pub fn deformed(&self, frame: Frame, point: Point) -> Point {
         if let Frame::Wound(_, winding) = frame {
             return self.wound(winding, point);
@@ -75,7 +75,7 @@ impl Stance {
         [stretch[0] * point[0], stretch[1] * point[1]]
     }
 
-    /// Point of a spiral, turned with the outer body by as much as it is away from the inner end.
+    /// Point of a spiral, turned with the outer body in proportion to its distance from the inner end.
     fn wound(&self, winding: Winding, point: Point) -> Point {
         let ([from, to], [inner, outer]) = (winding.bodies, winding.radii);
         let turned = self.places[to].angle - self.places[from].angle - winding.drawn;
@@ -89,7 +89,7 @@ impl Stance {
 }
 
 impl Scene {
-    /// Where everything is, in pixels, in one of the poses that the drawing is made for.
+    /// All positions, in pixels, in one of the poses of the picture.
     pub fn stance(&self, pose: usize, scale: f64) -> Stance {
         let places = self.motion[pose].iter().map(|place| Place {
             origin: scaled(place.origin, scale),

@@ -1,8 +1,8 @@
-//! How looks look: lines in pixels, light and dark.
+//! Styles of outlines: lines in pixels, light and dark.
 
 use super::figure::Look;
 
-/// The class of a look in the file.
+/// Class of a style in the file.
 pub(super) fn class(look: Look) -> &'static str {
     match look {
         Look::Body => "body",
@@ -27,20 +27,20 @@ pub(super) fn class(look: Look) -> &'static str {
     }
 }
 
-/// How many tints bodies have: those of Okabe and Ito, which remain distinct for the color-blind.
+/// Number of tints of bodies: those of Okabe and Ito, which remain distinct for the color-blind.
 pub(super) const TINTS: usize = 7;
 
 const TINT: [&str; TINTS] = [
     "#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00", "#b3a500",
 ];
 
-/// Who chooses between light and dark.
+/// Source of the choice between light and dark.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Themes {
-    /// The reader's system.
+    /// System of the reader.
     #[default]
     System,
-    /// The reader of a page of `rustdoc`, whose background the drawing has.
+    /// Page of `rustdoc`, whose background the picture has.
     Rustdoc,
 }
 
@@ -64,7 +64,7 @@ pub(super) fn sheet(themes: Themes) -> String {
     text
 }
 
-/// What `rustdoc` says of a page that is dark.
+/// Selector of a dark page of `rustdoc`.
 const DARK_THEMES: &str = ":where([data-theme=\"dark\"], [data-theme=\"ayu\"])";
 
 /// The background of a page of `rustdoc`.
@@ -73,7 +73,7 @@ const BACKGROUND: &str = "\
 .linkwright .part { fill: var(--main-background-color, #ffffff); }
 ";
 
-/// The rules of light paper, but for the tints.
+/// Rules of light paper, except for the tints.
 const LIGHT: &str = "\
 .linkwright { color: #1c2024; font: 13px Helvetica, Arial, \"Liberation Sans\", \"DejaVu Sans\", sans-serif; }
 .linkwright .paper { fill: #ffffff; }
@@ -107,7 +107,7 @@ const LIGHT: &str = "\
 .linkwright .axis-name { fill: #6d28d9; font-style: italic; }
 ";
 
-/// Those that differ on dark paper.
+/// Rules that differ on dark paper.
 const DARK: &str = "\
 .linkwright { color: #e6e8eb; }
 .linkwright .paper, .linkwright .part { fill: #16191d; }

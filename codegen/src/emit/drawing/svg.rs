@@ -1,4 +1,4 @@
-//! *Groups of outlines* → *their text in an SVG*. Here y turns downwards.
+//! Writes groups of outlines as SVG. Here y points downwards.
 
 use std::fmt::Write as _;
 
@@ -9,7 +9,7 @@ use super::stance::Stance;
 use super::style::{TINTS, class};
 use crate::emit::markup::escaped;
 
-/// A number in hundredths.
+/// Number in hundredths.
 pub(super) fn number(value: f64) -> String {
     let text = format!("{value:.2}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
@@ -23,7 +23,7 @@ fn pair(point: Point) -> String {
     format!("{} {}", number(point[0]), number(-point[1]))
 }
 
-/// Where a frame stands.
+/// Transformation of a frame.
 fn transform(place: Place) -> String {
     let mut text = String::new();
     if place.origin != [0.0; 2] {
@@ -37,38 +37,38 @@ fn transform(place: Place) -> String {
     text
 }
 
-/// What is written of a figure.
+/// Extent of a written figure.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Written<'a> {
-    /// What there is, in its pose.
+    /// Existing elements, in their pose.
     Picture,
-    /// The same with every group, also one in which nothing lies: another motion may put something there.
+    /// All groups, also empty ones, which another motion may fill.
     Moving,
-    /// Groups without what the pose alone decides.
+    /// Groups without elements of one pose alone.
     Motion,
-    /// One pose of a motion, without what is right in another pose only.
+    /// One pose of a motion, without elements of other poses.
     Frame,
-    /// All poses of a motion, which the picture goes through by itself.
+    /// All poses of a motion, as an animation.
     Animated(&'a Keyframes),
 }
 
-/// The figure in three layers: what is below the bodies, the bodies, and what is upon them. Names of elements begin with `prefix`.
+/// Figure in three layers: below the bodies, the bodies, and upon them. Ids begin with `prefix`.
 pub(super) fn layers(figure: &Figure, prefix: &str, written: Written<'_>) -> String {
     let groups = groups(figure, prefix, written).into_iter();
     groups.map(|(_, text)| text).collect()
 }
 
-/// The same as groups, each with its name and its text.
+/// Figure as groups, each with its id and its text.
 pub(super) fn groups(figure: &Figure, prefix: &str, written: Written<'_>) -> Vec<(String, String)> {
     let joints = figure.joints.iter().chain(&figure.extras);
     let others: Vec<&Group> = joints.collect();
-    let mut found = Vec::new();
+    let mut groups = Vec::new();
     let mut add = |group: &Group, layers: &[Layer], suffix: &str| {
         let id = format!("{prefix}{}{suffix}", group.id);
-        // The last layer has the group's own name, and is there where nothing lies in it.
+        // The last layer has the group's own id, and exists even if it is empty.
         let is_kept = suffix.is_empty() || matches!(written, Written::Moving | Written::Motion);
         let text = layer(figure, group, layers, &id, written);
-        found.extend(
+        groups.extend(
             text.or_else(|| is_kept.then(|| empty(&id, group)))
                 .map(|text| (id, text)),
         );
@@ -85,7 +85,7 @@ pub(super) fn groups(figure: &Figure, prefix: &str, written: Written<'_>) -> Vec
     for group in &others {
         add(group, &[Layer::Above], "");
     }
-    found
+    groups
 }
 
 fn empty(id: &str, group: &Group) -> String {
@@ -93,7 +93,7 @@ fn empty(id: &str, group: &Group) -> String {
     format!("<g id=\"{}\"><title>{title}</title>\n</g>\n", escaped(id))
 }
 
-/// Some layers of a group; `None` where nothing lies in them.
+/// Some layers of a group; `None` if they are empty.
 fn layer(
     figure: &Figure,
     group: &Group,
@@ -128,7 +128,7 @@ fn layer(
     Some(text)
 }
 
-/// The attributes of what moves with a frame: its class, how it moves, and where it is now.
+/// Attributes of a frame's element: its class, its motion, and its position.
 fn framed(figure: &Figure, frame: Frame, written: Written<'_>) -> String {
     let mut text = match frame {
         Frame::Body(body)
@@ -212,7 +212,7 @@ fn framed(figure: &Figure, frame: Frame, written: Written<'_>) -> String {
     text
 }
 
-/// The elements of a part, in an animation with how it moves.
+/// Elements of a part, in an animation with its motion.
 fn within(text: &mut String, figure: &Figure, part: &Part, written: Written<'_>) {
     if let Written::Animated(keyframes) = written {
         *text += &keyframes.motion(part.frame);
@@ -245,7 +245,7 @@ fn wound(text: &mut String, figure: &Figure, part: &Part, written: Written<'_>) 
     }
 }
 
-/// One element for each outline, but one for all of those neighbours that look alike and are open.
+/// One element for each outline, but one for all neighbouring open outlines of one style.
 fn elements(text: &mut String, part: &Part) {
     let mut lines = String::new();
     let mut last: Option<Look> = None;

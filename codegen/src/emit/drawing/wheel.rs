@@ -3,23 +3,23 @@
 use super::draft::{Draft, LINK};
 use super::figure::{Frame, Group, Layer, Look, Outline};
 use super::plane::{
-    NEGLIGIBLE, Point, angle_of, difference, distance, dot, heading, left_of, onward, scaled,
+    Point, RELATIVE_ROUNDING, angle_of, difference, distance, dot, heading, left_of, onward, scaled,
 };
 use super::pose::{At, Sign};
 use crate::joint::{Feature, Mesh};
 
-/// How the edge of a wheel looks.
+/// Style of the edge of a wheel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Rim {
     /// The pitch circle of teeth outside.
     Pitch,
     /// Teeth inside of a ring.
     Ring,
-    /// What a belt lies on.
+    /// Edge under a belt.
     Solid,
 }
 
-/// Whether two circles, or two rings, are one up to rounding.
+/// True if two circles, or two rings, are one up to rounding.
 fn is_near(one: &Outline, other: &Outline) -> bool {
     let near = |a: &Point, b: &Point, i: f64, j: f64| distance(*a, *b) < 0.5 && (i - j).abs() < 0.5;
     match (one, other) {
@@ -30,7 +30,7 @@ fn is_near(one: &Outline, other: &Outline) -> bool {
 }
 
 impl Draft<'_> {
-    /// Two wheels and what moves the one by the other.
+    /// Draws two wheels and their contact.
     pub fn wheels(&mut self, sign: &Sign, mesh: Mesh, group: &mut Group) {
         let carrier = sign.marks[2].body;
         let centers = [0, 1].map(|side| self.center(sign.marks[side].body, carrier));
@@ -42,7 +42,9 @@ impl Draft<'_> {
         // r_i = ratio r_j, and the radii make the distance of the centres.
         let second = match mesh {
             Mesh::External => apart / (1.0 + ratio),
-            Mesh::Internal if (1.0 - ratio).abs() > NEGLIGIBLE => apart / (1.0 - ratio).abs(),
+            Mesh::Internal if (1.0 - ratio).abs() > RELATIVE_ROUNDING => {
+                apart / (1.0 - ratio).abs()
+            }
             _ => 0.62 * apart / (1.0 + ratio),
         };
         let radii = [ratio * second, second];
@@ -62,7 +64,7 @@ impl Draft<'_> {
         let frame = Frame::Toward(centers[0], centers[1]);
         match mesh {
             Mesh::External | Mesh::Internal => {
-                // The larger wheel of two inside one another has the other's centre between its own and the contact.
+                // The larger wheel of two inside one another has the other's center between its own and the contact.
                 let is_outward = mesh == Mesh::External || radii[0] < radii[1];
                 let place = match (mesh, is_outward) {
                     (Mesh::Internal, true) => -radii[0],
@@ -91,7 +93,7 @@ impl Draft<'_> {
         }
     }
 
-    /// Wheels about one centre have no radii: a ring says that they turn together.
+    /// Wheels about one center have no radii: a ring shows that they turn together.
     fn coaxial(&mut self, centers: [At; 2], group: &mut Group) {
         for (at, radius) in centers.into_iter().zip([12.0, 16.0]) {
             let circle = Outline::Circle(at.local, radius * self.unit);
@@ -99,7 +101,7 @@ impl Draft<'_> {
         }
     }
 
-    /// A wheel of a body, or one that is fixed to the ground. Several pairs may share it.
+    /// Draws a wheel of a body, or one that is fixed to the ground. Several pairs may share it.
     fn wheel(&mut self, center: At, radius: f64, rim: Rim, group: &mut Group) {
         let At { body, local } = center;
         let pitch = Outline::Circle(local, radius);
@@ -116,15 +118,15 @@ impl Draft<'_> {
             Rim::Pitch => (Look::Disc, pitch),
             Rim::Solid => (Look::Body, pitch),
         };
-        let own = self.figure.bodies[body - 1].parts();
-        let own: Vec<&Outline> = own
+        let elements = self.figure.bodies[body - 1].parts();
+        let elements: Vec<&Outline> = elements
             .flat_map(|it| &it.elements)
             .map(|it| &it.outline)
             .collect();
-        if own.iter().any(|it| is_near(it, &shape)) {
+        if elements.iter().any(|it| is_near(it, &shape)) {
             return;
         }
-        let has_wheel = !own.is_empty();
+        let has_wheel = !elements.is_empty();
         self.add_to_body(body, look, shape);
         if !has_wheel {
             let [from, to] = match rim {
@@ -158,7 +160,7 @@ impl Draft<'_> {
         }
     }
 
-    /// The point about which a wheel turns, seen from a carrier: where it is pinned to the carrier, or lies with it on one pin.
+    /// Point about which a wheel turns, seen from a carrier: its pin on the carrier, or a common pin of both.
     fn center(&self, wheel: usize, carrier: usize) -> At {
         let scene = self.scene;
         let pins = |body: usize| {
@@ -170,15 +172,15 @@ impl Draft<'_> {
                     _ if is_kept => 1,
                     _ => 0,
                 };
-                let own = sign.marks.iter().take(count).find(of_body).copied();
-                // What is kept on the ground is a pin of the ground too.
+                let pin_mark = sign.marks.iter().take(count).find(of_body).copied();
+                // A fixed point on the ground is a pin of the ground too.
                 let on_ground = (is_kept && body == 0)
                     .then(|| scene.carried_by(0, scene.global(sign.marks[0])));
-                own.or(on_ground)
+                pin_mark.or(on_ground)
             })
         };
         let near = 1.0 / self.figure.scale;
-        let found = pins(wheel).find(|at| {
+        let common_pin = pins(wheel).find(|at| {
             let there = scene.global(*at);
             pins(carrier).any(|it| distance(scene.global(it), there) < near)
         });
@@ -186,7 +188,7 @@ impl Draft<'_> {
             body: wheel,
             local: [0.0; 2],
         };
-        self.pixels(found.or_else(|| pins(wheel).next()).unwrap_or(origin))
+        self.pixels(common_pin.or_else(|| pins(wheel).next()).unwrap_or(origin))
     }
 
     /// A wheel that rolls on a line of another body.

@@ -1,25 +1,25 @@
-//! Equations in LaTeX → displayed equations that fit on a page.
+//! Breaks equations in LaTeX into displayed lines that fit on a page.
 //!
-//! A sum that is too wide goes on on the next line, broken before a sign: outside all parentheses where that is early enough,
-//! otherwise inside, and then the parentheses have one size, since `\left` and `\right` must stand on one line. Nothing is broken
-//! inside braces.
+//! A sum that is too wide continues on the next line, broken before a sign: outside all parentheses if that is early
+//! enough, otherwise inside. Then the parentheses have one size, since `\left` and `\right` must stand on one line.
+//! Braces are never broken.
 
-/// So many visible characters fit on a line, a remark included.
-const LONGEST: usize = 105;
+/// Number of visible characters on a line, a remark included.
+const MAX_LINE_WIDTH: usize = 105;
 
-/// So many more are the gap before a remark.
+/// Width of the gap before a remark, in characters.
 const GAP: usize = 6;
 
-/// No line is broken into parts shorter than these.
+/// Shortest part into which a line is broken.
 const SHORTEST: usize = 48;
 
-/// No value of a choice is wider.
+/// Widest value of a choice.
 const LONGEST_CHOICE: usize = 60;
 
-/// A line is not broken before this part of its room.
+/// Fraction of its width before which a line is not broken, as a divisor.
 const EARLIEST: usize = 3;
 
-/// One equation: what stands left and right of its sign, and a remark, which may be empty.
+/// Equation: the text left and right of its sign, and a remark, which may be empty.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::emit) struct Line<'a> {
     pub left: &'a str,
@@ -27,7 +27,7 @@ pub(in crate::emit) struct Line<'a> {
     pub note: &'a str,
 }
 
-/// A whole document; it needs amsmath and nothing else.
+/// Whole document, which requires only amsmath.
 pub(in crate::emit) fn document(text: &str) -> String {
     format!(
         "\\documentclass[a4paper,10pt]{{article}}\n\
@@ -47,7 +47,7 @@ pub(in crate::emit) fn document(text: &str) -> String {
     )
 }
 
-/// The same for a document that has a preamble; its first lines say what that must hold.
+/// Fragment for a document with a preamble; its first lines state the requirements.
 pub(in crate::emit) fn fragment(text: &str) -> String {
     format!(
         "% Needs \\usepackage{{amsmath}} in the preamble and nothing else.\n\
@@ -71,16 +71,19 @@ pub(in crate::emit) fn title(name: &str) -> String {
 /// Displayed equations, aligned at their signs.
 pub(in crate::emit) fn displayed<'a>(equations: impl IntoIterator<Item = Line<'a>>) -> String {
     let equations: Vec<Line<'a>> = equations.into_iter().collect();
-    // Remarks are a column of their own, as wide as the widest of them.
+    // Remarks are a column of their own, with the width of the widest remark.
     let notes = equations.iter().filter(|it| !it.note.is_empty());
     let taken = notes.map(|it| GAP + width(it.note)).max().unwrap_or(0);
     let lines = equations.iter().map(|&Line { left, right, note }| {
-        // Where a sum vanishes, the sum is broken; otherwise what it is equal to.
+        // If a sum vanishes, the sum is broken; otherwise the right side.
         let is_sum = left.contains(" + ") || left.contains(" - ");
         let sides = if right == "0" && is_sum {
-            format!("& {} = 0", broken(left, LONGEST.saturating_sub(taken)))
+            format!(
+                "& {} = 0",
+                broken(left, MAX_LINE_WIDTH.saturating_sub(taken))
+            )
         } else {
-            let room = LONGEST.saturating_sub(taken + width(left));
+            let room = MAX_LINE_WIDTH.saturating_sub(taken + width(left));
             format!("{left} &= {}", broken(right, room))
         };
         match note {
@@ -95,7 +98,7 @@ pub(in crate::emit) fn displayed<'a>(equations: impl IntoIterator<Item = Line<'a
     )
 }
 
-/// A value of a choice, on several lines where it is wide.
+/// Value of a choice, on several lines if it is wide.
 pub(super) fn chosen(value: &str) -> String {
     match width(value) <= LONGEST_CHOICE {
         true => value.to_string(),
@@ -106,13 +109,13 @@ pub(super) fn chosen(value: &str) -> String {
     }
 }
 
-/// Whether formulas fit beside one another as the row of a matrix that amsmath sets.
+/// True if formulas fit beside one another as the row of a matrix that amsmath sets.
 pub(super) fn fit_in_a_row<'a>(entries: impl Iterator<Item = &'a str>) -> bool {
     let widths = entries.map(|entry| width(entry) + 2);
-    widths.sum::<usize>() <= LONGEST
+    widths.sum::<usize>() <= MAX_LINE_WIDTH
 }
 
-/// A sum that needs more than `room` on several lines.
+/// Breaks a sum that exceeds `room` into several lines.
 fn broken(formula: &str, room: usize) -> String {
     let room = room.max(SHORTEST);
     if width(formula) <= room {
@@ -140,17 +143,17 @@ fn broken(formula: &str, room: usize) -> String {
     }
 }
 
-/// A place at which a formula can be broken: before a sign.
+/// Position at which a formula can be broken: before a sign.
 #[derive(Clone, Copy, Debug)]
 struct Break {
     place: usize,
-    /// How many parentheses are open.
+    /// Number of open parentheses.
     depth: usize,
-    /// How much stands before it.
+    /// Width before it.
     before: usize,
 }
 
-/// Where a formula is broken so that no line is wider than `room`, as far as there are places.
+/// Breaks of a formula so that no line is wider than `room`, as far as positions permit.
 fn breaks(parts: &[&str], room: usize) -> Vec<Break> {
     let mut possible = Vec::new();
     let (mut parentheses, mut others, mut before) = (0_usize, 0_i32, 0);
@@ -177,7 +180,7 @@ fn breaks(parts: &[&str], room: usize) -> Vec<Break> {
         }
         let ahead = |least: usize| possible.partition_point(|it| it.before < start + least);
         let fitting = &possible[ahead(room / EARLIEST)..ahead(room + 1)];
-        // The shallowest one, and of those the last one; where none is early enough, the next one.
+        // The shallowest one, and of those the last one; if none is early enough, the next one.
         let best = fitting
             .iter()
             .min_by_key(|it| (it.depth, usize::MAX - it.before));
@@ -188,12 +191,12 @@ fn breaks(parts: &[&str], room: usize) -> Vec<Break> {
     }
 }
 
-/// About how many characters of a line are seen.
+/// Approximate number of visible characters of a line.
 pub(super) fn width(text: &str) -> usize {
     text.split(' ').map(|part| shown(part) + 1).sum()
 }
 
-/// About how many characters of a part of a formula are seen: a command counts as one, braces and index marks as none.
+/// Approximate number of visible characters of a part: a command counts as one, braces and index marks as none.
 fn shown(part: &str) -> usize {
     if part.starts_with("\\begin") || part.starts_with("\\end") {
         return 0;

@@ -1,4 +1,4 @@
-//! How formulas are written in the math mode of LaTeX.
+//! Spelling of formulas in the math mode of LaTeX.
 
 use super::super::formula::{Printer, Spelling};
 use super::super::parts::Fraction;

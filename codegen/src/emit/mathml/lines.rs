@@ -1,20 +1,21 @@
-//! A long row of MathML → elements `math` between which a browser may begin a new line.
+//! Splits a long row of MathML into elements `math` between which a browser may begin a new line.
 //!
-//! Browsers do not break formulas. A sum is handed to them in pieces, each of which begins with its sign.
+//! Browsers do not break formulas. A sum is split into pieces, each of which begins with its sign.
 
-use super::spelling::{LARGE, SMALL};
+use super::spelling::{FIXED_PARENTHESES, GROWING_PARENTHESES};
 
-/// From so many visible characters on a piece is broken inside its parentheses as well.
-const LONGEST: usize = 60;
+/// Number of visible characters from which on a piece is broken inside its parentheses as well.
+const MAX_PIECE_LENGTH: usize = 60;
 
-/// A row as one piece, or as several where it is a sum or an equation.
+/// Row as one piece, or as several if it is a sum or an equation.
 pub fn lines(row: &str) -> String {
-    let pieces = pieces(row, 0)
-        .into_iter()
-        .flat_map(|piece| match shown(piece) > LONGEST {
-            true => pieces_inside(piece),
-            false => vec![piece],
-        });
+    let pieces =
+        pieces(row, 0)
+            .into_iter()
+            .flat_map(|piece| match shown(piece) > MAX_PIECE_LENGTH {
+                true => pieces_inside(piece),
+                false => vec![piece],
+            });
     let pieces: Vec<String> = pieces
         .enumerate()
         .map(|(place, piece)| wrapped(piece.trim(), place == 0))
@@ -22,12 +23,12 @@ pub fn lines(row: &str) -> String {
     pieces.join(" ")
 }
 
-/// The pieces of what stands inside parentheses.
+/// Pieces of the text inside parentheses.
 fn pieces_inside(piece: &str) -> Vec<&str> {
     pieces(piece, usize::MAX)
 }
 
-/// A piece as an element. The sign of a later one has room on both sides although it is the first there.
+/// Piece as an element. The sign of a later one has space on both sides although it is the first there.
 fn wrapped(piece: &str, is_first: bool) -> String {
     let rest = piece.strip_prefix("<mo>").filter(|_| !is_first);
     match rest {
@@ -36,14 +37,18 @@ fn wrapped(piece: &str, is_first: bool) -> String {
     }
 }
 
-/// The row before signs that stand in no element, and in at most so many parentheses.
+/// Row before signs outside of elements and in at most this number of parentheses.
 fn pieces(row: &str, depth: usize) -> Vec<&str> {
     let mut pieces = Vec::new();
     let (mut start, mut elements, mut brackets) = (0, 0_usize, 0_usize);
     for (at, _) in row.match_indices('<') {
         let rest = &row[at..];
         if elements == 0 {
-            let is = |place: usize| [SMALL, LARGE].iter().any(|it| rest.starts_with(it[place]));
+            let is = |place: usize| {
+                [FIXED_PARENTHESES, GROWING_PARENTHESES]
+                    .iter()
+                    .any(|it| rest.starts_with(it[place]))
+            };
             if is(0) {
                 brackets += 1;
             } else if is(1) {
@@ -55,9 +60,15 @@ fn pieces(row: &str, depth: usize) -> Vec<&str> {
             let before = row[start..at].trim_end();
             // A sign after an opening parenthesis or another sign belongs to the term that follows.
             let is_first = before.is_empty()
-                || [SMALL[0], LARGE[0], "<mo>=</mo>", "<mo>,</mo>", "<mo>·</mo>"]
-                    .iter()
-                    .any(|it| before.ends_with(it));
+                || [
+                    FIXED_PARENTHESES[0],
+                    GROWING_PARENTHESES[0],
+                    "<mo>=</mo>",
+                    "<mo>,</mo>",
+                    "<mo>·</mo>",
+                ]
+                .iter()
+                .any(|it| before.ends_with(it));
             if is_sign && !is_first && brackets <= depth {
                 pieces.push(&row[start..at]);
                 start = at;
@@ -74,7 +85,7 @@ fn pieces(row: &str, depth: usize) -> Vec<&str> {
     pieces
 }
 
-/// How many characters are seen.
+/// Number of visible characters.
 pub(crate) fn shown(row: &str) -> usize {
     let mut is_tag = false;
     let seen = row.chars().filter(|letter| {

@@ -1,6 +1,7 @@
-//! How formulas are written in MathML.
+//! Spelling of formulas in MathML.
 //!
-//! Every formula is a row of elements, which stands where a row may stand; where one element is needed, it is wrapped.
+//! Every formula is a row of elements, which stands where a row may stand; where one element is needed, it is
+//! wrapped.
 
 use super::super::formula::{Printer, Spelling};
 use super::super::parts::Fraction;
@@ -13,7 +14,7 @@ use crate::system::System;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct MathMl;
 
-/// What separates factors: a name of several letters would run into its neighbour.
+/// Space between factors: a name of several letters would run into its neighbour.
 const GAP: &str = "<mspace width=\"0.15em\"/>";
 
 impl Spelling for MathMl {
@@ -173,20 +174,27 @@ impl Spelling for MathMl {
 }
 
 /// Parentheses that do not grow, which those around symbols would by a little.
-pub(super) const SMALL: [&str; 2] = [
+pub(super) const FIXED_PARENTHESES: [&str; 2] = [
     "<mo stretchy=\"false\">(</mo>",
     "<mo stretchy=\"false\">)</mo>",
 ];
 
 /// Parentheses that grow with what is in them.
-pub(super) const LARGE: [&str; 2] = ["<mo>(</mo>", "<mo>)</mo>"];
+pub(super) const GROWING_PARENTHESES: [&str; 2] = ["<mo>(</mo>", "<mo>)</mo>"];
 
 /// A row in parentheses, between which a line may be broken.
 pub(crate) fn brackets(inner: &str) -> String {
-    let tall = ["<mfrac>", "<mtable", "<msqrt>", "→", LARGE[0], SMALL[0]];
+    let tall = [
+        "<mfrac>",
+        "<mtable",
+        "<msqrt>",
+        "→",
+        GROWING_PARENTHESES[0],
+        FIXED_PARENTHESES[0],
+    ];
     let [open, close] = match tall.iter().any(|it| inner.contains(it)) {
-        true => LARGE,
-        false => SMALL,
+        true => GROWING_PARENTHESES,
+        false => FIXED_PARENTHESES,
     };
     format!("{open}{inner}{close}")
 }

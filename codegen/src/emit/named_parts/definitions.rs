@@ -1,4 +1,4 @@
-//! *The names on a page* → *what each stands for*, in an order in which they can be computed.
+//! Definitions of the names on a page, in an order in which they can be computed.
 
 use std::collections::{BTreeSet, HashSet};
 
@@ -6,7 +6,7 @@ use super::{NamedParts, State};
 use crate::expr::{ExprId, Graph, Node, Rational};
 use crate::system::System;
 
-/// What a name stands for.
+/// Definition of a name.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::emit) struct Definition {
     /// The name, as a symbol.
@@ -16,7 +16,7 @@ pub(in crate::emit) struct Definition {
 }
 
 impl NamedParts {
-    /// What the names stand for that were given since the last call, in an order in which they can be computed.
+    /// Definitions of the names given since the last call, in an order in which they can be computed.
     pub(in crate::emit) fn definitions(&self, system: &mut System) -> Vec<Definition> {
         let state = &mut *self.state.borrow_mut();
         let mut definitions = Vec::new();
@@ -52,7 +52,7 @@ impl NamedParts {
 }
 
 impl State {
-    /// What has a name in an expression, and the numbers of whole periods outside of that.
+    /// Named parts of an expression, and the numbers of whole periods outside of them.
     fn inside(&self, graph: &Graph, whole: ExprId) -> (BTreeSet<ExprId>, BTreeSet<ExprId>) {
         let (mut named, mut floors) = (BTreeSet::new(), BTreeSet::new());
         let mut seen = HashSet::from([whole]);
@@ -74,8 +74,8 @@ impl State {
     }
 }
 
-/// With floor((x - x0)/P): the definition `turn = x - P floor((x - x0)/P)`, and the number of periods (x - turn)/P. Nothing
-/// where the argument is not linear in what it depends on, with a constant P.
+/// With floor((x - x0)/P): the definition `turn = x - P floor((x - x0)/P)`, and the number of periods (x - turn)/P.
+/// `None` if the argument is not linear in a variable, with a constant P.
 fn turn(system: &mut System, whole: ExprId, name: &str) -> Option<(Definition, ExprId)> {
     let Node::Floor(periods) = *system.mechanism.graph.node(whole) else {
         return None;

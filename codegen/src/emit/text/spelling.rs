@@ -1,4 +1,4 @@
-//! How formulas are written in plain text.
+//! Spelling of formulas in plain text.
 
 use super::super::formula::{Printer, Spelling};
 use super::super::notation::Notation;
@@ -107,7 +107,7 @@ impl Spelling for Notation {
         followed: bool,
         printer: &Printer<'_, Self>,
     ) -> String {
-        // A person leaves out the parentheses around a single symbol at the end of a term: √3·cos φ₂, but cos(φ₁)·φ̇₁².
+        // The parentheses around a single symbol at the end of a term are left out: √3·cos φ₂, but cos(φ₁)·φ̇₁².
         if let (Notation::Unicode, [only], false) = (self, arguments, followed || name == "floor")
             && matches!(printer.graph().node(*only), Node::Symbol(_))
         {

@@ -1,36 +1,36 @@
-//! Cells → aligned columns.
+//! Aligns cells in columns.
 
-/// So many spaces a column may have, however little stands in it.
-const FREE: usize = 16_384;
+/// Number of spaces that a column may have for any contents.
+const MAX_PADDING: usize = 16_384;
 
-/// Lines of cells, each column as wide as its widest cell, two spaces between, no space at the end of a line. Where that would be
-/// mostly space, the widest cells stand out of their column.
+/// Lines of cells, each column as wide as its widest cell, two spaces between, no space at the end of a line. If that
+/// would be mostly space, the widest cells exceed their column.
 pub(crate) fn aligned(lines: &[Vec<String>]) -> String {
     let columns = lines.iter().map(Vec::len).max().unwrap_or(0);
     let width = |column: usize| {
         let cells = lines.iter().filter_map(|line| line.get(column));
         let mut widths: Vec<usize> = cells.map(|cell| shown_width(cell)).collect();
         widths.sort_unstable_by(|one, other| other.cmp(one));
-        let room = FREE + 4 * widths.iter().sum::<usize>();
+        let room = MAX_PADDING + 4 * widths.iter().sum::<usize>();
         let mut fitting = widths.iter().filter(|&&width| width * lines.len() <= room);
         fitting.next().copied().unwrap_or(0)
     };
     let widths: Vec<usize> = (0..columns).map(width).collect();
     let mut text = String::new();
     for line in lines {
-        let mut shown = String::new();
+        let mut padded = String::new();
         for (cell, width) in line.iter().zip(&widths) {
-            shown.push_str("  ");
-            shown.push_str(cell);
-            shown.push_str(&" ".repeat(width.saturating_sub(shown_width(cell))));
+            padded.push_str("  ");
+            padded.push_str(cell);
+            padded.push_str(&" ".repeat(width.saturating_sub(shown_width(cell))));
         }
-        text.push_str(shown.trim_end());
+        text.push_str(padded.trim_end());
         text.push('\n');
     }
     text
 }
 
-/// A choice is broken into lines where it is wider.
+/// Widest choice on one line.
 const WIDEST_CHOICE: usize = 90;
 
 /// `left = right`; a wide choice with each of its arms on a line of its own.
@@ -57,7 +57,7 @@ pub(crate) fn in_lines(left: &str, right: &str) -> Vec<String> {
     lines
 }
 
-/// How many columns of a terminal a text takes; combining dots take none.
+/// Number of columns of a text in a terminal; combining dots take none.
 pub fn shown_width(text: &str) -> usize {
     text.chars()
         .filter(|character| !matches!(character, '\u{300}'..='\u{36f}'))
@@ -87,7 +87,7 @@ mod tests {
 
     #[test]
     fn a_table_takes_room_in_proportion_to_its_cells() {
-        // Every row as wide as the widest cell would take 16-fold room.
+        // Rows as wide as the widest cell would take 16-fold room.
         let [short, long] = [1000, 4000].map(|n| table(n, n).len());
         assert!(long < 5 * short, "{short} and {long}");
     }

@@ -45,7 +45,7 @@ fn instructions(ticks: u32) -> u64 {
     (u64::from(ticks) * 40 + 128) / 256
 }
 
-/// How far below a call the stack is looked at, in bytes, and what is written there before.
+/// Depth below a call to which the stack is examined, in bytes, and the pattern written there before.
 const DEPTH: usize = 0x2_0000;
 const PAINT: u32 = 0xa5a5_5a5a;
 
@@ -91,10 +91,10 @@ impl Machine for Board {
         let top: usize;
         // SAFETY: reads a register.
         unsafe { asm!("mov {}, sp", out(reg) top) };
-        // What is at the end belongs to this function.
+        // The top of the stack belongs to this function.
         let words = (top - DEPTH..top - 64).step_by(4);
         for place in words.clone() {
-            // SAFETY: the memory below the stack is nobody's.
+            // SAFETY: the memory below the stack is unused.
             unsafe { (place as *mut u32).write_volatile(PAINT) };
         }
         let result = black_box(call(self));
@@ -119,7 +119,7 @@ fn main() -> ! {
     loop {}
 }
 
-/// What a firmware may not contain.
+/// Faults that firmware must not contain.
 #[allow(dead_code)]
 mod planted {
     use core::fmt::Write as _;

@@ -1,9 +1,9 @@
-//! A description with what is asked of it: how it is driven, from when to when, and what takes how long.
+//! Courses: a description with its drivers, its range of time, and its periods.
 
 use super::stepping::Given;
 use crate::hunt::law::Law;
 
-/// A mechanism of a family.
+/// Mechanism of a family.
 #[derive(Clone, Debug)]
 pub struct Course {
     /// The family.
@@ -12,26 +12,26 @@ pub struct Course {
     pub text: String,
     /// The size (m).
     pub size: f64,
-    /// The shortest time in which anything repeats itself, or would (s).
+    /// Shortest period, or a comparable time (s).
     pub period: f64,
-    /// When it begins, and when it ends at the latest (s).
+    /// Times of the beginning and of the latest end (s).
     pub span: [f64; 2],
-    /// The pose at the beginning, or nothing for what the drawing leads to.
+    /// Pose at the beginning; empty for that of the design configuration.
     pub start: Vec<f64>,
-    /// What the inputs do, from their values at the beginning on; nothing where there are none.
+    /// Base values and laws of the inputs from the beginning on; empty without inputs.
     pub inputs: Vec<(f64, Law)>,
-    /// Whether lengths differ by so little that their roundings decide how the path goes on.
+    /// True if lengths differ by so little that their roundings decide the continuation of the path.
     pub is_blurred: bool,
-    /// Whether the drawing is the pose at the beginning.
+    /// True if the design configuration is the pose at the beginning.
     pub is_drawn: bool,
-    /// Number of loops whose links come in line at once.
+    /// Number of loops whose links become collinear at once.
     pub loops: usize,
-    /// True if inputs change while time stands still.
+    /// True if inputs change at constant time.
     pub is_standing: bool,
 }
 
 impl Course {
-    /// One that begins in its drawing, and goes on for three periods.
+    /// Course that begins in its design configuration and lasts three periods.
     pub fn drawn(text: String, size: f64, period: f64) -> Course {
         Course {
             family: "",
@@ -48,26 +48,26 @@ impl Course {
         }
     }
 
-    /// The inputs at a time.
+    /// Inputs at a time.
     pub fn given(&self, t: f64) -> Vec<Given> {
         let since = t - self.span[0];
         let inputs = self.inputs.iter();
-        let given = inputs.map(|(base, law)| {
+        let inputs_now = inputs.map(|(base, law)| {
             let [value, rate, acceleration] = law.motion(since);
             [base + value, rate, acceleration]
         });
-        given.collect()
+        inputs_now.collect()
     }
 }
 
-/// Value, rate and acceleration at a part of the straight way between two of them.
+/// Value, rate and acceleration at a fraction of the chord between two inputs.
 pub fn straight(first: Given, last: Given, part: f64) -> Given {
     [0, 1, 2].map(|level| first[level] + part * (last[level] - first[level]))
 }
 
-/// The polynomial of the fifth degree with value, rate and acceleration of both ends, by Hermite's formula.
+/// Polynomial of the fifth degree with value, rate and acceleration of both ends, by Hermite's formula.
 pub fn quintic(first: Given, last: Given, h: f64, s: f64) -> Given {
-    // p(s) = Σ c_k s^k with s the part of the way.
+    // p(s) = Σ c_k s^k with s the fraction of the interval.
     let [a, b, c] = [first[0], first[1] * h, 0.5 * first[2] * h * h];
     let [p, v, w] = [
         last[0] - a - b - c,

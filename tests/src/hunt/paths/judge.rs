@@ -1,4 +1,4 @@
-//! *What `advance` has made of a schedule, and where the smooth path goes* → *an outcome of every step*.
+//! Judges every step of `advance` along a schedule by the smooth path.
 
 use linkwright::Signal;
 use linkwright_solver::supplied::{InputSignals, Numbers};
@@ -10,14 +10,14 @@ use super::stepping::{Given, SMALLER, Schedule, Stepped, Target};
 use super::tally::Outcome;
 use super::trace::{End, Trace, Tracer};
 
-/// The part of its scale by which a coordinate may be off the path, and the same for what rounding makes of a Jacobian with a
-/// smallest pivot of 1; at most.
+/// Tolerance of a coordinate beside the path, relative to its scale: a least value, and rounding amplified by the
+/// Jacobian, up to a limit.
 pub struct Tolerance {
-    /// Everywhere.
+    /// Smallest tolerance.
     pub least: f64,
-    /// Divided by the smallest pivot.
+    /// Rounding, divided by the smallest pivot.
     pub rounding: f64,
-    /// At most.
+    /// Largest tolerance.
     pub most: f64,
 }
 
@@ -35,35 +35,35 @@ pub const SINGLE: Tolerance = Tolerance {
     most: 0.05,
 };
 
-/// The longest steps of the tracker, in shortest periods and in the length of a step.
-const LONGEST: [f64; 2] = [1.0 / 160.0, 1.0 / 8.0];
+/// Longest steps of the tracker, in shortest periods and in the length of a step.
+const MAX_STEPS: [f64; 2] = [1.0 / 160.0, 1.0 / 8.0];
 
-/// Longest step of the tracker where time stands still, as a part of the whole way.
+/// Longest step of the tracker at constant time, as a fraction of the change of inputs.
 const STANDING: f64 = 1.0 / 64.0;
 
-/// How near to an end nothing is judged, in steps and in shortest periods.
+/// Distance from an end within which nothing is judged, in steps and in shortest periods.
 const NEAR_END: f64 = 1e-5;
 
-/// How far the tracker's polynomials may be from the equations, in scales.
+/// Largest error of the tracker's polynomials, in scales.
 const NEAR_POSE: f64 = 1e-4;
 
-/// By how much a failure may miss the time of an end, in steps.
+/// Largest error of a failure's time at an end, in steps.
 const MISSED_END: f64 = 1.0 / 64.0;
 
-/// What is true of a course.
+/// Exact data of a course.
 pub struct Truth<'a> {
-    /// The course.
+    /// Course.
     pub course: &'a Course,
-    /// Its equations.
+    /// Equations.
     pub equations: &'a TextbookEquations,
-    /// The scales of the coordinates.
+    /// Scales of the coordinates.
     pub scales: &'a [f64],
 }
 
-/// A path with the inputs along it. Where time stands still, the part of the way takes the place of time.
+/// Path with the inputs along it. At constant time, the fraction of the input change takes the place of time.
 struct Leg {
     trace: Trace,
-    /// The times and the inputs at its ends.
+    /// Times and inputs at its ends.
     ends: [(f64, Vec<Given>); 2],
 }
 
@@ -84,7 +84,7 @@ impl Leg {
         }
     }
 
-    /// The inputs with their derivatives by what takes the place of time.
+    /// Inputs with their derivatives by time or by the fraction of their change.
     fn driven_at(&self, t: f64) -> Vec<Given> {
         if !self.is_standing() {
             return self.inputs_at(t);
@@ -114,10 +114,10 @@ impl Truth<'_> {
         }
     }
 
-    /// The path of a law of t; `None` where it cannot be followed.
+    /// Path of a law of t; `None` if it cannot be followed.
     pub fn whole(&self, start: &DVector<f64>) -> Option<Trace> {
         let [from, until] = self.course.span;
-        let tracer = self.tracer(LONGEST[0] * self.course.period, &|_| {});
+        let tracer = self.tracer(MAX_STEPS[0] * self.course.period, &|_| {});
         tracer.trace(start, from, until)
     }
 
@@ -132,23 +132,23 @@ impl Truth<'_> {
             true => self.tracer(STANDING, &supply).trace(start, 0.0, 1.0)?,
             false => {
                 let way = (last.t - from).abs();
-                let longest = (LONGEST[0] * self.course.period).min(LONGEST[1] * way);
+                let longest = (MAX_STEPS[0] * self.course.period).min(MAX_STEPS[1] * way);
                 self.tracer(longest, &supply).trace(start, from, last.t)?
             }
         };
         Some(leg)
     }
 
-    /// The path of inputs that stay where they are at the beginning: its pose is that of the assembly.
+    /// Path of inputs that keep their first values: its pose is that of the assembly.
     pub fn still(&self, start: &DVector<f64>) -> Option<Trace> {
         let from = self.course.span[0];
-        let given = self.course.given(from);
-        let supply = |_| self.supply(&given);
-        self.tracer(LONGEST[0] * self.course.period, &supply)
+        let first_inputs = self.course.given(from);
+        let supply = |_| self.supply(&first_inputs);
+        self.tracer(MAX_STEPS[0] * self.course.period, &supply)
             .trace(start, from, from)
     }
 
-    /// The pose of the equations that is near one.
+    /// Pose of the equations near an estimate.
     fn polished(&self, near: &DVector<f64>, t: f64, leg: Option<&Leg>) -> Option<DVector<f64>> {
         let supply = |t: f64| {
             if let Some(leg) = leg {
@@ -160,13 +160,13 @@ impl Truth<'_> {
         (tracer.size(&(&polished - near)) < NEAR_POSE).then_some(polished)
     }
 
-    /// The largest part of its scale by which a pose is off.
+    /// Largest error of a pose relative to a scale, and its coordinate.
     fn off(&self, found: &[f64], exact: &DVector<f64>) -> (f64, usize) {
         let all = found.iter().zip(exact.iter()).zip(self.scales).enumerate();
         let mut worst = (0.0, 0);
         for (place, ((found, exact), scale)) in all {
             let off = (found - exact).abs() / scale;
-            // Written so that NaN is worst.
+            // NaN counts as worst.
             let is_less = off <= worst.0;
             if !is_less {
                 worst = (off, place);
@@ -175,7 +175,7 @@ impl Truth<'_> {
         worst
     }
 
-    /// An outcome for every step, with the size of the step in shortest periods where it is the first of its target.
+    /// Outcome of every step, with the size of the first step to each target in shortest periods.
     pub fn judge(
         &self,
         path: &Trace,
@@ -207,8 +207,8 @@ impl Truth<'_> {
                 leg = self.leg(&last.2, (last.0, last.1.clone()), target);
             }
             let is_standing = leg.as_ref().is_some_and(Leg::is_standing);
-            let own = leg.as_ref().map(|leg| &leg.trace);
-            let Some(trace) = (if has_inputs { own } else { Some(path) }) else {
+            let leg_trace = leg.as_ref().map(|leg| &leg.trace);
+            let Some(trace) = (if has_inputs { leg_trace } else { Some(path) }) else {
                 outcomes.push((Outcome::Unjudged, None));
                 is_lost = true;
                 continue;
@@ -229,14 +229,14 @@ impl Truth<'_> {
                 false => NEAR_END * whole.abs().min(self.course.period) + late,
             };
             let is_near_end = beyond.is_some_and(|end| (t - end).abs() <= near);
-            // Where rounding decides how it goes on, it is not known either.
+            // If rounding decides the continuation, the path is unknown too.
             let is_decided = !self.course.is_blurred || trace.is_before_crossings(t);
             let is_unknown = !is_decided
                 || exact.is_none()
                     && (self.course.is_blurred || matches!(trace.end, End::Unknown(_)));
             let outcome = match (&step.answer, exact) {
                 (answer, exact) if is_lost || is_near_end || is_unknown => {
-                    // Inputs go on from there, even where nothing is judged.
+                    // Inputs continue from there, also without a judgment.
                     match (answer, exact, &leg) {
                         (Ok(_), Some((exact, _)), Some(leg)) if has_inputs => {
                             last = (step.t, leg.inputs_at(t), exact);
@@ -296,7 +296,7 @@ impl Truth<'_> {
                 }
             };
             let is_wrong = matches!(outcome, Outcome::Another(_) | Outcome::Beyond(_));
-            // What follows a wrong step begins elsewhere.
+            // Steps after a wrong one begin elsewhere.
             is_lost |= is_wrong || !is_decided;
             if is_lost && !is_wrong {
                 outcomes.push((Outcome::Unjudged, None));

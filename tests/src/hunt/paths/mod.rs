@@ -1,8 +1,8 @@
 //! The hunt for frames off the path: families of mechanisms that are hard to follow, moved in steps of every size.
 //!
-//! *A seed* → [`families`] → [`course`] (a description, how it is driven, and for how long) → [`stepping`] (what `advance` makes of it)
-//! and [`trace`] (where the smooth path goes) → [`judge`] → [`tally`]. An `Ok` frame off the path is wrong, and so is one where the
-//! path has ended.
+//! [`families`] make a [`course`] from a seed: a description, its drivers, and its duration. [`stepping`] records the
+//! steps of `advance`, [`trace`] follows the smooth path, [`judge`] compares both, and [`tally`] counts. An `Ok`
+//! frame off the path is wrong, and so is one after the end of the path.
 
 pub mod course;
 pub mod families;

@@ -1,4 +1,4 @@
-//! *A tally* → *tables in Markdown*.
+//! Writes tables in Markdown of a tally.
 
 use std::fmt::Write as _;
 
@@ -17,7 +17,7 @@ where a path ends. Inputs go by the documented polynomial of the fifth degree, a
 An `Ok` must lie within 1e-6 of its scale of that path (more near a singular pose, as rounding has it), angles counted with all their turns: otherwise it is
 *another pose*, and *beyond* where the path has ended; both are wrong. *refused*: a failure although the path goes on. *ended*: a failure
 because it has ended; *other time*: of these, failures whose time is off the end by more than 1/64 of the step. *unjudged*: starts, what
-follows a wrong answer, and where the tracker does not know: beyond the change point of links that differ by less than 5e-11 of them.
+follows a wrong answer, and where the tracker is undecided: beyond the change point of links that differ by less than 5e-11 of them.
 ";
 
 fn command(example: &Example, seed: u64) -> String {
@@ -40,7 +40,7 @@ fn row(who: &str, family: &str, it: &Counts) -> [String; 10] {
     [who.to_string(), family.to_string(), a, b, c, d, e, f, g, h]
 }
 
-/// The outcomes by family.
+/// Outcomes by family.
 pub fn outcomes(tally: &Tally) -> String {
     let header = [
         "who",
@@ -89,7 +89,7 @@ pub fn refusals(tally: &Tally) -> String {
     aligned(&rows, 1)
 }
 
-/// The kinds of refusals with an example of each.
+/// Kinds of refusals with an example of each.
 pub fn kinds(tally: &Tally, seed: u64) -> String {
     let mut rows = vec![["family", "kind", "example", "steps"].map(str::to_string)];
     for ((family, kind), (count, example)) in &tally.kinds {
@@ -103,7 +103,7 @@ pub fn kinds(tally: &Tally, seed: u64) -> String {
     aligned(&rows, 3)
 }
 
-/// The mechanisms by family.
+/// Mechanisms by family.
 pub fn courses(tally: &Tally) -> String {
     let header = [
         "family",
@@ -125,7 +125,7 @@ pub fn courses(tally: &Tally) -> String {
     aligned(&rows, 1)
 }
 
-/// The mechanisms that were not moved.
+/// Mechanisms that were not moved.
 pub fn unused(tally: &Tally) -> String {
     let mut rows = vec![["family", "why", "mechanisms"].map(str::to_string)];
     for ((family, why), (count, _)) in &tally.unused {
@@ -138,7 +138,7 @@ pub fn unused(tally: &Tally) -> String {
     aligned(&rows, 2)
 }
 
-/// What is wrong, at most `most` of it.
+/// Wrong answers, at most `most` of them.
 pub fn wrong(tally: &Tally, seed: u64, most: usize) -> String {
     let mut text = String::new();
     for it in tally.wrong.iter().take(most) {
@@ -157,7 +157,7 @@ pub fn wrong(tally: &Tally, seed: u64, most: usize) -> String {
     text
 }
 
-/// The run in a sentence.
+/// Summary of the run.
 pub fn summary(tally: &Tally, seconds: f64) -> String {
     let total = tally.total();
     let [made, moved] =
@@ -173,7 +173,7 @@ pub fn summary(tally: &Tally, seconds: f64) -> String {
     )
 }
 
-/// The report.
+/// Report.
 pub fn report(tally: &Tally, seed: u64, command: &str, environment: &str, summary: &str) -> String {
     let mut text = format!(
         "# The hunt for frames off the path\n\nWritten by `{command}`.\n\n{environment}\n{summary}\n{EXPLANATION}\n## Outcomes\n\n{}",

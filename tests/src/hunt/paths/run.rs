@@ -1,4 +1,4 @@
-//! *A family and a number* → *a tally*: makes the mechanism, moves it, and judges every step.
+//! Constructs the mechanism of a family and a number, moves it, and judges every step.
 
 use linkwright::Blocks;
 use linkwright_codegen::diagnostic::Source;
@@ -17,22 +17,22 @@ use super::trace::{End, Trace};
 use crate::hunt::motion::hunted;
 use crate::random::Random;
 
-/// A mechanism that is hunted.
+/// Mechanism to hunt.
 pub struct Hunted {
-    /// The family and the number.
+    /// Family and number.
     pub key: (usize, u64),
-    /// How it is driven.
+    /// Course of the drivers.
     pub course: Course,
-    /// Its description.
+    /// Resolved description.
     pub system: System,
-    /// Its equations.
+    /// Equations.
     pub equations: TextbookEquations,
     scales: Vec<f64>,
-    /// What is asked of it.
+    /// Requested schedules.
     pub schedules: Vec<Schedule>,
 }
 
-/// Families of which each solve, or each path, takes longest, and the part of the steps that they are moved by.
+/// Slow families, and the fraction of the steps that they take.
 const SLOW: ([&str; 3], f64) = (
     [
         "grown, inputs",
@@ -62,7 +62,7 @@ pub fn read(text: &str) -> Result<System, String> {
     Ok(system)
 }
 
-/// The scale of every coordinate: 1 for an angle, the size for a length.
+/// Scale of every coordinate: 1 for an angle, the size for a length.
 pub fn scales(system: &System, size: f64) -> Vec<f64> {
     let coordinates = system.coordinates.iter();
     let scale = |power: i32| if power == 0 { 1.0 } else { size };
@@ -71,7 +71,8 @@ pub fn scales(system: &System, size: f64) -> Vec<f64> {
         .collect()
 }
 
-/// Makes a mechanism, with `part` of the usual number of steps; `None`, counted, where it is refused.
+/// Constructs a mechanism, with a fraction `part` of the usual number of steps; `None` if it is refused, which is
+/// counted.
 pub fn prepare(
     family: usize,
     seed: u64,
@@ -113,9 +114,9 @@ impl Hunted {
         }
     }
 
-    /// The path from what an assembly has found; `None`, counted, where that is not known.
+    /// Path from the pose of an assembly; `None` if it is unknown, which is counted.
     pub fn path(&self, first: &Stepped, tally: &mut Tally) -> Option<Trace> {
-        let found = match &first.answer {
+        let assembled = match &first.answer {
             Ok(found) => DVector::from_column_slice(found),
             Err((kind, _)) => {
                 tally.skip(self.key, format!("not assembled: {kind}"));
@@ -124,8 +125,8 @@ impl Hunted {
         };
         let truth = self.truth();
         let path = match self.course.inputs.is_empty() {
-            true => truth.whole(&found),
-            false => truth.still(&found),
+            true => truth.whole(&assembled),
+            false => truth.still(&assembled),
         };
         let path = path.filter(|path| path.first().pivot > 1e-6);
         if path.is_none() {
@@ -134,7 +135,7 @@ impl Hunted {
         path
     }
 
-    /// Whether the assembly is the drawn one.
+    /// True if the assembly is that of the design configuration.
     fn is_as_drawn(&self, blocks: &Interpreted, path: &Trace) -> bool {
         let mut drawn = blocks.drawn_pose(&blocks.nominal_parameters()).0;
         for (value, start) in drawn.iter_mut().zip(&self.course.start) {
@@ -145,7 +146,7 @@ impl Hunted {
         off.fold(0.0, f64::max) < 1e-4
     }
 
-    /// Judges what has been made of the schedules.
+    /// Judges the steps along the schedules.
     pub fn count(
         &self,
         view: View,
@@ -167,7 +168,7 @@ impl Hunted {
         }
     }
 
-    /// What the interpreter makes of it. Returns the path.
+    /// Moves the mechanism with the interpreter and counts the outcomes. Returns the path.
     pub fn interpret(&self, tally: &mut Tally) -> Option<Trace> {
         let Some(blocks) = Interpreted::new(&self.system) else {
             tally.skip(self.key, "no plan".to_string());

@@ -1,10 +1,10 @@
-//! *How long a course is* → *schedules: steps from 1e-3 to 3 of its shortest period*.
+//! Schedules of a course: steps from 1e-3 to 3 of its shortest period.
 
 use super::course::Course;
 use super::stepping::{Schedule, Target};
 use crate::random::Random;
 
-/// Steps in shortest periods, and how many of them: exact parts and multiples, and what has no common measure with it.
+/// Steps in shortest periods, and their numbers: exact fractions and multiples, and incommensurable ones.
 pub const STEPS: [(f64, usize); 16] = [
     (1e-3, 600),
     (std::f64::consts::E * 1e-3, 300),
@@ -24,7 +24,7 @@ pub const STEPS: [(f64, usize); 16] = [
     (3.0, 20),
 ];
 
-/// One schedule for each size of steps, and one of random steps, `part` of them.
+/// One schedule for each size of steps, and one of random steps, with a fraction `part` of the steps.
 pub fn schedules(course: &Course, random: &mut Random, part: f64) -> Vec<Schedule> {
     let mut all: Vec<Schedule> = STEPS
         .iter()
@@ -60,7 +60,7 @@ pub fn schedules(course: &Course, random: &mut Random, part: f64) -> Vec<Schedul
     all
 }
 
-/// A schedule through these times, reflected where the course ends.
+/// Schedule through these times, reflected at the end of the course.
 fn along(course: &Course, times: impl Iterator<Item = f64>) -> Schedule {
     let [from, until] = course.span;
     let reflected = |t: f64| {

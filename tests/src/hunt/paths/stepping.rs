@@ -1,52 +1,52 @@
-//! *A mechanism in motion and a schedule* → *what `advance` makes of every step of it*.
+//! Moves a mechanism along a schedule with `advance` and records every step.
 //!
-//! The file needs nothing but the runtime and [`crate::values`], because it is compiled in two places: here for interpreted
-//! mechanisms, and beside the generated ones in a package of their own.
+//! The file needs only the runtime and [`crate::values`]: it is compiled here for interpreted mechanisms, and beside
+//! the generated ones in a package of their own.
 
 use linkwright::math::Real;
 use linkwright::{Blocks, FailureKind, Settings, Shell, Signal, Signals, Values};
 
-/// In how many steps a target is tried again after it was refused.
+/// Number of substeps to a target after a refusal.
 pub const SMALLER: u32 = 32;
 
-/// After how many targets that are not reached in smaller steps either a schedule is over.
+/// Number of targets missed by substeps too after which a schedule ends.
 const BROKEN: usize = 4;
 
-/// A signal at one time: its value, its rate and its acceleration.
+/// Signal at one time: its value, its rate and its acceleration.
 pub type Given = [f64; 3];
 
-/// Where a step leads.
+/// Target of a step.
 #[derive(Clone, Debug, Default)]
 pub struct Target {
-    /// The time (s).
+    /// Time (s).
     pub t: f64,
-    /// The inputs there.
+    /// Inputs at that time.
     pub inputs: Vec<Given>,
 }
 
-/// What is asked of a mechanism.
+/// Requested motion of a mechanism.
 #[derive(Clone, Debug, Default)]
 pub struct Schedule {
-    /// The pose at the start, or nothing for that of the drawing.
+    /// Pose at the start; empty for that of the design configuration.
     pub start: Vec<f64>,
-    /// The start, then one target after another.
+    /// Start, then one target after another.
     pub targets: Vec<Target>,
 }
 
-/// What became of a step.
+/// Result of a step.
 #[derive(Clone, Debug)]
 pub struct Stepped {
-    /// The target it leads to, from 0 for the start.
+    /// Index of the target, from 0 for the start.
     pub target: usize,
-    /// In which of [`SMALLER`] equal parts of a refused step it is, from 1; 0 for the whole one.
+    /// Number of the substep among [`SMALLER`], from 1; 0 for a whole step.
     pub part: u32,
-    /// The time it leads to (s).
+    /// Time at its end (s).
     pub t: f64,
-    /// The pose, or the components of the points where frames hold nothing else; or the kind and the time of a failure.
+    /// Pose, or components of the points if frames hold nothing else; or the kind and the time of a failure.
     pub answer: Result<Vec<f64>, (String, f64)>,
 }
 
-/// The coordinates of a frame, or else its points.
+/// Coordinates of a frame, or else its points.
 fn found<B: Blocks>(blocks: &B, frame: &B::Frame) -> Vec<f64> {
     let coordinates = (0..).map_while(|index| blocks.coordinate(frame, index));
     let values: Vec<f64> = coordinates.map(|it| it[0].to_f64()).collect();
@@ -59,7 +59,7 @@ fn found<B: Blocks>(blocks: &B, frame: &B::Frame) -> Vec<f64> {
         .collect()
 }
 
-/// The inputs of a mechanism with these values.
+/// Inputs of a mechanism with these values.
 fn inputs<B: Blocks>(blocks: &B, given: &[Given]) -> B::Inputs {
     let mut inputs = blocks.initial_inputs();
     for (index, numbers) in given.iter().enumerate() {
@@ -69,7 +69,7 @@ fn inputs<B: Blocks>(blocks: &B, given: &[Given]) -> B::Inputs {
     inputs
 }
 
-/// Inputs at a part of the straight way between two of them, on which time stands still.
+/// Inputs at a fraction of the chord between two of them, at constant time.
 fn straight<T: Real, I: Signals<T>>(first: &I, last: &I, part: T) -> I {
     let mut between = first.clone();
     for index in 0..first.count() {
@@ -86,14 +86,15 @@ fn straight<T: Real, I: Signals<T>>(first: &I, last: &I, part: T) -> I {
     between
 }
 
-/// The name of a failure's kind.
+/// Name of a failure's kind.
 fn named<T: Real>(kind: FailureKind<T>) -> String {
     let text = format!("{kind:?}");
     let end = text.find([' ', '{', '(']).unwrap_or(text.len());
     text[..end].to_string()
 }
 
-/// Goes from target to target: after a failure in smaller steps from the last frame, and where that fails too, to the next one.
+/// Steps from target to target. After a failure, takes substeps from the last frame; if those fail too, goes on to
+/// the next target.
 pub fn stepped<B: Blocks + Clone>(blocks: &B, schedule: &Schedule) -> Vec<Stepped>
 where
     Settings<B::Scalar>: Default,

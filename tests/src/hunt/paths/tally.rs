@@ -1,25 +1,25 @@
-//! *Outcomes of steps* → *counts by family*, refusals by size of step, and what is wrong.
+//! Counts outcomes of steps by family, refusals by step size, and wrong answers.
 
 use std::collections::BTreeMap;
 
-/// The sizes of steps, in shortest periods, up to which refusals are counted together.
+/// Upper limits of step sizes, in shortest periods, for which refusals are counted together.
 pub const SIZES: [f64; 8] = [0.003, 0.01, 0.03, 0.1, 0.3, 1.0, 3.1, f64::INFINITY];
 
-/// Who solves.
+/// Solver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum View {
     /// The interpreter, in f64.
     Interpreted,
     /// Generated code in f64.
     Double,
-    /// The same with an output of positions alone, whose frames hold no coordinates.
+    /// Generated code in f64 that outputs positions alone, whose frames hold no coordinates.
     Limited,
     /// Generated code in f32.
     Single,
 }
 
 impl View {
-    /// In words.
+    /// Label in reports.
     pub fn words(self) -> &'static str {
         match self {
             View::Interpreted => "interpreted, f64",
@@ -30,7 +30,7 @@ impl View {
     }
 }
 
-/// What became of a step.
+/// Outcome of a step.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Outcome {
     /// On the path.
@@ -39,11 +39,11 @@ pub enum Outcome {
     Another(String),
     /// A pose where the path has ended.
     Beyond(String),
-    /// A failure where the path goes on: its kind.
+    /// A failure although the path continues: its kind.
     Refused(String),
-    /// A failure where the path ends: whether its time is that of the end.
+    /// A failure where the path ends.
     Ended {
-        /// Whether the failure names the time at which the path ends.
+        /// True if the failure names the time at which the path ends.
         is_named: bool,
     },
     /// Not judged: the truth is not known well enough there, or the step before was wrong.
@@ -53,7 +53,7 @@ pub enum Outcome {
 /// Counts of outcomes.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Counts {
-    /// Steps that were asked for.
+    /// Steps requested.
     pub solves: usize,
     /// See [`Outcome`].
     pub correct: usize,
@@ -65,14 +65,14 @@ pub struct Counts {
     pub refused: usize,
     /// See [`Outcome`].
     pub ended: usize,
-    /// Of those, failures that name another time.
+    /// Of the ended ones, failures that name another time.
     pub misnamed: usize,
     /// See [`Outcome`].
     pub unjudged: usize,
 }
 
 impl Counts {
-    /// Answers that must not be.
+    /// Number of answers that must not occur.
     pub fn wrong(&self) -> usize {
         self.another + self.beyond
     }
@@ -89,23 +89,23 @@ impl Counts {
     }
 }
 
-/// Steps of one size: how many on the path, and how many that were refused although it goes on.
+/// Steps of one size: all, and those that were refused although the path continues.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Refusals {
     /// Steps within the path, in one call.
     pub all: usize,
-    /// Of these the refused ones.
+    /// Refused steps.
     pub refused: usize,
 }
 
-/// A step that is wrong, or refused, for whoever wants to repeat it.
+/// A wrong or refused step, with what is needed to repeat it.
 #[derive(Clone, Debug)]
 pub struct Example {
-    /// The family and the number.
+    /// Family and number.
     pub course: (usize, u64),
-    /// Who.
+    /// Solver.
     pub view: View,
-    /// What is wrong.
+    /// Description of the error.
     pub why: String,
 }
 
@@ -118,19 +118,19 @@ pub struct Tally {
     pub refusals: BTreeMap<usize, [Refusals; SIZES.len()]>,
     /// Refusals by family and kind.
     pub kinds: BTreeMap<(usize, String), (usize, Example)>,
-    /// What is wrong.
+    /// Wrong answers.
     pub wrong: Vec<Example>,
-    /// Failures at an end whose time is another one.
+    /// Failures at an end that name another time.
     pub misnamed: Vec<Example>,
-    /// Mechanisms that were made, by family; of these the ones that were judged, the ones whose path ends, and the ones that go
-    /// through a singular pose.
+    /// Numbers of mechanisms by family: constructed, judged, with a path that ends, with a path through a singular
+    /// pose.
     pub courses: BTreeMap<usize, [usize; 4]>,
-    /// Why mechanisms were not judged.
+    /// Reasons why mechanisms were not judged.
     pub unused: BTreeMap<(usize, String), (usize, u64)>,
 }
 
 impl Tally {
-    /// Counts a step of `size` shortest periods; `None` where it is none.
+    /// Counts a step of `size` shortest periods; `None` if the outcome is not that of a step.
     pub fn add(
         &mut self,
         course: (usize, u64),
@@ -199,16 +199,16 @@ impl Tally {
         total
     }
 
-    /// The sum of both.
+    /// Sum of both.
     pub fn merge(&mut self, other: Tally) {
         for (key, counts) in other.counts {
             self.counts.entry(key).or_default().add(&counts);
         }
         for (key, groups) in other.refusals {
-            let own = self.refusals.entry(key).or_default();
-            for (own, group) in own.iter_mut().zip(groups) {
-                own.all += group.all;
-                own.refused += group.refused;
+            let sums = self.refusals.entry(key).or_default();
+            for (sums, group) in sums.iter_mut().zip(groups) {
+                sums.all += group.all;
+                sums.refused += group.refused;
             }
         }
         for (key, (count, example)) in other.kinds {
@@ -217,10 +217,10 @@ impl Tally {
         self.wrong.extend(other.wrong);
         self.misnamed.extend(other.misnamed);
         for (key, counts) in other.courses {
-            let own = self.courses.entry(key).or_default();
-            own.iter_mut()
+            let sums = self.courses.entry(key).or_default();
+            sums.iter_mut()
                 .zip(counts)
-                .for_each(|(own, count)| *own += count);
+                .for_each(|(sums, count)| *sums += count);
         }
         for (key, (count, number)) in other.unused {
             self.unused.entry(key).or_insert((0, number)).0 += count;

@@ -1,10 +1,10 @@
-//! *Equations, a pose and an interval of time* → *the smooth path from there, to be asked at any time of it, or where it ends*.
+//! Smooth path from a pose over an interval of time, with the pose at any time of it and its end.
 //!
-//! A tracker with tiny steps on the dense textbook equations, which shares nothing with the runtime: complete pivoting, steps so short
-//! that the Taylor polynomial misses by less than `MISS` and the rates do not jump. Where the Jacobian becomes singular at
-//! finite rates it goes on by extrapolation from a distance at which everything is well known: a smooth curve has one
-//! continuation. Where the rates grow without bound, the path ends, and the smallest pivot says how
-//! soon.
+//! A tracker with tiny steps on the dense textbook equations, which shares nothing with the runtime. It pivots
+//! completely, and its steps are so short that the Taylor polynomial misses by less than `MISS` and the rates do not
+//! jump. Where the Jacobian becomes singular at finite rates, it extrapolates from a distance at which everything is
+//! well known: a smooth curve has one continuation. Where the rates grow without bound, the path ends, and the
+//! smallest pivot gives the remaining time.
 
 use linkwright::Equations;
 use linkwright_solver::textbook::TextbookEquations;
@@ -12,112 +12,112 @@ use nalgebra::{DMatrix, DVector, Dyn, FullPivLU};
 
 type Factors = FullPivLU<f64, Dyn, Dyn>;
 
-/// The part of its scale by which no coordinate may miss the Taylor polynomial.
+/// Largest deviation of a coordinate from the Taylor polynomial, relative to its scale.
 const MISS: f64 = 1e-4;
 
-/// The part of its scale by which a coordinate may miss Hermite's rule.
+/// Largest deviation of a coordinate from Hermite's rule, relative to its scale.
 const DEFECT: f64 = 1e-6;
 
-/// The part of itself by which a rate may miss its own polynomial.
+/// Largest relative deviation of a rate from its own polynomial.
 const JUMP: f64 = 0.03;
 
-/// What moves by less than this part of its scale in the longest step is at rest.
-const STILL: f64 = 1e-5;
+/// Largest motion of a coordinate at rest in the longest step, relative to its scale.
+const REST_LIMIT: f64 = 1e-5;
 
-/// A correction that is smaller than this is rounding or next to it.
+/// Correction below which only rounding is left.
 const SETTLED: f64 = 1e-10;
 
-/// The part of the first smallest pivot that must be left: what rounding makes of a pose is then far smaller than its distance from
-/// the singular one.
+/// Fraction of the first smallest pivot that must be left: rounding then moves a pose by far less than its distance
+/// from the singular one.
 const REGULAR: f64 = 3e-6;
 
-/// The longest step is halved at most so often.
+/// Largest number of halvings of the longest step.
 const HALVINGS: i32 = 30;
 
-/// The part of the way to a singular pose before which it is not yet reached.
+/// Fraction of the distance to a singular pose before which the pose is not yet reached.
 const CLEAR: f64 = 1e-6;
 
-/// How many states a path has at most, and how many more for each longest step.
+/// Largest number of states of a path, and additional ones for each longest step.
 const STATES: [usize; 2] = [500, 100];
 
-/// By how much rates have grown where a path ends.
+/// Growth of the rates at which a path ends.
 const GROWN: f64 = 30.0;
 
-/// How far before and beyond a singular pose the path is extrapolated, in longest steps.
+/// Distances before and beyond a singular pose over which the path is extrapolated, in longest steps.
 const LEAPS: [f64; 5] = [0.3, 0.1, 0.03, 0.01, 0.003];
 
-/// The part of the way across a singular pose by which extrapolation may miss.
+/// Largest error of extrapolation, relative to the distance across a singular pose.
 const MISSED_LEAP: f64 = 1e-5;
 
-/// By how much a smallest pivot has fallen where its rate is taken: far above its rounding.
+/// Fall of a smallest pivot after which its rate is taken: far above its rounding.
 const FALLEN: f64 = 1.3;
 
-/// What is left of a path, in the times that the tangent of the smallest pivot gives: half of one at a fold, two where a slide goes to
-/// infinity.
+/// Remainder of a path, in the times that the tangent of the smallest pivot gives: half of one at a fold, two where a
+/// slide goes to infinity.
 const TANGENTS: f64 = 4.0;
 
-/// How a path goes on.
+/// Continuation of a path.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum End {
-    /// Beyond the last time asked for.
+    /// Beyond the last requested time.
     #[default]
     Open,
     /// It ends at a singular pose, after the first time and before the second (s).
     Singular(f64, f64),
-    /// Nobody knows after this time (s).
+    /// Unknown after this time (s).
     Unknown(f64),
 }
 
 /// A pose with its motion.
 #[derive(Clone, Debug)]
 pub struct State {
-    /// The time (s).
+    /// Time (s).
     pub t: f64,
     /// The coordinates.
     pub q: DVector<f64>,
     qd: DVector<f64>,
     qdd: DVector<f64>,
     is_negative: bool,
-    /// The smallest pivot of the scaled Jacobian.
+    /// Smallest pivot of the scaled Jacobian.
     pub pivot: f64,
 }
 
-/// A path that has been followed.
+/// Followed path.
 #[derive(Clone, Debug, Default)]
 pub struct Trace {
     states: Vec<State>,
-    /// How it goes on.
+    /// Continuation of the path.
     pub end: End,
-    /// The times at which it went straight on through a singular pose (s).
+    /// Times at which the path passed a singular pose (s).
     pub crossings: Vec<f64>,
 }
 
-/// Equations that can be followed.
+/// Equations to follow.
 pub struct Tracer<'a> {
     /// The equations.
     pub equations: &'a TextbookEquations,
-    /// The sizes of the coordinates.
+    /// Scales of the coordinates.
     pub scales: &'a [f64],
-    /// The longest step (s), shorter than what anything takes to change.
+    /// Longest step (s), shorter than the time in which anything changes.
     pub longest: f64,
     /// Number of loops that become singular at once: each changes the sign of the determinant.
     pub loops: usize,
-    /// Supplies the inputs at a time, where there are any.
+    /// Supplies the inputs at a time, if there are any.
     pub supply: &'a dyn Fn(f64),
 }
 
 impl Trace {
-    /// The first state.
+    /// First state.
     pub fn first(&self) -> &State {
         self.states.first().expect("never empty")
     }
 
-    /// The last one.
+    /// Last state.
     pub fn last(&self) -> &State {
         self.states.last().expect("never empty")
     }
 
-    /// Whether it has not yet gone through a singular pose.
+    /// True if the path has not yet passed a singular pose.
     pub fn is_before_crossings(&self, t: f64) -> bool {
         let start = self.first().t;
         let first = self.crossings.first();
@@ -126,7 +126,7 @@ impl Trace {
         })
     }
 
-    /// How long it takes at most until the smallest pivot is zero (s).
+    /// Upper bound on the time until the smallest pivot is zero (s).
     fn remaining(&self) -> f64 {
         let last = self.last();
         let fallen = |state: &&State| state.pivot > FALLEN * last.pivot;
@@ -137,7 +137,7 @@ impl Trace {
         })
     }
 
-    /// The pose at a time, and how well it is known: the smallest pivot nearby. `None` beyond the end.
+    /// Pose at a time, and the smallest pivot nearby, which tells its accuracy; `None` beyond the end.
     pub fn at(&self, t: f64) -> Option<(DVector<f64>, f64)> {
         let forward = self.last().t >= self.first().t;
         let before = |state: &State| if forward { state.t < t } else { state.t > t };
@@ -169,7 +169,7 @@ fn between(a: &State, b: &State, t: f64) -> DVector<f64> {
 }
 
 impl Tracer<'_> {
-    /// Follows the path from a pose near `start` to the time `to`; `None` where there is none or it is singular.
+    /// Follows the path from a pose near `start` to the time `to`; `None` if no pose is near or it is singular.
     pub fn trace(&self, start: &DVector<f64>, from: f64, to: f64) -> Option<Trace> {
         let first = self.state(self.solved(start, from)?, from)?;
         let mut trace = Trace {
@@ -186,7 +186,7 @@ impl Tracer<'_> {
             let last = trace.last();
             let is_last = (to - last.t).abs() <= 1.001 * h;
             let target = if is_last { to } else { last.t + sense * h };
-            // Nearer to a singular pose its own rounding says where a pose goes.
+            // Nearer to a singular pose, rounding alone decides the pose.
             let least = REGULAR * trace.first().pivot;
             match self.step(last, target).filter(|next| next.pivot > least) {
                 Some(next) => {
@@ -221,7 +221,7 @@ impl Tracer<'_> {
         Some(trace)
     }
 
-    /// Whether the rates at the end are much larger than those a way before.
+    /// True if the rates at the end are much larger than those some distance before.
     fn has_grown(&self, trace: &Trace) -> bool {
         let last = trace.last();
         let way = 0.1 * self.longest;
@@ -234,7 +234,7 @@ impl Tracer<'_> {
         self.size(&last.qd) > GROWN * self.size(&before.qd)
     }
 
-    /// The state as far beyond the end as the extrapolation begins before it.
+    /// State beyond the end, at the distance at which extrapolation begins before it.
     fn leap(&self, trace: &Trace, sense: f64, to: f64) -> Option<State> {
         let last = trace.last();
         for part in LEAPS {
@@ -288,7 +288,7 @@ impl Tracer<'_> {
         None
     }
 
-    /// The Jacobian in the scales of its coordinates, each row with a largest entry of 1, and what the rows were divided by.
+    /// Jacobian in the scales of its coordinates, each row with a largest entry of 1, and the divisors of the rows.
     fn factors(&self, q: &DVector<f64>, t: f64) -> (Factors, Vec<f64>) {
         let n = q.len();
         (self.supply)(t);
@@ -304,7 +304,7 @@ impl Tracer<'_> {
         (jacobian.full_piv_lu(), largest)
     }
 
-    /// The next correction of Newton-Raphson.
+    /// Next correction of Newton-Raphson.
     fn correction(&self, q: &DVector<f64>, t: f64) -> Option<DVector<f64>> {
         let (factors, rows) = self.factors(q, t);
         let mut phi = DVector::zeros(q.len());
@@ -328,13 +328,13 @@ impl Tracer<'_> {
         x.iter().all(|it| it.is_finite()).then_some(x)
     }
 
-    /// The largest entry in its scale.
+    /// Largest entry relative to its scale.
     pub fn size(&self, x: &DVector<f64>) -> f64 {
         let parts = x.iter().zip(self.scales).map(|(x, scale)| x.abs() / scale);
         parts.fold(0.0, f64::max)
     }
 
-    /// Newton-Raphson from a pose that is near.
+    /// Pose by Newton-Raphson from a pose nearby.
     pub fn solved(&self, near: &DVector<f64>, t: f64) -> Option<DVector<f64>> {
         let mut q = near.clone();
         let mut last = f64::INFINITY;
@@ -353,7 +353,7 @@ impl Tracer<'_> {
         None
     }
 
-    /// How far a pose violates the equations: the length of a Newton-Raphson step, in scales.
+    /// Length of a Newton-Raphson step, in scales: the violation of the equations by a pose.
     pub fn miss(&self, q: &DVector<f64>, t: f64) -> f64 {
         let step = self.correction(q, t);
         step.map_or(f64::INFINITY, |step| self.size(&step))
@@ -389,8 +389,8 @@ impl Tracer<'_> {
         let next = self.state(q, to)?;
         let expected = &from.qd + &from.qdd * h;
         let jump = self.size(&(&next.qd - &expected));
-        let rate = self.size(&from.qd) + self.size(&from.qdd) * h.abs() + STILL / self.longest;
-        // Hermite's rule, so that the pose between both is known as well.
+        let rate = self.size(&from.qd) + self.size(&from.qdd) * h.abs() + REST_LIMIT / self.longest;
+        // Hermite's rule gives the pose between both states as accurately.
         let way = (&from.qd + &next.qd) * (0.5 * h) - (&next.qdd - &from.qdd) * (h * h / 12.0);
         let defect = self.size(&(&next.q - &from.q - way));
         let is_smooth = jump <= JUMP * rate && defect <= DEFECT;

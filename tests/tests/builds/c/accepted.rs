@@ -186,8 +186,8 @@ fn a_type_that_c_has_already_is_refused() {
                 ..Options::default()
             },
         );
-        let found = generated.expect_err("the name is refused");
-        let text = found.render(&source);
+        let findings = generated.expect_err("the name is refused");
+        let text = findings.render(&source);
         assert!(
             text.contains("error[K10]") && text.contains("named.mech:1:11"),
             "{text}"

@@ -13,9 +13,9 @@ use linkwright_tests::{description, files};
 
 use super::{SMALL, compile, folder, run_as_cpp, write_double};
 
-/// How many random mechanisms are looked at, of how many bodies, and from which seed.
+/// Number of random mechanisms, largest number of bodies, and first seed.
 const RANDOM: usize = 8;
-const LARGEST: usize = 10;
+const MAX_BODIES: usize = 10;
 const SEED: u64 = 14;
 
 #[test]
@@ -23,23 +23,23 @@ fn frames_and_failures_have_the_bits_of_rust() {
     let named = |name: &str| Case::new(name, description::source(name), 2.0);
     let names = description::names();
     let names = names.iter().map(String::as_str).chain(SMALL);
-    // Some have more joints than determine anything.
+    // Some have too many joints.
     let random = (0..)
-        .map(|number| Source::new("found.mech", mechanism(SEED, number, LARGEST).text()))
+        .map(|number| Source::new("found.mech", mechanism(SEED, number, MAX_BODIES).text()))
         .filter(|source| generate(source, &Options::default()).is_ok())
         .take(RANDOM)
         .enumerate()
         .map(|(number, source)| Case::new(&format!("found_{number}"), source, 2.0));
-    // Cells enough that its path is shown cell by cell.
+    // Enough cells for a proof of its path cell by cell.
     let chain = Pantograph::new(9, 0.875).text("");
     let chain = Case::new("chain", Source::new("chain.mech", chain), 2.0);
     let cases: Vec<Case> = names.map(named).chain(random).chain([chain]).collect();
     assert!(cases.len() > 45 && !compilers().is_empty());
     let folder = folder("bits");
-    let found = differences(&folder, &files::repository(), &cases);
-    let found = found.unwrap_or_else(|error| panic!("{error}"));
-    assert!(found.is_empty(), "{}", found.join("\n"));
-    // Otherwise nothing would have been looked at: frames, and the kinds of failure that mechanisms like these have.
+    let differing = differences(&folder, &files::repository(), &cases);
+    let differing = differing.unwrap_or_else(|error| panic!("{error}"));
+    assert!(differing.is_empty(), "{}", differing.join("\n"));
+    // Otherwise nothing would have been tested: frames, and the usual kinds of failure of such mechanisms.
     let (mut frames, mut failures) = (0, std::collections::BTreeMap::new());
     for path in files::with_extension(&folder.join("answers"), "rust") {
         let text = fs::read_to_string(&path).expect("answers");
@@ -59,7 +59,7 @@ fn frames_and_failures_have_the_bits_of_rust() {
     }
 }
 
-/// C names the load that is not finite, by its place in the table that it has of them.
+/// C names the load that is not finite, by its index in its table.
 #[test]
 fn a_load_that_is_not_finite_is_named() {
     let place = folder("loads");
@@ -95,7 +95,7 @@ int main()
     assert_eq!(printed, expected);
 }
 
-/// All arguments in f32 of some sizes, and dense samples in f64: the same results as those of `linkwright_math`.
+/// All arguments in f32 of some magnitudes, and dense samples in f64: results equal those of `linkwright_math`.
 #[test]
 fn elementary_functions_have_the_bits_of_rust() {
     let place = folder("math");

@@ -41,16 +41,16 @@ fn the_guide_is_true() {
         .split_once("```text\n")
         .map_or(expected, |(_, text)| text);
     let after = page.split_once("./arm\n```\n").expect("the command").1;
-    let said = block(after, "");
-    if printed != said && std::env::var_os("GUIDE_UPDATE").is_some() {
+    let documented = block(after, "");
+    if printed != documented && std::env::var_os("GUIDE_UPDATE").is_some() {
         let updated = page.replacen(
-            &format!("```text\n{said}```"),
+            &format!("```text\n{documented}```"),
             &format!("```text\n{printed}```"),
             1,
         );
         fs::write(&path, updated).expect("written");
     } else {
-        assert_eq!(printed, said, "{expected}");
+        assert_eq!(printed, documented, "{expected}");
     }
     let sketch = folder("arm");
     write(

@@ -50,7 +50,7 @@ fn cut_free(
     }
 }
 
-/// Where a point of a body is.
+/// Position of a point of a body.
 fn place(body: usize, local: [f64; 2], followed: &Followed) -> [f64; 2] {
     let moving = moving(body, followed.instant());
     let arm = moving.arm(local);

@@ -189,9 +189,9 @@ fn a_cam_loses_its_follower_at_the_speed_at_which_the_spring_is_too_slow() {
             assert!(cam.advance(t));
             let sine = (omega * t).sin();
             let expected = 40.0 + (2000.0 - 0.25 * omega * omega) * 0.01 * sine;
-            let found = cam.value("reaction_contact_pressure");
-            close(found, expected, 1e-10, "the contact");
-            lowest = found.min(lowest);
+            let pressure = cam.value("reaction_contact_pressure");
+            close(pressure, expected, 1e-10, "the contact");
+            lowest = pressure.min(lowest);
         }
         lowest
     };

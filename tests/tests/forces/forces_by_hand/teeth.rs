@@ -37,7 +37,7 @@ fn a_pair_has_the_forces_of_the_textbook_for_both_flanks() {
                 ("reaction_mesh_x", apart),
                 ("reaction_mesh_y", across),
                 ("reaction_mesh_moment", -torque),
-                // A wheel that carries nothing else is held by the opposite force.
+                // The bearing of an otherwise unloaded wheel applies the opposite force.
                 ("reaction_b_x", -apart),
                 ("reaction_b_y", -across),
                 ("reaction_a_x", apart),
@@ -69,7 +69,7 @@ fn a_pair_has_the_forces_of_the_textbook_for_both_flanks() {
             ] {
                 close(ring.value(name), expected, 1e-14, name);
             }
-            // Without an angle only the part across is left.
+            // Without an angle only the transverse component is left.
             let mut plain = steady("external_gear", "0deg", torque, speed);
             assert!(plain.advance(0.3));
             assert_eq!(plain.value("reaction_b_x"), 0.0);
@@ -83,8 +83,8 @@ fn a_pair_has_the_forces_of_the_textbook_for_both_flanks() {
     }
 }
 
-/// A coaxial planetary gear: with the torque M on the sun of radius r, each mesh passes M/r on, the radial parts cancel where both
-/// pressure angles are equal, and the pin of the planet carries 2 M/r across the carrier.
+/// A coaxial planetary gear with the torque M on the sun of radius r: each mesh transmits M/r. The radial components
+/// cancel if both pressure angles are equal, and the pin of the planet carries 2 M/r across the carrier.
 #[test]
 fn the_pin_of_a_planet_carries_twice_the_force_of_a_mesh() {
     let mut gear = followed(
@@ -136,7 +136,7 @@ fn the_pin_of_a_planet_carries_twice_the_force_of_a_mesh() {
                 1e-13,
                 name,
             );
-            // The shaft of the sun is pushed on by its bearing against the planet.
+            // The bearing of the sun's shaft pushes it against the planet.
             close(
                 gear.value(&format!("reaction_s_{name}")),
                 expected[axis],
@@ -153,8 +153,9 @@ fn the_pin_of_a_planet_carries_twice_the_force_of_a_mesh() {
     }
 }
 
-/// A train in which each wheel but the ends is an idler, written with `repeat`: with the load T on the last of equal wheels the teeth
-/// pass T/r on everywhere, and each idler's bearing carries twice that, whatever the pressure angle.
+/// A train in which each wheel except for the ends is an idler, written with `repeat`. With the load T on the last of
+/// equal wheels the teeth transmit T/r everywhere, and each idler's bearing carries twice that, for any pressure
+/// angle.
 #[test]
 fn idlers_of_a_train_carry_twice_the_force_of_a_mesh() {
     let mut train = followed(
@@ -193,8 +194,9 @@ fn idlers_of_a_train_carry_twice_the_force_of_a_mesh() {
     );
 }
 
-/// Four wheels in a ring of meshes whose ratios are all parameters: the moments on each of them vanish together. With M on the second
-/// wheel of a pair the first one has the ratio times M, the other way where both turn in one sense.
+/// Four wheels in a ring of meshes whose ratios are all parameters: the moments on each of them vanish together. With
+/// M on the second wheel of a pair the first one has the ratio times M, in the opposite sense if both turn in one
+/// sense.
 #[test]
 fn wheels_whose_ratios_are_parameters_are_balanced() {
     let mut wheels = followed(
@@ -275,7 +277,7 @@ fn forces_of_teeth_turn_with_their_part() {
     close(found[1], sine * x + cosine * y, 1e-13, "y, turned");
 }
 
-/// What changes at run time moves the pitch point, and what leaves no pitch circles is refused.
+/// Changes at run time move the pitch point, and those that leave no pitch circles are refused.
 #[test]
 fn pitch_radii_follow_parameters() {
     for kind in ["external_gear", "internal_gear"] {

@@ -10,7 +10,7 @@ use super::{close, followed};
 /// A point of a body by its place among those that move; of the ground where there is none.
 type At = (Option<usize>, [f64; 2]);
 
-/// What passes a force on to its second body, and the opposite to its first.
+/// Force or moment on a second body and its opposite on a first one.
 enum Passes {
     /// A force through a point, of this name.
     Pin(&'static str, [At; 2]),

@@ -1,4 +1,4 @@
-//! What forces of teeth leave as it is, bit by bit.
+//! Values that forces of teeth leave unchanged, bit by bit.
 
 use linkwright_tests::description;
 use linkwright_tests::forces::Followed;
@@ -6,7 +6,7 @@ use linkwright_tests::simulated::{options, simulation};
 
 use super::{close, followed};
 
-/// The text without its pressure angles.
+/// Text without its pressure angles.
 fn without(text: &str) -> String {
     let mut parts = text.split(" pressure_angle ");
     let mut whole = parts.next().unwrap_or_default().to_string();
@@ -18,8 +18,8 @@ fn without(text: &str) -> String {
     whole
 }
 
-/// What the teeth add in the bearings changes no bit of anything else: pose, rates, accelerations, efforts, powers, energies, the
-/// moments of gears and what other joints carry.
+/// Forces of teeth in the bearings change no bit of anything else: pose, rates, accelerations, efforts, powers,
+/// energies, the moments of gears and the reactions of other joints.
 #[test]
 fn motion_and_efforts_keep_their_bits() {
     let linked = "mechanism linked {
@@ -62,14 +62,14 @@ fn motion_and_efforts_keep_their_bits() {
             };
             assert_eq!(bits(&with), bits(&without));
             for (name, value) in without.all() {
-                let found = with.value(name);
+                let with_teeth = with.value(name);
                 let is_bearing = ["_a_", "_e_", "_h_", "_s_", "_r_", "_c_"];
                 let is_bearing = is_bearing.iter().any(|it| name.contains(it));
                 match is_bearing && name.starts_with("reaction") {
-                    true if found.to_bits() != value.to_bits() => other += 1,
+                    true if with_teeth.to_bits() != value.to_bits() => other += 1,
                     true => {}
                     false => {
-                        assert_eq!(found.to_bits(), value.to_bits(), "{name} at t = {t}");
+                        assert_eq!(with_teeth.to_bits(), value.to_bits(), "{name} at t = {t}");
                         same += 1;
                     }
                 }
@@ -79,7 +79,7 @@ fn motion_and_efforts_keep_their_bits() {
     }
 }
 
-/// What forces move is moved alike.
+/// A motion under forces is unchanged.
 #[test]
 fn a_free_gear_moves_as_without_the_force_of_its_teeth() {
     let text = "mechanism hoist {

@@ -1,11 +1,11 @@
-//! Files that are no tables: what is wrong is said with line and column.
+//! Faulty tables: every fault is reported with line and column.
 
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::stages::columns::{Columns, Decimal, Delimiter, Known};
 
 use super::written::utf16;
 
-/// What stands at the place of each fault, the line and the column, and the message.
+/// Faults of a file: line, column and message.
 fn faults(bytes: &[u8], known: Known) -> Vec<(usize, usize, String)> {
     let refused = Columns::read(bytes, known).expect_err("a fault");
     let source = Source::new("data.csv", refused.text.clone());
@@ -20,11 +20,11 @@ fn faults(bytes: &[u8], known: Known) -> Vec<(usize, usize, String)> {
     each.collect()
 }
 
-/// What a file is called, its bytes, the line and column of its fault, and what is said of it.
+/// Name of a file, its bytes, the line and column of its fault, and the message.
 type Faulty<'a> = (&'a str, &'a [u8], (usize, usize), &'a str);
 
 #[test]
-fn what_is_wrong_is_said_with_line_and_column() {
+fn faults_have_line_and_column() {
     let cases: [Faulty<'_>; 22] = [
         ("empty", b"", (1, 1), "the file is empty"),
         ("blank", b"\n \n", (1, 1), "the file is empty"),
@@ -150,17 +150,17 @@ fn what_is_wrong_is_said_with_line_and_column() {
         ),
     ];
     for (name, bytes, place, message) in cases {
-        let found = faults(bytes, Known::default());
-        let (line, column, text) = &found[0];
+        let reported = faults(bytes, Known::default());
+        let (line, column, text) = &reported[0];
         assert_eq!(
             ((*line, *column), text.as_str()),
             (place, message),
-            "{name}: {found:?}"
+            "{name}: {reported:?}"
         );
     }
     let halves = utf16("t,x\n0,1\n", true, true);
-    let found = faults(&halves[..halves.len() - 1], Known::default());
-    assert_eq!((found[0].0, found[0].1), (2, 4), "{found:?}");
+    let reported = faults(&halves[..halves.len() - 1], Known::default());
+    assert_eq!((reported[0].0, reported[0].1), (2, 4), "{reported:?}");
     let lone = [utf16("t,x\n0,", true, true), vec![0x00, 0xd8, 0x31, 0x00]].concat();
     assert_eq!(
         (
@@ -181,7 +181,7 @@ fn ten_faults_are_listed_at_most() {
     assert_eq!(faults(text.as_bytes(), known).len(), 10);
     assert_eq!(faults(text.as_bytes(), Known::default()).len(), 10);
     let text = format!("t,x\n{}{}", "0,1\n".repeat(300), "1,two\n".repeat(500));
-    let found = faults(text.as_bytes(), known);
-    assert_eq!(found.len(), 10);
-    assert_eq!((found[0].0, found[9].0), (302, 311));
+    let reported = faults(text.as_bytes(), known);
+    assert_eq!(reported.len(), 10);
+    assert_eq!((reported[0].0, reported[9].0), (302, 311));
 }

@@ -1,4 +1,4 @@
-//! Tables as other programs write them: each of these files is read, or the error says line and column.
+//! Tables as other programs write them: each of these files is read, or the error has line and column.
 
 mod faults;
 mod written;
@@ -17,18 +17,18 @@ fn tables_of_other_programs_are_read() {
     assert!(files.len() >= 30, "{}", files.len());
     for wanted in &files {
         let origin = wanted.origin;
-        let found = Columns::read(&wanted.bytes, Known::default());
-        let found = found.unwrap_or_else(|error| panic!("{origin}: {error:?}"));
-        let names: Vec<&str> = found.columns.iter().map(|it| it.name.as_str()).collect();
+        let table = Columns::read(&wanted.bytes, Known::default());
+        let table = table.unwrap_or_else(|error| panic!("{origin}: {error:?}"));
+        let names: Vec<&str> = table.columns.iter().map(|it| it.name.as_str()).collect();
         assert_eq!(names, wanted.names, "{origin}");
-        let units = found
+        let units = table
             .columns
             .iter()
             .map(|it| it.unit.as_deref().unwrap_or(""));
         assert_eq!(units.collect::<Vec<_>>(), wanted.units, "{origin}");
-        assert_eq!(found.rows, wanted.rows.len(), "{origin}");
+        assert_eq!(table.rows, wanted.rows.len(), "{origin}");
         for (row, expected) in wanted.rows.iter().enumerate() {
-            for (column, expected) in found.columns.iter().zip(*expected) {
+            for (column, expected) in table.columns.iter().zip(*expected) {
                 let value = column.values[row].unwrap_or(f64::NAN);
                 assert!(
                     is_same(value, *expected),
@@ -37,12 +37,12 @@ fn tables_of_other_programs_are_read() {
                 );
             }
         }
-        assert_eq!(found.reading(), wanted.reading, "{origin}");
+        assert_eq!(table.reading(), wanted.reading, "{origin}");
     }
     println!("{} files are read", files.len());
 }
 
-/// What could be read in two ways is read as it is said.
+/// Options decide between two possible readings.
 #[test]
 fn options_overrule_what_is_found_out() {
     let read = |text: &str, delimiter, decimal| {
@@ -53,7 +53,7 @@ fn options_overrule_what_is_found_out() {
     let spaces = read(text, Some(Delimiter::Spaces), Some(Decimal::Comma));
     assert_eq!(spaces.columns[0].values, [Some(0.1), Some(1.2)]);
     assert_eq!(spaces.columns[0].name, "t,x");
-    // Three digits behind a comma are decimals where cells are separated by semicolons, and the reading says so.
+    // Three digits behind a comma are decimals if semicolons separate the cells, and the reading says so.
     let thousands = read("t;x\n0;1,234\n1;2,345\n", None, None);
     assert_eq!(thousands.columns[1].values, [Some(1.234), Some(2.345)]);
     assert!(
@@ -67,7 +67,7 @@ fn options_overrule_what_is_found_out() {
     );
 }
 
-/// A table of any numbers is the same however it is written.
+/// Random numbers are read equally in every dialect.
 #[test]
 fn numbers_are_the_same_in_every_dialect() {
     let mut state = 0x2545_f491_4f6c_dd1d_u64;
@@ -105,11 +105,11 @@ fn numbers_are_the_same_in_every_dialect() {
                 let cells: Vec<String> = row.iter().map(written).collect();
                 text += &(cells.join(&delimiter.to_string()) + "\r\n");
             }
-            let found = Columns::read(text.as_bytes(), Known::default()).expect("a table");
-            assert_eq!(found.rows, 200);
+            let table = Columns::read(text.as_bytes(), Known::default()).expect("a table");
+            assert_eq!(table.rows, 200);
             for (place, value) in values.iter().enumerate() {
                 assert_eq!(
-                    found.columns[place % 3].values[place / 3],
+                    table.columns[place % 3].values[place / 3],
                     Some(*value),
                     "{delimiter:?} {decimal}"
                 );

@@ -1,19 +1,19 @@
-//! Tables as other programs write them, and what is to be read of each.
+//! Tables as other programs write them, and the values to read from each.
 
-/// What is to be read of a file.
+/// Expected reading of a file.
 pub(super) struct Wanted {
-    /// Where it could be from.
+    /// Possible origin.
     pub origin: &'static str,
     pub bytes: Vec<u8>,
     pub names: &'static [&'static str],
     pub units: &'static [&'static str],
-    /// Row by row; NaN where a value is missing, or the column has words.
+    /// Values row by row; NaN if a value is missing, or the column has words.
     pub rows: &'static [&'static [f64]],
-    /// How the file is understood, in words.
+    /// Dialect of the file, in words.
     pub reading: &'static str,
 }
 
-/// Missing.
+/// Missing value.
 const NONE: f64 = f64::NAN;
 
 pub(super) fn utf16(text: &str, little: bool, marked: bool) -> Vec<u8> {
@@ -42,7 +42,7 @@ const NO_UNITS: &[&str] = &["", ""];
 
 const TWO: &[&[f64]] = &[&[0.0, 1.5], &[0.1, 2.5]];
 
-/// Each with a text in UTF-8.
+/// Reading of a text in UTF-8.
 fn plain(
     origin: &'static str,
     text: &str,

@@ -1,5 +1,5 @@
-//! Points, rollers and flat faces on curves: closed forms, derivatives against differences, generated code against the
-//! interpreter, and what is said about curves that nothing can follow.
+//! Points, rollers and flat faces on curves: closed forms, derivatives against differences, generated code against
+//! the interpreter, and messages about curves that cannot be followed.
 
 mod derivatives;
 mod said;
@@ -51,7 +51,7 @@ fn vertical(motion: &linkwright::PointMotion) -> [f64; 3] {
 
 const STEPS: i32 = 700;
 
-/// The same across the axes of the drawing: the place of the face follows from three equations that hold one another.
+/// A face oblique to the axes: its position follows from three simultaneous equations.
 #[test]
 fn a_slanted_flat_face_is_lifted_as_an_upright_one() {
     let mut cam = cam_flat_slanted::CamFlatSlanted::assemble(0.0).expect("the drawing assembles");
@@ -59,16 +59,16 @@ fn a_slanted_flat_face_is_lifted_as_an_upright_one() {
         let t = f64::from(step) / 100.0;
         let frame = cam.advance(t).expect("a turn of the cam");
         let (sine, cosine) = (2.0 * t).sin_cos();
-        let wanted = [0.03 + 0.01 * cosine, -0.02 * sine, -0.04 * cosine];
+        let lift = [0.03 + 0.01 * cosine, -0.02 * sine, -0.04 * cosine];
         let face = frame.point_g();
         for (axis, along) in [-0.8, 0.6].into_iter().enumerate() {
-            let found = [
+            let component = [
                 face.position[axis],
                 face.velocity[axis],
                 face.acceleration[axis],
             ];
-            let wanted = wanted.map(|value| along * value);
-            assert_motion(found, wanted, 0.04, &format!("t = {t}"));
+            let lift = lift.map(|value| along * value);
+            assert_motion(component, lift, 0.04, &format!("t = {t}"));
         }
     }
 }
@@ -81,9 +81,14 @@ fn a_flat_face_on_an_eccentric_disc_is_lifted_harmonically() {
         let t = f64::from(step) / 100.0;
         let frame = cam.advance(t).expect("a turn of the cam");
         let (sine, cosine) = (2.0 * t).sin_cos();
-        let wanted = [0.03 + 0.01 * cosine, -0.02 * sine, -0.04 * cosine];
-        assert_motion(vertical(&frame.point_g()), wanted, 0.1, &format!("t = {t}"));
-        // The disc is touched straight above its center.
+        let expected = [0.03 + 0.01 * cosine, -0.02 * sine, -0.04 * cosine];
+        assert_motion(
+            vertical(&frame.point_g()),
+            expected,
+            0.1,
+            &format!("t = {t}"),
+        );
+        // The contact is straight above the center of the disc.
         let touched = (frame.q.s_flat_follower_rim + frame.q.phi_cam).sin();
         assert!((touched - 1.0).abs() < 1e-13, "{touched}");
     }
@@ -102,12 +107,17 @@ fn a_roller_on_an_eccentric_disc_follows_the_slider_crank() {
         let w = (reach * reach - e * e * cosine * cosine).sqrt();
         let first = e * e * cosine * sine * rate / w;
         let second = (e * e * (cosine * cosine - sine * sine) * rate * rate - first * first) / w;
-        let wanted = [
+        let expected = [
             e * sine + w,
             e * cosine * rate + first,
             -e * sine * rate * rate + second,
         ];
-        assert_motion(vertical(&frame.point_p()), wanted, 0.1, &format!("t = {t}"));
+        assert_motion(
+            vertical(&frame.point_p()),
+            expected,
+            0.1,
+            &format!("t = {t}"),
+        );
     }
 }
 
@@ -119,8 +129,13 @@ fn a_tip_follows_the_radius_of_its_pitch_curve() {
         let t = f64::from(step) / 100.0;
         let frame = cam.advance(t).expect("a turn of the cam");
         let (sine, cosine) = t.sin_cos();
-        let wanted = [0.04 + 0.01 * cosine, -0.01 * sine, -0.01 * cosine];
-        assert_motion(vertical(&frame.point_p()), wanted, 0.1, &format!("t = {t}"));
+        let expected = [0.04 + 0.01 * cosine, -0.01 * sine, -0.01 * cosine];
+        assert_motion(
+            vertical(&frame.point_p()),
+            expected,
+            0.1,
+            &format!("t = {t}"),
+        );
     }
 }
 
@@ -190,7 +205,8 @@ fn rocking_levers_touch_their_cam_and_do_not_cut_it() {
     }
 }
 
-/// The side of the roller is that of the drawing: inside a ring its center is 8 mm nearer to the middle than the ring is.
+/// The roller stays on its side of the design configuration: inside a ring its center is 8 mm nearer to the middle
+/// than the ring.
 #[test]
 fn a_roller_runs_inside_where_it_is_drawn_inside() {
     let text = "mechanism ring {
@@ -209,8 +225,8 @@ fn a_roller_runs_inside_where_it_is_drawn_inside() {
     let pose =
         linkwright::assemble(&equations, equations.estimate(), 0.5, &settings).expect("a pose");
     let place = |name: &str| {
-        let found = read.motions[0].coordinates.iter();
-        found.map(|it| it.name.as_str()).position(|it| it == name)
+        let names = read.motions[0].coordinates.iter();
+        names.map(|it| it.name.as_str()).position(|it| it == name)
     };
     let [x, y] = ["x_hub", "y_hub"].map(|name| pose.q[place(name).expect("a coordinate")]);
     assert!((x.hypot(y) - 0.032).abs() < 1e-14, "{}", x.hypot(y));
@@ -225,11 +241,11 @@ fn the_pressure_angle_of_a_polar_cam_is_that_of_the_textbook() {
     for step in 0..=STEPS {
         let t = f64::from(step) / 100.0;
         let frame = cam.advance(t).expect("a turn of the cam");
-        let wanted = (0.01 * t.sin()).abs() / (0.04 + 0.01 * t.cos());
+        let tangent = (0.01 * t.sin()).abs() / (0.04 + 0.01 * t.cos());
         match frame.pressure_angle_tip() {
-            Some(angle) => assert!((angle.tan() - wanted).abs() < 1e-13, "{t}: {angle}"),
+            Some(angle) => assert!((angle.tan() - tangent).abs() < 1e-13, "{t}: {angle}"),
             None => {
-                assert!(wanted < 1e-7, "{t}: {wanted}");
+                assert!(tangent < 1e-7, "{t}: {tangent}");
                 resting += 1;
             }
         }
@@ -237,7 +253,8 @@ fn the_pressure_angle_of_a_polar_cam_is_that_of_the_textbook() {
     assert_eq!(resting, 1, "at the top of the lift");
 }
 
-/// The normal of a disc goes through its center: sin α = e |cos θ| / (R + ρ). A flat face across its guide has none.
+/// The normal of a disc passes through its center: sin α = e |cos θ| / (R + ρ). A flat face across its guide has
+/// none.
 #[test]
 fn pressure_angles_of_an_eccentric_disc_are_those_of_its_triangle() {
     let mut roller = cam_roller::CamRoller::assemble(0.0).expect("the drawing assembles");
@@ -248,16 +265,17 @@ fn pressure_angles_of_an_eccentric_disc_are_those_of_its_triangle() {
             .advance(t)
             .expect("a turn of the cam")
             .pressure_angle_wheel();
-        let wanted = 0.01 * (2.0 * t).sin().abs() / 0.038;
+        let sine = 0.01 * (2.0 * t).sin().abs() / 0.038;
         let angle = angle.expect("it moves");
-        assert!((angle.sin() - wanted).abs() < 1e-13, "{t}: {angle}");
+        assert!((angle.sin() - sine).abs() < 1e-13, "{t}: {angle}");
         let frame = face.advance(t).expect("a turn of the cam");
         let angle = frame.pressure_angle_flat_follower_rim().expect("it moves");
         assert!(angle < 1e-13, "{t}: {angle}");
     }
 }
 
-/// A lever's point moves across the line to its pivot, so the angle between the normal and that line is the complement.
+/// The point of a lever moves across the line to its pivot, so the angle between the normal and that line is the
+/// complement.
 #[test]
 fn the_pressure_angle_of_a_lever_is_measured_against_its_arc() {
     let mut cams = rocking_cams::RockingCams::assemble(0.0).expect("the drawing assembles");
@@ -299,8 +317,11 @@ fn curves_and_rollers_take_their_sizes_from_parameters() {
         let (sine, cosine) = (2.0 * t).sin_cos();
         let reach = 0.035_f64;
         let height = 0.012 * cosine + (reach * reach - (0.012 * sine).powi(2)).sqrt();
-        let found = frame.point_p().position[1];
-        assert!((found - height).abs() < 1e-15, "{t}: {found} and {height}");
+        let roller_height = frame.point_p().position[1];
+        assert!(
+            (roller_height - height).abs() < 1e-15,
+            "{t}: {roller_height} and {height}"
+        );
         let angle = frame.pressure_angle_wheel().expect("it moves");
         assert!(
             (angle.sin() - 0.012 * sine.abs() / reach).abs() < 1e-13,
@@ -337,17 +358,17 @@ fn a_cam_designed_from_a_law_moves_its_follower_by_it() {
         } else {
             [0.0; 3]
         };
-        let found = vertical(&frame.point_p());
+        let tip = vertical(&frame.point_p());
         assert_motion(
-            found,
+            tip,
             [0.04 + law[0], law[1], law[2]],
             1.0,
             &format!("t = {t}"),
         );
         match frame.pressure_angle_tip() {
             Some(angle) => {
-                let wanted = (law[1] / rate).abs() / (0.04 + law[0]);
-                assert!((angle.tan() - wanted).abs() < 1e-12, "{t}: {angle}");
+                let tangent = (law[1] / rate).abs() / (0.04 + law[0]);
+                assert!((angle.tan() - tangent).abs() < 1e-12, "{t}: {angle}");
             }
             None => assert!(law[1].abs() < 1e-8, "{t}: {law:?}"),
         }

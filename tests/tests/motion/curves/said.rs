@@ -1,10 +1,10 @@
-//! What is said of curves: warnings about those that nothing can follow, and how contacts are printed.
+//! Warnings about curves that cannot be followed, and printed contacts.
 
 use linkwright_codegen::Options;
 use linkwright_codegen::diagnostic::{Code, Source};
 use linkwright_tests::files;
 
-/// The warnings of a description of a cam and a follower.
+/// Warnings of a description of a cam and a follower.
 fn warnings(curve: &str, follower: &str) -> Vec<(Code, String)> {
     let text = format!(
         "mechanism cam {{
@@ -21,8 +21,8 @@ fn warnings(curve: &str, follower: &str) -> Vec<(Code, String)> {
     let source = Source::new("cam.mech", text);
     let read = linkwright_codegen::read(&source)
         .unwrap_or_else(|found| panic!("{}", found.render(&source)));
-    let found = read.warnings.iter();
-    found
+    let warnings = read.warnings.iter();
+    warnings
         .map(|warning| (warning.code, warning.message.clone()))
         .collect()
 }
@@ -31,45 +31,45 @@ fn warnings(curve: &str, follower: &str) -> Vec<(Code, String)> {
 fn curves_that_nothing_can_follow_are_warned_of() {
     let kidney = "curve rim(a) on cam = polar 40mm + 10mm*cos(2*a + pi);";
     // r = 40 − 10 cos 2a is hollow at a = 0, where r = 30, r'' = 40 and κ = (r − r'')/r² = −1/90 per mm.
-    let found = warnings(kidney, "flat (follower, rim) along A -> B;");
+    let reported = warnings(kidney, "flat (follower, rim) along A -> B;");
     assert!(
-        found
+        reported
             .iter()
             .any(|(code, message)| *code == Code::DegenerateGeometry
                 && message
                     .starts_with("a flat face does not reach into a hollow of the curve at ")),
-        "{found:?}"
+        "{reported:?}"
     );
-    // A roller of 8 mm fits into that, and one of 95 mm does not.
+    // A roller of 8 mm fits into the hollow, and one of 95 mm does not.
     assert_eq!(warnings(kidney, "roller (follower.P, rim) = 8mm;"), []);
-    let found = warnings(kidney, "roller (follower.P, rim) = 95mm;");
+    let reported = warnings(kidney, "roller (follower.P, rim) = 95mm;");
     assert!(
-        found
+        reported
             .iter()
             .any(|(_, message)| message.starts_with("the roller does not fit into the curve at ")),
-        "{found:?}"
+        "{reported:?}"
     );
     // A deltoid has three cusps.
-    let found = warnings(
+    let reported = warnings(
         "curve rim(s) on cam = (40mm*cos(s) + 20mm*cos(2*s), 40mm*sin(s) - 20mm*sin(2*s));",
         "point_on_curve (follower.P, rim);",
     );
     assert!(
-        found
+        reported
             .iter()
             .any(|(_, message)| message.starts_with("the curve `rim` stops at s = ")),
-        "{found:?}"
+        "{reported:?}"
     );
-    let found = warnings(
+    let reported = warnings(
         "curve rim(a) on cam = polar 20mm;",
         "point_on_curve (follower.P, rim);",
     );
     assert!(
-        found
+        reported
             .iter()
             .any(|(_, message)| message
                 == "in the drawing this is 38 mm away from touching its curve"),
-        "{found:?}"
+        "{reported:?}"
     );
 }
 

@@ -70,7 +70,8 @@ mod platform_on_cylinders {
     linkwright::include_mechanism!(platform_on_cylinders);
 }
 
-/// There is no closed form, so the angles of the links are found by Newton-Raphson with the platform; legs with bodies move it alike.
+/// Without a closed form, Newton-Raphson solves the angles of the links together with the platform; legs with bodies
+/// move it alike.
 #[test]
 fn cylinders_without_bodies_move_a_platform_as_those_with_bodies_do() {
     let mut legs = linkwright_mechanisms::platform_3rpr::Platform3rpr::assemble(0.0)
@@ -80,18 +81,18 @@ fn cylinders_without_bodies_move_a_platform_as_those_with_bodies_do() {
     for step in 0..=500 {
         let t = f64::from(step) / 100.0;
         let expected = *legs.advance(t).expect("the motion can be followed");
-        let found = *links.advance(t).expect("the motion can be followed");
+        let moved = *links.advance(t).expect("the motion can be followed");
         let pairs = [
-            (expected.q.x_platform, found.q.x_platform),
-            (expected.q.y_platform, found.q.y_platform),
-            (expected.q.phi_platform, found.q.phi_platform),
-            (expected.qd.phi_platform, found.qd.phi_platform),
-            (expected.qdd.x_platform, found.qdd.x_platform),
-            (expected.qdd.phi_platform, found.qdd.phi_platform),
+            (expected.q.x_platform, moved.q.x_platform),
+            (expected.q.y_platform, moved.q.y_platform),
+            (expected.q.phi_platform, moved.q.phi_platform),
+            (expected.qd.phi_platform, moved.qd.phi_platform),
+            (expected.qdd.x_platform, moved.qdd.x_platform),
+            (expected.qdd.phi_platform, moved.qdd.phi_platform),
         ];
-        for (expected, found) in pairs {
-            let error = (expected - found).abs() / expected.abs().max(1.0);
-            assert!(error <= 1e-11, "t = {t}: {found} instead of {expected}");
+        for (expected, moved) in pairs {
+            let error = (expected - moved).abs() / expected.abs().max(1.0);
+            assert!(error <= 1e-11, "t = {t}: {moved} instead of {expected}");
         }
     }
 }

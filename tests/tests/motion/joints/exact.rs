@@ -1,4 +1,4 @@
-//! *A mechanism and its exact motion* → *the largest error of the solved and of the textbook view*.
+//! Largest errors of the solved and of the textbook formulation against the exact motion of a mechanism.
 
 use linkwright_tests::description;
 use linkwright_tests::jet::Jet;

@@ -54,7 +54,7 @@ fn a_slot_moves_in_the_orientation_that_a_driven_relative_angle_turns() {
     });
 }
 
-/// The same with an offset: 0.35 sin δ − 0.6 sin φ = 0.03.
+/// Rail with an offset: 0.35 sin δ − 0.6 sin φ = 0.03.
 #[test]
 fn a_rail_moves_in_the_orientation_that_a_driven_relative_angle_turns() {
     follows!(angle_and_block, AngleAndBlock, 5.0, 1e-12, |t| {

@@ -1,4 +1,4 @@
-//! How the mechanisms of the joints are solved: what a person solves in closed form is.
+//! Solution methods of the joints' mechanisms: all closed forms of the textbook are used.
 
 use linkwright_tests::plan::form_names;
 

@@ -61,7 +61,7 @@ impl Rod {
 /// Into how many parts a turn is divided.
 const GRID: u32 = 20_000;
 
-/// Where a function changes its sign in one turn that begins here.
+/// Angles at which a function changes its sign in one turn from a start.
 fn changes(beginning: f64, function: impl Fn(f64) -> f64) -> Vec<f64> {
     let place = |step: u32| beginning + TAU * f64::from(step) / f64::from(GRID);
     let values: Vec<f64> = (0..=GRID).map(|step| function(place(step))).collect();

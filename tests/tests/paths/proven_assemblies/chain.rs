@@ -7,10 +7,10 @@ use linkwright_tests::random::Random;
 
 use super::{ANGLES, Point, assert_agrees, difference, direction, from_to, length, placed};
 
-/// How many chains are tried.
+/// Number of chains.
 const CHAINS: u32 = 40;
 
-/// Two cells of bars that cross, as drawn, and where the last one is driven.
+/// Two cells of crossing bars in the design configuration, and the position to which the last one is driven.
 struct Chain {
     p0: Point,
     m0: Point,
@@ -23,8 +23,8 @@ struct Chain {
     driven: [f64; 2],
 }
 
-/// How near two poses or the ends of a reach may be: nearer ones are left out.
-const APART: f64 = 1e-4;
+/// Smallest distance of two poses or of the ends of a reach: closer ones are left out.
+const MIN_SEPARATION: f64 = 1e-4;
 const TOUCHING: f64 = 1e-6;
 
 impl Chain {
@@ -80,7 +80,7 @@ impl Chain {
         )
     }
 
-    /// The angles of u0, v0, u1 and v1 in every pose; `None` where a reach just ends.
+    /// Angles of u0, v0, u1 and v1 in every pose; `None` if a reach just ends.
     fn poses(&self) -> Option<Vec<Vec<f64>>> {
         let [middle, end] = self.driven;
         let mut poses = Vec::new();
@@ -93,7 +93,7 @@ impl Chain {
                 let on_u0 = |point: Point| placed(self.p0, u0, from_to(self.p0, point));
                 let (m0, q1) = (on_u0(self.m0), on_u0(self.q1));
                 let m1 = placed(q1, v1, from_to(self.q1, self.m1));
-                // P1 is so far from both.
+                // P1 has these distances from both.
                 let (a, b) = (from_to(self.m0, self.p1), from_to(self.p1, self.m1));
                 let (near, far, apart) = (length(a), length(b), from_to(m0, m1));
                 let between = length(apart);
@@ -120,7 +120,7 @@ fn angles_of(cosine: f64) -> Option<Vec<f64>> {
     }
 }
 
-/// By which angles a vector is turned where its x is this.
+/// Angles by which a vector is turned so that its x is this value.
 fn turned_to(vector: Point, x: f64) -> Option<Vec<f64>> {
     let angles = angles_of(x / length(vector))?;
     Some(angles.iter().map(|it| it - direction(vector)).collect())
@@ -141,7 +141,7 @@ fn chains_of_two_cells_are_assembled_as_by_hand_and_in_no_other_way() {
         let poses = chain.poses().filter(|poses| {
             let mut pairs =
                 (0..poses.len()).flat_map(|one| (0..one).map(move |other| (one, other)));
-            pairs.all(|(one, other)| difference(&poses[one], &poses[other]) > APART)
+            pairs.all(|(one, other)| difference(&poses[one], &poses[other]) > MIN_SEPARATION)
         });
         let Some(known) = poses else {
             left_out += 1;

@@ -1,5 +1,5 @@
-//! What is said to be all assemblies is compared with lists that others make: closed forms by hand, signs of a function on a fine grid,
-//! Newton-Raphson from many starts.
+//! Compares lists of assemblies that are reported as complete with independent lists: closed forms by hand, signs of
+//! a function on a fine grid, Newton-Raphson from many starts.
 
 mod ankle;
 mod chain;
@@ -15,58 +15,62 @@ use linkwright_tests::description::{source, system, written};
 use linkwright_tests::random::Random;
 use nalgebra::DVector;
 
-/// By how much the angles of a pose may differ from those of the list.
-const NEAR: f64 = 1e-9;
+/// Largest difference of the angles of a pose from those of the list.
+const POSE_DIFFERENCE_LIMIT: f64 = 1e-9;
 
-/// What is left of an angle without whole turns.
+/// Angle without whole turns.
 fn turned(angle: f64) -> f64 {
     angle - TAU * (angle / TAU).round()
 }
 
-/// The largest difference of angles, without whole turns.
+/// Largest difference of angles, without whole turns.
 fn difference(one: &[f64], other: &[f64]) -> f64 {
     let pairs = one.iter().zip(other);
     pairs.fold(0.0, |most, (a, b)| turned(a - b).abs().max(most))
 }
 
-/// These coordinates of every assembly.
+/// Values of these coordinates in every assembly.
 fn found(all: &Assemblies, coordinates: &[usize]) -> Vec<Vec<f64>> {
     let of = |q: &[f64]| coordinates.iter().map(|&at| q[at]).collect();
     all.found.iter().map(|it| of(it.instant.q())).collect()
 }
 
-/// Whether a pose lies in a part of which nothing is known; unknowns are the coordinates, and then others.
+/// True if a pose lies in a region that is undecided; unknowns are the coordinates, and then others.
 fn is_undecided(all: &Assemblies, coordinates: &[usize], pose: &[f64]) -> bool {
     all.undecided.iter().any(|part| {
         part.0.iter().all(|&(unknown, [low, high])| {
-            let own = coordinates.iter().position(|&it| it == unknown);
-            let value = pose[own.expect("the pose has what is sought")];
+            let index = coordinates.iter().position(|&it| it == unknown);
+            let value = pose[index.expect("the pose has what is sought")];
             let middle = 0.5 * (low + high);
-            turned(value - middle).abs() <= 0.5 * (high - low) + NEAR
+            turned(value - middle).abs() <= 0.5 * (high - low) + POSE_DIFFERENCE_LIMIT
         })
     })
 }
 
-/// Every pose of the list is found or undecided, and every one that is found is in the list.
+/// Checks that every pose of the list is found or undecided, and that every found one is in the list.
 fn assert_agrees(all: &Assemblies, coordinates: &[usize], known: &[Vec<f64>], what: &str) {
-    let found = found(all, coordinates);
+    let assemblies = found(all, coordinates);
     for pose in known {
-        let is_found = found.iter().any(|it| difference(it, pose) < NEAR);
+        let is_found = assemblies
+            .iter()
+            .any(|it| difference(it, pose) < POSE_DIFFERENCE_LIMIT);
         assert!(
             is_found || is_undecided(all, coordinates, pose),
-            "{pose:?} is missed among {found:?} and {:?} of {what}",
+            "{pose:?} is missed among {assemblies:?} and {:?} of {what}",
             all.undecided
         );
     }
-    for pose in &found {
-        let is_known = known.iter().any(|it| difference(it, pose) < NEAR);
+    for pose in &assemblies {
+        let is_known = known
+            .iter()
+            .any(|it| difference(it, pose) < POSE_DIFFERENCE_LIMIT);
         assert!(is_known, "{pose:?} is none of {known:?} of {what}");
     }
-    for (place, pose) in found.iter().enumerate() {
-        let mut before = found[..place].iter();
+    for (place, pose) in assemblies.iter().enumerate() {
+        let mut before = assemblies[..place].iter();
         assert!(
-            !before.any(|it| difference(it, pose) < NEAR),
-            "{pose:?} is found twice of {what}"
+            !before.any(|it| difference(it, pose) < POSE_DIFFERENCE_LIMIT),
+            "{pose:?} is assemblies twice of {what}"
         );
     }
 }
@@ -93,7 +97,7 @@ fn placed([x, y]: Point, angle: f64, [a, b]: Point) -> Point {
 /// Each body's angle is the third of its coordinates.
 const ANGLES: [usize; 4] = [2, 5, 8, 11];
 
-/// Twice as many teeth or half as many: what is a turn further is another pose, of which nothing may be said.
+/// Twice as many teeth or half as many: a whole turn leads to another pose, and nothing may be claimed.
 #[test]
 fn nothing_is_proven_where_turns_count() {
     let text = source("mirrored_cranks").text.to_string();
@@ -108,7 +112,7 @@ fn nothing_is_proven_where_turns_count() {
     }
 }
 
-/// Both cranks are mirrored. Where they do not meet the pin lies on the axis; where they do, both links lie in one another.
+/// Both cranks are mirrored. If they do not meet, the pin lies on the axis; if they do, both links coincide.
 #[test]
 fn double_poses_of_mirrored_cranks_are_undecided() {
     let all = assemblies(
@@ -179,7 +183,7 @@ fn no_start_at_random_finds_another_assembly_of_rocking_cams() {
             (0..size).all(|at| {
                 let off = frame.q[at] - pose[at];
                 let off = if is_angle(at) { turned(off) } else { off };
-                off.abs() < NEAR
+                off.abs() < POSE_DIFFERENCE_LIMIT
             })
         };
         let place = known.iter().position(is_there);
@@ -189,14 +193,15 @@ fn no_start_at_random_finds_another_assembly_of_rocking_cams() {
     assert!(reached.iter().all(|&it| it > 0), "{reached:?}");
 }
 
-/// The six-bar linkage of `mechanisms/stephenson.mech`, and this beside it.
+/// Six-bar linkage of `mechanisms/stephenson.mech` with additional statements.
 fn six_bar_with(others: &str) -> String {
     let text = source("stephenson").text;
     let end = text.rfind('}').expect("an end");
     format!("{}{others} }}", &text[..end])
 }
 
-/// Two links that are in line at t = 0, or almost, are drawn so: they stand in that pose, although it is too close to singular to be solved.
+/// Two links that are collinear at t = 0, or almost: that pose is in the list, although it is too close to singular
+/// to be solved.
 #[test]
 fn links_in_line_leave_assemblies_unproven() {
     for before in ["0", "1e-14"] {
@@ -213,7 +218,7 @@ fn links_in_line_leave_assemblies_unproven() {
     }
 }
 
-/// A dyad a billion times as small as what stands beside it, or smaller: all of its poses are listed, or nothing is proven.
+/// A dyad a billion times as small as the rest, or smaller: all of its poses are listed, or nothing is proven.
 #[test]
 fn links_that_are_too_small_for_the_textbook_equations_leave_assemblies_unproven() {
     for size in [1e-6, 1e-9, 1e-12] {
@@ -237,8 +242,8 @@ fn links_that_are_too_small_for_the_textbook_equations_leave_assemblies_unproven
     }
 }
 
-/// A wheel that a gear turns half as far as the rocker of a six-bar linkage: the rocker a turn further is no other pose of the linkage,
-/// but the wheel's pin is then on its other side.
+/// A wheel that a gear turns half as far as the rocker of a six-bar linkage. A whole turn of the rocker gives an
+/// equal pose of the linkage, but the wheel's pin is then on its other side.
 const HALF: &str = "mechanism half {
     point A = (0, 0), B = (-0.4, 0.8), C = (1, 1), D = (1, 0), E = (0.3, 1.5), F = (1.9, 1.5), G = (2, 0.8);
     point W = (4, 4), X = (5, 4);
@@ -282,7 +287,7 @@ fn a_gear_after_a_block_counts_the_turns_of_its_angles() {
     let wheels = found(&all, &[wheel]);
     let is_found = wheels
         .iter()
-        .any(|it| difference(it, &[other.q[wheel]]) < NEAR);
+        .any(|it| difference(it, &[other.q[wheel]]) < POSE_DIFFERENCE_LIMIT);
     assert!(
         is_found || !all.proven,
         "{} is none of {wheels:?}",

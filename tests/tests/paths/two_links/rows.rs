@@ -1,4 +1,4 @@
-//! Long rows of dyads: windows stay wide, and what is vouched for is one path.
+//! Long rows of dyads: windows stay wide, and a proven motion is one path.
 
 use std::fmt::Write as _;
 
@@ -12,8 +12,8 @@ use linkwright_tests::values::assembled_with;
 
 use super::{Outcome, Poses, blocks_of, looked, size};
 
-/// A row of dyads whose pins are up to `off` (m) from those of [`dyad_chain`]. Some rockers hold the pin of the next but one, which is
-/// near their own: two arms move its dyad.
+/// Row of dyads whose pins are up to `off` (m) from those of [`dyad_chain`]. Some rockers hold the pin of the next
+/// but one, which is near their own: two rotated vectors move its dyad.
 fn irregular(random: &mut Random, count: usize, off: f64) -> String {
     let mut text = String::from("mechanism row {\n");
     for k in 0..=count {
@@ -57,15 +57,15 @@ fn irregular(random: &mut Random, count: usize, off: f64) -> String {
 }
 
 #[test]
-fn what_is_vouched_for_in_long_rows_is_one_path() {
+fn proven_motions_of_long_rows_are_one_path() {
     let mut random = Random::new(1974);
     let mut counts = [0; 3];
     for number in 0..30 {
         let (swing, pace) = (random.between(0.1, 1.5), random.between(0.5, 3.0));
-        let asked = ["", "    output T3;\n"][number % 2];
+        let output = ["", "    output T3;\n"][number % 2];
         let count = 16 + number % 5;
         let text = format!(
-            "{}    drive phi(crank) = {swing:.3}*sin({pace:.3}*t);\n{asked}}}\n",
+            "{}    drive phi(crank) = {swing:.3}*sin({pace:.3}*t);\n{output}}}\n",
             irregular(&mut random, count, 0.06)
         );
         let blocks = blocks_of(&Source::new("row.mech", &text));
@@ -87,7 +87,7 @@ fn what_is_vouched_for_in_long_rows_is_one_path() {
     assert!(counts.iter().all(|&count| count > 20), "{counts:?}");
 }
 
-/// Bounds that grew by more than what they bound would leave no window of two steps, and rows of 1000 dyads no step.
+/// Bounds that grew faster than their values would leave no window of two steps, and rows of 1000 dyads no step.
 #[test]
 fn windows_of_a_hundred_dyads_hold_eight_steps() {
     let blocks = blocks_of(&Source::new("row.mech", dyad_chain::description(100)));
@@ -112,7 +112,7 @@ fn windows_of_a_hundred_dyads_hold_eight_steps() {
             before: &none,
             conditions: &conditions,
         };
-        let shown = blocks.verify_nonsingular(&pair, &TimeWindow::around(h, 8.0));
-        assert_eq!(shown, Ok(()), "{t}");
+        let verified = blocks.verify_nonsingular(&pair, &TimeWindow::around(h, 8.0));
+        assert_eq!(verified, Ok(()), "{t}");
     }
 }

@@ -1,4 +1,4 @@
-//! Linkages whose links come in line, so that two modes meet: the smooth path goes straight on.
+//! Linkages whose links become collinear, so that two branches meet: the smooth path passes straight through.
 
 use std::f64::consts::{PI, TAU};
 
@@ -6,7 +6,7 @@ use super::super::course::Course;
 use super::{below, sign, size, turning};
 use crate::random::Random;
 
-/// A difference of links, in parts of them, below which neither the tracker nor f64 can say whether modes meet.
+/// Relative difference of links below which neither the tracker nor f64 can tell whether branches meet.
 const BLURRED: f64 = 5e-11;
 
 fn course(text: String, size: f64, period: f64, is_blurred: bool) -> Course {
@@ -17,7 +17,8 @@ fn course(text: String, size: f64, period: f64, is_blurred: bool) -> Course {
     }
 }
 
-/// A four-bar with these links (crank, coupler, rocker, ground), its crank drawn at an angle, in an orientation.
+/// Four-bar with these links (crank, coupler, rocker, ground), with an estimated angle of its crank, in an
+/// orientation.
 pub(super) fn four_bar(links: [f64; 4], crank: f64, turned: f64, elbow: f64, law: &str) -> String {
     let [a, b, c, d] = links;
     // B and D are known; C is where two circles meet.
@@ -74,7 +75,7 @@ pub fn parallelogram(random: &mut Random, _: u64) -> Course {
     parallel(random, 0.0)
 }
 
-/// The same with one link that is longer or shorter, from 1e-3 to 1e-15 of it.
+/// Four-bar at a change point with one link that is longer or shorter, by 1e-3 to 1e-15 of its length.
 pub fn nearly(random: &mut Random, number: u64) -> Course {
     let power = 3 + (number % 13) as i32;
     let change = sign(random) * 10.0_f64.powi(-power);
@@ -87,12 +88,12 @@ pub fn kite(random: &mut Random, _: u64) -> Course {
     let short = size * random.between(0.3, 1.0);
     let long = short * random.between(1.05, 3.0);
     let links = match below(random, 2) {
-        // The crank is as long as the ground.
+        // The crank equals the ground in length.
         0 => match below(random, 2) {
             0 => [short, long, long, short],
             _ => [long, short, short, long],
         },
-        // The crank is as long as the coupler.
+        // The crank equals the coupler in length.
         _ => match below(random, 2) {
             0 => [short, short, long, long],
             _ => [long, long, short, short],
@@ -109,7 +110,7 @@ pub fn kite(random: &mut Random, _: u64) -> Course {
     )
 }
 
-/// Two wheels that roll, with a coupling rod.
+/// Two rolling wheels with a coupling rod.
 pub fn locomotive(random: &mut Random, _: u64) -> Course {
     let size = size(random);
     let pin = size * random.between(0.2, 0.9);
@@ -148,7 +149,7 @@ pub fn locomotive(random: &mut Random, _: u64) -> Course {
 pub fn three_cranks(random: &mut Random, _: u64) -> Course {
     let size = size(random);
     let crank = size * random.between(0.2, 0.8);
-    // Distances of which sums are exact.
+    // Distances with exact sums.
     let base = (size * random.between(0.5, 1.5) * 1e6).round() / 1e6;
     let start = sign(random) * random.between(0.4, 2.7);
     let swing = random.between(0.2, 2.5);

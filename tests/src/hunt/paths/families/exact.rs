@@ -1,4 +1,5 @@
-//! Linkages that are given times at which their links are in line to the last bit, and several loops that come in line at once.
+//! Linkages whose links are collinear at target times to the last bit, and several loops that become collinear at
+//! once.
 
 use super::super::course::Course;
 use super::change_points::four_bar;
@@ -35,7 +36,8 @@ pub fn parallelogram(random: &mut Random, _: u64) -> Course {
     course(text, size, period, 1)
 }
 
-/// Equal cranks in a row, coupled by rods as long as the ground between them: all loops come in line at once.
+/// Equal cranks in a row, coupled by rods of the length of the ground between them: all loops become collinear at
+/// once.
 pub fn row(random: &mut Random, number: u64) -> Course {
     let size = size(random);
     let crank = size * random.between(0.3, 1.0);
@@ -60,21 +62,21 @@ pub fn row(random: &mut Random, number: u64) -> Course {
         let from = [next - 1, 0][below(random, 2)];
         let (center, angle) = cranks[from];
         let farthest = cranks.iter().fold(0.0_f64, |most, it| most.max(it.0));
-        let own = farthest + size * random.between(0.4, 2.0);
-        let ground = own - center;
+        let next_center = farthest + size * random.between(0.4, 2.0);
+        let ground = next_center - center;
         // Parallel, or crossed: mirrored in the diagonal from the pin to the other center.
         let [x, y] = pin(center, angle);
-        let parallel = pin(own, angle);
+        let parallel = pin(next_center, angle);
         let (tip, turned) = match below(random, 3) {
             0 => {
-                let tip = mirrored([x, y], [own, 0.0], parallel);
-                (tip, tip[1].atan2(tip[0] - own))
+                let tip = mirrored([x, y], [next_center, 0.0], parallel);
+                (tip, tip[1].atan2(tip[0] - next_center))
             }
             _ => (parallel, angle),
         };
         let rod = (tip[1] - y).atan2(tip[0] - x);
         bodies += &format!(
-            "    point D{next} = ({own:?}, 0);
+            "    point D{next} = ({next_center:?}, 0);
     body crank{next} at D{next} turned {turned:?} {{ D{next}, P: ({crank:?}, 0) }}
     body rod{next} at ({x:?}, {y:?}, {rod:?}) {{ P: (0, 0), Q: ({ground:?}, 0) }}\n"
         );
@@ -83,7 +85,7 @@ pub fn row(random: &mut Random, number: u64) -> Course {
     revolute (crank{from}.P, rod{next}.P);
     revolute (rod{next}.Q, crank{next}.P);\n"
         );
-        cranks.push((own, turned));
+        cranks.push((next_center, turned));
     }
     let text = format!("mechanism row {{\n{bodies}{joints}    drive phi(crank0) = {law};\n}}\n");
     course(text, size, period, loops)

@@ -1,4 +1,4 @@
-//! The mechanisms of the hunt itself, driven by laws of t, from late on, by inputs, and beside geometry that nothing uses.
+//! Mechanisms of the hunt itself, driven by laws of t, from late on, by inputs, and beside unused geometry.
 
 use super::super::course::Course;
 use super::{below, junk, sign, with};
@@ -10,16 +10,16 @@ use crate::hunt::legs;
 use crate::hunt::mechanism::Mechanism;
 use crate::hunt::motion::Motions;
 use crate::hunt::periodic::Periodic;
-use crate::hunt::run::LARGEST;
+use crate::hunt::run::MAX_BODIES;
 use crate::random::Random;
 
-/// How many shortest periods a course lasts.
+/// Length of a course, in shortest periods.
 const PERIODS: f64 = 3.0;
 
-/// When a course is over at the latest (s), and how many shortest periods it may then have.
+/// Latest end of a course (s), and its limit in shortest periods.
 const LATEST: [f64; 2] = [12.0, 60.0];
 
-/// Size of what a driver moves: 1 for an angle.
+/// Scale of a driven quantity: 1 for an angle.
 fn driven_size(joint: &Joint, mechanism: &Mechanism) -> f64 {
     match joint {
         Joint::DrivePhi(..) | Joint::DriveRelativeAngle(..) => 1.0,
@@ -53,7 +53,7 @@ fn of(mechanism: &Mechanism, text: String, begin: f64) -> Course {
 }
 
 fn grown(random: &mut Random, number: u64) -> Mechanism {
-    crate::hunt::mechanism(random.bits() & 0xffff, number, LARGEST)
+    crate::hunt::mechanism(random.bits() & 0xffff, number, MAX_BODIES)
 }
 
 /// Driven by laws of t.
@@ -62,7 +62,7 @@ pub fn laws(random: &mut Random, number: u64) -> Course {
     of(&mechanism, mechanism.text(), 0.0)
 }
 
-/// The description with t - `begin` in the place of t.
+/// Description with t - `begin` in the place of t.
 pub fn shifted(text: &str, begin: f64) -> String {
     let line = |line: &str| match line.trim_start().starts_with("drive ") {
         true => line
@@ -75,28 +75,28 @@ pub fn shifted(text: &str, begin: f64) -> String {
     text.lines().map(|it| line(it) + "\n").collect()
 }
 
-/// The same, started late.
+/// Driven by laws of t, with a late start.
 pub fn late(random: &mut Random, number: u64) -> Course {
     let mechanism = grown(random, number);
     let begin = (random.between(-50.0, 50.0) * 64.0).round() / 64.0;
     of(&mechanism, shifted(&mechanism.text(), begin), begin)
 }
 
-/// The mechanism with an input in the place of each law, and what the laws were.
+/// Mechanism with an input in the place of each law, and the laws.
 pub fn with_inputs(mechanism: &Mechanism) -> (Mechanism, Vec<Law>) {
-    let mut given = mechanism.clone();
-    given.motions = None;
+    let mut with_inputs = mechanism.clone();
+    with_inputs.motions = None;
     let mut laws = Vec::new();
-    for (joint, _) in &mut given.joints {
+    for (joint, _) in &mut with_inputs.joints {
         if let Some(law) = joint.law_mut() {
             let input = laws.len();
             laws.push(std::mem::replace(law, Law::Given { input }));
         }
     }
-    (given, laws)
+    (with_inputs, laws)
 }
 
-/// The statements of so many inputs with any defaults.
+/// Statements of this number of inputs with any defaults.
 pub fn declared(random: &mut Random, count: usize) -> String {
     let default = |random: &mut Random| sign(random) * 10.0_f64.powf(random.between(-3.0, 3.0));
     (0..count)
@@ -115,15 +115,15 @@ pub fn inputs(random: &mut Random, number: u64) -> Course {
     course
 }
 
-/// With points and bodies that nothing uses, of all sizes.
+/// With unused points and bodies of all sizes.
 pub fn unused(random: &mut Random, number: u64) -> Course {
     let mut course = laws(random, number);
     course.text = with(&course.text, &junk(random, course.size));
-    // The bodies beside it have coordinates of their own, from which the drawing is.
+    // The bodies beside it have coordinates of their own, which begin in the design configuration.
     course
 }
 
-/// Driven by inputs that change while time stands still.
+/// Driven by inputs that change at constant time.
 pub fn standing(random: &mut Random, number: u64) -> Course {
     Course {
         is_standing: true,
@@ -137,7 +137,7 @@ pub fn folded(random: &mut Random, number: u64) -> Course {
     if number.is_multiple_of(2) {
         groups::driven(&mut builder);
     }
-    legs::platform(&mut builder, LARGEST - 1);
+    legs::platform(&mut builder, MAX_BODIES - 1);
     let mechanism = builder.finish();
     of(&mechanism, mechanism.text(), 0.0)
 }

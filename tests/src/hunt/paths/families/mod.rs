@@ -1,4 +1,4 @@
-//! *Random numbers* → *a mechanism of a family that is hard to follow*.
+//! Builds mechanisms of families that are hard to follow from random numbers.
 
 mod change_points;
 mod contacts;

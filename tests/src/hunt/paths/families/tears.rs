@@ -118,7 +118,7 @@ pub fn chain(random: &mut Random, number: u64) -> Course {
             ("u", 1.0, begins[0], ends[0]),
             ("v", -1.0, begins[1], ends[1]),
         ] {
-            let own = |point: [f64; 2]| {
+            let local_text = |point: [f64; 2]| {
                 let [x, y] = [0, 1].map(|axis| point[axis] - begin[axis]);
                 let y = side * y;
                 format!(
@@ -132,8 +132,8 @@ pub fn chain(random: &mut Random, number: u64) -> Course {
                 begin[0],
                 begin[1],
                 side * opening,
-                own(middle),
-                own(end)
+                local_text(middle),
+                local_text(end)
             );
         }
         joints += &format!("    revolute M(u{cell}, v{cell});\n");
