@@ -10,7 +10,7 @@ pub(super) fn add(list: &mut Quantities, system: &System) {
     let mechanism = &system.mechanism;
     for row in system.rows.iter() {
         let joint = &mechanism.joints[row.joint];
-        if joint.role == Role::Driver || joint.kind.keyword().starts_with("absolute") {
+        if joint.role == Role::Driver || joint.kind.keyword.starts_with("absolute") {
             let driver = Driver {
                 stem: stem(&row.name),
                 label: &joint.label,
