@@ -131,7 +131,8 @@ fn enclosures(module: &Module<'_>, path: &Path, code: &mut Code) -> Code {
         "enclosures.iter().zip(found).all(|(enclosure, value)| enclosure.holds(value, steps))",
     );
     let docs = [documentation::IS_WITHIN];
-    let head = "pub(super) fn is_within(at: &Frame, enclosures: &PathEnclosures, steps: Scalar) -> bool";
+    let head =
+        "pub(super) fn is_within(at: &Frame, enclosures: &PathEnclosures, steps: Scalar) -> bool";
     code.function(docs, [], head, statements);
     filled
 }
