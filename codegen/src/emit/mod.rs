@@ -13,6 +13,7 @@ pub mod drawing;
 mod formula;
 mod language;
 pub mod latex;
+mod layout;
 mod lines;
 pub mod markup;
 pub mod mathml;

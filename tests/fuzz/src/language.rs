@@ -47,6 +47,9 @@ pub fn run(bytes: &[u8]) -> String {
         let generated = linkwright_codegen::generate(&source);
         let generated = generated.expect("what is checked can be generated");
         assert!(!generated.code.contains("NAN"), "a value that is no number");
+        if let Err(error) = syn::parse_file(&generated.code) {
+            panic!("the module is not Rust: {error}");
+        }
     }
     with_codes("generated", &read.warnings)
 }

@@ -10,6 +10,7 @@ mod drawings;
 mod dyad_chain;
 mod explained_factors;
 mod faces_of_modules;
+mod lines_of_modules;
 mod meeting;
 mod named_parts;
 mod plans;

@@ -227,6 +227,8 @@ fn digest(bytes: &[u8]) -> Outcome {
     let errors = match generate(&source) {
         Ok(generated) => {
             assert!(generated.code.ends_with('\n'));
+            let parsed = syn::parse_file(&generated.code);
+            assert!(parsed.is_ok(), "the module is not Rust: {:?}", parsed.err());
             return Outcome::Generated;
         }
         Err(errors) => errors,

@@ -29,6 +29,7 @@ fn checked(description: &str) -> String {
     let code = generate(&source)
         .unwrap_or_else(|found| panic!("{}", found.render(&source)))
         .code;
+    syn::parse_file(&code).unwrap_or_else(|error| panic!("the module is not Rust: {error}"));
     let mut functions = 0;
     // Free functions begin and end at the margin; methods bind nothing that a description names.
     let mut lines = code.lines();

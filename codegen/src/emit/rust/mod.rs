@@ -14,7 +14,6 @@ mod file;
 mod forces;
 mod frame;
 mod functions;
-mod layout;
 mod lints;
 mod loads;
 mod markdown;

@@ -1,15 +1,15 @@
 //! Lines of code that are too long → lines as a person breaks them.
 //!
-//! What fits into a line stays on it. Brackets break around their elements: short ones fill the lines of a list, others have a line
-//! each. Sums and products break before their operators. Nothing but spaces and commas after last elements is added or left out.
+//! What fits into a line stays on it. Lists break between their elements: short ones fill the lines, others have a line each. Sums
+//! and products break before their operators. Nothing but spaces and commas after last elements is added or left out.
 
-use crate::emit::lines::{filled, fits};
+use super::lines::{filled, fits};
 
 /// Elements up to this length share a line with others, with their commas.
 const SHORT: usize = 36;
 
-const SUM: [&str; 2] = [" + ", " - "];
-const PRODUCT: [&str; 2] = [" * ", " / "];
+/// Operators that a line breaks before, those that bind least first.
+const OPERATORS: [&[&str]; 2] = [&[" + ", " - "], &[" * ", " / "]];
 
 /// Lines of a statement, an element or the head of an item that begins so deep.
 pub(super) fn broken(line: &str, depth: usize) -> Vec<String> {
@@ -20,184 +20,164 @@ pub(super) fn broken(line: &str, depth: usize) -> Vec<String> {
     let mut ends = ["?;", ";", ",", " {"].into_iter();
     let end = ends.find(|end| line.ends_with(end)).unwrap_or("");
     let text = &line[..line.len() - end.len()];
-    let mut lines = Vec::new();
     let elements = parts(text, ", ");
     if end == "," && elements.len() > 1 {
         let elements: Vec<String> = elements.iter().map(|it| format!("{it},")).collect();
         return filled(elements.iter().map(String::as_str), depth);
     }
-    let value = text.find(" = ").map_or(0, |at| at + 3);
-    let value = match text[value..].starts_with("if ") || text[value..].starts_with("{ ") {
-        true => value,
-        false => 0,
-    };
-    let (before, text) = text.split_at(value);
-    Part {
-        before: before.to_string(),
-        text,
-        after: end.to_string(),
-    }
-    .lay([depth, depth + 4], &mut lines);
-    lines
+    // A choice or a block that is a value.
+    let values = [" = ", ": "].into_iter();
+    let mut values = values.filter_map(|it| Some(text.find(it)? + it.len()));
+    let value = values.find(|at| ["if ", "{ "].iter().any(|it| text[*at..].starts_with(it)));
+    let (before, text) = text.split_at(value.unwrap_or(0));
+    let mut lines = Lines(Vec::new());
+    lines.lay(&part(before, text, end), [depth, depth + 4]);
+    lines.0
 }
 
-/// A text that may be broken, and what stands before and after it on its first and last line.
+/// A text that may be broken, and what stands before it on its first line and after it on its last one.
 struct Part<'a> {
     before: String,
     text: &'a str,
     after: String,
 }
 
-impl Part<'_> {
-    /// Adds the lines: the first so deep, and the others.
-    fn lay(&self, depths: [usize; 2], lines: &mut Vec<String>) {
-        let Part {
-            before,
-            text,
-            after,
-        } = self;
-        let first = depths[0];
-        let whole = format!("{:first$}{before}{text}{after}", "");
+fn part(before: impl Into<String>, text: &str, after: impl Into<String>) -> Part<'_> {
+    let (before, after) = (before.into(), after.into());
+    Part {
+        before,
+        text,
+        after,
+    }
+}
+
+struct Lines(Vec<String>);
+
+impl Lines {
+    /// Adds the lines of a part: the first so deep, and those that continue it.
+    fn lay(&mut self, part: &Part<'_>, depths: [usize; 2]) {
+        let (depth, text) = (depths[0], part.text);
+        let whole = format!("{:depth$}{}{text}{}", "", part.before, part.after);
         if is_short(&whole) {
-            lines.push(whole);
+            self.0.push(whole);
         } else if text.starts_with("if ") && text.contains("} else ") {
-            self.choice(first, lines);
+            self.choice(part, depth);
         } else if let Some(pieces) = operands(text) {
-            self.operation(&pieces, depths, lines);
+            self.operation(part, &pieces, depths);
         } else if text.starts_with("{ ") {
-            self.block(first, lines);
+            self.block(part, depth);
         } else if let Some((at, _)) = outer(text).find(|(at, _)| text[*at..].starts_with(").")) {
-            self.chain(at + 1, first, lines);
-        } else if !self.brackets(depths, lines) {
-            lines.push(whole);
+            self.chain(part, at + 1, depth);
+        } else if !self.brackets(part, depths) {
+            self.0.push(whole);
         }
     }
 
-    /// A call, and what is called on its value.
-    fn chain(&self, at: usize, depth: usize, lines: &mut Vec<String>) {
-        let (call, method) = self.text.split_at(at);
-        let part = |before: &str, text, after: &str| Part {
-            before: before.to_string(),
-            text,
-            after: after.to_string(),
-        };
-        let start = lines.len();
-        part(&self.before, call, "").lay([depth, depth + 4], lines);
-        let depth = if lines.len() > start + 1 {
-            depth
-        } else {
-            depth + 4
-        };
-        part("", method, &self.after).lay([depth, depth + 4], lines);
-    }
-
     /// Terms or factors in lines that they fill.
-    fn operation(&self, pieces: &[&str], [first, others]: [usize; 2], lines: &mut Vec<String>) {
+    fn operation(&mut self, whole: &Part<'_>, pieces: &[&str], [first, others]: [usize; 2]) {
         // What follows a term of several lines does not continue the last of them.
         let mut is_open = false;
         for (place, text) in pieces.iter().enumerate() {
             let is_last = place + 1 == pieces.len();
-            let part = Part {
-                before: if place == 0 {
-                    self.before.clone()
-                } else {
-                    String::new()
-                },
-                text,
-                after: if is_last {
-                    self.after.clone()
-                } else {
-                    String::new()
-                },
+            let before = if place == 0 {
+                whole.before.as_str()
+            } else {
+                ""
             };
-            let whole = format!("{}{text}{}", part.before, part.after);
-            let indent = if place == 0 { first } else { others };
-            match lines.last_mut() {
-                Some(line) if is_open && is_short(&format!("{line} {whole}")) => {
-                    *line += &format!(" {whole}");
+            let after = if is_last { whole.after.as_str() } else { "" };
+            let line = format!("{before}{text}{after}");
+            let depth = if place == 0 { first } else { others };
+            match self.0.last_mut() {
+                Some(open) if is_open && is_short(&format!("{open} {line}")) => {
+                    *open += &format!(" {line}");
                 }
                 _ => {
-                    is_open = is_short(&format!("{:indent$}{whole}", ""));
-                    part.lay([indent, others + 4], lines);
+                    is_open = is_short(&format!("{:depth$}{line}", ""));
+                    self.lay(&part(before, text, after), [depth, others + 4]);
                 }
             }
         }
     }
 
-    /// `if … { … } else { … }` with its arms in lines of their own.
-    fn choice(&self, depth: usize, lines: &mut Vec<String>) {
-        let (mut before, mut rest) = (self.before.clone(), self.text);
-        while let Some(group) = groups(rest).into_iter().find(|it| it.opens(rest, '{')) {
-            let condition = rest[..group.start].trim_end();
-            let words = ["if ", "else if ", "else"].into_iter();
-            let word = words
-                .filter(|it| condition.starts_with(it))
-                .max_by_key(|it| it.len());
-            let word = word.unwrap_or("");
-            let head = Part {
-                before: before + word,
-                text: &condition[word.len()..],
-                after: " {".to_string(),
-            };
-            head.lay([depth, depth + 4], lines);
-            let arm = Part::of(rest[group.start + 1..group.end].trim());
-            arm.lay([depth + 4, depth + 8], lines);
-            (before, rest) = ("} ".to_string(), rest[group.end + 1..].trim_start());
+    /// Adds `if … { … } else { … }` with its arms in lines of their own.
+    fn choice(&mut self, whole: &Part<'_>, depth: usize) {
+        let (mut before, mut rest) = (whole.before.clone(), whole.text);
+        while let Some([start, end]) = groups(rest)
+            .into_iter()
+            .find(|it| rest[it[0]..].starts_with('{'))
+        {
+            let condition = rest[..start].trim_end();
+            let mut words = ["else if ", "else", "if "].into_iter();
+            let word = words.find(|it| condition.starts_with(it)).unwrap_or("");
+            let head = part(before + word, &condition[word.len()..], " {");
+            self.lay(&head, [depth, depth + 4]);
+            let arm = part("", rest[start + 1..end].trim(), "");
+            self.lay(&arm, [depth + 4, depth + 8]);
+            (before, rest) = ("} ".to_string(), rest[end + 1..].trim_start());
             if !rest.starts_with("else") {
                 break;
             }
         }
         let space = if rest.is_empty() { "" } else { " " };
-        lines.push(format!("{:depth$}}}{space}{rest}{}", "", self.after));
+        self.0
+            .push(format!("{:depth$}}}{space}{rest}{}", "", whole.after));
     }
 
-    /// Statements between braces that end with a value.
-    fn block(&self, depth: usize, lines: &mut Vec<String>) {
-        lines.push(format!("{:depth$}{}{{", "", self.before));
-        let statements = parts(self.text[1..self.text.len() - 1].trim(), "; ");
+    /// Adds statements between braces that end with a value.
+    fn block(&mut self, whole: &Part<'_>, depth: usize) {
+        self.0.push(format!("{:depth$}{}{{", "", whole.before));
+        let statements = parts(whole.text[1..whole.text.len() - 1].trim(), "; ");
         for (place, statement) in statements.iter().enumerate() {
             let end = if place + 1 < statements.len() {
                 ";"
             } else {
                 ""
             };
-            lines.extend(broken(&format!("{statement}{end}"), depth + 4));
+            self.0
+                .extend(broken(&format!("{statement}{end}"), depth + 4));
         }
-        lines.push(format!("{:depth$}}}{}", "", self.after));
+        self.0.push(format!("{:depth$}}}{}", "", whole.after));
     }
 
-    /// What is in the brackets that hold most; false if there are none.
-    fn brackets(&self, depths: [usize; 2], lines: &mut Vec<String>) -> bool {
+    /// Adds a call, and what is called on its value.
+    fn chain(&mut self, whole: &Part<'_>, at: usize, depth: usize) {
+        let (call, method) = whole.text.split_at(at);
+        let start = self.0.len();
+        self.lay(&part(&*whole.before, call, ""), [depth, depth + 4]);
+        let is_one_line = self.0.len() == start + 1;
+        let depth = if is_one_line { depth + 4 } else { depth };
+        self.lay(&part("", method, &*whole.after), [depth, depth + 4]);
+    }
+
+    /// Adds what is in the brackets that hold most; returns false if there are none.
+    fn brackets(&mut self, whole: &Part<'_>, depths: [usize; 2]) -> bool {
         let Part {
             before,
             text,
             after,
-        } = self;
-        let [first, inside] = [depths[0], depths[0] + 4];
+        } = whole;
+        let (depth, inside) = (depths[0], depths[0] + 4);
         let is_function = text.starts_with("fn ") || text.starts_with("pub fn ");
         let all = groups(text);
         let widest = match is_function {
             true => all.first(),
-            false => all.iter().rev().max_by_key(|it| it.end - it.start),
+            false => all.iter().rev().max_by_key(|[start, end]| end - start),
         };
-        let Some(group) = widest.filter(|it| it.end > it.start + 1) else {
+        let Some([start, end]) = widest.filter(|[start, end]| *end > start + 1) else {
             return false;
         };
-        let (start, end) = (&text[..=group.start], &text[group.end..]);
-        let inner = text[group.start + 1..group.end].trim();
+        let (open, inner, close) = (
+            &text[..=*start],
+            text[start + 1..*end].trim(),
+            &text[*end..],
+        );
         let elements = parts(inner, ", ");
-        let is_alone = elements.len() == 1;
-        let is_bare = start.trim_end_matches('(').ends_with([' ', '-']) || start == "(";
-        if is_alone && (is_call(inner) || is_bare) {
-            let part = Part {
-                before: format!("{before}{start}"),
-                text: inner,
-                after: format!("{end}{after}"),
-            };
-            part.lay(depths, lines);
+        let is_bare = open == "(" || open.ends_with(" (") || open.ends_with("-(");
+        if elements.len() == 1 && (is_call(inner) || is_bare) {
+            let alone = part(format!("{before}{open}"), inner, format!("{close}{after}"));
+            self.lay(&alone, depths);
             return true;
         }
-        lines.push(format!("{:first$}{before}{start}", ""));
         let is_repeated = parts(inner, "; ").len() > 1;
         let elements = elements.iter().map(|element| match *element {
             ".." => "..".to_string(),
@@ -205,52 +185,24 @@ impl Part<'_> {
             _ => format!("{element},"),
         });
         let elements: Vec<String> = elements.collect();
-        if start.ends_with('[') && elements.iter().all(|it| it.len() <= SHORT) {
-            lines.extend(filled(elements.iter().map(String::as_str), inside));
-        } else {
-            elements
+        self.0.push(format!("{:depth$}{before}{open}", ""));
+        match open.ends_with('[') && elements.iter().all(|it| it.len() <= SHORT) {
+            true => self
+                .0
+                .extend(filled(elements.iter().map(String::as_str), inside)),
+            false => elements
                 .iter()
-                .for_each(|it| lines.extend(element(it, inside)));
+                .for_each(|it| self.0.extend(broken(it, inside))),
         }
-        lines.push(format!("{:first$}{end}{after}", ""));
+        self.0.push(format!("{:depth$}{close}{after}", ""));
         true
     }
 }
 
-impl<'a> Part<'a> {
-    fn of(text: &'a str) -> Part<'a> {
-        Part {
-            before: String::new(),
-            text,
-            after: String::new(),
-        }
-    }
-}
-
-/// Lines of an element, which ends with its comma.
-fn element(element: &str, depth: usize) -> Vec<String> {
-    let (text, end) = match element.strip_suffix(',') {
-        Some(text) => (text, ","),
-        None => (element, ""),
-    };
-    let value = text.find(": if ").map_or(0, |at| at + 2);
-    let part = Part {
-        before: text[..value].to_string(),
-        text: &text[value..],
-        after: end.to_string(),
-    };
-    let mut lines = Vec::new();
-    part.lay([depth, depth + 4], &mut lines);
-    lines
-}
-
 /// True for what stands on one line. The arms of a choice have lines of their own.
 fn is_short(line: &str) -> bool {
-    fits(line)
-        && !line
-            .trim_start()
-            .trim_start_matches("} else ")
-            .contains("} else ")
+    let content = line.trim_start().trim_start_matches("} else ");
+    fits(line) && !content.contains("} else ")
 }
 
 /// True for a call, a list or a structure.
@@ -260,14 +212,13 @@ fn is_call(text: &str) -> bool {
 
 /// Terms, or else factors, with the operators before them; `None` if there is one alone.
 fn operands(text: &str) -> Option<Vec<&str>> {
-    let pieces = [SUM, PRODUCT].map(|operators| {
-        let starts =
-            outer(text).filter(|(at, _)| operators.iter().any(|it| text[*at..].starts_with(it)));
-        let mut start = 0;
-        let mut pieces: Vec<&str> = Vec::new();
-        for (at, _) in starts {
-            pieces.push(&text[start..at]);
-            start = at + 1;
+    let pieces = OPERATORS.map(|operators| {
+        let (mut pieces, mut start) = (Vec::new(), 0);
+        for (at, _) in outer(text) {
+            if operators.iter().any(|it| text[at..].starts_with(it)) {
+                pieces.push(&text[start..at]);
+                start = at + 1;
+            }
         }
         pieces.push(&text[start..]);
         pieces
@@ -284,58 +235,32 @@ fn parts<'a>(text: &'a str, separator: &str) -> Vec<&'a str> {
             start = at + separator.len();
         }
     }
-    found.push(text[start..].trim_end_matches(','));
+    found.push(&text[start..]);
     found
 }
 
-/// Brackets outside of all others: where they open and close.
-#[derive(Clone, Copy)]
-struct Group {
-    start: usize,
-    end: usize,
-}
-
-impl Group {
-    fn opens(self, text: &str, bracket: char) -> bool {
-        text[self.start..].starts_with(bracket)
-    }
-}
-
-fn groups(text: &str) -> Vec<Group> {
-    let mut found = Vec::new();
-    let mut start = None;
-    for (at, letter) in outer(text) {
-        match (letter, start) {
-            ('(' | '[' | '{', None) => start = Some(at),
-            (')' | ']' | '}', Some(open)) => {
-                found.push(Group {
-                    start: open,
-                    end: at,
-                });
-                start = None;
-            }
-            _ => {}
-        }
-    }
-    found
+/// Places of the brackets that stand outside of all others: where they open and close.
+fn groups(text: &str) -> Vec<[usize; 2]> {
+    let brackets = outer(text).filter(|(_, it)| "()[]{}".contains(*it));
+    let places: Vec<usize> = brackets.map(|(at, _)| at).collect();
+    places.as_chunks().0.to_vec()
 }
 
 /// The letters that stand outside of all brackets and strings, with the outermost brackets.
 fn outer(text: &str) -> impl Iterator<Item = (usize, char)> {
     let (mut open, mut is_string, mut is_escaped, mut before) = (0_i32, false, false, ' ');
-    text.char_indices().filter(move |&(at, letter)| {
+    text.char_indices().filter(move |&(_, letter)| {
         if is_string {
             is_string = is_escaped || letter != '"';
             is_escaped = !is_escaped && letter == '\\';
             return false;
         }
-        let follows = text[at + letter.len_utf8()..].chars().next();
         let change = match letter {
             '(' | '[' | '{' => 1,
             ')' | ']' | '}' => -1,
             // As in `Matrix<2, 3>`: signs of comparison have spaces around them.
             '<' if before != ' ' => 1,
-            '>' if before != ' ' && before != '-' && follows != Some('=') => -1,
+            '>' if before != ' ' && before != '-' => -1,
             _ => 0,
         };
         is_string = letter == '"';
