@@ -73,9 +73,10 @@ impl Lines {
         }
     }
 
-    /// Terms or factors in lines that they fill.
+    /// Adds terms, one per line, or factors in lines that they fill.
     fn operation(&mut self, whole: &Part<'_>, pieces: &[&str], [first, others]: [usize; 2]) {
-        // What follows a term of several lines does not continue the last of them.
+        let is_sum = pieces.last().is_some_and(|it| it.starts_with(['+', '-']));
+        // A factor does not continue the last line of a factor of several lines.
         let mut is_open = false;
         for (place, text) in pieces.iter().enumerate() {
             let is_last = place + 1 == pieces.len();
@@ -92,7 +93,7 @@ impl Lines {
                     *open += &format!(" {line}");
                 }
                 _ => {
-                    is_open = is_short(&format!("{:depth$}{line}", ""));
+                    is_open = !is_sum && is_short(&format!("{:depth$}{line}", ""));
                     self.lay(&part(before, text, after), [depth, others + 4]);
                 }
             }
@@ -157,10 +158,11 @@ impl Lines {
             after,
         } = whole;
         let (depth, inside) = (depths[0], depths[0] + 4);
-        let is_function = text.starts_with("fn ") || text.starts_with("pub fn ");
+        let heads = ["fn ", "pub fn ", "pub(super) fn "];
+        let head = heads.iter().position(|it| text.starts_with(it));
         let all = groups(text);
-        let widest = match is_function {
-            true => all.first(),
+        let widest = match head.is_some() {
+            true => all.get(usize::from(text.starts_with("pub("))),
             false => all.iter().rev().max_by_key(|[start, end]| end - start),
         };
         let Some([start, end]) = widest.filter(|[start, end]| *end > start + 1) else {
@@ -322,8 +324,8 @@ mod tests {
         assert_eq!(
             lines(&format!("let x = {};", [term; 6].join(" + "))),
             format!(
-                "        let x = {}\n            + {term} + {term};",
-                [term; 4].join(" + ")
+                "        let x = {term}{};",
+                format!("\n            + {term}").repeat(5)
             )
         );
     }

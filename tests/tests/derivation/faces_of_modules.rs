@@ -17,11 +17,66 @@ const WIDTH: usize = 120;
 
 /// Words that name a quantity of a mechanism or of a derivation.
 const WORDS: [&str; 60] = [
-    "ACCELERATION", "AMPLITUDE", "AND", "ANGLE", "ARM", "BODY", "DEGREES", "DIRECTION", "DISTANCE", "DRIVE", "FREQUENCY",
-    "HALF", "INVERSE", "LARGEST", "LENGTH", "LIMIT", "LINK", "LONGEST", "LOOP", "OFFSET", "OVER", "PHASE", "PHI", "PI",
-    "POSITION", "PRODUCT", "RATE", "REACH", "SHORTEST", "SIZE", "SLOPE", "SQRT", "SQUARED", "SQUARES", "START", "TIMES",
-    "TURN", "VALUE", "X", "Y", "ABSOLUTE", "ORIGIN", "PSI", "S", "EQUATION", "TRANSLATIONAL", "GEAR", "RACK", "BELT",
-    "DISTANCES", "CAM", "FOLLOWER", "POINT", "LINE", "LATERAL", "ALONG", "PAIR", "SLIDE", "DESIGN", "POINTS",
+    "ACCELERATION",
+    "AMPLITUDE",
+    "AND",
+    "ANGLE",
+    "ARM",
+    "BODY",
+    "DEGREES",
+    "DIRECTION",
+    "DISTANCE",
+    "DRIVE",
+    "FREQUENCY",
+    "HALF",
+    "INVERSE",
+    "LARGEST",
+    "LENGTH",
+    "LIMIT",
+    "LINK",
+    "LONGEST",
+    "LOOP",
+    "OFFSET",
+    "OVER",
+    "PHASE",
+    "PHI",
+    "PI",
+    "POSITION",
+    "PRODUCT",
+    "RATE",
+    "REACH",
+    "SHORTEST",
+    "SIZE",
+    "SLOPE",
+    "SQRT",
+    "SQUARED",
+    "SQUARES",
+    "START",
+    "TIMES",
+    "TURN",
+    "VALUE",
+    "X",
+    "Y",
+    "ABSOLUTE",
+    "ORIGIN",
+    "PSI",
+    "S",
+    "EQUATION",
+    "TRANSLATIONAL",
+    "GEAR",
+    "RACK",
+    "BELT",
+    "DISTANCES",
+    "CAM",
+    "FOLLOWER",
+    "POINT",
+    "LINE",
+    "LATERAL",
+    "ALONG",
+    "PAIR",
+    "SLIDE",
+    "DESIGN",
+    "POINTS",
 ];
 
 /// Beginnings of names that say only digits.
@@ -46,7 +101,10 @@ fn constants(code: &str) -> Vec<String> {
 fn described(source: &str) -> BTreeSet<String> {
     let is_word = |it: char| it.is_alphanumeric();
     let words = source.split(|it| !is_word(it));
-    words.filter(|it| !it.is_empty()).map(str::to_uppercase).collect()
+    words
+        .filter(|it| !it.is_empty())
+        .map(str::to_uppercase)
+        .collect()
 }
 
 /// True if each part of a name is a word of mechanics, a number, or one or two names of the description.
@@ -141,7 +199,10 @@ fn faults(name: &str, source: &Source) -> Faults {
         for file in files.files {
             let text = &file.text;
             let long = text.lines().filter(|line| line.chars().count() > WIDTH);
-            faults.entry("long lines").or_default().extend(long.map(str::to_string));
+            faults
+                .entry("long lines")
+                .or_default()
+                .extend(long.map(str::to_string));
             if file.name.starts_with("linkwright.") {
                 continue;
             }
@@ -149,7 +210,10 @@ fn faults(name: &str, source: &Source) -> Faults {
                 if NUMERIC.iter().any(|start| name.starts_with(start)) {
                     faults.entry("numeric names").or_default().push(name);
                 } else if !has_meaning(&name, &described) {
-                    faults.entry("names without meaning").or_default().push(name);
+                    faults
+                        .entry("names without meaning")
+                        .or_default()
+                        .push(name);
                 }
             }
             let unused = match language {
@@ -163,7 +227,10 @@ fn faults(name: &str, source: &Source) -> Faults {
             };
             faults.entry("unused values").or_default().extend(unused);
             if language == Language::C && !text.is_ascii() {
-                faults.entry("letters beyond ASCII").or_default().push(file.name.clone());
+                faults
+                    .entry("letters beyond ASCII")
+                    .or_default()
+                    .push(file.name.clone());
             }
         }
     }
@@ -194,7 +261,11 @@ fn modules_are_written_as_by_hand() {
                 let _ = writeln!(counts, "{count} {name} {kind}");
             }
             if list.len() > limit {
-                let _ = writeln!(worse, "{name}: {kind}: {} instead of {limit}: {list:#?}", list.len());
+                let _ = writeln!(
+                    worse,
+                    "{name}: {kind}: {} instead of {limit}: {list:#?}",
+                    list.len()
+                );
             }
         }
     }
@@ -207,12 +278,20 @@ fn modules_are_written_as_by_hand() {
 #[test]
 fn faults_are_found() {
     let code = "constants! {\n    CONSTANT_1 = 0.5, // x\n    COUPLER_LENGTH = 0.12,\n}\nstatic const double RATIO_1_OVER_3 = 0.3;";
-    assert_eq!(constants(code), ["CONSTANT_1", "COUPLER_LENGTH", "RATIO_1_OVER_3"]);
+    assert_eq!(
+        constants(code),
+        ["CONSTANT_1", "COUPLER_LENGTH", "RATIO_1_OVER_3"]
+    );
     let names = described("body coupler { B 0, 0; C 12 cm, 0 }");
     assert!(has_meaning("INVERSE_COUPLER_LENGTH", &names) && has_meaning("BC_LENGTH", &names));
     assert!(!has_meaning("BQ_LENGTH", &names) && !has_meaning("FANCY_LENGTH", &names));
     let mut found = Vec::new();
-    unused("fn f() { let a = 1; let (b, c) = g(a); h(c) }".parse().expect("tokens"), &mut found);
+    unused(
+        "fn f() { let a = 1; let (b, c) = g(a); h(c) }"
+            .parse()
+            .expect("tokens"),
+        &mut found,
+    );
     assert_eq!(found, ["b"]);
     let code = "static void f(void)\n{\n    const double x = 1.0;\n    const double y = x;\n}\n";
     assert_eq!(unused_in_c(code), ["y"]);

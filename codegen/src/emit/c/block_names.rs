@@ -80,7 +80,7 @@ fn table(printer: &Printer<'_>, name: &str, names: &[[String; 2]], text: &mut Te
         names.len()
     ));
     for [name, singular] in names {
-        text.line_as_it_is(&format!("{{{name}, {singular}}},"));
+        text.line(format!("{{{name}, {singular}}},"));
     }
     text.close("};");
 }

@@ -1,9 +1,9 @@
 //! The module of a mechanism, or one module for each of its motions, as source.
 
+use super::lines::broken;
 use super::lints;
 use super::names::{WORDS, identifier};
 use crate::emit::code::Code;
-use crate::emit::layout::broken;
 use crate::emit::module::{Module, documentation, facts};
 use crate::emit::scalar::Scalar;
 use crate::program::Program;

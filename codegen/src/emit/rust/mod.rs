@@ -14,6 +14,7 @@ mod file;
 mod forces;
 mod frame;
 mod functions;
+mod lines;
 mod lints;
 mod loads;
 mod markdown;
