@@ -239,25 +239,27 @@ impl Lines {
         true
     }
 
-    /// Adds a string in parts, if the language joins them.
+    /// Adds a string in parts that the language joins. They end with spaces between words.
     fn string(&mut self, whole: &Part<'_>, depth: usize) {
-        let Part {
-            before,
-            text,
-            after,
-        } = whole;
-        let room = WIDTH.saturating_sub(depth + before.len() + 1);
-        let is_joined = self.lists == Lists::Filled && text.starts_with('"');
-        let start = text.get(..room).filter(|_| is_joined);
-        match start.and_then(|start| start.rfind(' ')) {
-            Some(at) => {
-                let (start, rest) = text.split_at(at + 1);
-                self.all.push(format!("{:depth$}{before}{start}\"", ""));
-                let rest = format!("\"{rest}");
-                self.lay(&part("", &rest, &**after), [depth, depth + 4]);
-            }
-            None => self.all.push(format!("{:depth$}{before}{text}{after}", "")),
+        let (end, begin) = match self.lists {
+            Lists::Apart => ("\\", ""),
+            Lists::Filled => ("\"", "\""),
+        };
+        let mut rest = format!("{}{}{}", whole.before, whole.text, whole.after);
+        while whole.text.starts_with('"') && !fits(&format!("{:depth$}{rest}", "")) {
+            let room = rest.char_indices().nth(WIDTH - depth - 1);
+            let start = room.map_or(&*rest, |(at, _)| &rest[..at]);
+            let spaces = start.match_indices(' ').map(|(at, _)| at + 1);
+            let Some(at) = spaces
+                .filter(|at| !rest[*at..].starts_with([' ', '"']))
+                .next_back()
+            else {
+                break;
+            };
+            self.all.push(format!("{:depth$}{}{end}", "", &rest[..at]));
+            rest = format!("{begin}{}", &rest[at..]);
         }
+        self.all.push(format!("{:depth$}{rest}", ""));
     }
 }
 
@@ -334,7 +336,7 @@ fn outer(text: &str) -> impl Iterator<Item = (usize, char)> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Lists, broken};
+    use super::{Lists, broken, fits};
 
     /// Lines of a statement eight deep.
     fn lines(statement: &str) -> String {
@@ -378,28 +380,65 @@ mod tests {
     }
 
     #[test]
-    fn a_sum_breaks_outside_of_brackets() {
+    fn a_sum_has_a_line_for_each_term() {
         let term = "alpha * (beta - gamma)";
+        let others = format!("\n            + {term}").repeat(5);
         assert_eq!(
             lines(&format!("let x = {};", [term; 6].join(" + "))),
-            format!(
-                "        let x = {}\n            + {term} + {term};",
-                [term; 4].join(" + ")
-            )
+            format!("        let x = {term}{others};")
         );
     }
 
     #[test]
     fn a_factor_that_is_longer_than_a_line_breaks_in_its_brackets() {
         let term = "alpha * (beta - gamma)";
-        let sum = [term; 6].join(" + ");
+        let others = format!("\n                + {term}").repeat(5);
         assert_eq!(
-            lines(&format!("let x = ({sum}) * delta;")),
-            format!(
-                "        let x = ({}\n                + {term} + {term})\n            * delta;",
-                [term; 4].join(" + ")
-            )
+            lines(&format!("let x = ({}) * delta;", [term; 6].join(" + "))),
+            format!("        let x = ({term}{others})\n            * delta;")
         );
+    }
+
+    #[test]
+    fn elements_of_c_continue_the_line() {
+        let long = "a_long_name * another_long_name_of_a_value";
+        assert_eq!(
+            broken(
+                &format!("return f({long}, g({long}, a), {long});"),
+                4,
+                Lists::Filled
+            ),
+            [
+                format!("    return f({long}, g({long}, a),"),
+                format!("        {long});")
+            ]
+        );
+        let name = "a".repeat(100);
+        assert_eq!(
+            broken(
+                &format!("static void {name}(const void *found, double t)"),
+                0,
+                Lists::Filled
+            ),
+            [
+                format!("static void {name}("),
+                "    const void *found, double t)".to_string()
+            ]
+        );
+    }
+
+    #[test]
+    fn strings_break_between_words() {
+        let words = ["word"; 40].join(" ");
+        let [rust, c] =
+            [Lists::Apart, Lists::Filled].map(|it| broken(&format!("\"{words}\","), 4, it));
+        assert!(rust.iter().chain(&c).all(|it| fits(it)), "{rust:?} {c:?}");
+        let joined = |lines: Vec<String>, between: &str| {
+            let lines: Vec<&str> = lines.iter().map(|it| it.trim_start()).collect();
+            lines.join("\n").replace(between, "")
+        };
+        assert_eq!(joined(rust, "\\\n"), format!("\"{words}\","));
+        assert_eq!(joined(c, "\"\n\""), format!("\"{words}\","));
     }
 
     #[test]
@@ -417,7 +456,7 @@ mod tests {
     #[test]
     fn brackets_and_commas_in_strings_are_text() {
         let (words, others) = (
-            "joined at A, B (and C), \\\"D\\\"".repeat(4),
+            "joined at A, B (and C), \\\"D\\\"".repeat(3),
             "w, ".repeat(30),
         );
         assert_eq!(

@@ -9,6 +9,7 @@ mod determinism;
 mod drawings;
 mod dyad_chain;
 mod explained_factors;
+mod faces_of_modules;
 mod lines_of_modules;
 mod meeting;
 mod named_parts;

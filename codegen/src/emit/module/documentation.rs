@@ -11,6 +11,7 @@ pub(in crate::emit) use path::{IS_WITHIN, VERIFY_NONSINGULAR, VERIFY_PATH, of_pa
 pub(in crate::emit) use responses::{of_quantity, of_sensitivity, of_transmission};
 
 use super::Module;
+use super::wrapped::JOINED;
 use crate::emit::derivation::SingularPose;
 use crate::emit::{Notation, text};
 use crate::joint::Quantity;
@@ -342,7 +343,7 @@ pub(in crate::emit) fn of_jacobian(system: &System) -> Vec<String> {
 fn numbered<'a>(names: impl Iterator<Item = &'a str>) -> String {
     let names = names.enumerate();
     let names: Vec<String> = names
-        .map(|(index, name)| format!("{index} `{name}`"))
+        .map(|(index, name)| format!("{index}{JOINED}`{name}`"))
         .collect();
     names.join(", ")
 }

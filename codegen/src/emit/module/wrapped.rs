@@ -3,6 +3,9 @@
 /// Longest line of documentation, in characters: as much as a comment has at the depth of a method in a motion's module.
 const WIDTH: usize = 104;
 
+/// Space at which no line is broken.
+pub(in crate::emit) const JOINED: char = '\u{e000}';
+
 /// Returns lines of at most [`WIDTH`] characters. Words that do not fit begin the next line of their paragraph or list element.
 /// Tables and code between fences are not broken.
 pub(in crate::emit) fn wrapped<S: AsRef<str>>(lines: impl IntoIterator<Item = S>) -> Vec<String> {
@@ -13,7 +16,7 @@ pub(in crate::emit) fn wrapped<S: AsRef<str>>(lines: impl IntoIterator<Item = S>
     for line in lines {
         let line = line.as_ref();
         let is_fence = line.trim_start().starts_with("```");
-        if is_code || is_fence || line.starts_with('|') {
+        if is_code || is_fence || is_row(line) {
             is_code ^= is_fence;
             is_open = false;
             all.push(line.to_string());
@@ -34,7 +37,7 @@ pub(in crate::emit) fn wrapped<S: AsRef<str>>(lines: impl IntoIterator<Item = S>
         }
         all.push(rest);
     }
-    all
+    all.iter().map(|line| line.replace(JOINED, " ")).collect()
 }
 
 /// Returns the index of the space at which a line is broken; `None` if the line fits or has no such space.
@@ -48,10 +51,16 @@ fn break_of(line: &str, indent: usize) -> Option<usize> {
     spaces(&line[..after]).or(next)
 }
 
+/// True if a line is the row of a table.
+fn is_row(line: &str) -> bool {
+    let line = line.trim();
+    line.starts_with("| ") && line.ends_with('|')
+}
+
 /// True if a line continues a paragraph.
 fn is_prose(line: &str) -> bool {
     let text = line.trim_start();
-    let begins = ["- ", "* ", "#", ">", "|", "```"];
+    let begins = ["- ", "* ", "#", ">", "```"];
     !text.is_empty() && line.len() - text.len() < 4 && !begins.iter().any(|it| text.starts_with(it))
 }
 

@@ -138,7 +138,7 @@ pub(super) fn branches(module: &Module<'_>, code: &mut Code) {
             format!("Some({})", drawn(positive))
         });
         code.docs([format!(
-            "The sign of the determinant of `{}`, which finds {}. `None` lets the estimate decide.",
+            "Sign of the determinant of `{}`, which finds {}. `None` if the estimate decides.",
             block.name,
             documentation::found_by(newton, module.system)
         )]);

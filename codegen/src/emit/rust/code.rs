@@ -3,12 +3,15 @@
 use super::docs::doc_lines;
 use super::lints;
 use crate::emit::code::Code;
+use crate::emit::module::wrapped::wrapped;
 
 impl Code {
     /// Adds a comment.
     pub(super) fn remark(&mut self, text: &str) {
         let text = text.replace(char::is_control, "");
-        self.whole(format!("// {text}"));
+        for line in wrapped([text]) {
+            self.whole(format!("// {line}"));
+        }
     }
 
     /// Adds lines of documentation.

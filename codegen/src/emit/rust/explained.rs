@@ -10,7 +10,7 @@ pub(super) fn block_names(module: &Module<'_>, code: &mut Code) {
     let names = names.map(|BlockWords { name, singular }| block_name(name, singular));
     let names: Vec<String> = names.collect();
     code.gap();
-    code.docs(["What the blocks are called, in solve order, and what can be said of them where they are singular."]);
+    code.docs(["Names of the blocks in solve order, with descriptions of their singular poses."]);
     code.line(format!(
         "pub const BLOCKS: [BlockName<'static>; {}] = [{}];",
         module.program.blocks.len(),

@@ -104,7 +104,7 @@ fn structure(block: &Block, newton: &NewtonBlock, module: &Module<'_>, code: &mu
     let fields = fields(newton, module);
     let found = documentation::found_by(newton, module.system);
     code.gap();
-    code.docs([format!("The equations of `{}` for {found}.", block.name)]);
+    code.docs([format!("Equations of `{}` for {found}.", block.name)]);
     let (lifetime, borrowed) = match fields[..] {
         [] => ("", ""),
         _ => ("<'_>", "'_, "),

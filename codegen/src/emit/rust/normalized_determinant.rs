@@ -18,13 +18,13 @@ pub(super) fn smallest_determinant(module: &Module<'_>, code: &mut Code) {
     });
     let each: Vec<String> = each.collect();
     code.getter(
-        ["How close every loop is to a singular pose, in solve order; see `linkwright::NormalizedDeterminant`."],
+        ["Returns the normalized determinant of each loop, in solve order; see `linkwright::NormalizedDeterminant`."],
         "normalized_determinants",
         &format!("[NormalizedDeterminant; {}]", each.len()),
         format!("[{}]", each.join(", ")),
     );
     code.getter(
-        ["How close the loop is to a singular pose that is closest to one."],
+        ["Returns the smallest normalized determinant of all loops."],
         "smallest_determinant",
         "NormalizedDeterminant",
         "NormalizedDeterminant::closest(&self.normalized_determinants())",

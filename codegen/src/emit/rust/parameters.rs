@@ -134,7 +134,7 @@ pub(super) fn requirements(module: &Module<'_>, code: &mut Code) {
 fn drawn(module: &Module<'_>, code: &mut Code) {
     if let Some(function) = &module.program.drawn {
         let (head, body) = of_parameters("drawn", function, module);
-        let docs = ["The drawing's value of every coordinate and displacement."];
+        let docs = ["Finds the design value of each coordinate and displacement."];
         code.unused_function(docs, &head, body);
     }
 }

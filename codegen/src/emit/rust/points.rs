@@ -67,7 +67,7 @@ pub(super) fn table(module: &Module<'_>, code: &mut Code) {
     });
     let entries: Vec<String> = entries.collect();
     code.gap();
-    code.docs(["The points whose motion frames offer, by name."]);
+    code.docs(["Points of a frame, by name."]);
     code.line(format!(
         "const POINTS: [NamedPoint<Frame>; {}] = [{}];",
         entries.len(),

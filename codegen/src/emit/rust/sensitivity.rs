@@ -14,7 +14,7 @@ pub(super) fn structures(module: &Module<'_>, code: &mut Code) {
         .filter_map(|it| it.coordinates.as_ref());
     if let Some(coordinates) = coordinates.next() {
         code.gap();
-        code.docs(["The derivatives of all coordinates and of their rates along a parameter, at the time of the frame."]);
+        code.docs(["Derivatives of all coordinates and of their rates with respect to a parameter, at the time of the frame."]);
         code.line(derives(coordinates.len()));
         code.open("pub struct Sensitivity {");
         code.docs(["∂q/∂p: of the coordinates, in m or rad per unit of the parameter."]);
@@ -26,7 +26,7 @@ pub(super) fn structures(module: &Module<'_>, code: &mut Code) {
     let mut quantities = sensitivities.iter().flat_map(|it| &it.quantities);
     if quantities.any(returns_pair) {
         code.gap();
-        code.docs(["The derivatives of the position and the velocity of a point along a parameter, at the time of the frame."]);
+        code.docs(["Derivatives of the position and velocity of a point with respect to a parameter, at the time of the frame."]);
         code.line(derives(4));
         code.open("pub struct PointSensitivity {");
         code.docs(["Of x and y, in m per unit of the parameter."]);

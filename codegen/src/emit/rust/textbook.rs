@@ -158,7 +158,7 @@ pub(super) fn characteristic_length(module: &Module<'_>, code: &mut Code) {
     let (mut statements, largest) = largest(module, lengths, function);
     statements.line(largest);
     let head = "fn characteristic_length(parameters: &Parameters) -> Scalar";
-    code.unused_function(["By what lengths are scaled."], head, statements);
+    code.unused_function(["Returns the scale of lengths."], head, statements);
 }
 
 /// Statements that find the largest of some lengths, and its value.

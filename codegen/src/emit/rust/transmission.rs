@@ -18,7 +18,7 @@ pub(super) fn transmissions(module: &Module<'_>, code: &mut Code) {
         .map(|(_, joint, _)| format!("{:?}", joints[joint].label));
     let labels: Vec<String> = labels.collect();
     code.gap();
-    code.docs(["The drivers in written order, one for each column of a transmission."]);
+    code.docs(["Drivers in written order, one for each column of a transmission."]);
     code.line(format!(
         "pub const DRIVERS: [&'static str; {}] = [{}];",
         labels.len(),

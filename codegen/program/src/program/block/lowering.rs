@@ -149,6 +149,7 @@ impl<'a> Lowering<'a> {
 /// Names a block after its named joints, otherwise after its first joint: `loop_l_g_h`.
 fn block_name(block: &SolvedBlock, system: &System) -> String {
     const NAMED: usize = 6;
+    const LONGEST: usize = 48;
     if block.parts.is_empty() {
         return "explicit".to_string();
     }
@@ -164,7 +165,17 @@ fn block_name(block: &SolvedBlock, system: &System) -> String {
         .collect();
     let all: Vec<&str> = joints().map(|joint| joint.slug.as_str()).collect();
     let named = if pins.is_empty() { all } else { pins };
-    format!("loop_{}", named[..named.len().min(NAMED)].join("_"))
+    let mut length = 0;
+    let fitting = named
+        .iter()
+        .take(NAMED)
+        .enumerate()
+        .take_while(|(place, name)| {
+            length += name.len() + 1;
+            *place == 0 || length <= LONGEST
+        });
+    let count = fitting.count();
+    format!("loop_{}", named[..count].join("_"))
 }
 
 fn capitalized(text: &str) -> String {

@@ -4,7 +4,8 @@
    Every cell behind the link follows from the last cell. The inverse C of the Jacobian therefore has rank two on
    either side of the links, and is never written out. */
 
-/* Largest derivative of an unknown by those of the first or the last cell. Beyond it, rounding grows along the chain. */
+/* Largest derivative of an unknown by those of the first or the last cell. Beyond this bound, rounding grows along
+ * the chain. */
 static const $real LARGEST_TRANSFER$f = 64.0$f;
 
 /* Each array holds two numbers for each of n unknowns or equations. */

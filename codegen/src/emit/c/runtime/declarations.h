@@ -141,8 +141,8 @@ typedef struct linkwright$f_blocks {
     /* Null if no modes meet: a linker then omits the functions that pass change points. */
     const linkwright$f_passage *passage;
     /* True if a frame stays on the path of the last one, otherwise the block; null if nothing is guarded. */
-    bool (*verify_path)(const linkwright$f_pair *pair, const linkwright$f_time_window *window, linkwright$f_enclosure *enclosures,
-        uint16_t *block);
+    bool (*verify_path)(const linkwright$f_pair *pair, const linkwright$f_time_window *window,
+        linkwright$f_enclosure *enclosures, uint16_t *block);
     /* True if no block is singular anywhere in a window, otherwise the block; null if not all have a closed form. */
     bool (*verify_nonsingular)(const linkwright$f_pair *pair, const linkwright$f_time_window *window, uint16_t *block);
     bool (*is_within)(const void *at, const linkwright$f_enclosure *enclosures, $real steps);

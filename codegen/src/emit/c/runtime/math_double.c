@@ -219,7 +219,9 @@ double linkwright_exp(double x)
     const double low = (double)power * 1.90821492927058770002e-10;
     const double rest = high - low;
     const double square = rest * rest;
-    const double c = rest - (square * (1.66666666666666019037e-01 + (square * (-2.77777777770155933842e-03 + (square * (6.61375632143793436117e-05
+    const double c = rest - (square * (1.66666666666666019037e-01
+        + (square * (-2.77777777770155933842e-03
+        + (square * (6.61375632143793436117e-05
         + (square * (-1.65339022054652515390e-06 + (square * 4.13813679705723846039e-08)))))))));
     const double y = 1.0 + (((rest * c) / (2.0 - c) - low) + high);
     return (power == 0) ? y : ldexp(y, power);

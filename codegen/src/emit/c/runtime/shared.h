@@ -2,20 +2,20 @@
  * mechanism from frame to frame on one smooth path.
  *
  * It is C99; this file is also C++. The runtime does not allocate, has no state of its own and is not recursive; the
- * work of every call is bounded. Names that begin with linkwright_ are for double, those with linkwrightf_ for float. It
- * uses memcpy of the standard library, the exact functions of <math.h> (sqrt, floor, round, fabs, copysign, ldexp), and
- * log and pow for descriptions that have them.
+ * work of every call is bounded. Names that begin with linkwright_ are for double, those with linkwrightf_ for float.
+ * The runtime uses memcpy of the standard library, the exact functions of <math.h> (sqrt, floor, round, fabs, copysign,
+ * ldexp), and log and pow for descriptions that have them.
  *
  * The same bits everywhere: every operation is one of IEEE 754, in the order in which it is written. The compiler must
  * neither contract a product and a sum into one operation nor reorder them. Clang reads the pragma in the .c files.
- * GCC does not: give it -std=c99 or -ffp-contract=off. GCC 12 contracts in spite of them where it vectorizes straight
- * lines of code for a processor with fused operations (-mfma, -march=native); a pragma in the .c files prevents that, and
- * so does -fno-tree-slp-vectorize. In GNU mode (-std=gnu99 and later, as Arduino compiles) it
- * contracts where the processor has fused operations, a Cortex-M4F for example: all bounds, failures and guarantees
- * hold there too, but the last bits may differ from those of another build. -ffast-math is refused.
+ * GCC does not: give it -std=c99 or -ffp-contract=off. GCC 12 contracts in spite of them if it vectorizes straight-line
+ * code for a processor with fused operations (-mfma, -march=native); a pragma in the .c files prevents that, and so does
+ * -fno-tree-slp-vectorize. In GNU mode (-std=gnu99 and later, as Arduino compiles) GCC contracts on a processor with
+ * fused operations, such as a Cortex-M4F: all bounds, failures and guarantees hold there too, but the last bits may
+ * differ from those of another build. -ffast-math is refused.
  *
- * This file is part of what the generator writes. Whoever generates it may use, change and pass on it and everything
- * generated beside it for any purpose and under any licence, without a notice. It comes without any warranty. */
+ * This file is part of the output of the generator. Anyone who generates it may use, change and distribute it and
+ * everything generated beside it for any purpose and under any licence, without a notice. There is no warranty. */
 #ifndef LINKWRIGHT_H
 #define LINKWRIGHT_H
 
@@ -28,7 +28,7 @@
 #define LINKWRIGHT_VERSION $version
 
 #if defined(__FAST_MATH__)
-#error "linkwright: -ffast-math reorders sums and forgets about NaN; compile without it"
+#error "linkwright: -ffast-math reorders sums and ignores NaN; compile without it"
 #endif
 
 #ifdef __cplusplus
