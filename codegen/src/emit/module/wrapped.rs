@@ -46,7 +46,8 @@ fn break_of(line: &str, indent: usize) -> Option<usize> {
     let first = indent.max(2);
     let spaces = |text: &str| text.rfind(' ').filter(|at| *at > first);
     let next = line[end..].find(' ').map(|at| end + at);
-    spaces(&line[..=end.min(line.len() - 1)]).or(next)
+    let end = end + usize::from(line[end..].starts_with(' '));
+    spaces(&line[..end]).or(next)
 }
 
 /// True if a line is the row of a table.
