@@ -148,7 +148,8 @@ fn indistinguishable_parameters_are_named_and_not_written() {
     let ran = folder
         .run("calibrate a.mech data.csv --param L,gap,offset,speed --out new.mech")
         .exits_with(1);
-    let expected = "`L` and `gap` cannot be told apart: changed as 1 : -1 they leave everything that is measured as it is";
+    let expected =
+        "`L` and `gap` cannot be distinguished: a change by 1 : -1 affects no measured quantity";
     assert!(ran.stdout.contains(expected), "{}", ran.stdout);
     assert!(
         ran.stdout
@@ -279,7 +280,7 @@ fn a_parameter_that_moves_nothing_alone_is_not_determined() {
         .exits_with(1);
     let output = ran.stdout + &ran.stderr;
     assert!(
-        output.contains("`depth` changes nothing that is measured"),
+        output.contains("`depth` affects no measured quantity"),
         "{output}"
     );
 }

@@ -144,7 +144,7 @@ fn bounds_hold_and_are_read_with_units() {
     );
     for (bound, said) in [
         ("L=1mm", "is not a range"),
-        ("gap=1..2", "is about none of `--param`"),
+        ("gap=1..2", "is not one of `--param`"),
         (
             "L=1s..2s",
             "has an end that is not a number with a unit of the parameter",

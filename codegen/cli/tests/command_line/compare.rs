@@ -160,7 +160,7 @@ fn errors_have_their_place_and_a_remedy() {
             "back",
             "t,phi1\n0.1,0.5\n0,0.6\n",
             "",
-            "error[K29]: the time goes back\n --> data.csv:3:1",
+            "error[K29]: the time decreases\n --> data.csv:3:1",
         ),
         (
             "untimed",
@@ -232,7 +232,7 @@ fn errors_have_their_place_and_a_remedy() {
             "none",
             "t,phi1\n0,0.5\n",
             "--tolerance 1mm",
-            "`--tolerance 1mm` is about none of the compared columns",
+            "`--tolerance 1mm` matches none of the compared columns",
         ),
         (
             "missing",
@@ -252,7 +252,7 @@ fn errors_have_their_place_and_a_remedy() {
     let ran = folder.run("compare a.mech none.csv").exits_with(2);
     assert!(
         ran.stderr
-            .contains("cannot read `none.csv`: there is no such file"),
+            .contains("cannot read `none.csv`: the file does not exist"),
         "{}",
         ran.stderr
     );

@@ -27,7 +27,7 @@ fn a_description_is_a_regular_file() {
         refused(
             &folder,
             &format!("{command} none.mech"),
-            "error: cannot read `none.mech`: there is no such file\n",
+            "error: cannot read `none.mech`: the file does not exist\n",
         );
     }
     let large = format!("{EXAM}{}", " ".repeat(5 << 20));

@@ -80,16 +80,13 @@ fn never_touches_what_exists_and_leaves_nothing_behind() {
             "new fn",
             "no crate can be called `fn`: this name has another meaning",
         ),
-        (
-            "new none/arm",
-            "the folder that it is to lie in does not exist",
-        ),
+        ("new none/arm", "its parent folder does not exist"),
         ("new a.mech/arm", "cannot write `a.mech/arm`"),
         (
             "new arm --path here",
             "`here` is not a clone of the repository of Linkwright: it has no `runtime/Cargo.toml`",
         ),
-        ("new arm --path none", "there is no such file"),
+        ("new arm --path none", "the file does not exist"),
     ] {
         let ran = folder.run(arguments).exits_with(2);
         assert!(ran.stderr.contains(expected), "{arguments}: {}", ran.stderr);

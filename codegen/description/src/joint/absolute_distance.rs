@@ -21,7 +21,7 @@ impl Kind for AbsoluteDistance {
     }
 
     fn example(&self) -> &'static str {
-        "`absolute_distance (1.P, A) = 2;` with A a point of the drawing"
+        "`absolute_distance (1.P, A) = 2;` with A a point on the ground"
     }
 
     fn feature(&self, _operands: &Resolved, _graph: &mut Graph) -> Option<Feature> {

@@ -17,16 +17,16 @@ pub fn beyond_bounds(excess: Excess, span: Span) -> Diagnostic {
         Excess::Depth => Diagnostic::error(
             Code::NestedTooDeeply,
             span,
-            format!("what follows from this is nested more than {DEEPEST} levels deep"),
+            format!("the result of this is nested more than {DEEPEST} levels deep"),
         )
         .label("derived from this")
         .help("build it from fewer formulas inside one another"),
         Excess::Size => Diagnostic::error(
             Code::TooMuchWork,
             span,
-            "the formulas up to here are longer than one description may cause",
+            "the formulas up to here exceed the limit of one description",
         )
-        .label("the bound is passed here")
+        .label("the limit is exceeded here")
         .help("shorten the formulas, or describe the mechanism in parts"),
     }
 }
