@@ -130,7 +130,7 @@ fn parameters_are_found_and_written_where_they_stood() {
     let ran = folder
         .run("calibrate a.mech data.csv --param L --out a.mech --force")
         .exits_with(2);
-    assert!(ran.stderr.contains("which is read"), "{}", ran.stderr);
+    assert!(ran.stderr.contains("which is an input"), "{}", ran.stderr);
     assert_eq!(
         (folder.read("a.mech").as_str(), folder.read("new.mech")),
         (CRANK, new)
@@ -224,7 +224,7 @@ fn names_the_reason_of_an_impossible_fit() {
     let folder = folder("calibrate_errors");
     for (options, code, said) in [
         ("--param M", 2, "`crank` has no parameter `M`"),
-        ("", 2, "no parameter of `crank` is to be fitted"),
+        ("", 2, "no parameter of `crank` is selected for the fit"),
         ("--param L,L", 2, "`--param` names `L` twice"),
         ("--param sped", 2, "did you mean `speed`?"),
         (

@@ -69,7 +69,7 @@ fn poor_fit_is_not_trusted_and_not_written() {
             ["30mm", "99mm", "110mm"],
             OTHER,
             "L3,L4",
-            "leave more than the noise",
+            "together exceed the noise",
         ),
     ] {
         let folder = Folder::new(&format!("calibrate_{name}"), four_bar(lengths));

@@ -134,7 +134,7 @@ fn nothing_is_guessed_in_silence() {
         assert!(ran.stdout.contains(said), "{said}: {}", ran.stdout);
     }
     assert!(
-        ran.stderr.contains("`--unit phi1=deg` says so"),
+        ran.stderr.contains("pass `--unit phi1=deg`"),
         "{}",
         ran.stderr
     );
@@ -190,7 +190,7 @@ fn errors_have_their_place_and_a_remedy() {
             "unknown",
             "t,u\n0,0.5\n",
             "",
-            "no column of `data.csv` measures anything of `two_body`: u",
+            "no column of `data.csv` matches a quantity of `two_body`: u",
         ),
         (
             "meant",

@@ -157,7 +157,7 @@ fn outputs_of_another_description_are_not_replaced() {
     refused(
         &folder,
         "solve a.mech --no-files --csv two.csv",
-        "cannot write `two.csv.source`: there is a file already",
+        "cannot write `two.csv.source`: a file exists already",
     );
     // Pictures of checks and comparisons have sources, too.
     folder.run("check a.mech --plot plots").exits_with(0);

@@ -167,7 +167,7 @@ fn reports_unwritable_paths_before_the_work() {
         ("new/", "this is not the name of a file"),
         ("notes.md/x", "`notes.md` is not a folder"),
         ("notes.md/x/y", "`notes.md` is not a folder"),
-        ("new/../x", "there is no `new/..`"),
+        ("new/../x", "`new/..` does not exist"),
         ("kept.rs", "the file is write-protected"),
         (&long, "cannot write `xxx"),
     ] {
@@ -196,12 +196,12 @@ fn reports_unwritable_paths_before_the_work() {
     refused(
         &folder,
         "solve a.mech --csv two_body",
-        "is to be a file, and this to lie in it",
+        "cannot be both a file and the folder of this output",
     );
     refused(
         &folder,
         "solve a.mech --csv new --plot new/plots",
-        "is to be a file",
+        "cannot be both a file",
     );
     assert_eq!(folder.read("notes.md"), NOTES);
     assert!(folder.list("out").is_empty());

@@ -225,10 +225,10 @@ impl Outputs {
         }
         let above = || place.ancestors().skip(1);
         let crossed = match self.folders.contains(place) {
-            true => Some((place, "something else")),
+            true => Some((place, "another output")),
             false => above()
                 .find(|it| self.places.contains(*it))
-                .map(|it| (it, "this")),
+                .map(|it| (it, "this output")),
         };
         if let Some((file, what)) = crossed {
             let why = format!(
