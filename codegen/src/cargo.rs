@@ -411,7 +411,7 @@ mod tests {
         assert!(made.is_ok_and(|it| it.success()));
         assert_eq!(
             folders.build(),
-            ["cargo::error=cannot read `pipe.mech`: it is a pipe, no regular file"]
+            ["cargo::error=cannot read `pipe.mech`: it is a pipe, not a regular file"]
         );
     }
 }

@@ -40,17 +40,17 @@ pub fn noun(kind: FileType) -> &'static str {
     {
         use std::os::unix::fs::FileTypeExt as _;
         if kind.is_fifo() {
-            return "it is a pipe, no regular file";
+            return "it is a pipe, not a regular file";
         }
     }
-    "it is a device, no regular file"
+    "it is a device, not a regular file"
 }
 
 /// Reason why a file cannot be read or written, in equal words on all operating systems for the frequent ones.
 pub fn reason(error: &io::Error) -> String {
     match error.kind() {
-        io::ErrorKind::NotFound => "there is no such file".to_string(),
-        io::ErrorKind::PermissionDenied => "there is no permission".to_string(),
+        io::ErrorKind::NotFound => "the file does not exist".to_string(),
+        io::ErrorKind::PermissionDenied => "permission denied".to_string(),
         _ => error.to_string(),
     }
 }
@@ -228,7 +228,7 @@ mod tests {
         assert_eq!(refused(&folder.0), "it is a folder");
         assert_eq!(
             refused(&path.with_extension("none")),
-            "there is no such file"
+            "the file does not exist"
         );
     }
 
@@ -250,6 +250,6 @@ mod tests {
             .mode();
         assert_eq!(mode & 0o777, 0o640);
         let device = read(Path::new("/dev/null"), 5).expect_err("it is refused");
-        assert_eq!(device.to_string(), "it is a device, no regular file");
+        assert_eq!(device.to_string(), "it is a device, not a regular file");
     }
 }

@@ -185,7 +185,7 @@ impl Identification {
     pub fn sentences(&self) -> Vec<String> {
         let name = |place: usize| format!("`{}`", self.names[place]);
         let each = self.indistinct.iter().map(|it| match (it.changes.as_slice(), it.index) {
-            ([(place, _)], None) => format!("{} changes nothing that is measured", name(*place)),
+            ([(place, _)], None) => format!("{} affects no measured quantity", name(*place)),
             (changes, index) => {
                 let names: Vec<String> = changes.iter().map(|it| name(it.0)).collect();
                 let listed = match names.as_slice() {
@@ -196,10 +196,10 @@ impl Identification {
                 let ratio = ratio.join(" : ");
                 match index {
                     None => format!(
-                        "{listed} cannot be told apart: changed as {ratio} they leave everything that is measured as it is"
+                        "{listed} cannot be distinguished: a change by {ratio} affects no measured quantity"
                     ),
                     Some(index) => format!(
-                        "{listed} can hardly be told apart: changed as {ratio} they show {index:.0} times less than the best combination"
+                        "{listed} can hardly be distinguished: a change by {ratio} they show {index:.0} times less than the best combination"
                     ),
                 }
             }
@@ -259,8 +259,8 @@ mod tests {
         assert_eq!(
             identification.sentences(),
             [
-                "`p3` changes nothing that is measured",
-                "`p0` and `p2` cannot be told apart: changed as 1 : -0.5 they leave everything that is measured as it is",
+                "`p3` affects no measured quantity",
+                "`p0` and `p2` cannot be distinguished: a change by 1 : -0.5 affects no measured quantity",
             ]
         );
     }
@@ -273,8 +273,8 @@ mod tests {
         assert_eq!(
             identification.sentences(),
             [
-                "`p0` changes nothing that is measured",
-                "`p1` changes nothing that is measured",
+                "`p0` affects no measured quantity",
+                "`p1` affects no measured quantity",
             ]
         );
         assert!(

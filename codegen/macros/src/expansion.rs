@@ -41,7 +41,7 @@ pub fn expand(input: TokenStream) -> TokenStream {
         Err(error) => return error,
     };
     let Ok(code) = generated.code().parse::<TokenStream>() else {
-        let problem = "what is generated is no Rust: this is an error of Linkwright";
+        let problem = "the generated code is not Rust: this is an error of Linkwright";
         return findings::error([Span::call_site(); 2], problem);
     };
     let (attributes, visibility) = (head.attributes, head.visibility);
@@ -135,7 +135,7 @@ fn module_name(name: &str, tokens: &[Token]) -> Result<Ident, TokenStream> {
         return Ok(Ident::new(name, span));
     }
     if matches!(name, "crate" | "self" | "super") {
-        let problem = format!("`{name}` gives no name for a module: Rust reserves this word");
+        let problem = format!("`{name}` is not a name for a module: Rust reserves this word");
         return Err(findings::error([span; 2], &problem));
     }
     Ok(Ident::new_raw(name, span))

@@ -77,10 +77,10 @@ fn refusal(statement: &Statement, block: &Block, system: &System) -> Option<Diag
     let is_in_line = excess_value >= -limit || missing <= 0.0;
     let unit = system.mechanism.units.of_messages().of("m");
     let error = if is_in_line {
-        let message = format!("{title} closes only with collinear links");
+        let message = format!("{title} closes only with its links collinear");
         Diagnostic::error(Code::DegenerateGeometry, first.span, message)
             .label("singular in every pose")
-            .help("change a length or a place: collinear links carry no force across, and their rates are undetermined")
+            .help("change a length or a position: collinear links carry no transverse force, and their rates are undetermined")
     } else {
         let message = format!(
             "{title} cannot close: out of reach by {}",

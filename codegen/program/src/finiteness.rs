@@ -57,7 +57,7 @@ pub fn of_program(system: &System, program: Option<&Program>, range: Range) -> D
         return open;
     }
     let path = program.path.iter().map(|path| Part {
-        subject: "what shows that frames lie on their path".to_string(),
+        subject: "the proof of the path".to_string(),
         spans: vec![system.mechanism.span],
         exprs: path.functions().flat_map(Function::values).collect(),
     });
@@ -78,7 +78,8 @@ pub fn of_program(system: &System, program: Option<&Program>, range: Range) -> D
         findings.extend(parts.filter_map(|part| out_of_range(&part, system, range)));
     }
     if !are_finite && !findings.has_errors() {
-        let message = "a number that follows from the drawing is infinite or undefined";
+        let message =
+            "a number that follows from the design configuration is infinite or undefined";
         findings.push(Diagnostic::error(
             Code::NotFinite,
             system.mechanism.span,
@@ -163,10 +164,10 @@ fn passed(system: &System) -> Option<Diagnostic> {
             Code::TooMuchWork,
             at,
             format!(
-                "{unknowns} unknowns would have to be found together, more than {LARGEST_TOGETHER}"
+                "{unknowns} unknowns would have to be solved together, more than {LARGEST_TOGETHER}"
             ),
         )
-        .label("one of the joints that depend on one another")
+        .label("one of the interdependent joints")
         .help("drive more of the bodies, or describe the mechanism in parts"),
     })
 }
@@ -221,7 +222,7 @@ fn of_equations(system: &System) -> Vec<Part> {
         exprs.extend(entries.iter().map(|entry| entry.value));
     }
     parts.extend(mechanism.moving_bodies().iter().map(|body| {
-        let subject = format!("the drawing of body `{}`", body.name);
+        let subject = format!("the estimate of body `{}`", body.name);
         part(subject, body.span, body.estimate().to_vec())
     }));
     for unknown in &system.vector_form.unknowns[system.coordinates.len()..] {
@@ -231,7 +232,7 @@ fn of_equations(system: &System) -> Vec<Part> {
             let row = rows.iter().find(|row| mentions(row.residual));
             let joint = row.map(|row| &mechanism.joints[row.joint]);
             let span = joint.map_or(mechanism.span, |joint| joint.span);
-            let subject = format!("the drawing of `{}`", unknown.name);
+            let subject = format!("the estimate of `{}`", unknown.name);
             parts.push(part(subject, span, vec![unknown.estimate]));
         }
     }
@@ -251,18 +252,18 @@ fn of_block(block: &Block, system: &System) -> Part {
     let joints_of_block: Vec<_> = block.joints.iter().map(|&joint| &joints[joint]).collect();
     let Some(first) = joints_of_block.first() else {
         return Part {
-            subject: "what follows from the pose".to_string(),
+            subject: "the values that follow from the pose".to_string(),
             spans: vec![system.mechanism.span],
             exprs,
         };
     };
     let subject = match joints_of_block.len() {
-        1 => format!("what solves `{}`", first.label),
+        1 => format!("the solution of `{}`", first.label),
         2 => format!(
-            "what solves `{}` and `{}`",
+            "the solution of `{}` and `{}`",
             first.label, joints_of_block[1].label
         ),
-        more => format!("what solves `{}` and {} more", first.label, more - 1),
+        more => format!("the solution of `{}` and {} more", first.label, more - 1),
     };
     Part {
         subject,
@@ -319,7 +320,7 @@ fn undefined_at_value(part: &Part, expr: ExprId, system: &System) -> Option<Diag
     Some(
         Diagnostic::error(Code::NotFinite, parameter.span, message)
             .label(format!("its value is {value} here"))
-            .help("give it a value that is not zero, and of which the square is neither beyond 1.8e308 nor below 5e-324"),
+            .help("give it a value other than zero, whose square lies between 5e-324 and 1.8e308"),
     )
 }
 
@@ -337,7 +338,7 @@ fn undefined_sensitivity(sensitivity: &Sensitivity, system: &System) -> Option<D
         );
         Diagnostic::error(Code::NotFinite, parameter.span, message)
             .label("at this default")
-            .help("what depends on it has no slope there; choose another default")
+            .help("values that depend on it have no slope there; choose another default")
     })
 }
 

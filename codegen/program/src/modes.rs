@@ -35,7 +35,7 @@ pub fn undecided(system: &System, blocks: &[Block], branches: &[Branch]) -> Diag
     for block in blocks {
         let newton = block.newton.as_ref();
         if newton.is_some_and(|newton| newton.drawn == DrawnMode::Undecided) {
-            let decided = "which pose Newton-Raphson finds; that nearest to the drawing is taken";
+            let decided = "which pose Newton-Raphson finds; the nearest one is taken";
             warnings.extend(warning(block, decided, system));
         }
     }
@@ -46,11 +46,11 @@ fn warning(block: &Block, decided: &str, system: &System) -> Option<Diagnostic> 
     let joints = &system.mechanism.joints;
     let mut joints = block.joints.iter().map(|&joint| &joints[joint]);
     let first = joints.next()?;
-    let message = format!("the drawing hardly decides {decided}");
+    let message = format!("the design configuration hardly decides {decided}");
     let mut warning = Diagnostic::warning(Code::UndecidedMode, first.span, message)
         .label("in the loop that this closes")
         .help(
-            "draw the links clearly on the side that is meant: nearly collinear, rounding decides",
+            "place the links clearly on the intended side: if they are nearly collinear, rounding decides",
         );
     if let Some(last) = joints.next_back() {
         warning = warning.also(last.span, "and this");

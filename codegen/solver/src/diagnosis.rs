@@ -44,7 +44,7 @@ pub fn cause(dense: &Dense, failure: &Failure, last: Option<&Instant>) -> String
         sentence.push_str(&concerned(system, &matrix));
     } else if last.is_none() && failure.kind != FailureKind::NotFinite {
         sentence.push_str(
-            "; the drawing is too far from any pose that satisfies the equations, or there is none",
+            "; the design configuration is too far from any pose that satisfies the equations, or no such pose exists",
         );
     }
     sentence
@@ -126,7 +126,7 @@ fn drawing(system: &System, equations: &TextbookEquations, t: f64) -> String {
         Some(row) if phi[row] != 0.0 => {
             let unit = system.mechanism.units.of_messages().of(&unit(system, row));
             format!(
-                "; the drawing violates `{}` most, by {} {}",
+                "; the design configuration violates `{}` most, by {} {}",
                 system.mechanism.joints[system.rows[row].joint].label,
                 scientific(unit.of_si(phi[row].abs()), 1),
                 unit.name

@@ -182,7 +182,7 @@ fn lettered(
 fn unknown(name: &str, known: &[ModeName]) -> String {
     let names: Vec<&str> = known.iter().map(|it| it.name.as_str()).collect();
     let list = match names.as_slice() {
-        [] => "every loop can be assembled in one way only".to_string(),
+        [] => "every loop has only one assembly mode".to_string(),
         names => format!("the loops with several modes are: {}", names.join(", ")),
     };
     format!(

@@ -131,7 +131,7 @@ impl Schedule {
 impl Leg {
     fn new(from: f64, end: f64, step: f64, instants: Option<Vec<f64>>) -> Result<Leg, String> {
         if !(step.is_finite() && step != 0.0) {
-            return Err(format!("a step of {} s leads nowhere", step.abs()));
+            return Err(format!("a step of {} s does not advance", step.abs()));
         }
         let steps = (end - from) / step;
         let rounded = steps.round();

@@ -119,9 +119,7 @@ fn a_pair_that_cannot_be_told_apart_is_named() {
     .expect("it fits");
     assert_eq!(
         fit.identified.sentences(),
-        [
-            "`G` and `H` cannot be told apart: changed as 1 : -1 they leave everything that is measured as it is"
-        ]
+        ["`G` and `H` cannot be distinguished: a change by 1 : -1 affects no measured quantity"]
     );
     assert_eq!(fit.identified.rank(), 2);
     let determined: Vec<bool> = fit.deviations.iter().map(Option::is_some).collect();
@@ -166,7 +164,7 @@ fn parameters_without_effect_are_named() {
     let fit = fitted(&calibrator, &quantities, &["phi_rocker"], &[0.06, 0.119]).expect("it fits");
     assert_eq!(
         fit.identified.sentences(),
-        ["`along` changes nothing that is measured"]
+        ["`along` affects no measured quantity"]
     );
     assert!(fit.deviations[0].is_none() && fit.deviations[1].is_some());
 }

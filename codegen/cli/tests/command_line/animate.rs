@@ -169,7 +169,7 @@ fn forces_and_springs_go_along() {
 fn refuses_what_cannot_be_animated() {
     let folder = Folder::new("animate_refused", EXAM);
     for (options, words) in [
-        ("--out a.png", "no animation can be written as `.png`"),
+        ("--out a.png", "animations cannot be written as `.png`"),
         ("--out a.pdf", "`.svg` or `.gif`"),
         ("--png", "cannot be used with"),
         ("--at 1", "cannot be used with"),

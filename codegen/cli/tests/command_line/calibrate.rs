@@ -130,7 +130,7 @@ fn parameters_are_found_and_written_where_they_stood() {
     let ran = folder
         .run("calibrate a.mech data.csv --param L --out a.mech --force")
         .exits_with(2);
-    assert!(ran.stderr.contains("which is read"), "{}", ran.stderr);
+    assert!(ran.stderr.contains("which is an input"), "{}", ran.stderr);
     assert_eq!(
         (folder.read("a.mech").as_str(), folder.read("new.mech")),
         (CRANK, new)
@@ -148,7 +148,8 @@ fn indistinguishable_parameters_are_named_and_not_written() {
     let ran = folder
         .run("calibrate a.mech data.csv --param L,gap,offset,speed --out new.mech")
         .exits_with(1);
-    let expected = "`L` and `gap` cannot be told apart: changed as 1 : -1 they leave everything that is measured as it is";
+    let expected =
+        "`L` and `gap` cannot be distinguished: a change by 1 : -1 affects no measured quantity";
     assert!(ran.stdout.contains(expected), "{}", ran.stdout);
     assert!(
         ran.stdout
@@ -223,7 +224,7 @@ fn names_the_reason_of_an_impossible_fit() {
     let folder = folder("calibrate_errors");
     for (options, code, said) in [
         ("--param M", 2, "`crank` has no parameter `M`"),
-        ("", 2, "no parameter of `crank` is to be fitted"),
+        ("", 2, "no parameter of `crank` is selected for the fit"),
         ("--param L,L", 2, "`--param` names `L` twice"),
         ("--param sped", 2, "did you mean `speed`?"),
         (
@@ -279,7 +280,7 @@ fn a_parameter_that_moves_nothing_alone_is_not_determined() {
         .exits_with(1);
     let output = ran.stdout + &ran.stderr;
     assert!(
-        output.contains("`depth` changes nothing that is measured"),
+        output.contains("`depth` affects no measured quantity"),
         "{output}"
     );
 }

@@ -69,7 +69,7 @@ fn poor_fit_is_not_trusted_and_not_written() {
             ["30mm", "99mm", "110mm"],
             OTHER,
             "L3,L4",
-            "leave more than the noise",
+            "together exceed the noise",
         ),
     ] {
         let folder = Folder::new(&format!("calibrate_{name}"), four_bar(lengths));
@@ -144,7 +144,7 @@ fn bounds_hold_and_are_read_with_units() {
     );
     for (bound, said) in [
         ("L=1mm", "is not a range"),
-        ("gap=1..2", "is about none of `--param`"),
+        ("gap=1..2", "is not one of `--param`"),
         (
             "L=1s..2s",
             "has an end that is not a number with a unit of the parameter",

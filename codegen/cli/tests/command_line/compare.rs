@@ -134,7 +134,7 @@ fn nothing_is_guessed_in_silence() {
         assert!(ran.stdout.contains(said), "{said}: {}", ran.stdout);
     }
     assert!(
-        ran.stderr.contains("`--unit phi1=deg` says so"),
+        ran.stderr.contains("pass `--unit phi1=deg`"),
         "{}",
         ran.stderr
     );
@@ -160,7 +160,7 @@ fn errors_have_their_place_and_a_remedy() {
             "back",
             "t,phi1\n0.1,0.5\n0,0.6\n",
             "",
-            "error[K29]: the time goes back\n --> data.csv:3:1",
+            "error[K29]: the time decreases\n --> data.csv:3:1",
         ),
         (
             "untimed",
@@ -190,7 +190,7 @@ fn errors_have_their_place_and_a_remedy() {
             "unknown",
             "t,u\n0,0.5\n",
             "",
-            "no column of `data.csv` measures anything of `two_body`: u",
+            "no column of `data.csv` matches a quantity of `two_body`: u",
         ),
         (
             "meant",
@@ -232,7 +232,7 @@ fn errors_have_their_place_and_a_remedy() {
             "none",
             "t,phi1\n0,0.5\n",
             "--tolerance 1mm",
-            "`--tolerance 1mm` is about none of the compared columns",
+            "`--tolerance 1mm` matches none of the compared columns",
         ),
         (
             "missing",
@@ -252,7 +252,7 @@ fn errors_have_their_place_and_a_remedy() {
     let ran = folder.run("compare a.mech none.csv").exits_with(2);
     assert!(
         ran.stderr
-            .contains("cannot read `none.csv`: there is no such file"),
+            .contains("cannot read `none.csv`: the file does not exist"),
         "{}",
         ran.stderr
     );

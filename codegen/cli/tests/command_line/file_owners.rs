@@ -27,7 +27,7 @@ fn a_description_is_a_regular_file() {
         refused(
             &folder,
             &format!("{command} none.mech"),
-            "error: cannot read `none.mech`: there is no such file\n",
+            "error: cannot read `none.mech`: the file does not exist\n",
         );
     }
     let large = format!("{EXAM}{}", " ".repeat(5 << 20));
@@ -157,7 +157,7 @@ fn outputs_of_another_description_are_not_replaced() {
     refused(
         &folder,
         "solve a.mech --no-files --csv two.csv",
-        "cannot write `two.csv.source`: there is a file already",
+        "cannot write `two.csv.source`: a file exists already",
     );
     // Pictures of checks and comparisons have sources, too.
     folder.run("check a.mech --plot plots").exits_with(0);

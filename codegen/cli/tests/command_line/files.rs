@@ -28,7 +28,7 @@ fn a_description_is_never_replaced() {
                 refused(
                     &folder,
                     &format!("{command} {path}{force}"),
-                    &format!("cannot write `{path}`: it is `a.mech`, which is read"),
+                    &format!("cannot write `{path}`: it is `a.mech`, which is an input"),
                 );
             }
         }
@@ -47,7 +47,7 @@ fn a_description_is_never_replaced() {
         "solve a.mech --force --csv b.mech",
         "it is `a.mech`",
     );
-    let words = "it is `./way.csv`, which is read";
+    let words = "it is `./way.csv`, which is an input";
     refused(&folder, "solve a.mech --force --csv way.csv", words);
     #[cfg(unix)]
     {
@@ -164,10 +164,10 @@ fn reports_unwritable_paths_before_the_work() {
     for (path, reason) in [
         ("out", "it is a folder"),
         (".", "it is a folder"),
-        ("new/", "this names no file"),
+        ("new/", "this is not the name of a file"),
         ("notes.md/x", "`notes.md` is not a folder"),
         ("notes.md/x/y", "`notes.md` is not a folder"),
-        ("new/../x", "there is no `new/..`"),
+        ("new/../x", "`new/..` does not exist"),
         ("kept.rs", "the file is write-protected"),
         (&long, "cannot write `xxx"),
     ] {
@@ -196,12 +196,12 @@ fn reports_unwritable_paths_before_the_work() {
     refused(
         &folder,
         "solve a.mech --csv two_body",
-        "is to be a file, and this to lie in it",
+        "cannot be both a file and the folder of this output",
     );
     refused(
         &folder,
         "solve a.mech --csv new --plot new/plots",
-        "is to be a file",
+        "cannot be both a file",
     );
     assert_eq!(folder.read("notes.md"), NOTES);
     assert!(folder.list("out").is_empty());
@@ -235,29 +235,32 @@ fn a_file_is_named_as_what_it_is() {
     for (command, words) in [
         (
             "draw a.mech --out a.dxf",
-            "no drawing can be written as `.dxf`",
+            "pictures cannot be written as `.dxf`",
         ),
         (
             "draw a.mech --out a.b.pdf",
-            "no drawing can be written as `.pdf`",
+            "pictures cannot be written as `.pdf`",
         ),
         (
             "draw a.mech --png --out a.jpg",
-            "no drawing can be written as `.jpg`",
+            "pictures cannot be written as `.jpg`",
         ),
         ("draw a.mech --png --out a.svg", "`--png` draws a PNG"),
         (
             "view a.mech --out a.pdf",
-            "no page can be written as `.pdf`",
+            "pages cannot be written as `.pdf`",
         ),
-        ("generate a.mech -o a.c", "no module can be written as `.c`"),
+        (
+            "generate a.mech -o a.c",
+            "modules cannot be written as `.c`",
+        ),
         (
             "generate a.mech -o a.py",
-            "no module can be written as `.py`",
+            "modules cannot be written as `.py`",
         ),
         (
             "generate a.mech -o a.c --check",
-            "no module can be written as `.c`",
+            "modules cannot be written as `.c`",
         ),
     ] {
         let message = refused(&folder, command, words);

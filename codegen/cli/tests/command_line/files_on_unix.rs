@@ -30,7 +30,7 @@ fn a_pipe_is_never_read() {
     let folder = Folder::new("files_pipe", tabled);
     pipe(&folder, "pipe");
     let ran = ends(&folder, "inspect a.mech").exits_with(2);
-    let words = "error[K29]: cannot read `pipe`: it is a pipe, no regular file";
+    let words = "error[K29]: cannot read `pipe`: it is a pipe, not a regular file";
     assert!(ran.stderr.contains(words), "{}", ran.stderr);
     assert!(ran.stderr.contains("a.mech:3:17"), "{}", ran.stderr);
     for path in ["pipe", "/dev/stdin", "/dev/null"] {
@@ -100,11 +100,7 @@ fn links_are_followed_and_stay() {
     // Two names of one file, and links that go round.
     symlink("out", folder.file("other")).expect("a link");
     let both = "solve a.mech --csv other/P.svg --plot out";
-    refused(
-        &folder,
-        both,
-        "something else is to be written to this file",
-    );
+    refused(&folder, both, "another output is written to this file");
     symlink("circle", folder.file("circle")).expect("a link");
     refused(
         &folder,
@@ -143,7 +139,7 @@ fn permissions_are_kept() {
     fs::create_dir(&closed).expect("a folder");
     fs::set_permissions(&closed, fs::Permissions::from_mode(0o500)).expect("it is ours");
     if fs::write(closed.join("probe"), "").is_err() {
-        let words = "no file can be made in `closed`: there is no permission";
+        let words = "cannot create a file in `closed`: permission denied";
         refused(&folder, "generate a.mech -o closed/a.rs", words);
         refused(&folder, "solve a.mech --csv closed/new/a.csv", words);
     }

@@ -71,7 +71,7 @@ fn nothing_that_is_not_generated_is_replaced() {
         std::fs::write(folder.file(file), text).expect("it can be written");
         let ran = folder.run("generate --lang c a.mech -o b.c").exits_with(2);
         let expected =
-            format!("cannot write `{file}`: there is a file already, and it is not generated C");
+            format!("cannot write `{file}`: a file exists already, and it is not generated C");
         let expected = expected
             .replace("`linkwright.h`", "`./linkwright.h`")
             .replace("`b.h`", "`./b.h`");

@@ -73,23 +73,20 @@ fn never_touches_what_exists_and_leaves_nothing_behind() {
         ("new here", "cannot write `here`: it exists already"),
         (
             "new a.mech",
-            "no crate can be called `a.mech`: a name starts with a letter",
+            "`a.mech` is not the name of a crate: a name starts with a letter",
         ),
-        ("new 7bar", "no crate can be called `7bar`"),
+        ("new 7bar", "`7bar` is not the name of a crate"),
         (
             "new fn",
-            "no crate can be called `fn`: this name has another meaning",
+            "`fn` is not the name of a crate: this name has another meaning",
         ),
-        (
-            "new none/arm",
-            "the folder that it is to lie in does not exist",
-        ),
+        ("new none/arm", "its parent folder does not exist"),
         ("new a.mech/arm", "cannot write `a.mech/arm`"),
         (
             "new arm --path here",
             "`here` is not a clone of the repository of Linkwright: it has no `runtime/Cargo.toml`",
         ),
-        ("new arm --path none", "there is no such file"),
+        ("new arm --path none", "the file does not exist"),
     ] {
         let ran = folder.run(arguments).exits_with(2);
         assert!(ran.stderr.contains(expected), "{arguments}: {}", ran.stderr);

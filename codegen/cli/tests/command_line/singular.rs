@@ -158,7 +158,7 @@ fn a_drawing_that_cannot_be_assembled_is_explained() {
     let ran = folder.run("solve a.mech").exits_with(1);
     assert!(
         ran.stderr.contains(
-            "cannot be assembled as drawn at t = 0 s: revolute P(1, 2): out of reach by "
+            "cannot be assembled in the design modes at t = 0 s: revolute P(1, 2): out of reach by "
         ),
         "{}",
         ran.stderr
@@ -173,7 +173,7 @@ fn a_drawing_that_cannot_be_assembled_is_explained() {
     );
     assert!(
         ran.stderr
-            .contains("the drawing violates `absolute_x(2)` most, by 2.3e+00 m"),
+            .contains("the design configuration violates `absolute_x(2)` most, by 2.3e+00 m"),
         "{}",
         ran.stderr
     );

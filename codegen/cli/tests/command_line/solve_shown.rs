@@ -141,11 +141,14 @@ fn the_first_step_is_that_of_the_instant_that_is_asked_for() {
     };
     let both = step("--at 1,2");
     for (t, residual) in [(1, "0.400000"), (2, "0.700000")] {
-        let heading = format!("from the drawing at t = {t} s");
+        let heading = format!("from the design configuration at t = {t} s");
         let (_, from) = both.split_once(&heading).expect("a step");
         let chosen = from.split("from the drawing").next().expect("a text");
         assert!(chosen.contains(residual), "{residual} in {chosen}");
     }
-    assert!(!both.contains("from the drawing at t = 0 s"), "{both}");
-    assert!(step("--from 1").contains("from the drawing at t = 1 s"));
+    assert!(
+        !both.contains("from the design configuration at t = 0 s"),
+        "{both}"
+    );
+    assert!(step("--from 1").contains("from the design configuration at t = 1 s"));
 }

@@ -9,31 +9,32 @@ use super::setting::Setting;
 use super::units::ReportedIn;
 use super::values::{step, time};
 
-/// A table of measured values, and how it is read.
+/// Table of measured values, with its dialect.
 #[derive(Args, Debug)]
 pub struct Table {
-    /// The table: CSV and the like, from ADAMS, MATLAB, a spreadsheet or a data logger
+    /// Table: CSV and the like, from ADAMS, MATLAB, a spreadsheet or a data logger
     #[arg(value_name = "DATA")]
     pub data: PathBuf,
-    /// What a column measures, `COLUMN=QUANTITY`: `phi2`, `phi2_d`, `phi2_dd`, `K_x`, `K_vx`, `K_ax` [default: by its name]
+    /// Quantity of a column, `COLUMN=QUANTITY`: `phi2`, `phi2_d`, `phi2_dd`, `K_x`, `K_vx`, `K_ax` [default: by its
+    /// name]
     #[arg(long, value_name = "COLUMN=QUANTITY", value_delimiter = ',')]
     pub column: Vec<String>,
     /// Leave out these columns
     #[arg(long, value_name = "COLUMN", value_delimiter = ',')]
     pub skip: Vec<String>,
-    /// The column of times [default: the one that is called t or time]
+    /// Column of times [default: the one named t or time]
     #[arg(long, value_name = "COLUMN")]
     pub time: Option<String>,
-    /// What is added to all times of the table, in s or with a unit
+    /// Time added to all times of the table, in s or with a unit
     #[arg(long, value_name = "T", default_value = "0", value_parser = time, allow_hyphen_values = true)]
     pub shift: f64,
-    /// The unit of a column, `K_x=mm`, or of all columns that have none in the header, `mm`, `deg` [default: SI]
+    /// Unit of a column, `K_x=mm`, or of all columns without one in the header, `mm`, `deg` [default: SI]
     #[arg(long, value_name = "[COLUMN=]UNIT", value_delimiter = ',')]
     pub unit: Vec<String>,
-    /// What separates cells [default: what makes a table of numbers]
+    /// Separator of cells [default: the one that gives a table of numbers]
     #[arg(long, value_enum)]
     pub delimiter: Option<Separator>,
-    /// What separates decimals [default: what makes a table of numbers]
+    /// Decimal mark [default: the one that gives a table of numbers]
     #[arg(long, value_enum)]
     pub decimal: Option<Mark>,
 }
@@ -62,39 +63,39 @@ pub enum Mark {
     Comma,
 }
 
-/// Holds measured values against the motion: for every column the root of the mean square of the differences, the largest one, and
-/// when.
+/// Compares measured values with the motion: prints the root mean square of the differences of every column, the
+/// largest one, and its time.
 ///
-/// The motion is solved at the very times of the table. How the file was read, what each column was taken for and in which unit is
-/// printed; angles are compared up to whole turns.
+/// The motion is solved at the times of the table. The dialect of the file and the quantity and unit of each column
+/// are printed; angles are compared up to whole turns.
 #[derive(Args, Debug)]
 #[command(after_help = COMPARE_EXAMPLES)]
 pub struct Compare {
     /// The description.
     #[command(flatten)]
     pub described: Described,
-    /// Units of what is reported.
+    /// Units of the report.
     #[command(flatten)]
     pub reported_in: ReportedIn,
-    /// The measured values.
+    /// Measured values.
     #[command(flatten)]
     pub table: Table,
-    /// When the mechanism is assembled, in s [default: the first time of the table]
+    /// Time at which the mechanism is assembled, in s [default: the first time of the table]
     #[arg(long, value_name = "T0", value_parser = time, allow_hyphen_values = true)]
     pub from: Option<f64>,
-    /// The largest time between frames, in s
+    /// Largest time between frames, in s
     #[arg(long, value_name = "H", default_value = "0.01", value_parser = step, allow_hyphen_values = true)]
     pub step: f64,
-    /// Where the motion departs from it.
+    /// Departures from the description.
     #[command(flatten)]
     pub setting: Setting,
-    /// How large differences may be: `1e-6` of every column in SI units, `0.5mm` of those in this unit, `K_x=2mm` of one
+    /// Tolerance of differences: `1e-6` of every column in SI units, `0.5mm` of those in this unit, `K_x=2mm` of one
     #[arg(long, value_name = "[COLUMN=]VALUE[UNIT]", value_delimiter = ',')]
     pub tolerance: Vec<String>,
-    /// The folder for the plots: an SVG for each column, with both curves and their difference
+    /// Folder for the plots: an SVG for each column, with both curves and their difference
     #[arg(long, value_name = "DIR")]
     pub plot: Option<PathBuf>,
-    /// Replace files that are not what this command has written
+    /// Replace files that this command has not written
     #[arg(long)]
     pub force: bool,
     /// Print one JSON object instead of text
@@ -114,39 +115,41 @@ A header may hold units, `K_x (mm)`. Columns without a name are called by their 
 Exit codes: 0 compared, 1 a difference is beyond its tolerance, or the mechanism cannot be assembled or its motion ends before the
 table does, 2 bad input.";
 
-/// Fits parameters so that the mechanism moves as measured: least squares with the derived sensitivities.
+/// Fits parameters to measured motion: least squares with the derived sensitivities.
 ///
-/// Prints each parameter with its standard deviation and 95 % interval, their correlations, what is left of each column before and after, and which
-/// parameters this motion cannot tell apart. Columns of accelerations and forces take no part. Where quantities of several units are
-/// measured, each counts by what is left of it, unless `--deviation` says how well it is measured.
+/// Prints each parameter with its standard deviation and 95 % interval, their correlations, and the residuals of each
+/// column before and after. Names the parameters that this motion cannot distinguish. Columns of accelerations and
+/// forces are ignored. Quantities of several units are weighted by their residuals, unless `--deviation` gives their
+/// accuracy.
 #[derive(Args, Debug)]
 #[command(after_help = CALIBRATE_EXAMPLES)]
 pub struct Calibrate {
     /// The description.
     #[command(flatten)]
     pub described: Described,
-    /// Units of what is reported.
+    /// Units of the report.
     #[command(flatten)]
     pub reported_in: ReportedIn,
-    /// The measured values.
+    /// Measured values.
     #[command(flatten)]
     pub table: Table,
-    /// The parameters that are fitted, separated by commas, from their values in the description or of `--set`
+    /// Parameters to fit, separated by commas, from their values in the description or of `--set`
     #[arg(long, value_name = "L1,L2", value_delimiter = ',')]
     pub param: Vec<String>,
-    /// The largest time between frames, in s
+    /// Largest time between frames, in s
     #[arg(long, value_name = "H", default_value = "0.01", value_parser = step, allow_hyphen_values = true)]
     pub step: f64,
-    /// Where the motion departs from it.
+    /// Departures from the description.
     #[command(flatten)]
     pub setting: Setting,
-    /// The standard deviation of measured values: `0.1mm` of columns in this unit, `K_x=2mm` of one [default: what is left of them]
+    /// Standard deviation of measured values: `0.1mm` of columns in this unit, `K_x=2mm` of one [default: that of the
+    /// residuals]
     #[arg(long, value_name = "[COLUMN=]VALUE[UNIT]", value_delimiter = ',')]
     pub deviation: Vec<String>,
-    /// The folder for the plots: an SVG for each column, with both curves and what is left
+    /// Folder for the plots: an SVG for each column, with both curves and the residuals
     #[arg(long, value_name = "DIR")]
     pub plot: Option<PathBuf>,
-    /// The values that a parameter may have, `L2=1mm..2mm`, `L2=0..` or `L2=..` [default: lengths keep their signs]
+    /// Bounds of a parameter, `L2=1mm..2mm`, `L2=0..` or `L2=..` [default: lengths keep their signs]
     #[arg(
         long,
         value_name = "PARAMETER=LOW..HIGH",
@@ -154,10 +157,10 @@ pub struct Calibrate {
         allow_hyphen_values = true
     )]
     pub bound: Vec<String>,
-    /// Write the description with the new values into this file; all else in it stays as it is
+    /// Write the description with the new values into this file; the rest of the text stays
     #[arg(short, long, value_name = "FILE")]
     pub out: Option<PathBuf>,
-    /// Write files also where they exist, and the description also where the fit is not to be trusted
+    /// Replace existing files, and write the description even if the fit is not to be trusted
     #[arg(long)]
     pub force: bool,
     /// Print one JSON object instead of text

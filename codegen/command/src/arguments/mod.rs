@@ -27,15 +27,15 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use values::{size, step, time};
 
-/// Reads descriptions of planar mechanisms: solves them, draws them, shows their equations, derives
-/// their solution, writes them as Rust.
+/// Reads descriptions of planar mechanisms: solves and draws them, shows their equations, derives their solution, and
+/// writes them as Rust.
 #[derive(Parser, Debug)]
 #[command(name = "linkwright", after_help = EXAMPLES, arg_required_else_help = true, args_conflicts_with_subcommands = true)]
 pub struct Arguments {
-    /// Print the licenses of what this command is built from: fonts and packages
+    /// Print the licenses of the fonts and packages in this command
     #[arg(long, exclusive = true)]
     pub licenses: bool,
-    /// The command; `None` where licenses are to be printed.
+    /// Command; `None` if licenses are to be printed.
     #[command(subcommand)]
     pub command: Option<Command>,
 }
@@ -65,7 +65,7 @@ tolerance), 2 bad input, 70 an error of linkwright itself.";
 pub enum Command {
     /// Solve the motion: print it, write CSV and plots
     Solve(Solve),
-    /// Simulate the motion that forces give it: print it, write CSV and plots
+    /// Simulate the motion under forces: print it, write CSV and plots
     Simulate(Simulate),
     /// Draw the mechanism as an SVG or a PNG, or its motion as an SVG or a GIF
     Draw(Draw),
@@ -77,15 +77,15 @@ pub enum Command {
     Inspect(Inspect),
     /// Derive the solution block by block, in words and formulas
     Plan(Plan),
-    /// List the assemblies and say where the mechanism comes closest to singular
+    /// List the assemblies and locate the poses closest to singular
     Check(Check),
-    /// Hold measured data against the motion
+    /// Compare measured data with the motion
     Compare(Compare),
     /// Fit parameters to measured data
     Calibrate(Calibrate),
-    /// Lay descriptions out as is usual
+    /// Format descriptions
     Fmt(Fmt),
-    /// Write a crate with a mechanism, a loop and a test, to start from
+    /// Write a crate with a mechanism, a loop and a test as a start
     New(New),
     /// Serve an editor: findings while typing, hover, definitions, completion, renaming
     Lsp(Lsp),
@@ -95,58 +95,58 @@ pub enum Command {
     Man(Man),
 }
 
-/// Draws the mechanism in one pose as a mechanical engineer does: bodies by the points they carry, supports and guides hatched,
-/// driven joints with an arrow.
+/// Draws the mechanism in one pose as a mechanical engineer does: bodies by their points, supports and guides
+/// hatched, driven joints with an arrow.
 ///
-/// The pose is solved by the blocks that a generated module runs. A mechanism whose equations do not determine its motion is drawn
-/// with `--initial-estimate`, in the estimates of its description.
+/// The pose is solved by the blocks of a generated module. A mechanism whose equations do not determine its motion is
+/// drawn with `--initial-estimate`, in the estimates of its description.
 #[derive(Args, Debug)]
 #[command(after_help = DRAW_EXAMPLES)]
 pub struct Draw {
     /// The description.
     #[command(flatten)]
     pub described: Described,
-    /// Units of what is reported.
+    /// Units of the report.
     #[command(flatten)]
     pub reported_in: ReportedIn,
     /// File of the picture, `.svg` or `.png`, with `--animate` `.svg` or `.gif`; `-` is stdout [default: NAME.svg, with
     /// `--animate` NAME_animated.svg]
     #[arg(short, long, value_name = "FILE")]
     pub out: Option<PathBuf>,
-    /// Write a PNG, whatever the file is called [default file: NAME.png]
+    /// Write a PNG under any file name [default file: NAME.png]
     #[arg(long)]
     pub png: bool,
-    /// Draw the motion from T0 to T1, in real time and over and over: an `.svg` that moves by itself in a browser, or a `.gif`
+    /// Draw the motion from T0 to T1, in real time and repeated: an `.svg` that moves in a browser, or a `.gif`
     #[arg(long, conflicts_with_all = ["at", "initial_estimate", "png"])]
     pub animate: bool,
-    /// The instant that is drawn, in s, followed from T0 by steps of H [default: T0]
+    /// Instant to draw, in s, followed from T0 by steps of H [default: T0]
     #[arg(long, value_name = "T", value_parser = time, allow_hyphen_values = true)]
     pub at: Option<f64>,
-    /// The poses that the description estimates, instead of a solved one
+    /// Draw the estimates of the description instead of a solved pose
     #[arg(long, conflicts_with_all = ["at", "branch", "paths", "set"])]
     pub initial_estimate: bool,
     /// Draw the paths of these points from T0 to T1, with ticks at equal times
     #[arg(long, value_name = "A,B", value_delimiter = ',')]
     pub paths: Vec<String>,
-    /// When the motion starts, in s or with a unit, `500ms`; the mechanism is assembled there
+    /// Start of the motion, in s or with a unit, `500ms`; the mechanism is assembled there
     #[arg(long, value_name = "T0", default_value = "0", value_parser = time, allow_hyphen_values = true)]
     pub from: f64,
-    /// When the paths and the animation end, in s
+    /// End of the paths and the animation, in s
     #[arg(long, value_name = "T1", default_value = "5", value_parser = time, allow_hyphen_values = true)]
     pub to: f64,
-    /// The time between frames, in s
+    /// Time between frames, in s
     #[arg(long, value_name = "H", default_value = "0.01", value_parser = step, allow_hyphen_values = true)]
     pub step: f64,
     /// Draw the frames of these bodies, `ground` among them
     #[arg(long, value_name = "BODY", value_delimiter = ',')]
     pub frame: Vec<String>,
-    /// Width and height in pixels [default: as large as the drawing needs, up to 760x620]
+    /// Width and height in pixels [default: the size that the drawing needs, up to 760x620]
     #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<[u32; 2]>,
-    /// Where the motion departs from it.
+    /// Departures from the description.
     #[command(flatten)]
     pub setting: Setting,
-    /// Replace a file that is not what this command has written
+    /// Replace a file that this command has not written
     #[arg(long)]
     pub force: bool,
 }
@@ -163,11 +163,12 @@ Examples:
 
 Exit codes: 0 drawn, 1 the mechanism cannot be assembled or its motion ends before T, 2 bad input.";
 
-/// Says what can go wrong: degrees of freedom, the determinant of each block and what the pose is like where it is zero, the
-/// assemblies at the start, and where over a range of time each block comes closest to singular.
+/// Checks a mechanism: degrees of freedom, the determinant of each block and the poses in which it is zero, and the
+/// assemblies at the start. Locates the time of a range at which each block comes closest to singular.
 ///
-/// How close is the determinant of the block divided by the lengths of its columns: the sine of the angle between two links, or
-/// between a link and its slide. The smallest value is located between the frames too, to the last digits of t.
+/// The measure is the determinant of the block divided by the lengths of its columns: the sine of the angle between
+/// two links, or between a link and its slide. The smallest value is located between the frames too, to the last
+/// digits of t.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
@@ -179,50 +180,50 @@ Examples:
 Exit codes: 0 checked, 1 the mechanism cannot be assembled or its motion ends early, with `--prove` also where the motion
 cannot be proven, with `--deny-warnings` also where there are warnings, 2 bad input.")]
 pub struct Check {
-    /// The description.
+    /// Description.
     #[command(flatten)]
     pub described: Described,
-    /// Units of what is reported.
+    /// Units of the report.
     #[command(flatten)]
     pub reported_in: ReportedIn,
-    /// When the motion starts, in s; the assemblies are those of this time
+    /// Start of the motion, in s; the assemblies are those of this time
     #[arg(long, value_name = "T0", default_value = "0", value_parser = time, allow_hyphen_values = true)]
     pub from: f64,
-    /// When the motion ends, in s
+    /// End of the motion, in s
     #[arg(long, value_name = "T1", default_value = "5", value_parser = time, allow_hyphen_values = true)]
     pub to: f64,
-    /// The time between frames, in s; both ends and at least 64 frames between them are examined. What lies between frames is located,
-    /// as long as it does not come and go within one step
+    /// Time between frames, in s; both ends and at least 64 frames between them are examined. Extremes between frames
+    /// are located, unless they appear and vanish within one step
     #[arg(long, value_name = "H", default_value = "0.01", value_parser = step, allow_hyphen_values = true)]
     pub step: f64,
-    /// Another value of a parameter, or the motion of an input as an expression of t, in SI units or with a unit; may be repeated
+    /// Value of a parameter, or motion of an input as an expression of t, in SI units or with a unit; may be repeated
     #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
     pub set: Vec<String>,
-    /// Prove for the whole range that the mechanism moves on one smooth path, how far each block stays from singular, and where
-    /// coordinates and points stay
+    /// Prove for the whole range that the mechanism moves on one smooth path. Bounds the distance of each block from
+    /// singular, and the range of coordinates and points
     #[arg(long)]
     pub prove: bool,
     /// Bounds of these points alone, separated by commas [default: all]
     #[arg(long, value_name = "NAMES", value_delimiter = ',', requires = "prove")]
     pub points: Vec<String>,
-    /// The folder for a picture of all assemblies, `assemblies.svg`
+    /// Folder for a picture of all assemblies, `assemblies.svg`
     #[arg(long, value_name = "DIR")]
     pub plot: Option<PathBuf>,
-    /// Replace files that are not what this command has written
+    /// Replace files that this command has not written
     #[arg(long)]
     pub force: bool,
     /// Print one JSON object instead of text
     #[arg(long)]
     pub json: bool,
-    /// Exit with 1 where there are warnings
+    /// Exit with 1 if there are warnings
     #[arg(long)]
     pub deny_warnings: bool,
 }
 
 /// Writes the mechanism as a Rust module that needs only the crate `linkwright`, or as a source and a header of C99.
 ///
-/// C is written to NAME.c and NAME.h, with the runtime linkwright.c and linkwright.h beside them, which need the C library alone; both
-/// headers can be included from C++. The numbers have the same bits as those of the Rust module.
+/// C is written to NAME.c and NAME.h, with the runtime linkwright.c and linkwright.h beside them, which need only the
+/// C library. Both headers can be included from C++. The numbers have the same bits as those of the Rust module.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
@@ -237,21 +238,21 @@ equations, and the textbook view, Φ, Φ_q, Φ_t and γ as functions. Above 150 
 
 Exit codes: 0 written or unchanged, 1 `--check` found a difference, 2 bad input.")]
 pub struct Generate {
-    /// The description, a `.mech` file; `-` is stdin
+    /// Description, a `.mech` file; `-` is stdin
     pub file: PathBuf,
-    /// Where to write the module; `-` is stdout [default: stdout]. The other files of C are written beside it
+    /// Output file of the module; `-` is stdout [default: stdout]. The other files of C are written beside it
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
-    /// The language of the module
+    /// Language of the module
     #[arg(long, value_enum, default_value_t = Lang::Rust)]
     pub lang: Lang,
     /// Replace a file that is not a generated module
     #[arg(long, conflicts_with = "check")]
     pub force: bool,
-    /// Write nothing; exit with 1 if FILE is not what would be written
+    /// Write nothing; exit with 1 if FILE differs from the module
     #[arg(long, requires = "output")]
     pub check: bool,
-    /// The numbers that the module computes with
+    /// Number type of the module
     #[arg(long, value_enum, default_value_t = Precision::F64)]
     pub scalar: Precision,
 }
@@ -270,7 +271,7 @@ pub enum Lang {
 pub enum Precision {
     /// Double precision
     F64,
-    /// Single precision, for processors without hardware for more
+    /// Single precision, for processors without hardware for double precision
     F32,
 }
 
@@ -288,15 +289,15 @@ the generated code solves: its blocks in their order, what no `output` needs, an
 
 Exit codes: 0 shown, 2 bad input, with `--format rust` also where the equations do not determine the motion.")]
 pub struct Inspect {
-    /// The description, a `.mech` file; `-` is stdin
+    /// Description, a `.mech` file; `-` is stdin
     pub file: PathBuf,
-    /// Only this motion, where the mechanism has several
+    /// Motion to show if the mechanism has several
     #[arg(long, value_name = "NAME")]
     pub motion: Option<String>,
-    /// How formulas are written
+    /// Notation of formulas
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
-    /// With `--format latex`: without preamble, to be read by a document of one's own with `\input`
+    /// Leave out the preamble with `--format latex`, so that a document of yours can read the output with `\input`
     #[arg(long)]
     pub fragment: bool,
 }
@@ -304,18 +305,18 @@ pub struct Inspect {
 /// Notations of formulas.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Format {
-    /// As one types them: x1 + cos(phi1)
+    /// Typed: x1 + cos(phi1)
     Text,
-    /// As one prints them: x₁ + cos φ₁
+    /// Printed: x₁ + cos φ₁
     Unicode,
-    /// For a LaTeX document
+    /// LaTeX document
     Latex,
-    /// The generated module
+    /// Generated module
     Rust,
 }
 
-/// Derives the solution block by block, as a person would hand it in: which unknowns follow from which joints, by which
-/// formulas, and what has no closed form.
+/// Derives the solution block by block, as in a textbook: the unknowns that follow from each joint, their formulas,
+/// and the parts without a closed form.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
@@ -329,22 +330,22 @@ pub struct Plan {
     /// The description.
     #[command(flatten)]
     pub described: Described,
-    /// How words and formulas are written
+    /// Notation of words and formulas
     #[arg(long, value_enum, default_value_t = Script::Text)]
     pub format: Script,
-    /// With `--format latex`: without preamble, to be read by a document of one's own with `\input`
+    /// Leave out the preamble with `--format latex`, so that a document of yours can read the output with `\input`
     #[arg(long)]
     pub fragment: bool,
 }
 
-/// How words and formulas are written.
+/// Notation of words and formulas.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Script {
-    /// As one types them: x1 + cos(phi1)
+    /// Typed: x1 + cos(phi1)
     Text,
-    /// As one prints them: x₁ + cos φ₁
+    /// Printed: x₁ + cos φ₁
     Unicode,
-    /// A LaTeX document
+    /// LaTeX document
     Latex,
 }
 

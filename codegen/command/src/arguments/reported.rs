@@ -7,7 +7,7 @@ use linkwright_codegen::stages::units::OutputUnits;
 
 use super::units::units_or_names;
 
-/// What is printed and written of a motion.
+/// Printed and written results of a motion.
 #[derive(Args, Debug)]
 pub struct Reported {
     /// Only these points, separated by commas, `3.P` for the point P of body 3 [default: all, with tables of six]
@@ -17,26 +17,27 @@ pub struct Reported {
     /// `phi(2)`, or the frames, `phi2`, `K_x`, `1.K` [default: a table of all angles]
     #[arg(long, value_name = "phi(1),x2,K", value_delimiter = ',')]
     pub show: Vec<String>,
-    /// Unit of angles in what is printed and drawn; files of numbers keep theirs [default: that of `--units`, else rad]
+    /// Unit of angles in text and pictures; files of numbers keep theirs [default: that of `--units`, else rad]
     #[arg(long, value_enum)]
     pub angles: Option<TurnUnit>,
-    /// The folder for the frames and the plots [default: target/linkwright/NAME where there is a Cargo.toml, else NAME]
+    /// Folder for the frames and the plots [default: target/linkwright/NAME beside a Cargo.toml, else NAME]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Where to write the frames; `-` is stdout, and the summary then goes to stderr [default: motion.csv in the folder]
+    /// Output file of the frames; `-` is stdout, and the summary then goes to stderr [default: motion.csv in the
+    /// folder]
     #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,
-    /// Units of tables, files, pictures and messages, as `--units=mm,deg`; headers name them. Without a list headers name the units that
-    /// are used: `phi1_d (rad/s)` [default: those of the statement `units`, else SI units]
+    /// Units of tables, files, pictures and messages, as `--units=mm,deg`; headers name them. Without a list headers
+    /// name the units in use: `phi1_d (rad/s)` [default: those of the statement `units`, else SI units]
     #[arg(long, value_name = "mm,deg", num_args = 0..=1, require_equals = true, default_missing_value = "", value_parser = units_or_names)]
     pub units: Option<OutputUnits>,
-    /// The folder for the plots: an SVG for each point that moves and each chosen coordinate, and the paths of the points
+    /// Folder for the plots: an SVG for each moving point and each chosen coordinate, and the paths of the points
     #[arg(long, value_name = "DIR")]
     pub plot: Option<PathBuf>,
-    /// Replace files that are not what this command has written
+    /// Replace files that this command has not written
     #[arg(long)]
     pub force: bool,
-    /// Write no files but those that are asked for
+    /// Write only the files that are requested
     #[arg(long)]
     pub no_files: bool,
     /// Print one JSON object instead of the summary; files are then written only on request

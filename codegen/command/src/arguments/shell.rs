@@ -5,10 +5,10 @@ use std::path::PathBuf;
 use clap::Args;
 use clap_complete::Shell;
 
-/// Lays descriptions out as is usual: a line for each statement, four blanks for each brace, one blank between words. Comments, the
-/// line breaks inside a statement, single blank lines and columns stay.
+/// Formats descriptions: a line for each statement, four blanks for each brace, one blank between words. Comments,
+/// the line breaks inside a statement, single blank lines and columns stay.
 ///
-/// A file with an error is left as it is. Files that are laid out so already are not touched.
+/// A file with an error is left unchanged. Formatted files are not touched.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
@@ -21,14 +21,14 @@ pub struct Fmt {
     /// Descriptions, or folders of them; `-` is stdin, and is printed
     #[arg(required = true)]
     pub files: Vec<PathBuf>,
-    /// Write nothing; name the files that are not formatted, and exit with 1 if there are some
+    /// Write nothing; name the files that are not formatted, and exit with 1 if there are any
     #[arg(long)]
     pub check: bool,
 }
 
-/// Writes a crate with a mechanism, a loop that moves it and a test, to start from.
+/// Writes a crate with a mechanism, a loop that moves it and a test, as a start.
 ///
-/// NAME may be a path, whose last part is the name of the crate. Nothing that exists is touched.
+/// NAME may be a path, whose last part is the name of the crate. Existing files are not touched.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
@@ -37,26 +37,26 @@ Examples:
 
 Exit codes: 0 written, 2 bad input.")]
 pub struct New {
-    /// The crate, which is also its folder
+    /// Name of the crate, which is also its folder
     pub name: PathBuf,
-    /// A clone of the repository of Linkwright, whose crates are used
+    /// Clone of the repository of Linkwright, whose crates are used
     #[arg(long, value_name = "DIR")]
     pub path: Option<PathBuf>,
 }
 
 /// Serves an editor in the language server protocol, on stdin and stdout.
 ///
-/// An editor starts it and ends it. Of every description that is open it says at once what is wrong, with the texts and at the places
-/// of the other commands; it shows what a name is, what it is worth and the equations of a joint, finds declarations and uses,
-/// completes and renames names, lists the statements and lays the text out as `linkwright fmt` does. Texts need not be saved; tables
-/// are read from the folder of the description.
+/// An editor starts and ends it. It reports the findings of every open description at once, with the texts and at the
+/// places of the other commands. It shows the kind and value of a name and the equations of a joint, finds
+/// declarations and uses, completes and renames names, lists the statements, and formats the text as `linkwright fmt`
+/// does. Texts need not be saved; tables are read from the folder of the description.
 #[derive(Args, Debug)]
 #[command(after_help = "\
 How editors are set up stands in the guide, codegen/guide/editors.md.
 
 Exit codes: 0 the editor has taken its leave, 1 it went without.")]
 pub struct Lsp {
-    /// Speak on stdin and stdout, which is always so; some editors say it
+    /// Use stdin and stdout, which is always the case; some editors pass this option
     #[arg(long)]
     pub stdio: bool,
 }
@@ -69,7 +69,7 @@ Examples:
   linkwright completions zsh > ~/.zfunc/_linkwright
   linkwright completions fish > ~/.config/fish/completions/linkwright.fish")]
 pub struct Completions {
-    /// The shell
+    /// Shell
     pub shell: Shell,
 }
 
@@ -80,10 +80,10 @@ Examples:
   linkwright man --out ~/.local/share/man/man1
   man linkwright-solve")]
 pub struct Man {
-    /// The folder for the pages
+    /// Folder for the pages
     #[arg(short, long, value_name = "DIR")]
     pub out: PathBuf,
-    /// Replace files that are not what this command has written
+    /// Replace files that this command has not written
     #[arg(long)]
     pub force: bool,
 }

@@ -6,43 +6,44 @@ use super::described::Described;
 use super::reported::Reported;
 use super::values::{step, time, tolerance};
 
-/// Integrates the motion that forces give a mechanism with `free` coordinates, from where its description says that it starts.
+/// Integrates the motion of a mechanism with `free` coordinates under forces, from the start in its description.
 ///
-/// As many coordinates as are free are integrated with their rates, by a method of order 8 with steps of its own (DOP853): those of the
-/// tangent of all poses at one that was passed a moment ago, so that no dead center of what is called free matters. While the motion is
-/// stiff, as strong dampers make it, steps are those of an implicit method of order 9 (Radau IIA). All else follows
-/// from the equations of the joints, so that every frame lies on them to rounding. Frames between the steps are those of its dense
-/// output. A motion whose energy does not change by the work that is done ends with an error.
+/// As many coordinates as are free are integrated with their rates, by a method of order 8 with steps of its own
+/// (DOP853). The integrated ones follow the tangent of the constraints at a recent pose, so that dead centers of the
+/// `free` coordinates do not matter. While the motion is stiff, as with strong dampers, an implicit method of order 9
+/// (Radau IIA) takes the steps. All else follows from the equations of the joints, so that every frame satisfies them
+/// to rounding. Frames between the steps are those of the dense output. A motion whose energy does not change by the
+/// work done ends with an error.
 #[derive(Args, Debug)]
 #[command(after_help = SIMULATE_EXAMPLES)]
 pub struct Simulate {
     /// The description.
     #[command(flatten)]
     pub described: Described,
-    /// When the motion ends, in s; it starts at 0
+    /// End of the motion, in s; it starts at 0
     #[arg(long, value_name = "T", default_value = "5", value_parser = time, allow_hyphen_values = true)]
     pub to: f64,
-    /// The time between frames, in s; the steps of the integration do not depend on it
+    /// Time between frames, in s; the steps of the integration do not depend on it
     #[arg(long, value_name = "H", default_value = "0.01", value_parser = step, allow_hyphen_values = true)]
     pub step: f64,
-    /// The error of a step that is allowed, relative to each coordinate that is integrated, up to 1 rad or one characteristic length,
-    /// and to each of their rates
+    /// Tolerance of a step, relative to each integrated coordinate, up to 1 rad or one characteristic length, and to
+    /// each rate
     #[arg(long, value_name = "R", default_value = "1e-10", value_parser = tolerance, allow_hyphen_values = true)]
     pub rtol: f64,
-    /// What is allowed besides, in rad or characteristic lengths of the mechanism, and the same per s
+    /// Absolute tolerance of a step, in rad or characteristic lengths of the mechanism, and the same per s
     #[arg(long, value_name = "A", default_value = "1e-12", value_parser = tolerance, allow_hyphen_values = true)]
     pub atol: f64,
-    /// The method of all steps; without it explicit steps, and implicit ones while the motion is stiff
+    /// Method of all steps [default: explicit steps, and implicit ones while the motion is stiff]
     #[arg(long, value_enum)]
     pub method: Option<StepMethod>,
-    /// Another value of a parameter, the motion of an input as an expression of t, or of a free coordinate the start: `swing=0.3 + 1.5*t`
-    /// begins at 0.3 with the rate 1.5; may be repeated
+    /// Value of a parameter, motion of an input as an expression of t, or start of a free coordinate: `swing=0.3 +
+    /// 1.5*t` begins at 0.3 with the rate 1.5; may be repeated
     #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
     pub set: Vec<String>,
-    /// The assembly mode of a loop, as `solve` takes it; may be repeated
+    /// Assembly mode of a loop, as in `solve`; may be repeated
     #[arg(long, value_name = "LOOP=MODE")]
     pub branch: Vec<String>,
-    /// What is reported.
+    /// Results.
     #[command(flatten)]
     pub reported: Reported,
 }

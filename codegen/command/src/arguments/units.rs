@@ -3,11 +3,11 @@
 use clap::Args;
 use linkwright_codegen::stages::units::OutputUnits;
 
-/// Units of what is reported.
+/// Units of the report.
 #[derive(Args, Debug)]
 pub struct ReportedIn {
-    /// Units of tables, files, pictures and messages [default: those of the statement `units`; without it SI units in tables and files, and in
-    /// messages and pages those that the description mostly writes]
+    /// Units of tables, files, pictures and messages [default: those of the statement `units`; without it SI units in
+    /// tables and files, and in messages and pages the units used most in the description]
     #[arg(long, value_name = "mm,deg", require_equals = true, value_parser = units)]
     pub units: Option<OutputUnits>,
 }

@@ -9,43 +9,43 @@ use super::setting::Setting;
 use super::units::ReportedIn;
 use super::values::{step, time};
 
-/// Makes one HTML file that shows the mechanism in motion, its equations, their solution block by block, its singular poses, its
-/// assemblies and its curves.
+/// Makes one HTML file that shows the mechanism in motion, its equations, their solution block by block, its singular
+/// poses, its assemblies and its curves.
 ///
-/// The file needs nothing else: no network, no other file. Pointing at an equation, a curve or a body lights what it is about. It
-/// prints as a worked solution.
+/// The file is self-contained: it needs neither network nor other files. Pointing at an equation, a curve or a body
+/// highlights the related items. The page prints as a worked solution.
 #[derive(Args, Debug)]
 #[command(after_help = VIEW_EXAMPLES)]
 pub struct View {
     /// The description.
     #[command(flatten)]
     pub described: Described,
-    /// Units of what is reported.
+    /// Units of the report.
     #[command(flatten)]
     pub reported_in: ReportedIn,
-    /// Where to write the page; `-` is stdout [default: NAME.html]
+    /// Output file of the page; `-` is stdout [default: NAME.html]
     #[arg(short, long, value_name = "FILE")]
     pub out: Option<PathBuf>,
-    /// When the motion starts, in s or with a unit; the mechanism is assembled there
+    /// Start of the motion, in s or with a unit; the mechanism is assembled there
     #[arg(long, value_name = "T0", default_value = "0", value_parser = time, allow_hyphen_values = true)]
     pub from: f64,
-    /// When the motion ends, in s
+    /// End of the motion, in s
     #[arg(long, value_name = "T1", default_value = "5", value_parser = time, allow_hyphen_values = true)]
     pub to: f64,
-    /// The time between frames, in s, and that of the first Newton-Raphson step
+    /// Time between frames, in s, and that of the first Newton-Raphson step
     #[arg(long, value_name = "H", default_value = "0.01", value_parser = step, allow_hyphen_values = true)]
     pub step: f64,
-    /// Where the motion departs from it.
+    /// Departures from the description.
     #[command(flatten)]
     pub setting: Setting,
     /// Replace a file that is not a page of this command
     #[arg(long)]
     pub force: bool,
-    /// Write no file but serve the page to this machine only, always as the description is now: it is reloaded when the file is
-    /// saved, and what is wrong with it stands in the page
+    /// Serve the page to this machine without writing a file. The page is reloaded when the description is saved, and
+    /// shows its errors
     #[arg(long, conflicts_with_all = ["out", "force"])]
     pub watch: bool,
-    /// The port at which the page is served; 0 takes a free one
+    /// Port of the page; 0 takes a free one
     #[arg(long, value_name = "PORT", default_value = "7341", requires = "watch")]
     pub port: u16,
 }

@@ -35,7 +35,7 @@ impl AnimationFormat {
             return gif();
         }
         Err(Problem(format!(
-            "error: cannot write `{}`: no animation can be written as `.{}`\n  = help: name a file that ends in `.svg` or `.gif`",
+            "error: cannot write `{}`: animations cannot be written as `.{}`\n  = help: name a file that ends in `.svg` or `.gif`",
             path.unwrap_or(Path::new("")).display(),
             extension.display()
         )))

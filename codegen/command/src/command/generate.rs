@@ -106,7 +106,7 @@ fn check_extension(arguments: &Generate, path: &Path) -> Result<(), Problem> {
         _ => "name a file that ends in `.rs`; `--lang c` writes one that ends in `.c`",
     };
     Err(Problem(format!(
-        "error: cannot write `{name}`: no module can be written as `.{}`\n  = help: {help}",
+        "error: cannot write `{name}`: modules cannot be written as `.{}`\n  = help: {help}",
         extension.display()
     )))
 }

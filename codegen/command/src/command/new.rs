@@ -113,7 +113,7 @@ pub fn run(arguments: &New) -> Result<Outcome, Problem> {
     if lies_in_package(folder) {
         texts[0]
             .1
-            .push_str("\n# Not a part of the workspace that it lies in.\n[workspace]\n");
+            .push_str("\n# Not a member of the workspace around it.\n[workspace]\n");
     }
     write(folder, &texts)?;
     print(|output| {
@@ -130,7 +130,7 @@ pub fn run(arguments: &New) -> Result<Outcome, Problem> {
 fn crate_name(folder: &Path) -> Result<&str, Problem> {
     let refused = |why: String| {
         let name = folder.display();
-        Problem(format!("error: no crate can be called `{name}`: {why}"))
+        Problem(format!("error: `{name}` is not the name of a crate: {why}"))
     };
     let name = folder
         .file_name()
@@ -199,7 +199,7 @@ fn write(folder: &Path, texts: &[(&str, String)]) -> Result<(), Problem> {
     written.map_err(|error| {
         let reason = match error.kind() {
             io::ErrorKind::AlreadyExists => "it exists already".to_string(),
-            io::ErrorKind::NotFound => "the folder that it is to lie in does not exist".to_string(),
+            io::ErrorKind::NotFound => "its parent folder does not exist".to_string(),
             _ => files::reason(&error),
         };
         Problem(format!(

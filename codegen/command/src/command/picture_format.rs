@@ -57,7 +57,7 @@ fn unknown(path: Option<&Path>, extension: &str) -> Problem {
         .map(|(name, _)| format!("`.{name}`"))
         .collect();
     Problem(format!(
-        "error: cannot write `{}`: no drawing can be written as {extension}\n  = help: name a file that ends in {}",
+        "error: cannot write `{}`: pictures cannot be written as {extension}\n  = help: name a file that ends in {}",
         path.unwrap_or(Path::new("")).display(),
         names.join(" or ")
     ))

@@ -91,7 +91,7 @@ fn check_extension(path: &Path) -> Result<(), Problem> {
         return Ok(());
     }
     Err(Problem(format!(
-        "error: cannot write `{}`: no page can be written as `.{}`\n  = help: name a file that ends in `.html` or `.htm`; `linkwright draw` writes pictures",
+        "error: cannot write `{}`: pages cannot be written as `.{}`\n  = help: name a file that ends in `.html` or `.htm`; `linkwright draw` writes pictures",
         path.display(),
         extension.display()
     )))

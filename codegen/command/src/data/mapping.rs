@@ -187,7 +187,7 @@ pub fn mapped(
         let names: Vec<&str> = quantities.iter().map(|it| it.name.as_str()).collect();
         let left: Vec<&str> = mapped.left_out.iter().map(|it| it.0.as_str()).collect();
         return Err(format!(
-            "error: no column of `{file}` measures anything of `{}`: {}\n  = help: say what a column measures with `--column COLUMN=QUANTITY`; the quantities are: {}",
+            "error: no column of `{file}` matches a quantity of `{}`: {}\n  = help: say what a column measures with `--column COLUMN=QUANTITY`; the quantities are: {}",
             system.mechanism.title(),
             listed(&left),
             listed(&names)

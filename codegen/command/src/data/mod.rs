@@ -113,7 +113,7 @@ impl Data {
             at(
                 mapped.time,
                 message,
-                "`--unit` says in which unit a column is, `--time` which column holds times",
+                "give the unit of a column with `--unit`, and the column of times with `--time`",
             )
         })?;
         let times = times(&name, &columns, mapped.time, &time_scale, asked.shift)?;
@@ -122,7 +122,7 @@ impl Data {
             let source = &columns.columns[column];
             let scale = units.of(&columns, column, quantity.powers, quantity.unit);
             let scale = scale.map_err(|message| {
-                at(column, format!("{message}: it measures `{}`", quantity.name), "`--unit` says in which unit a column is, `--column` what it measures, and `--skip` leaves it out")
+                at(column, format!("{message}: it measures `{}`", quantity.name), "give its unit with `--unit` and its quantity with `--column`, or leave it out with `--skip`")
             })?;
             measured.push(Measured {
                 values: in_si(&source.values, &scale),
@@ -144,7 +144,7 @@ impl Data {
                 at(
                     column,
                     message,
-                    "`--unit` says in which unit a column is, and `--skip` leaves it out",
+                    "give its unit with `--unit`, or leave it out with `--skip`",
                 )
             })?;
             inputs.push(MeasuredInput {
@@ -211,7 +211,7 @@ fn times(
         return Err(refused(
             source.span,
             message,
-            "export times as numbers, such as seconds from the start; `--time` names another column",
+            "export times as numbers, such as seconds from the start, or name another column with `--time`",
         ));
     }
     let mut times: Vec<f64> = Vec::with_capacity(source.values.len());
@@ -227,8 +227,8 @@ fn times(
         if times.last().is_some_and(|last| t < *last) {
             return Err(refused(
                 *span,
-                "the time goes back".to_string(),
-                "sort the rows by time; `--time` names another column",
+                "the time decreases".to_string(),
+                "sort the rows by time, or name another column with `--time`",
             ));
         }
         times.push(t);

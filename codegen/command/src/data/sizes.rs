@@ -66,7 +66,7 @@ pub fn sizes(option: &str, asked: &[String], data: &Data) -> Result<Vec<Option<f
         if !is_used {
             let names: Vec<&str> = data.measured.iter().map(|it| it.name.as_str()).collect();
             return Err(format!(
-                "error: `{option} {text}` is about none of the compared columns\n  = help: they are: {}",
+                "error: `{option} {text}` matches none of the compared columns\n  = help: they are: {}",
                 names.join(", ")
             ));
         }

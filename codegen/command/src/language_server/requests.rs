@@ -157,7 +157,7 @@ pub fn answer(method: &str, params: Value, documents: &mut Documents) -> Result<
         }
         _ => Err(Refusal::new(
             ErrorCode::MethodNotFound,
-            &format!("`{method}` is not offered"),
+            &format!("`{method}` is not supported"),
         )),
     }
 }

@@ -154,7 +154,7 @@ impl Followed<Dense> {
     fn say_passed(&mut self, passed: &[[f64; 2]]) {
         let lines = passed.iter().map(|[from, to]| {
             format!(
-                "a singular pose is passed between t = {} s and {} s: the motion goes straight on there",
+                "the motion passes straight through a singular pose between t = {} s and {} s",
                 time(*from),
                 time(*to)
             )

@@ -212,7 +212,7 @@ impl Outputs {
     fn take(&mut self, place: &Path) -> Result<(), Why> {
         let same = |other: &&PathBuf| same_file::is_same_file(place, other).unwrap_or(false);
         if let Some(read) = self.read.iter().find(same) {
-            let why = format!("it is `{}`, which is read", read.display());
+            let why = format!("it is `{}`, which is an input", read.display());
             return Err(Why::new(why).help("name another file"));
         }
         if is_stdout(place) {
@@ -220,19 +220,19 @@ impl Outputs {
             return Err(why.help("name another file, or `-` for stdout"));
         }
         if self.places.contains(place) {
-            let why = Why::new("something else is to be written to this file");
+            let why = Why::new("another output is written to this file");
             return Err(why.help("name another file"));
         }
         let above = || place.ancestors().skip(1);
         let crossed = match self.folders.contains(place) {
-            true => Some((place, "something else")),
+            true => Some((place, "another output")),
             false => above()
                 .find(|it| self.places.contains(*it))
-                .map(|it| (it, "this")),
+                .map(|it| (it, "this output")),
         };
         if let Some((file, what)) = crossed {
             let why = format!(
-                "`{}` is to be a file, and {what} to lie in it",
+                "`{}` cannot be both a file and the folder of {what}",
                 file.display()
             );
             return Err(Why::new(why).help("name another file"));

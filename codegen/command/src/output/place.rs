@@ -72,7 +72,7 @@ fn leads_nowhere(error: &io::Error) -> bool {
 /// Returns the path without links of a file that does not exist; its folders exist or can be created.
 pub(super) fn missing(path: &Path) -> Result<PathBuf, Why> {
     let (Some(name), false) = (path.file_name(), ends_as_folder(path)) else {
-        return Err(Why::new("this names no file"));
+        return Err(Why::new("this is not the name of a file"));
     };
     let mut rest = vec![name];
     let mut folder = files::folder_of(path);
@@ -81,7 +81,7 @@ pub(super) fn missing(path: &Path) -> Result<PathBuf, Why> {
             break kind;
         }
         let Some(name) = folder.file_name() else {
-            return Err(Why::new(format!("there is no `{}`", folder.display())));
+            return Err(Why::new(format!("`{}` does not exist", folder.display())));
         };
         rest.push(name);
         folder = files::folder_of(folder);
@@ -107,7 +107,7 @@ fn ends_as_folder(path: &Path) -> bool {
 fn may_write_in(folder: &Path, shown: &Path) -> Result<(), Why> {
     files::may_write_in(folder).map_err(|error| {
         Why::new(format!(
-            "no file can be made in `{}`: {}",
+            "cannot create a file in `{}`: {}",
             shown.display(),
             files::reason(&error)
         ))
@@ -155,7 +155,7 @@ pub(super) fn ours(
         return same_source(place, shown, signature, source);
     }
     let why = Why::new(format!(
-        "there is a file already, and it is not {}",
+        "a file exists already, and it is not {}",
         signature.noun
     ));
     Err(why.help("name another file, or replace this one with `--force`"))

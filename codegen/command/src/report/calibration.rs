@@ -92,7 +92,7 @@ impl Report<'_> {
             }
         }
         if fit.freedom == 0 {
-            reasons.push("no value is left over to judge the fit by".to_string());
+            reasons.push("no redundant value remains to judge the fit".to_string());
         }
         for (place, own) in self.data.measured.iter().enumerate() {
             if fit.goodness.explains(place) != Some(false) {
@@ -110,7 +110,7 @@ impl Report<'_> {
             reasons.push(match goodness.runs {
                 Some((runs, expected, _)) if goodness.reduced.is_some_and(|it| it < RUNS_LIMIT) => {
                     format!(
-                        "what is left of `{}` is not noise: its signs change in {runs} runs, where {expected:.0} are expected",
+                        "the residual of `{}` is not noise: its signs change in {runs} runs, where {expected:.0} are expected",
                         own.name
                     )
                 }
@@ -122,7 +122,7 @@ impl Report<'_> {
         }
         if reasons.is_empty() && !fit.goodness.explains_all() {
             reasons.push(
-                "all columns together leave more than the noise that neighboring rows show"
+                "the residuals of all columns together exceed the noise that neighboring rows show"
                     .to_string(),
             );
         }
@@ -273,8 +273,10 @@ pub fn write(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()> {
     }
     let verdict = match (fit.is_trusted(), fit.goodness.is_judged()) {
         (false, _) => "this fit is not to be trusted",
-        (true, true) => "this fit is to be trusted: noise explains what is left",
-        (true, false) => "too few rows show their noise: `--deviation` lets the fit be judged",
+        (true, true) => "this fit is to be trusted: noise explains the residuals",
+        (true, false) => {
+            "too few rows show their noise: give it with `--deviation` to judge the fit"
+        }
     };
     writeln!(output, "{verdict}")
 }

@@ -82,7 +82,7 @@ fn assemblies(check: &Check, width: usize, output: &mut dyn Write) -> io::Result
     let starts = format!("{STARTS} starts at random find for each block without a closed form");
     let allowed = match (all.modes, all.iterated) {
         _ if is_proven && all.are_all() => "; these are all".to_string(),
-        _ if is_proven => "; no others but where it is undecided".to_string(),
+        _ if is_proven => "; no others except where it is undecided".to_string(),
         (_, 0) => signs,
         (0, _) => format!("that {starts}"),
         _ => format!("{signs}, times what {starts}"),
@@ -121,7 +121,7 @@ fn undecided(check: &Check, output: &mut dyn Write) -> io::Result<()> {
         let percent = 100.0 * all.decided;
         writeln!(
             output,
-            "  no others in {percent:.1} % of all that could be; undecided are:"
+            "  no others in {percent:.1} % of the possible poses; undecided are:"
         )?;
     }
     let units = check.interpreted.system().mechanism.units.of_tables();
@@ -154,7 +154,7 @@ fn approaches(check: &Check, output: &mut dyn Write) -> io::Result<()> {
     };
     writeln!(
         output,
-        "\nclosest to singular from t = {} s to {} s (0 is singular, 1 as far from it as can be)",
+        "\nclosest to singular from t = {} s to {} s (0: singular, 1: as far from singular as possible)",
         time(first),
         time(last)
     )?;

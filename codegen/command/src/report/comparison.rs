@@ -95,7 +95,7 @@ impl Report<'_> {
                     .get((-powers[1]).unsigned_abs() as usize)
                     .unwrap_or(&"");
                 hints.push(format!(
-                    "warning: the values of `{name}` are about {factor:.1} times those of the motion\n  = help: are they in {unit}{per}? `--unit {name}={unit}{per}` says so",
+                    "warning: the values of `{name}` are about {factor:.1} times those of the motion\n  = help: if they are in {unit}{per}, pass `--unit {name}={unit}{per}`",
                     name = column.measured.name,
                 ));
             }

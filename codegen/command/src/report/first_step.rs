@@ -28,7 +28,7 @@ pub fn write<V: View>(view: &V, t: f64, output: &mut dyn Write) -> io::Result<()
         .collect();
     writeln!(
         output,
-        "\nfirst Newton-Raphson step from the drawing at t = {} s: Φ_q Δq = -Φ",
+        "\nfirst Newton-Raphson step from the design configuration at t = {} s: Φ_q Δq = -Φ",
         time(t)
     )?;
     let number = |value: f64| fixed(value, DECIMALS);
@@ -67,7 +67,7 @@ pub fn write<V: View>(view: &V, t: f64, output: &mut dyn Write) -> io::Result<()
     let Some(correction) = &step.correction else {
         return writeln!(
             output,
-            "  Φ_q is singular in the drawing: there is no such step"
+            "  Φ_q is singular in the design configuration: the step is undefined"
         );
     };
     let width = names.iter().map(|it| it.chars().count()).max().unwrap_or(0);

@@ -57,7 +57,7 @@ pub fn write(check: &Check, proof: &Proof, output: &mut dyn Write) -> io::Result
 
 fn write_proven(check: &Check, proven: &Proven, output: &mut dyn Write) -> io::Result<()> {
     if !proven.determinants.is_empty() {
-        writeln!(output, "  normalized determinants, in size")?;
+        writeln!(output, "  magnitudes of normalized determinants")?;
     }
     for own in &proven.determinants {
         writeln!(

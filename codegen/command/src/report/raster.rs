@@ -83,7 +83,7 @@ impl Rasterizer {
         let size = tree.size();
         let [width, height] = [size.width(), size.height()].map(|it| (it * factor).ceil() as u32);
         let mut pixels =
-            Pixmap::new(width, height).ok_or("so many pixels have no room in memory")?;
+            Pixmap::new(width, height).ok_or("the picture does not fit into memory")?;
         let transform = Transform::from_scale(factor, factor);
         resvg::render(&tree, transform, &mut pixels.as_mut());
         Ok(pixels)

@@ -185,7 +185,7 @@ pub(super) fn of(text: &str, known: Known) -> Result<Dialect, (Fault, Option<Dia
                     "this can be read in two ways: {}, or {}",
                     best.dialect, rival.dialect
                 ),
-                "say which: `--delimiter` and `--decimal`",
+                "choose with `--delimiter` and `--decimal`",
             ),
             None,
         )),

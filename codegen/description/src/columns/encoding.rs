@@ -125,7 +125,12 @@ fn utf16(bytes: &[u8], encoding: Encoding) -> Result<(String, Encoding), Unreada
         _ => {
             let at = text.len();
             let message = format!("half a character of {} is left", encoding.name());
-            Err(refused(text, at, message, "is the file complete?"))
+            Err(refused(
+                text,
+                at,
+                message,
+                "check that the file is complete",
+            ))
         }
     }
 }

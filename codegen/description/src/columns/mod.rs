@@ -139,8 +139,8 @@ impl Columns {
         };
         let skipped = match self.skipped {
             0 => String::new(),
-            1 => "; one line before them is no part of the table".to_string(),
-            count => format!("; {count} lines before them are no part of the table"),
+            1 => "; one line before them is not part of the table".to_string(),
+            count => format!("; {count} lines before them are not part of the table"),
         };
         let (encoding, dialect) = (self.encoding.name(), self.dialect);
         format!("{encoding}, {dialect}, {names}{units}{skipped}")

@@ -19,7 +19,7 @@ thread_local! {
 
 /// Request to the user, for help lines.
 const HELP: &str = "this is an error of Linkwright, not of the description; please report it with the description \
-                    to those from whom you have Linkwright";
+                    to the distributor of your copy of Linkwright";
 
 /// Record of the location being processed, until it is dropped.
 #[must_use]
@@ -97,9 +97,9 @@ impl InternalError {
         let place = self.place.unwrap_or_default();
         let finding = Diagnostic::error(Code::InternalError, place, self.message.as_str());
         match self.place {
-            Some(_) => finding.label("while this was worked on").help(HELP),
+            Some(_) => finding.label("while this was processed").help(HELP),
             None => finding
-                .note("the place in the description is not known")
+                .note("the place in the description is unknown")
                 .help(HELP),
         }
     }

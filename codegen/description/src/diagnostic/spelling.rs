@@ -36,10 +36,8 @@ impl Diagnostics {
         let mut all = Diagnostics::new();
         all.extend(kept.into_iter().map(|(found, others)| match others {
             0 => found,
-            1 => found.note("the same holds where it is written out once more"),
-            _ => found.note(format!(
-                "the same holds where it is written out {others} more times"
-            )),
+            1 => found.note("this holds for one more copy, too"),
+            _ => found.note(format!("this holds for {others} more copies, too")),
         }));
         all
     }

@@ -9,7 +9,7 @@ pub static ABSOLUTE_DISTANCE: Kind = Kind {
     keyword: "absolute_distance",
     operands: Operands::of(&[Slot::Point, Slot::GroundPoint]),
     value: Value::Required(Quantity::Length),
-    example: "`absolute_distance (1.P, A) = 2;` with A a point of the drawing",
+    example: "`absolute_distance (1.P, A) = 2;` with A a point on the ground",
     feature: |_, _| Some(Feature::Link),
     auxiliaries: &[Auxiliary::LinkAngle],
     refusal: |operands, graph| refuse_length(operands.value?, "`revolute (1.P, ground.A);`", graph),

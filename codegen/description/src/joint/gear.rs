@@ -64,7 +64,7 @@ fn refusal(other: &str, operands: &Resolved, graph: &Graph) -> Option<Refusal> {
         )
     } else {
         (
-            "a ratio of zero would only hold the second body still".to_string(),
+            "a ratio of zero would only fix the second body".to_string(),
             "the ratio is the first radius over the second: `= 20mm/40mm`".to_string(),
         )
     };

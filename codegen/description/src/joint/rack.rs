@@ -66,7 +66,7 @@ fn refusal(operands: &Resolved, graph: &mut Graph) -> Option<Refusal> {
     if radius.is_some_and(|radius| radius <= 0.0) {
         return Some(Refusal {
             problem: "the radius of a pinion must be positive".to_string(),
-            help: "on which side of the line it rolls is taken from the drawing".to_string(),
+            help: "write it without a sign: the design configuration decides on which side of the line it rolls".to_string(),
         });
     }
     let across = operands.across_in_drawing(graph)?;
@@ -75,8 +75,8 @@ fn refusal(operands: &Resolved, graph: &mut Graph) -> Option<Refusal> {
     // Bound on the rounding error of a distance of zero.
     let least = f64::EPSILON * 8.0 * along?.abs().max(radius.unwrap_or(0.0));
     (across?.abs() <= least).then(|| Refusal {
-        problem: "the centre of the pinion is drawn on the line of the rack".to_string(),
-        help: "name points of the rack where the teeth meet: the drawing says on which side the pinion rolls".to_string(),
+        problem: "the centre of the pinion lies on the line of the rack in the design configuration".to_string(),
+        help: "name points of the rack where the teeth meet: the design configuration decides on which side the pinion rolls".to_string(),
     })
 }
 

@@ -40,7 +40,7 @@ fn refusal(operands: &Resolved, graph: &mut Graph) -> Option<Refusal> {
     let radius = graph.constant_value(operands.value?)?;
     (radius <= 0.0).then(|| Refusal {
         problem: "the radius of a roller must be positive".to_string(),
-        help: "write `point_on_curve` for a point; the side of the roller follows from the drawing"
+        help: "write `point_on_curve` for a point; the side of the roller follows from the design configuration"
             .to_string(),
     })
 }

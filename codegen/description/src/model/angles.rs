@@ -109,11 +109,11 @@ impl Resolver<'_> {
             Diagnostic::error(
                 Code::WrongForm,
                 name.span,
-                format!("`{}` is an angle and has no place", name.text),
+                format!("`{}` is an angle and has no position", name.text),
             )
-            .label("a body is wanted here")
+            .label("expected a body")
             .also(body_of_name.span, "declared as an angle")
-            .help("what holds an angle is an `equation` of it; what has points is a `body`"),
+            .help("constrain an angle by an `equation`; only a `body` has points"),
         );
         false
     }

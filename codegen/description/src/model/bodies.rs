@@ -195,7 +195,7 @@ impl Resolver<'_> {
                 let Some(DrawnPoint { position, .. }) = self.declared.drawn.get(&name.text) else {
                     let unknown = self.declared.drawn.unknown(&name.text, name.span);
                     self.diagnostics.push(unknown.help(format!(
-                        "give it where it is drawn, `point {0} = (x, y);`, or in the body's frame, `{0}: (x, y)`",
+                        "give its global position, `point {0} = (x, y);`, or in the body's frame, `{0}: (x, y)`",
                         name.text
                     )));
                     return None;

@@ -24,9 +24,9 @@ pub fn beyond_bounds(excess: Excess, span: Span) -> Diagnostic {
         Excess::Size => Diagnostic::error(
             Code::TooMuchWork,
             span,
-            "the formulas up to here are longer than one description may cause",
+            "the formulas up to here exceed the limit of one description",
         )
-        .label("the bound is passed here")
+        .label("the limit is exceeded here")
         .help("shorten the formulas, or describe the mechanism in parts"),
     }
 }

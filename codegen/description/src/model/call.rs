@@ -121,7 +121,9 @@ impl Resolver<'_> {
             .label(format!("{given} given"))
             .help(match name {
                 "atan2" => "`atan2(y, x)` is the angle of the vector (x, y)".to_string(),
-                "distance" => "`distance(A, B)` measures two points in the drawing".to_string(),
+                "distance" => {
+                    "`distance(A, B)` measures two points in the design configuration".to_string()
+                }
                 _ => format!("write `{name}(…)` with one expression"),
             }),
         );

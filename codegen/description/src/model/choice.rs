@@ -183,7 +183,7 @@ impl Resolver<'_> {
     fn report_condition(&mut self, span: Span, message: &str) {
         self.diagnostics.push(
             Diagnostic::error(Code::WrongForm, span, message)
-                .label("where the pieces have to join is not known")
+                .label("the point at which the pieces join is unknown")
                 .help(
                     "compare the variable itself with a number, as in `if t < 2s { … } else { … }`",
                 ),

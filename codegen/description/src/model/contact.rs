@@ -34,7 +34,7 @@ impl Resolver<'_> {
             Some(_) => Diagnostic::error(
                 Code::WrongForm,
                 reference.span,
-                "a curve is wanted here, not a point",
+                "expected a curve, found a point",
             )
             .help("declare `curve NAME(s) on BODY = (X, Y);` and write its name alone"),
             None => self.declared.curves.unknown(&name.text, name.span),
@@ -114,9 +114,9 @@ impl Resolver<'_> {
                 Diagnostic::error(
                     Code::DegenerateGeometry,
                     given.span,
-                    "nowhere in its range this curve has a normal or is defined",
+                    "this curve is undefined, or without a normal, over its whole range",
                 )
-                .help("look at the formula of the curve"),
+                .help("check the formula of the curve"),
             );
             return None;
         };
@@ -132,15 +132,15 @@ impl Resolver<'_> {
             .iter()
             .any(|(_, minima)| minima.largest.sqrt() - distance <= EQUIVALENCE_TOLERANCE * size);
         let doubt = match rival {
-            _ if is_even => Some("every point of it is as near".to_string()),
+            _ if is_even => Some("every point of it is equally near".to_string()),
             Some((other, _)) if *other != side => Some(format!(
-                "both sides of it are as near, at {}",
+                "both sides of it are equally near, at {}",
                 shown(place, drawn.quantity)
             )),
             Some((_, rival)) => {
                 let (low, high) = (place.min(rival.place), place.max(rival.place));
                 Some(format!(
-                    "{} and {} are as near",
+                    "{} and {} are equally near",
                     shown(low, drawn.quantity),
                     shown(high, drawn.quantity)
                 ))
@@ -152,10 +152,10 @@ impl Resolver<'_> {
                 Diagnostic::error(
                     Code::DegenerateGeometry,
                     given.span,
-                    "the drawing does not tell where the curve is touched",
+                    "the design configuration does not determine the contact point",
                 )
                 .label(doubt)
-                .help("draw the bodies such that one place of the curve is nearest"),
+                .help("place the bodies so that one point of the curve is nearest"),
             );
             return None;
         }
@@ -167,12 +167,12 @@ impl Resolver<'_> {
                     Code::DegenerateGeometry,
                     given.span,
                     format!(
-                        "in the drawing this is {away} {} away from touching its curve",
+                        "in the design configuration this is {away} {} away from its curve",
                         unit.name
                     ),
                 )
                 .label(format!("nearest at {}", shown(place, drawn.quantity)))
-                .help("draw the bodies as they touch; the mechanism is assembled from there"),
+                .help("place the bodies in contact; the mechanism is assembled from there"),
             );
         }
         let rounded = (place * ESTIMATED_TO).round() / ESTIMATED_TO;
@@ -211,8 +211,10 @@ impl Resolver<'_> {
                     given.span,
                     format!("{problem} at {}", shown(worst.place, drawn.quantity)),
                 )
-                .label("would touch the curve in two places there")
-                .help("the equations hold one contact only: give the curve another shape there"),
+                .label("would touch the curve at two points there")
+                .help(
+                    "the equations describe one contact only: give the curve another shape there",
+                ),
             );
         }
     }

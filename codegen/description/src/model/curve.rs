@@ -193,7 +193,7 @@ impl Resolver<'_> {
                     ),
                 )
                 .label("its derivative vanishes there, so it has no normal")
-                .help("a contact that comes near this point is singular; write the curve so that it goes on evenly"),
+                .help("a contact that comes near this point is singular; write the curve so that it continues smoothly"),
             );
         }
     }

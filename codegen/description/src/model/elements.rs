@@ -154,16 +154,16 @@ impl Resolver<'_> {
         if self.are_apart(from, to) {
             return true;
         }
-        let message = format!("the two ends of this {word} are drawn at the same place");
+        let message = format!("the two ends of this {word} coincide in the design configuration");
         let help = match word {
             "spring" => {
-                "draw them apart, or let it rest at zero length without a preload: `free 0`"
+                "place them apart, or let it rest at zero length without a preload: `free 0`"
             }
-            _ => "draw them apart; a damper about a joint is written `damper about (1, 2) = …;`",
+            _ => "place them apart; a damper about a joint is written `damper about (1, 2) = …;`",
         };
         self.diagnostics.push(
             Diagnostic::error(Code::DegenerateGeometry, span, message)
-                .label("has no direction in the drawing")
+                .label("has no direction")
                 .help(help),
         );
         false

@@ -22,13 +22,13 @@ impl Resolver<'_> {
             let help = if self.graph.depends_on(value, self.formulas.time) {
                 "only the right-hand side of a `drive` statement may depend on `t`"
             } else {
-                "an input may stand where `t` may; a value that does not move is a `param`"
+                "use an input only where `t` may stand; declare a constant value as a `param`"
             };
             self.diagnostics.push(
                 Diagnostic::error(
                     Code::NotConstant,
                     written.span,
-                    format!("a constant is wanted here, but this depends on {cause}"),
+                    format!("expected a constant, but this depends on {cause}"),
                 )
                 .label("changes with time")
                 .help(help),
@@ -107,7 +107,7 @@ impl Resolver<'_> {
                         written.span,
                         "expected a scalar, found a coordinate tuple",
                     )
-                    .label("one value is wanted here")
+                    .label("expected one value")
                     .help("write each component in a formula of its own"),
                 );
                 return None;
@@ -194,14 +194,14 @@ impl Resolver<'_> {
         };
         self.diagnostics.push(if is_point {
             no_number("point").help(
-                "points can be measured: `distance(A, B)` is the length between them in the drawing",
+                "measure points: `distance(A, B)` is the length between them in the design configuration",
             )
         } else if self.declared.table_names.get(name).is_some() {
             no_number("table").help(format!("write `{name}(x)` for its value at x"))
         } else if self.angle_named(name).is_some() {
-            no_number("angle that moves").help("an `equation` may name it; in the drawing it has no value to start from")
+            no_number("angle that moves").help("name it in an `equation`; it has no value in the design configuration")
         } else if self.declared.body_ids.get(name).is_some() {
-            no_number("body").help("name a constant, or measure points of the drawing: `distance(A, B)`")
+            no_number("body").help("name a constant, or measure points of the design configuration: `distance(A, B)`")
         } else {
             self.declared.constants.unknown(name, reference.span)
         });

@@ -184,7 +184,7 @@ impl Resolver<'_> {
             self.diagnostics.push(
                 Diagnostic::error(Code::WrongForm, given.span, message)
                     .label("refers to the global axes")
-                    .also(part, "the part has a place here")
+                    .also(part, "the part is placed here")
                     .help("write it in the mechanism, with names such as `PART.BODY`"),
             );
         }

@@ -16,7 +16,8 @@ pub(super) type LineOfJoint = (Vec<Mark>, Option<Axis>, Vec<AuxiliaryUnknown>);
 /// Relative difference of coordinates below which positions are equal up to rounding.
 const ROUNDING: f64 = 1e-14;
 /// Help for two coincident points.
-pub(super) const DISTINCT_POINTS_HELP: &str = "name two points that are apart in the drawing";
+pub(super) const DISTINCT_POINTS_HELP: &str =
+    "name two points that are apart in the design configuration";
 
 impl Resolver<'_> {
     /// Resolves `(1, 2) along P -> Q`: P on the first body, Q on the second, the line of the design configuration.
@@ -51,7 +52,7 @@ impl Resolver<'_> {
         let drawn = [self.drawn_mark(&marks[0]), self.drawn_mark(&marks[1])];
         let sliding = &given.operands[1].name.text;
         let help = format!(
-            "draw body `{sliding}` further along the line, on the side to which it slides: where it is drawn is an estimate, and a driver may start at length zero all the same"
+            "place body `{sliding}` further along the line, on the side to which it slides: its pose is an estimate, and a driver may still start at length zero"
         );
         let direction = self.unit_direction(drawn[0], drawn[1], along.span, &help)?;
         let frames = [0, 1].map(|side| self.linkage.bodies[marks[side].frame.body.0].drawn);
@@ -140,7 +141,7 @@ impl Resolver<'_> {
             Diagnostic::error(
                 Code::DegenerateGeometry,
                 span,
-                "this direction has no length in the drawing",
+                "this direction has no length in the design configuration",
             )
             .label("both points are at the same place")
             .help(help),

@@ -61,7 +61,7 @@ impl Resolver<'_> {
                 Diagnostic::error(
                     Code::WrongForm,
                     ends[1].span,
-                    format!("a place of {other} components has no distance to one of {one}"),
+                    format!("a position of {other} components has no distance to one of {one}"),
                 )
                 .label(format!("{other} components"))
                 .also(ends[0].span, format!("{one} components"))

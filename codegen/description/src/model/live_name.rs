@@ -223,10 +223,10 @@ impl Resolver<'_> {
                 Diagnostic::error(
                     Code::OutsideGrammar,
                     span,
-                    "where a point is may be said in an `equation` only",
+                    "only an `equation` may refer to the position of a point",
                 )
                 .label("moves with the mechanism")
-                .help("measure the drawing with `distance(A, B)`, or write an `equation`"),
+                .help("measure the design configuration with `distance(A, B)`, or write an `equation`"),
             );
             return None;
         }

@@ -106,7 +106,7 @@ impl Resolver<'_> {
                     written.span,
                     format!("{what} cannot be negative"),
                 )
-                .help("is a sign wrong?"),
+                .help("check the sign"),
             );
         }
         !is_negative

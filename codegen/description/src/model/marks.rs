@@ -22,16 +22,16 @@ impl Resolver<'_> {
                 Diagnostic::error(Code::UnknownName, name.span, message)
                     .label("used before the body is complete")
                     .also(own.span, "declared here")
-                    .help("name points of the drawing, or of bodies above this one"),
+                    .help("name points on the ground, or on bodies above this one"),
             );
             return None;
         }
         self.diagnostics.push(match carriers.first() {
             Some(body) => diagnostic
-                .label("this is a point, and a body is wanted here")
+                .label("expected a body, found a point")
                 .instead(format!("name a body, such as `{body}`, which carries it")),
             None if self.declared.drawn.get(&name.text).is_some() => diagnostic
-                .label("this is a point, and a body is wanted here")
+                .label("expected a body, found a point")
                 .instead("a point that no body carries is fixed to the `ground`"),
             None => diagnostic,
         });
@@ -65,7 +65,7 @@ impl Resolver<'_> {
         diagnostic = diagnostic.help(format!("write {}", alternatives(&written)));
         if self.declared.drawn.get(&name.text).is_some() {
             diagnostic = diagnostic.help(format!(
-                "the place where it is drawn, fixed to the ground, is `ground.{}`",
+                "its design position, fixed to the ground, is `ground.{}`",
                 name.text
             ));
         }
@@ -86,7 +86,7 @@ impl Resolver<'_> {
                 Diagnostic::error(
                     Code::WrongForm,
                     reference.span,
-                    "a body is wanted here, not one of its points",
+                    "expected a body, found one of its points",
                 )
                 .help(format!(
                     "write `{}`",
@@ -164,9 +164,9 @@ impl Resolver<'_> {
                 name.span,
                 format!("point `{}` is not on the ground", name.text),
             )
-            .label("no drawn point has this name")
+            .label("no `point` has this name")
             .help(format!(
-                "declare where it is: `point {} = (x, y);`",
+                "declare its position: `point {} = (x, y);`",
                 name.text
             ))
         } else if drawn.is_some() || carried_elsewhere {
@@ -210,7 +210,7 @@ impl Resolver<'_> {
                 "move this statement below the body, and write `{body}.{text}`"
             ))
             .help(format!(
-                "the place where it is drawn, fixed to the ground, is `ground.{text}`"
+                "its design position, fixed to the ground, is `ground.{text}`"
             )),
         );
         None
@@ -226,9 +226,9 @@ impl Resolver<'_> {
                     Diagnostic::error(
                         Code::WrongForm,
                         reference.span,
-                        format!("a point of the ground is wanted here, not one of body `{}`", body.text),
+                        format!("expected a point of the ground, found one of body `{}`", body.text),
                     )
-                    .help("name a point of the drawing; between points of two bodies the distance is `relative_distance`"),
+                    .help("name a point on the ground; between points of two bodies the distance is `relative_distance`"),
                 );
                 None
             }

@@ -130,7 +130,7 @@ impl Resolver<'_> {
             span,
             message: format!("`{function}` takes {domain}"),
             label: format!("this is `{function}` of {value}"),
-            help: format!("look for a wrong sign or unit in the argument of `{function}`"),
+            help: format!("check the sign and the unit in the argument of `{function}`"),
         })
     }
 }
@@ -140,6 +140,6 @@ fn division_by_zero(span: Span) -> Cause {
         span,
         message: "division by zero".to_string(),
         label: "this is zero".to_string(),
-        help: "divide by something that is not zero".to_string(),
+        help: "divide by a value other than zero".to_string(),
     }
 }

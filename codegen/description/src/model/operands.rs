@@ -135,10 +135,10 @@ impl Resolver<'_> {
             Diagnostic::error(
                 Code::DegenerateGeometry,
                 given.span,
-                "the two ends of this distance are drawn at the same place",
+                "the two ends of this distance coincide in the design configuration",
             )
-            .label("has no direction in the drawing")
-            .help("draw the bodies such that the points are apart"),
+            .label("has no direction")
+            .help("place the bodies so that the points are apart"),
         );
         false
     }
@@ -274,7 +274,7 @@ impl Resolver<'_> {
             Diagnostic::error(
                 Code::JointOnOneBody,
                 given.span,
-                "this is about the ground alone, which does not move",
+                "this constrains only the ground, which does not move",
             )
             .help("name a body that moves, or a point of it: `1.P`"),
         );

@@ -125,19 +125,19 @@ impl Resolver<'_> {
             )
             .label("changes with time")
             .help(match sort {
-                Sort::Parameter => "a value that is supplied as it changes is an `input`",
+                Sort::Parameter => "declare a value that changes at run time as an `input`",
                 Sort::Input => {
                     "write the value at assembly; the signal itself is supplied at run time"
                 }
-                Sort::Free => "write where it is at t = 0; how it goes on follows from the forces",
+                Sort::Free => "write its value at t = 0; its motion follows from the forces",
             }),
             None => Diagnostic::error(
                 Code::NotConstant,
                 written.value.span,
                 format!("the {what} of {article} {noun} cannot depend on a parameter"),
             )
-            .label("a number is wanted here")
-            .help("a value that follows from parameters is a `const`"),
+            .label("expected a number")
+            .help("declare a value that follows from parameters as a `const`"),
         };
         self.diagnostics.push(finding);
         Some(one)

@@ -37,10 +37,10 @@ impl Resolver<'_> {
                     Diagnostic::error(
                         Code::OutsideGrammar,
                         argument.span,
-                        "the rate of a rate is not known where forces are",
+                        "formulas of forces cannot contain the rate of a rate",
                     )
                     .label("mentions a rate")
-                    .help("forces depend on places and velocities, not on accelerations"),
+                    .help("forces depend on positions and velocities, not on accelerations"),
                 );
                 return None;
             };

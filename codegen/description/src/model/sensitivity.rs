@@ -43,7 +43,7 @@ impl Resolver<'_> {
                         Diagnostic::error(
                             Code::DuplicateName,
                             name.span,
-                            format!("the sensitivity to `{}` is asked for twice", name.text),
+                            format!("the sensitivity to `{}` is requested twice", name.text),
                         )
                         .label("named again here")
                         .also(earlier, "first named here")
@@ -72,7 +72,7 @@ impl Resolver<'_> {
             let message = format!("`{text}` is an input, not a parameter");
             Diagnostic::error(Code::WrongForm, name.span, message)
                 .label("changes with time")
-                .help("an input drives: how the motion depends on it is a `transmission`")
+                .help("request a `transmission` for the dependence of the motion on an input")
         } else if self.declared.constants.get(text).is_some() {
             let message = format!("`{text}` is a constant, not a parameter");
             Diagnostic::error(Code::WrongForm, name.span, message)

@@ -301,6 +301,6 @@ impl Resolver<'_> {
                 finding = finding.also(place, format!("the axis of `{name}`"));
             }
         }
-        finding.help("draw the axes apart, or remove `pressure_angle`")
+        finding.help("place the axes apart, or remove `pressure_angle`")
     }
 }

@@ -32,7 +32,7 @@ impl Resolver<'_> {
                         Diagnostic::error(
                             Code::DuplicateName,
                             place(item),
-                            "this transmission is asked for twice",
+                            "this transmission is requested twice",
                         )
                         .label("named again here")
                         .also(earlier, "first named here")
@@ -115,7 +115,7 @@ impl Resolver<'_> {
             Diagnostic::error(
                 Code::WrongForm,
                 transmission.span,
-                "there is no driver whose motion could be transmitted",
+                "`transmission` requires a driver",
             )
             .help("add a driver, for example `drive phi(1) = t;`, or remove the statement"),
         );

@@ -19,7 +19,7 @@ impl Resolver<'_> {
                 self.diagnostics.push(
                     Diagnostic::error(Code::WrongForm, span, "no body has a mass")
                         .label("acts on nothing")
-                        .help("say what a body weighs: `mass 1 = 2kg;`"),
+                        .help("give a body a mass: `mass 1 = 2kg;`"),
                 );
             }
             forces.gravity = Some(gravity);
@@ -42,7 +42,7 @@ impl Resolver<'_> {
                     )
                     .label("would always be zero")
                     .help(format!(
-                        "say what bodies weigh, `mass 1 = 2kg;`, or what acts on them, or remove `{word}`"
+                        "give bodies a mass, `mass 1 = 2kg;`, or loads, or remove `{word}`"
                     )),
                 );
             }
@@ -58,10 +58,10 @@ impl Resolver<'_> {
                 Diagnostic::error(
                     Code::WrongForm,
                     free.span,
-                    "what is free is moved by forces, and no body has a mass",
+                    "a free coordinate requires a body with a mass",
                 )
                 .label("would have no acceleration")
-                .help(format!("say what the bodies weigh: `mass {body} = 2kg;`")),
+                .help(format!("give the bodies a mass: `mass {body} = 2kg;`")),
             );
         }
         if let Some((_, span)) = requests.iter().find(|(word, _)| *word == "effort") {
@@ -98,7 +98,7 @@ impl Resolver<'_> {
                         Diagnostic::error(
                             Code::DuplicateName,
                             name.span,
-                            format!("the reaction of `{}` is asked for twice", name.text),
+                            format!("the reaction of `{}` is requested twice", name.text),
                         )
                         .label("named again here")
                         .also(earlier, "first named here")
@@ -135,7 +135,7 @@ impl Resolver<'_> {
             .collect();
         let finding = match self.declared.nearest_known(&name.text, known) {
             Some(meant) => finding.help(format!("did you mean `{meant}`?")),
-            None => finding.help("a joint is called by the name behind its word, `revolute P(1, 2);`; `reactions;` asks for all of them"),
+            None => finding.help("name a joint behind its word, `revolute P(1, 2);`, or request all reactions with `reactions;`"),
         };
         self.diagnostics.push(finding);
     }
@@ -162,12 +162,8 @@ impl Resolver<'_> {
         }
         if drivers.next().is_none() && !self.diagnostics.has_errors() {
             self.diagnostics.push(
-                Diagnostic::error(
-                    Code::WrongForm,
-                    span,
-                    "there is no driver that could exert anything",
-                )
-                .help("add a driver, for example `drive phi(1) = t;`, or remove the statement"),
+                Diagnostic::error(Code::WrongForm, span, "`effort` requires a driver")
+                    .help("add a driver, for example `drive phi(1) = t;`, or remove the statement"),
             );
         }
     }
@@ -181,11 +177,11 @@ impl Resolver<'_> {
                 Diagnostic::error(
                     Code::WrongForm,
                     span,
-                    format!("`{label}` repeats other joints, so what each of them carries is not determined by rigid bodies"),
+                    format!("`{label}` repeats constraints of other joints, so that rigid bodies do not determine their reactions"),
                 )
                 .label("has no unique answer")
-                .also(place, "repeats what others say")
-                .help("remove the redundant joint, ask for `effort;`, which does not depend on it, or write `least_norm;` for the smallest of all answers"),
+                .also(place, "repeats constraints of other joints")
+                .help("remove the redundant joint, request `effort;`, which does not depend on it, or write `least_norm;` for the smallest reactions"),
             );
         }
     }
@@ -206,7 +202,7 @@ impl Resolver<'_> {
             ),
             (true, false) => (
                 "`least_norm` requires `reaction` or `reactions`",
-                "ask for it, `reactions;`, or remove `least_norm`",
+                "request them, `reactions;`, or remove `least_norm`",
             ),
         };
         self.diagnostics.push(

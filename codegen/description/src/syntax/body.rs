@@ -120,7 +120,7 @@ pub(super) fn members(mut tokens: Tokens<'_>) -> Vec<Member> {
                     None => separator(
                         &tokens,
                         "`,` or `}`",
-                        "a point of a body is written `P: (X, Y)`, or `P` if it is drawn above",
+                        "a point of a body is written `P: (X, Y)`, or `P` if a `point` above declares it",
                     ),
                 };
                 if semicolon.is_some() || tokens.peek_word().is_some() {

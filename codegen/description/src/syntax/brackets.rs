@@ -261,9 +261,9 @@ impl Balance<'_> {
             finding = finding.also(Span::new(opener.at, opener.at + 1), label);
         }
         finding = finding.help(if missing.len() <= MAX_SHOWN_CLOSINGS {
-            format!("close what is open with `{missing}`")
+            format!("close the open brackets with `{missing}`")
         } else {
-            "close each bracket where what it holds ends".to_string()
+            "close each bracket at the end of its contents".to_string()
         });
         // An unclosed comment has swallowed the brackets and is already reported.
         if self

@@ -47,8 +47,8 @@ pub(super) fn drive(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> 
 
 /// Parses a `free` statement after its first word.
 pub(super) fn free(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<Statement> {
-    let help = "what is free is written `free NAME: phi(BODY) = START rate RATE;`";
-    let Some(name) = name(tokens, "the name of what is free")? else {
+    let help = "a free coordinate is written `free NAME: phi(BODY) = START rate RATE;`";
+    let Some(name) = name(tokens, "the name of the free coordinate")? else {
         return Err(tokens.unexpected("a name and `:`", help));
     };
     let Driven {

@@ -23,7 +23,7 @@ use super::tokens::Tokens;
 use crate::diagnostic::{Code, Diagnostic, Span, nearest};
 
 /// Form of the statement, for help lines.
-const FORM: &str = "a part is written `part NAME = MECHANISM(L = 50mm) at (X, Y) turned ANGLE;`, with what is needed of it";
+const FORM: &str = "a part is written `part NAME = MECHANISM(L = 50mm) at (X, Y) turned ANGLE;`, where all but the name and the mechanism is optional";
 
 /// A mechanism that may be used as a part below.
 pub(super) struct Part<'a> {

@@ -68,7 +68,7 @@ impl Place {
     fn refused(&self, what: &str, span: Span) -> Box<Diagnostic> {
         let message = format!("{what} cannot be moved with a part");
         let finding = Diagnostic::error(Code::WrongForm, span, message)
-            .also(self.span, "the part is given a place here")
+            .also(self.span, "the part is placed here")
             .help("write it in the mechanism, with names such as `PART.BODY.POINT`");
         Box::new(finding)
     }

@@ -203,7 +203,7 @@ pub(super) fn direction(tokens: &mut Tokens<'_>) -> Outcome<Direction> {
 /// Parses `(A, 1.P, …)`.
 pub(super) fn operands(tokens: &mut Tokens<'_>) -> Outcome<Vec<Reference>> {
     let Some((mut inner, _)) = tokens.group(Delimiter::Parenthesis) else {
-        return Err(tokens.unexpected("`(`", "what is joined stands in parentheses: `(1, 2)`"));
+        return Err(tokens.unexpected("`(`", "write the joined bodies in parentheses: `(1, 2)`"));
     };
     let mut operands = Vec::new();
     while !inner.at_end() {

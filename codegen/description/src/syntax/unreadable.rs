@@ -38,7 +38,7 @@ pub(super) fn read(text: &str, character: char, number: Option<&str>) -> Reading
         };
         return Reading {
             length,
-            message: "this language has no texts in quotes".to_string(),
+            message: "texts in quotes are not part of the language".to_string(),
             help: Some("write names without quotes".to_string()),
             meant: None,
         };

@@ -76,7 +76,7 @@ fn options_that_do_not_exist_are_errors() {
         ("#![scalar]", "unknown option"),
         ("#![speed(f32)]", "unknown option"),
         ("#![scalar(f32)] #![scalar(f32)]", "`scalar` is given twice"),
-        ("#![math(1)]", "which is no path of a module"),
+        ("#![math(1)]", "which is not the path of a module"),
     ] {
         let expansion = expanded(head, CRANK);
         assert!(expansion.contains("compile_error"), "{head}: {expansion}");

@@ -154,14 +154,12 @@ fn remedy(system: &System, parts: &CoarseDecomposition) -> String {
     let has_mass = !system.mechanism.forces.masses.is_empty();
     match angle.map(|angle| &system.mechanism.bodies[angle].name) {
         Some(angle) if has_mass => format!(
-            "prescribe what moves, for example `drive phi({angle}) = t;`, let forces move it by `free turn: phi({angle}) = 0;`, or add the missing joint"
+            "drive a coordinate, for example `drive phi({angle}) = t;`, free it for forces by `free turn: phi({angle}) = 0;`, or add the missing joint"
         ),
         Some(angle) => format!(
-            "prescribe what moves, for example `drive phi({angle}) = t;`, or add the missing joint"
+            "drive a coordinate, for example `drive phi({angle}) = t;`, or add the missing joint"
         ),
-        None => {
-            "add the missing joint, or prescribe what moves with a `drive` statement".to_string()
-        }
+        None => "add the missing joint, or a `drive` statement".to_string(),
     }
 }
 
@@ -219,7 +217,7 @@ fn too_many(system: &System, parts: &CoarseDecomposition, survey: Option<&Survey
         ),
     )
     .label(match repeats(first) {
-        true => format!("`{}` repeats what the others say", joint(first).label),
+        true => format!("`{}` repeats constraints of the others", joint(first).label),
         false => format!(
             "`{}` has no coordinate left to determine",
             joint(first).label
@@ -233,7 +231,7 @@ fn too_many(system: &System, parts: &CoarseDecomposition, survey: Option<&Survey
         diagnostic = diagnostic.also(
             joint(other).span,
             match repeats(other) {
-                true => "repeats what the others say, too",
+                true => "also repeats constraints of the others",
                 false => "acts on the same coordinates",
             },
         );
@@ -241,7 +239,7 @@ fn too_many(system: &System, parts: &CoarseDecomposition, survey: Option<&Survey
     for (at, own) in &repeating {
         let label = &joint(*at).label;
         if *at != first {
-            diagnostic = diagnostic.note(format!("`{label}` repeats what the others say"));
+            diagnostic = diagnostic.note(format!("`{label}` repeats constraints of the others"));
         }
         for help in advice(system, joint(*at), own) {
             diagnostic = diagnostic.help(help);

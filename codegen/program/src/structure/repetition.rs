@@ -20,7 +20,7 @@ pub(super) fn report_marks(system: &System, diagnostics: &mut Diagnostics) {
                     joints[line].label, joints[user].label
                 ),
             )
-            .label("its equations are all needed")
+            .label("all its equations are needed")
             .also(joints[user].span, "this needs its displacement")
             .help("mark another of the joints that repeat one another"),
         );
@@ -36,7 +36,7 @@ pub(super) fn report_marks(system: &System, diagnostics: &mut Diagnostics) {
         }
         let message = if is_large {
             format!(
-                "whether `{}` is redundant is not worked out for more than {} coordinates",
+                "whether `{}` is redundant is not checked for more than {} coordinates",
                 joint.label,
                 rank::LARGEST_SURVEY
             )
@@ -74,7 +74,7 @@ pub(super) fn report_marks(system: &System, diagnostics: &mut Diagnostics) {
             )
             .label("marked `redundant`, but not satisfied where the others are")
             .help("make the lengths fit exactly, as in `2*sqrt(3)` instead of `3.46`, or leave the joint out")
-            .note("measured near the drawing, in poses in which all other equations hold"),
+            .note("measured near the design configuration, in poses in which all other equations hold"),
         );
     }
 }
@@ -118,7 +118,7 @@ fn repeating(system: &System, rows: &[usize], diagnostics: &mut Diagnostics) {
             ),
         )
         .label("one of them")
-        .help("change one of these joints so that it says something of its own");
+        .help("change one of these joints so that its equations are independent");
         for joint in joints_of(system, rows.iter().copied(), None) {
             diagnostic = diagnostic.also(system.mechanism.joints[joint].span, "one of them");
         }
@@ -165,7 +165,7 @@ fn dependent(system: &System, joint: usize, dependences: &[&Dependence]) -> Diag
     let mut diagnostic = Diagnostic::error(
         Code::DependentEquations,
         declared.span,
-        format!("`{}` repeats what other joints say", declared.label),
+        format!("`{}` repeats constraints of other joints", declared.label),
     )
     .label(format!(
         "its {equations} {} {follow} from the others in every pose",
@@ -178,7 +178,7 @@ fn dependent(system: &System, joint: usize, dependences: &[&Dependence]) -> Diag
     for &other in others.iter().take(MAX_LISTED) {
         diagnostic = diagnostic.also(
             system.mechanism.joints[other].span,
-            "without this it would say something",
+            "without this, it would be independent",
         );
     }
     if others.len() > MAX_LISTED {
@@ -193,7 +193,7 @@ fn dependent(system: &System, joint: usize, dependences: &[&Dependence]) -> Diag
 /// Returns remedies for a joint some of whose equations follow from others.
 pub(super) fn advice(system: &System, joint: &Joint, dependences: &[&Dependence]) -> Vec<String> {
     if joint.role == Role::Driver {
-        return vec!["remove the driver, or free what it moves".to_string()];
+        return vec!["remove the driver, or free the coordinate that it moves".to_string()];
     }
     let first = dependences.first().map(|found| system.row(found.row));
     let joint_at = first.map_or(0, |row| row.joint);
@@ -210,7 +210,7 @@ pub(super) fn advice(system: &System, joint: &Joint, dependences: &[&Dependence]
     });
     match weaker {
         Some(weaker) => vec![
-            format!("a joint like {weaker} would say only what is missing"),
+            format!("a joint like {weaker} would add only the missing constraint"),
             mark.to_string(),
         ],
         None => vec![mark.to_string()],
@@ -225,7 +225,7 @@ fn contradicting(system: &System, dependence: &Dependence, misfit: f64) -> Diagn
         Code::ContradictingEquations,
         declared.span,
         format!(
-            "`{}` contradicts what other joints say by {}",
+            "`{}` contradicts other joints by {}",
             declared.label,
             size(misfit, row, system.mechanism.units.of_messages())
         ),
@@ -234,7 +234,7 @@ fn contradicting(system: &System, dependence: &Dependence, misfit: f64) -> Diagn
     let others = joints_of(system, dependence.repeats.iter().copied(), Some(row.joint));
     for &other in others.iter().take(MAX_LISTED) {
         let span = system.mechanism.joints[other].span;
-        diagnostic = diagnostic.also(span, "says the same, but for the value");
+        diagnostic = diagnostic.also(span, "has equal equations except for the value");
     }
     diagnostic.help("remove one of these joints")
 }

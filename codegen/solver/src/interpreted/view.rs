@@ -95,7 +95,7 @@ impl View for Interpreted {
             count => format!("; {count} other assemblies exist (`linkwright check` lists them)"),
         };
         let t = time(failure.time);
-        format!("cannot be assembled as drawn at t = {t} s: {cause}{others}")
+        format!("cannot be assembled in the design modes at t = {t} s: {cause}{others}")
     }
 
     fn ended(&self, failure: &Failure, last: &Instant) -> String {

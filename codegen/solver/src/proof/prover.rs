@@ -109,7 +109,7 @@ impl<'a> Prover<'a> {
             ),
             Cause::NotAlone(block) => (
                 block,
-                "its equations cannot be shown to have one solution near the frames",
+                "its equations cannot be proven to have one solution near the frames",
             ),
         };
         Unproven {
@@ -217,7 +217,7 @@ impl<'a> Prover<'a> {
             return Err(Unproven {
                 window: times,
                 block: None,
-                reason: "its solution cannot be shown to go through both frames".to_string(),
+                reason: "its solution cannot be proven to pass through both frames".to_string(),
             });
         }
         Ok(Window {

@@ -132,7 +132,7 @@ impl Stop {
                 )
             }
             Stop::Massless { coordinates, .. } => format!(
-                "there is no acceleration at t = {at} s, since no mass resists {}",
+                "the acceleration at t = {at} s is undefined, since no mass resists {}",
                 unresisted(coordinates, mechanism)
             ),
             Stop::NotFinite { .. } => {

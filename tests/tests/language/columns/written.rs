@@ -220,7 +220,7 @@ pub(super) fn readable() -> Vec<Wanted> {
             &["Time", "X"],
             NO_UNITS,
             TWO,
-            "UTF-8, `,` between cells, decimal points, names in line 4; 2 lines before them are no part of the table",
+            "UTF-8, `,` between cells, decimal points, names in line 4; 2 lines before them are not part of the table",
         ),
         plain(
             "a data logger with a preamble and units",
@@ -228,7 +228,7 @@ pub(super) fn readable() -> Vec<Wanted> {
             &["t", "x", "phi"],
             &["s", "mm", "deg"],
             &[&[0.0, 1.5, 0.0], &[0.1, 2.5, 90.0]],
-            "UTF-8, `;` between cells, decimal commas, names in line 3, units in line 4; 2 lines before them are no part of the table",
+            "UTF-8, `;` between cells, decimal commas, names in line 3, units in line 4; 2 lines before them are not part of the table",
         ),
         plain(
             "units in brackets",

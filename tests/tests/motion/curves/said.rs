@@ -65,10 +65,8 @@ fn curves_that_nothing_can_follow_are_warned_of() {
         "point_on_curve (follower.P, rim);",
     );
     assert!(
-        reported
-            .iter()
-            .any(|(_, message)| message
-                == "in the drawing this is 38 mm away from touching its curve"),
+        reported.iter().any(|(_, message)| message
+            == "in the design configuration this is 38 mm away from its curve"),
         "{reported:?}"
     );
 }

@@ -23,13 +23,13 @@ pub fn bounded(
         };
         let (name, range) = option
             .split_once('=')
-            .ok_or_else(|| refused("names no parameter"))?;
+            .ok_or_else(|| refused("does not name a parameter"))?;
         let (low, high) = range
             .split_once("..")
             .ok_or_else(|| refused("is not a range"))?;
         let name = name.trim();
         let fitted = calibrator.names().iter().position(|it| it == name);
-        let place = fitted.ok_or_else(|| refused("is about none of `--param`"))?;
+        let place = fitted.ok_or_else(|| refused("is not one of `--param`"))?;
         let mut parameters = system.mechanism.parameters.iter();
         let dimension = parameters
             .find(|it| it.name == name)

@@ -46,7 +46,7 @@ pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
     if let Some(place) = deviations.iter().position(|it| *it == Some(0.0)) {
         let name = &data.measured[place].name;
         return Err(Problem(format!(
-            "error: the deviation of `{name}` is zero\n  = help: leave it out where it is not known"
+            "error: the deviation of `{name}` is zero\n  = help: leave it out if it is unknown"
         )));
     }
     let mut outputs = outputs_besides(
@@ -107,9 +107,9 @@ pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
         Err(unfit) => {
             let why = match unfit {
                 Unfit::OutsideBounds(name) => format!("error: `{name}` begins outside of its bounds\n  = help: begin within them with `--set`, or move them with `--bound`"),
-                Unfit::Unsolved(why) => format!("error: `{title}` {why}\n  = help: `linkwright compare` shows how far it moves as measured; `--set` gives other values to begin with"),
+                Unfit::Unsolved(why) => format!("error: `{title}` {why}\n  = help: check with `linkwright compare` how far it moves as measured, or begin with other values by `--set`"),
                 Unfit::TooFew(values, parameters) => format!("error: {values} measured values are too few for {parameters} parameters"),
-                Unfit::NoParameters => "error: no parameter is to be fitted".to_string(),
+                Unfit::NoParameters => "error: no parameter is selected for the fit".to_string(),
                 Unfit::NotConverged => "error: the fit does not converge\n  = help: fit fewer parameters first, or begin nearer with `--set`".to_string(),
             };
             say(&why);
@@ -138,7 +138,7 @@ pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
                 "error: this motion does not determine all parameters\n  = help: leave one of each combination out of `--param`, or measure something else"
             }
             false => {
-                "error: this fit is not to be trusted\n  = help: check assembly, start and units with `linkwright compare`; `--deviation` says how well values are measured"
+                "error: this fit is not to be trusted\n  = help: check assembly, start and units with `linkwright compare`, or give the accuracy of the values with `--deviation`"
             }
         });
         if output.is_none() || !arguments.force {
@@ -178,14 +178,14 @@ fn along(source: &Source, arguments: &Calibrate) -> Result<System, Problem> {
 fn check_names(system: &System, names: &[String]) -> Result<(), Problem> {
     let mechanism = &system.mechanism;
     let known = || mechanism.parameters.iter().map(|it| it.name.as_str());
-    let declare = "what is to be fitted is declared with `param`, for example `param L2 = 40mm;`";
+    let declare = "declare a parameter to fit, for example `param L2 = 40mm;`";
     if names.is_empty() {
         let help = match known().collect::<Vec<_>>().join(",") {
             none if none.is_empty() => format!("{declare}, and named by `--param L2`"),
-            all => format!("name what is to be fitted, for example `--param {all}`"),
+            all => format!("name the parameters to fit, for example `--param {all}`"),
         };
         return Err(Problem(format!(
-            "error: no parameter of `{}` is to be fitted\n  = help: {help}",
+            "error: no parameter of `{}` is selected for the fit\n  = help: {help}",
             mechanism.title()
         )));
     }
@@ -220,7 +220,7 @@ fn keep_fitted(data: &mut Data) -> Result<(), Problem> {
         .partition(|it| Calibrator::can_fit(it.quantity.observable).is_ok());
     let left = left.into_iter().map(|it| {
         let why = format!(
-            "nothing is fitted to accelerations and forces such as `{}`",
+            "accelerations and forces such as `{}` cannot be fitted",
             it.quantity.name
         );
         (it.name, why)
@@ -229,7 +229,7 @@ fn keep_fitted(data: &mut Data) -> Result<(), Problem> {
     data.measured = kept;
     match data.measured.is_empty() {
         true => Err(Problem(format!(
-            "error: `{}` has neither positions nor rates\n  = help: nothing is fitted to accelerations and forces",
+            "error: `{}` has neither positions nor rates\n  = help: fit positions and rates, not accelerations and forces",
             data.name
         ))),
         false => Ok(()),

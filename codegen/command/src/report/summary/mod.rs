@@ -127,7 +127,7 @@ fn angle_text(angle: f64, units: &OutputUnits) -> String {
 fn start<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Result<()> {
     let when = match motion.is_assembled {
         true => format!("at t = {} s", time(motion.start)),
-        false => "in the drawing".to_string(),
+        false => "in the design configuration".to_string(),
     };
     let text = format!(
         "det Φ_q = {}, reciprocal condition {} (dimensionless: {})",
@@ -203,7 +203,7 @@ fn integration<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Res
         some => format!(", {some} of them implicit"),
     };
     let steps = format!(
-        "{}{implicit}, {} tried in vain",
+        "{}{implicit}, {} rejected",
         counted(effort.steps as usize, "step"),
         effort.rejected
     );

@@ -109,7 +109,9 @@ impl Resolver<'_> {
                     "a station of `sequence` must be a pair",
                 )
                 .label("no pair")
-                .help(format!("write `{FORM}`: each pair is a place and a height")),
+                .help(format!(
+                    "write `{FORM}`: each pair is an argument and a height"
+                )),
             );
             return None;
         };
@@ -126,10 +128,10 @@ impl Resolver<'_> {
             Diagnostic::error(
                 Code::NotIncreasing,
                 later.0.span,
-                "the places of a sequence must increase",
+                "the arguments of a sequence must increase",
             )
-            .label("not larger than the place before")
-            .also(earlier.0.span, "the place before")
+            .label("not larger than the one before")
+            .also(earlier.0.span, "the one before")
             .help(format!(
                 "write `{FORM}` with x0 < x1 < …: order the pairs by their first value"
             )),

@@ -70,7 +70,7 @@ impl Resolver<'_> {
         let message = format!("expected {}, found {}", expected.name(), found.name());
         let finding = Diagnostic::error(Code::WrongDimension, written.span, message)
             .label(format!("this is {}", found.name()))
-            .help("a slope is a value over a place, such as `12mm/90deg`");
+            .help("a slope is a value over an argument, such as `12mm/90deg`");
         let finding = self.with_declarations(finding, &[written]);
         self.diagnostics.push(finding);
         None

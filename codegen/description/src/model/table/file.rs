@@ -83,7 +83,7 @@ impl Resolver<'_> {
                         "line {line} of `{}` holds a number that is too large",
                         path.text
                     );
-                    self.report_file(path, message, "is its unit or its exponent wrong?");
+                    self.report_file(path, message, "check the unit and the exponent");
                     return None;
                 };
                 *value = found;
@@ -171,7 +171,7 @@ impl Resolver<'_> {
                     && said_unit != written_unit
                 {
                     let message = format!(
-                        "the file says `{}`, and not `{}`",
+                        "the unit in the file is `{}`, not `{}`",
                         written.text, units_written.text
                     );
                     self.diagnostics.push(
@@ -243,8 +243,8 @@ fn file_of<'a>(
             "paths are relative to the folder of the description",
         )),
         None => Err((
-            format!("`{name}` was not given together with the description"),
-            "whoever reads a description attaches the files that it names",
+            format!("`{name}` is not attached to the description"),
+            "attach the files that the description names",
         )),
     }
 }

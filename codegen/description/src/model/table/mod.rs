@@ -188,16 +188,16 @@ impl Resolver<'_> {
             return true;
         }
         let message = match point.line {
-            Some(line) => format!("the places of a table must increase, but not in line {line}"),
-            None => "the places of a table must increase".to_string(),
+            Some(line) => format!("the arguments of a table must increase, but not in line {line}"),
+            None => "the arguments of a table must increase".to_string(),
         };
         let finding = Diagnostic::error(Code::NotIncreasing, point.spans[0], message)
-            .help("order the points by their first value, and give each place once");
+            .help("order the points by their first value, and give each first value once");
         let finding = match point.line {
             Some(_) => finding.label("the points of this table"),
             None => finding
-                .label("not larger than the place before")
-                .also(before.spans[0], "the place before"),
+                .label("not larger than the one before")
+                .also(before.spans[0], "the one before"),
         };
         self.diagnostics.push(finding);
         false
@@ -218,7 +218,7 @@ impl Resolver<'_> {
                 written.span,
                 format!("a table cannot depend on {cause}"),
             )
-            .label("a number is wanted here")
+            .label("expected a number")
             .help("the pieces of a table are computed once; multiply its value where it is used"),
         );
         None

@@ -36,7 +36,7 @@ pub(super) fn argument(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Express
         );
         let finding = Diagnostic::error(Code::WrongForm, span, message);
         return Err(Box::new(
-            finding.help("a place has two or three components"),
+            finding.help("a position has two or three components"),
         ));
     }
     *tokens = ahead;

@@ -157,7 +157,7 @@ fn atom(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
                 span,
                 "expected a scalar, found a pair",
             )
-            .label("one value is wanted here")
+            .label("expected one value")
             .help("write each component in a formula of its own");
             return Err(Box::new(finding));
         }
@@ -174,7 +174,7 @@ fn atom(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
         return named(tokens, depth);
     }
     if tokens.peek_group(Delimiter::Bracket) || tokens.peek_group(Delimiter::Brace) {
-        let help = "parts of a formula stand in `(` and `)`";
+        let help = "group parts of a formula with `(` and `)`";
         return Err(tokens.unexpected_with_code(Code::OutsideGrammar, "a formula", help));
     }
     let help = if tokens.peek_mark('=') {
@@ -230,7 +230,7 @@ fn named(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
         let message = format!("`{word}` is not a part of a formula");
         let finding = Diagnostic::error(Code::OutsideGrammar, tokens.next_span(), message)
             .label("not a formula of this language")
-            .help("there are no loops; a choice is written `if t < 2s { … } else { … }`");
+            .help("write a choice as `if t < 2s { … } else { … }`; a formula has no loops");
         return Err(Box::new(finding));
     }
     let (reference, axis) = reference_or_component(tokens, "a formula")?;
@@ -302,7 +302,7 @@ pub(super) fn after_expression(tokens: &Tokens<'_>, wanted: &str, help: &str) ->
         return tokens.unexpected_with_code(Code::OutsideGrammar, wanted, help);
     }
     if tokens.peek_group(Delimiter::Bracket) || tokens.peek_group(Delimiter::Brace) {
-        let help = "parts of a formula stand in `(` and `)`";
+        let help = "group parts of a formula with `(` and `)`";
         return tokens.unexpected_with_code(Code::OutsideGrammar, wanted, help);
     }
     tokens.unexpected(wanted, help)

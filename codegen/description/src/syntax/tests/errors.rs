@@ -43,7 +43,7 @@ error[K01]: unreadable character `−` (U+2212)
   |
   = help: write `-`
 
-error[K01]: this language has no texts in quotes
+error[K01]: texts in quotes are not part of the language
  --> bad.mech:2:28
   |
 2 |     const a = 30° + x²·2 − \"b\";
@@ -251,7 +251,7 @@ error[K05]: the file ends inside brackets
   |               - `(` opened here
   |                  ^ expected `)`
   |
-  = help: close what is open with `)}`
+  = help: close the open brackets with `)}`
 
 error: 1 error in bad.mech
 ";
