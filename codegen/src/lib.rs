@@ -42,12 +42,19 @@ pub use linkwright_description::format::format;
 pub use program::{Operations, Report};
 pub use read::{Read, read, read_along};
 #[doc(inline)]
-pub use system::System;
+pub use system::{Derived, System};
 
 use diagnostic::{Diagnostics, Source, internal};
-use linkwright_description::{columns, consequences, expr, force, joint, model, syntax, units};
-use linkwright_program::{assemblies, finiteness, modes, program, structure, system, words};
+use linkwright_description::{
+    columns, consequences, expr, force, joint, model, pool, syntax, units,
+};
+use linkwright_program::{
+    assemblies, finiteness, modes, program, solved, structure, system, words,
+};
+use program::Kept;
 use read::read_for;
+use solved::Solved;
+use structure::Shift;
 
 /// What can be chosen about the generated code.
 ///
@@ -152,7 +159,9 @@ pub fn generate_with_page(
     check_all(&read.motions)?;
     let first = read.motions.first();
     let page = Page {
-        documentation: first.map(emit::rust::documentation).unwrap_or_default(),
+        documentation: first
+            .map(|it| emit::rust::documentation(&it.system))
+            .unwrap_or_default(),
         html: emit::rust::page(&read.motions),
     };
     let files = files_of(read, Language::Rust, "", options)?;
@@ -190,13 +199,15 @@ fn files_of(
         Scalar::F32 => finiteness::Range::F32,
     };
     let (mut lowered, mut found) = (Vec::new(), Vec::new());
-    for mut system in motions {
+    for Derived { mut pool, system } in motions {
         let _work = internal::work_at(system.mechanism.place());
-        let plan = structure::plan(&mut system);
-        let program = plan.as_ref().map(|plan| program::lower(&mut system, plan));
+        let plan = structure::plan(&mut pool, &system, Shift::Directions).ok();
+        let program = plan
+            .as_ref()
+            .map(|plan| program::lower(&mut pool, &system, plan, Kept::Requested));
         let motion = system.mechanism.motion.as_ref();
         let name = motion.map_or(String::new(), |motion| motion.name.clone());
-        let mut own = finiteness::of_program(&system, program.as_ref(), range);
+        let mut own = finiteness::of_program(&pool, &system, program.as_ref(), range);
         own.extend(
             program
                 .iter()
@@ -204,7 +215,11 @@ fn files_of(
         );
         found.push((name, own.respelled(&system.mechanism.spellings)));
         if let (Some(plan), Some(program)) = (plan, program) {
-            lowered.push((system, plan, program));
+            lowered.push(Solved {
+                derived: Derived { pool, system },
+                plan,
+                program,
+            });
         }
     }
     let found = found
@@ -217,7 +232,7 @@ fn files_of(
     warnings.extend(found);
     let name = lowered
         .first()
-        .map(|(system, ..)| system.mechanism.name.clone());
+        .map(|solved| solved.derived.system.mechanism.name.clone());
     Ok(GeneratedFiles {
         name: name.unwrap_or_default(),
         files: language.files(&lowered, stem, options.scalar, options.math),

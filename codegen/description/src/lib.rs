@@ -1,7 +1,7 @@
 //! Reads descriptions of planar mechanisms: syntax, expressions, joints and the resolved model.
 //!
 //! Each module imports only those named before it: `units`, `diagnostic`, `columns`, `syntax`, `format`, `consequences`, `expr`,
-//! `joint`, `force`, `model`. A resolved [`model::Mechanism`] has SI units and no unresolved name.
+//! `joint`, `force`, `pool`, `model`. A resolved [`model::Mechanism`] has SI units and no unresolved name.
 //!
 //! This is an internal package of `linkwright-codegen`; its items may change with every release.
 
@@ -15,5 +15,6 @@ pub mod force;
 pub mod format;
 pub mod joint;
 pub mod model;
+pub mod pool;
 pub mod syntax;
 pub mod units;

@@ -5,6 +5,7 @@
 use linkwright::{Failure, Frame, PointMotion, Settings, kinematics};
 use linkwright_codegen::stages::expr::{ExprId, Tape};
 use linkwright_codegen::stages::model::Requested;
+use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::system::System;
 use nalgebra::{DMatrix, DVector, Dyn};
 
@@ -27,8 +28,8 @@ pub(super) struct Directions {
 }
 
 impl Directions {
-    pub fn new(system: &System) -> Directions {
-        let graph = &system.mechanism.graph;
+    pub fn new(pool: &Pool, system: &System) -> Directions {
+        let graph = &pool.graph;
         let columns: Vec<ExprId> = system
             .directions
             .iter()
