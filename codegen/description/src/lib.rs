@@ -24,6 +24,9 @@ pub mod joint;
 #[doc(hidden)]
 pub mod model;
 #[doc(hidden)]
+#[doc(hidden)]
+pub mod pool;
+#[doc(hidden)]
 pub mod syntax;
 #[doc(hidden)]
 pub mod units;

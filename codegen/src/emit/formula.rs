@@ -5,8 +5,10 @@
 use super::named_parts::NamedParts;
 use super::parts::{Addend, Fraction, Part, addends, fraction, terms};
 use crate::expr::{Comparison, ExprId, Graph, Node, Rational, Term};
+use crate::pool::Pool;
+use crate::pool::SymbolRole;
 use crate::program::ConstantPart;
-use crate::system::{SymbolRole, System, WrittenOrder};
+use crate::system::{System, WrittenOrder};
 
 /// Spelling of the parts of a formula.
 pub(crate) trait Spelling: Copy {
@@ -89,6 +91,7 @@ pub(crate) trait Spelling: Copy {
 /// Prints the formulas of one row.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Printer<'a, S> {
+    pub(super) pool: &'a Pool,
     system: &'a System,
     order: WrittenOrder<'a>,
     spelling: S,
@@ -101,10 +104,16 @@ pub(crate) struct Printer<'a, S> {
 
 impl<'a, S: Spelling> Printer<'a, S> {
     /// Printer that mentions the bodies in this order.
-    pub(crate) fn new(system: &'a System, bodies: &'a [usize], spelling: S) -> Printer<'a, S> {
+    pub(crate) fn new(
+        pool: &'a Pool,
+        system: &'a System,
+        bodies: &'a [usize],
+        spelling: S,
+    ) -> Printer<'a, S> {
         Printer {
+            pool,
             system,
-            order: WrittenOrder::new(system, bodies),
+            order: WrittenOrder::new(pool, system, bodies),
             spelling,
             parts: None,
             is_long: false,
@@ -131,14 +140,17 @@ impl<'a, S: Spelling> Printer<'a, S> {
 
     /// The graph of the formulas.
     pub(super) fn graph(&self) -> &'a Graph {
-        &self.system.mechanism.graph
+        &self.pool.graph
     }
 
     /// Name of an expression.
     fn name(&self, expr: ExprId) -> Option<String> {
         let is_choice = matches!(self.graph().node(expr), Node::Choose { .. });
         let parts = self.parts.filter(|_| is_choice || self.is_long)?;
-        Some(self.spelling.local(&parts.name(self.system, expr)?))
+        Some(
+            self.spelling
+                .local(&parts.name(self.pool, self.system, expr)?),
+        )
     }
 
     /// The whole expression.
@@ -282,9 +294,9 @@ impl<'a, S: Spelling> Printer<'a, S> {
             spelling.function(name, "", arguments, followed, self)
         };
         match *self.graph().node(expr) {
-            Node::Symbol(symbol) => match self.system.roles[symbol.index()] {
+            Node::Symbol(symbol) => match self.pool.role(symbol) {
                 SymbolRole::Arm(_) | SymbolRole::Intermediate => {
-                    self.spelling.local(self.system.local_name(symbol))
+                    self.spelling.local(self.pool.local_name(symbol))
                 }
                 role => self.symbol(role),
             },
@@ -318,13 +330,15 @@ impl<'a, S: Spelling> Printer<'a, S> {
             SymbolRole::Position(unknown) => spelling.unknown(unknown, 0, system),
             SymbolRole::Rate(unknown) => spelling.unknown(unknown, 1, system),
             SymbolRole::Acceleration(unknown) => spelling.unknown(unknown, 2, system),
-            SymbolRole::Arm(arm) => spelling.arm(&system.vector_form.arms[arm].name),
-            SymbolRole::Parameter(parameter) => {
-                spelling.local(system.local_name(system.mechanism.parameters[parameter].symbol))
-            }
-            SymbolRole::Input { input, level } => {
-                spelling.local(system.local_name(system.mechanism.inputs[input].symbols[level]))
-            }
+            SymbolRole::Arm(arm) => spelling.arm(&self.pool.arms()[arm].name),
+            SymbolRole::Parameter(parameter) => spelling.local(
+                self.pool
+                    .local_name(system.mechanism.parameters[parameter].symbol),
+            ),
+            SymbolRole::Input { input, level } => spelling.local(
+                self.pool
+                    .local_name(system.mechanism.inputs[input].symbols[level]),
+            ),
             SymbolRole::Intermediate | SymbolRole::Last(_) | SymbolRole::Time => spelling.time(),
         }
     }

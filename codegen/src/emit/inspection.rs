@@ -5,7 +5,8 @@
 use super::formula::{Printer, Spelling};
 use super::named_parts::NamedParts;
 use crate::expr::ExprId;
-use crate::system::{Cause, Row, SymbolRole, System};
+use crate::pool::{Pool, SymbolRole};
+use crate::system::{Cause, Derived, Row, System};
 
 /// Equations of a system.
 #[derive(Clone, Debug)]
@@ -93,16 +94,18 @@ impl Section {
 
 impl Inspection {
     /// Collects the equations of a system in a spelling.
-    pub(super) fn of(system: &System, spelling: impl Spelling) -> Inspection {
-        let mut system = system.clone();
-        let parts = NamedParts::of_rows(&mut system);
+    pub(super) fn of(derived: &Derived, spelling: impl Spelling) -> Inspection {
+        let system = &derived.system;
+        let mut pool = derived.pool.draft();
+        let parts = NamedParts::of_rows(&mut pool, system);
         let mut sections = sections(&Formulas {
-            system: &system,
+            pool: &pool,
+            system,
             parts: &parts,
             spelling,
         });
-        let definitions = parts.definitions(&mut system);
-        let printer = Printer::new(&system, &[], spelling);
+        let definitions = parts.definitions(&mut pool);
+        let printer = Printer::new(&pool, system, &[], spelling);
         let definitions = definitions.iter().map(|it| Entry {
             subject: Subject::Name(printer.expression(it.name)),
             value: printer.expression(it.value),
@@ -181,6 +184,7 @@ fn sections(formulas: &Formulas<'_, impl Spelling>) -> Vec<Section> {
 
 /// Formulas of a system in a spelling.
 struct Formulas<'a, S> {
+    pool: &'a Pool,
     system: &'a System,
     parts: &'a NamedParts,
     spelling: S,
@@ -189,8 +193,8 @@ struct Formulas<'a, S> {
 impl<S: Spelling> Formulas<'_, S> {
     /// Returns a formula that names bodies in this order.
     fn entry(&self, subject: Subject, bodies: &[usize], value: ExprId) -> Entry {
-        let is_long = self.parts.meet(&self.system.mechanism.graph, value);
-        let printer = Printer::new(self.system, bodies, self.spelling);
+        let is_long = self.parts.meet(&self.pool.graph, value);
+        let printer = Printer::new(self.pool, self.system, bodies, self.spelling);
         Entry {
             subject,
             value: printer.naming(self.parts, is_long).expression(value),
@@ -203,7 +207,7 @@ impl<S: Spelling> Formulas<'_, S> {
 
     /// Returns the nonzero entries of a column with one value per equation.
     fn nonzero(&self, column: impl Iterator<Item = ExprId>) -> Vec<Entry> {
-        let zero = self.system.mechanism.graph.zero();
+        let zero = self.pool.graph.zero();
         let rows = self.system.rows.iter().zip(column).enumerate();
         rows.filter(|(_, (_, value))| *value != zero)
             .map(|(at, (row, value))| self.row(Subject::Row(at), row, value))

@@ -3,9 +3,7 @@
 use super::scalar::Scalar;
 use super::{c, rust};
 use crate::model::Naming;
-use crate::program::Program;
-use crate::structure::SolvedPlan;
-use crate::system::System;
+use crate::solved::Solved;
 
 /// Language of a module.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -52,7 +50,7 @@ impl Language {
     /// module with elementary functions, if the language has modules.
     pub(crate) fn files(
         self,
-        motions: &[(System, SolvedPlan, Program)],
+        motions: &[Solved],
         stem: &str,
         scalar: Scalar,
         math: Option<&str>,

@@ -6,14 +6,15 @@ use linkwright_codegen::stages::emit::inspection::{Entry, Quantity, Section, Sub
 use linkwright_codegen::stages::emit::markup::escaped;
 use linkwright_codegen::stages::emit::mathml::{inspection, lines};
 use linkwright_codegen::stages::model::Joint;
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::{Derived, System};
 
 /// Largest number of columns of a matrix that is shown whole; nonzero entries of wider ones are listed.
 pub const LARGEST_MATRIX: usize = 9;
 
 /// Returns the equations as a section.
-pub fn section(system: &System) -> String {
-    let inspection = inspection(system);
+pub fn section(derived: &Derived) -> String {
+    let system = &derived.system;
+    let inspection = inspection(derived);
     let names: Vec<&str> = inspection.coordinates.iter().map(|it| &*it[0]).collect();
     let listed: Vec<String> = names
         .iter()

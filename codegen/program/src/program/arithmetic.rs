@@ -8,6 +8,7 @@ use super::function::{Function, Written};
 use super::passes::constants::{ConstantPart, Constants, Occurrence};
 use super::passes::costs::LARGEST_PRODUCT;
 use crate::expr::{ExprId, Node, SplineId, SymbolId};
+use crate::pool::Pool;
 use crate::system::{System, WrittenOrder};
 
 /// An elementary function.
@@ -85,6 +86,8 @@ pub struct Evaluation<'a> {
     pub function: &'a Function,
     /// The system, whose unknowns and bodies order terms and factors.
     pub system: &'a System,
+    /// Expressions of the function.
+    pub pool: &'a Pool,
     /// The constants of the program.
     pub constants: &'a Constants,
     /// The target of the statement whose value is evaluated, if any.
@@ -95,12 +98,14 @@ impl<'a> Evaluation<'a> {
     /// The expressions of a function of a program.
     pub fn new(
         function: &'a Function,
+        pool: &'a Pool,
         system: &'a System,
         constants: &'a Constants,
     ) -> Evaluation<'a> {
         Evaluation {
             function,
             system,
+            pool,
             constants,
             target: None,
         }
@@ -137,7 +142,7 @@ impl<'a> Evaluation<'a> {
         if let Some(name) = self.function.name_of(expr) {
             return Some(Arithmetic::Variable(name));
         }
-        let graph = &self.system.mechanism.graph;
+        let graph = &self.pool.graph;
         match graph.node(expr) {
             Node::Symbol(symbol) => Some(Arithmetic::Variable(*symbol)),
             _ if graph.is_constant(expr) => None,
@@ -147,7 +152,7 @@ impl<'a> Evaluation<'a> {
 
     /// A function's call.
     fn call(&self, expr: ExprId) -> Option<Arithmetic> {
-        let graph = &self.system.mechanism.graph;
+        let graph = &self.pool.graph;
         let call = |function, arguments: &[ExprId]| {
             let arguments = arguments.iter().map(|&it| self.value(it));
             Some(Arithmetic::Call(function, arguments.collect()))
@@ -181,9 +186,9 @@ impl<'a> Evaluation<'a> {
     }
 
     fn one_of(&self, condition: ExprId, below: ExprId, otherwise: ExprId) -> Arithmetic {
-        let graph = &self.system.mechanism.graph;
+        let graph = &self.pool.graph;
         let named = |other: ExprId| self.function.name_of(other).is_some();
-        let order = WrittenOrder::new(self.system, &[]);
+        let order = WrittenOrder::new(self.pool, self.system, &[]);
         let Compared {
             left,
             is_less,
@@ -202,8 +207,8 @@ impl<'a> Evaluation<'a> {
 
     fn sum(&self, expr: ExprId, bodies: &[usize]) -> Arithmetic {
         let named = |other: ExprId| self.function.name_of(other).is_some();
-        let order = WrittenOrder::new(self.system, bodies);
-        let addends = addends(expr, &self.system.mechanism.graph, &order, &named);
+        let order = WrittenOrder::new(self.pool, self.system, bodies);
+        let addends = addends(expr, &self.pool.graph, &order, &named);
         self.addends(&addends)
     }
 
@@ -221,7 +226,7 @@ impl<'a> Evaluation<'a> {
 
     /// An addend without its sign.
     fn addend(&self, addend: &Addend) -> Arithmetic {
-        let occurrence = Occurrence::of(addend, self.target, self.function, self.system);
+        let occurrence = Occurrence::of(addend, self.target, self.function, self.pool);
         let constant = addend.constant.iter();
         let constant = constant.map(|part| self.constant(part, occurrence));
         let powers = addend.factors.iter().flat_map(|power| self.power(power));
@@ -236,7 +241,7 @@ impl<'a> Evaluation<'a> {
 
     /// A number or the name of a constant.
     fn constant(&self, part: &ConstantPart, occurrence: Occurrence<'_>) -> Arithmetic {
-        let graph = &self.system.mechanism.graph;
+        let graph = &self.pool.graph;
         match self.constants.place_of(part, occurrence, graph) {
             Some(place) => Arithmetic::Constant(place),
             None => Arithmetic::Number(part.value(graph)),
@@ -245,7 +250,7 @@ impl<'a> Evaluation<'a> {
 
     /// The magnitude of x for the square root of x², which has the same bits; `None` for other powers.
     fn root_of_square(&self, power: &Power) -> Option<Arithmetic> {
-        let graph = &self.system.mechanism.graph;
+        let graph = &self.pool.graph;
         let is_root = (power.exponent.numerator(), power.exponent.denominator()) == (1, 2);
         let Node::Product(factors) = graph.node(power.base) else {
             return None;

@@ -13,9 +13,7 @@ use crate::emit::lines::WIDTH;
 use crate::emit::module::{Module, documentation, facts};
 use crate::emit::scalar::Scalar;
 use crate::emit::text;
-use crate::program::Program;
-use crate::structure::SolvedPlan;
-use crate::system::System;
+use crate::solved::Solved;
 
 /// What is said of the output itself.
 const TERMS: [&str; 2] = [
@@ -24,10 +22,10 @@ const TERMS: [&str; 2] = [
 ];
 
 /// The source and the header of the motions of a mechanism, which are called `stem`, and those of the runtime.
-pub fn texts(motions: &[(System, SolvedPlan, Program)], stem: &str, scalar: Scalar) -> Vec<String> {
+pub fn texts(motions: &[Solved], stem: &str, scalar: Scalar) -> Vec<String> {
     let modules = motions.iter();
     let modules: Vec<Module<'_>> = modules
-        .map(|(system, plan, program)| Module::new(system, plan, program, scalar, WORDS))
+        .map(|solved| Module::new(solved, scalar, WORDS))
         .collect();
     let printers: Vec<Printer<'_>> = modules.iter().map(Printer::new).collect();
     let Some(first) = printers.first() else {
@@ -217,7 +215,7 @@ fn constants(printer: &Printer<'_>, code: &Code, text: &mut Code) {
             printer.number(constant.value)
         );
         let room = WIDTH.saturating_sub(line.len() + " /*  */".len());
-        let remark = text::constant(printer.module.system, constant, room);
+        let remark = text::constant(printer.module.pool, printer.module.system, constant, room);
         let remark = remark.map_or(String::new(), |remark| {
             format!(" {}", printer.beside(&remark))
         });

@@ -1,6 +1,7 @@
 //! Names of the blocks of a program, and their singular poses in words.
 
 use super::SingularPose;
+use crate::pool::Pool;
 use crate::program::{Block, Statement};
 use crate::structure::SolvedPlan;
 use crate::system::System;
@@ -18,6 +19,7 @@ pub struct BlockWords {
 /// Words for each block, in solve order; `poses` are the singular poses of the plan's subsystems.
 pub fn block_words(
     blocks: &[Block],
+    pool: &Pool,
     system: &System,
     plan: &SolvedPlan,
     poses: &[SingularPose],
@@ -33,7 +35,7 @@ pub fn block_words(
         BlockWords {
             name: match (block.place, pins) {
                 (Some(_), Some(pins)) => format!("loop {pins}"),
-                (Some(place), None) => loop_name(&plan.blocks[place], system),
+                (Some(place), None) => loop_name(&plan.blocks[place], pool, system),
                 (None, _) => block.title.trim_end_matches('.').to_lowercase(),
             },
             singular: match block.place {

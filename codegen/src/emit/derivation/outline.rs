@@ -1,13 +1,15 @@
 //! Summarizes a plan and its solution methods in a sentence and in a table.
 
+use crate::pool::Pool;
 use std::sync::Arc;
 
 use super::document::OutlineLine;
 use super::script::Script;
 use super::spelling::Spelling;
+use crate::pool::SymbolRole;
 use crate::program::forms::Form;
 use crate::structure::SolvedPlan;
-use crate::system::{SymbolRole, System};
+use crate::system::System;
 use crate::words::{counted, pin};
 
 /// Numbers of unknowns by solution method.
@@ -63,12 +65,14 @@ pub(super) fn summary(system: &System, plan: &SolvedPlan, forms: &[Vec<Arc<dyn F
 
 /// One line for each subsystem and one for the values that follow from them.
 pub(super) fn outline(
+    pool: &Pool,
     system: &System,
     plan: &SolvedPlan,
     forms: &[Vec<Arc<dyn Form>>],
     script: Script,
 ) -> Vec<OutlineLine> {
-    let spelling = Spelling::new(system.clone(), script);
+    let mut draft = pool.draft();
+    let spelling = Spelling::new(&mut draft, system, script);
     let names = |unknowns: &[usize]| {
         let names = unknowns
             .iter()

@@ -4,29 +4,30 @@ use super::super::inspection::{Entry, Inspection, Quantity, Section, Subject};
 use super::lines::{self, Line, displayed, fit_in_a_row, title, width};
 use super::spelling::{Latex, escaped};
 use crate::emit::derivation::SingularPose;
-use crate::system::System;
+use crate::system::{Derived, System};
 
 /// A Jacobian of more columns than these is listed by its entries that are not zero.
 const LARGEST_MATRIX: usize = 12;
 
 /// The coordinates, Φ, Φ_q, Φ_t and γ of each system, its points, and the singular poses of its blocks, with formulas in LaTeX.
-pub fn inspect(systems: &[(&System, Vec<SingularPose>)]) -> String {
+pub fn inspect(systems: &[(&Derived, Vec<SingularPose>)]) -> String {
     lines::document(&pages(systems).join("\\clearpage\n"))
 }
 
 /// Equations for a document that has a preamble.
-pub fn inspect_fragment(systems: &[(&System, Vec<SingularPose>)]) -> String {
+pub fn inspect_fragment(systems: &[(&Derived, Vec<SingularPose>)]) -> String {
     lines::fragment(&pages(systems).join("\n"))
 }
 
-fn pages(systems: &[(&System, Vec<SingularPose>)]) -> Vec<String> {
+fn pages(systems: &[(&Derived, Vec<SingularPose>)]) -> Vec<String> {
     let pages = systems.iter();
-    pages.map(|(system, poses)| page(system, poses)).collect()
+    pages.map(|(derived, poses)| page(derived, poses)).collect()
 }
 
 /// What the document says of one system.
-fn page(system: &System, poses: &[SingularPose]) -> String {
-    let inspection = Inspection::of(system, Latex);
+fn page(derived: &Derived, poses: &[SingularPose]) -> String {
+    let system = &derived.system;
+    let inspection = Inspection::of(derived, Latex);
     let names: Vec<&str> = inspection.coordinates.iter().map(|it| &*it[0]).collect();
     let listed: Vec<String> = names.iter().map(|it| format!("${it}$")).collect();
     let mut text = format!(

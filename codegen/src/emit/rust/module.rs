@@ -90,7 +90,7 @@ impl Module<'_> {
             let (name, value) = (identifier(&constant.name), self.number(constant.value));
             let line = format!("{name} = {value},");
             let room = WIDTH.saturating_sub(line.len() + "     // ".len());
-            let remark = text::constant(self.system, constant, room);
+            let remark = text::constant(self.pool, self.system, constant, room);
             let remark = remark.map_or(String::new(), |remark| format!(" // {remark}"));
             code.whole(format!("{line}{remark}"));
         }

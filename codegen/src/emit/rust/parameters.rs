@@ -94,12 +94,7 @@ fn structure<'a>(
     code.open("Scalar {");
     for (name, dimension, docs, value) in own {
         // Defaults were found to be finite constants when they were read.
-        let value = module
-            .system
-            .mechanism
-            .graph
-            .constant_value(value)
-            .unwrap_or(0.0);
+        let value = module.pool.graph.constant_value(value).unwrap_or(0.0);
         code.docs(documentation::of_number(
             name, dimension, value, default, docs,
         ));

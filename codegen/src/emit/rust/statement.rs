@@ -271,7 +271,7 @@ impl Scope<'_> {
             code.line("|_, _| {},");
             return;
         }
-        let graph = &self.module.system.mechanism.graph;
+        let graph = &self.module.pool.graph;
         let read: HashSet<SymbolId> = variation
             .values()
             .flat_map(|expr| graph.symbols(expr))

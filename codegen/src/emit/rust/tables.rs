@@ -15,10 +15,16 @@ pub(super) fn table_name(table: &str) -> String {
 
 /// Writes the tables that the code mentions.
 pub(super) fn tables(module: &Module<'_>, mentioned: &HashSet<&str>, code: &mut Code) {
-    for (id, spline) in module.system.mechanism.graph.splines() {
+    for (id, spline) in module.pool.graph.splines() {
         let name = table_name(&spline.name);
         if mentioned.contains(name.as_str()) {
-            constant(module, &name, spline, docs_of(id, module.system), code);
+            constant(
+                module,
+                &name,
+                spline,
+                docs_of(id, module.pool, module.system),
+                code,
+            );
         }
     }
 }

@@ -22,7 +22,7 @@ pub(super) fn functions(module: &Module<'_>, code: &mut Code) {
     );
     let system = module.system;
     let mut about_phi = vec![documentation::PHI.to_string(), String::new()];
-    about_phi.extend(documentation::of_rows(system, &system.rows));
+    about_phi.extend(documentation::of_rows(module.pool, system, &system.rows));
     vector(module, phi, "phi", about_phi, |row| row.residual, code);
     matrix(module, &textbook.jacobian, code);
     let about = vec![documentation::PHI_T.to_string()];
@@ -63,7 +63,7 @@ fn vector(
     let system = module.system;
     let scope = Scope::new(module, function, Place::Coordinates);
     let (mut statements, results) = (scope.plain_statements(), scope.results());
-    let zero = system.mechanism.graph.zero();
+    let zero = module.pool.graph.zero();
     let is_shown = |row: &Row| of(row) != zero;
     let mut entries = Vec::with_capacity(results.len());
     for (index, (row, value)) in system.rows.iter().zip(&results).enumerate() {
@@ -91,7 +91,11 @@ fn monitored(module: &Module<'_>, function: &Function, code: &mut Code) {
     let (mut statements, results) = (scope.plain_statements(), scope.results());
     statements.line(format!("[{}]", results.join(", ")));
     let mut docs = vec![documentation::MONITORED.to_string(), String::new()];
-    docs.extend(documentation::of_rows(system, &system.monitored));
+    docs.extend(documentation::of_rows(
+        module.pool,
+        system,
+        &system.monitored,
+    ));
     let arguments = arguments(module, scope.reads(), false);
     let head = format!(
         "pub fn monitored({arguments}) -> [Scalar; {}]",

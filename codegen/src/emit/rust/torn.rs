@@ -81,7 +81,7 @@ fn tears(newton: &NewtonBlock, tearing: &Tearing, module: &Module<'_>) -> Vec<Sy
 fn scales(tearing: &Tearing, module: &Module<'_>, code: &mut Code) {
     let scope = Scope::with_tears(module, &tearing.scales, Place::Tears, Vec::new());
     let equation = Equation::new(&scope);
-    let one = module.system.mechanism.graph.one();
+    let one = module.pool.graph.one();
     let factors = tearing.scales.results.iter().zip(&equation.results);
     let rows = tearing.rows.iter().zip(factors);
     let rows = rows.map(|(row, (factor, written))| match factor.expr == one {

@@ -4,7 +4,8 @@ use super::super::inspection::{Entry, Inspection, Quantity, Section, Subject};
 use super::super::notation::Notation;
 use super::table::{aligned, in_lines, shown_width};
 use crate::model::{Dimension, Role};
-use crate::system::System;
+use crate::pool::Pool;
+use crate::system::{Derived, System};
 
 /// The widest matrix that is printed as one; wider ones are listed entry by entry.
 const WIDEST_MATRIX: usize = 110;
@@ -13,10 +14,11 @@ const WIDEST_MATRIX: usize = 110;
 const WIDEST_LIST: usize = 100;
 
 /// Φ, Φ_q, Φ_t and γ of a system row by row, and the motion of its points.
-pub fn inspect(system: &System, notation: Notation) -> String {
-    let inspection = Inspection::of(system, notation);
+pub fn inspect(derived: &Derived, notation: Notation) -> String {
+    let system = &derived.system;
+    let inspection = Inspection::of(derived, notation);
     let names: Vec<&str> = inspection.coordinates.iter().map(|it| &*it[0]).collect();
-    let mut text = summary(system, &names);
+    let mut text = summary(derived, &names);
     for section in &inspection.sections {
         let (symbol, remark) = heading(&section.quantity);
         let symbol = match notation {
@@ -53,9 +55,10 @@ fn heading(quantity: &Quantity) -> (&'static str, String) {
 }
 
 /// The parameters and inputs with their defaults, a line each; nothing where there are none.
-pub(crate) fn given(system: &System) -> String {
+pub(crate) fn given(pool: &Pool, system: &System) -> String {
     let mechanism = &system.mechanism;
-    let value = |expr| mechanism.graph.constant_value(expr).unwrap_or(f64::NAN);
+    let graph = &pool.graph;
+    let value = |expr| graph.constant_value(expr).unwrap_or(f64::NAN);
     let line = |what: &str, name: &str, dimension: Dimension, default: f64| {
         format!("{what} {name} = {default} {}\n", dimension.unit())
     };
@@ -68,7 +71,7 @@ pub(crate) fn given(system: &System) -> String {
         line("input", &own.name, own.dimension, initial)
     });
     let tables = mechanism.tables.iter().map(|own| {
-        let spline = mechanism.graph.spline_of(own.spline);
+        let spline = graph.spline_of(own.spline);
         let [first, .., last] = &spline.starts[..] else {
             return String::new();
         };
@@ -85,7 +88,8 @@ pub(crate) fn given(system: &System) -> String {
 }
 
 /// The name of the mechanism, its counts, its coordinates and what is given.
-fn summary(system: &System, names: &[&str]) -> String {
+fn summary(derived: &Derived, names: &[&str]) -> String {
+    let system = &derived.system;
     let mechanism = &system.mechanism;
     let is_driver = |joint: usize| mechanism.joints[joint].role == Role::Driver;
     let drivers = system.rows.iter().filter(|row| is_driver(row.joint));
@@ -105,7 +109,7 @@ fn summary(system: &System, names: &[&str]) -> String {
         plural(drivers as i64, "equation", "equations"),
         plural(freedom, "degree of freedom", "degrees of freedom"),
         wrapped("q = (", names, ")"),
-    ) + &given(system)
+    ) + &given(&derived.pool, system)
 }
 
 /// Row number and joint; the joint only if it is not that of the row before.

@@ -9,10 +9,11 @@ use linkwright_math::double;
 
 use super::costs::Computed;
 use crate::expr::{ExprId, Factor, Graph, Node, Number, SymbolId, Term};
+use crate::pool::{Pool, SymbolRole};
 use crate::program::addends::Addend;
 use crate::program::function::Function;
 use crate::program::quantities::{Described, Quantities, Quantity, upper};
-use crate::system::{SymbolRole, System};
+use crate::system::System;
 
 /// Length of the longest name of a root, in characters; others are written as literals.
 const LONGEST_NAME: usize = 28;
@@ -159,10 +160,10 @@ impl<'a> Occurrence<'a> {
         addend: &Addend,
         target: Option<SymbolId>,
         function: &'a Function,
-        system: &System,
+        pool: &Pool,
     ) -> Occurrence<'a> {
-        let graph = &system.mechanism.graph;
-        let unknown = |symbol: SymbolId| match system.roles[symbol.index()] {
+        let graph = &pool.graph;
+        let unknown = |symbol: SymbolId| match pool.role(symbol) {
             SymbolRole::Position(unknown) => Some(unknown),
             _ => None,
         };
@@ -173,8 +174,8 @@ impl<'a> Occurrence<'a> {
             },
             _ => None,
         };
-        let of_arm = |target: SymbolId| match system.roles[target.index()] {
-            SymbolRole::Arm(place) => Some(system.vector_form.arms[place].angle),
+        let of_arm = |target: SymbolId| match pool.role(target) {
+            SymbolRole::Arm(place) => Some(pool.arms()[place].angle),
             _ => None,
         };
         let angle = addend.factors.iter().find_map(|it| turning(it.base));
@@ -190,9 +191,9 @@ impl<'a> Occurrence<'a> {
 
 impl Constants {
     /// Returns no constants yet, with the quantities that may name them.
-    pub(in crate::program) fn new(system: &System) -> Constants {
+    pub(in crate::program) fn new(pool: &Pool, system: &System) -> Constants {
         Constants {
-            described: Described::of(system),
+            described: Described::of(pool, system),
             unknowns: system
                 .vector_form
                 .unknowns
@@ -220,13 +221,17 @@ impl Constants {
     }
 
     /// Names the constants of a function.
-    pub(in crate::program) fn note(&mut self, function: &Function, system: &System) {
-        let computed = Computed { function, system };
+    pub(in crate::program) fn note(&mut self, function: &Function, pool: &Pool, system: &System) {
+        let computed = Computed {
+            function,
+            pool,
+            system,
+        };
         computed.addends(&mut |target, parts| {
             for addend in parts {
                 if let Some(constant) = &addend.constant {
-                    let occurrence = Occurrence::of(addend, target, function, system);
-                    self.add(constant, occurrence, &system.mechanism.graph);
+                    let occurrence = Occurrence::of(addend, target, function, pool);
+                    self.add(constant, occurrence, &pool.graph);
                 }
             }
         });

@@ -3,10 +3,11 @@
 use super::{Quantities, upper};
 use crate::expr::{ExprId, Graph, Node, SymbolId, Term};
 use crate::model::Role;
+use crate::pool::Pool;
 use crate::system::System;
 
 /// Adds the constants of all drivers.
-pub(super) fn add(list: &mut Quantities, system: &System) {
+pub(super) fn add(list: &mut Quantities, pool: &Pool, system: &System) {
     let mechanism = &system.mechanism;
     for row in system.rows.iter() {
         let joint = &mechanism.joints[row.joint];
@@ -15,7 +16,7 @@ pub(super) fn add(list: &mut Quantities, system: &System) {
                 stem: stem(&row.name),
                 label: &joint.label,
                 time: mechanism.time,
-                graph: &mechanism.graph,
+                graph: &pool.graph,
             };
             driver.add(row.residual, list);
         }

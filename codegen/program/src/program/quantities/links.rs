@@ -131,7 +131,7 @@ impl Builder<'_> {
     /// Names the constant distance between two points that rotate with an angle.
     pub(in crate::program) fn name_arm(&mut self, angle: usize, length: ExprId) {
         let length = self.constant_of(length);
-        let arm = length.and_then(|length| arm_of(angle, length, self.system));
+        let arm = length.and_then(|length| arm_of(angle, length, &self.pool.graph, self.system));
         if let Some(LinkName {
             stem,
             words,
@@ -149,7 +149,7 @@ impl Builder<'_> {
             stem,
             words,
             length,
-        } in rods(&self.system.mechanism)
+        } in rods(&self.pool.graph, &self.system.mechanism)
         {
             let words = format!("|{words}|");
             self.quantities.add(["", "_LENGTH"], &stem, words, length);
@@ -162,7 +162,9 @@ impl Builder<'_> {
         let mechanism = &self.system.mechanism;
         let body = unknown.describes.body();
         match (body, pins) {
-            (Some(body), _) if is_rod(body, mechanism) => body_stem(body, mechanism),
+            (Some(body), _) if is_rod(body, &self.pool.graph, mechanism) => {
+                body_stem(body, mechanism)
+            }
             (_, Some([from, to])) => super::both(from, to),
             (Some(body), None) => format!("{}_LINK", body_stem(body, mechanism)),
             (None, None) => {
@@ -181,7 +183,7 @@ impl Builder<'_> {
 
     /// Returns the value of an expression; `None` if the expression is not constant.
     pub(in crate::program) fn constant_of(&self, expr: ExprId) -> Option<f64> {
-        let graph = &self.system.mechanism.graph;
+        let graph = &self.pool.graph;
         graph
             .constant_value(expr)
             .filter(|_| graph.is_constant(expr))

@@ -4,8 +4,10 @@ use std::collections::HashMap;
 
 use super::links::LinkName;
 use super::{Quantities, SAME, between, both, drivers, upper};
+use crate::expr::Graph;
 use crate::joint::geometry::Vector;
 use crate::model::Mechanism;
+use crate::pool::Pool;
 use crate::system::System;
 
 /// Largest number of points of a body whose distances have names.
@@ -32,12 +34,12 @@ struct Place {
 
 impl Described {
     /// Returns the quantities of a system.
-    pub(in crate::program) fn of(system: &System) -> Described {
+    pub(in crate::program) fn of(pool: &Pool, system: &System) -> Described {
         let mechanism = &system.mechanism;
         let mut described = Described::default();
-        drivers::add(&mut described.terms, system);
+        drivers::add(&mut described.terms, pool, system);
+        let graph = &pool.graph;
         for constant in &mechanism.constants {
-            let graph = &mechanism.graph;
             let value = graph.constant_value(constant.value);
             if let Some(value) = value.filter(|_| graph.is_constant(constant.value)) {
                 let stem = apart(upper(&constant.name), mechanism);
@@ -48,12 +50,12 @@ impl Described {
         described.general.extend(&described.terms);
         for body in 0..mechanism.bodies.len() {
             let (mut lengths, mut coordinates) = (Quantities::default(), Quantities::default());
-            let (rod, links) = links(body, mechanism);
+            let (rod, links) = links(body, graph, mechanism);
             for (link, [from, to]) in &links {
                 lengths.add_link(link);
                 add_directions(&mut coordinates, link, *from, *to);
             }
-            add_places(&mut coordinates, body, mechanism);
+            add_places(&mut coordinates, body, graph, mechanism);
             described.general.extend(&lengths);
             described.general.extend(&coordinates);
             if let Some(angle) = angle_of(body, system) {
@@ -80,14 +82,19 @@ fn angle_of(body: usize, system: &System) -> Option<usize> {
 
 /// Returns the link of this length that rotates with an angle, or else one named after the body; `None` if no body rotates with
 /// the angle.
-pub(in crate::program) fn arm_of(angle: usize, length: f64, system: &System) -> Option<LinkName> {
+pub(in crate::program) fn arm_of(
+    angle: usize,
+    length: f64,
+    graph: &Graph,
+    system: &System,
+) -> Option<LinkName> {
     let mechanism = &system.mechanism;
     let bodies = 1..mechanism.bodies.len();
     let own: Vec<usize> = bodies
         .filter(|&body| angle_of(body, system) == Some(angle))
         .collect();
     for &body in &own {
-        let (_, links) = links(body, mechanism);
+        let (_, links) = links(body, graph, mechanism);
         let is_equal = |it: &LinkName| (it.length - length).abs() <= SAME * length;
         if let Some((link, _)) = links.into_iter().find(|(link, _)| is_equal(link)) {
             return Some(link);
@@ -102,15 +109,17 @@ pub(in crate::program) fn arm_of(angle: usize, length: f64, system: &System) -> 
 }
 
 /// Returns the rods of a mechanism.
-pub(in crate::program) fn rods(mechanism: &Mechanism) -> Vec<LinkName> {
+pub(in crate::program) fn rods(graph: &Graph, mechanism: &Mechanism) -> Vec<LinkName> {
     let bodies = 1..mechanism.bodies.len();
-    bodies.filter_map(|body| links(body, mechanism).0).collect()
+    bodies
+        .filter_map(|body| links(body, graph, mechanism).0)
+        .collect()
 }
 
 /// Adds coordinates of the named points of a body, and their distances from its origin.
-fn add_places(list: &mut Quantities, body: usize, mechanism: &Mechanism) {
+fn add_places(list: &mut Quantities, body: usize, graph: &Graph, mechanism: &Mechanism) {
     let on = &mechanism.bodies[body].name;
-    for Place { name, at } in named(body, mechanism) {
+    for Place { name, at } in named(body, graph, mechanism) {
         let stem = format!("{}_{}", upper(&name), body_stem(body, mechanism));
         for (value, (suffix, axis)) in at.into_iter().zip([("_X", "x"), ("_Y", "y")]) {
             list.add(
@@ -127,8 +136,12 @@ fn add_places(list: &mut Quantities, body: usize, mechanism: &Mechanism) {
 
 /// Returns the links between all pins of a body with their ends, and the only one if the body is a rod.
 #[expect(clippy::type_complexity, reason = "links with their ends")]
-fn links(body: usize, mechanism: &Mechanism) -> (Option<LinkName>, Vec<(LinkName, [[f64; 2]; 2])>) {
-    let places = pins(body, mechanism);
+fn links(
+    body: usize,
+    graph: &Graph,
+    mechanism: &Mechanism,
+) -> (Option<LinkName>, Vec<(LinkName, [[f64; 2]; 2])>) {
+    let places = pins(body, graph, mechanism);
     let is_rod = body > 0 && places.len() == 2;
     let links = pairs(&places).into_iter().map(|[from, to]| {
         let stem = match is_rod {
@@ -194,8 +207,8 @@ fn add_directions(list: &mut Quantities, link: &LinkName, from: [f64; 2], to: [f
 }
 
 /// True if a moving body has two pins, so that its length is that between them.
-pub(super) fn is_rod(body: usize, mechanism: &Mechanism) -> bool {
-    body > 0 && pins(body, mechanism).len() == 2
+pub(super) fn is_rod(body: usize, graph: &Graph, mechanism: &Mechanism) -> bool {
+    body > 0 && pins(body, graph, mechanism).len() == 2
 }
 
 /// Returns a body as part of a name: `COUPLER`, or `BODY_2` for numbered bodies.
@@ -229,7 +242,7 @@ fn pairs(places: &[Place]) -> Vec<[&Place; 2]> {
 }
 
 /// Returns the points of a body that joints use: named ones in written order, then the origin.
-fn pins(body: usize, mechanism: &Mechanism) -> Vec<Place> {
+fn pins(body: usize, graph: &Graph, mechanism: &Mechanism) -> Vec<Place> {
     let joints = mechanism.joints.iter();
     let marks = joints.flat_map(|joint| &joint.operands.marks);
     let used: Vec<Vector> = marks
@@ -238,24 +251,23 @@ fn pins(body: usize, mechanism: &Mechanism) -> Vec<Place> {
         .collect();
     let marks = mechanism.bodies[body].marks.iter();
     let marks = marks.map(|mark| (mark.name.as_str(), mark.mark.local));
-    let zero = mechanism.graph.zero();
+    let zero = graph.zero();
     let origin = ("origin", [zero, zero]);
     let marks = marks.chain((body > 0).then_some(origin));
-    places(marks.filter(|(_, local)| used.contains(local)), mechanism)
+    places(marks.filter(|(_, local)| used.contains(local)), graph)
 }
 
 /// Returns all named points of a body.
-fn named(body: usize, mechanism: &Mechanism) -> Vec<Place> {
+fn named(body: usize, graph: &Graph, mechanism: &Mechanism) -> Vec<Place> {
     let marks = mechanism.bodies[body].marks.iter();
     places(
         marks.map(|mark| (mark.name.as_str(), mark.mark.local)),
-        mechanism,
+        graph,
     )
 }
 
 /// Returns the points with constant coordinates, each position once.
-fn places<'a>(marks: impl Iterator<Item = (&'a str, Vector)>, mechanism: &Mechanism) -> Vec<Place> {
-    let graph = &mechanism.graph;
+fn places<'a>(marks: impl Iterator<Item = (&'a str, Vector)>, graph: &Graph) -> Vec<Place> {
     let mut places: Vec<Place> = Vec::new();
     for (name, local) in marks {
         let [x, y] = local.map(|part| {

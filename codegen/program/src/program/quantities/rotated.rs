@@ -2,12 +2,17 @@
 
 use super::SAME;
 use crate::expr::{ExprId, Node};
-use crate::system::{SymbolRole, System};
+use crate::pool::{Pool, SymbolRole};
+use crate::system::System;
 
 /// Returns the name of a sum that is a component of a point's local vector, rotated with its body: `p_coupler_x`, or
 /// `minus_p_coupler_x` for the opposite. `None` if the sum is of another kind.
-pub(in crate::program) fn rotated_component(expr: ExprId, system: &System) -> Option<String> {
-    let graph = &system.mechanism.graph;
+pub(in crate::program) fn rotated_component(
+    expr: ExprId,
+    pool: &Pool,
+    system: &System,
+) -> Option<String> {
+    let graph = &pool.graph;
     let Node::Sum(terms) = graph.node(expr) else {
         return None;
     };
@@ -16,7 +21,7 @@ pub(in crate::program) fn rotated_component(expr: ExprId, system: &System) -> Op
     };
     let (mut sine, mut cosine) = (None, None);
     for term in [first, second] {
-        let (value, base) = scaled(term.coefficient.to_f64(), term.expr, system)?;
+        let (value, base) = scaled(term.coefficient.to_f64(), term.expr, pool)?;
         match *graph.node(base) {
             Node::Sin(angle) => sine = Some((value, angle)),
             Node::Cos(angle) => cosine = Some((value, angle)),
@@ -27,7 +32,7 @@ pub(in crate::program) fn rotated_component(expr: ExprId, system: &System) -> Op
     let Node::Symbol(symbol) = *graph.node(angle) else {
         return None;
     };
-    let is_angle = matches!(system.roles[symbol.index()], SymbolRole::Position(_));
+    let is_angle = matches!(pool.role(symbol), SymbolRole::Position(_));
     if angle != other || !is_angle {
         return None;
     }
@@ -52,8 +57,8 @@ pub(in crate::program) fn rotated_component(expr: ExprId, system: &System) -> Op
 }
 
 /// Returns the constant factor of a term and its only other factor; `None` if there are several.
-fn scaled(coefficient: f64, expr: ExprId, system: &System) -> Option<(f64, ExprId)> {
-    let graph = &system.mechanism.graph;
+fn scaled(coefficient: f64, expr: ExprId, pool: &Pool) -> Option<(f64, ExprId)> {
+    let graph = &pool.graph;
     let Node::Product(factors) = graph.node(expr) else {
         return Some((coefficient, expr));
     };
