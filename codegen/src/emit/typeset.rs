@@ -97,7 +97,7 @@ pub(super) enum Index<'a> {
     Ends(&'a str),
 }
 
-/// The letter of an unknown, one of x, y, φ, s, ψ, h and ℓ, and its index.
+/// The letter of an unknown, one of x, y, φ, s, h and ℓ, and its index.
 pub(super) fn letter_and_index(system: &System, unknown: usize) -> (char, Index<'_>) {
     let unknown = &system.vector_form.unknowns[unknown];
     match unknown.describes {
@@ -107,7 +107,7 @@ pub(super) fn letter_and_index(system: &System, unknown: usize) -> (char, Index<
         }
         Described::Contact { joint } => ('s', Index::Name(&system.mechanism.joints[joint].slug)),
         Described::Auxiliary => {
-            let symbols = [("psi_", 'ψ'), ("offset_", 'h'), ("length_", 'ℓ')];
+            let symbols = [("phi_", 'φ'), ("offset_", 'h'), ("length_", 'ℓ')];
             let found = symbols
                 .iter()
                 .find_map(|(prefix, letter)| Some((*letter, unknown.name.strip_prefix(prefix)?)));

@@ -208,7 +208,7 @@ fn the_table_shows_every_unknown_of_every_block_beside_its_signs() {
     let rack = table("rack_steering");
     assert_eq!(
         names(&rack),
-        ["phi_left", "psi_u_s", "phi_right", "psi_v_t"]
+        ["phi_left", "phi_u_s", "phi_right", "phi_v_t"]
     );
     assert!(rack.contains("explicit: phi_rack 0.0000°"), "{rack}");
     let cam = table("cam_dwell");

@@ -1,7 +1,7 @@
 //! Shares the rows of kinds that keep a distance between two marks.
 //!
 //! The textbook formulation states the square of the distance. The vector form closes the loop with a link without a body. The
-//! vector from the first mark to the second is ℓ (cos ψ, sin ψ), with the link angle ψ as an unknown.
+//! vector from the first mark to the second is ℓ (cos φ, sin φ), with the link angle φ as an unknown.
 
 use super::geometry::{dot, subtract};
 use super::{Quantity, Refusal, Resolved, Row};
@@ -19,7 +19,7 @@ pub(super) fn squared_row(operands: &Resolved, length: ExprId, graph: &mut Graph
     }]
 }
 
-/// Returns the rows r_j + R_j s_j − r_i − R_i s_i − ℓ (cos ψ, sin ψ), with ψ as the first auxiliary unknown.
+/// Returns the rows r_j + R_j s_j − r_i − R_i s_i − ℓ (cos φ, sin φ), with φ as the first auxiliary unknown.
 pub(super) fn link_rows(operands: &Resolved, length: ExprId, graph: &mut Graph) -> Vec<Row> {
     let [link, ..] = &operands.auxiliaries[..] else {
         return Vec::new();

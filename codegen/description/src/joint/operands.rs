@@ -129,7 +129,7 @@ pub enum Auxiliary {
     Offset,
     /// Distance ℓ, in m, from the first mark to the second.
     Distance,
-    /// Angle ψ, in rad, of the direction from the first mark to the second, as of a link without a body.
+    /// Angle φ, in rad, of the direction from the first mark to the second, as of a link without a body.
     LinkAngle,
 }
 
@@ -212,7 +212,7 @@ pub struct AuxiliaryUnknown {
     pub kind: Auxiliary,
     /// Symbol of the unknown.
     pub value: ExprId,
-    /// Unit vector (cos ψ, sin ψ) of a link angle ψ; zero for other unknowns.
+    /// Unit vector (cos φ, sin φ) of a link angle φ; zero for other unknowns.
     pub turned: Vector,
 }
 

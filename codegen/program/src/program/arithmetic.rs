@@ -243,8 +243,25 @@ impl<'a> Evaluation<'a> {
         }
     }
 
+    /// The magnitude of x for the square root of x², which has the same bits; `None` for other powers.
+    fn root_of_square(&self, power: &Power) -> Option<Arithmetic> {
+        let graph = &self.system.mechanism.graph;
+        let is_root = (power.exponent.numerator(), power.exponent.denominator()) == (1, 2);
+        let Node::Product(factors) = graph.node(power.base) else {
+            return None;
+        };
+        let [only] = &factors[..] else { return None };
+        let is_square = (only.exponent.numerator(), only.exponent.denominator()) == (2, 1);
+        let is_named = self.function.name_of(power.base).is_some();
+        (is_root && is_square && !is_named)
+            .then(|| Arithmetic::Call(Elementary::Abs, vec![self.value(only.base)]))
+    }
+
     /// The factors that a power is written as.
     fn power(&self, power: &Power) -> Vec<Arithmetic> {
+        if let Some(root) = self.root_of_square(power) {
+            return vec![root];
+        }
         // Made once: nested powers would otherwise be walked as a tree that doubles with each level.
         let base = self.value(power.base);
         match (power.exponent.numerator(), power.exponent.denominator()) {

@@ -36,7 +36,7 @@ impl VectorForm {
             let prefix = match auxiliary.kind {
                 Auxiliary::Displacement | Auxiliary::Distance => "length",
                 Auxiliary::Offset => "offset",
-                Auxiliary::LinkAngle => "psi",
+                Auxiliary::LinkAngle => "phi",
             };
             let name = match ends {
                 [Some(from), Some(to)] => format!("{prefix}_{from}_{to}"),
@@ -75,7 +75,7 @@ impl VectorForm {
             as_symbol(auxiliary.value, graph).and_then(|symbol| self.place_of_unknown(symbol));
         match (auxiliary.kind, place) {
             (Auxiliary::LinkAngle, Some(place)) => {
-                let ends = self.unknowns[place].name.replacen("psi", "link", 1);
+                let ends = self.unknowns[place].name.replacen("phi", "link", 1);
                 let along = [graph.one(), graph.zero()];
                 let turned = self.arm(place, along, &ends, graph);
                 AuxiliaryUnknown {

@@ -204,7 +204,7 @@ fn motion(printer: &Printer<'_>) -> Vec<Offered> {
     ));
     let mut last = Offered {
         lines: vec![
-            "The last solved instant; NULL after an assembly that failed, from which only another one helps."
+            "Returns the last frame; NULL after a failed assembly, until an assembly succeeds."
                 .to_string(),
         ],
         declaration: format!(
@@ -228,8 +228,8 @@ fn advance_by(printer: &Printer<'_>) -> Offered {
     let mut offered = function(
         printer,
         &[
-            "Moves the mechanism on by a duration (s) from the last frame, as advance does. The times of successive calls are a compensated",
-            "sum; a failure does not let time pass.",
+            "Advances the mechanism by a duration (s) from the last frame. The times of successive calls are a compensated",
+            "sum; a failure does not advance the time.",
         ],
         "advance_by",
         &[&mechanism, &format!("{real} duration"), &given.inputs],
@@ -263,11 +263,11 @@ fn recover(printer: &Printer<'_>) -> Offered {
         false => String::new(),
     };
     let mut lines = vec![
-        "Assembles the mechanism at time t (s) near the last frame and in its modes, whether or not a path leads there, after signals",
-        "were missing for a while, say. A failure leaves the last frame as it is.",
+        "Assembles the mechanism at time t (s) near the last frame in its modes, without verification of a path, after signals",
+        "were missing, for example. A failure leaves the last frame unchanged.",
     ];
     if holds_coordinates {
-        lines.push("The jump is the change of each coordinate, in its unit, m or rad.");
+        lines.push("The jump is the change of each coordinate, in m or rad.");
     }
     let mut offered = function(
         printer,

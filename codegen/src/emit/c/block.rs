@@ -162,7 +162,7 @@ pub(super) fn modes(printer: &Printer<'_>) -> Vec<Mode> {
         Some(Mode {
             name: identifier(&block.name),
             text: format!(
-                "The sign of the determinant of `{}`, which finds {found}. LINKWRIGHT_NEAREST lets the estimate decide.",
+                "Sign of the determinant of `{}`, which finds {found}; LINKWRIGHT_NEAREST if the estimate decides.",
                 block.name
             ),
             drawn: newton.drawn.sign().map_or("LINKWRIGHT_NEAREST", sign),

@@ -191,17 +191,17 @@ fn of_block(block: &Block, newton: &NewtonBlock, printer: &Printer<'_>, text: &m
             _ => equation.write(in_order, printer, text),
         }
     };
-    write("residual", "The residuals", &newton.residual, text);
-    write("jacobian", "The Jacobian", &newton.jacobian, text);
+    write("residual", "Residuals", &newton.residual, text);
+    write("jacobian", "Jacobian", &newton.jacobian, text);
     write(
         "time_derivative",
-        "The rates of the residuals with the unknowns held",
+        "Rates of the residuals with constant unknowns",
         &newton.time_derivative,
         text,
     );
     write(
         "gamma",
-        "Minus the second rates of the residuals with the accelerations of the unknowns zero",
+        "Negative second rates of the residuals with zero accelerations of the unknowns",
         &newton.gamma,
         text,
     );

@@ -20,7 +20,7 @@ pub(super) fn structure(printer: &Printer<'_>, text: &mut Code) {
     if holds_coordinates {
         let coordinates = printer.type_of("Coordinates");
         for (what, field) in [
-            ("The pose.", "q"),
+            ("Pose.", "q"),
             ("Rates of the coordinates.", "qd"),
             ("Accelerations of the coordinates.", "qdd"),
         ] {

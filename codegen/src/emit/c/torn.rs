@@ -34,7 +34,7 @@ pub(super) fn functions(
     let evaluate = Equation {
         scope: &scope,
         comment: format!(
-            "What remains of `{}` with the tears given, and the inverse of its Jacobian; false where a closed form is out of reach.",
+            "Finds the tearing residuals of `{}` and the inverse of their Jacobian; returns false if a closed form is out of reach.",
             block.name
         ),
         name: format!("{name}_evaluate"),
@@ -52,7 +52,10 @@ pub(super) fn functions(
     vectors.push(("carried", tearing.carried.clone()));
     let complete = Equation {
         scope: &scope,
-        comment: format!("All of `{}` at its tears: {found}.", block.name),
+        comment: format!(
+            "Solves `{}` for given tearing variables: {found}.",
+            block.name
+        ),
         name: format!("{name}_complete"),
         vectors,
         returns: ("void", None),
@@ -63,7 +66,7 @@ pub(super) fn functions(
     let scope = Scope::with_tears(module, &tearing.sign_values, Place::Tears, unknowns.clone());
     let signs = Equation {
         scope: &scope,
-        comment: format!("The signs of the closed forms in `{}`.", block.name),
+        comment: format!("Finds the signs of the closed forms in `{}`.", block.name),
         name: format!("{name}_signs"),
         vectors: vec![("q", unknowns)],
         returns: ("void", None),
@@ -85,10 +88,7 @@ pub(super) fn functions(
     let scope = Scope::with_tears(module, &tearing.scales, Place::Tears, Vec::new());
     let scales = Equation {
         scope: &scope,
-        comment: format!(
-            "What the scales of the rows of `{}` are multiplied by.",
-            block.name
-        ),
+        comment: format!("Finds the factors of the row scales of `{}`.", block.name),
         name: format!("{name}_factors"),
         vectors: Vec::new(),
         returns: ("void", None),

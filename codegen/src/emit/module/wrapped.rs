@@ -42,13 +42,12 @@ pub(in crate::emit) fn wrapped<S: AsRef<str>>(lines: impl IntoIterator<Item = S>
 
 /// Returns the index of the space at which a line is broken; `None` if the line fits or has no such space.
 fn break_of(line: &str, indent: usize) -> Option<usize> {
-    let mut ends = line.char_indices().skip(WIDTH).map(|(at, _)| at);
-    let end = ends.next()?;
-    let after = ends.next().unwrap_or(line.len());
+    let end = line.char_indices().nth(WIDTH)?.0;
     let first = indent.max(2);
     let spaces = |text: &str| text.rfind(' ').filter(|at| *at > first);
     let next = line[end..].find(' ').map(|at| end + at);
-    spaces(&line[..after]).or(next)
+    let end = end + usize::from(line[end..].starts_with(' '));
+    spaces(&line[..end]).or(next)
 }
 
 /// True if a line is the row of a table.

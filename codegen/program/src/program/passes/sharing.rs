@@ -11,6 +11,7 @@ use super::costs::{is_function, written_operands};
 use super::usage::{Orders, Usage};
 use crate::expr::{ExprId, Graph, IdMap, IdSet, Node, Number, SplineId, SymbolId};
 use crate::program::function::{Function, Statement};
+use crate::program::quantities::rotated_component;
 use crate::system::{SymbolRole, System};
 
 /// Length of a value, in characters, from which on all its parts are shared.
@@ -136,7 +137,11 @@ impl Sharing {
                     Node::Choose { .. } => "piece",
                     _ => "shared",
                 };
-                let name = self.numbered(base);
+                let name = match base {
+                    "shared" => rotated_component(expr, system),
+                    _ => None,
+                };
+                let name = name.unwrap_or_else(|| self.numbered(base));
                 let target = self.call(expr, &name, system);
                 self.statements.push(Statement::assignment(target, expr));
             }

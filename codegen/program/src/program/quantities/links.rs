@@ -165,7 +165,11 @@ impl Builder<'_> {
             (Some(body), _) if is_rod(body, mechanism) => body_stem(body, mechanism),
             (_, Some([from, to])) => super::both(from, to),
             (Some(body), None) => format!("{}_LINK", body_stem(body, mechanism)),
-            (None, None) => format!("{}_LINK", upper(&unknown.name)),
+            (None, None) => {
+                let name = upper(&unknown.name);
+                let ends = name.strip_prefix("PHI_").unwrap_or(&name);
+                format!("{ends}_LINK")
+            }
         }
     }
 

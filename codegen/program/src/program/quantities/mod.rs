@@ -6,9 +6,11 @@
 mod drivers;
 mod links;
 mod of_description;
+mod rotated;
 
 pub(super) use links::LinkName;
 pub use of_description::Described;
+pub(super) use rotated::rotated_component;
 
 /// Relative distance of two values that are the same quantity: rounding of a few operations.
 const SAME: f64 = 16.0 * f64::EPSILON;

@@ -1,7 +1,7 @@
 //! Derives constraints in vector form, the basis of the solved formulation.
 //!
 //! Every rotated local vector R s is a pair of symbols, an *arm*, so that rows are linear in positions and arms. A sliding joint
-//! has its displacement ℓ as an unknown, a link without a body its angle ψ.
+//! has its displacement ℓ as an unknown, a link without a body its angle φ.
 //!
 //! Unknowns that can be eliminated by inspection have constant coefficients. Time derivatives follow from the rotation of an arm
 //! with its body: d(R s)/dt = φ̇ Ω R s.

@@ -6,9 +6,9 @@ use crate::joint::Quantity;
 
 /// Of all of them.
 pub(in crate::emit) const ASSEMBLIES: [&str; 3] = [
-    "All ways in which the mechanism can be assembled at t = 0 s, with the parameters and the initial inputs of the description: it is",
-    "proven that there are no others. At another time, or with other values, Newton-Raphson starts from the same pose, and may end in",
-    "another one.",
+    "All assemblies of the mechanism at t = 0 s, with the parameters and the initial inputs of the description. The list is",
+    "proven to be complete. At another time, or with other values, Newton-Raphson starts from the same pose and may end in",
+    "another assembly.",
 ];
 
 /// Of the field that says which one is wanted.
