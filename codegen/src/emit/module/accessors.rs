@@ -39,8 +39,8 @@ impl Accessor {
         fields: &[SymbolId],
         line: impl Into<String>,
     ) -> Accessor {
-        let found = fields.iter().map(|&it| Found::Field(it)).collect();
-        Accessor::of_values(name, vec![line.into()], found)
+        let values = fields.iter().map(|&it| Found::Field(it)).collect();
+        Accessor::of_values(name, vec![line.into()], values)
     }
 
     fn of_values(name: String, docs: Vec<String>, values: Vec<Found>) -> Accessor {

@@ -36,7 +36,7 @@ pub(super) fn structures(module: &Module<'_>, code: &mut Code) {
     }
 }
 
-/// Whether a quantity is a point with position and velocity.
+/// True if a quantity is a point with position and velocity.
 fn returns_pair(quantity: &SensitiveQuantity) -> bool {
     quantity.components.len() == 2 && quantity.levels.len() == 2
 }
