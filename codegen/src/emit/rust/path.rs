@@ -30,6 +30,7 @@ pub(super) fn path(module: &Module<'_>, code: &mut Code) {
     shown(module, &path.function, keeps, &mut inside);
     if !within.is_empty() {
         names.push("is_within");
+        inside.gap();
     }
     inside.append(within);
     if let Some(function) = &path.closed {
