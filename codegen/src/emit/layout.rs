@@ -42,9 +42,13 @@ pub(super) fn broken(line: &str, depth: usize, lists: Lists) -> Vec<String> {
         return filled(elements.iter().map(String::as_str), depth);
     }
     // A choice or a block that is a value.
-    let values = [" = ", ": "].into_iter();
-    let mut values = values.filter_map(|it| Some(text.find(it)? + it.len()));
-    let value = values.find(|at| ["if ", "{ "].iter().any(|it| text[*at..].starts_with(it)));
+    let value = outer(text).find_map(|(at, _)| {
+        let value = [" = ", ": "]
+            .iter()
+            .find_map(|it| text[at..].strip_prefix(it))?;
+        let is_open = ["if ", "{ "].iter().any(|it| value.starts_with(it));
+        is_open.then_some(text.len() - value.len())
+    });
     let (before, text) = text.split_at(value.unwrap_or(0));
     let all = Vec::new();
     let mut lines = Lines { all, lists };
@@ -89,7 +93,8 @@ impl Lines {
         } else if let Some((at, _)) = outer(text).find(|(at, _)| text[*at..].starts_with(").")) {
             self.chain(part, at + 1, depth);
         } else if !self.brackets(part, depths) {
-            match text.find(" = ").map(|at| text.split_at(at + " =".len())) {
+            let equals = outer(text).find(|(at, _)| text[*at..].starts_with(" = "));
+            match equals.map(|(at, _)| text.split_at(at + " =".len())) {
                 Some((head, value)) => {
                     self.all.push(format!("{:depth$}{}{head}", "", part.before));
                     let value = self::part("", value.trim_start(), &*part.after);
@@ -463,6 +468,18 @@ mod tests {
             lines(&format!("BlockName::new(\"{words}\", \"{others}\"),")),
             format!(
                 "        BlockName::new(\n            \"{words}\",\n            \"{others}\",\n        ),"
+            )
+        );
+    }
+
+    #[test]
+    fn code_in_strings_is_text() {
+        let [left, right] =
+            ["a = if b - c { d } else { e }; ", "x: { y } + z * w, "].map(|it| it.repeat(3));
+        assert_eq!(
+            lines(&format!("BlockName::new(\"{left}\", \"{right}\"),")),
+            format!(
+                "        BlockName::new(\n            \"{left}\",\n            \"{right}\",\n        ),"
             )
         );
     }
