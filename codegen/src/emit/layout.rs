@@ -1,7 +1,7 @@
-//! Lines of code that are too long → lines as a person breaks them.
+//! Breaks lines of code that are too long.
 //!
-//! What fits into a line stays on it. Lists break between their elements: short ones fill the lines, others have a line each. Sums
-//! and products break before their operators. Nothing but spaces and commas after last elements is added or left out.
+//! Code that fits into a line stays on it. Lists break between their elements: short ones fill the lines, others have a line each.
+//! Sums have a line for each term, products break before their operators. Spaces and commas after last elements are all that changes.
 
 use super::lines::{WIDTH, filled, fits};
 
@@ -14,8 +14,8 @@ pub(super) enum Lists {
     Filled,
 }
 
-/// Elements up to this length share a line with others, with their commas.
-const SHORT: usize = 36;
+/// Longest element, with its comma, that shares a line with others.
+const SHARED_LENGTH: usize = 36;
 
 /// Operators that a line breaks before, those that bind least first.
 const OPERATORS: [&[&str]; 3] = [
@@ -42,9 +42,13 @@ pub(super) fn broken(line: &str, depth: usize, lists: Lists) -> Vec<String> {
         return filled(elements.iter().map(String::as_str), depth);
     }
     // A choice or a block that is a value.
-    let values = [" = ", ": "].into_iter();
-    let mut values = values.filter_map(|it| Some(text.find(it)? + it.len()));
-    let value = values.find(|at| ["if ", "{ "].iter().any(|it| text[*at..].starts_with(it)));
+    let value = outer(text).find_map(|(at, _)| {
+        let value = [" = ", ": "]
+            .iter()
+            .find_map(|it| text[at..].strip_prefix(it))?;
+        let is_open = ["if ", "{ "].iter().any(|it| value.starts_with(it));
+        is_open.then_some(text.len() - value.len())
+    });
     let (before, text) = text.split_at(value.unwrap_or(0));
     let all = Vec::new();
     let mut lines = Lines { all, lists };
@@ -89,7 +93,8 @@ impl Lines {
         } else if let Some((at, _)) = outer(text).find(|(at, _)| text[*at..].starts_with(").")) {
             self.chain(part, at + 1, depth);
         } else if !self.brackets(part, depths) {
-            match text.find(" = ").map(|at| text.split_at(at + " =".len())) {
+            let equals = outer(text).find(|(at, _)| text[*at..].starts_with(" = "));
+            match equals.map(|(at, _)| text.split_at(at + " =".len())) {
                 Some((head, value)) => {
                     self.all.push(format!("{:depth$}{}{head}", "", part.before));
                     let value = self::part("", value.trim_start(), &*part.after);
@@ -103,7 +108,7 @@ impl Lines {
     /// Adds pieces of a text, each on a line of its own or as many as fit.
     fn pieces(&mut self, whole: &Part<'_>, pieces: &[&str], fills: bool, depths: [usize; 2]) {
         let [first, others] = depths;
-        // What follows a piece of several lines does not continue the last of them.
+        // A piece does not continue the last line of a piece of several lines.
         let mut is_open = false;
         for (place, text) in pieces.iter().enumerate() {
             let is_last = place + 1 == pieces.len();
@@ -228,7 +233,7 @@ impl Lines {
             self.pieces(&rest, &texts, true, [inside; 2]);
             return true;
         }
-        if open.ends_with('[') && elements.iter().all(|it| it.len() <= SHORT) {
+        if open.ends_with('[') && elements.iter().all(|it| it.len() <= SHARED_LENGTH) {
             self.all.extend(filled(texts, inside));
         } else {
             texts
@@ -263,7 +268,7 @@ impl Lines {
     }
 }
 
-/// True for what stands on one line. The arms of a choice have lines of their own.
+/// True for a line that is not broken. The arms of a choice have lines of their own.
 fn is_short(line: &str) -> bool {
     let content = line.trim_start().trim_start_matches("} else ");
     fits(line) && !content.contains("} else ")
@@ -289,17 +294,17 @@ fn operands(text: &str) -> Option<(Vec<&str>, bool)> {
     })
 }
 
-/// What separators outside of all brackets part.
+/// Parts of a text between separators that stand outside of all brackets.
 fn parts<'a>(text: &'a str, separator: &str) -> Vec<&'a str> {
-    let (mut found, mut start) = (Vec::new(), 0);
+    let (mut parts, mut start) = (Vec::new(), 0);
     for (at, _) in outer(text) {
         if text[at..].starts_with(separator) {
-            found.push(&text[start..at]);
+            parts.push(&text[start..at]);
             start = at + separator.len();
         }
     }
-    found.push(&text[start..]);
-    found
+    parts.push(&text[start..]);
+    parts
 }
 
 /// Places of the brackets that stand outside of all others: where they open and close.
@@ -309,7 +314,7 @@ fn groups(text: &str) -> Vec<[usize; 2]> {
     places.as_chunks().0.to_vec()
 }
 
-/// The letters that stand outside of all brackets and strings, with the outermost brackets.
+/// Letters that stand outside of all brackets and strings, with the outermost brackets.
 fn outer(text: &str) -> impl Iterator<Item = (usize, char)> {
     let (mut open, mut is_string, mut is_escaped, mut before) = (0_i32, false, false, ' ');
     text.char_indices().filter(move |&(_, letter)| {
@@ -463,6 +468,18 @@ mod tests {
             lines(&format!("BlockName::new(\"{words}\", \"{others}\"),")),
             format!(
                 "        BlockName::new(\n            \"{words}\",\n            \"{others}\",\n        ),"
+            )
+        );
+    }
+
+    #[test]
+    fn code_in_strings_is_text() {
+        let [left, right] =
+            ["a = if b - c { d } else { e }; ", "x: { y } + z * w, "].map(|it| it.repeat(3));
+        assert_eq!(
+            lines(&format!("BlockName::new(\"{left}\", \"{right}\"),")),
+            format!(
+                "        BlockName::new(\n            \"{left}\",\n            \"{right}\",\n        ),"
             )
         );
     }

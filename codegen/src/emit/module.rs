@@ -4,6 +4,7 @@
 //! numbers are looked at last, and the sentences of the documentation, so that modules of different languages say and compute the same.
 //! A language comes with its [`Words`] and prints the rest. Deliberately unknown here: how anything is written.
 
+pub(super) mod accessors;
 pub(super) mod checks;
 pub(super) mod documentation;
 pub(super) mod drawing;

@@ -32,7 +32,11 @@ fn modules_parse_and_their_lines_fit() {
             let module = module.unwrap_or_else(|found| panic!("{}", found.render(&source)));
             let parsed = syn::parse_file(&module.code);
             assert!(parsed.is_ok(), "{name}: {:?}", parsed.err());
+            let mut before = "";
             for line in module.code.lines() {
+                let is_apart = !(line.contains("/// ") && before.ends_with('}'));
+                assert!(is_apart, "{name}: no empty line before {line}");
+                before = line;
                 let is_prose = line.trim_start().starts_with("//");
                 let fits = line.chars().count() <= WIDTH || longest_word(line) >= LONG;
                 assert!(is_prose || fits, "{name}: {line}");

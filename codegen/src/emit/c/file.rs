@@ -3,14 +3,15 @@
 use super::printer::Printer;
 use super::words::WORDS;
 use super::{
-    api, assemblies, assembly, block, block_names, coordinates, equations, forces, frame, loads,
+    api, assemblies, assembly, block, block_names, coordinates, equations, frame, loads,
     normalized_determinant, parameters, path, points, runtime, sensitivity, shell, tables,
     textbook, transmission,
 };
 use crate::emit::code::Code;
 use crate::emit::layout::Lists;
 use crate::emit::lines::WIDTH;
-use crate::emit::module::{Module, documentation, facts};
+use crate::emit::module::forces::force_functions;
+use crate::emit::module::{Module, accessors, documentation, facts};
 use crate::emit::scalar::Scalar;
 use crate::emit::text;
 use crate::solved::Solved;
@@ -45,8 +46,9 @@ fn offered(printer: &Printer<'_>) -> Vec<points::Offered> {
     all.extend(assembly::drawn_pose(printer));
     all.extend(points::offered(printer));
     all.extend(transmission::offered(printer));
-    all.extend(forces::offered(printer));
-    all.extend(sensitivity::offered(printer));
+    let kept = force_functions(printer.module).into_iter();
+    let kept = kept.chain(accessors::sensitivities(printer.module));
+    all.extend(kept.map(|it| printer.accessor(it)));
     all.extend(normalized_determinant::offered(printer));
     all.extend(textbook::offered(printer));
     all

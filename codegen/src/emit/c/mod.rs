@@ -4,6 +4,7 @@
 //! the same bytes on every run, allocate nothing, hold no state and call nothing by recursion; the header can be included from C++.
 //! What is computed, and in which order, is what the Rust module computes.
 
+mod accessors;
 mod api;
 mod ascii;
 mod assemblies;
@@ -15,7 +16,6 @@ mod coordinates;
 mod equations;
 mod expression;
 mod file;
-mod forces;
 mod frame;
 mod isolation;
 mod loads;

@@ -1,10 +1,9 @@
 //! What a frame offers: the motion of points, pressure angles, and the outputs that are asked for.
 
 use super::printer::Printer;
-use super::words::identifier;
 use crate::emit::code::Code;
-use crate::emit::module::documentation;
 use crate::emit::module::scope::{Place, Scope};
+use crate::emit::module::{accessors, documentation};
 use crate::program::{Function, Output};
 
 /// A function that others may call: its documentation, its declaration, and its body.
@@ -126,52 +125,16 @@ pub(super) fn point_functions(printer: &Printer<'_>) -> Vec<String> {
 
 /// The functions of one output.
 fn of_output(output: &Output, printer: &Printer<'_>) -> Vec<Offered> {
-    let (real, motion) = (printer.real(), printer.runtime("point_motion"));
-    let own = |symbol| printer.field(symbol, "frame");
-    let prefix = match output {
-        Output::Point { name, .. } => format!("point_{name}"),
-        // The functions of the textbook view have names like this.
-        Output::Coordinate { name, .. } if ["phi_q", "phi_t"].contains(&name.as_str()) => {
-            format!("{name}_")
+    let functions = accessors::of_output(output).into_iter().map(|mut it| {
+        match output {
+            Output::Point { .. } => it.name = it.name.to_lowercase(),
+            // The functions of the textbook view have names like this.
+            Output::Coordinate { name, .. } if ["phi_q", "phi_t"].contains(&name.as_str()) => {
+                it.name.insert(name.len(), '_');
+            }
+            Output::Coordinate { .. } => {}
         }
-        Output::Coordinate { name, .. } => name.clone(),
-    };
-    let functions = documentation::of_output(output).into_iter().enumerate();
-    let functions = functions.map(|(place, (suffix, line))| {
-        let name = identifier(&format!("{prefix}{suffix}"));
-        let mut body = Code::default();
-        let declaration = match output {
-            Output::Point { fields, .. } if fields.len() == 3 => {
-                body.line(format!("{motion} found;"));
-                for (level, pair) in ["position", "velocity", "acceleration"].iter().zip(fields) {
-                    for (axis, symbol) in pair.iter().enumerate() {
-                        body.line(format!("found.{level}[{axis}] = {};", own(*symbol)));
-                    }
-                }
-                body.line("return found;");
-                printer.of_frame(&motion, &name)
-            }
-            Output::Point { fields, .. } => {
-                for (axis, symbol) in fields[place].iter().enumerate() {
-                    body.line(format!("found[{axis}] = {};", own(*symbol)));
-                }
-                let name = printer.function(&name.to_lowercase());
-                format!(
-                    "void {name}(const {} *frame, {real} found[2])",
-                    printer.type_of("Frame")
-                )
-            }
-            Output::Coordinate { fields, .. } => {
-                body.line(format!("return {};", own(fields[place])));
-                let name = printer.function(&name);
-                format!("{real} {name}(const {} *frame)", printer.type_of("Frame"))
-            }
-        };
-        Offered {
-            lines: vec![line],
-            declaration,
-            body,
-        }
+        printer.accessor(it)
     });
     functions.collect()
 }

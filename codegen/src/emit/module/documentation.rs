@@ -17,7 +17,7 @@ use crate::emit::{Notation, text};
 use crate::joint::Quantity;
 use crate::model::Dimension;
 use crate::pool::Pool;
-use crate::program::{Block, Level, NewtonBlock, Output, Requirements, Statement};
+use crate::program::{Block, Level, NewtonBlock, Requirements, Statement};
 use crate::system::{Cause, Described, Pressure, Row, System, Unknown};
 
 /// The longest line of documentation that is not broken, in characters.
@@ -100,7 +100,7 @@ pub(in crate::emit) fn of_coordinate(coordinate: &Unknown, system: &System) -> V
 }
 
 /// The units of a coordinate, its rate and its acceleration; nothing for 1.
-fn units(quantity: Quantity) -> [&'static str; 3] {
+pub(super) fn units(quantity: Quantity) -> [&'static str; 3] {
     match quantity {
         Quantity::Length => ["m", "m/s", "m/s²"],
         Quantity::Angle => ["rad", "rad/s", "rad/s²"],
@@ -144,43 +144,6 @@ pub(in crate::emit) fn of_pressure(pressure: &Pressure, system: &System) -> Vec<
         "It is the angle between the common normal and the velocity of the follower's point at the"
             .to_string(),
     ]
-}
-
-/// One function of an output: the end of its name, and what it is.
-pub(in crate::emit) fn of_output(output: &Output) -> Vec<(&'static str, String)> {
-    match output {
-        Output::Point { name, fields } if fields.len() == 3 => {
-            vec![(
-                "",
-                format!("Motion of the point {name}, in m, m/s and m/s²."),
-            )]
-        }
-        Output::Point { name, fields } => {
-            let levels = [("Position", "m"), ("Velocity", "m/s")];
-            let suffixes = ["_position", "_velocity"].into_iter();
-            let levels = suffixes.zip(levels).take(fields.len());
-            levels
-                .map(|(suffix, (level, unit))| {
-                    (suffix, format!("{level} of the point {name}, in {unit}."))
-                })
-                .collect()
-        }
-        Output::Coordinate {
-            name,
-            quantity,
-            fields,
-        } => {
-            let levels = [
-                ("", "Coordinate"),
-                ("_rate", "Rate of the coordinate"),
-                ("_acceleration", "Acceleration of the coordinate"),
-            ];
-            let levels = levels.into_iter().zip(units(*quantity)).take(fields.len());
-            levels
-                .map(|((suffix, what), unit)| (suffix, format!("{what} {name}, in {unit}.")))
-                .collect()
-        }
-    }
 }
 
 /// What tells the assembly modes of a block apart that is solved in closed form.

@@ -1,27 +1,14 @@
 //! The forces that are asked for → the functions of a frame that give them.
-//!
-//! Every language offers the same functions under the same names; how a pair of numbers is returned is its own matter.
 
 use super::Module;
-use crate::expr::SymbolId;
+use super::accessors::Accessor;
 use crate::joint::Quantity;
 use crate::program::{Effort, Energy, FreeCoordinate, Reaction, Reduced};
 use crate::system::Component;
 
-/// A function of a frame that gives one field, or x and y.
-#[derive(Clone, Debug)]
-pub(in crate::emit) struct ForceFunction {
-    /// `effort_crank`, `reaction_p`.
-    pub name: String,
-    /// One field or two.
-    pub fields: Vec<SymbolId>,
-    /// What it gives.
-    pub lines: Vec<String>,
-}
-
 /// All of them: of each driver the effort and its power, of each joint what it carries, then the energies, and what moves the free
 /// coordinates.
-pub(in crate::emit) fn force_functions(module: &Module<'_>) -> Vec<ForceFunction> {
+pub(in crate::emit) fn force_functions(module: &Module<'_>) -> Vec<Accessor> {
     let forces = &module.program.forces;
     let efforts = forces.efforts.iter().flat_map(|it| of_effort(it, module));
     let reactions = forces.reactions.iter();
@@ -36,7 +23,7 @@ pub(in crate::emit) fn force_functions(module: &Module<'_>) -> Vec<ForceFunction
         .collect()
 }
 
-fn of_effort(effort: &Effort, module: &Module<'_>) -> [ForceFunction; 2] {
+fn of_effort(effort: &Effort, module: &Module<'_>) -> [Accessor; 2] {
     let label = &module.system.mechanism.joints[effort.joint].label;
     let what = match effort.quantity {
         Quantity::Angle => {
@@ -46,10 +33,8 @@ fn of_effort(effort: &Effort, module: &Module<'_>) -> [ForceFunction; 2] {
             "Force (N) that `{label}` applies along the driven quantity, positive if it increases the quantity."
         ),
     };
-    let function = |word: &str, field, line| ForceFunction {
-        name: format!("{word}_{}", effort.name),
-        fields: vec![field],
-        lines: vec![line],
+    let function = |word: &str, field, line| {
+        Accessor::of_fields(format!("{word}_{}", effort.name), &[field], line)
     };
     [
         function("effort", effort.effort, what),
@@ -61,35 +46,31 @@ fn of_effort(effort: &Effort, module: &Module<'_>) -> [ForceFunction; 2] {
     ]
 }
 
-fn of_reaction(reaction: &Reaction, module: &Module<'_>) -> Vec<ForceFunction> {
+fn of_reaction(reaction: &Reaction, module: &Module<'_>) -> Vec<Accessor> {
     let joint = &module.system.mechanism.joints[reaction.joint];
     let label = &joint.label;
     let mut functions = Vec::new();
     let mut components = &reaction.components[..];
     if let [(Component::X, x), (Component::Y, y), rest @ ..] = components {
-        functions.push(ForceFunction {
-            name: format!("reaction_{}", reaction.name),
-            fields: vec![*x, *y],
-            lines: vec![match joint.pressure_angle {
-                Some(_) => format!(
-                    "Force (N) of the teeth of `{label}` on the second wheel at the pitch point, along x and y."
-                ),
-                None => format!("Force (N) of `{label}` on its second body, along x and y."),
-            }],
-        });
+        let line = match joint.pressure_angle {
+            Some(_) => format!(
+                "Force (N) of the teeth of `{label}` on the second wheel at the pitch point, along x and y."
+            ),
+            None => format!("Force (N) of `{label}` on its second body, along x and y."),
+        };
+        let name = format!("reaction_{}", reaction.name);
+        functions.push(Accessor::of_fields(name, &[*x, *y], line));
         components = rest;
     }
     for (component, field) in components {
-        functions.push(ForceFunction {
-            name: format!("reaction_{}_{}", reaction.name, component.suffix()),
-            fields: vec![*field],
-            lines: vec![match (component, joint.pressure_angle) {
-                (Component::Moment, Some(_)) => format!(
-                    "Moment (N·m) of the teeth of `{label}` on the second wheel, about its axis."
-                ),
-                _ => said(*component, label),
-            }],
-        });
+        let line = match (component, joint.pressure_angle) {
+            (Component::Moment, Some(_)) => format!(
+                "Moment (N·m) of the teeth of `{label}` on the second wheel, about its axis."
+            ),
+            _ => said(*component, label),
+        };
+        let name = format!("reaction_{}_{}", reaction.name, component.suffix());
+        functions.push(Accessor::of_fields(name, &[*field], line));
     }
     functions
 }
@@ -120,7 +101,7 @@ fn said(component: Component, label: &str) -> String {
     }
 }
 
-fn of_reduced(reduced: &Reduced, module: &Module<'_>) -> Vec<ForceFunction> {
+fn of_reduced(reduced: &Reduced, module: &Module<'_>) -> Vec<Accessor> {
     let label = |it: &FreeCoordinate| &module.system.mechanism.joints[it.joint].label;
     let mut functions = Vec::new();
     for (row, own) in reduced.coordinates.iter().enumerate() {
@@ -144,24 +125,20 @@ fn of_reduced(reduced: &Reduced, module: &Module<'_>) -> Vec<ForceFunction> {
                     ),
                 ),
             };
-            functions.push(ForceFunction {
-                name,
-                fields: vec![reduced.masses[Reduced::place(row, column)]],
-                lines: vec![line],
-            });
+            let mass = reduced.masses[Reduced::place(row, column)];
+            functions.push(Accessor::of_fields(name, &[mass], line));
         }
     }
-    functions.extend(reduced.coordinates.iter().map(|own| ForceFunction {
-        name: format!("reduced_force_{}", own.name),
-        fields: vec![own.force],
-        lines: vec![format!(
-            "Reduced force ({}) along `{}`: the reduced mass times the acceleration.",
-            match own.quantity {
-                Quantity::Angle => "N·m",
-                _ => "N",
-            },
+    functions.extend(reduced.coordinates.iter().map(|own| {
+        let unit = match own.quantity {
+            Quantity::Angle => "N·m",
+            _ => "N",
+        };
+        let line = format!(
+            "Reduced force ({unit}) along `{}`: the reduced mass times the acceleration.",
             label(own)
-        )],
+        );
+        Accessor::of_fields(format!("reduced_force_{}", own.name), &[own.force], line)
     }));
     functions
 }
@@ -176,12 +153,8 @@ fn unit_of_mass(quantities: [Quantity; 2]) -> &'static str {
     }
 }
 
-fn of_energy(energy: &Energy) -> [ForceFunction; 3] {
-    let function = |name: &str, field, line: &str| ForceFunction {
-        name: name.to_string(),
-        fields: vec![field],
-        lines: vec![line.to_string()],
-    };
+fn of_energy(energy: &Energy) -> [Accessor; 3] {
+    let function = |name: &str, field, line: &str| Accessor::of_fields(name.into(), &[field], line);
     [
         function(
             "kinetic_energy",

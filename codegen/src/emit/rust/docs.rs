@@ -5,7 +5,7 @@ use crate::emit::module;
 use crate::emit::module::wrapped::wrapped;
 use crate::system::System;
 
-/// What a description says of its mechanism, line by line.
+/// Documentation of a mechanism in its description, line by line.
 pub fn documentation(system: &System) -> Vec<String> {
     doc_lines(module::documentation::of_mechanism(system))
 }

@@ -1,4 +1,4 @@
-//! What the blocks are called and where they are singular, for those who read of a failure.
+//! Writes the names of the blocks and of their singular poses, for messages of failures.
 
 use crate::emit::code::Code;
 use crate::emit::derivation::BlockWords;

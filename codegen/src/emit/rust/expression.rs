@@ -26,7 +26,7 @@ impl Scope<'_> {
         all.join(", ")
     }
 
-    /// What computes a number.
+    /// Returns the expression of a number.
     pub(super) fn written(&self, arithmetic: &Arithmetic) -> String {
         match arithmetic {
             Arithmetic::Number(value) => self.module.number(*value),
@@ -104,7 +104,7 @@ impl Scope<'_> {
         chained(factors.collect())
     }
 
-    /// What stands beside a multiplication sign.
+    /// Returns an expression as it stands beside a multiplication sign.
     pub(super) fn operand(&self, arithmetic: &Arithmetic) -> String {
         let written = self.written(arithmetic);
         match arithmetic {
@@ -117,7 +117,7 @@ impl Scope<'_> {
     }
 }
 
-/// What the runtime calls an elementary function.
+/// Name of an elementary function in the runtime.
 fn called(function: Elementary) -> &'static str {
     match function {
         Elementary::Sin => "sin",

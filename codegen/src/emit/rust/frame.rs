@@ -1,32 +1,28 @@
 //! The frame: one solved instant, and what it offers.
 
-use super::forces::forces;
 use super::lints;
 use super::module::derives;
 use super::names::identifier;
 use super::normalized_determinant::smallest_determinant;
 use super::points;
-use super::sensitivity::{sensitivities, structures};
+use super::sensitivity::structures;
 use super::transmission::transmissions;
 use crate::emit::code::Code;
 use crate::emit::module::drawing::{Estimate, estimates, frame_keeps_parameters};
-use crate::emit::module::{Module, documentation};
-use crate::expr::SymbolId;
-use crate::program::Output;
+use crate::emit::module::forces::force_functions;
+use crate::emit::module::{Module, accessors};
 
 /// Writes `struct Frame`, with methods for everything that it offers.
 pub(super) fn frame(module: &Module<'_>, code: &mut Code) {
     structure(module, code);
     let mut methods = Code::default();
     match &module.program.outputs {
-        Some(outputs) => outputs
-            .iter()
-            .for_each(|it| method(it, module, &mut methods)),
+        Some(outputs) => methods.accessors(outputs.iter().flat_map(accessors::of_output), module),
         None => points::methods(module, &mut methods),
     }
     transmissions(module, &mut methods);
-    sensitivities(module, &mut methods);
-    forces(module, &mut methods);
+    methods.accessors(accessors::sensitivities(module), module);
+    methods.accessors(force_functions(module), module);
     smallest_determinant(module, &mut methods);
     if !methods.is_empty() {
         let allow = lints::unused_item(&methods);
@@ -84,41 +80,4 @@ fn drawn(module: &Module<'_>) -> Vec<String> {
         format!("{name} = {value}")
     });
     fields.collect()
-}
-
-/// Writes the functions of one output.
-fn method(output: &Output, module: &Module<'_>, code: &mut Code) {
-    let pair = |[x, y]: &[SymbolId; 2]| {
-        let [x, y] = [x, y].map(|it| module.field(*it, "self"));
-        format!("[{x}, {y}]")
-    };
-    let text = documentation::of_output(output);
-    let (prefix, kind, values) = match output {
-        Output::Point { name, fields } => {
-            let values: Vec<String> = fields.iter().map(pair).collect();
-            let prefix = format!("point_{name}");
-            if let ([(suffix, text), ..], [position, velocity, acceleration]) =
-                (&text[..], &values[..])
-            {
-                let name = identifier(&format!("{prefix}{suffix}"));
-                let statements = points::motion(position, velocity, acceleration);
-                let head = format!("pub fn {name}(&self) -> PointMotion");
-                code.function([text], [], &head, statements);
-                return;
-            }
-            (prefix, "[Scalar; 2]", values)
-        }
-        Output::Coordinate { name, fields, .. } => {
-            let values = fields.iter().map(|&field| module.field(field, "self"));
-            (name.clone(), "Scalar", values.collect())
-        }
-    };
-    for ((suffix, text), value) in text.into_iter().zip(values) {
-        code.getter(
-            [text],
-            &identifier(&format!("{prefix}{suffix}")),
-            kind,
-            value,
-        );
-    }
 }

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use super::names::is_word;
 
-/// What a module may take from somewhere else.
+/// Names that a module may import from elsewhere, with their imports.
 const IMPORTS: [(&str, &str); 2] = [("math", "self as math"), ("angle_near", "angle_near")];
 
 /// `use crate::plain::{self as math, angle_near};`, as far as the code mentions these names. An import by name goes before the one
@@ -12,16 +12,58 @@ const IMPORTS: [(&str, &str); 2] = [("math", "self as math"), ("angle_near", "an
 ///
 /// What is no path becomes an error where the code is compiled, as a path does that leads nowhere.
 pub(super) fn functions(path: &str, mentioned: &HashSet<&str>) -> Option<String> {
-    let is_name = |name: &str| is_word(name) || matches!(name, "crate" | "self" | "super");
-    if !path.trim_start_matches("::").split("::").all(is_name) {
+    // A macro gives a path with spaces between its parts.
+    let names: Vec<&str> = path.split("::").map(str::trim).collect();
+    let below = match &names[..] {
+        ["", others @ ..] => others,
+        all => all,
+    };
+    let is_name = |name: &&str| {
+        is_word(name.trim_start_matches("r#")) || matches!(*name, "crate" | "self" | "super")
+    };
+    if below.is_empty() || !below.iter().all(is_name) {
         let problem = format!("the option `math` is `{path}`, which is no path of a module");
         return Some(format!("compile_error!({problem:?});"));
     }
+    let path = names.join("::");
     let used = IMPORTS.iter().filter(|(name, _)| mentioned.contains(name));
     let used: Vec<&str> = used.map(|(_, import)| *import).collect();
     match &used[..] {
         [] => None,
         ["angle_near"] => Some(format!("use {path}::angle_near;")),
         used => Some(format!("use {path}::{{{}}};", used.join(", "))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::HashSet;
+
+    use super::functions;
+
+    #[test]
+    fn imports_are_what_the_code_mentions() {
+        let both = HashSet::from(["math", "angle_near"]);
+        for path in ["crate::plain", "crate :: plain"] {
+            let import = functions(path, &both);
+            assert_eq!(
+                import.as_deref(),
+                Some("use crate::plain::{self as math, angle_near};")
+            );
+        }
+        let import = functions("::other::plain", &HashSet::from(["angle_near"]));
+        assert_eq!(import.as_deref(), Some("use ::other::plain::angle_near;"));
+        assert_eq!(functions("plain", &HashSet::new()), None);
+    }
+
+    #[test]
+    fn what_is_no_path_is_an_error_of_the_compiler() {
+        for path in ["", "1", "crate::", "a b", "a; use b", "crate::fn", "::"] {
+            let import = functions(path, &HashSet::from(["math"]));
+            assert!(
+                import.is_some_and(|it| it.starts_with("compile_error!(\"")),
+                "{path}"
+            );
+        }
     }
 }

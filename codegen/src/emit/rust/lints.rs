@@ -1,9 +1,9 @@
-//! Which lints an item of generated code must allow, so that it is clean wherever it is included.
+//! Finds the lints that an item of generated code must allow, so that it is clean wherever it is included.
 
 use crate::emit::code::Code;
 use std::f64::consts;
 
-/// How close a literal is to a constant of the standard library, relative to it, where clippy may object.
+/// Relative distance of a literal from a constant of the standard library up to which clippy objects.
 const CLOSE: f64 = 1e-3;
 
 /// The constants of the standard library that clippy looks for among literals.
@@ -29,16 +29,16 @@ const KNOWN: [f64; 19] = [
     consts::TAU,
 ];
 
-/// What names in capitals need.
+/// Attribute that names with capitals need.
 const CAPITALS: &str = "#[allow(non_snake_case)]";
 
-/// What a module of this name must allow.
+/// Attribute that a module of this name needs.
 pub(super) fn of_module(name: &str) -> Option<&'static str> {
     let is_snake = name == name.to_lowercase() && !name.trim_matches('_').contains("__");
     (!is_snake).then_some(CAPITALS)
 }
 
-/// What an item that a user may leave unused must allow.
+/// Attributes of an item that a user may leave unused.
 pub(super) fn unused_item(code: &Code) -> impl Iterator<Item = &'static str> + use<> {
     let [capitals, approximate] = both(code);
     [capitals, Some("#[allow(dead_code)]"), approximate]
@@ -46,13 +46,13 @@ pub(super) fn unused_item(code: &Code) -> impl Iterator<Item = &'static str> + u
         .flatten()
 }
 
-/// What code must allow.
+/// Attributes that code needs.
 pub(super) fn of_code(code: &Code) -> impl Iterator<Item = &'static str> + use<> {
     both(code).into_iter().flatten()
 }
 
-/// What is needed where a name has capitals or double underscores, and where a literal is close to a constant of the standard library:
-/// it is an exact value of the mechanism.
+/// Attributes for names with capitals or double underscores, and for literals close to a constant of the standard library, which are
+/// exact values of the mechanism.
 fn both(code: &Code) -> [Option<&'static str>; 2] {
     let has_capitals = code.names().any(has_capitals);
     let is_approximate = code.words().any(is_close);

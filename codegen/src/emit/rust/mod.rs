@@ -2,6 +2,7 @@
 //!
 //! The file needs `linkwright` and nothing else, neither allocates nor panics, and is the same bytes on every run.
 
+mod accessors;
 mod assemblies;
 mod block;
 mod code;
@@ -11,7 +12,6 @@ mod equation;
 mod explained;
 mod expression;
 mod file;
-mod forces;
 mod frame;
 mod functions;
 mod lints;

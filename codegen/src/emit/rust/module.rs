@@ -98,7 +98,7 @@ impl Module<'_> {
     }
 }
 
-/// What a structure with this many numbers derives. Comparing and printing thousands of fields one by one is code that no compiler
+/// Attribute with the traits that a structure of so many numbers derives. Comparing and printing thousands of fields one by one is code that no compiler
 /// digests.
 pub(super) fn derives(fields: usize) -> &'static str {
     match fields <= LARGEST_TEXTBOOK {

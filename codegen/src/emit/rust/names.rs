@@ -1,4 +1,4 @@
-//! Which names a module has of its own, and what names of a description become beside them.
+//! Keeps names of descriptions apart from names that every module has.
 //!
 //! This is the only place that knows: whoever resolves a description is handed [`NAMING`].
 
@@ -7,14 +7,14 @@ use crate::emit::module::Words;
 use crate::model::Naming;
 use crate::syntax::Name;
 
-/// What a module asks of the names of a description.
+/// Rules for names of a description.
 pub const NAMING: Naming = Naming {
     mechanism: not_a_type,
     motion: not_a_module,
     apart,
 };
 
-/// What a mechanism's type must not be named like: generated items, what they are written with, and words of Rust.
+/// Names that no mechanism's type has: generated items, types of the runtime, and words of Rust.
 const TYPES: &[&str] = &[
     "Branches",
     "Coordinates",
@@ -66,7 +66,7 @@ const TYPES: &[&str] = &[
     "Some",
 ];
 
-/// What names of rows and blocks must not be, since the generated functions have it in scope: arguments, modules, functions.
+/// Names that no row or block has, since generated functions have them in scope: arguments, modules, functions.
 const ITEMS: &[&str] = &[
     "q",
     "qd",
@@ -113,7 +113,7 @@ const ITEMS: &[&str] = &[
     "inputs",
 ];
 
-/// What the names of local values begin with: `sin_phi1`, `shared_1`. Words up to the first `_`.
+/// First words of local values, up to the first `_`: `sin_phi1`, `shared_1`.
 const PREFIXES: &[&str] = &[
     "sin",
     "cos",
@@ -124,7 +124,7 @@ const PREFIXES: &[&str] = &[
     "logarithm",
 ];
 
-/// What functions are given, and what they call the runtime's answers: no local value has one of these names.
+/// Arguments of functions and results of the runtime: no local value has one of these names.
 const LOCAL_VALUES: &[&str] = &[
     "balance",
     "at",
@@ -160,7 +160,7 @@ const LOCAL_VALUES: &[&str] = &[
     "found",
 ];
 
-/// What Rust asks of names.
+/// Rules for names of Rust.
 pub(in crate::emit) const WORDS: Words = Words {
     spelled,
     of_functions: LOCAL_VALUES,

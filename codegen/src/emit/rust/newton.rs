@@ -36,7 +36,7 @@ fn type_name(block: &Block) -> String {
     super::names::type_name(&block.name)
 }
 
-/// What the equations of a block read of what was found before it and of what is given.
+/// Reads of all equations of a block.
 fn reads(newton: &NewtonBlock, module: &Module<'_>) -> Reads {
     let mut all = Reads::default();
     let equations = newton.equations().into_iter();
@@ -69,7 +69,7 @@ fn scope<'a>(
     )
 }
 
-/// Whether parameters change what the residuals or the tears of a block are scaled by.
+/// True if parameters change the scales of the residuals or of the tears of a block.
 fn scales_follow(newton: &NewtonBlock, module: &Module<'_>) -> bool {
     let tears = tears(newton, module);
     let of_tears: Vec<Quantity> = tears.iter().map(|it| it.quantity).collect();

@@ -1,4 +1,4 @@
-//! How close the mechanism is to a singular pose, as functions of the frame.
+//! Writes the normalized determinants of the loops as functions of the frame.
 
 use crate::emit::code::Code;
 use crate::emit::module::Module;

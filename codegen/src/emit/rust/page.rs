@@ -14,7 +14,7 @@ use crate::program::LARGEST_TEXTBOOK;
 use crate::structure::{self, Shift};
 use crate::system::Derived;
 
-/// How parts of the page look.
+/// Styles of the page.
 const STYLE: &str = "\
 .linkwright-page > svg { display: block; max-width: 100%; height: auto; margin: 0 auto; }
 .linkwright-page .wide, .linkwright-page .equation { overflow-x: auto; }

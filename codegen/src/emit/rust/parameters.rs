@@ -12,7 +12,7 @@ use crate::expr::ExprId;
 use crate::model::{Dimension, field_name};
 use crate::program::Function;
 
-/// What the functions of a mechanism are given beside pose and time.
+/// Arguments of functions beside pose and time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Declared {
     pub parameters: bool,
@@ -20,7 +20,7 @@ pub(super) struct Declared {
 }
 
 impl Module<'_> {
-    /// What the mechanism declares.
+    /// Returns the declarations of the mechanism.
     pub(super) fn declared(&self) -> Declared {
         Declared {
             parameters: !self.system.mechanism.parameters.is_empty(),
@@ -30,7 +30,7 @@ impl Module<'_> {
 }
 
 impl Declared {
-    /// What macros of the runtime are told of it.
+    /// Returns the lines that macros of the runtime take.
     pub(super) fn lines(self) -> [String; 2] {
         let line = |what: &str, is_declared: bool| match is_declared {
             true => format!("{}: {what};", what.to_lowercase()),

@@ -1,4 +1,4 @@
-//! Whether a frame lies on the path of the last one.
+//! Writes the verification that a frame lies on the path of the last frame.
 
 use super::code::{argument, taken_apart};
 use super::docs::doc_lines;
@@ -30,6 +30,7 @@ pub(super) fn path(module: &Module<'_>, code: &mut Code) {
     shown(module, &path.function, keeps, &mut inside);
     if !within.is_empty() {
         names.push("is_within");
+        inside.gap();
     }
     inside.append(within);
     if let Some(function) = &path.closed {
@@ -55,7 +56,7 @@ pub(super) fn path(module: &Module<'_>, code: &mut Code) {
 struct Shown<'a> {
     name: &'a str,
     docs: &'a [&'a str],
-    /// What fills the enclosures, where it is given them.
+    /// Statements that fill the enclosures; `None` if the function takes none.
     enclosures: Option<Code>,
 }
 

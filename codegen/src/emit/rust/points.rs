@@ -22,11 +22,8 @@ pub(super) fn methods(module: &Module<'_>, code: &mut Code) {
         let [x, y, vx, vy, ax, ay] = results.as_slice() else {
             unreachable!("a point has two components of position, velocity and acceleration each")
         };
-        statements.append(motion(
-            &format!("[{x}, {y}]"),
-            &format!("[{vx}, {vy}]"),
-            &format!("[{ax}, {ay}]"),
-        ));
+        let levels = [[x, y], [vx, vy], [ax, ay]];
+        statements.record("PointMotion", levels.map(|[x, y]| format!("[{x}, {y}]")));
         let head = format!("pub fn {name}(&self) -> PointMotion");
         let text = documentation::of_point(index, system);
         code.function(text, [], &head, statements);
@@ -35,17 +32,6 @@ pub(super) fn methods(module: &Module<'_>, code: &mut Code) {
     for (pressure, function) in contacts {
         pressure_angle(module, pressure, function, code);
     }
-}
-
-/// The motion of a point of this position, velocity and acceleration.
-pub(super) fn motion(position: &str, velocity: &str, acceleration: &str) -> Code {
-    let mut code = Code::default();
-    code.open("PointMotion {");
-    code.line(format!("position: {position},"));
-    code.line(format!("velocity: {velocity},"));
-    code.line(format!("acceleration: {acceleration},"));
-    code.close("}");
-    code
 }
 
 /// Writes the points by name, for code that is written for any mechanism.

@@ -1,11 +1,11 @@
-//! Where a value stands → how Rust reads it.
+//! Spells the places of values in Rust.
 
 use super::names::identifier;
 use crate::emit::module::scope::{Location, Scope};
 use crate::expr::SymbolId;
 
 impl Scope<'_> {
-    /// How a variable is read.
+    /// Returns the code that reads a variable.
     pub(super) fn read(&self, symbol: SymbolId) -> String {
         match self.locate(symbol) {
             Location::Local(name) => identifier(&name),

@@ -11,7 +11,7 @@ use crate::expr::{ExprId, SymbolId};
 use crate::model::field_name;
 use crate::program::{Arithmetic, Function, Statement};
 
-/// What writes the statements of a block that concern its Newton-Raphson.
+/// Writer of the statements of a block that concern its Newton-Raphson.
 pub(super) type Iterated<'a> = &'a dyn Fn(&Statement, &mut Code);
 
 impl Scope<'_> {

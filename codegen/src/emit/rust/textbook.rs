@@ -199,7 +199,7 @@ pub(super) fn scales(quantities: &[Quantity], length: &str) -> Vec<String> {
     quantities.iter().map(|it| scale(*it, length)).collect()
 }
 
-/// What values of a quantity are scaled by.
+/// Scale of a quantity.
 fn scale(quantity: Quantity, length: &str) -> String {
     let power = quantity.power_of_length();
     let product = vec![length; power.unsigned_abs() as usize].join(" * ");

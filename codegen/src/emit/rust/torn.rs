@@ -54,7 +54,7 @@ fn list(name: &str, kind: &str, values: &[String], code: &mut Code) {
     );
 }
 
-/// What each of the functions reads; what one carries for another is read of nothing else.
+/// Reads of each function. Values that one function carries for another are read from nothing else.
 pub(super) fn reads(newton: &NewtonBlock, tearing: &Tearing, module: &Module<'_>) -> [Reads; 4] {
     let all = tearing.named();
     let whole = Scope::with_tears(module, &all, Place::Tears, tears(newton, tearing, module));

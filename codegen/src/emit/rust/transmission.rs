@@ -1,4 +1,4 @@
-//! What the drivers transmit, as functions of the frame.
+//! Writes the transmissions of the drivers as functions of the frame.
 
 use super::names::identifier;
 use crate::emit::code::Code;
