@@ -7,16 +7,21 @@ use crate::diagnostic::{self, Diagnostics};
 use crate::emit::derivation::Derivation;
 use crate::finiteness;
 use crate::modes;
-use crate::program::{Program, Report, lower};
-use crate::structure;
-use crate::system::System;
+use crate::pool::Pool;
+use crate::program::{Kept, Program, Report, lower};
+use crate::structure::{self, Shift};
+use crate::system::{Derived, System};
 
 /// What is found in motions; a finding of some motions alone names the motion.
-pub(crate) fn of_motions(motions: &[System], find: impl Fn(&System) -> Diagnostics) -> Diagnostics {
-    let found = motions.iter().map(|system| {
-        let motion = system.mechanism.motion.as_ref();
+pub(crate) fn of_motions(
+    motions: &[Derived],
+    find: impl Fn(&Derived) -> Diagnostics,
+) -> Diagnostics {
+    let found = motions.iter().map(|derived| {
+        let mechanism = &derived.system.mechanism;
+        let motion = mechanism.motion.as_ref();
         let name = motion.map_or("", |motion| motion.name.as_str());
-        let found = find(system).respelled(&system.mechanism.spellings);
+        let found = find(derived).respelled(&mechanism.spellings);
         (name, None, found)
     });
     diagnostic::merged(found.collect())
@@ -26,18 +31,17 @@ pub(crate) fn of_motions(motions: &[System], find: impl Fn(&System) -> Diagnosti
 ///
 /// # Errors
 /// Too few or too many equations, with the bodies and joints concerned; numbers that become infinite or undefined.
-pub fn check(system: &System) -> Result<Diagnostics, Diagnostics> {
+pub fn check(derived: &Derived) -> Result<Diagnostics, Diagnostics> {
+    let Derived { pool, system } = derived;
     let _work = diagnostic::internal::work_at(system.mechanism.place());
-    let spellings = &system.mechanism.spellings;
-    let mut diagnostics = Diagnostics::new();
-    if !structure::analyze(system, &mut diagnostics) {
-        return Err(diagnostics.respelled(spellings));
+    let mut diagnostics = structure::analyze(pool, system).respelled(&system.mechanism.spellings);
+    if diagnostics.has_errors() {
+        return Err(diagnostics);
     }
-    let mut diagnostics = diagnostics.respelled(spellings);
-    let mut system = system.clone();
-    let solved = structure::plan(&mut system);
-    let program = solved.map(|solved| lower(&mut system, &solved));
-    diagnostics.extend(findings(&system, program.as_ref())?);
+    let mut pool = pool.clone();
+    let plan = structure::plan(&mut pool, system, Shift::Directions);
+    let program = plan.map(|plan| lower(&mut pool, system, &plan, Kept::Requested));
+    diagnostics.extend(findings(&pool, system, program.ok().as_ref())?);
     Ok(diagnostics)
 }
 
@@ -46,9 +50,13 @@ pub fn check(system: &System) -> Result<Diagnostics, Diagnostics> {
 ///
 /// # Errors
 /// Numbers that become infinite or undefined, and work beyond its bounds.
-pub fn findings(system: &System, program: Option<&Program>) -> Result<Diagnostics, Diagnostics> {
+pub fn findings(
+    pool: &Pool,
+    system: &System,
+    program: Option<&Program>,
+) -> Result<Diagnostics, Diagnostics> {
     let spellings = &system.mechanism.spellings;
-    let mut found = finiteness::of_program(system, program, finiteness::Range::F64);
+    let mut found = finiteness::of_program(pool, system, program, finiteness::Range::F64);
     if found.has_errors() {
         return Err(found.respelled(spellings));
     }
@@ -65,9 +73,10 @@ pub fn findings(system: &System, program: Option<&Program>) -> Result<Diagnostic
 /// # Errors
 /// Those of [`findings`].
 pub fn findings_of_derivation(derivation: &Derivation<'_>) -> Result<Diagnostics, Diagnostics> {
-    let (system, blocks) = (derivation.system(), derivation.blocks());
+    let (pool, system) = (derivation.pool(), derivation.system());
+    let blocks = derivation.blocks();
     let spellings = &system.mechanism.spellings;
-    let mut found = finiteness::of_blocks(system, blocks);
+    let mut found = finiteness::of_blocks(pool, system, blocks);
     if found.has_errors() {
         return Err(found.respelled(spellings));
     }
@@ -79,11 +88,9 @@ pub fn findings_of_derivation(derivation: &Derivation<'_>) -> Result<Diagnostics
 ///
 /// # Errors
 /// Those of [`check`], each once.
-pub fn check_all(motions: &[System]) -> Result<(), Diagnostics> {
-    let found = of_motions(motions, |system| {
-        let mut found = Diagnostics::new();
-        structure::analyze(system, &mut found);
-        found
+pub fn check_all(motions: &[Derived]) -> Result<(), Diagnostics> {
+    let found = of_motions(motions, |derived| {
+        structure::analyze(&derived.pool, &derived.system)
     });
     if found.has_errors() {
         Err(found)
@@ -94,10 +101,10 @@ pub fn check_all(motions: &[System]) -> Result<(), Diagnostics> {
 
 /// What the solved view of a system computes and leaves out, with counts of operations; `None` where the equations do not
 /// determine the motion, or take more work than one description may cause.
-pub fn report(system: &System) -> Option<Report> {
-    let mut system = system.clone();
-    let plan = structure::plan(&mut system)?;
-    let report = lower(&mut system, &plan).report;
-    let is_whole = system.mechanism.graph.excess().is_none();
+pub fn report(derived: &Derived) -> Option<Report> {
+    let mut pool = derived.pool.clone();
+    let plan = structure::plan(&mut pool, &derived.system, Shift::Directions).ok()?;
+    let report = lower(&mut pool, &derived.system, &plan, Kept::Requested).report;
+    let is_whole = pool.graph.excess().is_none();
     is_whole.then_some(report)
 }

@@ -52,10 +52,17 @@ pub use read::{Read, read};
 
 use checks::check_all;
 use diagnostic::{Diagnostics, Source, internal};
-use linkwright_description::{columns, consequences, expr, force, joint, model, syntax, units};
-use linkwright_program::{assemblies, finiteness, modes, program, structure, system, words};
+use linkwright_description::{
+    columns, consequences, expr, force, joint, model, pool, syntax, units,
+};
+use linkwright_program::{
+    assemblies, finiteness, modes, program, solved, structure, system, words,
+};
+use program::Kept;
 use read::read_for;
-use system::System;
+use solved::Solved;
+use structure::Shift;
+use system::Derived;
 
 /// Choices about the generated code.
 ///
@@ -115,7 +122,7 @@ pub struct Generated {
     pub files: Vec<OutputFile>,
     /// Findings that are not errors.
     pub warnings: Diagnostics,
-    motions: Vec<System>,
+    motions: Vec<Derived>,
 }
 
 impl Generated {
@@ -128,7 +135,9 @@ impl Generated {
     pub fn page(&self) -> Page {
         let first = self.motions.first();
         Page {
-            documentation: first.map(emit::rust::documentation).unwrap_or_default(),
+            documentation: first
+                .map(|it| emit::rust::documentation(&it.system))
+                .unwrap_or_default(),
             html: emit::rust::page(&self.motions),
         }
     }
@@ -177,14 +186,16 @@ pub fn generate(source: &Source, options: &Options) -> Result<Generated, Diagnos
         Scalar::F32 => finiteness::Range::F32,
     };
     let (mut lowered, mut found) = (Vec::new(), Vec::new());
-    for system in &motions {
-        let mut system = system.clone();
+    for derived in &motions {
+        let Derived { mut pool, system } = derived.clone();
         let _work = internal::work_at(system.mechanism.place());
-        let plan = structure::plan(&mut system);
-        let program = plan.as_ref().map(|plan| program::lower(&mut system, plan));
+        let plan = structure::plan(&mut pool, &system, Shift::Directions).ok();
+        let program = plan
+            .as_ref()
+            .map(|plan| program::lower(&mut pool, &system, plan, Kept::Requested));
         let motion = system.mechanism.motion.as_ref();
         let name = motion.map_or(String::new(), |motion| motion.name.clone());
-        let mut own = finiteness::of_program(&system, program.as_ref(), range);
+        let mut own = finiteness::of_program(&pool, &system, program.as_ref(), range);
         own.extend(
             program
                 .iter()
@@ -192,7 +203,11 @@ pub fn generate(source: &Source, options: &Options) -> Result<Generated, Diagnos
         );
         found.push((name, own.respelled(&system.mechanism.spellings)));
         if let (Some(plan), Some(program)) = (plan, program) {
-            lowered.push((system, plan, program));
+            lowered.push(Solved {
+                derived: Derived { pool, system },
+                plan,
+                program,
+            });
         }
     }
     let found = found
@@ -205,7 +220,7 @@ pub fn generate(source: &Source, options: &Options) -> Result<Generated, Diagnos
     warnings.extend(found);
     let name = lowered
         .first()
-        .map(|(system, ..)| system.mechanism.name.clone());
+        .map(|solved| solved.derived.system.mechanism.name.clone());
     let name = name.unwrap_or_default();
     let stem = options.stem.as_deref().unwrap_or(&name);
     let (language, math) = (options.language, options.math.as_deref());

@@ -8,22 +8,23 @@ use crate::diagnostic::{Diagnostics, Source, internal};
 use crate::emit::Language;
 use crate::finiteness;
 use crate::model;
+use crate::pool::Pool;
 use crate::structure;
 use crate::syntax;
-use crate::system::System;
+use crate::system::Derived;
 
 /// A description whose equations have been derived.
 #[derive(Clone, Debug)]
 pub struct Read {
     /// The equations of each motion in written order; those of the mechanism where it has no motions. Never empty.
-    pub motions: Vec<System>,
+    pub motions: Vec<Derived>,
     /// What should be looked at although it is no error.
     pub warnings: Diagnostics,
 }
 
 impl Read {
     /// The equations, where there is one motion only.
-    pub fn only(mut self) -> Option<System> {
+    pub fn only(mut self) -> Option<Derived> {
         match self.motions.len() {
             1 => self.motions.pop(),
             _ => None,
@@ -31,9 +32,9 @@ impl Read {
     }
 
     /// The equations of the motion of this name.
-    pub fn motion(&self, name: &str) -> Option<&System> {
-        let named = |system: &&System| {
-            let motion = system.mechanism.motion.as_ref();
+    pub fn motion(&self, name: &str) -> Option<&Derived> {
+        let named = |derived: &&Derived| {
+            let motion = derived.system.mechanism.motion.as_ref();
             motion.is_some_and(|motion| motion.name == name)
         };
         self.motions.iter().find(named)
@@ -88,28 +89,31 @@ fn resolved(
     mut diagnostics: Diagnostics,
 ) -> Result<Read, Diagnostics> {
     let mut resolving = Diagnostics::new();
-    let mechanisms = model::resolve(document, language.naming(), &mut resolving);
+    let resolved = model::resolve(document, language.naming(), &mut resolving);
     if diagnostics.has_errors() {
         consequences::add_independent(resolving, document, source, &mut diagnostics);
         return Err(diagnostics);
     }
     diagnostics.extend(resolving);
-    let Some(mut mechanisms) = mechanisms else {
+    let Some(mut resolved) = resolved else {
         return Err(diagnostics);
     };
-    for mechanism in along.and(Some(&mut mechanisms)).into_iter().flatten() {
+    for (_, mechanism) in along.and(Some(&mut resolved)).into_iter().flatten() {
         let own = |name: &&str| mechanism.parameters.iter().position(|it| it.name == *name);
         let mut wanted: Vec<usize> = along.into_iter().flatten().filter_map(own).collect();
         wanted.sort_unstable();
         wanted.dedup();
         mechanism.sensitivities = wanted;
     }
-    let released = |mechanism: model::Mechanism| {
+    let released = |(mut pool, mechanism): (Pool, model::Mechanism)| {
         let _work = internal::work_at(mechanism.place());
-        structure::released(mechanism)
+        let system = structure::released(&mut pool, mechanism);
+        Derived { pool, system }
     };
-    let motions: Vec<System> = mechanisms.into_iter().map(released).collect();
-    let found = of_motions(&motions, finiteness::of_system);
+    let motions: Vec<Derived> = resolved.into_iter().map(released).collect();
+    let found = of_motions(&motions, |derived| {
+        finiteness::of_system(&derived.pool, &derived.system)
+    });
     diagnostics.extend(found);
     if diagnostics.has_errors() {
         return Err(diagnostics);

@@ -45,18 +45,22 @@ pub mod syntax {
     pub use crate::syntax::*;
 }
 
+/// What grows behind the equations: expressions, and symbols with their roles.
+pub mod pool {
+    #[doc(inline)]
+    pub use crate::pool::{Arm, Draft, Pool, SymbolRole};
+}
+
 /// The equations of the textbook view.
 pub mod system {
     #[doc(inline)]
-    pub use crate::system::{
-        Carried, Cause, Component, Described, Passing, Row, SymbolRole, System,
-    };
+    pub use crate::system::{Carried, Cause, Component, Derived, Described, Passing, Row, System};
 }
 
 /// In which order the unknowns are found.
 pub mod structure {
     #[doc(inline)]
-    pub use crate::structure::{Freedom, SolvedPlan, analyze, plan, plan_of_motion};
+    pub use crate::structure::{Freedom, Shift, SolvedPlan, Unplanned, analyze, plan};
 }
 
 /// What is computed, statement by statement.
@@ -64,10 +68,16 @@ pub mod program {
     #[doc(inline)]
     pub use crate::program::{
         Arithmetic, Block, Branch, Choice, EVALUATIONS, Effort, Elementary, Energy, Evaluation,
-        Forces, Found, Function, Lengths, Level, NewtonBlock, Operations, Output, Program,
+        Forces, Found, Function, Kept, Lengths, Level, NewtonBlock, Operations, Output, Program,
         Reaction, Reduced, Report, Requirements, STEPS, Statement, Tearing, Work, forms_of, lower,
-        lower_with_unknowns, unpruned, work,
+        unpruned, work,
     };
+}
+
+/// A motion with its solution.
+pub mod solved {
+    #[doc(inline)]
+    pub use crate::solved::Solved;
 }
 
 /// Every pose of a block that Newton-Raphson solves.

@@ -8,7 +8,7 @@ use std::collections::HashMap;
 use linkwright::{Blocks, Settings, Shell};
 use linkwright_codegen::stages::expr::{ExprId, SymbolId};
 use linkwright_codegen::stages::model::Dimension;
-use linkwright_codegen::stages::system::{Cause, System};
+use linkwright_codegen::stages::system::{Cause, Derived};
 use linkwright_solver::comparison::difference;
 use linkwright_solver::instant::Instant;
 use linkwright_solver::interpreted::Interpreted;
@@ -62,8 +62,8 @@ impl Calibrator {
     /// Returns the calibrator of a system with the sensitivities to the parameters that are to be fitted, as
     /// [`linkwright_codegen::stages::read_along`] gives it. `step` is the largest time between frames (s). `None` if its blocks
     /// cannot be ordered.
-    pub fn new(system: &System, step: f64) -> Option<Calibrator> {
-        Some(Calibrator::of(Interpreted::new(system)?, step))
+    pub fn new(derived: &Derived, step: f64) -> Option<Calibrator> {
+        Some(Calibrator::of(Interpreted::new(derived)?, step))
     }
 
     /// Returns the calibrator of an interpreted system; `step` is the largest time between frames (s).
@@ -308,7 +308,7 @@ impl Calibrator {
 /// Derivatives of every component of every point and of its velocity, by coordinates, rates and parameters.
 fn point_slopes(view: &Interpreted, parameters: &[SymbolId]) -> HashMap<[usize; 3], PointSlopes> {
     let system = view.system();
-    let mut graph = system.mechanism.graph.clone();
+    let mut graph = view.pool().graph.clone();
     let coordinates = system.coordinates.iter().enumerate();
     let known: HashMap<SymbolId, (usize, usize)> = coordinates
         .flat_map(|(place, it)| [(it.position, (0, place)), (it.rate, (1, place))])

@@ -5,6 +5,7 @@
 
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
 use crate::expr::ExprId;
+use crate::pool::Pool;
 use crate::program::{Block, Statement};
 use crate::system::System;
 use crate::units::OutputUnit;
@@ -26,13 +27,13 @@ struct Ends {
 }
 
 /// Returns one error for each block whose fixed links do not close.
-pub fn of_blocks(system: &System, blocks: &[Block]) -> Diagnostics {
+pub fn of_blocks(pool: &Pool, system: &System, blocks: &[Block]) -> Diagnostics {
     let mut findings = Diagnostics::new();
     for block in blocks {
         let statements = block.function.statements.iter();
         findings.extend(
             statements
-                .filter_map(|it| refusal(it, block, system))
+                .filter_map(|it| refusal(it, block, pool, system))
                 .take(1),
         );
     }
@@ -40,7 +41,12 @@ pub fn of_blocks(system: &System, blocks: &[Block]) -> Diagnostics {
 }
 
 /// Returns the error; `None` if the closing moves, or if its links reach.
-fn refusal(statement: &Statement, block: &Block, system: &System) -> Option<Diagnostic> {
+fn refusal(
+    statement: &Statement,
+    block: &Block,
+    pool: &Pool,
+    system: &System,
+) -> Option<Diagnostic> {
     let Statement::Reach {
         excess,
         scale,
@@ -52,7 +58,7 @@ fn refusal(statement: &Statement, block: &Block, system: &System) -> Option<Diag
         return None;
     };
     let value = |expr: &ExprId| {
-        let value = system.mechanism.graph.constant_value(*expr)?;
+        let value = pool.graph.constant_value(*expr)?;
         value.is_finite().then_some(value)
     };
     let (excess_value, scale) = (value(excess)?, value(scale)?);

@@ -9,9 +9,11 @@ use crate::closing;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 use crate::expr::ExprId;
 use crate::model::beyond_bounds;
+use crate::pool::Pool;
+use crate::pool::{Bound, Exceeded};
 use crate::program::{Block, Found, Function, Program, Sensitivity};
 use crate::structure::LARGEST_TOGETHER;
-use crate::system::{Bound, Exceeded, System};
+use crate::system::System;
 
 /// Largest number of statements that a finding points at.
 const MAX_LISTED: usize = 6;
@@ -35,25 +37,30 @@ struct Part {
 }
 
 /// Finds infinite or undefined values in the equations of a system.
-pub fn of_system(system: &System) -> Diagnostics {
+pub fn of_system(pool: &Pool, system: &System) -> Diagnostics {
     let mut findings = Diagnostics::new();
-    match passed(system) {
+    match passed(pool) {
         Some(passed) => findings.push(passed),
-        None => findings.extend(undefined(&of_equations(system), system)),
+        None => findings.extend(undefined(&of_equations(pool, system), pool, system)),
     }
     findings
 }
 
 /// Finds infinite, undefined or unrepresentable values in the program of a system. Without a program, only an exceeded limit is
 /// reported.
-pub fn of_program(system: &System, program: Option<&Program>, range: Range) -> Diagnostics {
+pub fn of_program(
+    pool: &Pool,
+    system: &System,
+    program: Option<&Program>,
+    range: Range,
+) -> Diagnostics {
     let mut findings = Diagnostics::new();
     let Some(program) = program else {
-        findings.extend(passed(system));
+        findings.extend(passed(pool));
         return findings;
     };
-    let open = closing::of_blocks(system, &program.blocks);
-    if passed(system).is_none() && open.has_errors() {
+    let open = closing::of_blocks(pool, system, &program.blocks);
+    if passed(pool).is_none() && open.has_errors() {
         return open;
     }
     let path = program.path.iter().map(|path| Part {
@@ -63,7 +70,7 @@ pub fn of_program(system: &System, program: Option<&Program>, range: Range) -> D
     });
     let blocks = program.blocks.iter().map(|block| of_block(block, system));
     let blocks: Vec<Part> = blocks.chain(path).collect();
-    let (is_within, of_blocks) = of_parts(&blocks, system);
+    let (is_within, of_blocks) = of_parts(&blocks, pool, system);
     findings.extend(of_blocks);
     if !is_within {
         return findings;
@@ -74,8 +81,8 @@ pub fn of_program(system: &System, program: Option<&Program>, range: Range) -> D
     let constants = program.constants.list().iter();
     let are_finite = constants.clone().all(|constant| constant.value.is_finite());
     if range != Range::F64 {
-        let parts = blocks.into_iter().chain(of_equations(system));
-        findings.extend(parts.filter_map(|part| out_of_range(&part, system, range)));
+        let parts = blocks.into_iter().chain(of_equations(pool, system));
+        findings.extend(parts.filter_map(|part| out_of_range(&part, pool, range)));
     }
     if !are_finite && !findings.has_errors() {
         let message = "a number that follows from the drawing is infinite or undefined";
@@ -89,30 +96,30 @@ pub fn of_program(system: &System, program: Option<&Program>, range: Range) -> D
 }
 
 /// Finds infinite or undefined values in blocks alone.
-pub fn of_blocks(system: &System, blocks: &[Block]) -> Diagnostics {
-    let open = closing::of_blocks(system, blocks);
-    if passed(system).is_none() && open.has_errors() {
+pub fn of_blocks(pool: &Pool, system: &System, blocks: &[Block]) -> Diagnostics {
+    let open = closing::of_blocks(pool, system, blocks);
+    if passed(pool).is_none() && open.has_errors() {
         return open;
     }
     let parts = blocks.iter().map(|block| of_block(block, system));
-    of_parts(&parts.collect::<Vec<_>>(), system).1
+    of_parts(&parts.collect::<Vec<_>>(), pool, system).1
 }
 
 /// True if no limit is exceeded, with the exceeded limit or else the undefined values in parts of a program.
-fn of_parts(parts: &[Part], system: &System) -> (bool, Diagnostics) {
-    let undefined: Vec<Diagnostic> = undefined(parts, system).collect();
+fn of_parts(parts: &[Part], pool: &Pool, system: &System) -> (bool, Diagnostics) {
+    let undefined: Vec<Diagnostic> = undefined(parts, pool, system).collect();
     let first = undefined.first().map(|first| first.primary.span);
-    let in_program = system.mechanism.graph.excess();
+    let in_program = pool.graph.excess();
     let in_program =
         in_program.map(|excess| beyond_bounds(excess, first.unwrap_or(system.mechanism.span)));
     let mut findings = Diagnostics::new();
-    match passed(system).or(in_program) {
+    match passed(pool).or(in_program) {
         Some(passed) => {
             findings.push(passed);
             (false, findings)
         }
         None => {
-            let cause = coaxial(system).filter(|_| !undefined.is_empty());
+            let cause = coaxial(pool, system).filter(|_| !undefined.is_empty());
             match cause {
                 Some(cause) => findings.push(cause),
                 None => findings.extend(undefined),
@@ -123,12 +130,12 @@ fn of_parts(parts: &[Part], system: &System) -> (bool, Diagnostics) {
 }
 
 /// Reports the first gear whose axes coincide by parameters, which leaves its pitch radii undefined.
-fn coaxial(system: &System) -> Option<Diagnostic> {
+fn coaxial(pool: &Pool, system: &System) -> Option<Diagnostic> {
     let mechanism = &system.mechanism;
     mechanism.forces.teeth.iter().find_map(|teeth| {
         let [from, to] = teeth.axes.each_ref().map(|axis| {
             let place = axis.place.local;
-            place.map(|part| mechanism.graph.constant_value(part))
+            place.map(|part| pool.graph.constant_value(part))
         });
         let gear = &mechanism.joints[teeth.gear];
         let span = gear.pressure_angle.map_or(gear.span, |angle| angle.span);
@@ -155,8 +162,8 @@ impl Range {
 }
 
 /// Reports the limit that the equations or their plan exceeded.
-fn passed(system: &System) -> Option<Diagnostic> {
-    let Exceeded { at, bound } = (*system.exceeded)?;
+fn passed(pool: &Pool) -> Option<Diagnostic> {
+    let Exceeded { at, bound } = pool.exceeded()?;
     Some(match bound {
         Bound::Graph(excess) => beyond_bounds(excess, at),
         Bound::Together(unknowns) => Diagnostic::error(
@@ -172,7 +179,7 @@ fn passed(system: &System) -> Option<Diagnostic> {
 }
 
 /// Returns the equations of every joint, the design pose of every body and the motion of every point.
-fn of_equations(system: &System) -> Vec<Part> {
+fn of_equations(pool: &Pool, system: &System) -> Vec<Part> {
     let mechanism = &system.mechanism;
     let part = |subject: String, span: Span, exprs: Vec<ExprId>| Part {
         subject,
@@ -225,9 +232,9 @@ fn of_equations(system: &System) -> Vec<Part> {
         part(subject, body.span, body.estimate().to_vec())
     }));
     for unknown in &system.vector_form.unknowns[system.coordinates.len()..] {
-        if !mechanism.graph.is_sound(unknown.estimate) {
+        if !pool.graph.is_sound(unknown.estimate) {
             let rows = &system.vector_form.rows;
-            let mentions = |residual| mechanism.graph.depends_on(residual, unknown.position);
+            let mentions = |residual| pool.graph.depends_on(residual, unknown.position);
             let row = rows.iter().find(|row| mentions(row.residual));
             let joint = row.map(|row| &mechanism.joints[row.joint]);
             let span = joint.map_or(mechanism.span, |joint| joint.span);
@@ -272,8 +279,8 @@ fn of_block(block: &Block, system: &System) -> Part {
 }
 
 /// Reports parts with an undefined expression.
-fn undefined(parts: &[Part], system: &System) -> impl Iterator<Item = Diagnostic> {
-    let graph = &system.mechanism.graph;
+fn undefined(parts: &[Part], pool: &Pool, system: &System) -> impl Iterator<Item = Diagnostic> {
+    let graph = &pool.graph;
     let undefined = |part: &Part| {
         let mut exprs = part.exprs.iter().copied();
         exprs.find(|&expr| !graph.is_sound(expr))
@@ -282,7 +289,7 @@ fn undefined(parts: &[Part], system: &System) -> impl Iterator<Item = Diagnostic
         .iter()
         .filter_map(move |part| Some((part, undefined(part)?)));
     undefined.map(|(part, expr)| {
-        if let Some(of_value) = undefined_at_value(part, expr, system) {
+        if let Some(of_value) = undefined_at_value(part, expr, pool, system) {
             return of_value;
         }
         let message = format!("a number in {} is infinite or undefined", part.subject);
@@ -293,8 +300,13 @@ fn undefined(parts: &[Part], system: &System) -> impl Iterator<Item = Diagnostic
 }
 
 /// Returns the finding about the parameter whose value makes an expression infinite or undefined; `None` if constants alone do.
-fn undefined_at_value(part: &Part, expr: ExprId, system: &System) -> Option<Diagnostic> {
-    let graph = &system.mechanism.graph;
+fn undefined_at_value(
+    part: &Part,
+    expr: ExprId,
+    pool: &Pool,
+    system: &System,
+) -> Option<Diagnostic> {
+    let graph = &pool.graph;
     let mut cause = expr;
     while let Some(operand) = graph
         .operands(cause)
@@ -342,8 +354,8 @@ fn undefined_sensitivity(sensitivity: &Sensitivity, system: &System) -> Option<D
 }
 
 /// Reports a part with a number that the scalar type cannot represent.
-fn out_of_range(part: &Part, system: &System, range: Range) -> Option<Diagnostic> {
-    let magnitudes = system.mechanism.graph.magnitudes(&part.exprs);
+fn out_of_range(part: &Part, pool: &Pool, range: Range) -> Option<Diagnostic> {
+    let magnitudes = pool.graph.magnitudes(&part.exprs);
     let beyond = if magnitudes.largest > range.largest {
         magnitudes.largest
     } else if magnitudes.least < range.least {

@@ -98,13 +98,17 @@ impl Assemblies {
 /// Tries every combination of signs and poses at `t` (s).
 pub fn assemblies(interpreted: &Interpreted, t: f64) -> Assemblies {
     let drawn = interpreted.drawn_branches();
-    let textbook = TextbookEquations::new(interpreted.system());
+    let textbook = TextbookEquations::new(interpreted.pool(), interpreted.system());
     let mut search = Search {
         interpreted,
         textbook: &textbook,
         drawn: &drawn,
         found: Vec::new(),
-        proven: !counts_turns(interpreted.system(), interpreted.program()),
+        proven: !counts_turns(
+            interpreted.pool(),
+            interpreted.system(),
+            interpreted.program(),
+        ),
         undecided: Vec::new(),
         decided: 1.0,
         tried: 0,

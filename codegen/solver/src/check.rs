@@ -162,7 +162,7 @@ pub fn equation_count(system: &System, role: Role) -> usize {
 }
 
 fn parts(interpreted: &Interpreted, approaches: &[Approach]) -> Vec<CheckedPart> {
-    let textbook = TextbookEquations::new(interpreted.system());
+    let textbook = TextbookEquations::new(interpreted.pool(), interpreted.system());
     let poses = interpreted.singular_poses().iter();
     let checked = poses.map(|pose| {
         let subsystem = (pose.block, pose.part);

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use linkwright::generated::{Conditions, Pair, Start, TimeWindow, block, path};
 use linkwright::{BlockName, Blocks, Equations, Failure, PointMotion};
 use linkwright_codegen::stages::emit::derivation::SingularPose;
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 use nalgebra::{DMatrix, DVector, Dyn};
 
 use crate::diagnosis::cause;
@@ -21,7 +21,7 @@ use crate::view::View;
 /// Φ(q, t) = 0 as one dense system in SI units: m, rad, s.
 #[derive(Clone, Debug)]
 pub struct Dense {
-    system: Arc<System>,
+    derived: Arc<Derived>,
     layout: Arc<Layout>,
     equations: TextbookEquations,
     forces: Option<DenseForces>,
@@ -40,13 +40,14 @@ impl Dense {
     ///
     /// # Panics
     /// If the system is not square.
-    pub fn new(system: &System) -> Dense {
+    pub fn new(derived: &Derived) -> Dense {
+        let Derived { pool, system } = derived;
         let layout = Layout::new(system, &[]);
         Dense {
-            forces: DenseForces::new(system, &layout),
+            forces: DenseForces::new(pool, system, &layout),
             layout: Arc::new(layout),
-            equations: TextbookEquations::new(system),
-            system: Arc::new(system.clone()),
+            equations: TextbookEquations::new(pool, system),
+            derived: Arc::new(derived.clone()),
             residuals: Cell::new(0),
             solves: Cell::new(0),
         }
@@ -58,15 +59,16 @@ impl Dense {
     ///
     /// # Panics
     /// If the system is not square.
-    pub fn moved_by_forces(system: &System) -> Dense {
-        let mut view = Dense::new(system);
+    pub fn moved_by_forces(derived: &Derived) -> Dense {
+        let Derived { pool, system } = derived;
+        let mut view = Dense::new(derived);
         let mechanism = &system.mechanism;
         let free = &mechanism.forces.free;
         let is_free = |joint: usize| free.iter().any(|it| it.joint == joint);
         // Drivers that depend on a free one have driving forces.
         let mut others = system.rows.iter().filter(|row| !is_free(row.joint));
         let is_followed = others.any(|row| {
-            let symbols = mechanism.graph.symbols(row.residual);
+            let symbols = pool.graph.symbols(row.residual);
             let mut values = free.iter().map(|it| mechanism.inputs[it.input].symbols[0]);
             values.any(|value| symbols.contains(&value))
         });
@@ -109,11 +111,11 @@ impl Blocks for Dense {
     }
 
     fn nominal_parameters(&self) -> ParameterValues {
-        Numbers::nominal_parameters(&self.system)
+        Numbers::nominal_parameters(self.pool(), self.system())
     }
 
     fn initial_inputs(&self) -> InputSignals {
-        InputSignals::initial(&self.system)
+        InputSignals::initial(self.pool(), self.system())
     }
 
     fn drawn_branches(&self) -> Modes {
@@ -181,11 +183,11 @@ impl Blocks for Dense {
     }
 
     fn name(&self) -> &str {
-        &self.system.mechanism.name
+        &self.system().mechanism.name
     }
 
     fn coordinate_name(&self, index: usize) -> Option<&str> {
-        self.system
+        self.system()
             .coordinates
             .get(index)
             .map(|it| it.name.as_str())
@@ -206,7 +208,7 @@ impl Blocks for Dense {
     }
 
     fn point_name(&self, index: usize) -> Option<&str> {
-        self.system.outputs.get(index).map(|it| it.name.as_str())
+        self.system().outputs.get(index).map(|it| it.name.as_str())
     }
 
     fn point(&self, frame: &Instant, index: usize) -> Option<PointMotion<f64>> {
@@ -219,8 +221,8 @@ impl Blocks for Dense {
 }
 
 impl View for Dense {
-    fn system(&self) -> &System {
-        &self.system
+    fn derived(&self) -> &Derived {
+        &self.derived
     }
 
     fn layout(&self) -> &Layout {
@@ -247,8 +249,8 @@ impl View for Dense {
         for matrix in self.equations.transmissions(&frame.q, frame.t, &responses) {
             values.extend(matrix.transpose().iter());
         }
-        let drivers = self.system.driven().count();
-        if drivers < self.system.directions.len() {
+        let drivers = self.system().driven().count();
+        if drivers < self.system().directions.len() {
             let rates = self.equations.sensitivity_rates(&frame, &responses).ok()?;
             let responses = responses.column_iter().skip(drivers);
             for (response, rate) in responses.zip(rates.column_iter()) {

@@ -9,5 +9,5 @@ use crate::view::View;
 pub fn pose<V: View>(view: &V, instant: &Instant) -> Pose {
     let symbols = view.layout().symbols().iter().copied();
     let known = symbols.zip(instant.values().iter().copied());
-    Pose::new(view.system(), known)
+    Pose::new(view.pool(), known)
 }

@@ -46,7 +46,13 @@ impl Interpreted {
             let (_, register) = known.find(|(own, _)| *own == symbol)?;
             Some(Interval::point(state.registers[register.index()]))
         };
-        let all = poses(functions, &compiled.system, &known, MOST_PARTS)?;
+        let all = poses(
+            functions,
+            &compiled.derived.pool,
+            &compiled.derived.system,
+            &known,
+            MOST_PARTS,
+        )?;
         let part = |ranges: Vec<[f64; 2]>| {
             let sought = all.sought.iter().map(|&place| functions.unknowns[place]);
             Undecided(sought.zip(ranges).collect())

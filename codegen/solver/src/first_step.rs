@@ -2,6 +2,7 @@
 
 use linkwright::Equations;
 use linkwright::generated::{Factorization, Scales};
+use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::system::System;
 use nalgebra::{DMatrix, DVector, Dyn};
 
@@ -22,8 +23,8 @@ pub struct FirstStep {
 }
 
 /// Returns the step from the pose `q` at the time `t` (s) (Haug 1989, section 4.5).
-pub fn first_step(system: &System, q: &[f64], t: f64) -> FirstStep {
-    let equations = TextbookEquations::new(system);
+pub fn first_step(pool: &Pool, system: &System, q: &[f64], t: f64) -> FirstStep {
+    let equations = TextbookEquations::new(pool, system);
     let q = DVector::from_column_slice(q);
     let order = q.len();
     let mut residual = DVector::zeros(order);

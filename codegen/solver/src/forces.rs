@@ -5,6 +5,7 @@
 use linkwright::generated::multipliers;
 use linkwright_codegen::stages::expr::ExprId;
 use linkwright_codegen::stages::model::Role;
+use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::program::Program;
 use linkwright_codegen::stages::system::{Carried, Component, System};
 use nalgebra::{DMatrix, DVector};
@@ -13,7 +14,7 @@ use crate::instant::{Instant, Layout};
 use crate::reader::Reader;
 
 /// Returns the columns, each with its unit: driving forces with their powers, then reactions, then energies. Empty if none is requested.
-pub fn names(system: &System) -> Vec<(String, &'static str)> {
+pub fn names(pool: &Pool, system: &System) -> Vec<(String, &'static str)> {
     let requests = &system.mechanism.forces;
     let mut names = Vec::new();
     if requests.efforts {
@@ -28,10 +29,13 @@ pub fn names(system: &System) -> Vec<(String, &'static str)> {
         }
     }
     if !requests.reactions.is_empty() {
-        // Reactions need expressions that nothing else needs, so a copy of the system receives them.
-        let mut system = system.clone();
+        // Reactions need expressions that nothing else needs, so a draft receives them.
+        let mut pool = pool.draft();
         for &joint in &requests.reactions {
-            let components = system.passing(joint).carried.components();
+            let components = system
+                .passing(joint, &system.vector_form.rows, &mut pool)
+                .carried
+                .components();
             let slug = &system.mechanism.joints[joint].slug;
             let components = components.iter();
             names.extend(
@@ -89,10 +93,10 @@ struct Column {
 
 impl DenseForces {
     /// Creates the columns in the order of [`names`]; `None` if none is requested.
-    pub(crate) fn new(system: &System, layout: &Layout) -> Option<DenseForces> {
+    pub(crate) fn new(pool: &Pool, system: &System, layout: &Layout) -> Option<DenseForces> {
         let loads = system.forces.clone()?;
-        let mut system = system.clone();
-        let mut columns = columns(&mut system);
+        let mut pool = pool.draft();
+        let mut columns = columns(&mut pool, system);
         if columns.is_empty() {
             return None;
         }
@@ -107,8 +111,8 @@ impl DenseForces {
             let joints = joints.filter(|(_, joint)| joint.role == Role::Constraint);
             let joints: Vec<usize> = joints.map(|(joint, _)| joint).collect();
             for joint in joints {
-                weights.extend(weights_of(joint, &mut system));
-                columns.extend(carried(joint, &mut system));
+                weights.extend(weights_of(joint, &mut pool, system));
+                columns.extend(carried(joint, &mut pool, system));
             }
         }
         let (mut entries, mut roots) = (Vec::new(), Vec::new());
@@ -124,7 +128,7 @@ impl DenseForces {
                 roots.push(entry.value);
             }
         }
-        let zero = system.mechanism.graph.zero();
+        let zero = pool.graph.zero();
         let right_side = loads.loads.iter().copied().chain(std::iter::repeat(zero));
         roots.extend(right_side.take(system.coordinates.len()));
         let mut terms = Vec::new();
@@ -138,17 +142,15 @@ impl DenseForces {
             roots.extend(column.magnitudes.iter().map(|(_, factor)| *factor));
         }
         roots.extend(columns.iter().map(|it| it.value.unwrap_or(zero)));
-        let form = &system.vector_form;
-        let graph = &mut system.mechanism.graph;
         let roots: Vec<ExprId> = roots
             .into_iter()
             .map(|root| {
-                let root = graph.substitute(root, &loads.lengths);
-                form.written_out(root, graph)
+                let root = pool.graph.substitute(root, &loads.lengths);
+                pool.written_out(root)
             })
             .collect();
         Some(DenseForces {
-            values: Reader::new(graph, layout, &roots),
+            values: Reader::new(&pool.graph, layout, &roots),
             entries,
             terms,
             magnitudes,
@@ -235,7 +237,7 @@ impl DenseForces {
 }
 
 /// Returns the terms of every column.
-fn columns(system: &mut System) -> Vec<Column> {
+fn columns(pool: &mut Pool, system: &System) -> Vec<Column> {
     let requests = system.mechanism.forces.clone();
     let mut columns = Vec::new();
     if requests.efforts {
@@ -246,9 +248,9 @@ fn columns(system: &mut System) -> Vec<Column> {
         for (direction, joint) in driven {
             let column = system.directions[direction].column.clone();
             let value = system.mechanism.joints[joint].operands.value;
-            let graph = &mut system.mechanism.graph;
             let value = value.filter(|_| !requests.at_rest);
-            let rate = value.map_or(graph.zero(), |value| system.vector_form.rate(value, graph));
+            let rate = value.map_or(pool.graph.zero(), |value| pool.rate(value));
+            let graph = &mut pool.graph;
             let zero = graph.zero();
             let terms: Vec<(usize, ExprId)> = column
                 .into_iter()
@@ -267,8 +269,8 @@ fn columns(system: &mut System) -> Vec<Column> {
         }
     }
     for joint in requests.reactions {
-        let mut reaction = carried(joint, system);
-        add_teeth(joint, &mut reaction, system);
+        let mut reaction = carried(joint, pool, system);
+        add_teeth(joint, &mut reaction, pool, system);
         columns.extend(reaction);
     }
     if let (true, Some(forces)) = (requests.energy, &system.forces) {
@@ -282,15 +284,15 @@ fn columns(system: &mut System) -> Vec<Column> {
 }
 
 /// Adds the tooth forces to the columns x and y of a joint.
-fn add_teeth(joint: usize, columns: &mut [Column], system: &mut System) {
+fn add_teeth(joint: usize, columns: &mut [Column], pool: &mut Pool, system: &System) {
     for (place, is_opposite) in system.teeth_of(joint) {
         let gear = system.mechanism.forces.teeth[place].gear;
         let mut rows = system.rows.iter().chain(&system.monitored);
         let row = rows.position(|row| row.joint == gear);
-        let (Some(row), Some(force)) = (row, system.tooth_force(place)) else {
+        let (Some(row), Some(force)) = (row, system.tooth_force(place, pool)) else {
             continue;
         };
-        let graph = &mut system.mechanism.graph;
+        let graph = &mut pool.graph;
         let mut signed = |factor| match is_opposite {
             true => graph.negate(factor),
             false => factor,
@@ -304,11 +306,11 @@ fn add_teeth(joint: usize, columns: &mut [Column], system: &mut System) {
 }
 
 /// Returns the columns of a joint's reaction without tooth forces, with the terms of monitored rows.
-fn carried(joint: usize, system: &mut System) -> Vec<Column> {
-    let passing = system.passing(joint);
+fn carried(joint: usize, pool: &mut Pool, system: &System) -> Vec<Column> {
+    let passing = system.passing(joint, &system.vector_form.rows, pool);
     let direction = passing.carried.direction();
     let coordinates = system.mechanism.bodies[passing.body.0].coordinates;
-    let graph = &mut system.mechanism.graph;
+    let graph = &mut pool.graph;
     let rows = system.rows.iter().chain(&system.monitored).enumerate();
     let rows: Vec<_> = rows.filter(|(_, row)| row.joint == joint).collect();
     // A wrench is the action of one unit of a multiplier: forces, and a moment about the joint.
@@ -366,12 +368,16 @@ fn carried(joint: usize, system: &mut System) -> Vec<Column> {
 }
 
 /// Returns the weights of a reaction's components: moments are divided by the characteristic length.
-fn weights_of(joint: usize, system: &mut System) -> Vec<f64> {
+fn weights_of(joint: usize, pool: &mut Pool, system: &System) -> Vec<f64> {
     let length = system.mechanism.characteristic_length;
     let mut rows = system.rows.iter().chain(&system.monitored);
     let measured = rows.find(|row| row.joint == joint);
     let power = measured.map_or(1, |row| row.quantity.power_of_length());
-    let components = system.passing(joint).carried.components().iter();
+    let components = system
+        .passing(joint, &system.vector_form.rows, pool)
+        .carried
+        .components()
+        .iter();
     let weights = components.map(|component| match component {
         Component::Moment => 1.0 / length,
         Component::Multiplier => length.powi(power - 1),

@@ -7,6 +7,7 @@
 
 use linkwright::generated::Measure;
 use linkwright_codegen::stages::expr::ExprId;
+use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::program::{Lengths, Program};
 use linkwright_codegen::stages::structure::SolvedPlan;
 use linkwright_codegen::stages::system::System;
@@ -46,11 +47,12 @@ pub struct Measures {
 
 /// Returns the evaluated expressions of each subsystem: values, then as many rates.
 pub(crate) fn measured(
-    system: &mut System,
+    pool: &mut Pool,
+    system: &System,
     plan: &SolvedPlan,
     program: &Program,
 ) -> (Vec<MeasuredPart>, Vec<ExprId>) {
-    let zero = system.mechanism.graph.zero();
+    let zero = pool.graph.zero();
     // Changes of drivers for the sake of derivatives are zero.
     let drivers = system
         .directions
@@ -58,12 +60,11 @@ pub(crate) fn measured(
         .filter(|direction| !direction.is_parameter());
     let shifts: Vec<_> = drivers.map(|direction| (direction.symbol, zero)).collect();
     let form = &system.vector_form;
-    let graph = &mut system.mechanism.graph;
     let (mut parts, mut all) = (Vec::new(), Vec::new());
     let mut single_newtons = Vec::new();
     for (block, forms) in program.forms.iter().enumerate().take(plan.blocks.len()) {
         for (part, own) in forms.iter().enumerate() {
-            let determinant = own.determinant(form, graph);
+            let determinant = own.determinant(pool);
             // One equation for one unknown encloses no angle.
             let is_single = determinant.normalized.is_none() && determinant.jacobian.len() <= 1;
             let values: Vec<ExprId> = match determinant.normalized {
@@ -73,15 +74,12 @@ pub(crate) fn measured(
             };
             let values: Vec<ExprId> = values
                 .iter()
-                .map(|&it| graph.substitute(it, &shifts))
+                .map(|&it| pool.graph.substitute(it, &shifts))
                 .collect();
-            if values.is_empty() || values.iter().all(|&value| graph.is_fixed(value)) {
+            if values.is_empty() || values.iter().all(|&value| pool.graph.is_fixed(value)) {
                 continue;
             }
-            let rates: Vec<ExprId> = values
-                .iter()
-                .map(|&value| form.rate(value, graph))
-                .collect();
+            let rates: Vec<ExprId> = values.iter().map(|&value| pool.rate(value)).collect();
             all.extend(values);
             all.extend(rates);
             let unknowns = own.unknowns();
@@ -108,7 +106,7 @@ pub(crate) fn measured(
         }
     }
     for (part, residual, row, column) in single_newtons {
-        let [rows, columns] = Lengths::of_block(&[residual], &[row], system);
+        let [rows, columns] = Lengths::of_block(&[residual], &[row], pool, system);
         let part: &mut MeasuredPart = &mut parts[part];
         part.scale = columns.scale(column) / rows.scale(row);
     }
@@ -139,7 +137,7 @@ impl Measures {
     /// Creates the measures of a mechanism.
     pub fn new(interpreted: &Interpreted) -> Measures {
         let compiled = interpreted.compiled();
-        let graph = &interpreted.system().mechanism.graph;
+        let graph = &interpreted.pool().graph;
         let (parts, values) = &compiled.measured;
         Measures {
             parts: parts.clone(),

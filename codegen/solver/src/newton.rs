@@ -1,5 +1,6 @@
 //! Evaluates the [`Equations`] of a block without a closed form on registers.
 
+use linkwright_codegen::stages::pool::Pool;
 use std::cell::RefCell;
 
 use linkwright::{Equations, Frame};
@@ -55,7 +56,12 @@ pub(crate) struct Part {
 
 impl Newton {
     /// Writes the equations of a block, and binds its tearing variables; `None` if the block has closed forms only.
-    pub fn new(block: &Block, system: &System, writer: &mut Writer<'_>) -> Option<Newton> {
+    pub fn new(
+        block: &Block,
+        pool: &Pool,
+        system: &System,
+        writer: &mut Writer<'_>,
+    ) -> Option<Newton> {
         let newton = block.newton.as_ref()?;
         let unknowns = newton
             .unknowns
@@ -65,7 +71,7 @@ impl Newton {
             .clone()
             .map(|it| [it.position, it.rate, it.acceleration])
             .collect();
-        let graph = &system.mechanism.graph;
+        let graph = &pool.graph;
         let read = assemblies::read(newton, graph).into_iter();
         let known = read.map(|symbol| (symbol, writer.assembler.symbol(symbol)));
         let known = known.collect();

@@ -1,6 +1,7 @@
 //! Names the load that is not finite in a frame, or else the block.
 
 use linkwright_codegen::stages::expr::{ExprId, SymbolId};
+use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::program::Statement;
 use linkwright_codegen::stages::system::System;
 
@@ -10,20 +11,21 @@ use crate::reader::Reader;
 use crate::view::View;
 
 /// Returns the first load that is not finite at an instant, as the description writes it; `None` if all are finite.
-pub fn load(system: &System, layout: &Layout, instant: &Instant) -> Option<String> {
-    let loads = Loads::of(system, layout)?;
+pub fn load(pool: &Pool, system: &System, layout: &Layout, instant: &Instant) -> Option<String> {
+    let loads = Loads::of(pool, system, layout)?;
     let values = loads.reader.values(instant);
     loads.label(system, values.iter().position(|value| !value.is_finite())?)
 }
 
 /// Returns the first load that grows from one instant to another by more than a ratio; `None` if none does.
 pub(crate) fn growing(
+    pool: &Pool,
     system: &System,
     layout: &Layout,
     instants: [&Instant; 2],
     ratio: f64,
 ) -> Option<String> {
-    let loads = Loads::of(system, layout)?;
+    let loads = Loads::of(pool, system, layout)?;
     let [before, after] = instants.map(|instant| loads.reader.values(instant));
     let mut pairs = before.iter().zip(&after);
     let place =
@@ -40,17 +42,16 @@ struct Loads {
 
 impl Loads {
     /// Returns the components; `None` if the mechanism has no loads.
-    fn of(system: &System, layout: &Layout) -> Option<Loads> {
-        let mut system = system.clone();
-        let forces = system.forces.take()?;
-        let (form, graph) = (&system.vector_form, &mut system.mechanism.graph);
+    fn of(pool: &Pool, system: &System, layout: &Layout) -> Option<Loads> {
+        let mut pool = pool.draft();
+        let forces = system.forces.as_ref()?;
         let parts = forces.exerted.iter().flatten().map(|part| {
-            let part = graph.substitute(*part, &forces.lengths);
-            form.written_out(part, graph)
+            let part = pool.graph.substitute(*part, &forces.lengths);
+            pool.written_out(part)
         });
         let parts: Vec<ExprId> = parts.collect();
         Some(Loads {
-            reader: Reader::new(graph, layout, &parts),
+            reader: Reader::new(&pool.graph, layout, &parts),
             counts: forces.exerted.iter().map(Vec::len).collect(),
         })
     }

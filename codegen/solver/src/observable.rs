@@ -6,6 +6,7 @@
 use linkwright_codegen::stages::columns::Unit;
 use linkwright_codegen::stages::joint::Quantity;
 use linkwright_codegen::stages::model::Body;
+use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::system::System;
 
 use crate::instant::Instant;
@@ -68,7 +69,7 @@ const ANGLES: [&str; 3] = ["rad", "rad/s", "rad/s²"];
 const NUMBERS: [&str; 3] = ["", "1/s", "1/s²"];
 
 /// Returns all observables of a system, in the order of tables of frames.
-pub fn all(system: &System) -> Vec<Named> {
+pub fn all(pool: &Pool, system: &System) -> Vec<Named> {
     let mut all = Vec::new();
     for (level, suffix) in RATES.iter().enumerate() {
         for (place, coordinate) in system.coordinates.iter().enumerate() {
@@ -97,7 +98,7 @@ pub fn all(system: &System) -> Vec<Named> {
             }
         }
     }
-    for (place, (name, unit)) in crate::forces::names(system).into_iter().enumerate() {
+    for (place, (name, unit)) in crate::forces::names(pool, system).into_iter().enumerate() {
         let powers = Unit::parse(unit).map_or([0; 4], |it| it.powers);
         all.push(Named {
             name,

@@ -9,6 +9,7 @@ use linkwright_codegen::stages::expr::{ExprId, SymbolId, Tape};
 use linkwright_codegen::stages::joint::Feature;
 use linkwright_codegen::stages::joint::geometry::{BodyId, Mark};
 use linkwright_codegen::stages::model::Mechanism;
+use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::system::System;
 use nalgebra::{DMatrix, DVector};
 
@@ -53,8 +54,8 @@ impl OpenLoop {
     }
 
     /// Returns the pose for a drawing.
-    pub fn pose(&self, system: &System) -> drawing::Pose {
-        drawing::Pose::new(system, self.values.iter().copied())
+    pub fn pose(&self, pool: &Pool) -> drawing::Pose {
+        drawing::Pose::new(pool, self.values.iter().copied())
     }
 }
 
@@ -64,7 +65,7 @@ impl OpenLoop {
 pub fn open_loop(view: &Interpreted, t: f64) -> Option<OpenLoop> {
     let system = view.system();
     let joint = open_joint(view, t)?;
-    let equations = TextbookEquations::new(system);
+    let equations = TextbookEquations::new(view.pool(), system);
     let mut pose = equations.estimate().clone();
     for weight in WEIGHTS {
         pose = closest(system, &equations, joint, weight, pose, t)?;
@@ -84,7 +85,7 @@ pub fn open_loop(view: &Interpreted, t: f64) -> Option<OpenLoop> {
     values.extend(coordinates.map(|(it, value)| (it.position, *value)));
     Some(OpenLoop {
         joint,
-        ends: ends(system, joint, &values)?,
+        ends: ends(view.pool(), system, joint, &values)?,
         values,
     })
 }
@@ -101,16 +102,16 @@ fn open_joint(view: &Interpreted, t: f64) -> Option<usize> {
         let moving = marks.filter(|it| it.frame.body != BodyId::GROUND).count();
         (moving, **joint)
     });
-    let is_link = |joint: &&usize| link_length(mechanism, **joint).is_some();
+    let is_link = |joint: &&usize| link_length(mechanism, **joint, view.pool()).is_some();
     pin.or_else(|| block.joints.iter().rfind(is_link)).copied()
 }
 
 /// Length of a link without a body; `None` for other joints.
-fn link_length(mechanism: &Mechanism, joint: usize) -> Option<ExprId> {
+fn link_length(mechanism: &Mechanism, joint: usize, pool: &Pool) -> Option<ExprId> {
     let joint = &mechanism.joints[joint];
     let feature = joint
         .kind
-        .feature(&joint.operands, &mut mechanism.graph.clone())?;
+        .feature(&joint.operands, &mut pool.graph.clone())?;
     joint.operands.value.filter(|_| feature == Feature::Link)
 }
 
@@ -201,16 +202,21 @@ fn closest(
 }
 
 /// Returns the two points of a joint.
-fn ends(system: &System, joint: usize, values: &[(SymbolId, f64)]) -> Option<[[f64; 2]; 2]> {
+fn ends(
+    pool: &Pool,
+    system: &System,
+    joint: usize,
+    values: &[(SymbolId, f64)],
+) -> Option<[[f64; 2]; 2]> {
     let mechanism = &system.mechanism;
-    let mut graph = mechanism.graph.clone();
+    let mut graph = pool.graph.clone();
     let marks: &[Mark] = &mechanism.joints[joint].operands.marks;
     let [first, second, ..] = marks else {
         return None;
     };
     let places = [first, second].map(|mark| mark.position(&mut graph));
     let zero = graph.zero();
-    let length = link_length(mechanism, joint);
+    let length = link_length(mechanism, joint, pool);
     let expressions = [places.as_flattened(), &[length.unwrap_or(zero)]].concat();
     let mut symbols = vec![0.0; graph.symbol_count()];
     graph.fill_nominal(&mut symbols);

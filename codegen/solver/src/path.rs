@@ -6,8 +6,10 @@ use linkwright::generated::{
     Chord, Pair, PathEnclosure, TimeWindow, isolate_all, isolate_whole_chain, required,
 };
 use linkwright_codegen::stages::expr::{Code, Register, SymbolId};
+use linkwright_codegen::stages::pool::Pool;
+use linkwright_codegen::stages::pool::SymbolRole;
 use linkwright_codegen::stages::program::{Function, Program};
-use linkwright_codegen::stages::system::{SymbolRole, System};
+use linkwright_codegen::stages::system::System;
 use nalgebra::{DMatrix, DVector};
 
 use crate::instant::{Instant, Layout};
@@ -63,7 +65,12 @@ impl InterpretedPath {
     ///
     /// # Panics
     /// If a path mentions values that instants do not store.
-    pub fn new(system: &System, program: &Program, layout: &Layout) -> Option<InterpretedPath> {
+    pub fn new(
+        pool: &Pool,
+        system: &System,
+        program: &Program,
+        layout: &Layout,
+    ) -> Option<InterpretedPath> {
         let path = program.path.as_ref()?;
         let newtons = program.blocks.iter().flat_map(|block| &block.newton);
         let unknowns = newtons.flat_map(|newton| &newton.unknowns);
@@ -76,6 +83,7 @@ impl InterpretedPath {
         let deviations = unknowns.iter().filter_map(|(_, deviation)| *deviation);
         let bounds = &path.window;
         let context = CheckWriter {
+            pool,
             system,
             program,
             window: [
@@ -168,6 +176,7 @@ impl InterpretedPath {
 
 /// Context in which verifications are written as operations.
 struct CheckWriter<'a> {
+    pool: &'a Pool,
     system: &'a System,
     program: &'a Program,
     /// Symbols of the time, the steps, the remainder, the margin beyond the window, and the rounding.
@@ -179,14 +188,14 @@ impl CheckWriter<'_> {
     fn slot(&self, symbol: SymbolId) -> usize {
         let slot = self.layout.slot(symbol);
         slot.unwrap_or_else(|| {
-            let name = self.system.mechanism.graph.symbol_name(symbol);
+            let name = self.pool.graph.symbol_name(symbol);
             panic!("instants keep no `{name}`")
         })
     }
 
     /// Writes a function as operations; returns the registers of the requested symbols.
     fn write(&self, function: &Function, symbols: Vec<SymbolId>) -> (WindowCheck, Vec<Register>) {
-        let mut writer = Writer::new(self.system, self.program);
+        let mut writer = Writer::new(self.pool, self.system, self.program);
         let window = self.window.map(|symbol| writer.found(symbol));
         writer.body(function);
         let operations = writer.take();
@@ -194,7 +203,7 @@ impl CheckWriter<'_> {
         let requested = requested.collect();
         let mut read = [Vec::new(), Vec::new()];
         for &(symbol, register) in writer.assembler.unbound() {
-            match self.system.roles[symbol.index()] {
+            match self.pool.role(symbol) {
                 SymbolRole::Last(symbol) => read[1].push((register, self.slot(symbol))),
                 _ => read[0].push((register, self.slot(symbol))),
             }

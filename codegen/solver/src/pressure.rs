@@ -2,6 +2,7 @@
 
 use linkwright::generated::pressure_angle;
 use linkwright_codegen::stages::expr::ExprId;
+use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::system::System;
 
 use crate::instant::{Instant, Layout};
@@ -32,7 +33,7 @@ impl PressureCheck {
     ///
     /// # Panics
     /// If instants of this layout do not store what the equations mention.
-    pub fn new(system: &System, layout: &Layout) -> PressureCheck {
+    pub fn new(pool: &Pool, system: &System, layout: &Layout) -> PressureCheck {
         let pressures = system.pressures.iter();
         let roots: Vec<ExprId> = pressures
             .clone()
@@ -45,7 +46,7 @@ impl PressureCheck {
             t: 0.0,
         });
         PressureCheck {
-            reader: Reader::new(&system.mechanism.graph, layout, &roots),
+            reader: Reader::new(&pool.graph, layout, &roots),
             largest: largest.collect(),
         }
     }

@@ -1,5 +1,6 @@
 //! Evaluates expressions of a system, and functions of its program, at an instant.
 
+use linkwright_codegen::stages::pool::Pool;
 use std::cell::RefCell;
 
 use linkwright_codegen::stages::expr::{Code, ExprId, Graph, Recorder, Register, SymbolId};
@@ -84,14 +85,15 @@ impl Formulas {
     /// Panics if a function mentions a symbol that instants do not keep.
     pub fn new<'a>(
         functions: impl IntoIterator<Item = &'a Function>,
+        pool: &Pool,
         system: &System,
         program: &Program,
         layout: &Layout,
     ) -> Formulas {
-        let mut writer = Writer::new(system, program);
+        let mut writer = Writer::new(pool, system, program);
         let functions = functions.into_iter();
         let results = functions.flat_map(|it| writer.body(it)).collect();
-        let read = slots(writer.assembler.unbound(), &system.mechanism.graph, layout);
+        let read = slots(writer.assembler.unbound(), &pool.graph, layout);
         let (code, _) = writer.finish();
         Formulas {
             code,

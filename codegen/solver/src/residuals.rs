@@ -2,6 +2,7 @@
 //!
 //! The equations are evaluated again at each instant, independently of the solver.
 
+use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::system::System;
 
 use crate::instant::{Instant, Layout};
@@ -50,8 +51,8 @@ impl ResidualCheck {
     ///
     /// # Panics
     /// If instants of this layout do not store what the equations mention.
-    pub fn new(system: &System, layout: &Layout) -> ResidualCheck {
-        let reader = Reader::recorded(&system.mechanism.graph, layout, |recorder| {
+    pub fn new(pool: &Pool, system: &System, layout: &Layout) -> ResidualCheck {
+        let reader = Reader::recorded(&pool.graph, layout, |recorder| {
             let mut results = Vec::new();
             for row in &system.rows {
                 results.push(recorder.value(row.residual));
@@ -69,7 +70,7 @@ impl ResidualCheck {
             results
         });
         let rows = system.rows.iter().map(|row| CheckedRow {
-            scale: system.scale(row.quantity),
+            scale: system.scale(row.quantity, pool),
             columns: row.jacobian.iter().map(|entry| entry.coordinate).collect(),
         });
         ResidualCheck {

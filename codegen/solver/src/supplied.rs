@@ -2,6 +2,7 @@
 
 use linkwright::{Branch, Signal, Signals, Values};
 use linkwright_codegen::stages::expr::Tape;
+use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::system::System;
 
 /// Numbers in the order of a description and in SI units.
@@ -40,9 +41,9 @@ pub struct ModeName {
 
 impl Numbers {
     /// Returns the nominal parameters of a description.
-    pub fn nominal_parameters(system: &System) -> ParameterValues {
+    pub fn nominal_parameters(pool: &Pool, system: &System) -> ParameterValues {
         let mechanism = &system.mechanism;
-        let nominal = |symbol| mechanism.graph.nominal(symbol).unwrap_or(f64::NAN);
+        let nominal = |symbol| pool.graph.nominal(symbol).unwrap_or(f64::NAN);
         let parameters = mechanism.parameters.iter();
         Numbers(parameters.map(|it| nominal(it.symbol)).collect())
     }
@@ -50,9 +51,9 @@ impl Numbers {
 
 impl InputSignals {
     /// Returns the initial inputs of the description, at rest.
-    pub fn initial(system: &System) -> InputSignals {
+    pub fn initial(pool: &Pool, system: &System) -> InputSignals {
         let mechanism = &system.mechanism;
-        let value = |expr| mechanism.graph.constant_value(expr).unwrap_or(f64::NAN);
+        let value = |expr| pool.graph.constant_value(expr).unwrap_or(f64::NAN);
         let inputs = mechanism.inputs.iter();
         InputSignals(
             inputs
@@ -120,13 +121,13 @@ pub struct InputLaws {
 
 impl InputLaws {
     /// Returns the laws of the inputs of a system.
-    pub fn of(system: &System) -> InputLaws {
+    pub fn of(pool: &Pool, system: &System) -> InputLaws {
         let mechanism = &system.mechanism;
-        let mut symbols = vec![0.0; mechanism.graph.symbol_count()];
-        mechanism.graph.fill_nominal(&mut symbols);
+        let mut symbols = vec![0.0; pool.graph.symbol_count()];
+        pool.graph.fill_nominal(&mut symbols);
         let signals: Vec<_> = mechanism.inputs.iter().flat_map(|it| it.signal).collect();
         InputLaws {
-            tape: Tape::new(&mechanism.graph, &signals),
+            tape: Tape::new(&pool.graph, &signals),
             symbols,
             time: mechanism.time.index(),
             count: signals.len(),

@@ -2,7 +2,8 @@
 
 use linkwright::{Blocks, Failure, PointMotion};
 use linkwright_codegen::stages::emit::derivation::SingularPose;
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::pool::Pool;
+use linkwright_codegen::stages::system::{Derived, System};
 
 use crate::instant::{Instant, Layout};
 use crate::measures::Measures;
@@ -20,8 +21,18 @@ pub trait View:
         Inputs = InputSignals,
     >
 {
+    /// Equations of the mechanism, with their expressions.
+    fn derived(&self) -> &Derived;
+
+    /// Expressions of the equations.
+    fn pool(&self) -> &Pool {
+        &self.derived().pool
+    }
+
     /// Equations of the mechanism.
-    fn system(&self) -> &System;
+    fn system(&self) -> &System {
+        &self.derived().system
+    }
 
     /// Layout of the values of instants.
     fn layout(&self) -> &Layout;
@@ -57,6 +68,6 @@ pub trait View:
 
     /// Returns the laws of the inputs.
     fn input_laws(&self) -> InputLaws {
-        InputLaws::of(self.system())
+        InputLaws::of(self.pool(), self.system())
     }
 }

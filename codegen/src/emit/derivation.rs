@@ -24,6 +24,7 @@ use std::cell::RefCell;
 use std::sync::Arc;
 
 use super::Notation;
+use crate::pool::{Draft, Pool};
 use crate::program::forms::Form;
 use crate::program::{Block, Branch, unpruned};
 use crate::structure::SolvedPlan;
@@ -34,7 +35,8 @@ use spelling::Spelling;
 
 /// The functions of all blocks with nothing left out, which any page shows.
 pub struct Derivation<'a> {
-    system: System,
+    pool: Draft,
+    system: &'a System,
     plan: &'a SolvedPlan,
     blocks: Vec<Block>,
     branches: Vec<Branch>,
@@ -42,9 +44,11 @@ pub struct Derivation<'a> {
 
 impl<'a> Derivation<'a> {
     /// Of a system and its plan.
-    pub fn new(mut system: System, plan: &'a SolvedPlan) -> Derivation<'a> {
-        let (blocks, branches) = unpruned(&mut system, plan);
+    pub fn new(pool: &Pool, system: &'a System, plan: &'a SolvedPlan) -> Derivation<'a> {
+        let mut pool = pool.draft();
+        let (blocks, branches) = unpruned(&mut pool, system, plan);
         Derivation {
+            pool,
             system,
             plan,
             blocks,
@@ -52,9 +56,14 @@ impl<'a> Derivation<'a> {
         }
     }
 
-    /// The system with what has been computed on the way.
+    /// The expressions, with those that were made on the way.
+    pub fn pool(&self) -> &Pool {
+        &self.pool
+    }
+
+    /// The equations.
     pub fn system(&self) -> &System {
-        &self.system
+        self.system
     }
 
     /// What is shown, block by block.
@@ -68,92 +77,96 @@ impl<'a> Derivation<'a> {
     }
 
     /// As plain text.
-    pub fn text(self, notation: Notation) -> String {
-        text_page::page(&Writer::new(self, Script::Text(notation)).document())
+    pub fn text(mut self, notation: Notation) -> String {
+        text_page::page(&Writer::new(&mut self, Script::Text(notation)).document())
     }
 
     /// As a LaTeX document, which needs amsmath only.
-    pub fn latex(self) -> String {
-        latex_page::page(&Writer::new(self, Script::Latex).document())
+    pub fn latex(mut self) -> String {
+        latex_page::page(&Writer::new(&mut self, Script::Latex).document())
     }
 
     /// As LaTeX for a document that has a preamble.
-    pub fn latex_fragment(self) -> String {
-        latex_page::fragment(&Writer::new(self, Script::Latex).document())
+    pub fn latex_fragment(mut self) -> String {
+        latex_page::fragment(&Writer::new(&mut self, Script::Latex).document())
     }
 
     /// As parts of a page with MathML.
-    pub fn html(self) -> HtmlDerivation {
-        html_page::page(&Writer::new(self, Script::Html).document())
+    pub fn html(mut self) -> HtmlDerivation {
+        html_page::page(&Writer::new(&mut self, Script::Html).document())
     }
 }
 
 /// The derivation as plain text.
-pub fn text(system: &System, plan: &SolvedPlan, notation: Notation) -> String {
-    Derivation::new(system.clone(), plan).text(notation)
+pub fn text(pool: &Pool, system: &System, plan: &SolvedPlan, notation: Notation) -> String {
+    Derivation::new(pool, system, plan).text(notation)
 }
 
 /// The derivation as a LaTeX document, which needs amsmath only.
-pub fn latex(system: &System, plan: &SolvedPlan) -> String {
-    Derivation::new(system.clone(), plan).latex()
+pub fn latex(pool: &Pool, system: &System, plan: &SolvedPlan) -> String {
+    Derivation::new(pool, system, plan).latex()
 }
 
 /// The derivation as parts of a page with MathML.
-pub fn html(system: &System, plan: &SolvedPlan) -> HtmlDerivation {
-    Derivation::new(system.clone(), plan).html()
+pub fn html(pool: &Pool, system: &System, plan: &SolvedPlan) -> HtmlDerivation {
+    Derivation::new(pool, system, plan).html()
 }
 
 /// The table at the head of the derivation alone: unknowns, method and joints of each block in solve order.
-pub fn outline(system: &System, plan: &SolvedPlan, notation: Notation) -> String {
-    let forms = crate::program::forms_of(&mut system.clone(), plan);
-    let lines = outline::outline(system, plan, &forms, Script::Text(notation));
+pub fn outline(pool: &Pool, system: &System, plan: &SolvedPlan, notation: Notation) -> String {
+    let forms = crate::program::forms_of(&mut pool.draft(), system, plan);
+    let lines = outline::outline(pool, system, plan, &forms, Script::Text(notation));
     text_page::outline(&lines)
 }
 
 /// Where each part of the plan is singular, in solve order; `forms` says how they are solved, block by block.
 pub fn singular_poses(
+    pool: &Pool,
     system: &System,
     plan: &SolvedPlan,
     forms: &[Vec<Arc<dyn Form>>],
     script: Script,
 ) -> Vec<SingularPose> {
-    singular::singular_poses(&mut Spelling::new(system.clone(), script), plan, forms)
+    singular::singular_poses(
+        &mut Spelling::new(&mut pool.draft(), system, script),
+        plan,
+        forms,
+    )
 }
 
 /// What each joint and driver asks for, in the order of the mechanism, as sentences with formulas in MathML.
-pub fn constraints_in_html(system: &System) -> Vec<String> {
-    let mut mechanism = system.mechanism.clone();
+pub fn constraints_in_html(pool: &Pool, system: &System) -> Vec<String> {
+    let mut pool = pool.draft();
+    let mechanism = &system.mechanism;
     let phrases: Vec<Phrase> = (0..mechanism.joints.len())
-        .map(|joint| crate::words::constraint(&mut mechanism, joint))
+        .map(|joint| crate::words::constraint(mechanism, joint, &mut pool.graph))
         .collect();
-    // What has been made of expressions is in this graph.
-    let mut spelling = Spelling::new(
-        System {
-            mechanism,
-            ..system.clone()
-        },
-        Script::Html,
-    );
+    let mut spelling = Spelling::new(&mut pool, system, Script::Html);
     let sentences = phrases.iter().map(|words| spelling.phrase(words));
     sentences.collect()
 }
 
 /// Writes words as plain text.
-pub struct PlainWords {
-    /// Formulas in words are made in its graph.
-    spelling: RefCell<Spelling>,
+pub struct PlainWords<'a> {
+    system: &'a System,
+    script: Script,
+    /// Formulas in words are made in it.
+    draft: RefCell<Draft>,
 }
 
-impl PlainWords {
+impl<'a> PlainWords<'a> {
     /// For words about this system.
-    pub fn new(system: &System, notation: Notation) -> PlainWords {
+    pub fn new(pool: &Pool, system: &'a System, notation: Notation) -> PlainWords<'a> {
         PlainWords {
-            spelling: RefCell::new(Spelling::new(system.clone(), Script::Text(notation))),
+            system,
+            script: Script::Text(notation),
+            draft: RefCell::new(pool.draft()),
         }
     }
 
     /// Words as text.
     pub fn say(&self, words: &Phrase) -> String {
-        self.spelling.borrow_mut().phrase(words)
+        let mut draft = self.draft.borrow_mut();
+        Spelling::new(&mut draft, self.system, self.script).phrase(words)
     }
 }

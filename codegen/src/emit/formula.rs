@@ -6,8 +6,10 @@
 use super::named_parts::NamedParts;
 use super::parts::{Addend, Fraction, Part, addends, fraction, terms};
 use crate::expr::{Comparison, ExprId, Graph, Node, Rational, Term};
+use crate::pool::Pool;
+use crate::pool::SymbolRole;
 use crate::program::ConstantPart;
-use crate::system::{SymbolRole, System, WrittenOrder};
+use crate::system::{System, WrittenOrder};
 
 /// How the parts of a formula are written.
 pub(crate) trait Spelling: Copy {
@@ -90,6 +92,7 @@ pub(crate) trait Spelling: Copy {
 /// Prints the formulas of one row.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Printer<'a, S> {
+    pub(super) pool: &'a Pool,
     system: &'a System,
     order: WrittenOrder<'a>,
     spelling: S,
@@ -102,10 +105,16 @@ pub(crate) struct Printer<'a, S> {
 
 impl<'a, S: Spelling> Printer<'a, S> {
     /// A printer that mentions the bodies in this order.
-    pub(crate) fn new(system: &'a System, bodies: &'a [usize], spelling: S) -> Printer<'a, S> {
+    pub(crate) fn new(
+        pool: &'a Pool,
+        system: &'a System,
+        bodies: &'a [usize],
+        spelling: S,
+    ) -> Printer<'a, S> {
         Printer {
+            pool,
             system,
-            order: WrittenOrder::new(system, bodies),
+            order: WrittenOrder::new(pool, system, bodies),
             spelling,
             parts: None,
             is_long: false,
@@ -132,14 +141,17 @@ impl<'a, S: Spelling> Printer<'a, S> {
 
     /// The graph of the formulas.
     pub(super) fn graph(&self) -> &'a Graph {
-        &self.system.mechanism.graph
+        &self.pool.graph
     }
 
     /// The name that stands for an expression.
     fn name(&self, expr: ExprId) -> Option<String> {
         let is_choice = matches!(self.graph().node(expr), Node::Choose { .. });
         let parts = self.parts.filter(|_| is_choice || self.is_long)?;
-        Some(self.spelling.local(&parts.name(self.system, expr)?))
+        Some(
+            self.spelling
+                .local(&parts.name(self.pool, self.system, expr)?),
+        )
     }
 
     /// The whole expression.
@@ -283,9 +295,9 @@ impl<'a, S: Spelling> Printer<'a, S> {
             spelling.function(name, "", arguments, followed, self)
         };
         match *self.graph().node(expr) {
-            Node::Symbol(symbol) => match self.system.roles[symbol.index()] {
+            Node::Symbol(symbol) => match self.pool.role(symbol) {
                 SymbolRole::Arm(_) | SymbolRole::Intermediate => {
-                    self.spelling.local(self.system.local_name(symbol))
+                    self.spelling.local(self.pool.local_name(symbol))
                 }
                 role => self.symbol(role),
             },
@@ -319,13 +331,15 @@ impl<'a, S: Spelling> Printer<'a, S> {
             SymbolRole::Position(unknown) => spelling.unknown(unknown, 0, system),
             SymbolRole::Rate(unknown) => spelling.unknown(unknown, 1, system),
             SymbolRole::Acceleration(unknown) => spelling.unknown(unknown, 2, system),
-            SymbolRole::Arm(arm) => spelling.arm(&system.vector_form.arms[arm].name),
-            SymbolRole::Parameter(parameter) => {
-                spelling.local(system.local_name(system.mechanism.parameters[parameter].symbol))
-            }
-            SymbolRole::Input { input, level } => {
-                spelling.local(system.local_name(system.mechanism.inputs[input].symbols[level]))
-            }
+            SymbolRole::Arm(arm) => spelling.arm(&self.pool.arms()[arm].name),
+            SymbolRole::Parameter(parameter) => spelling.local(
+                self.pool
+                    .local_name(system.mechanism.parameters[parameter].symbol),
+            ),
+            SymbolRole::Input { input, level } => spelling.local(
+                self.pool
+                    .local_name(system.mechanism.inputs[input].symbols[level]),
+            ),
             SymbolRole::Intermediate | SymbolRole::Last(_) | SymbolRole::Time => spelling.time(),
         }
     }

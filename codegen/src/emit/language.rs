@@ -3,9 +3,7 @@
 use super::scalar::Scalar;
 use super::{c, rust};
 use crate::model::Naming;
-use crate::program::Program;
-use crate::structure::SolvedPlan;
-use crate::system::System;
+use crate::solved::Solved;
 
 /// A language in which a mechanism becomes a module.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -52,7 +50,7 @@ impl Language {
     /// `math` is the path of a module with elementary functions, where the language has modules.
     pub(crate) fn files(
         self,
-        motions: &[(System, SolvedPlan, Program)],
+        motions: &[Solved],
         stem: &str,
         scalar: Scalar,
         math: Option<&str>,

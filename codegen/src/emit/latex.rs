@@ -9,14 +9,16 @@ pub(crate) use spelling::{Latex, escaped, vector_name};
 
 use super::formula::Printer;
 use crate::expr::ExprId;
-use crate::system::{SymbolRole, System};
+use crate::pool::Pool;
+use crate::pool::SymbolRole;
+use crate::system::System;
 
 /// One expression for math mode, with the bodies mentioned in this order.
-pub fn formula(system: &System, bodies: &[usize], expr: ExprId) -> String {
-    Printer::new(system, bodies, Latex).expression(expr)
+pub fn formula(pool: &Pool, system: &System, bodies: &[usize], expr: ExprId) -> String {
+    Printer::new(pool, system, bodies, Latex).expression(expr)
 }
 
 /// An unknown, its rate or its acceleration.
-pub(crate) fn symbol(system: &System, role: SymbolRole) -> String {
-    Printer::new(system, &[], Latex).symbol(role)
+pub(crate) fn symbol(pool: &Pool, system: &System, role: SymbolRole) -> String {
+    Printer::new(pool, system, &[], Latex).symbol(role)
 }

@@ -13,14 +13,16 @@ pub(crate) use spelling::{MathMl, brackets, name, typed, vector_name};
 
 use super::formula::Printer;
 use crate::expr::ExprId;
-use crate::system::{SymbolRole, System};
+use crate::pool::Pool;
+use crate::pool::SymbolRole;
+use crate::system::System;
 
 /// One expression, with the bodies mentioned in this order.
-pub fn formula(system: &System, bodies: &[usize], expr: ExprId) -> String {
-    Printer::new(system, bodies, MathMl).expression(expr)
+pub fn formula(pool: &Pool, system: &System, bodies: &[usize], expr: ExprId) -> String {
+    Printer::new(pool, system, bodies, MathMl).expression(expr)
 }
 
 /// An unknown, its rate or its acceleration.
-pub fn symbol(system: &System, role: SymbolRole) -> String {
-    Printer::new(system, &[], MathMl).symbol(role)
+pub fn symbol(pool: &Pool, system: &System, role: SymbolRole) -> String {
+    Printer::new(pool, system, &[], MathMl).symbol(role)
 }

@@ -19,10 +19,12 @@ use super::derivation::{self, BlockWords, PlainWords, Script, SingularPose};
 use super::scalar::Scalar;
 use crate::assemblies::{StoredAssemblies, stored};
 use crate::expr::{IdMap, IdSet, SymbolId};
+use crate::pool::Pool;
+use crate::pool::SymbolRole;
 use crate::program::passes::names::LocalNames;
 use crate::program::{LARGEST_TEXTBOOK, Program};
-use crate::structure::SolvedPlan;
-use crate::system::{SymbolRole, System};
+use crate::solved::Solved;
+use crate::system::{Derived, System};
 use crate::words::Phrase;
 
 /// What a language asks of names.
@@ -38,6 +40,7 @@ pub(super) struct Words {
 
 /// A mechanism or one of its motions, as it is written.
 pub(super) struct Module<'a> {
+    pub pool: &'a Pool,
     pub system: &'a System,
     pub program: &'a Program,
     pub scalar: Scalar,
@@ -51,7 +54,7 @@ pub(super) struct Module<'a> {
     pub names: Words,
     /// What the frame calls what it keeps beside the coordinates.
     fields: LocalNames,
-    comments: PlainWords,
+    comments: PlainWords<'a>,
     /// The deviations that enclosures are filled with.
     enclosures: IdSet<SymbolId>,
     /// The blocks that exchange a mode where it meets the other one, by the mode's symbol.
@@ -67,25 +70,25 @@ pub(super) struct Component<'a> {
 }
 
 impl<'a> Module<'a> {
-    pub(super) fn new(
-        system: &'a System,
-        plan: &SolvedPlan,
-        program: &'a Program,
-        scalar: Scalar,
-        names: Words,
-    ) -> Module<'a> {
+    pub(super) fn new(solved: &'a Solved, scalar: Scalar, names: Words) -> Module<'a> {
+        let Solved {
+            derived: Derived { pool, system },
+            plan,
+            program,
+        } = solved;
         let kept = program.fields.iter().copied();
         let script = Script::Text(Notation::Unicode);
-        let poses = derivation::singular_poses(system, plan, &program.forms, script);
+        let poses = derivation::singular_poses(pool, system, plan, &program.forms, script);
         Module {
-            fields: LocalNames::of_symbols(kept, system, names.of_frames, names.spelled),
-            words: derivation::block_words(&program.blocks, system, plan, &poses),
+            fields: LocalNames::of_symbols(kept, pool, system, names.of_frames, names.spelled),
+            words: derivation::block_words(&program.blocks, pool, system, plan, &poses),
             poses,
             names,
-            assemblies: stored(system, program),
-            comments: PlainWords::new(system, Notation::Unicode),
+            assemblies: stored(pool, system, program),
+            comments: PlainWords::new(pool, system, Notation::Unicode),
             enclosures: path_enclosures::deviations_of_enclosures(program, system),
-            exchanged: needs::exchanged_by(system, program),
+            exchanged: needs::exchanged_by(pool, system, program),
+            pool,
             system,
             program,
             scalar,
@@ -104,7 +107,7 @@ impl<'a> Module<'a> {
 
     /// The place of a coordinate, its rate or its acceleration.
     pub(super) fn component(&self, symbol: SymbolId) -> Option<Component<'a>> {
-        let (vector, unknown) = match self.system.roles[symbol.index()] {
+        let (vector, unknown) = match self.pool.role(symbol) {
             SymbolRole::Position(unknown) => ("q", unknown),
             SymbolRole::Rate(unknown) => ("qd", unknown),
             SymbolRole::Acceleration(unknown) => ("qdd", unknown),
@@ -116,7 +119,7 @@ impl<'a> Module<'a> {
 
     /// Whether frames hold a value.
     pub(super) fn is_field(&self, symbol: SymbolId) -> bool {
-        self.holds_coordinates() && self.system.is_coordinate(symbol)
+        self.holds_coordinates() && self.system.is_coordinate(symbol, self.pool)
             || self.program.is_field(symbol)
     }
 

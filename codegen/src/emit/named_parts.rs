@@ -11,13 +11,15 @@
 
 mod definitions;
 
+use crate::pool::Pool;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 
 use super::Notation;
 use super::formula::Printer;
 use crate::expr::{ExprId, Graph, Node, SymbolId};
-use crate::system::{SymbolRole, System};
+use crate::pool::SymbolRole;
+use crate::system::System;
 
 /// A choice of at most so many characters, without a name in it, stands where it is used.
 const LONGEST_IN_PLACE: usize = 75;
@@ -67,11 +69,11 @@ struct State {
 
 impl NamedParts {
     /// Names for the rows of a system, of whose residuals the derivatives are printed up to the second.
-    pub(super) fn of_rows(system: &mut System) -> NamedParts {
+    pub(super) fn of_rows(pool: &mut Pool, system: &System) -> NamedParts {
         let parts = NamedParts::default();
         for row in 0..system.rows.len() {
             let residual = system.rows[row].residual;
-            parts.relate(system, residual, 2);
+            parts.relate(pool, residual, 2);
         }
         parts
     }
@@ -127,26 +129,26 @@ impl NamedParts {
     }
 
     /// The name of an expression, if it is to be written by one.
-    pub(super) fn name(&self, system: &System, expr: ExprId) -> Option<String> {
+    pub(super) fn name(&self, pool: &Pool, system: &System, expr: ExprId) -> Option<String> {
         if let Some(known) = self.state.borrow().names.get(&expr) {
             return known.clone();
         }
-        let is_choice = matches!(system.mechanism.graph.node(expr), Node::Choose { .. });
+        let is_choice = matches!(pool.graph.node(expr), Node::Choose { .. });
         let state = self.state.borrow();
         if state.is_settled || !is_choice && !state.shared.contains(&expr) {
             return None;
         }
         drop(state);
         match is_choice {
-            true => self.name_of_choice(system, expr),
-            false => Some(self.name_of_part(system, expr)),
+            true => self.name_of_choice(pool, system, expr),
+            false => Some(self.name_of_part(pool, system, expr)),
         }
     }
 
-    fn name_of_part(&self, system: &System, part: ExprId) -> String {
+    fn name_of_part(&self, pool: &Pool, system: &System, part: ExprId) -> String {
         // Printing it names its parts first. It has no name in its own definition.
         self.state.borrow_mut().names.insert(part, None);
-        Printer::new(system, &[], Notation::Ascii)
+        Printer::new(pool, system, &[], Notation::Ascii)
             .naming(self, true)
             .written_out(part);
         let mut state = self.state.borrow_mut();
@@ -157,10 +159,10 @@ impl NamedParts {
         name
     }
 
-    fn name_of_choice(&self, system: &System, choice: ExprId) -> Option<String> {
+    fn name_of_choice(&self, pool: &Pool, system: &System, choice: ExprId) -> Option<String> {
         let origin = self.state.borrow().slopes.get(&choice).copied();
-        let of = origin.and_then(|(whole, by)| Some((self.name(system, whole)?, whole, by)));
-        let graph = &system.mechanism.graph;
+        let of = origin.and_then(|(whole, by)| Some((self.name(pool, system, whole)?, whole, by)));
+        let graph = &pool.graph;
         let (mut rest, mut is_long) = (choice, false);
         while let Node::Choose {
             condition,
@@ -174,16 +176,18 @@ impl NamedParts {
         }
         is_long |= self.meet(graph, rest);
         // Printing it names its parts first.
-        let printed = Printer::new(system, &[], Notation::Ascii)
+        let printed = Printer::new(pool, system, &[], Notation::Ascii)
             .naming(self, is_long)
             .written_out(choice);
         let longest = match of {
             Some(_) => LONGEST_SLOPE_IN_PLACE,
             None => LONGEST_IN_PLACE,
         };
-        let is_long = printed.len() > longest || self.holds_more(system, choice);
+        let is_long = printed.len() > longest || self.holds_more(pool, choice);
         let name = is_long.then(|| match of {
-            Some((of, whole, by)) => slope_name(&of, moving(system, whole).len() == 1, system, by),
+            Some((of, whole, by)) => {
+                slope_name(&of, moving(pool, whole).len() == 1, pool, system, by)
+            }
             None => {
                 let mut state = self.state.borrow_mut();
                 state.numbers += 1;
@@ -199,8 +203,8 @@ impl NamedParts {
     }
 
     /// Whether a choice holds one that has a name, or a number of whole periods: then it is long as a whole.
-    fn holds_more(&self, system: &System, choice: ExprId) -> bool {
-        let graph = &system.mechanism.graph;
+    fn holds_more(&self, pool: &Pool, choice: ExprId) -> bool {
+        let graph = &pool.graph;
         let state = self.state.borrow();
         let mut parts = parts_of(graph, choice, |_| true).into_iter();
         parts.any(|part| {
@@ -210,13 +214,13 @@ impl NamedParts {
     }
 
     /// Notes which choices are derivatives of those in an expression, up to an order.
-    pub(super) fn relate(&self, system: &mut System, expr: ExprId, order: usize) {
-        let mut choices = self.new_choices(&system.mechanism.graph, expr);
+    pub(super) fn relate(&self, pool: &mut Pool, expr: ExprId, order: usize) {
+        let mut choices = self.new_choices(&pool.graph, expr);
         for _ in 0..order {
             let mut slopes = BTreeSet::new();
             for &whole in &choices {
-                for by in moving(system, whole) {
-                    let graph = &mut system.mechanism.graph;
+                for by in moving(pool, whole) {
+                    let graph = &mut pool.graph;
                     let slope = graph.derivative(whole, by);
                     if matches!(graph.node(slope), Node::Choose { .. }) && slope != whole {
                         slopes.insert(slope);
@@ -247,9 +251,9 @@ impl NamedParts {
 }
 
 /// The name of a derivative.
-fn slope_name(of: &str, is_only: bool, system: &System, by: SymbolId) -> String {
+fn slope_name(of: &str, is_only: bool, pool: &Pool, system: &System, by: SymbolId) -> String {
     if !is_only {
-        return format!("{of}_by_{}", symbol_name(system, by));
+        return format!("{of}_by_{}", symbol_name(pool, system, by));
     }
     match of.strip_suffix("_slope") {
         Some(twice) => format!("{twice}_curvature"),
@@ -257,19 +261,19 @@ fn slope_name(of: &str, is_only: bool, system: &System, by: SymbolId) -> String 
     }
 }
 
-fn symbol_name(system: &System, symbol: SymbolId) -> String {
-    let name = match system.roles[symbol.index()] {
+fn symbol_name(pool: &Pool, system: &System, symbol: SymbolId) -> String {
+    let name = match pool.role(symbol) {
         SymbolRole::Position(unknown) => system.unknown_name(unknown),
-        _ => system.local_name(symbol),
+        _ => pool.local_name(symbol),
     };
     name.to_string()
 }
 
 /// The symbols of an expression that change while the mechanism moves.
-fn moving(system: &System, expr: ExprId) -> Vec<SymbolId> {
-    let symbols = system.mechanism.graph.symbols(expr).iter().copied();
+fn moving(pool: &Pool, expr: ExprId) -> Vec<SymbolId> {
+    let symbols = pool.graph.symbols(expr).iter().copied();
     symbols
-        .filter(|symbol| !matches!(system.roles[symbol.index()], SymbolRole::Parameter(_)))
+        .filter(|symbol| !matches!(pool.role(*symbol), SymbolRole::Parameter(_)))
         .collect()
 }
 

@@ -12,45 +12,51 @@ use super::Notation;
 use super::formula::Printer;
 use super::named_parts::LONGEST_FORMULA;
 use crate::expr::ExprId;
+use crate::pool::Pool;
+use crate::pool::SymbolRole;
 use crate::program::ConstantPart;
-use crate::system::{SymbolRole, System};
+use crate::system::System;
 
 /// The characters of a line that holds a formula.
 const LINE: u64 = 100;
 
 /// One expression on one line, with the bodies mentioned in this order.
-pub fn formula(system: &System, bodies: &[usize], notation: Notation, expr: ExprId) -> String {
-    Printer::new(system, bodies, notation).expression(expr)
+pub fn formula(
+    pool: &Pool,
+    system: &System,
+    bodies: &[usize],
+    notation: Notation,
+    expr: ExprId,
+) -> String {
+    Printer::new(pool, system, bodies, notation).expression(expr)
 }
 
 /// An unknown, its rate or its acceleration.
-pub(crate) fn symbol(system: &System, notation: Notation, role: SymbolRole) -> String {
-    Printer::new(system, &[], notation).symbol(role)
+pub(crate) fn symbol(pool: &Pool, system: &System, notation: Notation, role: SymbolRole) -> String {
+    Printer::new(pool, system, &[], notation).symbol(role)
 }
 
 /// The same where somebody would read it at one piece.
 pub fn readable(
+    pool: &Pool,
     system: &System,
     bodies: &[usize],
     notation: Notation,
     expr: ExprId,
 ) -> Option<String> {
-    let is_readable = system
-        .mechanism
-        .graph
-        .is_written_within(expr, LONGEST_FORMULA);
-    is_readable.then(|| formula(system, bodies, notation, expr))
+    let is_readable = pool.graph.is_written_within(expr, LONGEST_FORMULA);
+    is_readable.then(|| formula(pool, system, bodies, notation, expr))
 }
 
 /// A constant part of an expression, exactly; none where that takes more than a line.
-pub fn constant(system: &System, part: &ConstantPart) -> Option<String> {
-    let graph = &system.mechanism.graph;
+pub fn constant(pool: &Pool, system: &System, part: &ConstantPart) -> Option<String> {
+    let graph = &pool.graph;
     let fits = match part {
         ConstantPart::Sum(terms) => graph.is_sum_within(terms, LINE),
         ConstantPart::Product(number, factors) => graph.is_product_within(*number, factors, LINE),
     };
     fits.then(|| {
-        Printer::new(system, &[], Notation::Ascii)
+        Printer::new(pool, system, &[], Notation::Ascii)
             .exact()
             .constant(part)
     })

@@ -27,21 +27,21 @@ pub fn run(arguments: &Draw) -> Result<Outcome, Problem> {
     let refused = |text: String| Problem(format!("error: {text}"));
     let source =
         source(&arguments.described.file)?.reported_in(arguments.reported_in.units.clone());
-    let mut system = determined(&source, arguments.described.motion.as_deref())?;
-    set_all(&mut system, &arguments.setting.set)?;
+    let derived = determined(&source, arguments.described.motion.as_deref())?;
+    let derived = set_all(derived, &arguments.setting.set)?;
     let options = Options {
         size: arguments.size,
-        frames: frames(&system, &arguments.frame)?,
-        caption: system.mechanism.title(),
+        frames: frames(&derived.system, &arguments.frame)?,
+        caption: derived.system.mechanism.title(),
         ..Options::default()
     };
     let points = match arguments.paths.is_empty() {
         true => Vec::new(),
-        false => motion::points(&system, &arguments.paths).map_err(refused)?,
+        false => motion::points(&derived.system, &arguments.paths).map_err(refused)?,
     };
     let (from, to, step) = (arguments.from, arguments.to, arguments.step);
     let schedule = Schedule::range(from, to, step).map_err(refused)?;
-    let path = path(arguments, &system);
+    let path = path(arguments, &derived.system);
     let output = match is_stdout(&path) {
         true => None,
         false => {
@@ -49,17 +49,26 @@ pub fn run(arguments: &Draw) -> Result<Outcome, Problem> {
             Some(outputs.file(&path, format.signature)?)
         }
     };
-    let view = interpreted(&system, &source, &arguments.described.file)?;
+    let view = interpreted(&derived, &source, &arguments.described.file)?;
     let every = ((INTERVAL / step).round() as usize)
         .max(schedule.wanted().div_ceil(PICTURES))
         .max(1);
     let mut kept = Frames::new(every);
     let error = follow(arguments, &view, points.clone(), &schedule, &mut kept)?;
     if let Some(error) = &error {
-        say(&format!("error: `{}` {error}", system.mechanism.title()));
+        say(&format!(
+            "error: `{}` {error}",
+            derived.system.mechanism.title()
+        ));
     }
-    let paths = kept.paths(&system, &points, tick_steps(to - from, step));
-    let animation = Animation::new(&system, &kept.poses(&view), &paths, &options);
+    let paths = kept.paths(&derived.system, &points, tick_steps(to - from, step));
+    let animation = Animation::new(
+        &derived.pool,
+        &derived.system,
+        &kept.poses(&view),
+        &paths,
+        &options,
+    );
     let Some(animation) = animation else {
         return Ok(Outcome::Failed);
     };

@@ -23,8 +23,8 @@ const WIDTH: usize = 110;
 pub fn run(arguments: &Arguments) -> Result<Outcome, Problem> {
     let source =
         source(&arguments.described.file)?.reported_in(arguments.reported_in.units.clone());
-    let mut system = determined(&source, arguments.described.motion.as_deref())?;
-    set_all(&mut system, &arguments.set)?;
+    let derived = determined(&source, arguments.described.motion.as_deref())?;
+    let derived = set_all(derived, &arguments.set)?;
     let schedule = Schedule::whole(arguments.from, arguments.to, arguments.step)
         .map_err(|text| Problem(format!("error: {text}")))?;
     let output = match &arguments.plot {
@@ -35,10 +35,10 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Problem> {
         }
         None => None,
     };
-    let points = motion::points(&system, &arguments.points);
+    let points = motion::points(&derived.system, &arguments.points);
     let points = points.map_err(|text| Problem(format!("error: {text}")))?;
     let mut progress = Progress::new(schedule.visits());
-    let interpreted = interpreted(&system, &source, &arguments.described.file)?;
+    let interpreted = interpreted(&derived, &source, &arguments.described.file)?;
     let check = Check::new(interpreted, &schedule, |count| progress.reached(count));
     progress.finish();
     let proof = arguments.prove.then(|| check.prove(&schedule, &points));

@@ -25,10 +25,10 @@ use crate::report::{comparison_json, comparison_plot, picture};
 pub fn run(arguments: &Compare) -> Result<Outcome, Problem> {
     let source =
         source(&arguments.described.file)?.reported_in(arguments.reported_in.units.clone());
-    let mut system = determined(&source, arguments.described.motion.as_deref())?;
-    set_all(&mut system, &arguments.setting.set)?;
-    let data = Data::read(&arguments.table, &system).map_err(Problem)?;
-    data.drive(&mut system).map_err(Problem)?;
+    let derived = determined(&source, arguments.described.motion.as_deref())?;
+    let derived = set_all(derived, &arguments.setting.set)?;
+    let data = Data::read(&arguments.table, &derived.pool, &derived.system).map_err(Problem)?;
+    let derived = data.drive(derived).map_err(Problem)?;
     let tolerances = sizes("--tolerance", &arguments.tolerance, &data).map_err(Problem)?;
     let start = arguments.from.unwrap_or(data.times[0]);
     let schedule = Schedule::instants(start, &data.times, arguments.step)
@@ -46,7 +46,7 @@ pub fn run(arguments: &Compare) -> Result<Outcome, Problem> {
             pictures.push(outputs.file(&path, picture::SIGNATURE)?);
         }
     }
-    let interpreted = interpreted(&system, &source, &arguments.described.file)?;
+    let interpreted = interpreted(&derived, &source, &arguments.described.file)?;
     let chosen = chosen(&arguments.setting.branch, &interpreted, start)?;
     let selection = Wanted {
         points: Vec::new(),
@@ -73,7 +73,7 @@ pub fn run(arguments: &Compare) -> Result<Outcome, Problem> {
         .map_err(Problem::of)?;
     progress.finish();
     let columns = data.measured.iter().enumerate().map(|(place, measured)| {
-        let is_angle = measured.quantity.observable.is_angle(&system);
+        let is_angle = measured.quantity.observable.is_angle(&derived.system);
         let solved: Vec<Option<f64>> = data
             .times
             .iter()

@@ -8,7 +8,7 @@ use linkwright_codegen::diagnostic::{Diagnostics, Source, nearest};
 use linkwright_codegen::stages::files;
 use linkwright_codegen::stages::model::set;
 use linkwright_codegen::stages::structure;
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 use linkwright_solver::instant::Instant;
 use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::mode_selection::ModeSelection;
@@ -113,16 +113,22 @@ fn unreadable(path: &Path, error: &io::Error) -> Problem {
 ///
 /// # Errors
 /// An assignment cannot be applied.
-pub fn set_all(system: &mut System, assignments: &[String]) -> Result<(), Problem> {
-    let mut assignments = assignments.iter();
-    assignments.try_for_each(|it| set(&mut system.mechanism, it).map_err(Problem))
+pub fn set_all(derived: Derived, assignments: &[String]) -> Result<Derived, Problem> {
+    let Derived {
+        mut pool,
+        mut system,
+    } = derived;
+    for assignment in assignments {
+        set(&mut pool, &mut system.mechanism, assignment).map_err(Problem)?;
+    }
+    Ok(Derived { pool, system })
 }
 
 /// Returns the equations of each motion of a description, or of the motion `wanted`; prints warnings on stderr.
 ///
 /// # Errors
 /// All errors of the description, rendered; or an unknown name of a motion.
-pub fn motions(source: &Source, wanted: Option<&str>) -> Result<Vec<System>, Problem> {
+pub fn motions(source: &Source, wanted: Option<&str>) -> Result<Vec<Derived>, Problem> {
     let mut warnings = Diagnostics::new();
     let motions = read(source, wanted, &mut warnings);
     warn(&warnings, source);
@@ -134,13 +140,13 @@ fn read(
     source: &Source,
     wanted: Option<&str>,
     warnings: &mut Diagnostics,
-) -> Result<Vec<System>, Problem> {
+) -> Result<Vec<Derived>, Problem> {
     let read = linkwright_codegen::read(source).map_err(|found| rendered(&found, source))?;
     warnings.extend(read.warnings.clone());
     match wanted {
         None => Ok(read.motions),
         Some(name) => match read.motion(name) {
-            Some(system) => Ok(vec![system.clone()]),
+            Some(derived) => Ok(vec![derived.clone()]),
             None => Err(no_motion(name, &read.motions)),
         },
     }
@@ -150,11 +156,11 @@ fn read(
 ///
 /// # Errors
 /// All errors of the description, with surplus and missing equations; or several motions without a selection.
-pub fn determined(source: &Source, wanted: Option<&str>) -> Result<System, Problem> {
+pub fn determined(source: &Source, wanted: Option<&str>) -> Result<Derived, Problem> {
     let mut warnings = Diagnostics::new();
-    let system = determined_with(source, wanted, &mut warnings);
+    let derived = determined_with(source, wanted, &mut warnings);
     warn(&warnings, source);
-    system
+    derived
 }
 
 /// Returns the equations as [`determined`] does, and collects warnings.
@@ -165,30 +171,33 @@ pub fn determined_with(
     source: &Source,
     wanted: Option<&str>,
     warnings: &mut Diagnostics,
-) -> Result<System, Problem> {
+) -> Result<Derived, Problem> {
     let mut motions = read(source, wanted, warnings)?;
     if motions.len() > 1 {
         return Err(several(source, &motions));
     }
     // A description has at least one motion.
-    let system = motions.remove(0);
-    let mut diagnostics = Diagnostics::new();
-    let is_determined = structure::analyze(&system, &mut diagnostics);
-    let diagnostics = diagnostics.respelled(&system.mechanism.spellings);
-    match is_determined {
-        true => warnings.extend(diagnostics),
-        false => return Err(rendered(&diagnostics, source)),
+    let derived = motions.remove(0);
+    let Derived { pool, system } = &derived;
+    let diagnostics = structure::analyze(pool, system).respelled(&system.mechanism.spellings);
+    match diagnostics.has_errors() {
+        false => warnings.extend(diagnostics),
+        true => return Err(rendered(&diagnostics, source)),
     }
-    Ok(system)
+    Ok(derived)
 }
 
 /// Returns the blocks of a system; prints warnings on stderr.
 ///
 /// # Errors
 /// Numbers in the blocks become infinite or undefined, or the blocks have no order of solution.
-pub fn interpreted(system: &System, source: &Source, path: &Path) -> Result<Interpreted, Problem> {
+pub fn interpreted(
+    derived: &Derived,
+    source: &Source,
+    path: &Path,
+) -> Result<Interpreted, Problem> {
     let mut warnings = Diagnostics::new();
-    let interpreted = interpreted_with(system, source, path, &mut warnings);
+    let interpreted = interpreted_with(derived, source, path, &mut warnings);
     warn(&warnings, source);
     interpreted
 }
@@ -198,13 +207,13 @@ pub fn interpreted(system: &System, source: &Source, path: &Path) -> Result<Inte
 /// # Errors
 /// Errors of [`interpreted`].
 pub fn interpreted_with(
-    system: &System,
+    derived: &Derived,
     source: &Source,
     path: &Path,
     warnings: &mut Diagnostics,
 ) -> Result<Interpreted, Problem> {
     let (interpreted, found) =
-        Interpreted::checked(system).map_err(|found| rendered(&found, source))?;
+        Interpreted::checked(derived).map_err(|found| rendered(&found, source))?;
     warnings.extend(found);
     interpreted.ok_or_else(|| no_order(path))
 }
@@ -241,18 +250,18 @@ pub fn no_order(path: &Path) -> Problem {
 }
 
 /// Returns the names of the motions in backticks.
-fn names(motions: &[System]) -> Vec<String> {
+fn names(motions: &[Derived]) -> Vec<String> {
     let named = motions
         .iter()
-        .filter_map(|system| system.mechanism.motion.as_ref());
+        .filter_map(|derived| derived.system.mechanism.motion.as_ref());
     named.map(|motion| format!("`{}`", motion.name)).collect()
 }
 
 /// Returns the error of a description with several motions if none is selected.
-pub fn several(source: &Source, motions: &[System]) -> Problem {
+pub fn several(source: &Source, motions: &[Derived]) -> Problem {
     let first = motions
         .iter()
-        .find_map(|system| system.mechanism.motion.as_ref())
+        .find_map(|derived| derived.system.mechanism.motion.as_ref())
         .map_or("NAME", |motion| motion.name.as_str());
     Problem(format!(
         "error: `{}` has {} motions: {}\n  = help: name one of them, for example `--motion {first}`",
@@ -262,7 +271,7 @@ pub fn several(source: &Source, motions: &[System]) -> Problem {
     ))
 }
 
-fn no_motion(wanted: &str, motions: &[System]) -> Problem {
+fn no_motion(wanted: &str, motions: &[Derived]) -> Problem {
     let names = names(motions);
     if names.is_empty() {
         return Problem(

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use linkwright_codegen::diagnostic::{Source, nearest};
 use linkwright_codegen::stages::emit::drawing::{self, Options, Pose, Traced};
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::{Derived, System};
 use linkwright_solver::drawn::pose;
 use linkwright_solver::instant::Instant;
 use linkwright_solver::interpreted::Interpreted;
@@ -37,26 +37,26 @@ pub fn run(arguments: &Draw) -> Result<Outcome, Problem> {
     let source =
         source(&arguments.described.file)?.reported_in(arguments.reported_in.units.clone());
     let motion = arguments.described.motion.as_deref();
-    let mut system = match arguments.initial_estimate {
+    let derived = match arguments.initial_estimate {
         false => determined(&source, motion)?,
         true => {
-            let mut systems = motions(&source, motion)?;
-            if systems.len() > 1 {
-                return Err(several(&source, &systems));
+            let mut all = motions(&source, motion)?;
+            if all.len() > 1 {
+                return Err(several(&source, &all));
             }
             // A description has at least one motion.
-            systems.remove(0)
+            all.remove(0)
         }
     };
-    set_all(&mut system, &arguments.setting.set)?;
+    let derived = set_all(derived, &arguments.setting.set)?;
     let mut options = Options {
         size: arguments.size,
-        frames: frames(&system, &arguments.frame)?,
-        caption: system.mechanism.title(),
+        frames: frames(&derived.system, &arguments.frame)?,
+        caption: derived.system.mechanism.title(),
         is_moving: false,
         ..Options::default()
     };
-    let path = path(arguments, &system);
+    let path = path(arguments, &derived.system);
     let output = match is_stdout(&path) {
         true => None,
         false => {
@@ -66,28 +66,38 @@ pub fn run(arguments: &Draw) -> Result<Outcome, Problem> {
     };
     let mut solved = match arguments.initial_estimate {
         true => Solved {
-            shown: Some(Pose::drawn(&system)),
+            shown: Some(Pose::drawn(&derived.pool, &derived.system)),
             ..Solved::default()
         },
-        false => solved(arguments, &source, &system)?,
+        false => solved(arguments, &source, &derived)?,
     };
     if let Some(error) = &solved.error {
-        say(&format!("error: `{}` {error}", system.mechanism.title()));
+        say(&format!(
+            "error: `{}` {error}",
+            derived.system.mechanism.title()
+        ));
     }
     let Some(shown) = solved.shown.take() else {
         return Ok(Outcome::Failed);
     };
-    let bodies = system.mechanism.moving_bodies().iter();
+    let bodies = derived.system.mechanism.moving_bodies().iter();
     let mut shapeless = bodies.filter(|body| !body.is_angle() && body.marks.is_empty());
     if let Some(body) = shapeless.next() {
         say(&format!(
             "warning: body `{}` has no points, so that it has no shape in the picture\n  = help: {}",
             body.name,
-            motion::named_point(&system)
+            motion::named_point(&derived.system)
         ));
     }
     options.caption += &solved.caption;
-    let svg = drawing::draw(&system, &shown, &solved.others, &solved.paths, &options);
+    let svg = drawing::draw(
+        &derived.pool,
+        &derived.system,
+        &shown,
+        &solved.others,
+        &solved.paths,
+        &options,
+    );
     let bytes = (format.encode)(&svg, arguments.size.is_some())?;
     match output {
         None => print(|output| output.write_all(&bytes))?,
@@ -114,7 +124,8 @@ struct Solved {
     error: Option<String>,
 }
 
-fn solved(arguments: &Draw, source: &Source, system: &System) -> Result<Solved, Problem> {
+fn solved(arguments: &Draw, source: &Source, derived: &Derived) -> Result<Solved, Problem> {
+    let system = &derived.system;
     let refused = |text: String| Problem(format!("error: {text}"));
     let points = match arguments.paths.is_empty() {
         true => Vec::new(),
@@ -127,7 +138,7 @@ fn solved(arguments: &Draw, source: &Source, system: &System) -> Result<Solved, 
         true => None,
         false => Some(Schedule::range(from, to, step).map_err(refused)?),
     };
-    let view = interpreted(system, source, &arguments.described.file)?;
+    let view = interpreted(derived, source, &arguments.described.file)?;
     let mut frames = Frames::new(1);
     let error = follow(arguments, &view, Vec::new(), &schedule, &mut frames)?;
     let mut solved = Solved {

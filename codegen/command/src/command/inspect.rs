@@ -3,9 +3,9 @@
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::stages::emit::derivation::{self, Script, SingularPose};
 use linkwright_codegen::stages::emit::{self, Notation};
-use linkwright_codegen::stages::program::{forms_of, lower};
-use linkwright_codegen::stages::structure::{self, Freedom};
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::program::{Kept, forms_of, lower};
+use linkwright_codegen::stages::structure::{self, Freedom, Shift};
+use linkwright_codegen::stages::system::Derived;
 use linkwright_codegen::{Options, OutputFile};
 use linkwright_solver::number::counted;
 
@@ -39,7 +39,7 @@ pub fn run(arguments: &Inspect) -> Result<Outcome, Problem> {
             let motions = motions(&source, motion)?;
             // Each page begins with the name of its motion.
             let pages = |notation| {
-                let pages = motions.iter().map(|system| equations(system, notation));
+                let pages = motions.iter().map(|derived| equations(derived, notation));
                 pages.collect::<Vec<_>>().join("\n")
             };
             match format {
@@ -47,7 +47,7 @@ pub fn run(arguments: &Inspect) -> Result<Outcome, Problem> {
                 Format::Latex => {
                     let with_poses = motions
                         .iter()
-                        .map(|system| (system, poses(system, Script::Latex)));
+                        .map(|derived| (derived, poses(derived, Script::Latex)));
                     let with_poses: Vec<_> = with_poses.collect();
                     match arguments.fragment {
                         true => emit::latex::inspect_fragment(&with_poses),
@@ -81,17 +81,18 @@ pub(super) fn no_fragment() -> Problem {
 }
 
 /// Returns the equations and, if they determine the motion, what the solved formulation computes and omits.
-fn equations(system: &System, notation: Notation) -> String {
-    let page = emit::text::inspect(system, notation);
+fn equations(derived: &Derived, notation: Notation) -> String {
+    let page = emit::text::inspect(derived, notation);
+    let system = &derived.system;
     // The counts by rank are below the counts by number.
     let (first, rest) = page.split_once('\n').unwrap_or((&page, ""));
-    let mut text = format!("{first}\n{}\n{rest}", freedom(system));
-    let mut lowered = system.clone();
-    let Some(plan) = structure::plan(&mut lowered) else {
+    let mut text = format!("{first}\n{}\n{rest}", freedom(derived));
+    let mut pool = derived.pool.draft();
+    let Ok(plan) = structure::plan(&mut pool, system, Shift::Directions) else {
         return text;
     };
-    let program = lower(&mut lowered, &plan);
-    if lowered.mechanism.graph.excess().is_none() {
+    let program = lower(&mut pool, system, &plan, Kept::Requested);
+    if pool.graph.excess().is_none() {
         if !text.ends_with('\n') {
             text.push('\n');
         }
@@ -104,8 +105,8 @@ fn equations(system: &System, notation: Notation) -> String {
     // The plan of the motion differs only if the values of drivers are shifted.
     let mut directions = system.directions.iter();
     let poses = match directions.all(|it| it.is_parameter()) {
-        true => derivation::singular_poses(&lowered, &plan, &program.forms, script),
-        false => poses(system, script),
+        true => derivation::singular_poses(&pool, system, &plan, &program.forms, script),
+        false => poses(derived, script),
     };
     text.push_str(&determinants(poses));
     text
@@ -129,18 +130,19 @@ fn determinants(poses: Vec<SingularPose>) -> String {
 }
 
 /// Returns the singular poses of each block; empty if the equations do not determine the motion.
-fn poses(system: &System, script: Script) -> Vec<SingularPose> {
-    let mut system = system.clone();
-    let Some(plan) = structure::plan_of_motion(&mut system) else {
+fn poses(derived: &Derived, script: Script) -> Vec<SingularPose> {
+    let system = &derived.system;
+    let mut pool = derived.pool.draft();
+    let Ok(plan) = structure::plan(&mut pool, system, Shift::Efforts) else {
         return Vec::new();
     };
-    let forms = forms_of(&mut system, &plan);
-    derivation::singular_poses(&system, &plan, &forms, script)
+    let forms = forms_of(&mut pool, system, &plan);
+    derivation::singular_poses(&pool, system, &plan, &forms, script)
 }
 
 /// Describes the degrees of freedom by the rank of the equations.
-fn freedom(system: &System) -> String {
-    let freedom = Freedom::of(system);
+fn freedom(derived: &Derived) -> String {
+    let freedom = Freedom::of(&derived.pool, &derived.system);
     let redundant = match freedom.redundant {
         0 => String::new(),
         number => format!(", {}", counted(number, "redundant equation")),

@@ -2,7 +2,8 @@
 
 use linkwright_codegen::stages::emit::Notation;
 use linkwright_codegen::stages::emit::derivation::Derivation;
-use linkwright_codegen::stages::structure;
+use linkwright_codegen::stages::structure::{self, Shift};
+use linkwright_codegen::stages::system::Derived;
 
 use super::description::{determined, no_order, rendered, source, warn};
 use super::inspect::no_fragment;
@@ -19,13 +20,13 @@ pub fn run(arguments: &Plan) -> Result<Outcome, Problem> {
         return Err(no_fragment());
     }
     let source = source(&arguments.described.file)?;
-    let mut system = determined(&source, arguments.described.motion.as_deref())?;
-    let Some(plan) = structure::plan_of_motion(&mut system) else {
-        let passed = linkwright_codegen::stages::findings(&system, None);
+    let Derived { mut pool, system } = determined(&source, arguments.described.motion.as_deref())?;
+    let Ok(plan) = structure::plan(&mut pool, &system, Shift::Efforts) else {
+        let passed = linkwright_codegen::stages::findings(&pool, &system, None);
         passed.map_err(|found| rendered(&found, &source))?;
         return Err(no_order(&arguments.described.file));
     };
-    let derivation = Derivation::new(system, &plan);
+    let derivation = Derivation::new(&pool, &system, &plan);
     let warnings = linkwright_codegen::stages::findings_of_derivation(&derivation);
     let warnings = warnings.map_err(|found| rendered(&found, &source))?;
     warn(&warnings, &source);

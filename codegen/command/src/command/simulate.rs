@@ -23,27 +23,28 @@ pub fn run(arguments: &Simulate) -> Result<Outcome, Problem> {
     let reported = &arguments.reported;
     check_stdout(reported)?;
     let source = source(&arguments.described.file)?.reported_in(arguments.reported.units());
-    let mut system = determined(&source, arguments.described.motion.as_deref())?;
-    set_all(&mut system, &arguments.set)?;
-    let forces = &mut system.mechanism.forces;
+    let derived = determined(&source, arguments.described.motion.as_deref())?;
+    let mut derived = set_all(derived, &arguments.set)?;
+    let forces = &mut derived.system.mechanism.forces;
     if forces.free.is_empty() {
         return Err(Problem(format!(
             "error: no coordinate of `{}` is free, so forces move nothing\n  = help: {}",
             arguments.described.file.display(),
-            missing_statement(&system)
+            missing_statement(&derived.system)
         )));
     }
     // The drift of energy is always reported.
     forces.energy = true;
     let schedule = Schedule::range(0.0, arguments.to, arguments.step);
     let schedule = schedule.map_err(|text| Problem(format!("error: {text}")))?;
-    let [points, coordinates] = shown(reported, &system)?;
+    let [points, coordinates] = shown(reported, &derived.system)?;
     let writable = outputs(&arguments.described.file, &source, reported.force);
     let files = Files::new(
         reported,
         writable,
         false,
-        &system,
+        &derived.pool,
+        &derived.system,
         [&points, &coordinates],
         &schedule,
     )?;
@@ -53,7 +54,7 @@ pub fn run(arguments: &Simulate) -> Result<Outcome, Problem> {
         monitor: false,
         curves: files.has_pictures(),
     };
-    let view = interpreted(&system, &source, &arguments.described.file)?;
+    let view = interpreted(&derived, &source, &arguments.described.file)?;
     let chosen = chosen(&arguments.branch, &view, 0.0)?;
     let options = Options {
         tolerances: Tolerances {
@@ -78,7 +79,7 @@ pub fn run(arguments: &Simulate) -> Result<Outcome, Problem> {
     };
     report(
         reported,
-        Layout::of(reported, &system.mechanism),
+        Layout::of(reported, &derived.system.mechanism),
         motion,
         &schedule,
         files,

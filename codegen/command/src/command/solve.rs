@@ -24,19 +24,19 @@ use crate::report::summary::Layout;
 pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
     check_stdout(&arguments.reported)?;
     let source = source(&arguments.described.file)?.reported_in(arguments.reported.units());
-    let mut system = determined(&source, arguments.described.motion.as_deref())?;
-    set_all(&mut system, &arguments.setting.set)?;
+    let derived = determined(&source, arguments.described.motion.as_deref())?;
+    let mut derived = set_all(derived, &arguments.setting.set)?;
     if arguments.at_rest {
-        if !system.mechanism.forces.are_wanted() {
+        if !derived.system.mechanism.forces.are_wanted() {
             return Err(Problem(format!(
                 "error: `--static` needs forces to compute\n  = help: write `effort;` or `reactions;` into `{}`",
                 arguments.described.file.display()
             )));
         }
-        system.rest();
+        derived.system = derived.system.at_rest(&mut derived.pool);
     }
     let schedule = schedule(arguments)?;
-    let [points, coordinates] = shown(&arguments.reported, &system)?;
+    let [points, coordinates] = shown(&arguments.reported, &derived.system)?;
     let reported = &arguments.reported;
     let writable = outputs(&arguments.described.file, &source, reported.force);
     let is_brief = !arguments.at.is_empty();
@@ -44,7 +44,8 @@ pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
         reported,
         writable,
         is_brief,
-        &system,
+        &derived.pool,
+        &derived.system,
         [&points, &coordinates],
         &schedule,
     )?;
@@ -55,7 +56,7 @@ pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
     };
     let layout = Layout {
         first_steps,
-        ..Layout::of(reported, &system.mechanism)
+        ..Layout::of(reported, &derived.system.mechanism)
     };
     let selection = Wanted {
         points,
@@ -65,12 +66,12 @@ pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
     };
     match arguments.formulation {
         Formulation::Textbook => {
-            let dense = Dense::new(&system);
+            let dense = Dense::new(&derived);
             let motion = Followed::new(dense, selection, schedule.start.t, None);
             report(reported, layout, motion, &schedule, files, &mut follow)
         }
         Formulation::Solved => {
-            let interpreted = interpreted(&system, &source, &arguments.described.file)?;
+            let interpreted = interpreted(&derived, &source, &arguments.described.file)?;
             let chosen = chosen(&arguments.setting.branch, &interpreted, schedule.start.t)?;
             let motion = Followed::new(interpreted, selection, schedule.start.t, chosen);
             report(reported, layout, motion, &schedule, files, &mut follow)

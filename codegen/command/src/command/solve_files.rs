@@ -1,5 +1,6 @@
 //! Announces the files of `solve` before its work, and writes them afterwards.
 
+use linkwright_codegen::stages::pool::Pool;
 use std::path::{Path, PathBuf};
 
 use linkwright_codegen::stages::system::System;
@@ -42,6 +43,7 @@ impl Files {
         reported: &Reported,
         mut outputs: Outputs,
         is_brief: bool,
+        pool: &Pool,
         system: &System,
         [points, coordinates]: [&[usize]; 2],
         schedule: &Schedule,
@@ -79,7 +81,7 @@ impl Files {
         let coordinate_names = coordinates.iter();
         let coordinate_names = coordinate_names.map(|&it| system.coordinates[it].name.as_str());
         let paths = (!points.is_empty()).then_some("paths");
-        let forces = linkwright_solver::forces::names(system);
+        let forces = linkwright_solver::forces::names(pool, system);
         let forces = forces.iter().map(|(name, _)| name.as_str());
         let names = distinct(names.chain(coordinate_names).chain(forces).chain(paths));
         let is_asked = reported.plot.is_some() || reported.out.is_some();

@@ -125,15 +125,15 @@ fn made_with(
     live: Live,
     warnings: &mut Diagnostics,
 ) -> Result<Made, Problem> {
-    let mut system = determined_with(source, arguments.described.motion.as_deref(), warnings)?;
-    set_all(&mut system, &arguments.setting.set)?;
+    let derived = determined_with(source, arguments.described.motion.as_deref(), warnings)?;
+    let derived = set_all(derived, &arguments.setting.set)?;
     let (from, to, step) = (arguments.from, arguments.to, arguments.step);
     let schedule = Schedule::range(from, to, step);
     let schedule = schedule.map_err(|text| Problem(format!("error: {text}")))?;
     let file = &arguments.described.file;
-    let view = interpreted_with(&system, source, file, warnings).or_else(|problem| {
+    let view = interpreted_with(&derived, source, file, warnings).or_else(|problem| {
         // Constant lengths that cannot close are found without solving; the page reports them.
-        let view = Interpreted::new(&system);
+        let view = Interpreted::new(&derived);
         let is_open = |view: &Interpreted| open_loop(view, schedule.start.t).is_some();
         view.filter(is_open).ok_or(problem)
     })?;
@@ -153,11 +153,11 @@ fn made_with(
         },
         live,
     );
-    let motion = system.mechanism.motion.as_ref();
+    let motion = derived.system.mechanism.motion.as_ref();
     let motion = motion.map_or(String::new(), |motion| format!("_{}", motion.name));
     Ok(Made {
         html,
-        name: format!("{}{motion}", system.mechanism.name),
+        name: format!("{}{motion}", derived.system.mechanism.name),
         error,
     })
 }

@@ -3,7 +3,7 @@
 //! An input passes through all its values, on a C² spline between them; angles continue without jumps by whole turns.
 
 use linkwright_codegen::stages::model::{Dimension, follow_points};
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 use linkwright_solver::comparison::difference;
 
 use super::{Data, Scale};
@@ -31,11 +31,15 @@ pub fn powers(dimension: Dimension, column: Option<[i32; 4]>) -> [i32; 4] {
 }
 
 impl Data {
-    /// Lets the inputs of a system follow their columns.
+    /// Returns the equations with inputs that follow their columns.
     ///
     /// # Errors
     /// A column begins or ends with a missing value, or has fewer than two times.
-    pub fn drive(&self, system: &mut System) -> Result<(), String> {
+    pub fn drive(&self, derived: Derived) -> Result<Derived, String> {
+        let Derived {
+            mut pool,
+            mut system,
+        } = derived;
         for own in &self.inputs {
             let refused = |why: &str| {
                 format!(
@@ -65,10 +69,10 @@ impl Data {
             if points.len() < 2 {
                 return Err(refused("has fewer than two times"));
             }
-            if !follow_points(&mut system.mechanism, own.input, &points) {
+            if !follow_points(&mut pool, &mut system.mechanism, own.input, &points) {
                 return Err(refused("changes too fast for double precision"));
             }
         }
-        Ok(())
+        Ok(Derived { pool, system })
     }
 }

@@ -2,6 +2,7 @@
 
 use linkwright_codegen::diagnostic::nearest;
 use linkwright_codegen::stages::columns::Columns;
+use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::system::System;
 use linkwright_solver::observable::{Named, all, guess};
 
@@ -95,10 +96,11 @@ pub fn mapped(
     asked: &Table,
     file: &str,
     columns: &Columns,
+    pool: &Pool,
     system: &System,
 ) -> Result<Mapped, String> {
     let time = time(asked, file, columns)?;
-    let quantities = all(system);
+    let quantities = all(pool, system);
     let inputs = &system.mechanism.inputs;
     let input_named = |name: &str| inputs.iter().position(|it| it.name == name);
     let mut driving: Vec<(usize, usize)> = Vec::new();

@@ -8,6 +8,7 @@ mod mapping;
 mod scale;
 mod sizes;
 
+use linkwright_codegen::stages::pool::Pool;
 use std::path::Path;
 
 use linkwright_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span};
@@ -80,7 +81,7 @@ impl Data {
     /// # Errors
     /// The printed message: the file cannot be read or is not a table, an option cannot be used, or no column measures a quantity of the
     /// system.
-    pub fn read(asked: &Table, system: &System) -> Result<Data, String> {
+    pub fn read(asked: &Table, pool: &Pool, system: &System) -> Result<Data, String> {
         let name = asked.data.display().to_string();
         let bytes = bytes(&asked.data)?;
         let known = Known {
@@ -98,7 +99,7 @@ impl Data {
         };
         let columns = Columns::read(&bytes, known)
             .map_err(|refused| rendered(&name, &refused.text, &refused.faults))?;
-        let mapped = mapping::mapped(asked, &name, &columns, system)?;
+        let mapped = mapping::mapped(asked, &name, &columns, pool, system)?;
         let units = scale::Units::read(asked, &name, &columns)?;
         let at = |column: usize, message: String, help: &str| {
             let fault = Fault {

@@ -130,13 +130,13 @@ fn look(
 /// Returns the findings about equations and their solution; `None` if a newer text has arrived.
 fn of_equations(read: &Read, is_stale: impl Fn() -> bool) -> Option<Diagnostics> {
     let mut by_motion = Vec::new();
-    for system in &read.motions {
+    for derived in &read.motions {
         if is_stale() {
             return None;
         }
-        let motion = system.mechanism.motion.as_ref();
+        let motion = derived.system.mechanism.motion.as_ref();
         let name = motion.map_or("", |motion| motion.name.as_str());
-        let checked = caught(|| check(system).unwrap_or_else(|found| found));
+        let checked = caught(|| check(derived).unwrap_or_else(|found| found));
         by_motion.push((name, None, checked.unwrap_or_else(|error| error.findings())));
     }
     Some(merged(by_motion))

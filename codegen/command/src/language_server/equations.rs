@@ -4,27 +4,29 @@ use linkwright_codegen::Read;
 use linkwright_codegen::diagnostic::Span;
 use linkwright_codegen::stages::emit::{Notation, text};
 use linkwright_codegen::stages::expr::ExprId;
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 
 /// Largest number of equations of a statement.
 const MAX_EQUATIONS: usize = 12;
 
 /// Returns the equations of the joints and drivers of a statement, one per line, from the first motion that has them.
 pub fn of_statement(read: &Read, statement: Span) -> Vec<String> {
-    let all = read.motions.iter().map(|system| rows(system, statement));
+    let all = read.motions.iter().map(|derived| rows(derived, statement));
     all.into_iter()
         .find(|rows| !rows.is_empty())
         .unwrap_or_default()
 }
 
-fn rows(system: &System, statement: Span) -> Vec<String> {
+fn rows(derived: &Derived, statement: Span) -> Vec<String> {
+    let Derived { pool, system } = derived;
     let joints = &system.mechanism.joints;
     let rows = system.rows.iter().chain(&system.monitored);
     let of_joint = rows.filter(|row| joints[row.joint].span == statement);
     of_joint
         .take(MAX_EQUATIONS)
         .filter_map(|row| {
-            let residual = text::readable(system, &row.bodies, Notation::Unicode, row.residual)?;
+            let residual =
+                text::readable(pool, system, &row.bodies, Notation::Unicode, row.residual)?;
             Some(format!("{residual} = 0"))
         })
         .collect()
@@ -35,14 +37,15 @@ pub fn of_value(read: &Read, name: &str, place: Span) -> Option<String> {
     read.motions.iter().find_map(|it| value(it, name, place))
 }
 
-fn value(system: &System, name: &str, place: Span) -> Option<String> {
+fn value(derived: &Derived, name: &str, place: Span) -> Option<String> {
+    let Derived { pool, system } = derived;
     let mechanism = &system.mechanism;
-    let plain = |expr: ExprId| mechanism.graph.constant_value(expr);
+    let plain = |expr: ExprId| pool.graph.constant_value(expr);
     let is_own = |(own, span): (&str, Span)| own == name && span == place;
     let mut constants = mechanism.constants.iter();
     if let Some(own) = constants.find(|it| is_own((&it.name, it.span))) {
         let unit = own.dimension.unit();
-        let formula = text::readable(system, &[], Notation::Unicode, own.value);
+        let formula = text::readable(pool, system, &[], Notation::Unicode, own.value);
         return match (formula, plain(own.value)) {
             (Some(formula), Some(value)) if formula != value.to_string() => {
                 Some(format!("= {formula} = {value} {unit}"))
@@ -68,7 +71,7 @@ fn value(system: &System, name: &str, place: Span) -> Option<String> {
 
 /// Returns the names of a body's coordinates in the equations; `None` if no body of this name is declared at the place.
 pub fn of_body(read: &Read, name: &str, place: Span) -> Option<Vec<String>> {
-    let system = read.motions.first()?;
+    let system = &read.motions.first()?.system;
     let bodies = &system.mechanism.bodies;
     let body = bodies
         .iter()

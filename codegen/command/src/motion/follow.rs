@@ -187,7 +187,12 @@ impl<V: View> Followed<V> {
     fn see_infinite(&mut self, instant: &Instant, forces: Option<&[f64]>) {
         let are_finite = forces.is_some_and(|forces| forces.iter().all(|it| it.is_finite()));
         if self.infinite_load.is_none() && !are_finite {
-            let load = load(self.view.system(), self.view.layout(), instant);
+            let load = load(
+                self.view.pool(),
+                self.view.system(),
+                self.view.layout(),
+                instant,
+            );
             self.infinite_load = load.map(|load| (load, instant.t()));
         }
     }

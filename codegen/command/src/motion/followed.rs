@@ -95,9 +95,9 @@ impl<V: View> Followed<V> {
             Ok(shell) => DVector::from_column_slice(shell.frame().q()),
             Err(_) => DVector::from_vec(pose.0),
         };
-        let textbook = TextbookEquations::new(system);
+        let textbook = TextbookEquations::new(view.pool(), system);
         let matrix = jacobian(&textbook, &q, start);
-        let force_names = linkwright_solver::forces::names(system);
+        let force_names = linkwright_solver::forces::names(view.pool(), system);
         let course = wanted
             .curves
             .then(|| Course::of(&wanted, force_names.len()));
@@ -121,8 +121,8 @@ impl<V: View> Followed<V> {
             visits: usize::from(shell.is_some()),
             rows: Rows::default(),
             course,
-            residuals: ResidualCheck::new(system, view.layout()),
-            pressure: PressureCheck::new(system, view.layout()),
+            residuals: ResidualCheck::new(view.pool(), system, view.layout()),
+            pressure: PressureCheck::new(view.pool(), system, view.layout()),
             derivative_names: linkwright_solver::derivatives::names(system),
             largest_forces: vec![(0.0, start); force_names.len()],
             pulls: vec![None; force_names.len()],
@@ -144,8 +144,8 @@ impl<V: View> Followed<V> {
     /// Converts a motion without instants to another formulation of the same mechanism.
     pub(super) fn seen_by<W: View>(self, view: W) -> Followed<W> {
         Followed {
-            residuals: ResidualCheck::new(view.system(), view.layout()),
-            pressure: PressureCheck::new(view.system(), view.layout()),
+            residuals: ResidualCheck::new(view.pool(), view.system(), view.layout()),
+            pressure: PressureCheck::new(view.pool(), view.system(), view.layout()),
             wanted: self.wanted,
             condition: self.condition,
             dimensionless_condition: self.dimensionless_condition,

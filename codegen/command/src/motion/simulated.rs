@@ -78,7 +78,7 @@ impl Followed<Dense> {
         chosen: Option<(Instant, Modes)>,
     ) -> Followed<Dense> {
         let start = Followed::new(view.clone(), wanted, 0.0, chosen);
-        start.seen_by(Dense::moved_by_forces(view.system()))
+        start.seen_by(Dense::moved_by_forces(view.derived()))
     }
 
     /// Lets the forces move the mechanism from t = 0 over the rest of the schedule, and hands its instants on in the order of time.

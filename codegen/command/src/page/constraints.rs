@@ -1,5 +1,6 @@
 //! Writes the constraints of a system in words, and the degrees of freedom that they leave.
 
+use linkwright_codegen::stages::pool::Pool;
 use std::fmt::Write as _;
 
 use linkwright_codegen::stages::emit::derivation::constraints_in_html;
@@ -11,8 +12,8 @@ use linkwright_solver::check::Check;
 use super::equations::about;
 
 /// Returns the table of constraints and drivers, and the count of degrees of freedom.
-pub fn section(system: &System, check: &Check) -> String {
-    let words = constraints_in_html(system);
+pub fn section(pool: &Pool, system: &System, check: &Check) -> String {
+    let words = constraints_in_html(pool, system);
     let mut text = String::from("<div class=\"wide\"><table>\n");
     for (role, title) in [
         (Role::Constraint, "Joints, Φ<sup>K</sup>"),

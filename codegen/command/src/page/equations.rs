@@ -5,14 +5,15 @@ use std::fmt::Write as _;
 use linkwright_codegen::stages::emit::markup::escaped;
 use linkwright_codegen::stages::emit::mathml::{Equation, Equations, equations, lines};
 use linkwright_codegen::stages::model::Joint;
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::{Derived, System};
 
 /// Largest number of columns of a matrix that is shown whole; nonzero entries of wider ones are listed.
 pub const LARGEST_MATRIX: usize = 9;
 
 /// Returns the equations as a section.
-pub fn section(system: &System) -> String {
-    let listed = equations(system);
+pub fn section(derived: &Derived) -> String {
+    let system = &derived.system;
+    let listed = equations(derived);
     let names: Vec<&str> = listed.coordinates.iter().map(|it| it[0].as_str()).collect();
     let mut text = format!(
         "<p><math><mi mathvariant=\"normal\" class=\"bold\">q</mi></math> = ({})</p>\n",

@@ -1,5 +1,6 @@
 //! Writes the parameters and inputs of a system with their values and documentation.
 
+use linkwright_codegen::stages::pool::Pool;
 use std::fmt::Write as _;
 
 use linkwright_codegen::stages::emit::markup::escaped;
@@ -54,11 +55,11 @@ pub fn bodies(system: &System) -> String {
 }
 
 /// Returns a table of parameters and inputs; empty if there are none.
-pub fn values(system: &System) -> String {
+pub fn values(pool: &Pool, system: &System) -> String {
     let mechanism = &system.mechanism;
     let mut rows = String::new();
     for own in &mechanism.parameters {
-        let value = mechanism.graph.nominal(own.symbol).unwrap_or(f64::NAN);
+        let value = pool.graph.nominal(own.symbol).unwrap_or(f64::NAN);
         let unit = mechanism.units.of_messages().of(&own.dimension.unit());
         let _ = writeln!(
             rows,
@@ -74,13 +75,13 @@ pub fn values(system: &System) -> String {
             rows,
             "<tr><td>input</td><td><b>{}</b></td><td><math>{}</math></td><td>{}</td><td>{}</td></tr>",
             escaped(&own.name),
-            mathml::formula(system, &[], own.signal[0]),
+            mathml::formula(pool, system, &[], own.signal[0]),
             escaped(&own.dimension.unit()),
             escaped(&own.docs.join(" "))
         );
     }
     for own in &mechanism.tables {
-        let spline = mechanism.graph.spline_of(own.spline);
+        let spline = pool.graph.spline_of(own.spline);
         let _ = writeln!(
             rows,
             "<tr><td>table</td><td><b>{}</b></td><td>{} points</td><td>{}</td><td>{}</td></tr>",

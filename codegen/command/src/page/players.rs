@@ -1,11 +1,13 @@
 //! Collects the motions of all assemblies that a page plays, as one JSON object.
 
+use linkwright_codegen::stages::pool::Pool;
 use std::collections::BTreeMap;
 
 use linkwright_codegen::stages::emit::drawing::{ActingLoads, Pose};
 use linkwright_codegen::stages::emit::mathml::symbol;
 use linkwright_codegen::stages::joint::Quantity;
-use linkwright_codegen::stages::system::{Described, SymbolRole, System};
+use linkwright_codegen::stages::pool::SymbolRole;
+use linkwright_codegen::stages::system::{Described, System};
 use linkwright_solver::check::Check;
 use linkwright_solver::drawn::pose;
 use linkwright_solver::instant::Instant;
@@ -157,7 +159,7 @@ impl Players {
         Players {
             title: system.mechanism.title(),
             bodies: bodies(system),
-            coordinates: coordinates(system),
+            coordinates: coordinates(view.pool(), system),
             points,
             joints: system
                 .mechanism
@@ -169,7 +171,7 @@ impl Players {
                 })
                 .collect(),
             units: shown_units(system),
-            forces: linkwright_solver::forces::names(system),
+            forces: linkwright_solver::forces::names(view.pool(), system),
             measures: view.measures().map_or(Vec::new(), |measures| {
                 let parts = measures.parts();
                 let several = |block| parts.iter().filter(|it| it.block == block).count() > 1;
@@ -222,7 +224,7 @@ fn arrows(view: &Interpreted, players: &mut [Player], columns: &mut Columns) {
     }
     let instants = players.iter().flat_map(|it| it.instants());
     let poses: Vec<Pose> = instants.map(|it| pose(view, it)).collect();
-    let acting = ActingLoads::new(system).arrows(&poses);
+    let acting = ActingLoads::new(view.pool(), system).arrows(&poses);
     let mut rest = &acting[..];
     for player in players {
         let (own, others) = rest.split_at(player.instants().len());
@@ -257,12 +259,12 @@ fn bodies(system: &System) -> Vec<Body> {
         .collect()
 }
 
-fn coordinates(system: &System) -> Vec<Coordinate> {
+fn coordinates(pool: &Pool, system: &System) -> Vec<Coordinate> {
     let coordinates = system.coordinates.iter().enumerate();
     coordinates
         .map(|(place, own)| Coordinate {
             name: own.name.clone(),
-            mathml: symbol(system, SymbolRole::Position(place)),
+            mathml: symbol(pool, system, SymbolRole::Position(place)),
             body: own.describes.body(),
             kind: match own.quantity {
                 Quantity::Angle => "angles",

@@ -16,7 +16,7 @@ const ZERO_DETERMINANT: f64 = 1e-9;
 /// Returns the plan as a table and the derivation of each block.
 pub fn derivation(check: &Check) -> String {
     let (system, plan) = (check.interpreted.system(), check.interpreted.plan());
-    let derived = html(system, plan);
+    let derived = html(check.interpreted.pool(), system, plan);
     let mut text = format!(
         "<p>{}.</p>\n<div class=\"wide\"><table><thead><tr><th>Block</th><th>Unknowns</th><th>Method</th><th>Joints</th></tr></thead><tbody>\n{}</tbody></table></div>\n",
         derived.summary, derived.outline
@@ -46,7 +46,13 @@ pub fn derivation(check: &Check) -> String {
 pub fn singular(check: &Check, determinant: Option<f64>, is_checked: bool) -> String {
     let program = check.interpreted.program();
     let (system, plan) = (check.interpreted.system(), check.interpreted.plan());
-    let poses = singular_poses(system, plan, &program.forms, Script::Html);
+    let poses = singular_poses(
+        check.interpreted.pool(),
+        system,
+        plan,
+        &program.forms,
+        Script::Html,
+    );
     let mut text = String::from(
         "<p>A pose is singular where det Φ<sub>q</sub> = 0. Up to its sign, det Φ<sub>q</sub> is the product of the determinants of the blocks, so that it is zero exactly where one of them is.</p>\n",
     );

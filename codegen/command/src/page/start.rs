@@ -1,11 +1,13 @@
 //! Writes the coordinates and points of the first instant with their rates, and the first Newton-Raphson step from it.
 
+use linkwright_codegen::stages::pool::Pool;
 use std::fmt::Write as _;
 
 use linkwright::PointMotion;
 use linkwright_codegen::stages::emit::markup::escaped;
 use linkwright_codegen::stages::emit::mathml::symbol;
-use linkwright_codegen::stages::system::{SymbolRole, System};
+use linkwright_codegen::stages::pool::SymbolRole;
+use linkwright_codegen::stages::system::System;
 use linkwright_codegen::stages::units::OutputUnit;
 use linkwright_solver::condition::Condition;
 use linkwright_solver::first_step::{FirstStep, first_step as first_step_from};
@@ -32,7 +34,7 @@ pub fn values(view: &Interpreted, instant: &Instant) -> String {
     );
     for place in 0..system.coordinates.len() {
         let [q, qd, qdd] = instant.coordinate(place).unwrap_or_default();
-        let name = symbol(system, SymbolRole::Position(place));
+        let name = symbol(view.pool(), system, SymbolRole::Position(place));
         let units = Units::of(system, place, message_units).levels;
         let degrees = match units[0].name.as_str() {
             "rad" => format!("{}°", number(q.to_degrees())),
@@ -92,13 +94,13 @@ fn names(units: &[OutputUnit; 3]) -> String {
 }
 
 /// Returns the equation of the first Newton-Raphson step at `t` (s), from the pose of an earlier instant.
-pub fn first_step(system: &System, instant: &Instant, t: f64) -> String {
+pub fn first_step(pool: &Pool, system: &System, instant: &Instant, t: f64) -> String {
     let FirstStep {
         jacobian: matrix,
         residual,
         correction: step,
         ..
-    } = first_step_from(system, instant.q(), t);
+    } = first_step_from(pool, system, instant.q(), t);
     let right = -residual;
     let scale = right.amax().max(1.0);
     let right = right.map(|it| if it.abs() < ROUNDING * scale { 0.0 } else { it });
@@ -108,8 +110,8 @@ pub fn first_step(system: &System, instant: &Instant, t: f64) -> String {
         number(t)
     );
     text += &match right.len() <= LARGEST_MATRIX {
-        true => full(&matrix, &right, step.as_ref(), system),
-        false => sparse(&matrix, &right, step.as_ref(), system),
+        true => full(&matrix, &right, step.as_ref(), pool, system),
+        false => sparse(&matrix, &right, step.as_ref(), pool, system),
     };
     let condition = Condition::of(&matrix);
     let verdict = match condition.sign {
@@ -129,6 +131,7 @@ fn full(
     matrix: &DMatrix<f64>,
     right: &DVector<f64>,
     step: Option<&DVector<f64>>,
+    pool: &Pool,
     system: &System,
 ) -> String {
     let rows: String = matrix
@@ -145,7 +148,7 @@ fn full(
         .map(|place| {
             format!(
                 "<mi mathvariant=\"normal\">Δ</mi>{}",
-                symbol(system, SymbolRole::Position(place))
+                symbol(pool, system, SymbolRole::Position(place))
             )
         })
         .collect();
@@ -174,6 +177,7 @@ fn sparse(
     matrix: &DMatrix<f64>,
     right: &DVector<f64>,
     step: Option<&DVector<f64>>,
+    pool: &Pool,
     system: &System,
 ) -> String {
     let mut text = String::from(
@@ -185,7 +189,7 @@ fn sparse(
             .map(|(place, value)| {
                 format!(
                     "<span class=\"entry\"><math>{}</math>: {}</span>",
-                    symbol(system, SymbolRole::Position(place)),
+                    symbol(pool, system, SymbolRole::Position(place)),
                     number(*value)
                 )
             })
@@ -208,7 +212,7 @@ fn sparse(
             .map(|(place, value)| {
                 format!(
                     "<span class=\"entry\"><math><mi mathvariant=\"normal\">Δ</mi>{}</math> = {}</span>",
-                    symbol(system, SymbolRole::Position(place)),
+                    symbol(pool, system, SymbolRole::Position(place)),
                     number(*value)
                 )
             })

@@ -91,13 +91,17 @@ pub fn page(page: &Page<'_>, live: Live) -> (String, Option<String>) {
         )
     };
     body += &section("bodies", given::moving(system).0, &given::bodies(system));
-    body += &given::values(system);
+    body += &given::values(view.pool(), system);
     body += &section(
         "constraints",
         "Constraints and degrees of freedom",
-        &constraints::section(system, check),
+        &constraints::section(view.pool(), system, check),
     );
-    body += &section("equations", "Equations", &equations::section(system));
+    body += &section(
+        "equations",
+        "Equations",
+        &equations::section(view.derived()),
+    );
     if let Some(first) = players.drawn().and_then(|it| it.instants.first()) {
         let heading = format!(
             "Position, velocity and acceleration at t = {} s",
@@ -108,7 +112,7 @@ pub fn page(page: &Page<'_>, live: Live) -> (String, Option<String>) {
         body += &section(
             "newton",
             "The first Newton-Raphson step",
-            &start::first_step(system, first, next),
+            &start::first_step(view.pool(), system, first, next),
         );
     }
     body += &section(
@@ -184,7 +188,7 @@ fn drawn(page: &Page<'_>, players: &mut Players) -> String {
     let mut gap = None;
     let pose = first.next().unwrap_or_else(|| {
         let Some(open) = open_loop(view, page.schedule.start.t) else {
-            return Pose::drawn(system);
+            return Pose::drawn(view.pool(), system);
         };
         let unit = system.mechanism.units.of_messages().of("m");
         gap = Some(Gap {
@@ -195,14 +199,14 @@ fn drawn(page: &Page<'_>, players: &mut Players) -> String {
                 system.mechanism.joints[open.joint].label
             ),
         });
-        open.pose(system)
+        open.pose(view.pool())
     });
     let others: Vec<Pose> = first.collect();
     let options = Options {
         gap,
         ..Options::default()
     };
-    let moving = drawing::moving(system, &pose, &others, &motions, &options);
+    let moving = drawing::moving(view.pool(), system, &pose, &others, &motions, &options);
     let rest = players.assemblies.iter_mut().skip(1);
     for (player, elements) in rest.zip(moving.others) {
         player.elements = elements;
@@ -215,7 +219,7 @@ fn drawn(page: &Page<'_>, players: &mut Players) -> String {
 /// Returns the determinant of Φ_q at the start; `None` without a motion.
 fn determinant(check: &Check, players: &Players) -> Option<f64> {
     let first = players.drawn()?.instants.first()?;
-    let textbook = TextbookEquations::new(check.interpreted.system());
+    let textbook = TextbookEquations::new(check.interpreted.pool(), check.interpreted.system());
     let q = DVector::from_column_slice(first.q());
     Some(Condition::of(&jacobian(&textbook, &q, first.t())).determinant)
 }

@@ -47,7 +47,7 @@ pub fn assemblies<V: View>(view: &V, found: &[Assembly]) -> String {
     let panels: Vec<Panel> = panels.collect();
     match panels.is_empty() {
         true => String::new(),
-        false => signed(&drawing::sheet(system, &panels)),
+        false => signed(&drawing::sheet(view.pool(), system, &panels)),
     }
 }
 

@@ -20,7 +20,12 @@ const DECIMALS: usize = 6;
 /// Errors of `output`.
 pub fn write<V: View>(view: &V, t: f64, output: &mut dyn Write) -> io::Result<()> {
     let system = view.system();
-    let step = first_step(system, &view.drawn_pose(&view.nominal_parameters()).0, t);
+    let step = first_step(
+        view.pool(),
+        system,
+        &view.drawn_pose(&view.nominal_parameters()).0,
+        t,
+    );
     let names: Vec<&str> = system
         .coordinates
         .iter()

@@ -1,4 +1,4 @@
-//! Resolves a document into one mechanism for each of its motions.
+//! Resolves a document into one mechanism for each of its motions, with the pool of its expressions.
 //!
 //! In a [`Mechanism`], every name is an id, every number an exact expression in SI units, and every point a local vector in its
 //! body's frame. Every joint has its operands.
@@ -88,8 +88,6 @@ pub struct Mechanism {
     pub span: Span,
     /// Rules for names in the target language.
     pub naming: &'static Naming,
-    /// Arena of all expressions of this mechanism.
-    pub graph: Graph,
     /// Time t, in s.
     pub time: SymbolId,
     /// Named values, in source order.
@@ -322,12 +320,12 @@ pub enum Requested {
 impl Mechanism {
     /// Returns the time derivatives of the symbols that no equation determines. The derivative of t is 1, of an input its rate,
     /// and of the rate its acceleration.
-    pub fn explicit_rates(&mut self) -> Vec<(SymbolId, ExprId)> {
-        let mut rates = vec![(self.time, self.graph.one())];
+    pub fn explicit_rates(&self, graph: &mut Graph) -> Vec<(SymbolId, ExprId)> {
+        let mut rates = vec![(self.time, graph.one())];
         for input in &self.inputs {
             let [value, rate, acceleration] = input.symbols;
-            rates.push((value, self.graph.variable(rate)));
-            rates.push((rate, self.graph.variable(acceleration)));
+            rates.push((value, graph.variable(rate)));
+            rates.push((rate, graph.variable(acceleration)));
         }
         rates
     }

@@ -11,18 +11,19 @@ use super::parameters::unused;
 use super::resolve::resolve_statements;
 use crate::diagnostic::{Diagnostics, merged};
 use crate::expr::{Excess, MAX_STORED_TERMS};
+use crate::pool::Pool;
 use crate::syntax::{Document, Statement};
 
 /// Maximum total size of the motions of a document, in terms: each motion has its own equations and code.
 const MAX_TOTAL_SIZE: usize = MAX_STORED_TERMS / 4;
 
-/// Resolves a document into its motions in source order, or into one mechanism without motions. Names follow the rules of
-/// `naming`. `None` after an error; all errors of the document are in `diagnostics`.
+/// Resolves a document into its motions in source order, or into one mechanism without motions, each with the pool of its
+/// expressions. Names follow the rules of `naming`. `None` after an error; all errors of the document are in `diagnostics`.
 pub fn resolve(
     document: &Document,
     naming: &'static Naming,
     diagnostics: &mut Diagnostics,
-) -> Option<Vec<Mechanism>> {
+) -> Option<Vec<(Pool, Mechanism)>> {
     let mut findings = Diagnostics::new();
     let item = &document.mechanism;
     let shared: Vec<&Statement> = item
@@ -31,27 +32,28 @@ pub fn resolve(
         .filter(|statement| !matches!(statement, Statement::Motion(_)))
         .collect();
     check_names(document, naming, &mut findings);
-    let mut mechanisms = Vec::new();
+    let mut motions = Vec::new();
     let mut parts = Vec::new();
     let mut size = 0;
     for motion in item.motions() {
         let statements = motion.statements.iter();
         let statements: Vec<&Statement> = shared.iter().copied().chain(statements).collect();
         let mut part = Diagnostics::new();
-        let mechanism = resolve_statements(document, &statements, Some(motion), naming, &mut part);
-        size += statements.len() + mechanism.graph.node_count() + mechanism.graph.store();
-        let is_beyond = size > MAX_TOTAL_SIZE && mechanism.graph.excess().is_none();
+        let (pool, mechanism) =
+            resolve_statements(document, &statements, Some(motion), naming, &mut part);
+        size += statements.len() + pool.graph.node_count() + pool.graph.store();
+        let is_beyond = size > MAX_TOTAL_SIZE && pool.graph.excess().is_none();
         if is_beyond {
             part.push(beyond_bounds(Excess::Size, motion.name.span));
         }
-        mechanisms.push(mechanism);
+        motions.push((pool, mechanism));
         parts.push((motion.name.text.as_str(), Some(motion.span), part));
         if is_beyond {
             break;
         }
     }
-    if mechanisms.is_empty() {
-        mechanisms.push(resolve_statements(
+    if motions.is_empty() {
+        motions.push(resolve_statements(
             document,
             &shared,
             None,
@@ -61,13 +63,15 @@ pub fn resolve(
     }
     findings.extend(merged(parts));
     // A statement that was not reached may use the parameter.
-    let is_whole = mechanisms.iter().all(|it| it.graph.excess().is_none());
+    let is_whole = motions
+        .iter()
+        .all(|(pool, _)| pool.graph.excess().is_none());
     if is_whole && !findings.is_full() {
-        findings.extend(unused(&mechanisms));
+        findings.extend(unused(motions.iter().map(|(_, it)| it)));
     }
     let failed = findings.has_errors();
     diagnostics.extend(findings);
-    if failed { None } else { Some(mechanisms) }
+    if failed { None } else { Some(motions) }
 }
 
 /// Checks the names of motions: each becomes part of the output, so it must be valid and unique.

@@ -221,7 +221,7 @@ impl Resolver<'_> {
 }
 
 /// Returns warnings of the parameters, inputs and tables that no motion uses.
-pub(super) fn unused(mechanisms: &[Mechanism]) -> Vec<Diagnostic> {
+pub(super) fn unused<'a>(mechanisms: impl Iterator<Item = &'a Mechanism>) -> Vec<Diagnostic> {
     let declared = |mechanism: &Mechanism| -> Vec<(&'static str, String, Span, bool)> {
         let parameters = mechanism
             .parameters
@@ -239,7 +239,7 @@ pub(super) fn unused(mechanisms: &[Mechanism]) -> Vec<Diagnostic> {
     };
     let mut candidates: Vec<(&'static str, String, Span, bool)> = Vec::new();
     let mut places: HashMap<Span, usize> = HashMap::new();
-    for (noun, name, span, used) in mechanisms.iter().flat_map(declared) {
+    for (noun, name, span, used) in mechanisms.flat_map(declared) {
         match places.get(&span) {
             Some(&earlier) => candidates[earlier].3 |= used,
             None => {

@@ -18,6 +18,7 @@ use crate::diagnostic::internal::work_at;
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 use crate::expr::{Graph, SymbolId};
 use crate::joint::geometry::{Mark, Vector};
+use crate::pool::Pool;
 use crate::syntax::{self, BUILT_IN, DirectiveKind};
 use crate::units::ReportUnits;
 
@@ -45,7 +46,7 @@ pub(super) fn resolve_statements<'a>(
     motion: Option<&syntax::Motion>,
     naming: &'static Naming,
     diagnostics: &mut Diagnostics,
-) -> Mechanism {
+) -> (Pool, Mechanism) {
     let mut graph = Graph::new();
     let item = &document.mechanism;
     // Coordinates are numbered before t, so that they precede t in every order of symbols.
@@ -126,7 +127,8 @@ pub(super) fn resolve_statements<'a>(
         .characteristic_length(&loaded, &resolver.graph);
     let constants = resolver.constants(statements);
     let docs = document.docs.iter().chain(&item.docs).cloned().collect();
-    Mechanism {
+    let pool = Pool::new(resolver.graph, naming.apart);
+    let mechanism = Mechanism {
         name: item.name.text.clone(),
         motion: motion.map(|motion| Motion {
             name: motion.name.text.clone(),
@@ -136,7 +138,6 @@ pub(super) fn resolve_statements<'a>(
         docs,
         span: item.name.span,
         naming,
-        graph: resolver.graph,
         time,
         constants,
         parameters: resolver.declared.parameters,
@@ -159,7 +160,8 @@ pub(super) fn resolve_statements<'a>(
         units,
         spellings: Arc::clone(&document.spellings),
         characteristic_length,
-    }
+    };
+    (pool, mechanism)
 }
 
 impl<'a> Resolver<'a> {

@@ -8,6 +8,7 @@ use super::Mechanism;
 use super::resolve::Resolver;
 use super::table::{Ends, spline};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
+use crate::pool::Pool;
 use crate::syntax::{self, Constant, Statement};
 
 /// Number of points of the polynomial that gives the slope at an end of a measured input.
@@ -20,8 +21,8 @@ const AFTER: &str = "\n;}";
 /// Resolves one assignment and applies it.
 ///
 /// # Errors
-/// Returns the rendered findings; the mechanism is then unchanged.
-pub fn set(mechanism: &mut Mechanism, assignment: &str) -> Result<(), String> {
+/// Returns the rendered findings; the mechanism and its values are then unchanged.
+pub fn set(pool: &mut Pool, mechanism: &mut Mechanism, assignment: &str) -> Result<(), String> {
     if assignment.contains(';') {
         return Err(FORM.to_string());
     }
@@ -34,7 +35,7 @@ pub fn set(mechanism: &mut Mechanism, assignment: &str) -> Result<(), String> {
     let statements = document.map_or(Vec::new(), |document| document.mechanism.statements);
     if !diagnostics.has_errors() {
         match statements.as_slice() {
-            [Statement::Constant(written)] => carry_out(mechanism, written, &mut diagnostics),
+            [Statement::Constant(written)] => carry_out(pool, mechanism, written, &mut diagnostics),
             _ => return Err(FORM.to_string()),
         }
     }
@@ -105,7 +106,12 @@ fn rendered(diagnostics: Diagnostics, assignment: &str) -> String {
     findings_of_assignment.render(&Source::new("--set", assignment))
 }
 
-fn carry_out(mechanism: &mut Mechanism, written: &Constant, diagnostics: &mut Diagnostics) {
+fn carry_out(
+    pool: &mut Pool,
+    mechanism: &mut Mechanism,
+    written: &Constant,
+    diagnostics: &mut Diagnostics,
+) {
     let name = written.name.text.as_str();
     let parameter = mechanism.parameters.iter().position(|own| own.name == name);
     let input = mechanism.inputs.iter().position(|own| own.name == name);
@@ -117,15 +123,15 @@ fn carry_out(mechanism: &mut Mechanism, written: &Constant, diagnostics: &mut Di
             return;
         }
     };
-    let graph = std::mem::take(&mut mechanism.graph);
+    let graph = std::mem::take(&mut pool.graph);
     let mut resolver = Resolver::new(graph, mechanism.time, mechanism.naming, diagnostics);
     let value = resolver.quantity(&written.value, dimension);
     let graph = resolver.graph;
-    mechanism.graph = graph;
+    pool.graph = graph;
     let Some(value) = value else { return };
     if let Some(at) = parameter {
         let parameter = &mechanism.parameters[at];
-        let Some(number) = mechanism.graph.constant_value(value) else {
+        let Some(number) = pool.graph.constant_value(value) else {
             diagnostics.push(
                 Diagnostic::error(
                     Code::NotConstant,
@@ -137,9 +143,9 @@ fn carry_out(mechanism: &mut Mechanism, written: &Constant, diagnostics: &mut Di
             );
             return;
         };
-        mechanism.graph.set_nominal(parameter.symbol, number);
+        pool.graph.set_nominal(parameter.symbol, number);
     } else if let Some(at) = input {
-        let (graph, time) = (&mut mechanism.graph, mechanism.time);
+        let (graph, time) = (&mut pool.graph, mechanism.time);
         let rate = graph.derivative(value, time);
         let acceleration = graph.derivative(rate, time);
         mechanism.inputs[at].signal = [value, rate, acceleration];
@@ -148,7 +154,12 @@ fn carry_out(mechanism: &mut Mechanism, written: &Constant, diagnostics: &mut Di
 
 /// Makes an input follow the C² spline through points (t, value), at least two with increasing t. The slope at each end is that
 /// of the polynomial through the nearest points, of degree 3 at most. Returns false if a coefficient is not finite.
-pub fn follow_points(mechanism: &mut Mechanism, input: usize, points: &[[f64; 2]]) -> bool {
+pub fn follow_points(
+    pool: &mut Pool,
+    mechanism: &mut Mechanism,
+    input: usize,
+    points: &[[f64; 2]],
+) -> bool {
     let near = points.len().min(SLOPE_POINT_COUNT);
     let last = points.len() - near;
     let slopes = [
@@ -160,7 +171,7 @@ pub fn follow_points(mechanism: &mut Mechanism, input: usize, points: &[[f64; 2]
     if !spline.pieces.iter().flatten().all(|it| it.is_finite()) {
         return false;
     }
-    let graph = &mut mechanism.graph;
+    let graph = &mut pool.graph;
     let time = graph.variable(mechanism.time);
     let spline = graph.add_spline(spline);
     mechanism.inputs[input].signal = [0, 1, 2].map(|order| graph.spline(spline, order, time));

@@ -4,6 +4,7 @@
 //! drivers may have any value of their laws, and modes either sign. Angles that parameters or inputs change range over a turn,
 //! other such values are unbounded, and nothing is proven of these.
 
+use crate::pool::Pool;
 use std::collections::HashSet;
 use std::f64::consts::TAU;
 
@@ -11,8 +12,9 @@ use super::enclosed::{Enclosed, Enclosing, Place};
 use super::interval::Interval;
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::Quantity;
+use crate::pool::SymbolRole;
 use crate::program::{Program, Statement};
-use crate::system::{SymbolRole, System};
+use crate::system::System;
 
 /// Smallest square of a half chord, relative to the links, that separates modes: the links then enclose more than a hundredth of
 /// a radian.
@@ -26,6 +28,7 @@ const BOXES: usize = 1024;
 
 /// Traversal of the blocks of a program.
 struct Walk<'a> {
+    pool: &'a Pool,
     system: &'a System,
     enclosing: Enclosing<'a>,
     /// Symbols that change in time other than by arguments; only looked up.
@@ -39,8 +42,8 @@ struct Walk<'a> {
 }
 
 /// Returns, for each block of a program, true if its modes are proven never to meet.
-pub fn never_meet(system: &System, program: &Program) -> Vec<bool> {
-    let mut walk = Walk::new(system, program);
+pub fn never_meet(pool: &Pool, system: &System, program: &Program) -> Vec<bool> {
+    let mut walk = Walk::new(pool, system, program);
     let blocks = program.blocks.iter();
     blocks
         .map(|block| {
@@ -54,8 +57,8 @@ pub fn never_meet(system: &System, program: &Program) -> Vec<bool> {
 }
 
 impl<'a> Walk<'a> {
-    fn new(system: &'a System, program: &Program) -> Walk<'a> {
-        let graph: &'a Graph = &system.mechanism.graph;
+    fn new(pool: &'a Pool, system: &'a System, program: &Program) -> Walk<'a> {
+        let graph: &'a Graph = &pool.graph;
         let signs: Vec<SymbolId> = program.branches.iter().map(|it| it.symbol).collect();
         let mut enclosing = Enclosing::new(graph, &signs);
         let time = system.mechanism.time;
@@ -64,6 +67,7 @@ impl<'a> Walk<'a> {
         let inputs = system.mechanism.inputs.iter();
         let inputs = inputs.flat_map(|input| input.symbols);
         Walk {
+            pool,
             system,
             enclosing,
             moving: inputs.chain([time]).collect(),
@@ -74,7 +78,7 @@ impl<'a> Walk<'a> {
     }
 
     fn is_moving(&self, expr: ExprId) -> bool {
-        let symbols = self.system.mechanism.graph.symbols(expr);
+        let symbols = self.pool.graph.symbols(expr);
         symbols.iter().any(|symbol| self.moving.contains(symbol))
     }
 
@@ -93,7 +97,7 @@ impl<'a> Walk<'a> {
     fn statement(&mut self, statement: &Statement, chords: &mut Vec<[Place; 2]>) {
         match *statement {
             Statement::Let { target, value, .. } if self.is_moving(value) => {
-                let is_driven = match self.system.roles[target.index()] {
+                let is_driven = match self.pool.role(target) {
                     SymbolRole::Position(place) => {
                         Some(self.system.vector_form.unknowns[place].quantity)
                     }

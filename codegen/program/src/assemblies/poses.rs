@@ -2,6 +2,7 @@
 //!
 //! Every pose is among the poses found or in an undecided range; each pose found is isolated.
 
+use crate::pool::Pool;
 use std::f64::consts::TAU;
 
 use linkwright_math::double;
@@ -63,11 +64,12 @@ pub struct Pose {
 /// angles, or if a number that they need is unknown.
 pub fn poses(
     newton: &NewtonBlock,
+    pool: &Pool,
     system: &System,
     known: &dyn Fn(SymbolId) -> Option<Interval>,
     parts: usize,
 ) -> Option<Poses> {
-    let sought = Sought::of(newton, system, known)?;
+    let sought = Sought::of(newton, pool, system, known)?;
     let count = sought.places.len();
     let range = [BEGINNING, (BEGINNING + TAU).next_up()];
     let choices = 1_usize << sought.signs;

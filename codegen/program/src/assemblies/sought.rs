@@ -9,6 +9,7 @@ use super::interval::Interval;
 use super::turns::is_periodic;
 use crate::expr::{Graph, SymbolId};
 use crate::joint::Quantity;
+use crate::pool::Pool;
 use crate::program::{Function, NewtonBlock};
 use crate::system::System;
 
@@ -32,10 +33,11 @@ impl Sought {
     /// Returns the functions of a block; `None` if they have more than two unknowns or are not periodic.
     pub fn of(
         newton: &NewtonBlock,
+        pool: &Pool,
         system: &System,
         known: &dyn Fn(SymbolId) -> Option<Interval>,
     ) -> Option<Sought> {
-        let graph = &system.mechanism.graph;
+        let graph = &pool.graph;
         let places = match &newton.tearing {
             Some(tearing) => tearing.tears.clone(),
             None => (0..newton.unknowns.len()).collect(),

@@ -9,6 +9,7 @@ use super::poses::{Poses, poses};
 use super::turns::counts_turns;
 use crate::expr::SymbolId;
 use crate::joint::Quantity;
+use crate::pool::Pool;
 use crate::program::{Block, Level, NewtonBlock, Program, Statement, TornFields, sign_of};
 use crate::system::System;
 
@@ -45,20 +46,21 @@ pub struct StoredAssembly {
 }
 
 /// Returns all assemblies of a mechanism that needs Newton-Raphson; `None` without such a block, or if some may be missing.
-pub fn stored(system: &System, program: &Program) -> Option<StoredAssemblies> {
+pub fn stored(pool: &Pool, system: &System, program: &Program) -> Option<StoredAssemblies> {
     let iterated = program.blocks.iter();
     let iterated: Vec<&NewtonBlock> = iterated.filter_map(|it| it.newton.as_ref()).collect();
-    if iterated.is_empty() || counts_turns(system, program) {
+    if iterated.is_empty() || counts_turns(pool, system, program) {
         return None;
     }
     let mut search = Search {
+        pool,
         system,
         program,
         tried: 0,
         all: Vec::new(),
     };
     let way = Way {
-        enclosing: given(system),
+        enclosing: given(pool, system),
         signs: vec![true; program.branches.len()],
         letters: String::new(),
         determinants: Vec::new(),
@@ -83,9 +85,9 @@ fn rounded(value: f64, quantity: Quantity) -> f64 {
 }
 
 /// Returns the bounds of all symbols before the first block.
-fn given(system: &System) -> Enclosing<'_> {
+fn given<'a>(pool: &'a Pool, system: &System) -> Enclosing<'a> {
     let mechanism = &system.mechanism;
-    let graph = &mechanism.graph;
+    let graph = &pool.graph;
     let mut enclosing = Enclosing::new(graph, &[]);
     enclosing.know(mechanism.time, Interval::point(0.0));
     let mut nominal = vec![0.0; graph.symbol_count()];
@@ -113,6 +115,7 @@ struct Way<'a> {
 }
 
 struct Search<'a> {
+    pool: &'a Pool,
     system: &'a System,
     program: &'a Program,
     tried: usize,
@@ -206,7 +209,7 @@ impl<'a> Search<'a> {
         let known = |symbol: SymbolId| way.enclosing.known_symbol(symbol);
         let Poses {
             found, undecided, ..
-        } = poses(newton, self.system, &known, MOST_PARTS)?;
+        } = poses(newton, self.pool, self.system, &known, MOST_PARTS)?;
         undecided
             .is_empty()
             .then(|| found.into_iter().map(|pose| pose.unknowns).collect())
@@ -252,7 +255,7 @@ impl<'a> Search<'a> {
 
     /// Returns the angle of a vector nearest to the design configuration.
     fn near_drawing(&self, target: SymbolId, y: Interval, x: Interval) -> Option<Interval> {
-        let drawn = self.system.drawn_symbol(target);
+        let drawn = self.system.drawn_symbol(target, self.pool);
         // This branch avoids the jump of angles.
         let forwards = Interval::angle(y, x);
         let angle = match forwards.defined {

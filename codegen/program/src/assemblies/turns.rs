@@ -3,6 +3,7 @@
 //! Closed forms and proofs find directions of links, which suffices if angles only occur in sines and cosines. Gears, racks or
 //! user equations may count turns, so that results depend on the number of turns too.
 
+use crate::pool::Pool;
 use std::collections::{BTreeSet, HashSet};
 
 use crate::expr::{ExprId, Graph, Node, SymbolId};
@@ -13,9 +14,9 @@ use crate::words::Singular;
 
 /// True if an equation counts the turns of an angle of which the others only find the direction: poses then exist that differ by
 /// turns of this angle.
-pub fn counts_turns(system: &System, program: &Program) -> bool {
+pub fn counts_turns(pool: &Pool, system: &System, program: &Program) -> bool {
     let form = &system.vector_form;
-    let graph = &system.mechanism.graph;
+    let graph = &pool.graph;
     let is_angle = |unknown: &usize| form.unknowns[*unknown].quantity == Quantity::Angle;
     let forms = program.forms.iter().flatten();
     let directed = forms.filter(|form| !matches!(form.singular(), Singular::Coefficient(_)));

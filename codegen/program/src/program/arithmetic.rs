@@ -8,6 +8,7 @@ use super::function::{Function, Written};
 use super::passes::constants::{ConstantPart, Constants};
 use super::passes::costs::LARGEST_PRODUCT;
 use crate::expr::{ExprId, Node, SplineId, SymbolId};
+use crate::pool::Pool;
 use crate::system::{System, WrittenOrder};
 
 /// An elementary function.
@@ -85,6 +86,8 @@ pub struct Evaluation<'a> {
     pub function: &'a Function,
     /// The system, whose unknowns and bodies order terms and factors.
     pub system: &'a System,
+    /// Expressions of the function.
+    pub pool: &'a Pool,
     /// The constants of the program.
     pub constants: &'a Constants,
 }
@@ -117,7 +120,7 @@ impl Evaluation<'_> {
         if let Some(name) = self.function.name_of(expr) {
             return Some(Arithmetic::Variable(name));
         }
-        let graph = &self.system.mechanism.graph;
+        let graph = &self.pool.graph;
         match graph.node(expr) {
             Node::Symbol(symbol) => Some(Arithmetic::Variable(*symbol)),
             _ if graph.is_constant(expr) => None,
@@ -127,7 +130,7 @@ impl Evaluation<'_> {
 
     /// A function's call.
     fn call(&self, expr: ExprId) -> Option<Arithmetic> {
-        let graph = &self.system.mechanism.graph;
+        let graph = &self.pool.graph;
         let call = |function, arguments: &[ExprId]| {
             let arguments = arguments.iter().map(|&it| self.value(it));
             Some(Arithmetic::Call(function, arguments.collect()))
@@ -161,9 +164,9 @@ impl Evaluation<'_> {
     }
 
     fn one_of(&self, condition: ExprId, below: ExprId, otherwise: ExprId) -> Arithmetic {
-        let graph = &self.system.mechanism.graph;
+        let graph = &self.pool.graph;
         let named = |other: ExprId| self.function.name_of(other).is_some();
-        let order = WrittenOrder::new(self.system, &[]);
+        let order = WrittenOrder::new(self.pool, self.system, &[]);
         let Compared {
             left,
             is_less,
@@ -182,8 +185,8 @@ impl Evaluation<'_> {
 
     fn sum(&self, expr: ExprId, bodies: &[usize]) -> Arithmetic {
         let named = |other: ExprId| self.function.name_of(other).is_some();
-        let order = WrittenOrder::new(self.system, bodies);
-        let addends = addends(expr, &self.system.mechanism.graph, &order, &named);
+        let order = WrittenOrder::new(self.pool, self.system, bodies);
+        let addends = addends(expr, &self.pool.graph, &order, &named);
         self.addends(&addends)
     }
 
@@ -216,7 +219,7 @@ impl Evaluation<'_> {
     fn constant(&self, part: &ConstantPart) -> Arithmetic {
         match self.constants.place_of(part) {
             Some(place) => Arithmetic::Constant(place),
-            None => Arithmetic::Number(part.value(&self.system.mechanism.graph)),
+            None => Arithmetic::Number(part.value(&self.pool.graph)),
         }
     }
 

@@ -3,13 +3,15 @@
 //! These lengths are in the equations: vectors of links, amplitudes of sines, added lengths. Other parts of the design
 //! configuration have no effect.
 
+use crate::pool::Pool;
 use std::collections::HashSet;
 
 use super::function::Function;
 use super::lower::shared;
 use crate::expr::{ExprId, Graph, Node, Rational};
 use crate::joint::Quantity;
-use crate::system::{SymbolRole, System};
+use crate::pool::SymbolRole;
+use crate::system::System;
 
 /// Lengths, in m; the largest is the scale.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,12 +24,12 @@ pub struct Lengths {
 
 impl Lengths {
     /// Returns the lengths of the whole mechanism, which scale the textbook formulation.
-    pub(super) fn of_system(system: &mut System) -> Lengths {
-        let nominal = system.characteristic_length();
+    pub(super) fn of_system(pool: &mut Pool, system: &System) -> Lengths {
+        let nominal = system.characteristic_length(pool);
         let following = system.lengths.to_vec();
         Lengths {
             nominal,
-            following: (!following.is_empty()).then(|| shared(following, system)),
+            following: (!following.is_empty()).then(|| shared(following, pool, system)),
         }
     }
 
@@ -38,17 +40,18 @@ impl Lengths {
     pub fn of_block(
         residuals: &[ExprId],
         quantities: &[Quantity],
-        system: &mut System,
+        pool: &mut Pool,
+        system: &System,
     ) -> [Lengths; 2] {
         let mut collected = Collected::default();
         for (&residual, quantity) in residuals.iter().zip(quantities) {
-            let one = system.mechanism.graph.one();
+            let one = pool.graph.one();
             match quantity.power_of_length() {
-                1 => collected.collect(residual, one, false, system),
+                1 => collected.collect(residual, one, false, pool, system),
                 2 => {
                     let mut areas = Collected::default();
-                    areas.collect(residual, one, false, system);
-                    let graph = &mut system.mechanism.graph;
+                    areas.collect(residual, one, false, pool, system);
+                    let graph = &mut pool.graph;
                     let sides = areas.added.iter().filter_map(|&area| side(area, graph));
                     collected.added.extend(sides);
                 }
@@ -56,7 +59,7 @@ impl Lengths {
             }
         }
         let Collected { arms, added } = collected;
-        let graph = &system.mechanism.graph;
+        let graph = &pool.graph;
         let mut columns = Largest::of(&arms, graph);
         if columns.nominal(graph) == 0.0 {
             columns = Largest::of(&added, graph);
@@ -65,16 +68,16 @@ impl Lengths {
         let rows = Largest::of(&every, graph);
         // An estimate may not follow a change of parameters.
         let place = match rows.following.is_empty() {
-            true => largest_drawn(residuals, system),
+            true => largest_drawn(residuals, pool, system),
             false => 0.0,
         };
-        let otherwise = system.characteristic_length();
+        let otherwise = system.characteristic_length(pool);
         [(rows, place), (columns, 0.0)].map(|(lengths, place)| {
-            let largest = lengths.nominal(&system.mechanism.graph).max(place);
+            let largest = lengths.nominal(&pool.graph).max(place);
             let nominal = if largest > 0.0 { largest } else { otherwise };
             let following = match lengths.following.is_empty() {
                 true => None,
-                false => Some(shared(lengths.all(), system)),
+                false => Some(shared(lengths.all(), pool, system)),
             };
             Lengths { nominal, following }
         })
@@ -110,10 +113,17 @@ enum Part {
 
 impl Collected {
     /// Collects lengths from `factor` times an expression; `swings` is true if the factor has a sine.
-    fn collect(&mut self, expr: ExprId, factor: ExprId, swings: bool, system: &mut System) {
-        match part(expr, system) {
+    fn collect(
+        &mut self,
+        expr: ExprId,
+        factor: ExprId,
+        swings: bool,
+        pool: &mut Pool,
+        system: &System,
+    ) {
+        match part(expr, pool) {
             Part::Fixed(value) => {
-                let value = system.mechanism.graph.multiply(factor, value);
+                let value = pool.graph.multiply(factor, value);
                 let list = if swings {
                     &mut self.arms
                 } else {
@@ -123,33 +133,40 @@ impl Collected {
             }
             Part::Wave => self.arms.push(factor),
             Part::Arm(place) => {
-                let local = system.vector_form.arms[place].local;
-                let graph = &mut system.mechanism.graph;
+                let local = pool.arms()[place].local;
+                let graph = &mut pool.graph;
                 self.arms.extend(local.map(|it| graph.multiply(factor, it)));
             }
             Part::Sum(sum) => {
-                let Node::Sum(terms) = system.mechanism.graph.node(sum) else {
+                let Node::Sum(terms) = pool.graph.node(sum) else {
                     return;
                 };
                 for term in terms.clone().iter() {
-                    let factor = system.mechanism.graph.scale(term.coefficient, factor);
-                    self.collect(term.expr, factor, swings, system);
+                    let factor = pool.graph.scale(term.coefficient, factor);
+                    self.collect(term.expr, factor, swings, pool, system);
                 }
             }
-            Part::Other => self.collect_product(expr, factor, swings, system),
+            Part::Other => self.collect_product(expr, factor, swings, pool, system),
         }
     }
 
     /// Collects lengths from a product of sines and at most one vector component or sum. Other products need not be lengths.
-    fn collect_product(&mut self, expr: ExprId, factor: ExprId, swings: bool, system: &mut System) {
-        let Node::Product(factors) = system.mechanism.graph.node(expr) else {
+    fn collect_product(
+        &mut self,
+        expr: ExprId,
+        factor: ExprId,
+        swings: bool,
+        pool: &mut Pool,
+        system: &System,
+    ) {
+        let Node::Product(factors) = pool.graph.node(expr) else {
             return;
         };
         let (mut factor, mut swings, mut carrier) = (factor, swings, None);
         for own in factors.clone().iter() {
-            match part(own.base, system) {
+            match part(own.base, pool) {
                 Part::Fixed(value) => {
-                    let graph = &mut system.mechanism.graph;
+                    let graph = &mut pool.graph;
                     let power = graph.power(value, own.exponent);
                     factor = graph.multiply(factor, power);
                 }
@@ -163,22 +180,22 @@ impl Collected {
             }
         }
         match carrier {
-            Some(carrier) => self.collect(carrier, factor, swings, system),
+            Some(carrier) => self.collect(carrier, factor, swings, pool, system),
             None => self.arms.push(factor),
         }
     }
 }
 
-fn part(expr: ExprId, system: &System) -> Part {
-    let graph = &system.mechanism.graph;
+fn part(expr: ExprId, pool: &Pool) -> Part {
+    let graph = &pool.graph;
     if graph.is_fixed(expr) {
         return Part::Fixed(expr);
     }
     match graph.node(expr) {
         Node::Sin(_) | Node::Cos(_) => Part::Wave,
         Node::Sum(_) => Part::Sum(expr),
-        Node::Symbol(symbol) => match system.roles.get(symbol.index()) {
-            Some(SymbolRole::Arm(place)) => Part::Arm(*place),
+        Node::Symbol(symbol) => match pool.role(*symbol) {
+            SymbolRole::Arm(place) => Part::Arm(place),
             _ => Part::Other,
         },
         _ => Part::Other,
@@ -198,17 +215,17 @@ fn side(area: ExprId, graph: &mut Graph) -> Option<ExprId> {
 }
 
 /// Returns the largest distance from the origin of the expressions' points in the design configuration.
-fn largest_drawn(expressions: &[ExprId], system: &System) -> f64 {
-    let graph = &system.mechanism.graph;
+fn largest_drawn(expressions: &[ExprId], pool: &Pool, system: &System) -> f64 {
+    let graph = &pool.graph;
     let symbols = expressions.iter().flat_map(|&it| graph.symbols(it));
-    let places = symbols.filter_map(|symbol| match system.roles.get(symbol.index()) {
-        Some(SymbolRole::Position(unknown)) => Some(*unknown),
+    let places = symbols.filter_map(|symbol| match pool.role(*symbol) {
+        SymbolRole::Position(unknown) => Some(unknown),
         _ => None,
     });
     let unknowns = &system.vector_form.unknowns;
     let lengths = places.filter(|&it| unknowns[it].quantity == Quantity::Length);
     lengths
-        .map(|it| system.drawn_unknown(it).abs())
+        .map(|it| system.drawn_unknown(it, pool).abs())
         .filter(|it| it.is_finite())
         .fold(0.0, f64::max)
 }

@@ -6,7 +6,9 @@ use super::Program;
 use super::function::Function;
 use super::lower::shared;
 use crate::expr::{ExprId, Graph, IdSet, Node, SymbolId};
-use crate::system::{Forces, SymbolRole, System};
+use crate::pool::Pool;
+use crate::pool::SymbolRole;
+use crate::system::{Forces, System};
 
 /// Loads that may be the cause of a rejected frame.
 #[derive(Clone, Debug)]
@@ -22,33 +24,31 @@ pub struct Loads {
 }
 
 /// Returns the loads that may become infinite and that depend on frames only; `None` if there are none.
-pub(super) fn loads(system: &mut System, program: &Program) -> Option<Loads> {
+pub(super) fn loads(pool: &mut Pool, system: &System, program: &Program) -> Option<Loads> {
     let fields = program.forces.fields();
     let mut blocks = program.blocks.iter();
     let block = blocks.position(|block| block.function.targets().any(|it| fields.contains(&it)))?;
-    let forces = system.forces.take()?;
+    let forces = system.forces.as_ref()?;
     let (mut labels, mut sums) = (Vec::new(), Vec::new());
     for (load, components) in forces.exerted.iter().enumerate() {
-        let graph = &system.mechanism.graph;
-        let sum =
-            may_be_infinite(components, &forces, graph).then(|| sum(components, &forces, system));
-        let sum = sum.filter(|&sum| is_held(sum, program, system));
+        let graph = &pool.graph;
+        let sum = may_be_infinite(components, forces, graph).then(|| sum(components, forces, pool));
+        let sum = sum.filter(|&sum| is_held(sum, program, pool, system));
         labels.extend(sum.map(|_| system.mechanism.forces.loads[load].label.clone()));
         sums.extend(sum);
     }
-    system.forces = Some(forces);
     if sums.is_empty() {
         return None;
     }
-    let graph = &system.mechanism.graph;
+    let graph = &pool.graph;
     let mut read: Vec<SymbolId> = Vec::new();
     for &symbol in sums.iter().flat_map(|&sum| graph.symbols(sum)) {
-        if !is_given(symbol, system) && !read.contains(&symbol) {
+        if !is_given(symbol, pool) && !read.contains(&symbol) {
             read.push(symbol);
         }
     }
     Some(Loads {
-        function: shared(sums, system),
+        function: shared(sums, pool, system),
         read,
         labels,
         block: u16::try_from(block).unwrap_or(u16::MAX),
@@ -57,17 +57,17 @@ pub(super) fn loads(system: &mut System, program: &Program) -> Option<Loads> {
 
 /// Returns the sum of the magnitudes of the components of a load, in symbols of frames. A component that is the opposite of another
 /// counts once.
-fn sum(components: &[ExprId], forces: &Forces, system: &mut System) -> ExprId {
-    let (form, graph) = (&system.vector_form, &mut system.mechanism.graph);
+fn sum(components: &[ExprId], forces: &Forces, pool: &mut Pool) -> ExprId {
     let mut distinct: Vec<ExprId> = Vec::new();
     for &part in components {
-        let part = graph.substitute(part, &forces.lengths);
-        let part = form.written_out(part, graph);
-        let opposite = graph.negate(part);
+        let part = pool.graph.substitute(part, &forces.lengths);
+        let part = pool.written_out(part);
+        let opposite = pool.graph.negate(part);
         if !distinct.contains(&part) && !distinct.contains(&opposite) {
             distinct.push(part);
         }
     }
+    let graph = &mut pool.graph;
     let zero = graph.zero();
     distinct.into_iter().fold(zero, |sum, part| {
         let magnitude = graph.magnitude(part);
@@ -103,19 +103,16 @@ fn may_be_infinite(components: &[ExprId], forces: &Forces, graph: &Graph) -> boo
 }
 
 /// True if each symbol of an expression is an input of a frame or kept by the frame.
-fn is_held(expr: ExprId, program: &Program, system: &System) -> bool {
-    let mut symbols = system.mechanism.graph.symbols(expr).iter();
+fn is_held(expr: ExprId, program: &Program, pool: &Pool, system: &System) -> bool {
+    let mut symbols = pool.graph.symbols(expr).iter();
     symbols.all(|&symbol| {
-        let is_coordinate = program.outputs.is_none() && system.is_coordinate(symbol);
-        is_given(symbol, system) || is_coordinate || program.is_field(symbol)
+        let is_coordinate = program.outputs.is_none() && system.is_coordinate(symbol, pool);
+        is_given(symbol, pool) || is_coordinate || program.is_field(symbol)
     })
 }
 
 /// True if a symbol is time, a parameter or an input.
-fn is_given(symbol: SymbolId, system: &System) -> bool {
+fn is_given(symbol: SymbolId, pool: &Pool) -> bool {
     use SymbolRole::{Input, Parameter, Time};
-    matches!(
-        system.roles[symbol.index()],
-        Time | Parameter(_) | Input { .. }
-    )
+    matches!(pool.role(symbol), Time | Parameter(_) | Input { .. })
 }

@@ -38,7 +38,7 @@ pub use forms::{DrawnMode, sign_of};
 pub use function::{Function, Level, Statement};
 pub use lengths::Lengths;
 pub use loads::Loads;
-pub use lower::{forms_of, lower, lower_with_unknowns, unpruned};
+pub use lower::{Kept, forms_of, lower, unpruned};
 pub use outputs::Output;
 pub use passes::constants::{ConstantPart, Constants};
 pub use passes::costs::{LARGEST_PRODUCT, Operations};

@@ -5,6 +5,7 @@ use super::function::{Level, Statement};
 use crate::expr::{ExprId, SymbolId};
 use crate::joint::Quantity;
 use crate::model::{Request, Requested};
+use crate::pool::Pool;
 use crate::system::System;
 
 /// Quantity that the frame offers.
@@ -39,7 +40,7 @@ impl Output {
 }
 
 /// Returns the requested outputs, and the block that computes those of points; `None` if everything is requested.
-pub(super) fn outputs(system: &mut System) -> Option<(Vec<Output>, Block)> {
+pub(super) fn outputs(pool: &mut Pool, system: &System) -> Option<(Vec<Output>, Block)> {
     if system.mechanism.requests.is_empty() {
         return None;
     }
@@ -63,15 +64,13 @@ pub(super) fn outputs(system: &mut System) -> Option<(Vec<Output>, Block)> {
                 for (level, section) in sections.iter_mut().enumerate().take(request.level + 1) {
                     let suffix = ["", "_rate", "_acceleration"][level];
                     let symbols = ["x", "y"]
-                        .map(|axis| system.intermediate(&format!("point_{name}_{axis}{suffix}")));
+                        .map(|axis| pool.intermediate(&format!("point_{name}_{axis}{suffix}")));
                     for (target, value) in symbols.into_iter().zip(expressions) {
                         section.push(Statement::assignment(target, value));
                     }
                     fields.push(symbols);
                     if level < request.level {
-                        let graph = &mut system.mechanism.graph;
-                        expressions =
-                            expressions.map(|expr: ExprId| system.vector_form.rate(expr, graph));
+                        expressions = expressions.map(|expr: ExprId| pool.rate(expr));
                     }
                 }
                 Output::Point { name, fields }

@@ -10,8 +10,8 @@ use super::two_links::Course;
 use crate::expr::{ExprId, Node, Number, Rational, SymbolId};
 use crate::joint::Quantity;
 use crate::joint::geometry::Vector;
+use crate::pool::SymbolRole;
 use crate::structure::Definition;
-use crate::system::SymbolRole;
 
 /// Bound on arc over chord, for arcs up to the largest turn: 1.5/(2 sin 0.75) is 1.1003.
 const ARC: (i64, i64) = (9, 8);
@@ -34,14 +34,14 @@ pub(super) struct Known {
 impl Builder<'_> {
     /// True if links move an expression.
     pub(super) fn is_linked(&self, expr: ExprId, known: &Known) -> bool {
-        let symbols = self.system.mechanism.graph.symbols(expr).iter();
+        let symbols = self.pool.graph.symbols(expr).iter();
         let mut moving = symbols.filter_map(|&symbol| self.moving(symbol));
         moving.any(|unknown| known.linked.contains(&unknown))
     }
 
     /// Bounds the change, along the chord, of a value that frames keep.
     pub(super) fn change_of(&mut self, value: ExprId) -> ExprId {
-        let last = self.system.in_last_frame(value);
+        let last = self.pool.in_last_frame(value);
         let moved = self.graph().subtract(value, last);
         let moved = self.graph().magnitude(moved);
         let stretch = self.paths.window.steps;
@@ -72,12 +72,12 @@ impl Builder<'_> {
 
     /// Names a bound.
     pub(super) fn bounded(&mut self, name: &str, value: ExprId) -> ExprId {
-        let graph = &self.system.mechanism.graph;
+        let graph = &self.pool.graph;
         if graph.is_constant(value) || matches!(graph.node(value), Node::Symbol(_)) {
             return value;
         }
         self.path_geometry(&[value]);
-        let symbol = self.system.intermediate(name);
+        let symbol = self.pool.intermediate(name);
         self.assign(symbol, value);
         self.graph().variable(symbol)
     }
@@ -89,8 +89,7 @@ impl Builder<'_> {
         let remainder = self.graph().variable(remainder);
         let (mut rest, mut radii, mut deviations) = (vector, Vec::new(), Vec::new());
         for angle in angles {
-            let graph = &mut self.system.mechanism.graph;
-            let turned = self.system.vector_form.turned_vector(rest, angle, graph);
+            let turned = self.pool.turned_vector(rest, angle);
             let Some((arm, others)) = turned else {
                 continue;
             };
@@ -135,9 +134,9 @@ impl Builder<'_> {
     pub(super) fn angles_in(&self, vector: Vector) -> Vec<usize> {
         let mut angles: Vec<usize> = Vec::new();
         for part in vector {
-            for symbol in self.system.mechanism.graph.symbols(part) {
-                if let SymbolRole::Arm(place) = self.system.roles[symbol.index()] {
-                    angles.push(self.system.vector_form.arms[place].angle);
+            for symbol in self.pool.graph.symbols(part) {
+                if let SymbolRole::Arm(place) = self.pool.role(*symbol) {
+                    angles.push(self.pool.arms()[place].angle);
                 }
             }
         }
@@ -172,8 +171,8 @@ impl Builder<'_> {
     pub(super) fn note_size(&mut self, definition: &Definition, known: &mut Known) {
         let unknown = &self.system.vector_form.unknowns[definition.unknown];
         let (quantity, symbol) = (unknown.quantity, unknown.position);
-        let symbols = self.system.mechanism.graph.symbols(definition.value);
-        let mut roles = symbols.iter().map(|it| self.system.roles[it.index()]);
+        let symbols = self.pool.graph.symbols(definition.value);
+        let mut roles = symbols.iter().map(|it| self.pool.role(*it));
         let is_driven =
             roles.any(|role| matches!(role, SymbolRole::Time | SymbolRole::Input { .. }));
         if quantity != Quantity::Angle && !is_driven {
@@ -193,7 +192,7 @@ impl Builder<'_> {
 
     /// Returns the sum of the magnitudes of all values from which an expression is computed.
     pub(super) fn size_of(&mut self, expr: ExprId, known: &mut Known) -> ExprId {
-        let graph = &mut self.system.mechanism.graph;
+        let graph = &mut self.pool.graph;
         if graph.is_constant(expr) {
             // The next power of two is short, and a rounding bound may be generous.
             let value = graph.constant_value(expr).unwrap_or(f64::NAN).abs();
@@ -231,8 +230,8 @@ impl Builder<'_> {
                 if let Some(&size) = known.sizes.get(&symbol) {
                     return size;
                 }
-                if let SymbolRole::Arm(place) = self.system.roles[symbol.index()] {
-                    let local = self.system.vector_form.arms[place].local;
+                if let SymbolRole::Arm(place) = self.pool.role(symbol) {
+                    let local = self.pool.arms()[place].local;
                     let length = self.length_of(local);
                     return self.size_of(length, known);
                 }

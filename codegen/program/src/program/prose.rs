@@ -4,7 +4,7 @@ use super::builder::Builder;
 use crate::expr::ExprId;
 use crate::joint::geometry::{Vector, turned};
 use crate::model::Role;
-use crate::system::SymbolRole;
+use crate::pool::SymbolRole;
 use crate::words::{Phrase, Piece, phrase};
 
 impl Builder<'_> {
@@ -44,14 +44,14 @@ impl Builder<'_> {
 
     /// Describes a row, `the x row of revolute P(1, 2)`; `None` if it mentions other unknowns than `sought`.
     pub fn row_words(&self, row: usize, sought: &[usize]) -> Option<Phrase> {
-        let graph = &self.system.mechanism.graph;
-        let row = &self.system.vector_form.rows[row];
+        let graph = &self.pool.graph;
+        let row = &self.plan.rows[row];
         let is_known =
             |unknown: usize| sought.contains(&unknown) || self.known.block_of(unknown).is_some();
         let mut symbols = graph.symbols(row.residual).iter();
-        let stands_alone = symbols.all(|symbol| match self.system.roles[symbol.index()] {
+        let stands_alone = symbols.all(|symbol| match self.pool.role(*symbol) {
             SymbolRole::Position(unknown) => is_known(unknown),
-            SymbolRole::Arm(place) => is_known(self.system.vector_form.arms[place].angle),
+            SymbolRole::Arm(place) => is_known(self.pool.arms()[place].angle),
             _ => true,
         });
         let label = Piece::Name(self.system.mechanism.joints[row.joint].label.clone());
@@ -63,14 +63,14 @@ impl Builder<'_> {
 
     /// Returns the vector equation of the joint of a row; `None` if the rows are not the components of one.
     pub fn vector_equation(&mut self, row: usize) -> Option<Vector> {
-        let rows = &self.system.vector_form.rows;
+        let rows = &self.plan.rows;
         let joint = rows[row].joint;
         let rows_of_joint = rows.iter().filter(|it| it.joint == joint);
         let lengths: Vec<ExprId> = rows_of_joint.map(|it| it.residual).collect();
         let (&[x, y] | &[_, x, y]) = &lengths[..] else {
             return None;
         };
-        self.system.vector_sum([x, y]).map(|_| [x, y])
+        self.system.vector_sum([x, y], self.pool).map(|_| [x, y])
     }
 
     /// Returns the length of a link, its source, and true if a driver gives the length; `None` if it is not a number or a
@@ -89,7 +89,7 @@ impl Builder<'_> {
         let &[symbol] = graph.symbols(square) else {
             return None;
         };
-        let SymbolRole::Position(unknown) = self.system.roles[symbol.index()] else {
+        let SymbolRole::Position(unknown) = self.pool.role(symbol) else {
             return None;
         };
         let variable = self.position(unknown);

@@ -9,7 +9,9 @@ use crate::expr::{ExprId, Graph, Number, Rational, SymbolId};
 use crate::joint::geometry::{length, subtract};
 use crate::joint::{Feature, Mesh};
 use crate::model::{Mass, Mechanism};
-use crate::system::{SymbolRole, System};
+use crate::pool::Pool;
+use crate::pool::SymbolRole;
+use crate::system::System;
 
 /// Values that must be positive.
 #[derive(Clone, Debug)]
@@ -45,18 +47,16 @@ struct Required {
 }
 
 /// Returns the requirements of all statements; `None` if none can be violated.
-pub(super) fn requirements(system: &mut System) -> Option<Requirements> {
+pub(super) fn requirements(pool: &mut Pool, system: &System) -> Option<Requirements> {
     let mut names = Vec::new();
     let mut values = Vec::new();
-    let mut required = of_joints(&mut system.mechanism);
-    required.extend(of_teeth(&mut system.mechanism));
-    required.extend(of_forces(&mut system.mechanism));
+    let mut required = of_joints(&system.mechanism, &mut pool.graph);
+    required.extend(of_teeth(&system.mechanism, &mut pool.graph));
+    required.extend(of_forces(&system.mechanism, &mut pool.graph));
     for Required { owner, what, value } in required {
-        let is_parameter = |symbol: &SymbolId| {
-            let role = system.roles.get(symbol.index());
-            matches!(role, Some(SymbolRole::Parameter(_)))
-        };
-        let mut symbols = system.mechanism.graph.symbols(value).iter();
+        let is_parameter =
+            |symbol: &SymbolId| matches!(pool.role(*symbol), SymbolRole::Parameter(_));
+        let mut symbols = pool.graph.symbols(value).iter();
         if symbols.len() > 0 && symbols.all(is_parameter) && !values.contains(&value) {
             values.push(value);
             names.push((owner, what));
@@ -64,7 +64,7 @@ pub(super) fn requirements(system: &mut System) -> Option<Requirements> {
     }
     let mut driven = Vec::new();
     for joint in 0..system.mechanism.joints.len() {
-        if let Some((_, what)) = driven_length(joint, &mut system.mechanism) {
+        if let Some((_, what)) = driven_length(joint, &system.mechanism, &mut pool.graph) {
             names.push((system.mechanism.joints[joint].label.clone(), what));
             driven.push(joint);
         }
@@ -73,7 +73,7 @@ pub(super) fn requirements(system: &mut System) -> Option<Requirements> {
         return None;
     }
     let mut function = Function::of_results(values);
-    share_all(&mut function, system);
+    share_all(&mut function, pool, system);
     Some(Requirements {
         function,
         names,
@@ -84,11 +84,11 @@ pub(super) fn requirements(system: &mut System) -> Option<Requirements> {
 /// Returns the length of a joint that depends on t or inputs, and its name; `None` for other joints.
 pub(super) fn driven_length(
     joint: usize,
-    mechanism: &mut Mechanism,
+    mechanism: &Mechanism,
+    graph: &mut Graph,
 ) -> Option<(ExprId, &'static str)> {
     let Mechanism {
         joints,
-        graph,
         time,
         inputs,
         ..
@@ -102,8 +102,7 @@ pub(super) fn driven_length(
     is_driven.then_some((length, what))
 }
 
-fn of_joints(mechanism: &mut Mechanism) -> Vec<Required> {
-    let graph = &mut mechanism.graph;
+fn of_joints(mechanism: &Mechanism, graph: &mut Graph) -> Vec<Required> {
     let joints = mechanism.joints.iter();
     let required = joints.filter_map(|joint| {
         let (value, what) = joint.kind.positive(&joint.operands, graph)?;
@@ -114,13 +113,8 @@ fn of_joints(mechanism: &mut Mechanism) -> Vec<Required> {
 }
 
 /// Returns the center distances by which pitch radii of gears are divided, and their pressure angles.
-fn of_teeth(mechanism: &mut Mechanism) -> Vec<Required> {
-    let Mechanism {
-        joints,
-        forces,
-        graph,
-        ..
-    } = mechanism;
+fn of_teeth(mechanism: &Mechanism, graph: &mut Graph) -> Vec<Required> {
+    let Mechanism { joints, forces, .. } = mechanism;
     let mut required = Vec::new();
     for teeth in &forces.teeth {
         let gear = &joints[teeth.gear];
@@ -154,13 +148,8 @@ fn of_teeth(mechanism: &mut Mechanism) -> Vec<Required> {
     required
 }
 
-fn of_forces(mechanism: &mut Mechanism) -> Vec<Required> {
-    let Mechanism {
-        forces,
-        bodies,
-        graph,
-        ..
-    } = mechanism;
+fn of_forces(mechanism: &Mechanism, graph: &mut Graph) -> Vec<Required> {
+    let Mechanism { forces, bodies, .. } = mechanism;
     let mut required = Vec::new();
     for weighed in &forces.masses {
         let owner = format!("body {}", bodies[weighed.body].name);

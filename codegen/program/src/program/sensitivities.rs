@@ -11,6 +11,7 @@ use super::transmissions::described;
 use crate::expr::{ExprId, Node, SymbolId};
 use crate::joint::Quantity;
 use crate::model::{Request, Requested};
+use crate::pool::Pool;
 use crate::system::{Cause, System};
 
 /// Derivative along a parameter.
@@ -65,7 +66,8 @@ impl Sensitivity {
 
 /// Returns the requested sensitivities, and the block that computes those of points; `None` if there are none.
 pub(super) fn sensitivities(
-    system: &mut System,
+    pool: &mut Pool,
+    system: &System,
     derivatives: &mut DirectionalDerivatives,
 ) -> Option<(Vec<Sensitivity>, Block)> {
     if system.mechanism.sensitivities.is_empty() {
@@ -89,10 +91,9 @@ pub(super) fn sensitivities(
         let coordinates = whole.then(|| {
             (0..system.coordinates.len())
                 .map(|unknown| {
-                    let levels = of_unknown(unknown, direction, derivatives, system);
-                    levels.map(|value| {
-                        kept(value, "", direction, derivatives, &mut statements, system)
-                    })
+                    let levels = of_unknown(unknown, direction, derivatives, pool);
+                    levels
+                        .map(|value| kept(value, "", direction, derivatives, &mut statements, pool))
                 })
                 .collect()
         });
@@ -120,31 +121,22 @@ pub(super) fn sensitivities(
                 let values = match request.quantity {
                     Requested::Point(place) => {
                         let position = system.vector_form.points[place];
-                        let along = position.map(|part| derivatives.along(part, direction, system));
-                        let graph = &mut system.mechanism.graph;
+                        let along =
+                            position.map(|part| derivatives.along(part, direction, pool, system));
                         match level {
                             0 => along.to_vec(),
-                            _ => along
-                                .map(|part| system.vector_form.rate(part, graph))
-                                .to_vec(),
+                            _ => along.map(|part| pool.rate(part)).to_vec(),
                         }
                     }
                     Requested::Coordinate(unknown) => {
-                        vec![of_unknown(unknown, direction, derivatives, system)[level]]
+                        vec![of_unknown(unknown, direction, derivatives, pool)[level]]
                     }
                 };
                 let suffix = ["", "_rate"][level];
                 let components = values.into_iter().zip(["_x", "_y"]);
                 let components = components.map(|(value, axis)| {
                     let what = format!("point_{}{axis}{suffix}", quantity.name);
-                    kept(
-                        value,
-                        &what,
-                        direction,
-                        derivatives,
-                        &mut statements,
-                        system,
-                    )
+                    kept(value, &what, direction, derivatives, &mut statements, pool)
                 });
                 quantity.levels.push(components.collect());
             }
@@ -166,11 +158,11 @@ fn of_unknown(
     unknown: usize,
     direction: usize,
     derivatives: &DirectionalDerivatives,
-    system: &System,
+    pool: &Pool,
 ) -> [ExprId; 2] {
     [
-        derivatives.of_unknown(unknown, direction, system),
-        derivatives.rate_of_unknown(unknown, direction, system),
+        derivatives.of_unknown(unknown, direction, pool),
+        derivatives.rate_of_unknown(unknown, direction, pool),
     ]
 }
 
@@ -181,9 +173,9 @@ fn kept(
     direction: usize,
     derivatives: &mut DirectionalDerivatives,
     statements: &mut Vec<Statement>,
-    system: &mut System,
+    pool: &mut Pool,
 ) -> Found {
-    let graph = &system.mechanism.graph;
+    let graph = &pool.graph;
     if let Some(value) = graph
         .constant_value(value)
         .filter(|_| graph.is_constant(value))
@@ -194,7 +186,7 @@ fn kept(
         Node::Symbol(symbol) if derivatives.is_response(symbol) => Found::Field(symbol),
         _ => {
             let name = derivatives.name(what, direction);
-            let target = system.intermediate(&name);
+            let target = pool.intermediate(&name);
             statements.push(Statement::assignment(target, value));
             Found::Field(target)
         }

@@ -33,7 +33,7 @@ impl Builder<'_> {
         w: Vector,
         direction: Direction,
     ) -> Option<Stretch> {
-        let graph = &self.system.mechanism.graph;
+        let graph = &self.pool.graph;
         if p.iter().all(|&part| graph.is_fixed(part)) {
             return None;
         }
@@ -46,9 +46,8 @@ impl Builder<'_> {
             1 => String::new(),
             number => format!("_{number}"),
         };
-        let mut vector = |name| {
-            ["x", "y"].map(|axis| self.system.intermediate(&format!("{name}{number}_{axis}")))
-        };
+        let mut vector =
+            |name| ["x", "y"].map(|axis| self.pool.intermediate(&format!("{name}{number}_{axis}")));
         let (stretch, pull) = (vector("relative_velocity"), vector("relative_acceleration"));
         self.turn_rule(w, turning, stretch);
         let moved = stretch.map(|symbol| self.graph().variable(symbol));
@@ -79,8 +78,8 @@ impl Builder<'_> {
             graph.add(extra[1], forward),
         ];
         for (component, rate) in v.into_iter().zip(rates) {
-            if let Node::Symbol(symbol) = *self.system.mechanism.graph.node(component) {
-                self.system.vector_form.set_rate(symbol, rate);
+            if let Node::Symbol(symbol) = *self.pool.graph.node(component) {
+                self.pool.set_rate(symbol, rate);
             }
         }
     }
@@ -117,7 +116,7 @@ impl Stretch {
         let name = builder.derivatives.name("relative_change", direction);
         let values = builder.vector(&name, turned);
         for (component, value) in self.w.into_iter().zip(values) {
-            if let Node::Symbol(symbol) = *builder.system.mechanism.graph.node(component) {
+            if let Node::Symbol(symbol) = *builder.pool.graph.node(component) {
                 builder.derivatives.set_stretch(symbol, direction, value);
             }
         }
@@ -125,13 +124,12 @@ impl Stretch {
 
     /// States the rate of R ∂p/∂δ, which is φ̇ Ω R ∂p/∂δ + R d(∂p/∂δ)/dt.
     fn respond_rate(&self, direction: usize, builder: &mut Builder<'_>) {
-        let responses =
-            self.w.map(
-                |component| match *builder.system.mechanism.graph.node(component) {
-                    Node::Symbol(symbol) => builder.derivatives.stretch_of(symbol, direction),
-                    _ => None,
-                },
-            );
+        let responses = self
+            .w
+            .map(|component| match *builder.pool.graph.node(component) {
+                Node::Symbol(symbol) => builder.derivatives.stretch_of(symbol, direction),
+                _ => None,
+            });
         let [Some(x), Some(y)] = responses else {
             return;
         };

@@ -4,6 +4,7 @@ use super::function::{Function, Written};
 use super::lengths::Lengths;
 use super::passes::sharing::share_all;
 use crate::expr::ExprId;
+use crate::pool::Pool;
 use crate::system::{Row, System};
 
 /// Functions for Φ, Φ_q, Φ_t and γ.
@@ -28,7 +29,7 @@ pub const LARGEST_TEXTBOOK: usize = 150;
 
 impl Textbook {
     /// Returns the functions of a system; `None` if the system is too large.
-    pub(super) fn of(system: &mut System) -> Option<Textbook> {
+    pub(super) fn of(pool: &mut Pool, system: &System) -> Option<Textbook> {
         if system.coordinates.len() > LARGEST_TEXTBOOK {
             return None;
         }
@@ -59,10 +60,10 @@ impl Textbook {
             time_derivative: rows(&system.rows, |row| row.time_derivative),
             gamma: rows(&system.rows, |row| row.gamma),
             monitored: (!monitored.results.is_empty()).then_some(monitored),
-            scaled_by: Lengths::of_system(system),
+            scaled_by: Lengths::of_system(pool, system),
         };
         for function in textbook.functions_mut() {
-            share_all(function, system);
+            share_all(function, pool, system);
         }
         Some(textbook)
     }

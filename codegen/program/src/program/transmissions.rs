@@ -6,6 +6,7 @@ use super::function::{Level, Statement};
 use crate::expr::SymbolId;
 use crate::joint::Quantity;
 use crate::model::Requested;
+use crate::pool::Pool;
 use crate::system::System;
 
 /// Rates of a point or a coordinate per rate of each driver.
@@ -30,7 +31,8 @@ impl Transmission {
 
 /// Returns the requested transmissions, and the block that computes them; `None` if there are none.
 pub(super) fn transmissions(
-    system: &mut System,
+    pool: &mut Pool,
+    system: &System,
     derivatives: &mut DirectionalDerivatives,
 ) -> Option<(Vec<Transmission>, Block)> {
     let requested = system.mechanism.transmissions.clone();
@@ -49,11 +51,12 @@ pub(super) fn transmissions(
             let (components, values) = match *quantity {
                 Requested::Point(place) => {
                     let position = system.vector_form.points[place];
-                    let along = position.map(|part| derivatives.along(part, direction, system));
+                    let along =
+                        position.map(|part| derivatives.along(part, direction, pool, system));
                     (vec!["_x", "_y"], along.to_vec())
                 }
                 Requested::Coordinate(unknown) => {
-                    let value = derivatives.of_unknown(unknown, direction, system);
+                    let value = derivatives.of_unknown(unknown, direction, pool);
                     (vec![""], vec![value])
                 }
             };
@@ -61,7 +64,7 @@ pub(super) fn transmissions(
             for (component, value) in components.into_iter().zip(values) {
                 let what = format!("transmission_{}{component}", transmission.name);
                 let name = derivatives.name(&what, direction);
-                let target = system.intermediate(&name);
+                let target = pool.intermediate(&name);
                 statements.push(Statement::assignment(target, value));
                 column.push(target);
             }

@@ -1,5 +1,6 @@
 //! Reports subsystems that are not square, by their bodies and joints.
 
+use crate::pool::Pool;
 use std::collections::HashSet;
 
 use super::CoarseDecomposition;
@@ -12,9 +13,14 @@ use crate::system::{Described, System};
 /// Largest number of positions or names that a message lists.
 pub(super) const MAX_LISTED: usize = 6;
 
-pub(super) fn report(system: &System, parts: &CoarseDecomposition, diagnostics: &mut Diagnostics) {
+pub(super) fn report(
+    pool: &Pool,
+    system: &System,
+    parts: &CoarseDecomposition,
+    diagnostics: &mut Diagnostics,
+) {
     // Ranks are numerical; `None` if the equations cannot be satisfied near the design configuration.
-    let survey = Survey::of(system);
+    let survey = Survey::of(pool, system);
     if !parts.free_columns.is_empty() {
         let mut diagnostic = too_few(system, parts);
         if let Some(survey) = &survey {

@@ -10,6 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::expr::{ExprId, Graph, Node};
 use crate::joint::Quantity;
+use crate::pool::Pool;
 use crate::system::VectorForm;
 
 /// Explicit assignment of an eliminated unknown.
@@ -53,16 +54,16 @@ pub(super) fn eliminate(
     residuals: Vec<BlockEquation>,
     unknowns: &[usize],
     form: &VectorForm,
-    graph: &mut Graph,
+    pool: &mut Pool,
 ) -> Eliminated {
-    let (mut eliminable, tears) = partitioned(unknowns, &residuals, form, graph);
+    let (mut eliminable, tears) = partitioned(unknowns, &residuals, form, pool);
     let rows = residuals.into_iter().map(|it| ReducedEquation {
         written: it.residual,
         reduced: it.residual,
         row: it.row,
         quantity: it.quantity,
     });
-    let mut open = OpenEquations::new(rows.collect(), &eliminable, form, graph);
+    let mut open = OpenEquations::new(rows.collect(), &eliminable, pool);
     let (mut forward, mut stuck) = (Vec::new(), Vec::new());
     let mut backward: Vec<Definition> = Vec::new();
     let mut taken_out: BTreeMap<usize, ExprId> = BTreeMap::new();
@@ -80,14 +81,14 @@ pub(super) fn eliminate(
         let Some(row) = open.take(at) else {
             break;
         };
-        let value = solve_linear(row.reduced, symbol, graph);
+        let value = solve_linear(row.reduced, symbol, &mut pool.graph);
         if alone.is_some() {
             // The equation as written names defined unknowns, so its solution is short. It must not lead through an unknown of an
             // opened loop to an undefined one, which may depend on this definition.
             let mut short = value;
-            if graph.depends_on(row.written, symbol) {
-                let written = solve_linear(row.written, symbol, graph);
-                if !leads_to(written, &eliminable, &taken_out, form, graph) {
+            if pool.graph.depends_on(row.written, symbol) {
+                let written = solve_linear(row.written, symbol, &mut pool.graph);
+                if !leads_to(written, &eliminable, &taken_out, pool) {
                     short = written;
                 }
             }
@@ -105,11 +106,11 @@ pub(super) fn eliminate(
             });
         }
         eliminable.remove(&unknown);
-        open.put_in(unknown, value, form, graph);
+        open.put_in(unknown, value, form, pool);
     }
     // Unknowns of opened loops mention unknowns that were defined after them.
     backward.reverse();
-    let definitions = in_order([forward, backward].concat(), form, graph);
+    let definitions = in_order([forward, backward].concat(), pool);
     let mut tears = [tears, stuck].concat();
     tears.sort_unstable();
     let left = open.rows.into_iter().flatten();
@@ -148,12 +149,7 @@ struct OpenEquations {
 }
 
 impl OpenEquations {
-    fn new(
-        rows: Vec<ReducedEquation>,
-        eliminable: &BTreeSet<usize>,
-        form: &VectorForm,
-        graph: &Graph,
-    ) -> OpenEquations {
+    fn new(rows: Vec<ReducedEquation>, eliminable: &BTreeSet<usize>, pool: &Pool) -> OpenEquations {
         let mut open = OpenEquations {
             mentioned: vec![BTreeSet::new(); rows.len()],
             rows: rows.into_iter().map(Some).collect(),
@@ -161,16 +157,16 @@ impl OpenEquations {
             alone: BTreeSet::new(),
         };
         for at in 0..open.rows.len() {
-            open.note(at, form, graph);
+            open.note(at, pool);
         }
         open
     }
 
     /// Records the unknowns that an equation mentions now.
-    fn note(&mut self, at: usize, form: &VectorForm, graph: &Graph) {
+    fn note(&mut self, at: usize, pool: &Pool) {
         let Some(row) = self.rows[at] else { return };
-        let symbols = graph.symbols(row.reduced).iter();
-        let unknowns = symbols.filter_map(|&symbol| form.place_of_unknown(symbol));
+        let symbols = pool.graph.symbols(row.reduced).iter();
+        let unknowns = symbols.filter_map(|&symbol| pool.place_of_unknown(symbol));
         let mentioned: BTreeSet<usize> = unknowns
             .filter(|unknown| self.mentioning.contains_key(unknown))
             .collect();
@@ -214,14 +210,14 @@ impl OpenEquations {
     }
 
     /// Substitutes the value of an unknown in the equations that mention it.
-    fn put_in(&mut self, unknown: usize, value: ExprId, form: &VectorForm, graph: &mut Graph) {
+    fn put_in(&mut self, unknown: usize, value: ExprId, form: &VectorForm, pool: &mut Pool) {
         let symbol = form.unknowns[unknown].position;
         for at in self.mentioning.remove(&unknown).unwrap_or_default() {
             self.mentioned[at].remove(&unknown);
             if let Some(row) = &mut self.rows[at] {
-                row.reduced = graph.substitute(row.reduced, &[(symbol, value)]);
+                row.reduced = pool.graph.substitute(row.reduced, &[(symbol, value)]);
             }
-            self.note(at, form, graph);
+            self.note(at, pool);
         }
     }
 }
@@ -231,14 +227,13 @@ fn leads_to(
     value: ExprId,
     unknowns: &BTreeSet<usize>,
     definitions: &BTreeMap<usize, ExprId>,
-    form: &VectorForm,
-    graph: &Graph,
+    pool: &Pool,
 ) -> bool {
     let mut reached = BTreeSet::new();
     let mut waiting = vec![value];
     while let Some(value) = waiting.pop() {
-        let symbols = graph.symbols(value).iter();
-        for named in symbols.filter_map(|&symbol| form.place_of_unknown(symbol)) {
+        let symbols = pool.graph.symbols(value).iter();
+        for named in symbols.filter_map(|&symbol| pool.place_of_unknown(symbol)) {
             if unknowns.contains(&named) {
                 return true;
             }
@@ -257,16 +252,16 @@ fn partitioned(
     unknowns: &[usize],
     residuals: &[BlockEquation],
     form: &VectorForm,
-    graph: &mut Graph,
+    pool: &mut Pool,
 ) -> (BTreeSet<usize>, Vec<usize>) {
     let mut turning = BTreeSet::new();
     let mut rows_of: BTreeMap<usize, Vec<ExprId>> = BTreeMap::new();
     for &BlockEquation { residual, .. } in residuals {
-        for &symbol in graph.symbols(residual) {
-            if let Some(place) = form.place_of_symbol(symbol) {
-                turning.insert(form.arms[place].angle);
+        for &symbol in pool.graph.symbols(residual) {
+            if let Some(place) = pool.place_of_symbol(symbol) {
+                turning.insert(pool.arms()[place].angle);
             }
-            if let Some(unknown) = form.place_of_unknown(symbol) {
+            if let Some(unknown) = pool.place_of_unknown(symbol) {
                 rows_of.entry(unknown).or_default().push(residual);
             }
         }
@@ -276,8 +271,8 @@ fn partitioned(
         let mut rows = rows_of.get(unknown).into_iter().flatten();
         !turning.contains(unknown)
             && rows.all(|&residual| {
-                let slope = graph.derivative(residual, symbol);
-                matches!(graph.node(slope), Node::Number(_))
+                let slope = pool.graph.derivative(residual, symbol);
+                matches!(pool.graph.node(slope), Node::Number(_))
             })
     };
     let (eliminable, tears): (Vec<usize>, Vec<usize>) = unknowns
@@ -287,7 +282,7 @@ fn partitioned(
 }
 
 /// Sorts definitions so that each mentions only earlier ones; ties keep the given order.
-pub(super) fn in_order(all: Vec<Definition>, form: &VectorForm, graph: &Graph) -> Vec<Definition> {
+pub(super) fn in_order(all: Vec<Definition>, pool: &Pool) -> Vec<Definition> {
     let place_of: BTreeMap<usize, usize> = all
         .iter()
         .enumerate()
@@ -296,8 +291,8 @@ pub(super) fn in_order(all: Vec<Definition>, form: &VectorForm, graph: &Graph) -
     // Counts of missing definitions, and the definitions that wait for each.
     let (mut missing, mut waiting) = (vec![0; all.len()], vec![Vec::new(); all.len()]);
     for (at, definition) in all.iter().enumerate() {
-        let symbols = graph.symbols(definition.value).iter();
-        let named = symbols.filter_map(|&symbol| form.place_of_unknown(symbol));
+        let symbols = pool.graph.symbols(definition.value).iter();
+        let named = symbols.filter_map(|&symbol| pool.place_of_unknown(symbol));
         for needed in named.filter_map(|unknown| place_of.get(&unknown)) {
             missing[at] += 1;
             waiting[*needed].push(at);

@@ -7,9 +7,10 @@
 //! Relations such as φ_j = 2 φ_i are excluded: sine and cosine of φ_j are not linear in those of φ_i.
 
 use super::elimination::{BlockEquation, Definition};
-use crate::expr::{ExprId, Graph, Node};
+use crate::expr::{ExprId, Node};
 use crate::joint::Quantity;
 use crate::joint::geometry::turned;
+use crate::pool::Pool;
 use crate::system::VectorForm;
 
 /// Block after elimination of angles that follow others.
@@ -36,56 +37,55 @@ struct Relation {
 pub(super) fn follow(
     mut residuals: Vec<BlockEquation>,
     unknowns: &[usize],
-    form: &mut VectorForm,
-    graph: &mut Graph,
+    form: &VectorForm,
+    pool: &mut Pool,
 ) -> Followed {
     let mut unknowns = unknowns.to_vec();
     let mut definitions = Vec::new();
     loop {
-        let candidate = (0..residuals.len()).find_map(|at| {
-            Some((
-                at,
-                relation(residuals[at].residual, &unknowns, form, graph)?,
-            ))
-        });
+        let candidate = (0..residuals.len())
+            .find_map(|at| Some((at, relation(residuals[at].residual, &unknowns, form, pool)?)));
         let Some((at, relation)) = candidate else {
             break;
         };
         let row = residuals.remove(at).row;
-        let arms: Vec<_> = form.arms_of(relation.follower).cloned().collect();
+        let arms: Vec<_> = pool.arms_of(relation.follower).cloned().collect();
         let mut replacements = Vec::new();
         for arm in arms {
             if residuals.iter().any(|it| {
-                graph.depends_on(it.residual, arm.symbols[0])
-                    || graph.depends_on(it.residual, arm.symbols[1])
+                pool.graph.depends_on(it.residual, arm.symbols[0])
+                    || pool.graph.depends_on(it.residual, arm.symbols[1])
             }) {
                 let [x, y] = arm.local;
                 let local = if relation.opposite {
-                    [x, graph.negate(y)]
+                    [x, pool.graph.negate(y)]
                 } else {
                     [x, y]
                 };
-                let [x, y] = form.arm(relation.leader, local, &arm.name, graph);
+                let [x, y] = pool.arm(relation.leader, local, &arm.name);
                 let seen = if relation.opposite {
-                    [x, graph.negate(y)]
+                    [x, pool.graph.negate(y)]
                 } else {
                     [x, y]
                 };
-                let (cosine, sine) = (graph.cos(relation.offset), graph.sin(relation.offset));
-                let (cosine, sine) = (graph.tidied(cosine), graph.tidied(sine));
-                let vector = turned(cosine, sine, seen, graph);
+                let (cosine, sine) = (
+                    pool.graph.cos(relation.offset),
+                    pool.graph.sin(relation.offset),
+                );
+                let (cosine, sine) = (pool.graph.tidied(cosine), pool.graph.tidied(sine));
+                let vector = turned(cosine, sine, seen, &mut pool.graph);
                 replacements.extend(arm.symbols.into_iter().zip(vector));
             }
         }
-        let leader = graph.variable(form.unknowns[relation.leader].position);
+        let leader = pool.graph.variable(form.unknowns[relation.leader].position);
         let value = if relation.opposite {
-            graph.subtract(relation.offset, leader)
+            pool.graph.subtract(relation.offset, leader)
         } else {
-            graph.add(leader, relation.offset)
+            pool.graph.add(leader, relation.offset)
         };
         replacements.push((form.unknowns[relation.follower].position, value));
         for it in &mut residuals {
-            it.residual = graph.substitute(it.residual, &replacements);
+            it.residual = pool.graph.substitute(it.residual, &replacements);
         }
         unknowns.retain(|&unknown| unknown != relation.follower);
         definitions.push(Definition {
@@ -108,35 +108,35 @@ fn relation(
     residual: ExprId,
     unknowns: &[usize],
     form: &VectorForm,
-    graph: &mut Graph,
+    pool: &mut Pool,
 ) -> Option<Relation> {
-    let mut mentioned = form.mentioned(residual, graph);
+    let mut mentioned = pool.mentioned(residual);
     mentioned.retain(|unknown| unknowns.binary_search(unknown).is_ok());
     let &[leader, follower] = &mentioned[..] else {
         return None;
     };
-    let slope = |unknown: usize, graph: &mut Graph| {
+    let slope = |unknown: usize, pool: &mut Pool| {
         let symbol = form.unknowns[unknown].position;
         let angle = form.unknowns[unknown].quantity == Quantity::Angle;
-        let slope = graph.derivative(residual, symbol);
-        let constant = matches!(graph.node(slope), Node::Number(_));
-        (angle && constant && !form.is_turned_by(residual, unknown, graph)).then_some(slope)
+        let slope = pool.graph.derivative(residual, symbol);
+        let constant = matches!(pool.graph.node(slope), Node::Number(_));
+        (angle && constant && !pool.is_turned_by(residual, unknown)).then_some(slope)
     };
-    let slopes = [slope(leader, graph)?, slope(follower, graph)?];
-    let ratio = graph.divide(slopes[0], slopes[1]);
-    let one = graph.one();
-    let minus_one = graph.negate(one);
+    let slopes = [slope(leader, pool)?, slope(follower, pool)?];
+    let ratio = pool.graph.divide(slopes[0], slopes[1]);
+    let one = pool.graph.one();
+    let minus_one = pool.graph.negate(one);
     if ratio != one && ratio != minus_one {
         return None;
     }
-    let zero = graph.zero();
+    let zero = pool.graph.zero();
     let symbols = [leader, follower].map(|unknown| (form.unknowns[unknown].position, zero));
-    let rest = graph.substitute(residual, &symbols);
-    let offset = graph.divide(rest, slopes[1]);
+    let rest = pool.graph.substitute(residual, &symbols);
+    let offset = pool.graph.divide(rest, slopes[1]);
     Some(Relation {
         leader,
         follower,
         opposite: ratio == one,
-        offset: graph.negate(offset),
+        offset: pool.graph.negate(offset),
     })
 }

@@ -3,6 +3,7 @@
 use super::rank::{FreeMotion, Moves, Survey, singular};
 use super::{Incidence, coarse_decomposition, maximum_matching};
 use crate::model::Role;
+use crate::pool::Pool;
 use crate::system::System;
 
 /// Largest second component of a unit vector that is named as an axis.
@@ -22,15 +23,15 @@ pub struct Freedom {
 impl Freedom {
     /// Counts degrees of freedom at poses near the design configuration in which the equations hold. Counts equations only if
     /// such poses do not exist, or if there are too many coordinates for a numerical rank.
-    pub fn of(system: &System) -> Freedom {
+    pub fn of(pool: &Pool, system: &System) -> Freedom {
         let incidence = Incidence::of(system);
         let matching = maximum_matching(&incidence);
         let is_square = coarse_decomposition(&incidence, &matching).is_square();
-        let independent = is_square && singular(system, &incidence, &matching).is_none();
+        let independent = is_square && singular(pool, system, &incidence, &matching).is_none();
         let surveyed = if independent {
             None
         } else {
-            Survey::of(system)
+            Survey::of(pool, system)
         };
         if let Some(found) = surveyed {
             return Freedom {

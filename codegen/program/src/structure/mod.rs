@@ -22,28 +22,28 @@ pub use freedom::Freedom;
 pub use incidence::Incidence;
 pub use matching::{Matching, maximum_matching};
 pub use parts::{CoarseDecomposition, coarse_decomposition};
-pub use plan::{LARGEST_TOGETHER, SolvedBlock, SolvedPlan, Subsystem, plan, plan_of_motion};
+pub use plan::{LARGEST_TOGETHER, Shift, SolvedBlock, SolvedPlan, Subsystem, Unplanned, plan};
 pub use rank::released;
 pub use shortening::Addition;
 
 use crate::diagnostic::Diagnostics;
+use crate::pool::Pool;
 use crate::system::System;
 
-/// True if the equations determine the motion; otherwise `diagnostics` has the missing, surplus or repeated equations.
-pub fn analyze(system: &System, diagnostics: &mut Diagnostics) -> bool {
+/// Returns what is wrong with the structure of the equations: missing, surplus or repeated ones. Without errors, they determine
+/// the motion.
+pub fn analyze(pool: &Pool, system: &System) -> Diagnostics {
     let incidence = Incidence::of(system);
     let matching = maximum_matching(&incidence);
     let parts = coarse_decomposition(&incidence, &matching);
     let mut findings = Diagnostics::new();
-    repetition::report_marks(system, &mut findings);
+    repetition::report_marks(pool, system, &mut findings);
     if !parts.is_square() {
-        diagnose::report(system, &parts, &mut findings);
+        diagnose::report(pool, system, &parts, &mut findings);
     } else if !findings.has_errors()
-        && let Some(singular) = rank::singular(system, &incidence, &matching)
+        && let Some(singular) = rank::singular(pool, system, &incidence, &matching)
     {
-        repetition::report(system, &singular, &mut findings);
+        repetition::report(pool, system, &singular, &mut findings);
     }
-    let is_determined = !findings.has_errors();
-    diagnostics.extend(findings);
-    is_determined
+    findings
 }

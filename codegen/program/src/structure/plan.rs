@@ -7,7 +7,8 @@ use super::following::follow;
 use super::shortening::{Addition, shorten};
 use super::{Incidence, components, maximum_matching};
 use crate::expr::{ExprId, Graph, SymbolId};
-use crate::system::{Bound, Exceeded, System, VectorForm};
+use crate::pool::{Bound, Exceeded, Pool};
+use crate::system::{System, VectorForm, VectorRow};
 
 /// Largest number of unknowns that Newton-Raphson solves simultaneously: their dense Jacobian has a million entries.
 pub const LARGEST_TOGETHER: usize = 1000;
@@ -15,6 +16,8 @@ pub const LARGEST_TOGETHER: usize = 1000;
 /// Plan of the solution, block by block.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SolvedPlan {
+    /// Rows of the vector form, with shifted values of drivers.
+    pub rows: Vec<VectorRow>,
     /// Blocks, in solve order.
     pub blocks: Vec<SolvedBlock>,
     /// Equations that were added to others, in order.
@@ -43,22 +46,36 @@ pub struct Subsystem {
     pub is_singular: bool,
 }
 
-/// Plans the solved formulation, with shifted driver values if the system has directions. `None` if the vector form is not
-/// structurally square, or if a limit is exceeded: [`System::exceeded`] then has the limit and the joint.
-pub fn plan(system: &mut System) -> Option<SolvedPlan> {
-    system.shift_drivers();
-    plan_of_motion(system)
+/// Drivers whose value is shifted in the rows of a plan, so that the pose can be differentiated along it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shift {
+    /// All drivers that are directions, if the system has directions.
+    Directions,
+    /// Those of efforts: the motion alone is planned as by hand, but efforts are derived from work along driver values.
+    Efforts,
 }
 
-/// Plans the solution of the motion alone, as by hand. Efforts are derived from work along driver values, which are shifted for
-/// them.
-pub fn plan_of_motion(system: &mut System) -> Option<SolvedPlan> {
-    if system.mechanism.forces.need_efforts() {
-        system.shift_drivers();
-    }
-    let form = &mut system.vector_form;
-    let graph = &mut system.mechanism.graph;
-    let incidence = incidence(form, graph);
+/// Reason for which there is no plan.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unplanned {
+    /// The vector form is not structurally square.
+    Undetermined,
+    /// A limit is exceeded; the pool has recorded it.
+    Exceeded(Exceeded),
+}
+
+/// Plans the solved formulation.
+///
+/// # Errors
+/// The equations do not determine the motion, or a limit is exceeded.
+pub fn plan(pool: &mut Pool, system: &System, shift: Shift) -> Result<SolvedPlan, Unplanned> {
+    let form = &system.vector_form;
+    let is_shifted = shift == Shift::Directions || system.mechanism.forces.need_efforts();
+    let rows = match is_shifted {
+        true => system.shifted_rows(pool),
+        false => form.rows.clone(),
+    };
+    let incidence = incidence(form, &rows, pool);
     let matching = maximum_matching(&incidence);
     if matching
         .column_of
@@ -66,7 +83,7 @@ pub fn plan_of_motion(system: &mut System) -> Option<SolvedPlan> {
         .chain(&matching.row_of)
         .any(Option::is_none)
     {
-        return None;
+        return Err(Unplanned::Undetermined);
     }
     // The first block has assignments from t, inputs, parameters and constants alone.
     let mut blocks = vec![SolvedBlock {
@@ -78,37 +95,38 @@ pub fn plan_of_motion(system: &mut System) -> Option<SolvedPlan> {
     let mut home = vec![0; form.unknowns.len()];
     // Unknowns that turned out to be constant; later equations need not mention them.
     let mut constants: HashMap<SymbolId, ExprId> = HashMap::new();
-    for rows in components(&incidence, &matching) {
-        let mut unknowns: Vec<usize> = rows
+    for own in components(&incidence, &matching) {
+        let mut unknowns: Vec<usize> = own
             .iter()
             .filter_map(|&row| matching.column_of[row])
             .collect();
         unknowns.sort_unstable();
-        let joints: Vec<usize> = rows.iter().map(|&row| form.rows[row].joint).collect();
-        let mentioned = rows
+        let joints: Vec<usize> = own.iter().map(|&row| rows[row].joint).collect();
+        let mentioned = own
             .iter()
             .flat_map(|&row| incidence.rows[row].iter().copied());
         let latest = mentioned
             .filter(|column| unknowns.binary_search(column).is_err())
             .map(|column| home[column])
             .max();
-        let residuals = rows
+        let residuals = own
             .iter()
             .map(|&row| BlockEquation {
-                residual: with_constants(form.rows[row].residual, &constants, graph),
+                residual: with_constants(rows[row].residual, &constants, &mut pool.graph),
                 row,
-                quantity: form.rows[row].quantity,
+                quantity: rows[row].quantity,
             })
             .collect();
         let at = system.mechanism.joints[joints[0]].span;
-        let (mut block, mut added) = block(residuals, &unknowns, joints, form, graph);
+        let (mut block, mut added) = block(residuals, &unknowns, joints, form, pool);
         additions.append(&mut added);
-        if let Some(bound) = passed(&block, graph) {
-            system.exceed(Exceeded { at, bound });
-            return None;
+        if let Some(bound) = passed(&block, &pool.graph) {
+            let exceeded = Exceeded { at, bound };
+            pool.exceed(exceeded);
+            return Err(Unplanned::Exceeded(exceeded));
         }
         for definition in &block.definitions {
-            if graph.is_fixed(definition.value) {
+            if pool.graph.is_fixed(definition.value) {
                 constants.insert(form.unknowns[definition.unknown].position, definition.value);
             }
         }
@@ -133,8 +151,11 @@ pub fn plan_of_motion(system: &mut System) -> Option<SolvedPlan> {
         block.joints.sort_unstable();
         block.joints.dedup();
     }
-    system.note_arms();
-    Some(SolvedPlan { blocks, additions })
+    Ok(SolvedPlan {
+        rows,
+        blocks,
+        additions,
+    })
 }
 
 /// Makes each subsystem a block of its own, so that its results and rates are known to later ones. Assignments belong to the last
@@ -192,11 +213,11 @@ fn with_constants(
 }
 
 /// Returns the incidence of rows and unknowns, directly or through rotated vectors.
-fn incidence(form: &VectorForm, graph: &Graph) -> Incidence {
-    let rows = form.rows.iter();
+fn incidence(form: &VectorForm, rows: &[VectorRow], pool: &Pool) -> Incidence {
     Incidence {
         rows: rows
-            .map(|row| form.mentioned(row.residual, graph))
+            .iter()
+            .map(|row| pool.mentioned(row.residual))
             .collect(),
         columns: form.unknowns.len(),
     }
@@ -207,16 +228,15 @@ fn block(
     residuals: Vec<BlockEquation>,
     unknowns: &[usize],
     joints: Vec<usize>,
-    form: &mut VectorForm,
-    graph: &mut Graph,
+    form: &VectorForm,
+    pool: &mut Pool,
 ) -> (SolvedBlock, Vec<Addition>) {
-    let followed = follow(residuals, unknowns, form, graph);
-    let form = &*form;
-    let eliminated = eliminate(followed.residuals, &followed.unknowns, form, graph);
+    let followed = follow(residuals, unknowns, form, pool);
+    let eliminated = eliminate(followed.residuals, &followed.unknowns, form, pool);
     let (mut residuals, tears) = (eliminated.residuals, eliminated.tears);
-    let additions = shorten(&mut residuals, form, graph);
+    let additions = shorten(&mut residuals, pool);
     let row = |residual: ExprId| {
-        let mentioned = form.mentioned(residual, graph).into_iter();
+        let mentioned = pool.mentioned(residual).into_iter();
         mentioned
             .filter_map(|unknown| tears.binary_search(&unknown).ok())
             .collect()
@@ -254,8 +274,7 @@ fn block(
         // The leader of an angle may have been eliminated itself.
         definitions: in_order(
             [followed.definitions, eliminated.definitions].concat(),
-            form,
-            graph,
+            pool,
         ),
     };
     (block, additions)

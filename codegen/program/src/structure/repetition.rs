@@ -4,11 +4,12 @@ use super::diagnose::{MAX_LISTED, balance, count};
 use super::rank::{self, Dependence, Singular, Survey};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
 use crate::model::{Joint, Role};
+use crate::pool::Pool;
 use crate::system::{Row, System};
 use crate::units::OutputUnits;
 
 /// Reports joints marked `redundant` that repeat nothing or contradict others.
-pub(super) fn report_marks(system: &System, diagnostics: &mut Diagnostics) {
+pub(super) fn report_marks(pool: &Pool, system: &System, diagnostics: &mut Diagnostics) {
     let joints = &system.mechanism.joints;
     if let Some((line, user)) = rank::shared_line(system) {
         diagnostics.push(
@@ -58,7 +59,7 @@ pub(super) fn report_marks(system: &System, diagnostics: &mut Diagnostics) {
                 .note(balance(system)),
         );
     }
-    if let Some(misfit) = rank::misfit(system) {
+    if let Some(misfit) = rank::misfit(pool, system) {
         let row = &system.monitored[misfit.monitored];
         let joint = &joints[row.joint];
         diagnostics.push(
@@ -87,9 +88,14 @@ fn size(value: f64, row: &Row, units: &OutputUnits) -> String {
 }
 
 /// Reports a structurally square system whose equations repeat one another.
-pub(super) fn report(system: &System, singular: &Singular, diagnostics: &mut Diagnostics) {
+pub(super) fn report(
+    pool: &Pool,
+    system: &System,
+    singular: &Singular,
+    diagnostics: &mut Diagnostics,
+) {
     match singular {
-        Singular::Repeating(rows) => repeating(system, rows, diagnostics),
+        Singular::Repeating(rows) => repeating(pool, system, rows, diagnostics),
         Singular::Contradicting {
             row,
             repeats,
@@ -104,8 +110,8 @@ pub(super) fn report(system: &System, singular: &Singular, diagnostics: &mut Dia
     }
 }
 
-fn repeating(system: &System, rows: &[usize], diagnostics: &mut Diagnostics) {
-    let survey = Survey::of(system).filter(|survey| !survey.dependences.is_empty());
+fn repeating(pool: &Pool, system: &System, rows: &[usize], diagnostics: &mut Diagnostics) {
+    let survey = Survey::of(pool, system).filter(|survey| !survey.dependences.is_empty());
     let Some(survey) = survey else {
         // The block is too large for a numerical rank, so the message names the block.
         let first = &system.mechanism.joints[system.rows[rows[0]].joint];

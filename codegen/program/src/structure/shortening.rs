@@ -7,8 +7,8 @@
 use std::collections::BTreeSet;
 
 use super::elimination::BlockEquation;
-use crate::expr::{ExprId, Graph};
-use crate::system::VectorForm;
+use crate::expr::ExprId;
+use crate::pool::Pool;
 
 /// Smallest number of equations that are shortened; loops of fewer equations are short.
 const MIN_EQUATIONS: usize = 12;
@@ -25,19 +25,15 @@ pub struct Addition {
 }
 
 /// Adds or subtracts equations while one of them then mentions fewer unknowns. Returns the additions in order.
-pub(super) fn shorten(
-    equations: &mut [BlockEquation],
-    form: &VectorForm,
-    graph: &mut Graph,
-) -> Vec<Addition> {
+pub(super) fn shorten(equations: &mut [BlockEquation], pool: &mut Pool) -> Vec<Addition> {
     let mut additions = Vec::new();
     if equations.len() < MIN_EQUATIONS {
         return additions;
     }
-    let mentioned = |residual: ExprId, graph: &Graph| -> BTreeSet<usize> {
-        form.mentioned(residual, graph).into_iter().collect()
+    let mentioned = |residual: ExprId, pool: &Pool| -> BTreeSet<usize> {
+        pool.mentioned(residual).into_iter().collect()
     };
-    let unknowns_of = equations.iter().map(|it| mentioned(it.residual, graph));
+    let unknowns_of = equations.iter().map(|it| mentioned(it.residual, pool));
     let mut unknowns_of: Vec<BTreeSet<usize>> = unknowns_of.collect();
     let mut waiting: BTreeSet<usize> = (0..equations.len()).collect();
     while let Some(at) = waiting.pop_first() {
@@ -51,10 +47,10 @@ pub(super) fn shorten(
             let [first, second] = [at, other].map(|it| equations[it].residual);
             let tried = [true, false].map(|is_subtracted| {
                 let residual = match is_subtracted {
-                    true => graph.subtract(first, second),
-                    false => graph.add(first, second),
+                    true => pool.graph.subtract(first, second),
+                    false => pool.graph.add(first, second),
                 };
-                (mentioned(residual, graph), residual, is_subtracted)
+                (mentioned(residual, pool), residual, is_subtracted)
             });
             let shortest = tried
                 .into_iter()

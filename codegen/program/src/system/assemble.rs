@@ -8,25 +8,23 @@ use super::forces::forces;
 use super::length::lengths;
 use super::pressure::pressures;
 use super::row_name::RowNames;
-use super::{
-    Bound, Described, Entry, Exceeded, Output, Row, Settled, SymbolRole, System, Unknown,
-    VectorForm,
-};
-use crate::diagnostic::Span;
+use super::{Described, Entry, Output, Row, System, Unknown, VectorForm};
 use crate::diagnostic::internal::work_at;
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::{self, Quantity};
 use crate::model::{Body, Mechanism};
+use crate::pool::{Pool, SymbolRole};
 
-/// Assembles a mechanism's Φ row by row in written order, with its derivatives.
-pub fn assemble(mechanism: Mechanism) -> System {
-    assemble_without(mechanism, &[])
+/// Assembles a mechanism's Φ row by row in written order, with its derivatives. The pool is that of the mechanism.
+pub fn assemble(pool: &mut Pool, mechanism: Mechanism) -> System {
+    assemble_without(pool, mechanism, &[])
 }
 
 /// Assembles a mechanism with some rows monitored instead of solved: their numbers in written order, ascending.
-pub fn assemble_without(mut mechanism: Mechanism, monitored_rows: &[usize]) -> System {
-    let coordinates = coordinates(&mut mechanism);
-    let explicit = mechanism.explicit_rates();
+pub fn assemble_without(pool: &mut Pool, mechanism: Mechanism, monitored_rows: &[usize]) -> System {
+    let coordinates = coordinates(&mechanism, &mut pool.graph);
+    set_roles(&mechanism, &coordinates, pool);
+    let explicit = mechanism.explicit_rates(&mut pool.graph);
     // Poses come first, then the unknowns of single joints.
     let of_bodies: Vec<Range<usize>> = mechanism.bodies.iter().map(Body::places).collect();
     let of_body = |body: usize| of_bodies[body].clone();
@@ -36,18 +34,11 @@ pub fn assemble_without(mut mechanism: Mechanism, monitored_rows: &[usize]) -> S
             contacts.insert(joint, at);
         }
     }
-    let mut watch = Watch::default();
     let (mut rows, mut monitored, mut place) = (Vec::new(), Vec::new(), 0);
     // For each joint, true for each row that is not solved.
     let mut dropped: Vec<Vec<bool>> = Vec::with_capacity(mechanism.joints.len());
     let mut row_names = RowNames::default();
-    let Mechanism {
-        graph,
-        joints,
-        points,
-        ..
-    } = &mut mechanism;
-    for (index, joint) in joints.iter().enumerate() {
+    for (index, joint) in mechanism.joints.iter().enumerate() {
         let _work = work_at(joint.span);
         let marks = joint.operands.marks.iter();
         let mut bodies: Vec<usize> = Vec::new();
@@ -65,11 +56,19 @@ pub fn assemble_without(mut mechanism: Mechanism, monitored_rows: &[usize]) -> S
         involved.dedup();
         let involved: Vec<(usize, &Unknown)> =
             involved.iter().map(|&at| (at, &coordinates[at])).collect();
-        let stated = joint.kind.rows(&joint.operands, graph);
+        let stated = joint.kind.rows(&joint.operands, &mut pool.graph);
         let names = row_names.of(joint, &stated);
         let mut dropped_of_joint = Vec::with_capacity(stated.len());
         for (stated, name) in stated.into_iter().zip(names) {
-            let row = differentiate(stated, index, name, &bodies, &involved, &explicit, graph);
+            let row = differentiate(
+                stated,
+                index,
+                name,
+                &bodies,
+                &involved,
+                &explicit,
+                &mut pool.graph,
+            );
             let is_dropped = monitored_rows.binary_search(&place).is_ok();
             if is_dropped {
                 monitored.push(row);
@@ -80,14 +79,16 @@ pub fn assemble_without(mut mechanism: Mechanism, monitored_rows: &[usize]) -> S
             place += 1;
         }
         dropped.push(dropped_of_joint);
-        if watch.is_beyond(graph, joint.span) {
+        if pool.is_beyond(joint.span) {
             break;
         }
     }
-    let outputs = points
+    let outputs = mechanism
+        .points
         .iter()
         .map(|point| {
-            watch.is_beyond(graph, point.span);
+            pool.is_beyond(point.span);
+            let graph = &mut pool.graph;
             let position = point.mark.position(graph);
             let moving: Vec<&Unknown> = of_body(point.mark.frame.body.0)
                 .map(|at| &coordinates[at])
@@ -102,75 +103,47 @@ pub fn assemble_without(mut mechanism: Mechanism, monitored_rows: &[usize]) -> S
             }
         })
         .collect();
-    let directions = directions(&mut mechanism, &rows, &coordinates, &mut watch);
-    let rate_jacobian = rate_jacobian(&mut mechanism, &rows, &coordinates);
-    let pressures = pressures(&mut mechanism, &coordinates, &contacts);
-    let lengths = lengths(&mut mechanism, &rows);
-    let mut vector_form = VectorForm::new(&mut mechanism, &coordinates, &dropped, &mut watch);
-    let forces = forces(&mut mechanism, &mut vector_form);
-    watch.is_beyond(&mechanism.graph, mechanism.span);
-    let mut roles = roles(&mechanism, &coordinates);
-    vector_form.note_roles(&mut roles, coordinates.len());
+    let directions = directions(&mechanism, &rows, &coordinates, pool);
+    let rate_jacobian = rate_jacobian(&mechanism, &rows, &coordinates, &mut pool.graph);
+    let pressures = pressures(&mechanism, &coordinates, &contacts, &mut pool.graph);
+    let lengths = lengths(&mechanism, &rows, &mut pool.graph);
+    let vector_form = VectorForm::new(&mechanism, &coordinates, &dropped, pool);
+    let forces = forces(&mechanism, &vector_form, pool);
+    pool.is_beyond(mechanism.span);
     System {
         mechanism,
-        coordinates: Settled::new(coordinates),
-        rows: Settled::new(rows),
-        monitored: Settled::new(monitored),
-        outputs: Settled::new(outputs),
-        directions: Settled::new(directions),
-        rate_jacobian: Settled::new(rate_jacobian),
-        pressures: Settled::new(pressures),
+        coordinates,
+        rows,
+        monitored,
+        outputs,
+        directions,
+        rate_jacobian,
+        pressures,
         forces,
         vector_form,
-        lengths: Settled::new(lengths),
-        roles: Settled::new(roles),
-        exceeded: Settled::new(watch.exceeded),
+        lengths,
     }
 }
 
-/// Watch on the limits of the graph from statement to statement.
-#[derive(Debug, Default)]
-pub(super) struct Watch {
-    exceeded: Option<Exceeded>,
-}
-
-impl Watch {
-    /// True if a limit has been exceeded; the first excess is recorded with this statement.
-    pub(super) fn is_beyond(&mut self, graph: &Graph, at: Span) -> bool {
-        if let Some(excess) = graph.excess() {
-            let bound = Bound::Graph(excess);
-            self.exceeded.get_or_insert(Exceeded { at, bound });
-        }
-        self.exceeded.is_some()
+/// Records the roles of the coordinates, t, the parameters and the inputs.
+fn set_roles(mechanism: &Mechanism, coordinates: &[Unknown], pool: &mut Pool) {
+    for coordinate in coordinates {
+        pool.take_name(&coordinate.name);
+        pool.add_unknown(coordinate.symbols());
     }
-}
-
-fn roles(mechanism: &Mechanism, coordinates: &[Unknown]) -> Vec<SymbolRole> {
-    let mut roles = vec![SymbolRole::Intermediate; mechanism.graph.symbol_count()];
-    roles[mechanism.time.index()] = SymbolRole::Time;
-    for (index, coordinate) in coordinates.iter().enumerate() {
-        roles[coordinate.position.index()] = SymbolRole::Position(index);
-        roles[coordinate.rate.index()] = SymbolRole::Rate(index);
-        roles[coordinate.acceleration.index()] = SymbolRole::Acceleration(index);
-    }
+    pool.set_role(mechanism.time, SymbolRole::Time);
     for (index, parameter) in mechanism.parameters.iter().enumerate() {
-        roles[parameter.symbol.index()] = SymbolRole::Parameter(index);
+        pool.set_role(parameter.symbol, SymbolRole::Parameter(index));
     }
     for (input, own) in mechanism.inputs.iter().enumerate() {
         for (level, symbol) in own.symbols.iter().enumerate() {
-            roles[symbol.index()] = SymbolRole::Input { input, level };
+            pool.set_role(*symbol, SymbolRole::Input { input, level });
         }
     }
-    roles
 }
 
-fn coordinates(mechanism: &mut Mechanism) -> Vec<Unknown> {
-    let Mechanism {
-        graph,
-        bodies,
-        joints,
-        ..
-    } = mechanism;
+fn coordinates(mechanism: &Mechanism, graph: &mut Graph) -> Vec<Unknown> {
+    let Mechanism { bodies, joints, .. } = mechanism;
     let mut coordinates = Vec::with_capacity(3 * bodies.len());
     for (body, own) in bodies.iter().enumerate() {
         let estimate = own.estimate();

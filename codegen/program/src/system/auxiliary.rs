@@ -3,19 +3,20 @@
 //! Each unknown is named after the points between which it lies, and has its design value.
 
 use super::orientation::as_symbol;
-use super::{Described, SymbolRole, Unknown, VectorForm};
+use super::{Described, Unknown, VectorForm};
 use crate::expr::{ExprId, Graph};
 use crate::joint::geometry::{Mark, length, offset_along};
 use crate::joint::{Auxiliary, AuxiliaryUnknown, Resolved};
 use crate::model::{Body, Joint};
+use crate::pool::Pool;
 
 impl VectorForm {
     /// Adds the auxiliary unknowns of one joint, named after the joint's points.
-    pub(super) fn add_auxiliaries(&mut self, joint: &Joint, bodies: &[Body], graph: &mut Graph) {
+    pub(super) fn add_auxiliaries(&mut self, joint: &Joint, bodies: &[Body], pool: &mut Pool) {
         // A driver on the line of another joint uses that joint's unknowns and has none itself.
         let count = joint.kind.auxiliaries().len();
         for auxiliary in joint.operands.auxiliaries.iter().take(count) {
-            let Some(position) = as_symbol(auxiliary.value, graph) else {
+            let Some(position) = as_symbol(auxiliary.value, &pool.graph) else {
                 continue;
             };
             // A length is named from the line's point to the other point.
@@ -42,18 +43,18 @@ impl VectorForm {
                 [Some(from), Some(to)] => format!("{prefix}_{from}_{to}"),
                 _ => format!("{prefix}_{}", joint.slug),
             };
-            let name = if self.taken_names.contains(&name) {
+            let name = if pool.is_taken(&name) {
                 format!("{name}_{}", self.unknowns.len())
             } else {
                 name
             };
-            self.taken_names.insert(name.clone());
+            pool.take_name(&name);
+            let graph = &mut pool.graph;
             let [rate, acceleration] =
                 ["'", "''"].map(|dots| graph.symbol(&format!("{name}{dots}")));
             let estimate = in_drawing(auxiliary.kind, &joint.operands, bodies, graph);
-            let role = SymbolRole::Position(self.unknowns.len());
-            self.roles.insert(position, role);
-            self.unknowns.write().push(Unknown {
+            pool.add_unknown([position, rate, acceleration]);
+            self.unknowns.push(Unknown {
                 name,
                 position,
                 rate,
@@ -67,17 +68,17 @@ impl VectorForm {
 
     /// Returns an auxiliary unknown with symbols for the vector that it rotates.
     pub(super) fn auxiliary_with_arm(
-        &mut self,
+        &self,
         auxiliary: &AuxiliaryUnknown,
-        graph: &mut Graph,
+        pool: &mut Pool,
     ) -> AuxiliaryUnknown {
-        let place =
-            as_symbol(auxiliary.value, graph).and_then(|symbol| self.place_of_unknown(symbol));
+        let place = as_symbol(auxiliary.value, &pool.graph)
+            .and_then(|symbol| pool.place_of_unknown(symbol));
         match (auxiliary.kind, place) {
             (Auxiliary::LinkAngle, Some(place)) => {
                 let ends = self.unknowns[place].name.replacen("psi", "link", 1);
-                let along = [graph.one(), graph.zero()];
-                let turned = self.arm(place, along, &ends, graph);
+                let along = [pool.graph.one(), pool.graph.zero()];
+                let turned = pool.arm(place, along, &ends);
                 AuxiliaryUnknown {
                     turned,
                     ..*auxiliary

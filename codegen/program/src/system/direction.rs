@@ -8,11 +8,11 @@
 
 use std::collections::HashMap;
 
-use super::assemble::Watch;
-use super::{Entry, Row, System, Unknown};
-use crate::expr::{ExprId, SymbolId};
+use super::{Entry, Row, System, Unknown, VectorRow};
+use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::{Quantity, Resolved};
 use crate::model::{Mechanism, Role, field_name};
+use crate::pool::Pool;
 
 /// Cost of an entry of a column, in terms, including what every block derives from it.
 const COLUMN_ENTRY: usize = 50;
@@ -49,19 +49,18 @@ pub enum Cause {
 /// Returns the requested directions: all drivers in written order if a transmission or an effort is requested, then the
 /// parameters of sensitivities.
 pub(super) fn directions(
-    mechanism: &mut Mechanism,
+    mechanism: &Mechanism,
     rows: &[Row],
     coordinates: &[Unknown],
-    watch: &mut Watch,
+    pool: &mut Pool,
 ) -> Vec<Direction> {
-    let mut directions = drivers(mechanism, rows, watch);
-    directions.extend(parameters(mechanism, rows, coordinates, watch));
+    let mut directions = drivers(mechanism, rows, pool);
+    directions.extend(parameters(mechanism, rows, coordinates, pool));
     directions
 }
 
 /// Φ_q q̇ + Φ_t of a row.
-fn rate(row: &Row, mechanism: &mut Mechanism, coordinates: &[Unknown]) -> ExprId {
-    let graph = &mut mechanism.graph;
+fn rate(row: &Row, coordinates: &[Unknown], graph: &mut Graph) -> ExprId {
     let mut terms = vec![row.time_derivative];
     for entry in &row.jacobian {
         let rate = graph.variable(coordinates[entry.coordinate].rate);
@@ -72,9 +71,10 @@ fn rate(row: &Row, mechanism: &mut Mechanism, coordinates: &[Unknown]) -> ExprId
 
 /// Returns (Φ_q q̇ + Φ_t)_q row by row, without entries that are identically zero; empty if no sensitivity is requested.
 pub(super) fn rate_jacobian(
-    mechanism: &mut Mechanism,
+    mechanism: &Mechanism,
     rows: &[Row],
     coordinates: &[Unknown],
+    graph: &mut Graph,
 ) -> Vec<Vec<Entry>> {
     if mechanism.sensitivities.is_empty() {
         return Vec::new();
@@ -85,8 +85,7 @@ pub(super) fn rate_jacobian(
         .collect();
     let mut entries = Vec::with_capacity(rows.len());
     for row in rows {
-        let rate = rate(row, mechanism, coordinates);
-        let graph = &mut mechanism.graph;
+        let rate = rate(row, coordinates, graph);
         let mentioned = graph.symbols(rate).iter();
         let mut mentioned: Vec<usize> = mentioned
             .filter_map(|symbol| places.get(symbol).copied())
@@ -97,7 +96,7 @@ pub(super) fn rate_jacobian(
             value: graph.derivative(rate, coordinates[coordinate].position),
         };
         let mut slopes: Vec<Entry> = mentioned.into_iter().map(slope).collect();
-        let zero = mechanism.graph.zero();
+        let zero = graph.zero();
         slopes.retain(|entry| entry.value != zero);
         entries.push(slopes);
     }
@@ -106,26 +105,26 @@ pub(super) fn rate_jacobian(
 
 /// Returns the directions of the parameters of all sensitivities.
 fn parameters(
-    mechanism: &mut Mechanism,
+    mechanism: &Mechanism,
     rows: &[Row],
     coordinates: &[Unknown],
-    watch: &mut Watch,
+    pool: &mut Pool,
 ) -> Vec<Direction> {
     let mut directions = Vec::new();
-    for parameter in mechanism.sensitivities.clone() {
+    for parameter in mechanism.sensitivities.iter().copied() {
         let declared = &mechanism.parameters[parameter];
         let (symbol, name) = (declared.symbol, field_name(&declared.name));
         let mut column = Vec::with_capacity(rows.len());
         let mut rate_column = Vec::with_capacity(rows.len());
         let span = declared.span;
-        mechanism.graph.spend(COLUMN_ENTRY * rows.len());
-        if watch.is_beyond(&mechanism.graph, span) {
+        pool.graph.spend(COLUMN_ENTRY * rows.len());
+        if pool.is_beyond(span) {
             break;
         }
         for row in rows {
-            let rate = rate(row, mechanism, coordinates);
-            column.push(mechanism.graph.derivative(row.residual, symbol));
-            rate_column.push(mechanism.graph.derivative(rate, symbol));
+            let rate = rate(row, coordinates, &mut pool.graph);
+            column.push(pool.graph.derivative(row.residual, symbol));
+            rate_column.push(pool.graph.derivative(rate, symbol));
         }
         directions.push(Direction {
             cause: Cause::Parameter(parameter),
@@ -139,12 +138,12 @@ fn parameters(
 }
 
 /// Returns the directions of all drivers; empty without transmissions, efforts and coordinates that forces move.
-fn drivers(mechanism: &mut Mechanism, rows: &[Row], watch: &mut Watch) -> Vec<Direction> {
+fn drivers(mechanism: &Mechanism, rows: &[Row], pool: &mut Pool) -> Vec<Direction> {
     if mechanism.transmissions.is_empty() && !mechanism.forces.need_efforts() {
         return Vec::new();
     }
-    let Mechanism { graph, joints, .. } = mechanism;
-    let drivers = joints
+    let drivers = mechanism
+        .joints
         .iter()
         .enumerate()
         .filter(|(_, joint)| joint.role == Role::Driver);
@@ -154,6 +153,7 @@ fn drivers(mechanism: &mut Mechanism, rows: &[Row], watch: &mut Watch) -> Vec<Di
         else {
             continue;
         };
+        let graph = &mut pool.graph;
         let symbol = graph.symbol(&format!("{} shift", joint.slug));
         let shift = graph.variable(symbol);
         let shifted = Resolved {
@@ -162,9 +162,10 @@ fn drivers(mechanism: &mut Mechanism, rows: &[Row], watch: &mut Watch) -> Vec<Di
         };
         // A column has the length of the system, whatever its entries.
         graph.spend(COLUMN_ENTRY * rows.len());
-        if watch.is_beyond(graph, joint.span) {
+        if pool.is_beyond(joint.span) {
             break;
         }
+        let graph = &mut pool.graph;
         let zero = graph.zero();
         let shifted_rows = joint.kind.rows(&shifted, graph);
         let mut pending = shifted_rows.iter();
@@ -214,18 +215,15 @@ impl System {
         })
     }
 
-    /// Adds δ in the vector form to the value of every driver that is a direction.
-    pub fn shift_drivers(&mut self) {
-        let System {
-            mechanism,
-            vector_form,
-            directions,
-            ..
-        } = self;
-        for direction in directions.iter() {
+    /// Returns the rows of the vector form with δ added to the value of every driver that is a direction.
+    pub fn shifted_rows(&self, pool: &mut Pool) -> Vec<VectorRow> {
+        let mut rows = self.vector_form.rows.clone();
+        for direction in &self.directions {
             if let Cause::Driver { joint, .. } = direction.cause {
-                vector_form.shift_driver(joint, direction.symbol, mechanism);
+                let (form, mechanism) = (&self.vector_form, &self.mechanism);
+                form.shift_driver(joint, direction.symbol, mechanism, &mut rows, pool);
             }
         }
+        rows
     }
 }

@@ -9,12 +9,13 @@
 use std::collections::BTreeMap;
 
 use super::carried::Carried;
-use super::{SymbolRole, System, VectorForm};
+use super::{System, VectorForm, VectorRow};
 use crate::expr::{ExprId, Number, Rational, SymbolId};
 use crate::force::{Place, Rated, moment};
 use crate::joint::Feature;
 use crate::joint::geometry::{BodyId, Mark, Vector, add, dot, length, perpendicular, subtract};
 use crate::model::Mechanism;
+use crate::pool::Pool;
 
 /// Forces of a mechanism in terms of its vector form.
 #[derive(Clone, Debug)]
@@ -74,30 +75,30 @@ pub struct Passing {
 }
 
 /// Derives the loads and energies; `None` if they are not requested.
-pub(super) fn forces(mechanism: &mut Mechanism, form: &mut VectorForm) -> Option<Forces> {
+pub(super) fn forces(mechanism: &Mechanism, form: &VectorForm, pool: &mut Pool) -> Option<Forces> {
     if !mechanism.forces.are_wanted() {
         return None;
     }
-    let zero = mechanism.graph.zero();
+    let zero = pool.graph.zero();
     let count = mechanism.bodies.iter().map(|body| body.places().len());
     let mut loads = vec![zero; count.sum()];
-    let mut exert = |body: BodyId, parts: [ExprId; 3], mechanism: &mut Mechanism| {
+    let mut exert = |body: BodyId, parts: [ExprId; 3], pool: &mut Pool| {
         let coordinates = mechanism.bodies[body.0].coordinates;
         for (coordinate, part) in coordinates.into_iter().zip(parts) {
             let Some(own) = coordinate.map(|it| &mut loads[it.place]) else {
                 continue;
             };
-            *own = mechanism.graph.add(*own, part);
+            *own = pool.graph.add(*own, part);
         }
     };
     let [mut kinetic, mut potential, mut added] = [zero; 3];
     let half = Number::rational(Rational::HALF);
     let gravity = mechanism.forces.gravity;
     let mut weights = Vec::new();
-    for mass in mechanism.forces.masses.clone() {
+    for mass in &mechanism.forces.masses {
         let body = BodyId(mass.body);
-        let center = form.mark_with_arm(&mass.center, &mechanism.bodies, &mut mechanism.graph);
-        let graph = &mut mechanism.graph;
+        let center = form.mark_with_arm(&mass.center, &mechanism.bodies, pool);
+        let graph = &mut pool.graph;
         let angle = form.angle_of(mass.body);
         let of_body = [angle - 2, angle - 1, angle].map(|at| &form.unknowns[at]);
         let [vx, vy, turning] = of_body.map(|it| graph.variable(it.rate));
@@ -147,36 +148,34 @@ pub(super) fn forces(mechanism: &mut Mechanism, form: &mut VectorForm) -> Option
             let work = graph.multiply(mass.mass, height);
             potential = graph.subtract(potential, work);
         }
-        exert(body, [force[0], force[1], torque], mechanism);
+        exert(body, [force[0], force[1], torque], pool);
     }
     let (mut lengths, mut sprung) = (Vec::new(), Vec::new());
     let (mut rated, mut all_exerted) = (Vec::new(), Vec::new());
-    for (number, load) in mechanism.forces.loads.clone().into_iter().enumerate() {
+    for (number, load) in mechanism.forces.loads.iter().enumerate() {
         let marks = load.element.marks();
         let places: Vec<Place> = marks
             .iter()
             .map(|mark| {
-                let mark = form.mark_with_arm(mark, &mechanism.bodies, &mut mechanism.graph);
-                placed(mark, form, mechanism)
+                let mark = form.mark_with_arm(mark, &mechanism.bodies, pool);
+                placed(mark, form, mechanism, pool)
             })
             .collect();
         // Text after the space only distinguishes equal names.
-        let symbol = mechanism
-            .graph
-            .symbol(&format!("distance of load {number}"));
-        let length = mechanism.graph.variable(symbol);
-        let exerted = load.element.exerted(&places, length, &mut mechanism.graph);
+        let symbol = pool.graph.symbol(&format!("distance of load {number}"));
+        let length = pool.graph.variable(symbol);
+        let exerted = load.element.exerted(&places, length, &mut pool.graph);
         let forces = exerted.forces.iter().flat_map(|(_, force)| *force);
         let torques = exerted.torques.iter().map(|(_, torque)| *torque);
         all_exerted.push(forces.chain(torques).collect());
         for (mark, force) in exerted.forces {
-            let torque = moment(mark.arm, force, &mut mechanism.graph);
-            exert(mark.frame.body, [force[0], force[1], torque], mechanism);
+            let torque = moment(mark.arm, force, &mut pool.graph);
+            exert(mark.frame.body, [force[0], force[1], torque], pool);
         }
         for (body, torque) in exerted.torques {
-            exert(body, [zero, zero, torque], mechanism);
+            exert(body, [zero, zero, torque], pool);
         }
-        let graph = &mut mechanism.graph;
+        let graph = &mut pool.graph;
         potential = exerted
             .stored
             .map_or(potential, |it| graph.add(potential, it));
@@ -199,8 +198,8 @@ pub(super) fn forces(mechanism: &mut Mechanism, form: &mut VectorForm) -> Option
 }
 
 /// A point with its velocity.
-fn placed(mark: Mark, form: &VectorForm, mechanism: &mut Mechanism) -> Place {
-    let Mechanism { graph, bodies, .. } = mechanism;
+fn placed(mark: Mark, form: &VectorForm, mechanism: &Mechanism, pool: &mut Pool) -> Place {
+    let graph = &mut pool.graph;
     let body = mark.frame.body;
     let zero = graph.zero();
     if body == BodyId::GROUND {
@@ -210,7 +209,7 @@ fn placed(mark: Mark, form: &VectorForm, mechanism: &mut Mechanism) -> Place {
             turning: zero,
         };
     }
-    let [x, y, turning] = bodies[body.0]
+    let [x, y, turning] = mechanism.bodies[body.0]
         .coordinates
         .map(|coordinate| match coordinate {
             Some(it) => graph.variable(form.unknowns[it.place].rate),
@@ -226,13 +225,13 @@ fn placed(mark: Mark, form: &VectorForm, mechanism: &mut Mechanism) -> Place {
 }
 
 impl System {
-    /// Computes forces for a mechanism at rest at every instant, with zero rates and accelerations.
-    pub fn rest(&mut self) {
+    /// Returns the system with the forces of a mechanism at rest at every instant, with zero rates and accelerations.
+    pub fn at_rest(mut self, pool: &mut Pool) -> System {
         self.mechanism.forces.at_rest = true;
         let Some(forces) = &mut self.forces else {
-            return;
+            return self;
         };
-        let graph = &mut self.mechanism.graph;
+        let graph = &mut pool.graph;
         let zero = graph.zero();
         let moving = self.coordinates.iter();
         let moving = moving.flat_map(|it| [it.rate, it.acceleration]);
@@ -246,29 +245,29 @@ impl System {
         {
             *value = graph.substitute(*value, &still);
         }
+        self
     }
 
-    /// Returns the forces that a joint or driver transmits, in terms of the vector form.
-    pub fn passing(&mut self, joint: usize) -> Passing {
+    /// Returns the forces that a joint or driver transmits, in terms of these rows of the vector form.
+    pub fn passing(&self, joint: usize, rows: &[VectorRow], pool: &mut Pool) -> Passing {
         let System {
             mechanism,
             vector_form: form,
-            roles,
             monitored,
             ..
         } = self;
-        let rows = form.own_columns(joint, mechanism);
+        let rows = form.own_columns(joint, rows, mechanism, pool);
         let places = monitored.iter().enumerate();
         let places = places.filter(|(_, row)| row.joint == joint);
         let places: Vec<usize> = places.map(|(place, _)| place).collect();
         let monitored = match places.is_empty() {
             true => Vec::new(),
-            false => form.monitored_columns(joint, mechanism),
+            false => form.monitored_columns(joint, mechanism, pool),
         };
         let monitored = places.into_iter().zip(monitored).collect();
         let declared = &mechanism.joints[joint];
-        let operands = form.with_arms(&declared.operands, &mechanism.bodies, &mut mechanism.graph);
-        let graph = &mut mechanism.graph;
+        let operands = form.with_arms(&declared.operands, &mechanism.bodies, pool);
+        let graph = &mut pool.graph;
         let feature = declared.kind.feature(&declared.operands, graph);
         let marks = &operands.marks;
         let across = |graph: &mut crate::expr::Graph| {
@@ -333,9 +332,6 @@ impl System {
             }
             _ => [zero; 2],
         };
-        roles
-            .write()
-            .resize(graph.symbol_count(), SymbolRole::Intermediate);
         Passing {
             rows,
             monitored,

@@ -7,23 +7,19 @@
 
 use std::collections::HashSet;
 
-use crate::expr::{ExprId, Node};
+use crate::expr::{ExprId, Graph, Node};
 use crate::joint::Quantity;
 use crate::model::Mechanism;
+use crate::pool::Pool;
 
 use super::{Row, System};
 
 /// Returns the lengths that depend on parameters, each once and in written order, after the largest constant length.
-pub(super) fn lengths(mechanism: &mut Mechanism, rows: &[Row]) -> Vec<ExprId> {
+pub(super) fn lengths(mechanism: &Mechanism, rows: &[Row], graph: &mut Graph) -> Vec<ExprId> {
     if mechanism.parameters.is_empty() {
         return Vec::new();
     }
-    let Mechanism {
-        graph,
-        joints,
-        bodies,
-        ..
-    } = mechanism;
+    let Mechanism { joints, bodies, .. } = mechanism;
     let marks = joints.iter().flat_map(|it| &it.operands.marks);
     // Vectors on a body that is only an angle are directions.
     let marks = marks.filter(|mark| !bodies[mark.frame.body.0].is_angle());
@@ -67,11 +63,10 @@ pub(super) fn lengths(mechanism: &mut Mechanism, rows: &[Row]) -> Vec<ExprId> {
 
 impl System {
     /// Returns the characteristic length, in m, at the nominal values of the parameters.
-    pub fn characteristic_length(&self) -> f64 {
-        let graph = &self.mechanism.graph;
+    pub fn characteristic_length(&self, pool: &Pool) -> f64 {
         let values = self.lengths.iter();
         let largest = values
-            .filter_map(|&it| graph.constant_value(it))
+            .filter_map(|&it| pool.graph.constant_value(it))
             .fold(0.0_f64, |largest, value| largest.max(value.abs()));
         if largest > 0.0 && largest.is_finite() {
             largest
@@ -81,8 +76,8 @@ impl System {
     }
 
     /// Returns the scale of a quantity: a power of the characteristic length by its exponent of metres, 1 rad for angles.
-    pub fn scale(&self, quantity: Quantity) -> f64 {
-        self.characteristic_length()
+    pub fn scale(&self, quantity: Quantity, pool: &Pool) -> f64 {
+        self.characteristic_length(pool)
             .powi(quantity.power_of_length())
     }
 }

@@ -5,12 +5,13 @@
 
 use std::collections::BTreeMap;
 
-use super::VectorForm;
 use super::vector_form::making::kept_rows;
+use super::{VectorForm, VectorRow};
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::geometry::{Vector, perpendicular};
 use crate::joint::{Auxiliary, AuxiliaryUnknown, Axis, Curve, Resolved};
 use crate::model::Mechanism;
+use crate::pool::Pool;
 
 /// Rotating body or link.
 #[derive(Clone, Copy, PartialEq)]
@@ -27,11 +28,13 @@ pub(super) type Columns = BTreeMap<usize, ExprId>;
 impl VectorForm {
     /// Returns the joint's rows by their indices among all rows, with derivatives in unknowns that are not identically zero.
     pub(super) fn own_columns(
-        &mut self,
+        &self,
         joint: usize,
-        mechanism: &mut Mechanism,
+        rows: &[VectorRow],
+        mechanism: &Mechanism,
+        pool: &mut Pool,
     ) -> Vec<(usize, Columns)> {
-        let rows = self.rows.iter().enumerate();
+        let rows = rows.iter().enumerate();
         let rows = rows.filter(|(_, row)| row.joint == joint);
         let (places, residuals): (Vec<usize>, Vec<ExprId>) =
             rows.map(|(place, row)| (place, row.residual)).unzip();
@@ -41,15 +44,16 @@ impl VectorForm {
             let rows = kept_rows(kind, operands, &dropped, graph);
             rows.into_iter().map(|row| row.residual).collect()
         };
-        let columns = self.columns(joint, residuals, state, mechanism);
+        let columns = self.columns(joint, residuals, state, mechanism, pool);
         places.into_iter().zip(columns).collect()
     }
 
     /// Returns the derivatives of the joint's monitored rows.
     pub(super) fn monitored_columns(
-        &mut self,
+        &self,
         joint: usize,
-        mechanism: &mut Mechanism,
+        mechanism: &Mechanism,
+        pool: &mut Pool,
     ) -> Vec<Columns> {
         let dropped = self.dropped[joint].clone();
         let kind = mechanism.joints[joint].kind;
@@ -59,37 +63,28 @@ impl VectorForm {
                 .map(|(row, _)| row.residual)
                 .collect()
         };
-        let Mechanism {
-            graph,
-            joints,
-            bodies,
-            ..
-        } = mechanism;
-        let operands = self.with_arms(&joints[joint].operands, bodies, graph);
-        let residuals = state(&operands, graph);
-        self.columns(joint, residuals, state, mechanism)
+        let Mechanism { joints, bodies, .. } = mechanism;
+        let operands = self.with_arms(&joints[joint].operands, bodies, pool);
+        let residuals = state(&operands, &mut pool.graph);
+        self.columns(joint, residuals, state, mechanism, pool)
     }
 
     /// Returns the derivatives of rows that `state` makes of operands.
     fn columns(
-        &mut self,
+        &self,
         joint: usize,
         residuals: Vec<ExprId>,
         state: impl Fn(&Resolved, &mut Graph) -> Vec<ExprId>,
-        mechanism: &mut Mechanism,
+        mechanism: &Mechanism,
+        pool: &mut Pool,
     ) -> Vec<Columns> {
-        let Mechanism {
-            graph,
-            joints,
-            bodies,
-            ..
-        } = mechanism;
-        let operands = self.with_arms(&joints[joint].operands, bodies, graph);
+        let Mechanism { joints, bodies, .. } = mechanism;
+        let operands = self.with_arms(&joints[joint].operands, bodies, pool);
         let mut rows = vec![Columns::new(); residuals.len()];
         for (columns, residual) in rows.iter_mut().zip(residuals) {
-            for symbol in graph.symbols(residual).to_vec() {
-                if let Some(unknown) = self.place_of_unknown(symbol) {
-                    columns.insert(unknown, graph.derivative(residual, symbol));
+            for symbol in pool.graph.symbols(residual).to_vec() {
+                if let Some(unknown) = pool.place_of_unknown(symbol) {
+                    columns.insert(unknown, pool.graph.derivative(residual, symbol));
                 }
             }
         }
@@ -102,12 +97,13 @@ impl VectorForm {
             .collect();
         let links = operands.auxiliaries.iter().enumerate();
         for (at, auxiliary) in links.filter(|(_, it)| it.kind == Auxiliary::LinkAngle) {
-            let symbol = super::orientation::as_symbol(auxiliary.value, graph);
-            let unknown = symbol.and_then(|symbol| self.place_of_unknown(symbol));
+            let symbol = super::orientation::as_symbol(auxiliary.value, &pool.graph);
+            let unknown = symbol.and_then(|symbol| pool.place_of_unknown(symbol));
             turning.extend(unknown.map(|unknown| (Turning::Link(at), unknown)));
         }
         turning.sort_unstable_by_key(|(_, unknown)| *unknown);
         turning.dedup_by_key(|(_, unknown)| *unknown);
+        let graph = &mut pool.graph;
         let step = graph.symbol("turned by itself");
         let zero = graph.zero();
         for (turning, unknown) in turning {

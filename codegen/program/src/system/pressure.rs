@@ -25,16 +25,12 @@ pub struct Pressure {
 /// Returns the terms of every contact between two moving bodies. A curve on the ground pushes nothing, and a follower on the
 /// ground is not pushed.
 pub(super) fn pressures(
-    mechanism: &mut Mechanism,
+    mechanism: &Mechanism,
     coordinates: &[Unknown],
     contacts: &HashMap<usize, usize>,
+    graph: &mut Graph,
 ) -> Vec<Pressure> {
-    let Mechanism {
-        graph,
-        joints,
-        bodies,
-        ..
-    } = mechanism;
+    let Mechanism { joints, bodies, .. } = mechanism;
     let mut pressures = Vec::new();
     for (index, joint) in joints.iter().enumerate() {
         let (Some(curve), Some(contact)) = (

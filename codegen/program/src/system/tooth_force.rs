@@ -12,10 +12,11 @@
 //! rows stay unchanged. With F at both axes in place of a moment on the carrier, only the bearings between wheels and carrier
 //! carry more.
 
-use super::{SymbolRole, System};
+use super::System;
 use crate::expr::{ExprId, Graph};
 use crate::joint::geometry::{Vector, dot, perpendicular, subtract};
 use crate::joint::{Feature, Mesh};
+use crate::pool::Pool;
 
 /// Force of teeth on the second wheel: one term for the multiplier of the gear's row and one for its magnitude.
 #[derive(Clone, Copy, Debug)]
@@ -29,21 +30,21 @@ pub struct ToothForce {
 impl System {
     /// Returns the force of teeth in terms of the vector form, by their index among all teeth; `None` if the teeth are not a
     /// gear.
-    pub fn tooth_force(&mut self, place: usize) -> Option<ToothForce> {
+    pub fn tooth_force(&self, place: usize, pool: &mut Pool) -> Option<ToothForce> {
         let System {
             mechanism,
             vector_form: form,
-            roles,
             ..
         } = self;
         let teeth = mechanism.forces.teeth.get(place)?;
         let gear = &mechanism.joints[teeth.gear];
-        let graph = &mut mechanism.graph;
-        let Some(Feature::Wheels(mesh, ratio)) = gear.kind.feature(&gear.operands, graph) else {
+        let feature = gear.kind.feature(&gear.operands, &mut pool.graph);
+        let Some(Feature::Wheels(mesh, ratio)) = feature else {
             return None;
         };
         let axes = teeth.axes.each_ref().map(|axis| axis.place);
-        let [from, to] = axes.map(|it| form.mark_with_arm(&it, &mechanism.bodies, graph).arm);
+        let [from, to] = axes.map(|it| form.mark_with_arm(&it, &mechanism.bodies, pool).arm);
+        let graph = &mut pool.graph;
         let apart = subtract(to, from, graph);
         let across = perpendicular(apart, graph);
         // Both axes lie on the carrier, so their distance is the distance in its frame.
@@ -69,9 +70,6 @@ impl System {
             false => graph.negate(along),
         };
         let of_magnitude = apart.map(|part| graph.multiply(along, part));
-        roles
-            .write()
-            .resize(graph.symbol_count(), SymbolRole::Intermediate);
         Some(ToothForce {
             of_multiplier,
             of_magnitude,

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use super::System;
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::geometry::Vector;
+use crate::pool::{Arm, Pool};
 
 /// Term of a sum of vectors, with its factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,11 +20,11 @@ pub enum VectorTerm {
 
 impl System {
     /// Returns two expressions as one sum of vectors, never empty; `None` if they are not the components of such a sum.
-    pub fn vector_sum(&mut self, pair: Vector) -> Option<Vec<VectorTerm>> {
+    pub fn vector_sum(&self, pair: Vector, pool: &mut Pool) -> Option<Vec<VectorTerm>> {
         let mut terms = Vec::new();
         let mut rest = pair;
         // Terms come from these unknowns only: removing a term adds no unknown.
-        let [x, y] = pair.map(|part| self.vector_form.mentioned(part, &self.mechanism.graph));
+        let [x, y] = pair.map(|part| pool.mentioned(part));
         let mentioned: BTreeSet<usize> = x.into_iter().chain(y).collect();
         let mut bodies = BTreeSet::new();
         let mut others = Vec::new();
@@ -36,16 +37,16 @@ impl System {
         for body in bodies {
             if let [Some(x), Some(y), _] = self.mechanism.bodies[body].coordinates {
                 let symbols = [x.symbol, y.symbol];
-                if let Some(factor) = take_factor(&mut rest, symbols, &mut self.mechanism.graph) {
+                if let Some(factor) = take_factor(&mut rest, symbols, &mut pool.graph) {
                     terms.push(VectorTerm::Origin(body, factor));
                 }
             }
-            self.take_arms(self.vector_form.angle_of(body), &mut rest, &mut terms);
+            take_arms(self.vector_form.angle_of(body), &mut rest, &mut terms, pool);
         }
         for other in others {
-            self.take_arms(other, &mut rest, &mut terms);
+            take_arms(other, &mut rest, &mut terms, pool);
         }
-        let graph = &self.mechanism.graph;
+        let graph = &pool.graph;
         if !rest.iter().all(|&part| graph.is_fixed(part)) {
             return None;
         }
@@ -54,13 +55,14 @@ impl System {
         }
         Some(terms)
     }
+}
 
-    /// Moves the vectors that an angle rotates out of a sum.
-    fn take_arms(&mut self, angle: usize, rest: &mut Vector, terms: &mut Vec<VectorTerm>) {
-        for arm in self.vector_form.arms_of(angle) {
-            if let Some(factor) = take_factor(rest, arm.symbols, &mut self.mechanism.graph) {
-                terms.push(VectorTerm::Turned(angle, arm.local, factor));
-            }
+/// Moves the vectors that an angle rotates out of a sum.
+fn take_arms(angle: usize, rest: &mut Vector, terms: &mut Vec<VectorTerm>, pool: &mut Pool) {
+    let arms: Vec<Arm> = pool.arms_of(angle).cloned().collect();
+    for arm in arms {
+        if let Some(factor) = take_factor(rest, arm.symbols, &mut pool.graph) {
+            terms.push(VectorTerm::Turned(angle, arm.local, factor));
         }
     }
 }

@@ -19,7 +19,7 @@ impl System {
         let mut system = self.clone();
         system.mechanism.requests.clear();
         system.mechanism.transmissions.clear();
-        system.directions.write().clear();
+        system.directions.clear();
         system
     }
 }

@@ -3,12 +3,14 @@
 //! The arena sorts operands by id, so that equal expressions are one node. Printed formulas have the coordinates of a joint's
 //! first body first, then those of the second, then constants and functions of time.
 
-use super::{Described, SymbolRole, System};
+use super::{Described, System};
 use crate::expr::{ExprId, Factor, Graph, Node, SymbolId, Term};
+use crate::pool::{Pool, SymbolRole};
 
 /// Written order of one formula.
 #[derive(Clone, Copy, Debug)]
 pub struct WrittenOrder<'a> {
+    pool: &'a Pool,
     system: &'a System,
     /// Bodies in the order in which the formula should mention them.
     bodies: &'a [usize],
@@ -19,26 +21,27 @@ type Key = (u8, usize, ExprId);
 
 impl<'a> WrittenOrder<'a> {
     /// Returns the written order of a joint between these bodies.
-    pub fn new(system: &'a System, bodies: &'a [usize]) -> WrittenOrder<'a> {
-        WrittenOrder { system, bodies }
+    pub fn new(pool: &'a Pool, system: &'a System, bodies: &'a [usize]) -> WrittenOrder<'a> {
+        WrittenOrder {
+            pool,
+            system,
+            bodies,
+        }
     }
 
     fn graph(&self) -> &'a Graph {
-        &self.system.mechanism.graph
+        &self.pool.graph
     }
 
     /// Returns the rank of a symbol, smaller for symbols that are written earlier; `None` for parameters, which are written as
     /// constants.
     fn rank(&self, symbol: SymbolId) -> Option<usize> {
-        let (unknown, level) = match self.system.roles[symbol.index()] {
+        let (unknown, level) = match self.pool.role(symbol) {
             SymbolRole::Position(unknown) => (unknown, 0),
             SymbolRole::Rate(unknown) => (unknown, 1),
             SymbolRole::Acceleration(unknown) => (unknown, 2),
             // A rotated vector has the rank of its angle.
-            SymbolRole::Arm(arm) => {
-                let form = &self.system.vector_form;
-                (form.arms[arm].angle, 0)
-            }
+            SymbolRole::Arm(arm) => (self.pool.arms()[arm].angle, 0),
             SymbolRole::Intermediate | SymbolRole::Last(_) => {
                 return Some(usize::MAX - self.graph().symbol_count() + symbol.index());
             }
@@ -68,7 +71,7 @@ impl<'a> WrittenOrder<'a> {
     /// Returns the rank of a constant expression: numbers first, then parameters as they are declared.
     fn fixed_rank(&self, expr: ExprId) -> usize {
         let parameters = self.graph().symbols(expr).iter();
-        let place = |symbol: &SymbolId| match self.system.roles[symbol.index()] {
+        let place = |symbol: &SymbolId| match self.pool.role(*symbol) {
             SymbolRole::Parameter(parameter) => Some(1 + parameter),
             _ => None,
         };

@@ -2,14 +2,14 @@
 
 use super::lists::enumerated;
 use super::phrase::{Phrase, Piece, phrase};
+use crate::expr::Graph;
 use crate::joint::{Feature, Mesh};
 use crate::model::Mechanism;
 
 /// Returns a sentence for each gear or belt whose forces are not carried by a bearing.
-pub fn not_carried(mechanism: &mut Mechanism) -> Vec<Phrase> {
+pub fn not_carried(mechanism: &Mechanism, graph: &mut Graph) -> Vec<Phrase> {
     let (mut gears, mut belts) = (Vec::new(), Vec::new());
-    let Mechanism { joints, graph, .. } = mechanism;
-    for joint in joints.iter() {
+    for joint in &mechanism.joints {
         let label = || Piece::Name(joint.label.clone()).into();
         match joint.kind.feature(&joint.operands, graph) {
             Some(Feature::Wheels(Mesh::External | Mesh::Internal, _)) => {

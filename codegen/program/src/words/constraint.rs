@@ -3,24 +3,22 @@
 //! The words follow the joint's sign in pictures, so that every kind has its own.
 
 use super::phrase::{Phrase, Piece, phrase};
-use crate::expr::ExprId;
+use crate::expr::{ExprId, Graph};
 use crate::joint::geometry::Mark;
 use crate::joint::{Feature, Follower, Mesh};
 use crate::model::{Mechanism, Role};
 
 /// Describes the constraint of a joint, given by index; returns its statement if operands are incomplete.
-pub fn constraint(mechanism: &mut Mechanism, joint: usize) -> Phrase {
-    let declared = mechanism.joints[joint].clone();
+pub fn constraint(mechanism: &Mechanism, joint: usize, graph: &mut Graph) -> Phrase {
+    let declared = &mechanism.joints[joint];
     let marks = &declared.operands.marks;
-    let feature = declared
-        .kind
-        .feature(&declared.operands, &mut mechanism.graph);
+    let feature = declared.kind.feature(&declared.operands, graph);
     let written = || phrase![Piece::Name(declared.label.clone())];
     let (Some(feature), Some(first)) = (feature, marks.first()) else {
         return written();
     };
     let second = marks.get(1).unwrap_or(first);
-    let mechanism = &*mechanism;
+    let zero = graph.zero();
     let value = match declared.operands.value {
         Some(value) => Phrase::from(Piece::Formula(value)),
         None => "what the drawing says".into(),
@@ -29,7 +27,7 @@ pub fn constraint(mechanism: &mut Mechanism, joint: usize) -> Phrase {
         Role::Driver => " is driven as ",
         Role::Constraint => " is always ",
     };
-    let [a, b] = [first, second].map(|mark| point(mechanism, mark));
+    let [a, b] = [first, second].map(|mark| point(mechanism, mark, zero));
     let [body, other] = [first, second].map(|mark| body(mechanism, mark));
     let axis_owner = declared.operands.axis.map_or(0, |axis| axis.owner);
     // The owner of the line, and the point or body on the line.
@@ -153,11 +151,10 @@ fn touch(follower: Follower, [a, body]: [Phrase; 2], of: Phrase) -> Phrase {
 }
 
 /// Returns a point by its name on the body.
-fn point(mechanism: &Mechanism, mark: &Mark) -> Phrase {
+fn point(mechanism: &Mechanism, mark: &Mark, zero: ExprId) -> Phrase {
     let carried = &mechanism.bodies[mark.frame.body.0].marks;
     let named = carried.iter().find(|it| it.mark.local == mark.local);
     let of = body(mechanism, mark);
-    let zero = mechanism.graph.zero();
     match named {
         Some(named) => phrase![Piece::Name(named.name.clone()), " of ", of],
         None if mark.local == [zero; 2] => phrase!["the origin of ", of],

@@ -9,6 +9,7 @@ use super::known::Known;
 use super::lists::enumerated;
 use super::phrase::{Phrase, Piece, phrase};
 use super::singular::SingularWords;
+use crate::pool::Pool;
 use crate::structure::SolvedBlock;
 use crate::system::System;
 
@@ -23,13 +24,14 @@ impl Known {
         &self,
         unknowns: &[usize],
         block: &SolvedBlock,
-        system: &mut System,
+        pool: &mut Pool,
+        system: &System,
     ) -> SingularWords {
         let ends: Vec<Vec<End>> = unknowns
             .iter()
-            .map(|&unknown| self.coupled_ends(unknown, unknowns, block, system))
+            .map(|&unknown| self.coupled_ends(unknown, unknowns, block, pool, system))
             .collect();
-        if let Some(legs) = self.legs(unknowns, &ends, block, system) {
+        if let Some(legs) = self.legs(unknowns, &ends, block, pool, system) {
             let lines = legs.map(|[from, to]| phrase![Piece::Name(from), "-", Piece::Name(to)]);
             return SingularWords::both(phrase![
                 "the lines ",
@@ -37,7 +39,10 @@ impl Known {
                 " meet in one point or are parallel"
             ]);
         }
-        let mut moved: Vec<Phrase> = unknowns.iter().map(|&it| movable(it, system)).collect();
+        let mut moved: Vec<Phrase> = unknowns
+            .iter()
+            .map(|&it| movable(it, pool, system))
+            .collect();
         moved.dedup();
         let mut pins: Vec<String> = Vec::new();
         for end in ends.into_iter().flatten() {
@@ -70,13 +75,14 @@ impl Known {
         unknown: usize,
         unknowns: &[usize],
         block: &SolvedBlock,
-        system: &mut System,
+        pool: &mut Pool,
+        system: &System,
     ) -> Vec<End> {
-        let mut ends = self.ends(unknown, block, system);
+        let mut ends = self.ends(unknown, block, pool, system);
         ends.retain(|end| {
             let mut others = unknowns.iter().filter(|it| **it != unknown);
             self.is_known(end.beyond, system)
-                || others.any(|&other| end.is_beyond_on(other, block, system))
+                || others.any(|&other| end.is_beyond_on(other, block, pool, system))
         });
         ends
     }
@@ -87,7 +93,8 @@ impl Known {
         unknowns: &[usize],
         ends: &[Vec<End>],
         block: &SolvedBlock,
-        system: &mut System,
+        pool: &mut Pool,
+        system: &System,
     ) -> Option<[[String; 2]; LEGS]> {
         if unknowns.len() != LEGS + 1 {
             return None;
@@ -98,7 +105,7 @@ impl Known {
                 let [one, other] = &ends[..] else { return None };
                 let mut leads = |from: &End, to: &End| {
                     let is_leg = self.is_known(from.beyond, system)
-                        && to.is_beyond_on(platform, block, system);
+                        && to.is_beyond_on(platform, block, pool, system);
                     is_leg.then(|| [from.name.clone(), to.name.clone()])
                 };
                 leads(one, other).or_else(|| leads(other, one))

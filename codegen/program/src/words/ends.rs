@@ -8,6 +8,7 @@ use super::phrase::{Phrase, Piece, phrase};
 use crate::joint::Auxiliary;
 use crate::joint::geometry::{BodyId, Mark, Vector};
 use crate::model::Joint;
+use crate::pool::Pool;
 use crate::structure::SolvedBlock;
 use crate::system::{Described, System};
 
@@ -24,8 +25,14 @@ pub(super) struct End {
 
 impl End {
     /// True if the body on the other side rotates with an angle.
-    pub fn is_beyond_on(&self, angle: usize, block: &SolvedBlock, system: &mut System) -> bool {
-        turns_with(self.beyond, angle, block, system)
+    pub fn is_beyond_on(
+        &self,
+        angle: usize,
+        block: &SolvedBlock,
+        pool: &mut Pool,
+        system: &System,
+    ) -> bool {
+        turns_with(self.beyond, angle, block, pool, system)
     }
 }
 
@@ -40,8 +47,14 @@ pub(super) struct Span {
 
 impl Known {
     /// Returns the ends of the body or link of an angle.
-    pub(super) fn ends(&self, angle: usize, block: &SolvedBlock, system: &mut System) -> Vec<End> {
-        if let Some(marks) = bare_link(angle, system) {
+    pub(super) fn ends(
+        &self,
+        angle: usize,
+        block: &SolvedBlock,
+        pool: &mut Pool,
+        system: &System,
+    ) -> Vec<End> {
+        if let Some(marks) = bare_link(angle, pool, system) {
             let named = marks.into_iter().filter_map(|mark| {
                 let name = mark_name(&mark, system)?;
                 let (here, beyond) = (None, mark.frame.body);
@@ -54,7 +67,7 @@ impl Known {
         angles.extend(block.definitions.iter().map(|it| it.unknown));
         for pin in self.pins_on(&angles) {
             let bodies = pin.marks.map(|mark| mark.frame.body);
-            let turning = bodies.map(|body| turns_with(body, angle, block, system));
+            let turning = bodies.map(|body| turns_with(body, angle, block, pool, system));
             let (here, beyond) = match turning {
                 [true, false] => (bodies[0], bodies[1]),
                 [false, true] => (bodies[1], bodies[0]),
@@ -75,13 +88,14 @@ impl Known {
         &self,
         angles: [usize; 2],
         block: &SolvedBlock,
-        system: &mut System,
+        pool: &mut Pool,
+        system: &System,
     ) -> Option<[Span; 2]> {
-        let ends = angles.map(|angle| self.ends(angle, block, system));
+        let ends = angles.map(|angle| self.ends(angle, block, pool, system));
         let mut apexes = Vec::new();
         for side in [0, 1] {
             for end in &ends[side] {
-                if turns_with(end.beyond, angles[1 - side], block, system) {
+                if turns_with(end.beyond, angles[1 - side], block, pool, system) {
                     apexes.push((side, end.clone()));
                 }
             }
@@ -129,12 +143,13 @@ impl Known {
         &self,
         angle: usize,
         local: Vector,
-        system: &mut System,
+        pool: &mut Pool,
+        system: &System,
     ) -> Option<(String, BodyId)> {
         let pins = self.known_pins(angle, system);
         pins.into_iter().find_map(|(pin, there)| {
             let here = pin.marks.into_iter().find(|mark| *mark != there)?;
-            let graph = &mut system.mechanism.graph;
+            let graph = &mut pool.graph;
             let backward = here.local.map(|part| graph.negate(part));
             let (leader, _) = system.vector_form.orientations.leader(here.frame.body);
             let is_own = leader == here.frame.body;
@@ -145,7 +160,13 @@ impl Known {
 }
 
 /// True if a body rotates as much as an angle does, by its orientation or by the definition of its angle.
-fn turns_with(body: BodyId, angle: usize, block: &SolvedBlock, system: &mut System) -> bool {
+fn turns_with(
+    body: BodyId,
+    angle: usize,
+    block: &SolvedBlock,
+    pool: &mut Pool,
+    system: &System,
+) -> bool {
     if body == BodyId::GROUND {
         return false;
     }
@@ -163,20 +184,20 @@ fn turns_with(body: BodyId, angle: usize, block: &SolvedBlock, system: &mut Syst
     let Some(definition) = definitions.find(|it| it.unknown == body_angle) else {
         return false;
     };
-    let graph = &mut system.mechanism.graph;
+    let graph = &mut pool.graph;
     graph.derivative(definition.value, position) == graph.one()
 }
 
 /// Returns the points of a link without a body; `None` if the angle is not that of such a link.
-fn bare_link(angle: usize, system: &System) -> Option<[Mark; 2]> {
-    let marks = &joint_of(angle, system)?.operands.marks;
+fn bare_link(angle: usize, pool: &Pool, system: &System) -> Option<[Mark; 2]> {
+    let marks = &joint_of(angle, pool, system)?.operands.marks;
     (marks.len() == 2).then(|| [marks[0], marks[1]])
 }
 
 /// Returns the joint whose auxiliary unknown this is; `None` for a coordinate.
-fn joint_of(unknown: usize, system: &System) -> Option<&Joint> {
+fn joint_of<'a>(unknown: usize, pool: &Pool, system: &'a System) -> Option<&'a Joint> {
     let symbol = system.vector_form.unknowns[unknown].position;
-    let graph = &system.mechanism.graph;
+    let graph = &pool.graph;
     let mut joints = system.mechanism.joints.iter();
     joints.find(|joint| {
         let mut auxiliaries = joint.operands.auxiliaries.iter();
@@ -196,7 +217,7 @@ pub(super) fn mark_name(mark: &Mark, system: &System) -> Option<String> {
 }
 
 /// Names a link from one end to the other: `coupler`, `the actuator c8-c7`, `the link U-S`, `A-C`.
-pub(super) fn span_words(angle: usize, span: &Span, system: &System) -> Phrase {
+pub(super) fn span_words(angle: usize, span: &Span, pool: &Pool, system: &System) -> Phrase {
     let [outer, apex] = [&span.outer, &span.apex];
     match (outer.here, apex.here) {
         (Some(from), Some(to)) if from == to => body_words(from, system),
@@ -209,13 +230,13 @@ pub(super) fn span_words(angle: usize, span: &Span, system: &System) -> Phrase {
             "-",
             Piece::Name(apex.name.clone())
         ],
-        _ => turning_words(angle, system),
+        _ => turning_words(angle, pool, system),
     }
 }
 
 /// Names the body or link that rotates with an angle.
-pub(super) fn turning_words(angle: usize, system: &System) -> Phrase {
-    let Some(joint) = joint_of(angle, system) else {
+pub(super) fn turning_words(angle: usize, pool: &Pool, system: &System) -> Phrase {
+    let Some(joint) = joint_of(angle, pool, system) else {
         return match system.vector_form.unknowns[angle].describes.body() {
             Some(body) => body_words(BodyId(body), system),
             None => Piece::Unknown(angle).into(),
@@ -245,16 +266,16 @@ pub(super) fn turning_words(angle: usize, system: &System) -> Phrase {
 }
 
 /// Names the line along which a displacement is measured: `the line G-S`.
-pub(super) fn line_words(slide: usize, system: &System) -> Phrase {
-    match line_name(slide, system) {
+pub(super) fn line_words(slide: usize, pool: &Pool, system: &System) -> Phrase {
+    match line_name(slide, pool, system) {
         Some(line) => phrase!["the line ", line],
         None => phrase!["the line of ", Piece::Unknown(slide)],
     }
 }
 
 /// Names a line: `G-S`, or the joint of the line.
-pub(super) fn line_name(slide: usize, system: &System) -> Option<Phrase> {
-    let joint = joint_of(slide, system)?;
+pub(super) fn line_name(slide: usize, pool: &Pool, system: &System) -> Option<Phrase> {
+    let joint = joint_of(slide, pool, system)?;
     let line = joint.label.split_once(" along ");
     let name = |name: &str| Piece::Name(name.to_string());
     Some(match line.and_then(|(_, line)| line.split_once(" -> ")) {
@@ -264,8 +285,8 @@ pub(super) fn line_name(slide: usize, system: &System) -> Option<Phrase> {
 }
 
 /// Returns the points of the joint between which a displacement is measured; the point on the line comes first.
-pub(super) fn measured_points(slide: usize, system: &System) -> Option<[Mark; 2]> {
-    let joint = joint_of(slide, system)?;
+pub(super) fn measured_points(slide: usize, pool: &Pool, system: &System) -> Option<[Mark; 2]> {
+    let joint = joint_of(slide, pool, system)?;
     let (_, line, other) = joint.operands.along()?;
     Some([line, other])
 }
@@ -294,7 +315,7 @@ fn body_name(body: BodyId, system: &System) -> Piece {
 }
 
 /// Names the body, link, slide or contact point that a free unknown moves.
-pub(super) fn movable(unknown: usize, system: &System) -> Phrase {
+pub(super) fn movable(unknown: usize, pool: &Pool, system: &System) -> Phrase {
     match system.vector_form.unknowns[unknown].describes {
         Described::Contact { joint } => {
             let label = &system.mechanism.joints[joint].label;
@@ -306,12 +327,12 @@ pub(super) fn movable(unknown: usize, system: &System) -> Phrase {
             let curve = curve.map_or(label.as_str(), |(_, curve)| curve);
             phrase!["the point of contact on ", Piece::Name(curve.to_string())]
         }
-        Described::Pose { .. } => turning_words(unknown, system),
-        Described::Auxiliary => match line_name(unknown, system) {
-            Some(line) if measured_points(unknown, system).is_some() => {
+        Described::Pose { .. } => turning_words(unknown, pool, system),
+        Described::Auxiliary => match line_name(unknown, pool, system) {
+            Some(line) if measured_points(unknown, pool, system).is_some() => {
                 phrase!["the slide along the line ", line]
             }
-            _ => turning_words(unknown, system),
+            _ => turning_words(unknown, pool, system),
         },
     }
 }

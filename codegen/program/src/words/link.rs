@@ -3,6 +3,7 @@
 use super::known::Known;
 use super::pins::Pin;
 use crate::joint::geometry::{BodyFrame, BodyId, Mark, Vector};
+use crate::pool::Pool;
 use crate::system::System;
 
 /// Link between two pins that rotates with one angle.
@@ -36,7 +37,8 @@ impl Known {
         angle: usize,
         local: Vector,
         to: impl Fn(&System, BodyId) -> bool,
-        system: &mut System,
+        pool: &mut Pool,
+        system: &System,
     ) -> Option<Link> {
         let turning = self.pins_turning(angle, system);
         for (from, here, held) in &turning {
@@ -47,7 +49,7 @@ impl Known {
                 if end.name == from.name || !to(system, beyond.frame.body) {
                     continue;
                 }
-                if let Some(forward) = spans(*here, *at, angle, local, system) {
+                if let Some(forward) = spans(*here, *at, angle, local, pool, system) {
                     return Some(Link {
                         from: from.clone(),
                         held: *held,
@@ -65,13 +67,14 @@ impl Known {
         &self,
         angles: [usize; 2],
         links: [Vector; 2],
-        system: &mut System,
+        pool: &mut Pool,
+        system: &System,
     ) -> Option<Triangle> {
         let turns = |angle: usize| {
             move |system: &System, body: BodyId| system.vector_form.turns(body, angle)
         };
-        let first = self.link(angles[0], links[0], turns(angles[1]), system)?;
-        let second = self.link(angles[1], links[1], turns(angles[0]), system)?;
+        let first = self.link(angles[0], links[0], turns(angles[1]), pool, system)?;
+        let second = self.link(angles[1], links[1], turns(angles[0]), pool, system)?;
         // The second vector leads from the apex to its known pin if the first leads to the apex.
         let closes = first.to.name == second.to.name && first.forward != second.forward;
         closes.then_some(Triangle {
@@ -85,9 +88,16 @@ impl Known {
 /// Returns `true` if a vector in the orientation of `angle` leads from one mark to another, `false` if it leads back, otherwise
 /// `None`. Marks on one body are compared exactly. Between bodies that slide along one another, the vector must contain a
 /// displacement.
-fn spans(from: Mark, to: Mark, angle: usize, local: Vector, system: &mut System) -> Option<bool> {
+fn spans(
+    from: Mark,
+    to: Mark,
+    angle: usize,
+    local: Vector,
+    pool: &mut Pool,
+    system: &System,
+) -> Option<bool> {
     let (_, offset) = system.vector_form.orientations.leader(from.frame.body);
-    let graph = &mut system.mechanism.graph;
+    let graph = &mut pool.graph;
     if from.frame.body == to.frame.body {
         let difference = [0, 1].map(|axis| graph.subtract(to.local[axis], from.local[axis]));
         let frame = BodyFrame {
@@ -107,8 +117,8 @@ fn spans(from: Mark, to: Mark, angle: usize, local: Vector, system: &mut System)
     if local.iter().all(|&part| graph.is_fixed(part)) {
         return None;
     }
-    let link = system.drawn_turn(angle, local);
-    let [from, to] = [from, to].map(|mark| system.drawn_position(mark));
+    let link = system.drawn_turn(angle, local, pool);
+    let [from, to] = [from, to].map(|mark| system.drawn_position(mark, pool));
     let along = link[0] * (to[0] - from[0]) + link[1] * (to[1] - from[1]);
     Some(along > 0.0)
 }

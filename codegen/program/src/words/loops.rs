@@ -1,5 +1,6 @@
 //! Names the blocks of a plan.
 
+use crate::pool::Pool;
 use std::collections::HashSet;
 
 use crate::structure::{Definition, SolvedBlock};
@@ -12,8 +13,8 @@ const MAX_LISTED: usize = 3;
 const PINS: usize = 6;
 
 /// Returns the name of a block: its closed pins (`loop F-N-M`), or the statements of its joints.
-pub fn loop_name(block: &SolvedBlock, system: &System) -> String {
-    let joints = closing_joints(block, system);
+pub fn loop_name(block: &SolvedBlock, pool: &Pool, system: &System) -> String {
+    let joints = closing_joints(block, pool, system);
     let joints = || joints.iter().map(|&joint| &system.mechanism.joints[joint]);
     let mut pins: Vec<&str> = joints()
         .filter(|joint| joint.kind.joins_points())
@@ -37,9 +38,8 @@ pub fn loop_name(block: &SolvedBlock, system: &System) -> String {
 
 /// Returns the joints of the block's subsystems, in written order; all joints if every unknown is explicit. Explicit assignments
 /// close no loop.
-fn closing_joints(block: &SolvedBlock, system: &System) -> Vec<usize> {
+fn closing_joints(block: &SolvedBlock, pool: &Pool, system: &System) -> Vec<usize> {
     let form = &system.vector_form;
-    let graph = &system.mechanism.graph;
     let equations = block.parts.iter().flat_map(|part| &part.equations);
     let mut rows: Vec<usize> = equations.map(|equation| equation.row).collect();
     let mut left: Vec<&Definition> = block.definitions.iter().collect();
@@ -48,7 +48,7 @@ fn closing_joints(block: &SolvedBlock, system: &System) -> Vec<usize> {
         let residual = form.rows[*row].residual;
         let (before, after): (Vec<&Definition>, Vec<&Definition>) = left
             .into_iter()
-            .partition(|it| form.mentions(residual, it.unknown, graph));
+            .partition(|it| pool.mentions(residual, it.unknown));
         rows.extend(before.iter().map(|it| it.row));
         left = after;
         place += 1;

@@ -11,8 +11,10 @@ use super::known::Known;
 use super::phrase::{Phrase, Piece, phrase};
 use crate::expr::ExprId;
 use crate::joint::geometry::Vector;
+use crate::pool::Arm;
+use crate::pool::Pool;
 use crate::structure::SolvedBlock;
-use crate::system::{Arm, System};
+use crate::system::System;
 
 /// Function that vanishes in the singular poses of a solution method. Angles and displacements are unknowns of the vector form;
 /// vectors are constant in the orientation of their angle.
@@ -87,19 +89,22 @@ impl Known {
         &self,
         singular: &Singular,
         block: &SolvedBlock,
-        system: &mut System,
+        pool: &mut Pool,
+        system: &System,
     ) -> SingularWords {
         match singular {
             Singular::Coefficient(unknown) => SingularWords {
                 points: phrase![Piece::Unknown(*unknown), " drops out of its equation"],
-                bodies: phrase!["nothing determines ", movable(*unknown, system)],
+                bodies: phrase!["nothing determines ", movable(*unknown, pool, system)],
             },
-            Singular::Slope { angle, equation } => self.of_slope(*angle, *equation, system),
-            Singular::Links { angles, links } => self.of_links(*angles, *links, block, system),
+            Singular::Slope { angle, equation } => self.of_slope(*angle, *equation, pool, system),
+            Singular::Links { angles, links } => {
+                self.of_links(*angles, *links, block, pool, system)
+            }
             Singular::LinkAlongLine { angle, slide, link } => {
-                let line = line_words(*slide, system);
+                let line = line_words(*slide, pool, system);
                 let across = |link| phrase![link, " is perpendicular to ", &line];
-                let [points, bodies] = self.link_words(*angle, *link, system).map(across);
+                let [points, bodies] = self.link_words(*angle, *link, pool, system).map(across);
                 SingularWords { points, bodies }
             }
             Singular::TurningLine {
@@ -109,11 +114,11 @@ impl Known {
                 direction,
             } => {
                 let line = [*start, *direction];
-                SingularWords::both(self.of_turning_line(*angle, *slide, line, system))
+                SingularWords::both(self.of_turning_line(*angle, *slide, line, pool, system))
             }
             Singular::Lines { slides } => {
                 let [first, second] = slides.map(|slide| {
-                    let name = line_name(slide, system);
+                    let name = line_name(slide, pool, system);
                     name.unwrap_or_else(|| phrase!["of ", Piece::Unknown(slide)])
                 });
                 SingularWords::both(phrase![
@@ -124,7 +129,7 @@ impl Known {
                     " are parallel"
                 ])
             }
-            Singular::Jacobian(unknowns) => self.of_coupled(unknowns, block, system),
+            Singular::Jacobian(unknowns) => self.of_coupled(unknowns, block, pool, system),
         }
     }
 
@@ -133,13 +138,14 @@ impl Known {
         angles: [usize; 2],
         links: [Vector; 2],
         block: &SolvedBlock,
-        system: &mut System,
+        pool: &mut Pool,
+        system: &System,
     ) -> SingularWords {
-        let meeting = self.meeting(angles, block, system);
-        let points = self.corners(angles, links, meeting.as_ref(), system);
+        let meeting = self.meeting(angles, block, pool, system);
+        let points = self.corners(angles, links, meeting.as_ref(), pool, system);
         let [one, other] = match &meeting {
-            Some(spans) => [0, 1].map(|side| span_words(angles[side], &spans[side], system)),
-            None => angles.map(|angle| turning_words(angle, system)),
+            Some(spans) => [0, 1].map(|side| span_words(angles[side], &spans[side], pool, system)),
+            None => angles.map(|angle| turning_words(angle, pool, system)),
         };
         let Some(names) = points else {
             // Two vectors of a closed sum need not have a common point.
@@ -159,10 +165,11 @@ impl Known {
         angles: [usize; 2],
         links: [Vector; 2],
         meeting: Option<&[Span; 2]>,
-        system: &mut System,
+        pool: &mut Pool,
+        system: &System,
     ) -> Option<[String; 3]> {
         // Vectors of the plan lie between the pins if these are known exactly.
-        match (self.triangle(angles, links, system), meeting) {
+        match (self.triangle(angles, links, pool, system), meeting) {
             (Some(triangle), _) => {
                 let [a, b] = [0, 1].map(|side| triangle.outer[side].0.name.clone());
                 Some([a, triangle.apex.name, b])
@@ -180,13 +187,14 @@ impl Known {
         &self,
         singular: &Singular,
         block: &SolvedBlock,
-        system: &mut System,
+        pool: &mut Pool,
+        system: &System,
     ) -> Option<[String; 3]> {
         let Singular::Links { angles, links } = singular else {
             return None;
         };
-        let meeting = self.meeting(*angles, block, system);
-        self.corners(*angles, *links, meeting.as_ref(), system)
+        let meeting = self.meeting(*angles, block, pool, system);
+        self.corners(*angles, *links, meeting.as_ref(), pool, system)
     }
 
     /// Describes a line that begins at p with the direction u, in the orientation of the angle.
@@ -195,10 +203,11 @@ impl Known {
         angle: usize,
         slide: usize,
         [p, u]: [Vector; 2],
-        system: &mut System,
+        pool: &mut Pool,
+        system: &System,
     ) -> Phrase {
-        let zero = system.mechanism.graph.zero();
-        let measured = measured_points(slide, system);
+        let zero = pool.graph.zero();
+        let measured = measured_points(slide, pool, system);
         // The line begins at the center of rotation.
         if p == [zero, zero] {
             let names = measured.map(|marks| marks.map(|mark| mark_name(&mark, system)));
@@ -223,9 +232,9 @@ impl Known {
         }
         known.sort();
         known.dedup();
-        let line = line_words(slide, system);
+        let line = line_words(slide, pool, system);
         let offset = {
-            let graph = &mut system.mechanism.graph;
+            let graph = &mut pool.graph;
             let [forward, backward] = [graph.multiply(u[0], p[1]), graph.multiply(u[1], p[0])];
             graph.subtract(forward, backward)
         };
@@ -246,12 +255,18 @@ impl Known {
     }
 
     /// An equation measures a rotated vector along one direction, and is stationary if both are parallel.
-    fn of_slope(&self, angle: usize, equation: ExprId, system: &mut System) -> SingularWords {
-        let arms: Vec<Arm> = system.vector_form.arms_of(angle).cloned().collect();
-        let zero = system.mechanism.graph.zero();
+    fn of_slope(
+        &self,
+        angle: usize,
+        equation: ExprId,
+        pool: &mut Pool,
+        system: &System,
+    ) -> SingularWords {
+        let arms: Vec<Arm> = pool.arms_of(angle).cloned().collect();
+        let zero = pool.graph.zero();
         let mut measured = Vec::new();
         for arm in arms {
-            let graph = &mut system.mechanism.graph;
+            let graph = &mut pool.graph;
             let slopes = arm.symbols.map(|symbol| graph.derivative(equation, symbol));
             if slopes != [zero, zero] {
                 measured.push((arm.local, slopes));
@@ -263,8 +278,8 @@ impl Known {
             .body()
             .is_some_and(|it| system.mechanism.bodies[it].is_angle());
         let mentions_angle = |slope: &ExprId| {
-            let graph = &system.mechanism.graph;
-            system.vector_form.mentions(*slope, angle, graph) || is_angle && !graph.is_fixed(*slope)
+            let graph = &pool.graph;
+            pool.mentions(*slope, angle) || is_angle && !graph.is_fixed(*slope)
         };
         if measured
             .iter()
@@ -276,7 +291,7 @@ impl Known {
             let rest = " is at an end of its range, where its two solutions meet";
             return SingularWords {
                 points: phrase![Piece::Unknown(angle), rest],
-                bodies: phrase![turning_words(angle, system), rest],
+                bodies: phrase![turning_words(angle, pool, system), rest],
             };
         };
         let direction = match slopes.map(|slope| slope == zero) {
@@ -285,19 +300,19 @@ impl Known {
             _ => phrase!["the direction ", Piece::Pair(slopes)],
         };
         let along = |link| phrase![link, " is parallel to ", &direction];
-        let [points, bodies] = self.link_words(angle, local, system).map(along);
+        let [points, bodies] = self.link_words(angle, local, pool, system).map(along);
         SingularWords { points, bodies }
     }
 
     /// Returns `K-L` and `K-L of rod`, or the name of the body or link if its ends have no names.
-    fn link_words(&self, angle: usize, p: Vector, system: &mut System) -> [Phrase; 2] {
-        if let Some(link) = self.link(angle, p, |_, _| true, system) {
+    fn link_words(&self, angle: usize, p: Vector, pool: &mut Pool, system: &System) -> [Phrase; 2] {
+        if let Some(link) = self.link(angle, p, |_, _| true, pool, system) {
             let [from, to] = [link.from, link.to].map(|pin| Piece::Name(pin.name));
             let words = phrase![from, "-", to];
-            let of = phrase![&words, " of ", turning_words(angle, system)];
+            let of = phrase![&words, " of ", turning_words(angle, pool, system)];
             return [words, of];
         }
-        let words = match self.pin_opposite_origin(angle, p, system) {
+        let words = match self.pin_opposite_origin(angle, p, pool, system) {
             Some((pin, body)) => phrase![
                 "the line from ",
                 Piece::Name(pin),
@@ -305,7 +320,7 @@ impl Known {
                 super::ends::body_words(body, system)
             ],
             None => {
-                let turning = turning_words(angle, system);
+                let turning = turning_words(angle, pool, system);
                 match self.known_pins(angle, system).into_iter().next() {
                     Some((pin, _)) => {
                         phrase!["the link of ", turning, " from ", Piece::Name(pin.name)]

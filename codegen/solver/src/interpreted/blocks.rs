@@ -70,11 +70,11 @@ impl Blocks for Interpreted {
     }
 
     fn nominal_parameters(&self) -> ParameterValues {
-        Numbers::nominal_parameters(self.system())
+        Numbers::nominal_parameters(self.pool(), self.system())
     }
 
     fn initial_inputs(&self) -> InputSignals {
-        InputSignals::initial(self.system())
+        InputSignals::initial(self.pool(), self.system())
     }
 
     fn drawn_branches(&self) -> Modes {
@@ -122,10 +122,12 @@ impl Blocks for Interpreted {
     }
 
     fn estimate(&self, pose: &Pose, parameters: &ParameterValues, t: f64) -> Instant {
-        let Compiled { system, layout, .. } = &*self.compiled;
+        let Compiled {
+            derived, layout, ..
+        } = &*self.compiled;
         let mut instant = layout.empty();
         let drawn = self.compiled.drawn(parameters);
-        let unknowns = system.vector_form.unknowns.iter().zip(drawn);
+        let unknowns = derived.system.vector_form.unknowns.iter().zip(drawn);
         let values = instant.values_mut();
         values[0] = t;
         values[1..=parameters.0.len()].copy_from_slice(&parameters.0);

@@ -2,6 +2,7 @@
 //!
 //! Values of instants are copied into registers here, and results out of them.
 
+use linkwright_codegen::stages::pool::Pool;
 use std::collections::HashSet;
 
 use linkwright_codegen::stages::emit::Notation;
@@ -11,7 +12,7 @@ use linkwright_codegen::stages::emit::derivation::{
 use linkwright_codegen::stages::expr::{Code, ExprId, Register, SymbolId};
 use linkwright_codegen::stages::program::{Program, Statement};
 use linkwright_codegen::stages::structure::SolvedPlan;
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::{Derived, System};
 
 use crate::instant::{Instant, Layout};
 use crate::measures::MeasuredPart;
@@ -24,7 +25,7 @@ use crate::supplied::{InputSignals, Modes, ParameterValues};
 /// Compiled program, shared by all instants.
 #[derive(Debug)]
 pub(crate) struct Compiled {
-    pub system: System,
+    pub derived: Derived,
     pub plan: SolvedPlan,
     pub program: Program,
     pub poses: Vec<SingularPose>,
@@ -63,8 +64,13 @@ pub(crate) struct InterpretedBlock {
 
 impl InterpretedBlock {
     /// The blocks of a program, written one after another.
-    fn all(program: &Program, system: &System, writer: &mut Writer<'_>) -> Vec<InterpretedBlock> {
-        let graph = &system.mechanism.graph;
+    fn all(
+        program: &Program,
+        pool: &Pool,
+        system: &System,
+        writer: &mut Writer<'_>,
+    ) -> Vec<InterpretedBlock> {
+        let graph = &pool.graph;
         let mut signs_left: Vec<usize> = (0..program.branches.len()).collect();
         let mut blocks: Vec<InterpretedBlock> = Vec::with_capacity(program.blocks.len());
         for block in &program.blocks {
@@ -80,7 +86,7 @@ impl InterpretedBlock {
             let evaluation = writer.evaluation(&block.function);
             for statement in &block.function.statements {
                 if let Statement::Newton { .. } = statement {
-                    newton = Newton::new(block, system, writer);
+                    newton = Newton::new(block, pool, system, writer);
                 }
                 writer.statement(statement, &evaluation);
             }
@@ -98,24 +104,31 @@ impl InterpretedBlock {
 impl Compiled {
     /// The operations of a program, and what else is asked of it at every instant.
     pub(super) fn new(
-        system: System,
+        derived: Derived,
         plan: SolvedPlan,
         program: Program,
         measured: (Vec<MeasuredPart>, Vec<ExprId>),
     ) -> Compiled {
+        let Derived { pool, system } = &derived;
         let poses =
-            |notation| singular_poses(&system, &plan, &program.forms, Script::Text(notation));
-        let words = block_words(&program.blocks, &system, &plan, &poses(Notation::Unicode));
+            |notation| singular_poses(pool, system, &plan, &program.forms, Script::Text(notation));
+        let words = block_words(
+            &program.blocks,
+            pool,
+            system,
+            &plan,
+            &poses(Notation::Unicode),
+        );
         let poses = poses(Notation::Ascii);
-        let layout = Layout::new(&system, &program.fields);
-        let mut writer = Writer::new(&system, &program);
+        let layout = Layout::new(system, &program.fields);
+        let mut writer = Writer::new(pool, system, &program);
         let time = writer.found(system.mechanism.time);
         let given = layout.symbols()[layout.given()].iter();
         let given = given.map(|&symbol| writer.found(symbol)).collect();
         let signs = program.branches.iter();
         let signs = signs.map(|it| writer.found(it.symbol)).collect();
         writer.last(system.mechanism.time);
-        let blocks = InterpretedBlock::all(&program, &system, &mut writer);
+        let blocks = InterpretedBlock::all(&program, pool, system, &mut writer);
         let kept = layout.symbols()[layout.solved()].iter();
         let kept = kept
             .map(|&symbol| writer.assembler.symbol(symbol))
@@ -125,13 +138,13 @@ impl Compiled {
             .into_iter()
             .filter_map(|(symbol, register)| Some((register, layout.slot(symbol)?)));
         let last = last.collect();
-        let formulas = |function| Formulas::new([function], &system, &program, &layout);
+        let formulas = |function| Formulas::new([function], pool, system, &program, &layout);
         let drawn = program.drawn.as_ref().map(formulas);
         let required = program.requirements.as_ref();
         let required = required.map(|it| formulas(&it.function));
         Compiled {
             required,
-            path: InterpretedPath::new(&system, &program, &layout),
+            path: InterpretedPath::new(pool, system, &program, &layout),
             last,
             drawn,
             measured,
@@ -146,7 +159,7 @@ impl Compiled {
             kept,
             plan,
             program,
-            system,
+            derived,
         }
     }
 
@@ -197,8 +210,10 @@ impl Compiled {
         match &self.drawn {
             Some(drawn) => self.of_parameters(drawn, parameters),
             None => {
-                let unknowns = 0..self.system.vector_form.unknowns.len();
-                unknowns.map(|it| self.system.drawn_unknown(it)).collect()
+                let unknowns = 0..self.derived.system.vector_form.unknowns.len();
+                unknowns
+                    .map(|it| self.derived.system.drawn_unknown(it, &self.derived.pool))
+                    .collect()
             }
         }
     }

@@ -20,7 +20,7 @@ impl LoadReader {
     /// Creates the evaluator; `None` if no load of the program may become infinite.
     pub(super) fn new(compiled: &Compiled) -> Option<LoadReader> {
         let Compiled {
-            system,
+            derived,
             program,
             layout,
             ..
@@ -28,7 +28,13 @@ impl LoadReader {
         let loads = program.loads.as_ref()?;
         let read = loads.read.iter();
         Some(LoadReader {
-            loads: Reader::of(Formulas::new([&loads.function], system, program, layout)),
+            loads: Reader::of(Formulas::new(
+                [&loads.function],
+                &derived.pool,
+                &derived.system,
+                program,
+                layout,
+            )),
             read: read.filter_map(|&it| layout.slot(it)).collect(),
             block: loads.block,
         })

@@ -17,9 +17,9 @@ use linkwright::{Blocks, Failure, FailureKind, Shell};
 use linkwright_codegen::diagnostic::internal::work_at;
 use linkwright_codegen::diagnostic::{Code, Diagnostics};
 use linkwright_codegen::stages::findings;
-use linkwright_codegen::stages::program::{Program, lower_with_unknowns};
-use linkwright_codegen::stages::structure::{self, SolvedPlan};
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::program::{Kept, Program, lower};
+use linkwright_codegen::stages::structure::{self, Shift, SolvedPlan};
+use linkwright_codegen::stages::system::Derived;
 
 use crate::derivatives::{Derivative, of_program};
 use crate::forces;
@@ -57,30 +57,36 @@ pub(crate) struct State {
 
 impl Interpreted {
     /// Returns the blocks of a system; `None` if its equations do not determine the motion.
-    pub fn new(system: &System) -> Option<Interpreted> {
-        let mut system = system.in_full();
-        let plan = structure::plan(&mut system)?;
-        let program = lower_with_unknowns(&mut system, &plan);
-        Some(Interpreted::of(system, plan, program))
+    pub fn new(derived: &Derived) -> Option<Interpreted> {
+        let system = derived.system.in_full();
+        let mut pool = derived.pool.clone();
+        let plan = structure::plan(&mut pool, &system, Shift::Directions).ok()?;
+        let program = lower(&mut pool, &system, &plan, Kept::Unknowns);
+        Some(Interpreted::of(Derived { pool, system }, plan, program))
     }
 
     /// Returns the blocks as [`Interpreted::new`] does, with warnings about their solution.
     ///
     /// # Errors
     /// Numbers in the blocks become infinite or undefined, or the work exceeds its bounds.
-    pub fn checked(system: &System) -> Result<(Option<Interpreted>, Diagnostics), Diagnostics> {
+    pub fn checked(derived: &Derived) -> Result<(Option<Interpreted>, Diagnostics), Diagnostics> {
+        let system = derived.system.in_full();
         let _work = work_at(system.mechanism.place());
-        let mut system = system.in_full();
-        let Some(plan) = structure::plan(&mut system) else {
-            return Ok((None, findings(&system, None)?));
+        let mut pool = derived.pool.clone();
+        let Ok(plan) = structure::plan(&mut pool, &system, Shift::Directions) else {
+            return Ok((None, findings(&pool, &system, None)?));
         };
-        let program = lower_with_unknowns(&mut system, &plan);
-        match findings(&system, Some(&program)) {
-            Ok(warnings) => Ok((Some(Interpreted::of(system, plan, program)), warnings)),
+        let program = lower(&mut pool, &system, &plan, Kept::Unknowns);
+        match findings(&pool, &system, Some(&program)) {
+            Ok(warnings) => Ok((
+                Some(Interpreted::of(Derived { pool, system }, plan, program)),
+                warnings,
+            )),
             Err(found) => {
                 let is_of_values = found.iter().all(|it| it.code == Code::NotFinite)
                     && !system.mechanism.parameters.is_empty();
-                let interpreted = is_of_values.then(|| Interpreted::of(system, plan, program));
+                let interpreted =
+                    is_of_values.then(|| Interpreted::of(Derived { pool, system }, plan, program));
                 // A length that is rejected or out of reach explains more than a number that follows from it.
                 match interpreted.filter(Interpreted::is_refused_as_drawn) {
                     Some(interpreted) => Ok((Some(interpreted), Diagnostics::new())),
@@ -117,16 +123,22 @@ impl Interpreted {
         )
     }
 
-    fn of(mut system: System, plan: SolvedPlan, program: Program) -> Interpreted {
-        let measured = measured(&mut system, &plan, &program);
-        let compiled = Compiled::new(system, plan, program, measured);
+    fn of(mut derived: Derived, plan: SolvedPlan, program: Program) -> Interpreted {
+        let measured = measured(&mut derived.pool, &derived.system, &plan, &program);
+        let compiled = Compiled::new(derived, plan, program, measured);
         let Compiled {
-            system,
+            derived,
             program,
             layout,
             ..
         } = &compiled;
-        let points = Formulas::new(&program.points, system, program, layout);
+        let points = Formulas::new(
+            &program.points,
+            &derived.pool,
+            &derived.system,
+            program,
+            layout,
+        );
         let path = compiled.path.as_ref();
         Interpreted {
             points: Reader::of(points),

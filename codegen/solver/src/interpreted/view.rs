@@ -3,7 +3,7 @@
 use linkwright::generated::{Conditions, Start};
 use linkwright::{Blocks, Failure, FailureKind, PointMotion, Settings};
 use linkwright_codegen::stages::emit::derivation::SingularPose;
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 
 use super::Interpreted;
 use crate::assemblies::assemblies;
@@ -16,8 +16,8 @@ use crate::supplied::ModeName;
 use crate::view::View;
 
 impl View for Interpreted {
-    fn system(&self) -> &System {
-        &self.compiled.system
+    fn derived(&self) -> &Derived {
+        &self.compiled.derived
     }
 
     fn layout(&self) -> &Layout {

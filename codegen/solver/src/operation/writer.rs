@@ -2,6 +2,7 @@
 //!
 //! [`Evaluation`] decides the order of arithmetic; the writer only assigns registers.
 
+use linkwright_codegen::stages::pool::Pool;
 use std::collections::HashMap;
 use std::ops::Range;
 
@@ -16,6 +17,7 @@ use crate::path::Isolation;
 pub(crate) struct Writer<'a> {
     pub assembler: Assembler<'a>,
     pub(super) program: &'a Program,
+    pool: &'a Pool,
     system: &'a System,
     /// Registers of computations.
     computed: HashMap<Computation, Register>,
@@ -30,12 +32,13 @@ pub(crate) struct Writer<'a> {
 
 impl<'a> Writer<'a> {
     /// Begins a writer without operations.
-    pub fn new(system: &'a System, program: &'a Program) -> Writer<'a> {
-        let assembler = Assembler::new(&system.mechanism.graph);
+    pub fn new(pool: &'a Pool, system: &'a System, program: &'a Program) -> Writer<'a> {
+        let assembler = Assembler::new(&pool.graph);
         Writer {
             from: assembler.position(),
             assembler,
             program,
+            pool,
             system,
             computed: HashMap::new(),
             journal: Vec::new(),
@@ -82,6 +85,7 @@ impl<'a> Writer<'a> {
     {
         Evaluation {
             function,
+            pool: self.pool,
             system: self.system,
             constants: &self.program.constants,
         }

@@ -52,7 +52,7 @@ impl Claims {
         interpreted: &Interpreted,
         parts: &[CheckedPart],
         points: &[usize],
-        writing: &mut Writing,
+        writing: &mut Writing<'_>,
     ) -> Claims {
         let (measured, values) = &interpreted.compiled().measured;
         let mut rest = values.as_slice();

@@ -5,6 +5,7 @@
 
 use linkwright_codegen::stages::assemblies::{Enclosed, Enclosing, Interval};
 use linkwright_codegen::stages::expr::{ExprId, SymbolId};
+use linkwright_codegen::stages::pool::Draft;
 use linkwright_codegen::stages::system::System;
 
 /// Chord: unknowns are c + d s at the time t_c + h s, where s goes from about −1 to 1.
@@ -31,19 +32,20 @@ pub(super) struct Functions {
     pub mentioned: Vec<Vec<usize>>,
 }
 
-/// Symbols and expressions of functions, in a copy of the system that may grow.
-pub(super) struct Writing {
-    system: System,
+/// Symbols and expressions of functions, in a draft.
+pub(super) struct Writing<'a> {
+    pool: Draft,
+    system: &'a System,
     /// s, t_c and h, then c of all unknowns, then d.
     symbols: Vec<SymbolId>,
     /// Expressions that replace inputs and directions.
     given: Vec<(SymbolId, ExprId)>,
 }
 
-impl Writing {
+impl<'a> Writing<'a> {
     /// Creates functions of this system with nominal parameters and the inputs of their laws.
-    pub fn new(mut system: System) -> Writing {
-        let zero = system.mechanism.graph.zero();
+    pub fn new(mut pool: Draft, system: &'a System) -> Writing<'a> {
+        let zero = pool.graph.zero();
         let directions = system.directions.iter();
         let directions = directions.filter(|direction| !direction.is_parameter());
         let mut replacements: Vec<(SymbolId, ExprId)> =
@@ -56,9 +58,10 @@ impl Writing {
         let unknowns = ["at", "along"].into_iter();
         let unknowns = unknowns.flat_map(|it| (0..count).map(move |k| format!("chord {it} {k}")));
         let names: Vec<String> = names.into_iter().chain(unknowns).collect();
-        let graph = &mut system.mechanism.graph;
+        let graph = &mut pool.graph;
         let symbols = names.iter().map(|name| graph.symbol(name)).collect();
         Writing {
+            pool,
             system,
             symbols,
             given: replacements,
@@ -67,15 +70,14 @@ impl Writing {
 
     /// Returns an expression in time and unknowns alone: without rotated local vectors, inputs and directions.
     fn written(&mut self, expr: ExprId) -> ExprId {
-        let graph = &mut self.system.mechanism.graph;
-        let expr = self.system.vector_form.written_out(expr, graph);
-        graph.substitute(expr, &self.given)
+        let expr = self.pool.written_out(expr);
+        self.pool.graph.substitute(expr, &self.given)
     }
 
     /// Returns `unknown − value`.
     pub fn definition(&mut self, unknown: usize, value: ExprId) -> ExprId {
         let position = self.system.vector_form.unknowns[unknown].position;
-        let graph = &mut self.system.mechanism.graph;
+        let graph = &mut self.pool.graph;
         let variable = graph.variable(position);
         graph.subtract(variable, value)
     }
@@ -88,7 +90,7 @@ impl Writing {
             unknowns.map(|it| it.position).collect()
         };
         let time = self.system.mechanism.time;
-        let graph = &mut self.system.mechanism.graph;
+        let graph = &mut self.pool.graph;
         let count = positions.len();
         let variables: Vec<ExprId> = {
             let symbols = self.symbols.iter();
@@ -129,7 +131,7 @@ impl Writing {
     }
 
     fn enclosed(&self, arguments: &[SymbolId], expressions: &[ExprId]) -> Enclosed {
-        let graph = &self.system.mechanism.graph;
+        let graph = &self.pool.graph;
         let mut enclosing = Enclosing::new(graph, arguments);
         for parameter in &self.system.mechanism.parameters {
             if let Some(value) = graph.nominal(parameter.symbol) {

@@ -3,7 +3,6 @@
 //! Every window that is kept is verified, and contains both of its frames.
 
 use linkwright::{Blocks, Shell};
-use linkwright_codegen::stages::system::System;
 
 use super::claims::{Bounds, Claims};
 use super::functions::{self, Chord, Writing};
@@ -73,8 +72,8 @@ impl<'a> Prover<'a> {
             Default::default(),
         );
         let shell = shell.map_err(|failure| nowhere(interpreted.not_assembled(&failure)))?;
-        let system: &System = interpreted.system();
-        let mut writing = Writing::new(system.clone());
+        let system = interpreted.system();
+        let mut writing = Writing::new(interpreted.pool().draft(), system);
         let cells = cells(interpreted.plan(), &mut writing)
             .ok_or_else(|| nowhere("its equations are not solved one after another".to_string()))?;
         let claims = Claims::new(interpreted, parts, points, &mut writing);

@@ -43,7 +43,7 @@ pub(super) struct Verified {
 }
 
 /// Returns the cells of a plan, each after those that it needs; `None` if they have no such order.
-pub(super) fn cells(plan: &SolvedPlan, writing: &mut Writing) -> Option<Vec<Cell>> {
+pub(super) fn cells(plan: &SolvedPlan, writing: &mut Writing<'_>) -> Option<Vec<Cell>> {
     let mut open = Vec::new();
     for (block, solved) in plan.blocks.iter().enumerate() {
         for part in &solved.parts {

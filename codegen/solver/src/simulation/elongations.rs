@@ -4,6 +4,7 @@
 //! chart, the stiff direction does not turn.
 
 use linkwright_codegen::stages::expr::ExprId;
+use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::system::System;
 use nalgebra::DMatrix;
 
@@ -32,10 +33,10 @@ pub(super) struct Elongated {
 
 impl Elongations {
     /// Returns the elongations of a system that depend on its coordinates alone.
-    pub fn of(system: &mut System, layout: &Layout) -> Elongations {
+    pub fn of(pool: &mut Pool, system: &System, layout: &Layout) -> Elongations {
         let forces = system.forces.clone();
         let (lengths, rated) = forces.map(|it| (it.lengths, it.rated)).unwrap_or_default();
-        let length = system.characteristic_length();
+        let length = system.characteristic_length(pool);
         let mut elongations: Vec<(ExprId, f64)> =
             lengths.into_iter().map(|(_, own)| (own, length)).collect();
         for load in system.mechanism.forces.loads.clone() {
@@ -45,24 +46,24 @@ impl Elongations {
             };
             let others = others.iter().map(|it| it.frame);
             for other in others.filter(|it| it.body != first.frame.body) {
-                let graph = &mut system.mechanism.graph;
+                let graph = &mut pool.graph;
                 elongations.push((graph.subtract(other.angle, first.frame.angle), 1.0));
             }
         }
         // The gradient of a formula scales it, so that its unit does not matter.
         for it in rated {
-            let formula = system.mechanism.graph.substitute(it.formula, &it.arms);
+            let formula = pool.graph.substitute(it.formula, &it.arms);
             elongations.push((formula, 1.0));
         }
         let coordinates = system.coordinates.to_vec();
-        let mechanism = &mut system.mechanism;
-        let graph = &mut mechanism.graph;
+        let mechanism = &system.mechanism;
         let mut outside = vec![mechanism.time];
         outside.extend(mechanism.inputs.iter().flat_map(|it| it.symbols));
         let (mut values, mut bends, mut scales) = (Vec::new(), Vec::new(), Vec::new());
         let (mut entries, mut gradients) = (Vec::new(), Vec::new());
         for (formula, scale) in elongations {
-            let expression = system.vector_form.written_out(formula, graph);
+            let expression = pool.written_out(formula);
+            let graph = &mut pool.graph;
             let zero = graph.zero();
             if outside
                 .iter()
@@ -94,7 +95,7 @@ impl Elongations {
         values.extend(bends);
         values.extend(gradients);
         Elongations {
-            reader: Reader::new(graph, layout, &values),
+            reader: Reader::new(&pool.graph, layout, &values),
             entries,
             scales,
         }

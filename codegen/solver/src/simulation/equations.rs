@@ -5,6 +5,7 @@
 
 use linkwright_codegen::stages::expr::ExprId;
 use linkwright_codegen::stages::joint::Quantity;
+use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::system::System;
 use nalgebra::{DMatrix, DVector};
 
@@ -53,8 +54,8 @@ pub(super) struct Dynamics {
 
 impl MotionEquations {
     /// Creates the equations of a system; `None` if no coordinate is free or forces are undetermined.
-    pub fn new(system: &System) -> Option<MotionEquations> {
-        let mut system = system.clone();
+    pub fn new(pool: &Pool, system: &System) -> Option<MotionEquations> {
+        let mut pool = pool.draft();
         let loads = system.forces.clone()?;
         let layout = Layout::new(&system, &[]);
         let free = system.mechanism.forces.free.clone();
@@ -79,7 +80,7 @@ impl MotionEquations {
             }
             for (place, coordinate) in free.iter().enumerate() {
                 let [value, ..] = system.mechanism.inputs[coordinate.input].symbols;
-                let graph = &mut system.mechanism.graph;
+                let graph = &mut pool.graph;
                 let entry = graph.derivative(own.residual, value);
                 if entry != graph.zero() {
                     entries.push((row, count + place));
@@ -89,16 +90,15 @@ impl MotionEquations {
         }
         let residuals = held.iter().map(|row| row.residual);
         let constraints: Vec<ExprId> = residuals.chain(values).collect();
-        let constraints = Reader::new(&system.mechanism.graph, &layout, &constraints);
-        let form = &system.vector_form;
-        let graph = &mut system.mechanism.graph;
+        let constraints = Reader::new(&pool.graph, &layout, &constraints);
         let mut written = |root: ExprId| {
-            let root = graph.substitute(root, &loads.lengths);
-            form.written_out(root, graph)
+            let root = pool.graph.substitute(root, &loads.lengths);
+            pool.written_out(root)
         };
         let right_sides: Vec<ExprId> = loads.loads.iter().map(|it| written(*it)).collect();
         let [kinetic, potential, added] =
             [loads.kinetic, loads.potential, loads.added].map(&mut written);
+        let graph = &mut pool.graph;
         let (mut masses, mut inertias) = (Vec::new(), Vec::new());
         for (row, &load) in right_sides.iter().enumerate() {
             for (column, coordinate) in system.coordinates.iter().enumerate() {
@@ -134,13 +134,19 @@ impl MotionEquations {
         );
         roots.extend(inertias);
         roots.extend([kinetic, potential, power]);
-        let dynamics = Reader::new(&system.mechanism.graph, &layout, &roots);
-        let elongations = Elongations::of(&mut system, &layout);
+        let dynamics = Reader::new(&pool.graph, &layout, &roots);
+        let elongations = Elongations::of(&mut pool, system, &layout);
         Some(MotionEquations {
-            parameters: Numbers::nominal_parameters(&system),
-            laws: InputLaws::of(&system),
-            row_scales: held.iter().map(|row| system.scale(row.quantity)).collect(),
-            coordinate_scales: quantities.iter().map(|it| system.scale(*it)).collect(),
+            parameters: Numbers::nominal_parameters(&pool, &system),
+            laws: InputLaws::of(&pool, &system),
+            row_scales: held
+                .iter()
+                .map(|row| system.scale(row.quantity, &pool))
+                .collect(),
+            coordinate_scales: quantities
+                .iter()
+                .map(|it| system.scale(*it, &pool))
+                .collect(),
             is_length: quantities
                 .iter()
                 .map(|it| it.power_of_length() > 0)

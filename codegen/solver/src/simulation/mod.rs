@@ -137,7 +137,7 @@ impl Simulation {
         };
         motion.acceleration(shell.frame()).map_err(massless)?;
         let system = view.system();
-        let equations = MotionEquations::new(system).ok_or(Stop::NothingFree)?;
+        let equations = MotionEquations::new(view.pool(), system).ok_or(Stop::NothingFree)?;
         let mut start = equations.instant(0.0);
         start.set_frame(&shell.frame().frame());
         let right_side = RightSide::new(equations, &start);
@@ -146,7 +146,7 @@ impl Simulation {
         state.push(0.0);
         let solved = right_side.solve(0.0, &state)?;
         let mut simulation = Simulation {
-            view: Dense::moved_by_forces(system),
+            view: Dense::moved_by_forces(view.derived()),
             right_side,
             options,
             end,

@@ -153,7 +153,7 @@ impl Stop {
 fn infinite_load(view: &Dense, last: &Instant, t: f64) -> Option<String> {
     let mut instant = last.clone();
     Dense::set_time(&mut instant, t);
-    let load = not_finite::load(view.system(), view.layout(), &instant)?;
+    let load = not_finite::load(view.pool(), view.system(), view.layout(), &instant)?;
     Some(format!("`{load}` is not finite at t = {} s", time(t)))
 }
 
@@ -161,7 +161,13 @@ fn infinite_load(view: &Dense, last: &Instant, t: f64) -> Option<String> {
 fn growing_load(view: &Dense, last: &Instant) -> Option<String> {
     let mut before = last.clone();
     Dense::set_time(&mut before, last.t() - BEFORE);
-    let load = not_finite::growing(view.system(), view.layout(), [&before, last], GROWTH)?;
+    let load = not_finite::growing(
+        view.pool(),
+        view.system(),
+        view.layout(),
+        [&before, last],
+        GROWTH,
+    )?;
     let t = time(last.t());
     Some(format!("`{load}` grows without bound toward t = {t} s"))
 }
@@ -189,7 +195,7 @@ fn concerned(view: &Dense, last: &Instant) -> String {
     let equations = view.equations();
     let inputs = view.layout().inputs(last);
     equations.supply(
-        &crate::supplied::Numbers::nominal_parameters(view.system()),
+        &crate::supplied::Numbers::nominal_parameters(view.pool(), view.system()),
         &inputs,
     );
     let q = DVector::from_column_slice(last.q());

@@ -6,6 +6,7 @@ use linkwright::generated::kinematics;
 use linkwright::{Failure, Frame, PointMotion, Settings};
 use linkwright_codegen::stages::expr::{ExprId, Tape};
 use linkwright_codegen::stages::model::Requested;
+use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::system::System;
 use nalgebra::{DMatrix, DVector, Dyn};
 
@@ -28,8 +29,8 @@ pub(super) struct Directions {
 }
 
 impl Directions {
-    pub fn new(system: &System) -> Directions {
-        let graph = &system.mechanism.graph;
+    pub fn new(pool: &Pool, system: &System) -> Directions {
+        let graph = &pool.graph;
         let columns: Vec<ExprId> = system
             .directions
             .iter()

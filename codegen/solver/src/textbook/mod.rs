@@ -7,6 +7,7 @@ mod directions;
 mod equations;
 mod observed;
 
+use linkwright_codegen::stages::pool::Pool;
 use std::cell::RefCell;
 
 use linkwright_codegen::stages::expr::{ExprId, SymbolId, Tape};
@@ -74,14 +75,14 @@ impl TextbookEquations {
     ///
     /// # Panics
     /// If the system is not square.
-    pub fn new(system: &System) -> TextbookEquations {
+    pub fn new(pool: &Pool, system: &System) -> TextbookEquations {
         let dimension = system.coordinates.len();
         assert_eq!(
             system.rows.len(),
             dimension,
             "a system must pass `check` before it is solved"
         );
-        let graph = &system.mechanism.graph;
+        let graph = &pool.graph;
         let rows = |pick: fn(&linkwright_codegen::stages::system::Row) -> ExprId| {
             let roots: Vec<ExprId> = system.rows.iter().map(pick).collect();
             Tape::new(graph, &roots)
@@ -126,7 +127,7 @@ impl TextbookEquations {
                 .iter()
                 .map(|output| output.name.clone())
                 .collect(),
-            directions: Directions::new(system),
+            directions: Directions::new(pool, system),
             // A design configuration that is not constant was rejected before; NaN would be reported as not finite.
             estimate: DVector::from_iterator(
                 dimension,
@@ -137,11 +138,11 @@ impl TextbookEquations {
             row_scales: system
                 .rows
                 .iter()
-                .map(|row| system.scale(row.quantity))
+                .map(|row| system.scale(row.quantity, pool))
                 .collect(),
             coordinate_scales: coordinates
                 .iter()
-                .map(|it| system.scale(it.quantity))
+                .map(|it| system.scale(it.quantity, pool))
                 .collect(),
             positions: coordinates.iter().map(|it| it.position).collect(),
             rates: coordinates.iter().map(|it| it.rate).collect(),
@@ -159,7 +160,7 @@ impl TextbookEquations {
                 .map(|it| it.symbol)
                 .collect(),
             scratch: RefCell::new(Scratch {
-                symbols: parameters(system),
+                symbols: parameters(pool),
                 workspace: Vec::new(),
                 signals: Vec::new(),
                 are_supplied: false,
@@ -235,8 +236,8 @@ impl TextbookEquations {
 }
 
 /// Returns a value per symbol: parameters at their nominal values, and zero for all others.
-fn parameters(system: &System) -> Vec<f64> {
-    let graph = &system.mechanism.graph;
+fn parameters(pool: &Pool) -> Vec<f64> {
+    let graph = &pool.graph;
     let mut symbols = vec![0.0; graph.symbol_count()];
     graph.fill_nominal(&mut symbols);
     symbols

@@ -33,7 +33,11 @@ pub(super) fn drawn(printer: &Printer<'_>, text: &mut Text) {
     let system = printer.module.system;
     let values = system.coordinates.iter().map(|coordinate| {
         // The estimates were found to be finite constants when they were read.
-        let drawn = system.mechanism.graph.constant_value(coordinate.estimate);
+        let drawn = printer
+            .module
+            .pool
+            .graph
+            .constant_value(coordinate.estimate);
         printer.number(drawn.unwrap_or(0.0))
     });
     let values: Vec<String> = values.collect();

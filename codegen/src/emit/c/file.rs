@@ -11,9 +11,7 @@ use super::{
 use crate::emit::module::{Module, documentation, facts};
 use crate::emit::scalar::Scalar;
 use crate::emit::text;
-use crate::program::Program;
-use crate::structure::SolvedPlan;
-use crate::system::System;
+use crate::solved::Solved;
 
 /// What is said of the output itself.
 const TERMS: [&str; 2] = [
@@ -22,10 +20,10 @@ const TERMS: [&str; 2] = [
 ];
 
 /// The source and the header of the motions of a mechanism, which are called `stem`, and those of the runtime.
-pub fn texts(motions: &[(System, SolvedPlan, Program)], stem: &str, scalar: Scalar) -> Vec<String> {
+pub fn texts(motions: &[Solved], stem: &str, scalar: Scalar) -> Vec<String> {
     let modules = motions.iter();
     let modules: Vec<Module<'_>> = modules
-        .map(|(system, plan, program)| Module::new(system, plan, program, scalar, WORDS))
+        .map(|solved| Module::new(solved, scalar, WORDS))
         .collect();
     let printers: Vec<Printer<'_>> = modules.iter().map(Printer::new).collect();
     let Some(first) = printers.first() else {
@@ -209,7 +207,7 @@ fn constants(printer: &Printer<'_>, code: &Text, text: &mut Text) {
     let used = list.filter(|constant| code.mentions(&printer.own_constant(&constant.name)));
     text.gap();
     for constant in used {
-        let exact = text::constant(printer.module.system, &constant.part);
+        let exact = text::constant(printer.module.pool, printer.module.system, &constant.part);
         let exact = exact.map_or(String::new(), |exact| {
             format!(" {}", printer.beside(&exact))
         });

@@ -35,7 +35,7 @@ impl Printer<'_> {
             variation,
         } = isolated;
         let (real, order) = (self.real(), found.len());
-        let graph = &self.module.system.mechanism.graph;
+        let graph = &self.module.pool.graph;
         let is_varied = |symbol: &SymbolId| {
             let mut values = variation.values();
             values.any(|expr| graph.symbols(expr).contains(symbol))

@@ -42,7 +42,7 @@ impl Printer<'_> {
 
     fn default(&self, value: ExprId) -> f64 {
         // Defaults were found to be finite constants when they were read.
-        let graph = &self.module.system.mechanism.graph;
+        let graph = &self.module.pool.graph;
         graph.constant_value(value).unwrap_or(0.0)
     }
 }

@@ -7,7 +7,7 @@ use crate::expr::SplineId;
 
 /// The constant that holds a table. No other constant begins like this.
 pub(super) fn table_name(printer: &Printer<'_>, spline: SplineId) -> String {
-    let name = &printer.module.system.mechanism.graph.spline_of(spline).name;
+    let name = &printer.module.pool.graph.spline_of(spline).name;
     printer.own_constant(&format!("TABLE_{}", name.to_uppercase()))
 }
 
@@ -15,14 +15,14 @@ pub(super) fn table_name(printer: &Printer<'_>, spline: SplineId) -> String {
 pub(super) fn tables(printer: &Printer<'_>, code: &Text, text: &mut Text) {
     let system = printer.module.system;
     let (real, zero) = (printer.real(), printer.number(0.0));
-    for (id, spline) in system.mechanism.graph.splines() {
+    for (id, spline) in printer.module.pool.graph.splines() {
         let name = table_name(printer, id);
         if !code.mentions(&name) {
             continue;
         }
         let count = spline.starts.len();
         text.gap();
-        text.comment(docs_of(id, system));
+        text.comment(docs_of(id, printer.module.pool, system));
         let starts = spline.starts.iter().map(|&start| printer.number(start));
         let starts: Vec<String> = starts.collect();
         text.line(format!(

@@ -17,7 +17,11 @@ pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
     };
     let system = printer.module.system;
     let mut about_phi = vec![documentation::PHI.to_string(), String::new()];
-    about_phi.extend(documentation::of_rows(system, &system.rows));
+    about_phi.extend(documentation::of_rows(
+        printer.module.pool,
+        system,
+        &system.rows,
+    ));
     let line = |text: &str| vec![text.to_string()];
     let mut offered = vec![
         vector(printer, &textbook.residual, "phi", about_phi, |row| {
@@ -109,7 +113,7 @@ fn vector(
     let scope = Scope::new(printer.module, function_of, Place::Coordinates);
     let mut code = Text::default();
     printer.plain_statements(&scope, &mut code);
-    let zero = system.mechanism.graph.zero();
+    let zero = printer.module.pool.graph.zero();
     let is_shown = |row: &Row| of(row) != zero;
     for (index, (row, value)) in system.rows.iter().zip(printer.results(&scope)).enumerate() {
         if let Some(label) = documentation::before_row(system, index, |_| true) {
@@ -160,7 +164,11 @@ fn monitored(printer: &Printer<'_>, function_of: &Function) -> Offered {
         code.line(format!("monitored[{index}] = {value};"));
     }
     let mut lines = vec![documentation::MONITORED.to_string(), String::new()];
-    lines.extend(documentation::of_rows(system, &system.monitored));
+    lines.extend(documentation::of_rows(
+        printer.module.pool,
+        system,
+        &system.monitored,
+    ));
     let found = format!("monitored[{}]", system.monitored.len());
     function(printer, "monitored", &found, &scope, lines, code)
 }

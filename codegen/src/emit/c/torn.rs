@@ -100,7 +100,7 @@ pub(super) fn functions(
 
 /// Whether the residuals are not scaled like rows of the block.
 fn has_factors(tearing: &Tearing, printer: &Printer<'_>) -> bool {
-    let one = printer.module.system.mechanism.graph.one();
+    let one = printer.module.pool.graph.one();
     tearing.scales.results.iter().any(|it| it.expr != one)
 }
 
@@ -132,7 +132,7 @@ pub(super) fn solve(
     if has_factors(tearing, printer) {
         text.line(format!("{real} factors[{count}];"));
         text.line(format!("{name}_factors(&given, conditions->t, factors);"));
-        let one = printer.module.system.mechanism.graph.one();
+        let one = printer.module.pool.graph.one();
         for (place, factor) in tearing.scales.results.iter().enumerate() {
             if factor.expr != one {
                 scales[place] = format!("{} * factors[{place}]", scales[place]);

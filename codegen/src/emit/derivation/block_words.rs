@@ -1,6 +1,7 @@
 //! The blocks of a program → what they are called, and what is said of them where they are singular.
 
 use super::SingularPose;
+use crate::pool::Pool;
 use crate::program::{Block, Statement};
 use crate::structure::SolvedPlan;
 use crate::system::System;
@@ -18,6 +19,7 @@ pub struct BlockWords {
 /// What each block is called, in solve order; `poses` says where the parts of the plan are singular.
 pub fn block_words(
     blocks: &[Block],
+    pool: &Pool,
     system: &System,
     plan: &SolvedPlan,
     poses: &[SingularPose],
@@ -33,7 +35,7 @@ pub fn block_words(
         BlockWords {
             name: match (block.place, pins) {
                 (Some(_), Some(pins)) => format!("loop {pins}"),
-                (Some(place), None) => loop_name(&plan.blocks[place], system),
+                (Some(place), None) => loop_name(&plan.blocks[place], pool, system),
                 (None, _) => block.title.trim_end_matches('.').to_lowercase(),
             },
             singular: match block.place {

@@ -1,13 +1,15 @@
 //! A plan and its forms → its summary in a sentence and in a table.
 
+use crate::pool::Pool;
 use std::sync::Arc;
 
 use super::document::OutlineLine;
 use super::script::Script;
 use super::spelling::Spelling;
+use crate::pool::SymbolRole;
 use crate::program::forms::Form;
 use crate::structure::SolvedPlan;
-use crate::system::{SymbolRole, System};
+use crate::system::System;
 use crate::words::{counted, pin};
 
 /// How many unknowns are found in which way.
@@ -66,12 +68,14 @@ pub(super) fn summary(system: &System, plan: &SolvedPlan, forms: &[Vec<Arc<dyn F
 
 /// One line for each part and one for what follows from them.
 pub(super) fn outline(
+    pool: &Pool,
     system: &System,
     plan: &SolvedPlan,
     forms: &[Vec<Arc<dyn Form>>],
     script: Script,
 ) -> Vec<OutlineLine> {
-    let spelling = Spelling::new(system.clone(), script);
+    let mut draft = pool.draft();
+    let spelling = Spelling::new(&mut draft, system, script);
     let names = |unknowns: &[usize]| {
         let names = unknowns
             .iter()

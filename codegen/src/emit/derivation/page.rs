@@ -10,10 +10,10 @@ use super::script::Script;
 use super::singular::singular_poses;
 use super::spelling::Spelling;
 use crate::expr::{ExprId, SymbolId};
+use crate::pool::SymbolRole;
 use crate::program::forms::Form;
 use crate::program::{Block, Branch, Level, PageName, Statement};
 use crate::structure::{SolvedBlock, SolvedPlan};
-use crate::system::SymbolRole;
 use crate::words::{Phrase, Piece, not_carried};
 
 /// So many accelerations are written out; more would fill the page with what differentiating once more says.
@@ -24,13 +24,14 @@ pub(super) struct Writer<'a> {
     plan: &'a SolvedPlan,
     blocks: Vec<Block>,
     branches: Vec<Branch>,
-    spelling: Spelling,
+    spelling: Spelling<'a>,
     items: Vec<Item>,
 }
 
 impl<'a> Writer<'a> {
-    pub(super) fn new(derivation: Derivation<'a>, script: Script) -> Writer<'a> {
+    pub(super) fn new(derivation: &'a mut Derivation<'_>, script: Script) -> Writer<'a> {
         let Derivation {
+            pool,
             system,
             plan,
             blocks,
@@ -38,9 +39,9 @@ impl<'a> Writer<'a> {
         } = derivation;
         Writer {
             plan,
-            blocks,
-            branches,
-            spelling: Spelling::new(system, script),
+            blocks: std::mem::take(blocks),
+            branches: std::mem::take(branches),
+            spelling: Spelling::new(pool, system, script),
             items: Vec::new(),
         }
     }
@@ -51,12 +52,13 @@ impl<'a> Writer<'a> {
         let forms: Vec<Vec<Arc<dyn Form>>> = blocks.iter().map(|it| it.forms.clone()).collect();
         let script = self.spelling.script;
         let summary = summary(
-            &self.spelling.system,
+            self.spelling.system,
             self.plan,
             &forms[..self.plan.blocks.len()],
         );
         let outline = outline(
-            &self.spelling.system,
+            self.spelling.pool,
+            self.spelling.system,
             self.plan,
             &forms[..self.plan.blocks.len()],
             script,
@@ -221,7 +223,7 @@ impl<'a> Writer<'a> {
     }
 
     fn role(&self, symbol: SymbolId) -> SymbolRole {
-        self.spelling.system.roles[symbol.index()]
+        self.spelling.pool.role(symbol)
     }
 
     /// A symbol as a formula.
@@ -235,7 +237,7 @@ impl<'a> Writer<'a> {
         match name {
             PageName::Component(vector, axis) => {
                 let name = format!("{vector}_{}", ["x", "y"][*axis]);
-                let symbol = self.spelling.system.intermediate(&name);
+                let symbol = self.spelling.pool.intermediate(&name);
                 self.spelling.graph().variable(symbol)
             }
             PageName::Cosine(unknown) | PageName::Sine(unknown) => {
@@ -253,14 +255,14 @@ impl<'a> Writer<'a> {
     /// The accelerations that are not written out: where many follow, only those of functions of time are.
     fn skipped(&self, solved: &SolvedBlock) -> HashSet<SymbolId> {
         let system = &self.spelling.system;
-        let graph = &system.mechanism.graph;
+        let graph = &self.spelling.pool.graph;
         let moving = solved
             .definitions
             .iter()
             .filter(|it| !graph.is_fixed(it.value));
         let is_timed = |symbol: &SymbolId| {
             matches!(
-                system.roles[symbol.index()],
+                self.spelling.pool.role(*symbol),
                 SymbolRole::Time | SymbolRole::Parameter(_) | SymbolRole::Input { .. }
             )
         };
@@ -283,7 +285,10 @@ impl<'a> Writer<'a> {
     }
 
     fn not_carried_section(&mut self) -> Option<Section> {
-        let sentences = not_carried(&mut self.spelling.system.mechanism);
+        let sentences = not_carried(
+            &self.spelling.system.mechanism,
+            &mut self.spelling.pool.graph,
+        );
         let items = sentences.iter().map(|it| self.spelling.phrase(it));
         let items: Vec<Item> = items.map(Item::Paragraph).collect();
         (!items.is_empty()).then(|| Section {
@@ -294,7 +299,8 @@ impl<'a> Writer<'a> {
 
     fn singular_section(&mut self, forms: &[Vec<Arc<dyn Form>>]) -> Option<Section> {
         // A determinant stands alone: only what the page has defined already may be written by its name.
-        let mut spelling = Spelling::new(self.spelling.system.clone(), self.spelling.script);
+        let mut draft = self.spelling.pool.clone();
+        let mut spelling = Spelling::new(&mut draft, self.spelling.system, self.spelling.script);
         spelling.parts = self.spelling.parts.settled();
         let poses = singular_poses(&mut spelling, self.plan, forms);
         let items = poses.iter().map(|pose| {
@@ -327,20 +333,20 @@ impl<'a> Writer<'a> {
 
     /// Notes which choices are derivatives of those in an expression.
     fn relate(&mut self, expr: ExprId) {
-        self.spelling
-            .parts
-            .relate(&mut self.spelling.system, expr, 2);
+        self.spelling.parts.relate(self.spelling.pool, expr, 2);
     }
 
     /// Says at a place what the names stand for that were used since they were last defined.
     fn define(&mut self, place: usize) {
         let spelling = &mut self.spelling;
-        let definitions = spelling.parts.definitions(&mut spelling.system);
+        let definitions = spelling.parts.definitions(spelling.pool);
         let equations: Vec<DisplayedEquation> = definitions
             .iter()
             .map(|definition| DisplayedEquation {
                 left: spelling.formula_as_is(definition.name),
-                right: spelling.script.value(&spelling.system, definition.value),
+                right: spelling
+                    .script
+                    .value(&spelling.pool, &spelling.system, definition.value),
                 note: String::new(),
             })
             .collect();

@@ -8,7 +8,9 @@ use crate::emit::mathml::MathMl;
 use crate::emit::named_parts::NamedParts;
 use crate::emit::{Notation, latex, mathml, text};
 use crate::expr::ExprId;
-use crate::system::{SymbolRole, System};
+use crate::pool::Pool;
+use crate::pool::SymbolRole;
+use crate::system::System;
 
 /// What words and formulas are written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,39 +43,40 @@ impl Script {
     /// An expression as a formula, with the names of parts where it is long.
     pub(super) fn expression(
         self,
+        pool: &Pool,
         system: &System,
         parts: &NamedParts,
         is_long: bool,
         expr: ExprId,
     ) -> String {
         match self {
-            Script::Text(notation) => Printer::new(system, &[], notation)
+            Script::Text(notation) => Printer::new(pool, system, &[], notation)
                 .naming(parts, is_long)
                 .expression(expr),
-            Script::Latex => Printer::new(system, &[], Latex)
+            Script::Latex => Printer::new(pool, system, &[], Latex)
                 .naming(parts, is_long)
                 .expression(expr),
-            Script::Html => Printer::new(system, &[], MathMl)
+            Script::Html => Printer::new(pool, system, &[], MathMl)
                 .naming(parts, is_long)
                 .expression(expr),
         }
     }
 
     /// The value of a name, a choice written out.
-    pub(super) fn value(self, system: &System, value: ExprId) -> String {
+    pub(super) fn value(self, pool: &Pool, system: &System, value: ExprId) -> String {
         match self {
-            Script::Text(notation) => text::formula(system, &[], notation, value),
-            Script::Latex => latex::formula(system, &[], value),
-            Script::Html => mathml::formula(system, &[], value),
+            Script::Text(notation) => text::formula(pool, system, &[], notation, value),
+            Script::Latex => latex::formula(pool, system, &[], value),
+            Script::Html => mathml::formula(pool, system, &[], value),
         }
     }
 
     /// An unknown, a rate or an acceleration as a formula.
-    pub(super) fn symbol(self, system: &System, role: SymbolRole) -> String {
+    pub(super) fn symbol(self, pool: &Pool, system: &System, role: SymbolRole) -> String {
         match self {
-            Script::Text(notation) => text::symbol(system, notation, role),
-            Script::Latex => latex::symbol(system, role),
-            Script::Html => mathml::symbol(system, role),
+            Script::Text(notation) => text::symbol(pool, system, notation, role),
+            Script::Latex => latex::symbol(pool, system, role),
+            Script::Html => mathml::symbol(pool, system, role),
         }
     }
 

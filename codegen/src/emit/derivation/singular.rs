@@ -55,11 +55,11 @@ impl SingularPose {
 
 /// Where each part is singular, in solve order.
 pub(super) fn singular_poses(
-    spelling: &mut Spelling,
+    spelling: &mut Spelling<'_>,
     plan: &SolvedPlan,
     forms: &[Vec<Arc<dyn Form>>],
 ) -> Vec<SingularPose> {
-    let mut known = Known::nothing(&spelling.system);
+    let mut known = Known::nothing(spelling.system);
     // What moves a driver for the sake of a derivative is zero.
     let directions = spelling.system.directions.iter();
     let drivers = directions.filter(|direction| !direction.is_parameter());
@@ -71,18 +71,16 @@ pub(super) fn singular_poses(
     let mut poses = Vec::new();
     for (number, (block, forms)) in plan.blocks.iter().zip(forms).enumerate() {
         for (place, form) in forms.iter().enumerate() {
-            let value = {
-                let graph = &mut spelling.system.mechanism.graph;
-                form.determinant(&spelling.system.vector_form, graph).value
-            };
+            let value = form.determinant(spelling.pool).value;
             let value = value.map(|value| spelling.written(value));
             let never = value.is_some_and(|value| {
-                let graph = &spelling.system.mechanism.graph;
+                let graph = &spelling.pool.graph;
                 graph.is_fixed(value) && value != zero
             });
-            let words = (!never)
-                .then(|| known.singular_words(&form.singular(), block, &mut spelling.system));
-            let pins = known.loop_pins(&form.singular(), block, &mut spelling.system);
+            let words = (!never).then(|| {
+                known.singular_words(&form.singular(), block, spelling.pool, spelling.system)
+            });
+            let pins = known.loop_pins(&form.singular(), block, spelling.pool, spelling.system);
             poses.push(SingularPose {
                 pins: pins.map(|pins| pins.join("-")),
                 block: number,
@@ -110,10 +108,10 @@ pub(super) fn singular_poses(
 }
 
 /// A determinant as a formula without its sign; `None` where it is too long to be read.
-fn unsigned(value: ExprId, spelling: &mut Spelling) -> Option<String> {
+fn unsigned(value: ExprId, spelling: &mut Spelling<'_>) -> Option<String> {
     if !spelling
         .parts
-        .is_within(&spelling.system.mechanism.graph, value, LONGEST_FORMULA)
+        .is_within(&spelling.pool.graph, value, LONGEST_FORMULA)
     {
         return None;
     }

@@ -9,13 +9,15 @@ use super::script::Script;
 use crate::emit::named_parts::NamedParts;
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::geometry::{Vector, turned};
-use crate::system::{SymbolRole, System, VectorTerm};
+use crate::pool::{Draft, SymbolRole};
+use crate::system::{System, VectorTerm};
 use crate::words::{Phrase, Piece};
 
 /// How the formulas of one page are written.
-pub(super) struct Spelling {
-    /// Of the page's own, since new formulas are made in its graph.
-    pub system: System,
+pub(super) struct Spelling<'a> {
+    /// New formulas are made in it.
+    pub pool: &'a mut Draft,
+    pub system: &'a System,
     pub script: Script,
     /// The names of long choices.
     pub parts: NamedParts,
@@ -23,9 +25,10 @@ pub(super) struct Spelling {
     replacements: HashMap<SymbolId, ExprId>,
 }
 
-impl Spelling {
-    pub(super) fn new(system: System, script: Script) -> Spelling {
+impl<'a> Spelling<'a> {
+    pub(super) fn new(pool: &'a mut Draft, system: &'a System, script: Script) -> Spelling<'a> {
         Spelling {
+            pool,
             system,
             script,
             parts: NamedParts::default(),
@@ -34,7 +37,7 @@ impl Spelling {
     }
 
     pub(super) fn graph(&mut self) -> &mut Graph {
-        &mut self.system.mechanism.graph
+        &mut self.pool.graph
     }
 
     /// Writes an expression, which holds no other replaced symbol, wherever a symbol stands.
@@ -44,12 +47,12 @@ impl Spelling {
 
     /// An expression as the page writes it.
     pub(super) fn written(&mut self, expr: ExprId) -> ExprId {
-        let symbols = self.system.mechanism.graph.symbols(expr).to_vec();
+        let symbols = self.pool.graph.symbols(expr).to_vec();
         let mut found = Vec::new();
         for symbol in symbols {
             if let Some(&value) = self.replacements.get(&symbol) {
                 found.push((symbol, value));
-            } else if let SymbolRole::Arm(place) = self.system.roles[symbol.index()] {
+            } else if let SymbolRole::Arm(place) = self.pool.role(symbol) {
                 found.push((symbol, self.written_arm(place, symbol)));
             }
         }
@@ -61,15 +64,11 @@ impl Spelling {
 
     /// A component of an arm as cosines and sines of the angle that turns it.
     fn written_arm(&mut self, place: usize, symbol: SymbolId) -> ExprId {
-        let System {
-            mechanism,
-            vector_form,
-            ..
-        } = &mut self.system;
-        let arm = &vector_form.arms[place];
+        let arm = self.pool.arms()[place].clone();
         let component = usize::from(symbol != arm.symbols[0]);
-        let graph = &mut mechanism.graph;
-        let angle = graph.variable(vector_form.unknowns[arm.angle].position);
+        let position = self.pool.position(arm.angle);
+        let graph = self.graph();
+        let angle = graph.variable(position);
         let (sine, cosine) = (graph.sin(angle), graph.cos(angle));
         let written = turned(cosine, sine, arm.local, graph)[component];
         self.written(written)
@@ -83,14 +82,14 @@ impl Spelling {
 
     /// A formula of which nothing is replaced.
     pub(super) fn formula_as_is(&self, expr: ExprId) -> String {
-        let is_long = self.parts.meet(&self.system.mechanism.graph, expr);
+        let is_long = self.parts.meet(&self.pool.graph, expr);
         self.script
-            .expression(&self.system, &self.parts, is_long, expr)
+            .expression(self.pool, self.system, &self.parts, is_long, expr)
     }
 
     /// An unknown, its rate or its acceleration.
     pub(super) fn symbol(&self, role: SymbolRole) -> String {
-        self.script.symbol(&self.system, role)
+        self.script.symbol(self.pool, self.system, role)
     }
 
     /// A phrase as a sentence: formulas stand between words.
@@ -144,7 +143,7 @@ impl Spelling {
 
     /// A name as a symbol.
     fn local(&mut self, name: &str) -> String {
-        let symbol = self.system.intermediate(name);
+        let symbol = self.pool.intermediate(name);
         let variable = self.graph().variable(symbol);
         self.formula_as_is(variable)
     }
@@ -164,7 +163,7 @@ impl Spelling {
     /// The two expressions as one vector: `r_c3 + R(phi_c3) (0.3, 0.2) - (0.4, -0.2)`; as a pair of components where they are no
     /// such sum.
     fn sum(&mut self, pair: Vector) -> String {
-        let Some(terms) = self.system.vector_sum(pair) else {
+        let Some(terms) = self.system.vector_sum(pair, self.pool) else {
             return self.pair(pair);
         };
         let mut terms: Vec<(bool, String)> = terms.into_iter().map(|it| self.term(it)).collect();

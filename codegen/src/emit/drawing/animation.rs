@@ -5,6 +5,7 @@ use super::keyframes::Keyframes;
 use super::picture::{Composition, Options};
 use super::pose::{Pose, Scene};
 use super::svg::Written;
+use crate::pool::Pool;
 use crate::system::System;
 
 /// A motion that is drawn with one scale.
@@ -17,6 +18,7 @@ pub struct Animation {
 impl Animation {
     /// Composes the picture of these poses; `None` without a pose.
     pub fn new(
+        pool: &Pool,
         system: &System,
         poses: &[Pose],
         paths: &[Traced],
@@ -27,7 +29,7 @@ impl Animation {
             is_moving: true,
             ..options.clone()
         };
-        let scene = Scene::new(system, shown, others);
+        let scene = Scene::new(pool, system, shown, others);
         Some(Animation {
             composition: Composition::new(system, &scene, paths, &options),
             scene,

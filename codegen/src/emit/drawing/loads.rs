@@ -6,6 +6,7 @@ use super::pose::{At, Pose};
 use crate::expr::{ExprId, Graph};
 use crate::force::{Element, Place, Shape};
 use crate::joint::geometry::{BodyId, Mark, add, perpendicular};
+use crate::pool::Pool;
 use crate::system::System;
 
 /// Length of the shortest arrow beside the longest: what is shorter could not be seen.
@@ -190,8 +191,8 @@ pub struct ActingLoads {
 
 impl ActingLoads {
     /// Prepares those of a system.
-    pub fn new(system: &System) -> ActingLoads {
-        let mut graph = system.mechanism.graph.clone();
+    pub fn new(pool: &Pool, system: &System) -> ActingLoads {
+        let mut graph = pool.graph.clone();
         let mut numbers = Numbers::default();
         let loads = NumberedLoads::new(system, &mut graph, &mut numbers);
         ActingLoads {

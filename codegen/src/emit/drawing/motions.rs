@@ -2,6 +2,7 @@
 //!
 //! Guides, bars and cylinders are as long as what moves needs, so that they are others in another assembly.
 
+use crate::pool::Pool;
 use std::collections::BTreeMap;
 
 use super::draft::drafted;
@@ -22,6 +23,7 @@ pub struct Moving {
 /// Draws a pose with room for those of its motion, and what is drawn otherwise for each of some other motions. A motion without a pose has
 /// nothing of its own.
 pub fn moving(
+    pool: &Pool,
     system: &System,
     shown: &Pose,
     others: &[Pose],
@@ -32,7 +34,7 @@ pub fn moving(
         is_moving: true,
         ..options.clone()
     };
-    let scene = Scene::new(system, shown, others);
+    let scene = Scene::new(pool, system, shown, others);
     let composition = Composition::new(system, &scene, &[], &options);
     let figure = &composition.figure;
     let base: BTreeMap<String, String> = groups(figure, "", Written::Motion).into_iter().collect();
@@ -40,7 +42,7 @@ pub fn moving(
         let [shown, others @ ..] = &poses[..] else {
             return BTreeMap::new();
         };
-        let scene = Scene::new(system, shown, others);
+        let scene = Scene::new(pool, system, shown, others);
         let (other, _) = drafted(&scene, figure.scale);
         let groups = groups(&other, "", Written::Motion).into_iter();
         groups

@@ -1,5 +1,6 @@
 //! *A scene* → *one picture with names, a scale bar and a caption*.
 
+use crate::pool::Pool;
 use std::fmt::Write as _;
 
 use super::draft::drafted;
@@ -44,13 +45,14 @@ const REACHED: usize = 32;
 
 /// The mechanism in a pose, with paths of points. Guides are as long as what slides on them needs in the other poses.
 pub fn draw(
+    pool: &Pool,
     system: &System,
     shown: &Pose,
     others: &[Pose],
     paths: &[Traced],
     options: &Options,
 ) -> String {
-    let scene = Scene::new(system, shown, others);
+    let scene = Scene::new(pool, system, shown, others);
     let written = match options.is_moving {
         true => Written::Moving,
         false => Written::Picture,

@@ -11,6 +11,7 @@ use crate::expr::{Graph, SymbolId};
 use crate::joint::geometry::Mark;
 use crate::joint::{Feature, Follower};
 use crate::model::Role;
+use crate::pool::Pool;
 use crate::system::System;
 
 /// The gap of a closed curve at most, as a part of its size: descriptions have six digits.
@@ -24,8 +25,8 @@ pub struct Pose {
 
 impl Pose {
     /// The pose in which these symbols have these values; all others have that of their declaration, or zero.
-    pub fn new(system: &System, given: impl IntoIterator<Item = (SymbolId, f64)>) -> Pose {
-        let graph = &system.mechanism.graph;
+    pub fn new(pool: &Pool, given: impl IntoIterator<Item = (SymbolId, f64)>) -> Pose {
+        let graph = &pool.graph;
         let mut values = vec![0.0; graph.symbol_count()];
         graph.fill_nominal(&mut values);
         for (symbol, value) in given {
@@ -35,13 +36,13 @@ impl Pose {
     }
 
     /// The pose in which the description draws the mechanism.
-    pub fn drawn(system: &System) -> Pose {
-        let graph = &system.mechanism.graph;
+    pub fn drawn(pool: &Pool, system: &System) -> Pose {
+        let graph = &pool.graph;
         let estimates = system.coordinates.iter().filter_map(|coordinate| {
             let value = graph.constant_value(coordinate.estimate)?;
             Some((coordinate.position, value))
         });
-        Pose::new(system, estimates)
+        Pose::new(pool, estimates)
     }
 
     /// All numbers in this pose.
@@ -135,9 +136,9 @@ pub(super) struct Scene {
 
 impl Scene {
     /// The mechanism in a pose; lengths of guides follow from the other poses as well.
-    pub fn new(system: &System, shown: &Pose, others: &[Pose]) -> Scene {
+    pub fn new(pool: &Pool, system: &System, shown: &Pose, others: &[Pose]) -> Scene {
         let mechanism = &system.mechanism;
-        let mut graph = mechanism.graph.clone();
+        let mut graph = pool.graph.clone();
         let mut numbers = Numbers::default();
         let places = numbers.places(system);
         let bodies: Vec<Vec<[usize; 2]>> = mechanism

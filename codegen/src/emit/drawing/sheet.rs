@@ -1,5 +1,6 @@
 //! *Several poses of one mechanism* → *one picture with a panel for each*, all at one scale.
 
+use crate::pool::Pool;
 use std::fmt::Write as _;
 
 use super::draft::drafted;
@@ -41,10 +42,10 @@ const TITLE: f64 = 24.0;
 const MARGIN: f64 = 12.0;
 
 /// The poses side by side, each in the middle of its panel; empty where there are none.
-pub fn sheet(system: &System, panels: &[Panel]) -> String {
+pub fn sheet(pool: &Pool, system: &System, panels: &[Panel]) -> String {
     let scenes: Vec<Scene> = panels
         .iter()
-        .map(|panel| Scene::new(system, &panel.pose, &[]))
+        .map(|panel| Scene::new(pool, system, &panel.pose, &[]))
         .collect();
     let Some(first) = scenes.first() else {
         return String::new();

@@ -6,7 +6,9 @@ use super::spelling::{Latex, escaped};
 use crate::emit::derivation::SingularPose;
 use crate::emit::named_parts::NamedParts;
 use crate::expr::ExprId;
-use crate::system::{Cause, Row, SymbolRole, System};
+use crate::pool::Pool;
+use crate::pool::SymbolRole;
+use crate::system::{Cause, Derived, Row, System};
 
 /// A Jacobian of more columns than these is listed by its entries that are not zero.
 const LARGEST_MATRIX: usize = 12;
@@ -15,25 +17,26 @@ const LARGEST_MATRIX: usize = 12;
 type Equation = [String; 3];
 
 /// The coordinates, Φ, Φ_q, Φ_t and γ of each system, its points, and the singular poses of its blocks, with formulas in LaTeX.
-pub fn inspect(systems: &[(&System, Vec<SingularPose>)]) -> String {
+pub fn inspect(systems: &[(&Derived, Vec<SingularPose>)]) -> String {
     lines::document(&pages(systems).join("\\clearpage\n"))
 }
 
 /// Equations for a document that has a preamble.
-pub fn inspect_fragment(systems: &[(&System, Vec<SingularPose>)]) -> String {
+pub fn inspect_fragment(systems: &[(&Derived, Vec<SingularPose>)]) -> String {
     lines::fragment(&pages(systems).join("\n"))
 }
 
-fn pages(systems: &[(&System, Vec<SingularPose>)]) -> Vec<String> {
+fn pages(systems: &[(&Derived, Vec<SingularPose>)]) -> Vec<String> {
     let pages = systems.iter();
-    pages.map(|(system, poses)| page(system, poses)).collect()
+    pages.map(|(derived, poses)| page(derived, poses)).collect()
 }
 
 /// What the document says of one system.
-fn page(system: &System, poses: &[SingularPose]) -> String {
-    let mut system = system.clone();
-    let parts = &NamedParts::of_rows(&mut system);
-    let names = Printer::new(&system, &[], Latex);
+fn page(derived: &Derived, poses: &[SingularPose]) -> String {
+    let system = &derived.system;
+    let mut pool = derived.pool.draft();
+    let parts = &NamedParts::of_rows(&mut pool, system);
+    let names = Printer::new(&pool, system, &[], Latex);
     let coordinates: Vec<String> = (0..system.coordinates.len())
         .map(|index| names.symbol(SymbolRole::Position(index)))
         .collect();
@@ -45,25 +48,32 @@ fn page(system: &System, poses: &[SingularPose]) -> String {
     ));
     text.push_str(&section(
         "Constraint equations $\\Phi(\\mathbf{q}, t) = 0$",
-        &rows(&system, parts, "\\Phi", |row| row.residual, " = 0"),
+        &rows(&pool, system, parts, "\\Phi", |row| row.residual, " = 0"),
     ));
     text.push_str(&section(
         "Jacobian $\\Phi_{\\mathbf{q}}$",
-        &jacobian(&system, parts, &coordinates),
+        &jacobian(&pool, system, parts, &coordinates),
     ));
     text.push_str(&section(
         "Partial derivative $\\Phi_{t}$",
-        &rows(&system, parts, "\\Phi_{t}", |row| row.time_derivative, ""),
+        &rows(
+            &pool,
+            system,
+            parts,
+            "\\Phi_{t}",
+            |row| row.time_derivative,
+            "",
+        ),
     ));
     text.push_str(&section(
         "Right-hand side $\\gamma$ of the accelerations",
-        &rows(&system, parts, "\\gamma", |row| row.gamma, ""),
+        &rows(&pool, system, parts, "\\gamma", |row| row.gamma, ""),
     ));
-    text.push_str(&driven(&system, parts));
-    text.push_str(&parameters(&system, parts));
-    text.push_str(&section("Points", &points(&system, parts)));
-    let definitions = parts.definitions(&mut system);
-    let printer = Printer::new(&system, &[], Latex);
+    text.push_str(&driven(&pool, system, parts));
+    text.push_str(&parameters(&pool, system, parts));
+    text.push_str(&section("Points", &points(&pool, system, parts)));
+    let definitions = parts.definitions(&mut pool);
+    let printer = Printer::new(&pool, system, &[], Latex);
     let definitions: Vec<Equation> = definitions
         .iter()
         .map(|definition| {
@@ -112,12 +122,12 @@ fn aligned(equations: &[Equation]) -> String {
 }
 
 /// Where each declared point is.
-fn points(system: &System, parts: &NamedParts) -> String {
+fn points(pool: &Pool, system: &System, parts: &NamedParts) -> String {
     let equations = system.outputs.iter().flat_map(|output| {
         let lines = [("x", 0), ("y", 1)].map(|(axis, place)| {
             let expr = output.position[place];
-            let is_long = parts.meet(&system.mechanism.graph, expr);
-            let printer = Printer::new(system, &[], Latex).naming(parts, is_long);
+            let is_long = parts.meet(&pool.graph, expr);
+            let printer = Printer::new(pool, system, &[], Latex).naming(parts, is_long);
             let name = format!("{axis}_{{\\mathrm{{{}}}}}", escaped(&output.name));
             [name, printer.expression(expr), String::new()]
         });
@@ -132,18 +142,18 @@ fn joint(system: &System, row: &Row) -> String {
 }
 
 /// A formula that mentions the bodies in the order of its row.
-fn formula(system: &System, parts: &NamedParts, row: &Row, expr: ExprId) -> String {
-    let is_long = parts.meet(&system.mechanism.graph, expr);
-    Printer::new(system, &row.bodies, Latex)
+fn formula(pool: &Pool, system: &System, parts: &NamedParts, row: &Row, expr: ExprId) -> String {
+    let is_long = parts.meet(&pool.graph, expr);
+    Printer::new(pool, system, &row.bodies, Latex)
         .naming(parts, is_long)
         .expression(expr)
 }
 
 /// ∂Φ/∂s for the value s of each driver, where something is transmitted: the rows that are not zero.
-fn driven(system: &System, parts: &NamedParts) -> String {
+fn driven(pool: &Pool, system: &System, parts: &NamedParts) -> String {
     let lines: Vec<Equation> = system
         .driven()
-        .flat_map(|(place, ..)| column(&system.directions[place].column, "s", system, parts))
+        .flat_map(|(place, ..)| column(&system.directions[place].column, "s", pool, system, parts))
         .collect();
     if lines.is_empty() {
         return String::new();
@@ -156,14 +166,14 @@ fn driven(system: &System, parts: &NamedParts) -> String {
 }
 
 /// ∂Φ/∂p for each parameter p whose sensitivity is asked for: the rows that are not zero.
-fn parameters(system: &System, parts: &NamedParts) -> String {
+fn parameters(pool: &Pool, system: &System, parts: &NamedParts) -> String {
     let mut text = String::new();
     for direction in &system.directions {
         let Cause::Parameter(place) = direction.cause else {
             continue;
         };
         let name = escaped(&system.mechanism.parameters[place].name);
-        let lines = column(&direction.column, "p", system, parts);
+        let lines = column(&direction.column, "p", pool, system, parts);
         let contents = match lines.is_empty() {
             true => "It is zero.\n".to_string(),
             false => format!("All other rows are zero.\n{}", aligned(&lines)),
@@ -178,17 +188,18 @@ fn parameters(system: &System, parts: &NamedParts) -> String {
 fn column(
     column: &[ExprId],
     index_name: &str,
+    pool: &Pool,
     system: &System,
     parts: &NamedParts,
 ) -> Vec<Equation> {
-    let zero = system.mechanism.graph.zero();
+    let zero = pool.graph.zero();
     let entries = system.rows.iter().zip(column).enumerate();
     entries
         .filter(|(_, (_, entry))| **entry != zero)
         .map(|(index, (row, &entry))| {
             [
                 format!("(\\Phi_{{{index_name}}})_{{{}}}", index + 1),
-                formula(system, parts, row, entry),
+                formula(pool, system, parts, row, entry),
                 joint(system, row),
             ]
         })
@@ -197,13 +208,14 @@ fn column(
 
 /// One equation a row. Where the equations do not end in ` = 0`, a remark stands for the rows that are zero.
 fn rows(
+    pool: &Pool,
     system: &System,
     parts: &NamedParts,
     symbol: &str,
     of: impl Fn(&Row) -> ExprId,
     end: &str,
 ) -> String {
-    let left_out = |row: &Row| end.is_empty() && of(row) == system.mechanism.graph.zero();
+    let left_out = |row: &Row| end.is_empty() && of(row) == pool.graph.zero();
     if system.rows.iter().all(left_out) {
         return format!("\\[ {symbol} = 0 \\]\n");
     }
@@ -220,7 +232,7 @@ fn rows(
         .map(|(index, row)| {
             [
                 format!("({symbol})_{{{}}}", index + 1),
-                format!("{}{end}", formula(system, parts, row, of(row))),
+                format!("{}{end}", formula(pool, system, parts, row, of(row))),
                 joint(system, row),
             ]
         })
@@ -229,14 +241,19 @@ fn rows(
 }
 
 /// As a matrix where that fits on a page, otherwise by the entries that are not zero.
-fn jacobian(system: &System, parts: &NamedParts, coordinates: &[String]) -> String {
+fn jacobian(pool: &Pool, system: &System, parts: &NamedParts, coordinates: &[String]) -> String {
     let rows: Vec<Vec<(usize, String)>> = system
         .rows
         .iter()
         .map(|row| {
             let entries = row.jacobian.iter();
             entries
-                .map(|entry| (entry.coordinate, formula(system, parts, row, entry.value)))
+                .map(|entry| {
+                    (
+                        entry.coordinate,
+                        formula(pool, system, parts, row, entry.value),
+                    )
+                })
                 .collect()
         })
         .collect();

@@ -6,7 +6,8 @@ use super::super::formula::Printer;
 use super::spelling::MathMl;
 use crate::emit::named_parts::NamedParts;
 use crate::expr::ExprId;
-use crate::system::{Cause, Row, SymbolRole, System};
+use crate::pool::SymbolRole;
+use crate::system::{Cause, Derived, Row};
 
 /// Φ, Φ_q, Φ_t and γ, and the points. What is `None` is zero.
 #[derive(Clone, Debug)]
@@ -59,18 +60,19 @@ pub struct Definition {
 }
 
 /// The equations of a system.
-pub fn equations(system: &System) -> Equations {
-    let mut system = system.clone();
-    let parts = NamedParts::of_rows(&mut system);
-    let zero = system.mechanism.graph.zero();
+pub fn equations(derived: &Derived) -> Equations {
+    let system = &derived.system;
+    let mut pool = derived.pool.draft();
+    let parts = NamedParts::of_rows(&mut pool, system);
+    let zero = pool.graph.zero();
     let written = |bodies: &[usize], expr: ExprId| {
-        let is_long = parts.meet(&system.mechanism.graph, expr);
-        Printer::new(&system, bodies, MathMl)
+        let is_long = parts.meet(&pool.graph, expr);
+        Printer::new(&pool, system, bodies, MathMl)
             .naming(&parts, is_long)
             .expression(expr)
     };
     let unless_zero = |row: &Row, expr: ExprId| (expr != zero).then(|| written(&row.bodies, expr));
-    let names = Printer::new(&system, &[], MathMl);
+    let names = Printer::new(&pool, system, &[], MathMl);
     let coordinates = (0..system.coordinates.len()).map(|index| {
         [
             SymbolRole::Position(index),
@@ -133,8 +135,8 @@ pub fn equations(system: &System) -> Equations {
         (output.name.clone(), place)
     });
     let points = points.collect();
-    let definitions = parts.definitions(&mut system);
-    let printer = Printer::new(&system, &[], MathMl);
+    let definitions = parts.definitions(&mut pool);
+    let printer = Printer::new(&pool, system, &[], MathMl);
     Equations {
         coordinates,
         rows,

@@ -7,7 +7,7 @@ use crate::program::{Block, Function, Statement};
 /// The numbers of a frame that nothing else depends on. What is not finite before them would show in them: nothing that is
 /// computed of it is finite.
 pub(in crate::emit) fn checked(module: &Module<'_>) -> Vec<SymbolId> {
-    let graph = &module.system.mechanism.graph;
+    let graph = &module.pool.graph;
     let blocks = &module.program.blocks;
     let values = blocks
         .iter()

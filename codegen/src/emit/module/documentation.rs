@@ -13,6 +13,7 @@ use crate::emit::derivation::SingularPose;
 use crate::emit::{Notation, text};
 use crate::joint::Quantity;
 use crate::model::Dimension;
+use crate::pool::Pool;
 use crate::program::{Block, Level, NewtonBlock, Output, Requirements, Statement};
 use crate::system::{Cause, Described, Pressure, Row, System, Unknown};
 
@@ -309,9 +310,9 @@ pub(in crate::emit) fn of_statement(statement: &Statement, module: &Module<'_>) 
 }
 
 /// Each row with its joint and its residual as a person writes it.
-pub(in crate::emit) fn of_rows(system: &System, rows: &[Row]) -> Vec<String> {
+pub(in crate::emit) fn of_rows(pool: &Pool, system: &System, rows: &[Row]) -> Vec<String> {
     let line = |(index, row): (usize, &Row)| {
-        let formula = text::readable(system, &row.bodies, Notation::Ascii, row.residual);
+        let formula = text::readable(pool, system, &row.bodies, Notation::Ascii, row.residual);
         let formula = formula.map_or(String::new(), |formula| format!(": `{formula}`"));
         let label = &system.mechanism.joints[row.joint].label;
         format!("- {index}, {label}{formula}")

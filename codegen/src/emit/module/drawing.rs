@@ -3,8 +3,8 @@
 use super::Module;
 use super::scope::{Place, Scope};
 use crate::expr::SymbolId;
+use crate::pool::SymbolRole;
 use crate::program::Function;
-use crate::system::SymbolRole;
 
 /// What a field is before the first frame.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,7 +22,7 @@ pub(in crate::emit) fn estimates<'a>(module: &Module<'a>) -> Vec<(SymbolId, Esti
     let system = module.system;
     let given = module.program.drawn.as_ref();
     let fields = module.program.fields.iter().filter_map(|&symbol| {
-        let SymbolRole::Position(unknown) = system.roles[symbol.index()] else {
+        let SymbolRole::Position(unknown) = module.pool.role(symbol) else {
             return None;
         };
         let estimate = if let Some(coordinate) = system.coordinates.get(unknown) {
@@ -30,7 +30,7 @@ pub(in crate::emit) fn estimates<'a>(module: &Module<'a>) -> Vec<(SymbolId, Esti
         } else if given.is_some_and(|function| is_given(function, unknown, module)) {
             Estimate::Drawn(unknown)
         } else {
-            Estimate::Number(system.drawn_unknown(unknown))
+            Estimate::Number(system.drawn_unknown(unknown, module.pool))
         };
         Some((symbol, estimate))
     });
@@ -39,7 +39,7 @@ pub(in crate::emit) fn estimates<'a>(module: &Module<'a>) -> Vec<(SymbolId, Esti
 
 /// Whether parameters change the estimate of an unknown.
 fn is_given(function: &Function, place: usize, module: &Module<'_>) -> bool {
-    let graph = &module.system.mechanism.graph;
+    let graph = &module.pool.graph;
     function
         .results
         .get(place)

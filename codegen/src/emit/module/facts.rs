@@ -38,7 +38,7 @@ pub(in crate::emit) fn facts(module: &Module<'_>) -> Vec<String> {
             names.join(", ")
         ));
     }
-    lines.extend(text::given(system).lines().map(capitalized));
+    lines.extend(text::given(module.pool, system).lines().map(capitalized));
     lines.extend(report::lines(&module.program.report));
     if module.program.textbook.is_none() {
         let why = "Left out: the textbook view, whose dense matrices would not fit a stack.";

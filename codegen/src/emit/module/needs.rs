@@ -4,6 +4,7 @@ use super::Module;
 use super::scope::{Place, Scope};
 use crate::assemblies::never_meet;
 use crate::expr::{IdMap, IdSet, SymbolId};
+use crate::pool::Pool;
 use crate::program::{Block, Program, Statement};
 use crate::system::System;
 
@@ -50,10 +51,14 @@ impl Needs {
 
 /// The blocks that have one mode only, by its symbol: beyond a pose at which its two modes meet such a block has the other. Blocks whose
 /// modes never meet are left out.
-pub(super) fn exchanged_by(system: &System, program: &Program) -> IdMap<SymbolId, usize> {
-    let graph = &system.mechanism.graph;
+pub(super) fn exchanged_by(
+    pool: &Pool,
+    system: &System,
+    program: &Program,
+) -> IdMap<SymbolId, usize> {
+    let graph = &pool.graph;
     let blocks = program.blocks.iter().enumerate();
-    let apart = never_meet(system, program);
+    let apart = never_meet(pool, system, program);
     let closed = blocks.filter(|(_, block)| block.newton.is_none());
     // A mode belongs to the first block that reads it.
     let mut met: IdSet<SymbolId> = IdSet::default();

@@ -6,9 +6,9 @@ use std::rc::Rc;
 use super::{Component, Module};
 use crate::expr::{IdSet, SymbolId};
 use crate::model::field_name;
+use crate::pool::SymbolRole;
 use crate::program::passes::names::LocalNames;
 use crate::program::{Evaluation, Function, Statement};
-use crate::system::SymbolRole;
 
 /// Where a function finds what it does not compute.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -107,6 +107,7 @@ impl<'a> Scope<'a> {
         let names = module.names;
         let locals = LocalNames::of(
             function,
+            module.pool,
             module.system,
             kept,
             names.of_functions,
@@ -160,6 +161,7 @@ impl<'a> Scope<'a> {
     /// The order of the function's arithmetic.
     pub(in crate::emit) fn evaluation(&self) -> Evaluation<'a> {
         Evaluation {
+            pool: self.module.pool,
             function: self.function,
             system: self.module.system,
             constants: &self.module.program.constants,
@@ -178,7 +180,7 @@ impl<'a> Scope<'a> {
         if let Some(part) = self.module.span_part(symbol) {
             return Location::TimeWindow(part);
         }
-        match system.roles[symbol.index()] {
+        match self.module.pool.role(symbol) {
             SymbolRole::Last(symbol) => return self.locate_last(symbol),
             SymbolRole::Parameter(parameter) => {
                 let name = &system.mechanism.parameters[parameter].name;
@@ -193,13 +195,13 @@ impl<'a> Scope<'a> {
         let component = self.module.component(symbol);
         match component.filter(|_| self.place == Place::Coordinates) {
             Some(component) => Location::Coordinate(component),
-            None => Location::Local(system.symbol_name(symbol)),
+            None => Location::Local(system.symbol_name(symbol, self.module.pool)),
         }
     }
 
     /// Where the value of the last frame stands.
     fn locate_last(&self, symbol: SymbolId) -> Location<'a> {
-        match self.module.system.roles[symbol.index()] {
+        match self.module.pool.role(symbol) {
             SymbolRole::Time => Location::LastTime,
             SymbolRole::Input { input, level } => self.locate_input(input, level, true),
             _ => Location::Last(symbol),
@@ -216,7 +218,7 @@ impl<'a> Scope<'a> {
 
     /// Whether a statement or a result of the function reads a symbol.
     pub(in crate::emit) fn is_read(&self, symbol: SymbolId) -> bool {
-        let graph = &self.module.system.mechanism.graph;
+        let graph = &self.module.pool.graph;
         let read = || {
             let values = self.function.values();
             values
@@ -255,8 +257,7 @@ impl<'a> Scope<'a> {
     /// What the function reads.
     pub(in crate::emit) fn reads(&self) -> Reads {
         let mut reads = Reads::default();
-        let system = self.module.system;
-        let graph = &system.mechanism.graph;
+        let graph = &self.module.pool.graph;
         for &symbol in self
             .function
             .all_values()
@@ -274,14 +275,14 @@ impl<'a> Scope<'a> {
                 continue;
             }
             reads.frame |= self.is_field(symbol);
-            match system.roles[symbol.index()] {
+            match self.module.pool.role(symbol) {
                 SymbolRole::Position(_) => reads.position = true,
                 SymbolRole::Rate(_) => reads.rate = true,
                 SymbolRole::Acceleration(_) => reads.acceleration = true,
                 SymbolRole::Time => reads.time = true,
                 SymbolRole::Parameter(_) => reads.parameters = true,
                 SymbolRole::Input { .. } => reads.inputs = true,
-                SymbolRole::Last(symbol) => match system.roles[symbol.index()] {
+                SymbolRole::Last(symbol) => match self.module.pool.role(symbol) {
                     SymbolRole::Input { .. } => reads.before = true,
                     _ => reads.last = true,
                 },

@@ -1,23 +1,21 @@
 //! Splines → how their places are found, and what is said of them.
 
 use crate::expr::SplineId;
+use crate::pool::Pool;
 use crate::system::System;
 
 /// By how much of their distance starts may be off where they are called equally spaced.
 const EVEN: f64 = 1e-6;
 
 /// What a table is.
-pub(in crate::emit) fn docs_of(id: SplineId, system: &System) -> Vec<String> {
+pub(in crate::emit) fn docs_of(id: SplineId, pool: &Pool, system: &System) -> Vec<String> {
     let declared = system.mechanism.tables.iter();
     let own = declared
         .filter(|table| table.spline == id)
         .flat_map(|table| table.docs.clone());
     let lines: Vec<String> = own.collect();
     match lines.is_empty() {
-        true => vec![format!(
-            "The table `{}`.",
-            system.mechanism.graph.spline_of(id).name
-        )],
+        true => vec![format!("The table `{}`.", pool.graph.spline_of(id).name)],
         false => lines,
     }
 }

@@ -1,10 +1,10 @@
 //! *The names on a page* → *what each stands for*, in an order in which they can be computed.
 
+use crate::pool::Pool;
 use std::collections::{BTreeSet, HashSet};
 
 use super::{NamedParts, State};
 use crate::expr::{ExprId, Graph, Node, Rational};
-use crate::system::System;
 
 /// What a name stands for.
 #[derive(Clone, Copy, Debug)]
@@ -17,18 +17,18 @@ pub(in crate::emit) struct Definition {
 
 impl NamedParts {
     /// What the names stand for that were given since the last call, in an order in which they can be computed.
-    pub(in crate::emit) fn definitions(&self, system: &mut System) -> Vec<Definition> {
+    pub(in crate::emit) fn definitions(&self, pool: &mut Pool) -> Vec<Definition> {
         let state = &mut *self.state.borrow_mut();
         let mut definitions = Vec::new();
         for place in state.defined..state.named.len() {
             let whole = state.named[place];
-            let (parts, floors) = state.inside(&system.mechanism.graph, whole);
+            let (parts, floors) = state.inside(&pool.graph, whole);
             for &floor in &floors {
                 if state.turns.contains_key(&floor) {
                     continue;
                 }
                 let name = format!("turn_{}", state.turns.len() + 1);
-                if let Some((definition, without)) = turn(system, floor, &name) {
+                if let Some((definition, without)) = turn(pool, floor, &name) {
                     definitions.push(definition);
                     state.turns.insert(floor, without);
                 }
@@ -38,10 +38,10 @@ impl NamedParts {
                 .filter_map(|floor| Some((*floor, *state.turns.get(floor)?)));
             let parts = parts.iter().map(|part| (*part, state.symbols[part]));
             let replacements: Vec<(ExprId, ExprId)> = turns.chain(parts).collect();
-            let value = system.mechanism.graph.replace_parts(whole, &replacements);
+            let value = pool.graph.replace_parts(whole, &replacements);
             if let Some(Some(name)) = state.names.get(&whole) {
-                let symbol = system.intermediate(name);
-                let name = system.mechanism.graph.variable(symbol);
+                let symbol = pool.intermediate(name);
+                let name = pool.graph.variable(symbol);
                 state.symbols.insert(whole, name);
                 definitions.push(Definition { name, value });
             }
@@ -76,12 +76,12 @@ impl State {
 
 /// With floor((x - x0)/P): the definition `turn = x - P floor((x - x0)/P)`, and the number of periods (x - turn)/P. Nothing
 /// where the argument is not linear in what it depends on, with a constant P.
-fn turn(system: &mut System, whole: ExprId, name: &str) -> Option<(Definition, ExprId)> {
-    let Node::Floor(periods) = *system.mechanism.graph.node(whole) else {
+fn turn(pool: &mut Pool, whole: ExprId, name: &str) -> Option<(Definition, ExprId)> {
+    let Node::Floor(periods) = *pool.graph.node(whole) else {
         return None;
     };
-    let symbol = *system.mechanism.graph.symbols(periods).first()?;
-    let graph = &mut system.mechanism.graph;
+    let symbol = *pool.graph.symbols(periods).first()?;
+    let graph = &mut pool.graph;
     let frequency = graph.derivative(periods, symbol);
     if !graph.is_constant(frequency) {
         return None;
@@ -102,8 +102,8 @@ fn turn(system: &mut System, whole: ExprId, name: &str) -> Option<(Definition, E
     };
     let skipped = graph.multiply(period, whole);
     let value = graph.subtract(argument, skipped);
-    let symbol = system.intermediate(name);
-    let graph = &mut system.mechanism.graph;
+    let symbol = pool.intermediate(name);
+    let graph = &mut pool.graph;
     let name = graph.variable(symbol);
     let rest = graph.subtract(argument, name);
     Some((Definition { name, value }, graph.divide(rest, period)))

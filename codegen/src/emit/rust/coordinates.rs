@@ -20,7 +20,7 @@ pub(super) fn coordinates(module: &Module<'_>) -> TokenStream {
     for coordinate in &system.coordinates {
         text.docs(doc_lines(documentation::of_coordinate(coordinate, system)));
         // The estimates were found to be finite constants when they were read.
-        let drawn = system.mechanism.graph.constant_value(coordinate.estimate);
+        let drawn = module.pool.graph.constant_value(coordinate.estimate);
         let (name, value) = (
             identifier(&coordinate.name),
             module.number(drawn.unwrap_or(0.0)),

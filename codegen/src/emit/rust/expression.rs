@@ -96,7 +96,7 @@ impl Scope<'_> {
 
     /// `TABLE_LIFT.at(x)`: the value and three derivatives.
     pub(super) fn lookup(&self, spline: SplineId, place: &Arithmetic) -> String {
-        let table = table_name(&self.module.system.mechanism.graph.spline_of(spline).name);
+        let table = table_name(&self.module.pool.graph.spline_of(spline).name);
         format!("{table}.at({})", self.written(place))
     }
 

@@ -10,20 +10,13 @@ use super::names::{WORDS, identifier};
 use super::pieces::{Around, block, formatted};
 use crate::emit::module::{Module, documentation, facts};
 use crate::emit::scalar::Scalar;
-use crate::program::Program;
-use crate::structure::SolvedPlan;
-use crate::system::System;
+use crate::solved::Solved;
 
 /// The formatted source of the generated file, with a header of comments. A mechanism with motions becomes one module for each.
 /// Its elementary functions are the runtime's, or those of the module at the path `math`.
-pub fn file(
-    motions: &[(System, SolvedPlan, Program)],
-    scalar: Scalar,
-    math: Option<&str>,
-) -> String {
+pub fn file(motions: &[Solved], scalar: Scalar, math: Option<&str>) -> String {
     let motions = motions.iter();
-    let modules =
-        motions.map(|(system, plan, program)| Module::new(system, plan, program, scalar, WORDS));
+    let modules = motions.map(|solved| Module::new(solved, scalar, WORDS));
     let modules: Vec<Module<'_>> = modules.collect();
     let Some(first) = modules.first() else {
         return String::new();

@@ -98,7 +98,7 @@ impl Module<'_> {
         let mut text = Verbatim::default();
         text.open("::linkwright::generated::constants! {");
         for constant in used {
-            let exact = text::constant(self.system, &constant.part);
+            let exact = text::constant(self.pool, self.system, &constant.part);
             let exact = exact.map_or(String::new(), |exact| format!(" // {exact}"));
             let (name, value) = (identifier(&constant.name), self.number(constant.value));
             text.line(format!("{name} = {value},{exact}"));

@@ -11,8 +11,8 @@ use crate::emit::derivation::{self, HtmlSection};
 use crate::emit::drawing::{self, Pose, Themes};
 use crate::emit::markup::escaped;
 use crate::program::LARGEST_TEXTBOOK;
-use crate::structure;
-use crate::system::System;
+use crate::structure::{self, Shift};
+use crate::system::Derived;
 
 /// How parts of the page look.
 const STYLE: &str = "\
@@ -31,17 +31,17 @@ const STYLE: &str = "\
 ";
 
 /// The page of all motions, which are not planned yet.
-pub fn page(motions: &[System]) -> String {
+pub fn page(motions: &[Derived]) -> String {
     let mut text = format!("<div class=\"linkwright-page\">\n<style>\n{STYLE}</style>\n");
-    for system in motions {
-        if let Some(motion) = &system.mechanism.motion {
+    for derived in motions {
+        if let Some(motion) = &derived.system.mechanism.motion {
             let _ = writeln!(
                 text,
                 "<h2>Motion <code>{}</code></h2>",
                 escaped(&motion.name)
             );
         }
-        text += &of_motion(system);
+        text += &of_motion(derived);
     }
     text += "</div>\n";
     let lines = text.lines().filter(|line| !line.trim().is_empty());
@@ -49,7 +49,8 @@ pub fn page(motions: &[System]) -> String {
     lines.fold(String::from("\n"), |text, line| text + line + "\n")
 }
 
-fn of_motion(system: &System) -> String {
+fn of_motion(derived: &Derived) -> String {
+    let Derived { pool, system } = derived;
     if system.coordinates.len() > LARGEST_TEXTBOOK {
         return format!(
             "<p>A drawing and a derivation of {} coordinates are not shown here.</p>\n",
@@ -60,17 +61,17 @@ fn of_motion(system: &System) -> String {
         themes: Themes::Rustdoc,
         ..drawing::Options::default()
     };
-    let mut text = drawing::draw(system, &Pose::drawn(system), &[], &[], &options);
+    let mut text = drawing::draw(pool, system, &Pose::drawn(pool, system), &[], &[], &options);
     text += "<details>\n<summary>What its joints and drivers ask for</summary>\n<ul>\n";
-    for sentence in derivation::constraints_in_html(system) {
+    for sentence in derivation::constraints_in_html(pool, system) {
         let _ = writeln!(text, "<li>{sentence}</li>");
     }
     text += "</ul>\n</details>\n";
-    let mut system = system.clone();
-    let Some(plan) = structure::plan_of_motion(&mut system) else {
+    let mut draft = pool.draft();
+    let Ok(plan) = structure::plan(&mut draft, system, Shift::Efforts) else {
         return text;
     };
-    let derived = derivation::html(&system, &plan);
+    let derived = derivation::html(&draft, system, &plan);
     let _ = writeln!(
         text,
         "<p>How its motion is found: {}.</p>\n<div class=\"wide\"><table><thead><tr><th>Block</th><th>Unknowns</th><th>Method</th><th>Joints</th></tr></thead><tbody>\n{}</tbody></table></div>",

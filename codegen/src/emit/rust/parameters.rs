@@ -98,12 +98,7 @@ fn structure<'a>(
     text.open("Scalar {");
     for (name, dimension, docs, value) in own {
         // Defaults were found to be finite constants when they were read.
-        let value = module
-            .system
-            .mechanism
-            .graph
-            .constant_value(value)
-            .unwrap_or(0.0);
+        let value = module.pool.graph.constant_value(value).unwrap_or(0.0);
         let lines = documentation::of_number(name, dimension, value, default, docs);
         text.docs(doc_lines(lines));
         let (field, value) = (identifier(&field_name(name)), module.number(value));

@@ -276,7 +276,7 @@ impl Scope<'_> {
         (varied, variation): (&[[usize; 2]], &Function),
         code: &mut Code,
     ) {
-        let graph = &self.module.system.mechanism.graph;
+        let graph = &self.module.pool.graph;
         let read: HashSet<SymbolId> = variation
             .values()
             .flat_map(|expr| graph.symbols(expr))

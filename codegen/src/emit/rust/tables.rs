@@ -20,13 +20,13 @@ pub(super) fn table_name(table: &str) -> Ident {
 /// The tables that the code mentions.
 pub(super) fn tables(module: &Module<'_>, mentioned: &HashSet<&str>) -> TokenStream {
     let system = module.system;
-    let splines = system.mechanism.graph.splines();
+    let splines = module.pool.graph.splines();
     let constants = splines.map(|(id, spline)| {
         let name = table_name(&spline.name);
         if !mentioned.contains(name.to_string().as_str()) {
             return TokenStream::new();
         }
-        constant(module, &name, spline, docs_of(id, system))
+        constant(module, &name, spline, docs_of(id, module.pool, system))
     });
     constants.collect()
 }

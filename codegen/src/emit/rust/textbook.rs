@@ -78,11 +78,11 @@ fn vector(
     let system = module.system;
     let scope = Scope::new(module, function, Place::Coordinates);
     let (statements, results) = (scope.plain_statements(), scope.results());
-    let zero = system.mechanism.graph.zero();
+    let zero = module.pool.graph.zero();
     let mut lines = vec![title.to_string()];
     if name == "phi" {
         lines.push(String::new());
-        lines.extend(documentation::of_rows(system, &system.rows));
+        lines.extend(documentation::of_rows(module.pool, system, &system.rows));
     }
     let text = docs(lines);
     let reads = scope.reads();
@@ -124,7 +124,11 @@ fn monitored(module: &Module<'_>, function: &Function) -> TokenStream {
     let (statements, results) = (scope.plain_statements(), scope.results());
     let size = count(system.monitored.len());
     let mut lines = vec![documentation::MONITORED.to_string(), String::new()];
-    lines.extend(documentation::of_rows(system, &system.monitored));
+    lines.extend(documentation::of_rows(
+        module.pool,
+        system,
+        &system.monitored,
+    ));
     let text = docs(lines);
     let arguments = arguments(module, scope.reads(), false);
     let function = quote! {

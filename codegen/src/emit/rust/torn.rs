@@ -82,7 +82,7 @@ fn scales(tearing: &Tearing, module: &Module<'_>) -> TokenStream {
     let scope = Scope::with_tears(module, &tearing.scales, Place::Tears, Vec::new());
     let equation = Equation::new(&scope);
     let (given, statements, time) = (&equation.given, &equation.statements, equation.time());
-    let one = module.system.mechanism.graph.one();
+    let one = module.pool.graph.one();
     let factors = tearing.scales.results.iter().zip(&equation.results);
     let rows = tearing
         .rows

@@ -6,7 +6,8 @@ use super::super::notation::Notation;
 use super::table::{aligned, in_lines, shown_width};
 use crate::expr::ExprId;
 use crate::model::{Dimension, Role};
-use crate::system::{Cause, Output, Row, System};
+use crate::pool::{Pool, SymbolRole};
+use crate::system::{Cause, Derived, Output, Row, System};
 
 /// The widest matrix that is printed as one; wider ones are listed entry by entry.
 const WIDEST_MATRIX: usize = 110;
@@ -15,11 +16,13 @@ const WIDEST_MATRIX: usize = 110;
 const WIDEST_LIST: usize = 100;
 
 /// Φ, Φ_q, Φ_t and γ of a system row by row, and the motion of its points.
-pub fn inspect(system: &System, notation: Notation) -> String {
-    let mut system = system.clone();
-    let parts = NamedParts::of_rows(&mut system);
+pub fn inspect(derived: &Derived, notation: Notation) -> String {
+    let system = &derived.system;
+    let mut pool = derived.pool.draft();
+    let parts = NamedParts::of_rows(&mut pool, system);
     let page = Page {
-        system: &system,
+        pool: &pool,
+        system,
         notation,
         parts: &parts,
     };
@@ -36,11 +39,11 @@ pub fn inspect(system: &System, notation: Notation) -> String {
     text.push_str(&page.parameters());
     text.push_str(&page.monitored());
     text.push_str(&page.points());
-    let definitions = parts.definitions(&mut system);
+    let definitions = parts.definitions(&mut pool);
     if definitions.is_empty() {
         return text;
     }
-    let printer = Printer::new(&system, &[], notation);
+    let printer = Printer::new(&pool, system, &[], notation);
     let lines = definitions.iter().flat_map(|definition| {
         let name = printer.expression(definition.name);
         in_lines(&name, &printer.expression(definition.value))
@@ -50,9 +53,9 @@ pub fn inspect(system: &System, notation: Notation) -> String {
 }
 
 /// The parameters and inputs with their defaults, a line each; nothing where there are none.
-pub(crate) fn given(system: &System) -> String {
+pub(crate) fn given(pool: &Pool, system: &System) -> String {
     let mechanism = &system.mechanism;
-    let value = |expr| mechanism.graph.constant_value(expr).unwrap_or(f64::NAN);
+    let value = |expr| pool.graph.constant_value(expr).unwrap_or(f64::NAN);
     let line = |what: &str, name: &str, dimension: Dimension, default: f64| {
         format!("{what} {name} = {default} {}\n", dimension.unit())
     };
@@ -65,7 +68,7 @@ pub(crate) fn given(system: &System) -> String {
         line("input", &own.name, own.dimension, initial)
     });
     let tables = mechanism.tables.iter().map(|own| {
-        let spline = mechanism.graph.spline_of(own.spline);
+        let spline = pool.graph.spline_of(own.spline);
         let [first, .., last] = &spline.starts[..] else {
             return String::new();
         };
@@ -82,6 +85,7 @@ pub(crate) fn given(system: &System) -> String {
 }
 
 struct Page<'a> {
+    pool: &'a Pool,
     system: &'a System,
     notation: Notation,
     parts: &'a NamedParts,
@@ -89,12 +93,12 @@ struct Page<'a> {
 
 impl Page<'_> {
     fn printer<'b>(&'b self, bodies: &'b [usize]) -> Printer<'b, Notation> {
-        Printer::new(self.system, bodies, self.notation)
+        Printer::new(self.pool, self.system, bodies, self.notation)
     }
 
     /// A formula that mentions the bodies in this order.
     fn formula(&self, bodies: &[usize], expr: ExprId) -> String {
-        let is_long = self.parts.meet(&self.system.mechanism.graph, expr);
+        let is_long = self.parts.meet(&self.pool.graph, expr);
         self.printer(bodies)
             .naming(self.parts, is_long)
             .expression(expr)
@@ -117,7 +121,7 @@ impl Page<'_> {
             .coordinates
             .iter()
             .enumerate()
-            .map(|(index, _)| printer.symbol(crate::system::SymbolRole::Position(index)))
+            .map(|(index, _)| printer.symbol(SymbolRole::Position(index)))
             .collect();
         let plural = |number: i64, one: &str, several: &str| {
             format!("{number} {}", if number == 1 { one } else { several })
@@ -131,7 +135,7 @@ impl Page<'_> {
             plural(drivers as i64, "equation", "equations"),
             plural(freedom, "degree of freedom", "degrees of freedom"),
             wrapped("q = (", &names, ")"),
-        ) + &given(self.system)
+        ) + &given(self.pool, self.system)
     }
 
     /// The rows that are not solved.
@@ -168,7 +172,7 @@ impl Page<'_> {
 
     /// A line per row: of every row, or only of those that are not zero.
     fn rows(&self, heading: &str, of: impl Fn(&Row) -> ExprId, every: bool) -> String {
-        let zero = self.system.mechanism.graph.zero();
+        let zero = self.pool.graph.zero();
         if !every && self.system.rows.iter().all(|row| of(row) == zero) {
             return format!("\n{heading} = 0\n");
         }
@@ -204,7 +208,7 @@ impl Page<'_> {
             })
             .collect();
         let names = self.printer(&[]);
-        let name = |coordinate| names.symbol(crate::system::SymbolRole::Position(coordinate));
+        let name = |coordinate| names.symbol(SymbolRole::Position(coordinate));
         let columns = self.system.coordinates.len();
         // A column is a character wide or more, and two spaces stand before it.
         if 3 * columns <= WIDEST_MATRIX {
@@ -281,7 +285,7 @@ impl Page<'_> {
 
     /// The rows of a column that are not zero.
     fn column(&self, column: &[ExprId]) -> Vec<Vec<String>> {
-        let zero = self.system.mechanism.graph.zero();
+        let zero = self.pool.graph.zero();
         let entries = self.system.rows.iter().zip(column).enumerate();
         entries
             .filter(|(_, (_, entry))| **entry != zero)

@@ -6,7 +6,7 @@ mod rewritten;
 
 use linkwright_calibrate::{Calibrator, Column, Measurements, Unfit};
 use linkwright_codegen::diagnostic::{Source, nearest};
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::{Derived, System};
 
 use self::bounded::bounded;
 use self::rewritten::rewritten;
@@ -36,11 +36,11 @@ pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
     let source =
         source(&arguments.described.file)?.reported_in(arguments.reported_in.units.clone());
     let plain = determined(&source, arguments.described.motion.as_deref())?;
-    check_names(&plain, &arguments.param)?;
-    let mut system = along(&source, arguments)?;
-    set_all(&mut system, &arguments.setting.set)?;
-    let mut data = Data::read(&arguments.table, &system).map_err(Problem)?;
-    data.drive(&mut system).map_err(Problem)?;
+    check_names(&plain.system, &arguments.param)?;
+    let derived = along(&source, arguments)?;
+    let derived = set_all(derived, &arguments.setting.set)?;
+    let mut data = Data::read(&arguments.table, &derived.pool, &derived.system).map_err(Problem)?;
+    let derived = data.drive(derived).map_err(Problem)?;
     keep_fitted(&mut data)?;
     let deviations = sizes("--deviation", &arguments.deviation, &data).map_err(Problem)?;
     if let Some(place) = deviations.iter().position(|it| *it == Some(0.0)) {
@@ -65,12 +65,12 @@ pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
             pictures.push(outputs.file(&in_folder(folder, &name)?, picture::SIGNATURE)?);
         }
     }
-    let view = interpreted(&system, &source, &arguments.described.file)?;
+    let view = interpreted(&derived, &source, &arguments.described.file)?;
     let mut calibrator = Calibrator::of(view, arguments.step);
     if let Some((_, modes)) = chosen(&arguments.setting.branch, calibrator.view(), data.times[0])? {
         calibrator = calibrator.in_modes(modes);
     }
-    calibrator = bounded(calibrator, &system, &arguments.bound)?;
+    calibrator = bounded(calibrator, &derived.system, &arguments.bound)?;
     let mut kinds: Vec<[i32; 4]> = Vec::new();
     let columns = data
         .measured
@@ -95,7 +95,7 @@ pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
         times: data.times.clone(),
     };
     let start = calibrator.nominal();
-    let title = system.mechanism.title();
+    let title = derived.system.mechanism.title();
     let identification = calibrator.identify(&measurements, &start);
     if let Ok(identification) = &identification
         && !arguments.json
@@ -119,7 +119,7 @@ pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
     let report = Report {
         start: &start,
         names: calibrator.names(),
-        system: &system,
+        system: &derived.system,
         title,
         fit: &fit,
         data: &data,
@@ -128,7 +128,7 @@ pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
         true => calibration::write_json(&report, output),
         false => calibration::write(&report, output),
     })?;
-    pictures::draw(&fit, &data, &system, pictures, arguments.json)?;
+    pictures::draw(&fit, &data, &derived.system, pictures, arguments.json)?;
     let is_trusted = fit.is_trusted();
     if !is_trusted {
         let is_free = fit.at_bound.iter().all(Option::is_none);
@@ -148,7 +148,7 @@ pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
     if let Some(output) = output {
         let names = calibrator.names().iter().map(String::as_str);
         let values: Vec<(&str, f64)> = names.zip(fit.values.iter().copied()).collect();
-        let text = rewritten(&source, &values, &system).map_err(Problem)?;
+        let text = rewritten(&source, &values, &derived.pool, &derived.system).map_err(Problem)?;
         let path = output.path().to_path_buf();
         output.write(|output| output.write_all(text.as_bytes()))?;
         if !arguments.json {
@@ -162,16 +162,16 @@ pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
 }
 
 /// Returns the equations with the sensitivities to the fitted parameters.
-fn along(source: &Source, arguments: &Calibrate) -> Result<System, Problem> {
+fn along(source: &Source, arguments: &Calibrate) -> Result<Derived, Problem> {
     let names: Vec<&str> = arguments.param.iter().map(|it| it.trim()).collect();
     let read = linkwright_codegen::stages::read_along(source, &names);
     let read = read.map_err(|found| rendered(&found, source))?;
-    let system = match &arguments.described.motion {
+    let derived = match &arguments.described.motion {
         Some(name) => read.motion(name).cloned(),
         None => read.only(),
     };
     // Names of motions were checked before.
-    system.ok_or_else(|| no_order(&arguments.described.file))
+    derived.ok_or_else(|| no_order(&arguments.described.file))
 }
 
 /// Checks that all names are those of parameters, each once.

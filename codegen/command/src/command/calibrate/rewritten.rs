@@ -5,8 +5,9 @@
 
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
 use linkwright_codegen::stages::model::Dimension;
+use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::syntax::{Statement, parse};
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::{Derived, System};
 
 /// Largest relative difference of a written value from the fitted one.
 const VALUE_TOLERANCE: f64 = 1e-12;
@@ -18,6 +19,7 @@ const VALUE_TOLERANCE: f64 = 1e-12;
 pub fn rewritten(
     source: &Source,
     values: &[(&str, f64)],
+    pool: &Pool,
     system: &System,
 ) -> Result<String, String> {
     let document = parse(source, &mut Diagnostics::new());
@@ -38,11 +40,7 @@ pub fn rewritten(
                 "error: `{name}` is not declared where it could be replaced"
             ));
         };
-        let nominal = system
-            .mechanism
-            .graph
-            .constant_value(parameter.nominal)
-            .unwrap_or(0.0);
+        let nominal = pool.graph.constant_value(parameter.nominal).unwrap_or(0.0);
         let range = declared.value.span.range();
         let before = &source.text[range.clone()];
         let now = in_its_unit(before, nominal, *value)
@@ -86,17 +84,17 @@ fn confirm(
     };
     let read = linkwright_codegen::read(&new).map_err(|found| found.render(&new))?;
     let motion = fitted.mechanism.motion.as_ref();
-    let system = match motion {
+    let derived = match motion {
         Some(motion) => read.motion(&motion.name),
         None => read.motions.first(),
     };
-    let Some(system) = system else {
+    let Some(Derived { pool, system }) = derived else {
         return Ok(());
     };
     let mechanism = &system.mechanism;
     for (name, value) in values {
         let parameter = mechanism.parameters.iter().find(|it| it.name == *name);
-        let rewritten = parameter.and_then(|it| mechanism.graph.constant_value(it.nominal));
+        let rewritten = parameter.and_then(|it| pool.graph.constant_value(it.nominal));
         let allowed = VALUE_TOLERANCE * value.abs();
         if rewritten.is_none_or(|it| (it - value).abs() > allowed) {
             return Err(format!(

@@ -66,9 +66,10 @@ fn given<V: View>(
     output: &mut dyn Write,
 ) -> io::Result<()> {
     let system = motion.system();
+    let pool = motion.view.pool();
     let mechanism = &system.mechanism;
     let parameters = mechanism.parameters.iter().map(|own| {
-        let value = mechanism.graph.nominal(own.symbol).unwrap_or(f64::NAN);
+        let value = pool.graph.nominal(own.symbol).unwrap_or(f64::NAN);
         let unit = units.of(&own.dimension.unit());
         format!("{} = {} {}", own.name, number(unit.of_si(value)), unit.name)
     });
@@ -76,7 +77,7 @@ fn given<V: View>(
         list(output, "parameters", mechanism.parameters.len(), parameters)?;
     }
     let inputs = mechanism.inputs.iter().map(|own| {
-        let signal = formula(system, &[], Notation::Ascii, own.signal[0]);
+        let signal = formula(pool, system, &[], Notation::Ascii, own.signal[0]);
         format!("{} = {signal} {}", own.name, own.dimension.unit())
     });
     if !mechanism.inputs.is_empty() {

@@ -37,7 +37,7 @@ impl Builder<'_> {
 
     /// States the rates or derivatives of explicit assignments at a level.
     pub(super) fn definition_rates(&mut self, block: &SolvedBlock, level: Level) {
-        let graph = &self.system.mechanism.graph;
+        let graph = &self.pool.graph;
         let moving = block.definitions.iter();
         let moving = moving.filter(|it| !graph.is_fixed(it.value)).count();
         let follows = !block.parts.is_empty();
@@ -66,7 +66,7 @@ impl Builder<'_> {
             let mut inputs = mechanism.inputs.iter();
             symbol == mechanism.time || inputs.any(|input| input.symbols[0] == symbol)
         };
-        let graph = &mechanism.graph;
+        let graph = &self.pool.graph;
         let mut values = block.definitions.iter().map(|definition| definition.value);
         let driven = values
             .clone()

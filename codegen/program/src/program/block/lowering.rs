@@ -1,5 +1,6 @@
 //! Lowers the blocks of a plan to functions: positions, then rates, then accelerations, then responses to each direction.
 
+use crate::pool::Pool;
 use std::sync::Arc;
 
 use super::{Block, Branch};
@@ -9,13 +10,15 @@ use crate::program::directional_derivatives::DirectionalDerivatives;
 use crate::program::forms::{Form, recognize};
 use crate::program::function::{Function, Level};
 use crate::program::path::{Path, Paths};
-use crate::structure::SolvedBlock;
+use crate::structure::{SolvedBlock, SolvedPlan};
 use crate::system::System;
 use crate::words::Known;
 
 /// State that the blocks of a mechanism share while they are lowered.
 pub(in crate::program) struct Lowering<'a> {
-    pub system: &'a mut System,
+    pub pool: &'a mut Pool,
+    pub system: &'a System,
+    pub plan: &'a SolvedPlan,
     pub branches: Vec<Branch>,
     pub driven: Vec<usize>,
     pub derivatives: DirectionalDerivatives,
@@ -27,16 +30,23 @@ pub(in crate::program) struct Lowering<'a> {
 }
 
 impl<'a> Lowering<'a> {
-    pub(in crate::program) fn new(system: &'a mut System, writes_prose: bool) -> Lowering<'a> {
+    pub(in crate::program) fn new(
+        pool: &'a mut Pool,
+        system: &'a System,
+        plan: &'a SolvedPlan,
+        writes_prose: bool,
+    ) -> Lowering<'a> {
         Lowering {
-            derivatives: DirectionalDerivatives::new(system),
+            derivatives: DirectionalDerivatives::new(pool, system),
             known: Known::nothing(system),
-            paths: Paths::new(system),
+            paths: Paths::new(pool, system),
             branches: Vec::new(),
             driven: Vec::new(),
             names: Vec::new(),
             writes_prose,
+            pool,
             system,
+            plan,
         }
     }
 
@@ -47,7 +57,7 @@ impl<'a> Lowering<'a> {
         let forms: Vec<Arc<dyn Form>> = block
             .parts
             .iter()
-            .map(|part| recognize(part, self.system))
+            .map(|part| recognize(part, self.pool, self.system))
             .collect();
         let name = self.set_apart(block_name(block, self.system));
         let how = forms.first().map_or("explicit".to_string(), |it| it.name());

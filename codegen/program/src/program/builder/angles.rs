@@ -42,15 +42,15 @@ impl Builder<'_> {
             sine: direction.sine,
             cosine: direction.cosine,
         });
-        self.paths.note_direction(unknown, direction, self.system);
+        self.paths
+            .note_direction(unknown, direction, self.pool, self.system);
         self.arms(unknown, direction);
     }
 
     /// Computes the vectors that rotate with an angle.
     pub fn arms(&mut self, unknown: usize, direction: Direction) {
         let arms: Vec<_> = self
-            .system
-            .vector_form
+            .pool
             .arms_of(unknown)
             .map(|arm| (arm.symbols, arm.local))
             .collect();
@@ -65,13 +65,13 @@ impl Builder<'_> {
 
     /// Returns cosine and sine of an explicitly known angle; `None` if no vector rotates with it.
     pub fn explicit_angle(&mut self, unknown: usize) -> Option<Direction> {
-        if self.inside.is_none() && self.system.vector_form.arms_of(unknown).next().is_none() {
+        if self.inside.is_none() && self.pool.arms_of(unknown).next().is_none() {
             return None;
         }
         let name = self.system.unknown_name(unknown).to_string();
         let angle = self.position(unknown);
         let [sine, cosine] =
-            ["sin", "cos"].map(|function| self.system.intermediate(&format!("{function}_{name}")));
+            ["sin", "cos"].map(|function| self.pool.intermediate(&format!("{function}_{name}")));
         self.statements.push(Statement::SineCosine {
             sine,
             cosine,
@@ -109,12 +109,12 @@ impl Builder<'_> {
         name: &str,
         remark: impl Into<Phrase>,
     ) -> Vector {
-        let graph = &self.system.mechanism.graph;
+        let graph = &self.pool.graph;
         if !p.iter().all(|&part| graph.is_fixed(part)) {
             return self.vector(name, value);
         }
-        let arm = self.system.arm(angle, p, name);
-        let arms = &self.system.vector_form.arms;
+        let arm = self.pool.arm(angle, p, name);
+        let arms = &self.pool.arms();
         let place_of_arm = arms
             .iter()
             .position(|it| it.angle == angle && it.local == p);
@@ -124,7 +124,7 @@ impl Builder<'_> {
                 self.assign_with(symbols[0], value[0], remark);
                 self.assign(symbols[1], value[1]);
             }
-            self.derivatives.change_arm(place, self.system);
+            self.derivatives.change_arm(place, self.pool);
         }
         self.call(arm, name);
         arm

@@ -47,7 +47,7 @@ impl Builder<'_> {
 
     /// Fails if a divisor vanishes relative to `scale`; constant divisors were checked with the plan.
     pub fn nonzero(&mut self, value: ExprId, scale: ExprId) {
-        if !self.system.mechanism.graph.is_constant(value) {
+        if !self.pool.graph.is_constant(value) {
             self.statements.push(Statement::Nonzero { value, scale });
         }
     }
@@ -56,7 +56,8 @@ impl Builder<'_> {
     pub(in crate::program) fn positive(&mut self, joints: &[usize]) {
         for &joint in joints {
             if !self.driven.contains(&joint)
-                && let Some((length, _)) = driven_length(joint, &mut self.system.mechanism)
+                && let Some((length, _)) =
+                    driven_length(joint, &self.system.mechanism, &mut self.pool.graph)
             {
                 self.driven.push(joint);
                 self.statements.push(Statement::Positive { length, joint });
@@ -68,11 +69,11 @@ impl Builder<'_> {
     /// Derivations print that sign.
     pub fn branch(&mut self, name: String, meaning: String, drawn: f64) -> ExprId {
         if let Some(inside) = &mut self.inside {
-            let symbol = self.system.intermediate("sign");
+            let symbol = self.pool.intermediate("sign");
             inside.signs.push((symbol, drawn));
             return self.graph().variable(symbol);
         }
-        let symbol = self.system.intermediate("branch");
+        let symbol = self.pool.intermediate("branch");
         self.branches.push(Branch {
             name,
             symbol,
@@ -89,8 +90,8 @@ impl Builder<'_> {
         let names: Vec<&str> = names.map(|it| self.system.unknown_name(it)).collect();
         let name = format!("normalized_determinant_{}", names.join("_"));
         let Some(value) = found.determinant() else {
-            let both = ["", "_condition"]
-                .map(|suffix| self.system.intermediate(&format!("{name}{suffix}")));
+            let both =
+                ["", "_condition"].map(|suffix| self.pool.intermediate(&format!("{name}{suffix}")));
             if let Some(Statement::Newton { measure, .. }) = self
                 .statements
                 .iter_mut()
@@ -102,10 +103,7 @@ impl Builder<'_> {
             self.measured.push(Measured::Block(both));
             return;
         };
-        let size = {
-            let graph = &mut self.system.mechanism.graph;
-            form.determinant(&self.system.vector_form, graph).size
-        };
+        let size = form.determinant(self.pool).size;
         let measure = match size {
             Some(size) => {
                 // A moving length is computed separately; the others belong to a constant.
@@ -115,10 +113,10 @@ impl Builder<'_> {
             None => value,
         };
         // A constant measure is never singular.
-        if self.system.mechanism.graph.is_fixed(measure) {
+        if self.pool.graph.is_fixed(measure) {
             return;
         }
-        let target = self.system.intermediate(&name);
+        let target = self.pool.intermediate(&name);
         self.assign(target, measure);
         self.measured.push(match size {
             Some(_) => Measured::Sine(target),

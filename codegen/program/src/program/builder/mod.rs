@@ -15,13 +15,19 @@ use super::function::{Function, Level, Statement};
 use super::path::Paths;
 use crate::expr::{ExprId, Graph, IdMap, IdSet, Node, SymbolId};
 use crate::joint::geometry::Vector;
-use crate::system::System;
+use crate::pool::Pool;
+use crate::structure::SolvedPlan;
+use crate::system::{Passing, System};
 use crate::words::{Known, Phrase, Piece, phrase};
 
 /// Builder of one block's statements.
 pub struct Builder<'a> {
-    /// Equations; their arena grows by intermediate values.
-    pub system: &'a mut System,
+    /// Expressions; intermediate values are added.
+    pub pool: &'a mut Pool,
+    /// Equations.
+    pub system: &'a System,
+    /// Plan of the solution.
+    pub plan: &'a SolvedPlan,
     /// Unknowns that are solved so far.
     pub known: &'a mut Known,
     pub(super) derivatives: &'a mut DirectionalDerivatives,
@@ -47,7 +53,9 @@ pub struct Builder<'a> {
 impl<'a> Builder<'a> {
     pub(super) fn new(lowering: &'a mut Lowering<'_>, place: usize) -> Builder<'a> {
         Builder {
+            pool: &mut *lowering.pool,
             system: lowering.system,
+            plan: lowering.plan,
             known: &mut lowering.known,
             derivatives: &mut lowering.derivatives,
             paths: &mut lowering.paths,
@@ -81,9 +89,14 @@ impl<'a> Builder<'a> {
         (function, self.measured, self.page_names, self.written_out)
     }
 
+    /// Returns the forces that a joint or driver transmits.
+    pub(super) fn passing(&mut self, joint: usize) -> Passing {
+        self.system.passing(joint, &self.plan.rows, self.pool)
+    }
+
     /// Returns the arena.
     pub fn graph(&mut self) -> &mut Graph {
-        &mut self.system.mechanism.graph
+        &mut self.pool.graph
     }
 
     /// Begins the statements of a level.
@@ -134,15 +147,15 @@ impl<'a> Builder<'a> {
 
     /// Returns a named local value with a remark.
     pub fn value_with(&mut self, name: &str, value: ExprId, remark: impl Into<Phrase>) -> ExprId {
-        let graph = &self.system.mechanism.graph;
+        let graph = &self.pool.graph;
         if graph.is_constant(value) || matches!(graph.node(value), Node::Symbol(_)) {
             return value;
         }
         let is_fixed = graph.is_fixed(value);
-        let target = self.system.intermediate(name);
+        let target = self.pool.intermediate(name);
         if is_fixed {
-            let zero = self.system.mechanism.graph.zero();
-            self.system.vector_form.set_rate(target, zero);
+            let zero = self.pool.graph.zero();
+            self.pool.set_rate(target, zero);
             self.derivatives.fix(target, value);
         }
         self.assign_with(target, value, remark);
@@ -152,7 +165,7 @@ impl<'a> Builder<'a> {
     /// Returns a named local value that derivations expand wherever it occurs.
     pub fn factor(&mut self, name: &str, value: ExprId) -> ExprId {
         let named = self.value(name, value);
-        if let Node::Symbol(symbol) = *self.system.mechanism.graph.node(named)
+        if let Node::Symbol(symbol) = *self.pool.graph.node(named)
             && named != value
         {
             self.written_out.insert(symbol);
@@ -192,7 +205,7 @@ impl<'a> Builder<'a> {
     /// Sets the name of a vector's symbols in derivations.
     pub fn call(&mut self, symbols: Vector, name: &str) {
         for (axis, symbol) in symbols.into_iter().enumerate() {
-            if let Node::Symbol(symbol) = *self.system.mechanism.graph.node(symbol) {
+            if let Node::Symbol(symbol) = *self.pool.graph.node(symbol) {
                 let name = PageName::Component(name.to_string(), axis);
                 self.page_names.insert(symbol, name);
             }
@@ -201,7 +214,7 @@ impl<'a> Builder<'a> {
 
     /// Makes derivations print a local value as the cosine or the sine of an unknown.
     pub(super) fn call_function(&mut self, value: ExprId, unknown: usize, is_cosine: bool) {
-        if let Node::Symbol(symbol) = *self.system.mechanism.graph.node(value) {
+        if let Node::Symbol(symbol) = *self.pool.graph.node(value) {
             let name = match is_cosine {
                 true => PageName::Cosine(unknown),
                 false => PageName::Sine(unknown),

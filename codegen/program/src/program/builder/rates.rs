@@ -7,9 +7,7 @@ use crate::program::function::Level;
 impl Builder<'_> {
     /// Returns d/dt of an expression.
     pub fn rate(&mut self, expr: ExprId) -> ExprId {
-        self.system
-            .vector_form
-            .rate(expr, &mut self.system.mechanism.graph)
+        self.pool.rate(expr)
     }
 
     /// Returns the first or the second rate of an expression, its derivative along a direction, or the rate of that derivative.
@@ -64,7 +62,7 @@ impl Builder<'_> {
 
     /// Returns an expression with some symbols set to zero.
     pub fn without(&mut self, expr: ExprId, symbols: &[SymbolId]) -> ExprId {
-        let zero = self.system.mechanism.graph.zero();
+        let zero = self.pool.graph.zero();
         let replacements: Vec<_> = symbols.iter().map(|&symbol| (symbol, zero)).collect();
         self.graph().substitute(expr, &replacements)
     }

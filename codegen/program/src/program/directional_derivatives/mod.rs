@@ -6,11 +6,13 @@
 
 mod responses;
 
+use crate::pool::Pool;
 use std::collections::{HashMap, HashSet};
 
 use crate::expr::{ExprId, SymbolId};
 use crate::joint::geometry::Vector;
-use crate::system::{Direction, SymbolRole, System};
+use crate::pool::SymbolRole;
+use crate::system::{Direction, System};
 
 /// Responses of all solved values to each direction.
 #[derive(Clone, Debug)]
@@ -58,7 +60,7 @@ impl DirectionalDerivatives {
     }
 
     /// Returns the state before the first block.
-    pub(super) fn new(system: &mut System) -> DirectionalDerivatives {
+    pub(super) fn new(pool: &mut Pool, system: &System) -> DirectionalDerivatives {
         let unknowns = system.vector_form.unknowns.len();
         let along = |direction: &Direction| Along {
             symbol: direction.symbol,
@@ -77,15 +79,15 @@ impl DirectionalDerivatives {
             taken: HashSet::new(),
             found: HashSet::new(),
         };
-        for place in 0..system.vector_form.arms.len() {
-            derivatives.change_arm(place, system);
+        for place in 0..pool.arms().len() {
+            derivatives.change_arm(place, pool);
         }
         if !derivatives.directions.is_empty() {
             let form = &system.vector_form;
             let unknowns = form.unknowns.iter().map(|unknown| unknown.name.clone());
             derivatives.taken.extend(unknowns);
-            let arms = form.arms.iter().flat_map(|arm| arm.symbols);
-            let names = arms.map(|symbol| system.local_name(symbol).to_string());
+            let arms = pool.arms().iter().flat_map(|arm| arm.symbols);
+            let names = arms.map(|symbol| pool.local_name(symbol).to_string());
             derivatives.taken.extend(names);
         }
         derivatives
@@ -93,16 +95,21 @@ impl DirectionalDerivatives {
 
     /// Adds a direction for each of these unknowns, with derivative 1; unsolved unknowns count as constant. Returns the indices
     /// of the directions.
-    pub(super) fn tear(&mut self, unknowns: &[usize], system: &mut System) -> Vec<usize> {
+    pub(super) fn tear(
+        &mut self,
+        unknowns: &[usize],
+        pool: &mut Pool,
+        system: &System,
+    ) -> Vec<usize> {
         let count = system.vector_form.unknowns.len();
         let mut places = Vec::with_capacity(unknowns.len());
         for &unknown in unknowns {
             let name = system.unknown_name(unknown).to_string();
             let mut values = vec![None; count];
-            values[unknown] = Some(system.mechanism.graph.one());
+            values[unknown] = Some(pool.graph.one());
             places.push(self.directions.len());
             self.directions.push(Along {
-                symbol: system.intermediate(&name),
+                symbol: pool.intermediate(&name),
                 name,
                 is_parameter: false,
                 values,
@@ -121,44 +128,55 @@ impl DirectionalDerivatives {
     }
 
     /// Makes the rotated vectors R ∂s/∂p of a vector R s, which are defined like R s.
-    pub(super) fn change_arm(&mut self, place: usize, system: &mut System) {
+    pub(super) fn change_arm(&mut self, place: usize, pool: &mut Pool) {
         for along in self.directions.iter_mut().filter(|it| it.is_parameter) {
-            let arm = &system.vector_form.arms[place];
+            let arm = &pool.arms()[place];
             let (angle, local, name) = (arm.angle, arm.local, &arm.name);
             let name = format!("{name}_by_{}", along.name);
-            let graph = &mut system.mechanism.graph;
+            let graph = &mut pool.graph;
             let change = local.map(|part| graph.derivative(part, along.symbol));
             if change != [graph.zero(); 2] {
-                let changed = system.arm(angle, change, &name);
+                let changed = pool.arm(angle, change, &name);
                 along.arms.insert(place, changed);
             }
         }
     }
 
     /// Returns the derivative of an expression of unknowns and rotated vectors. Unsolved unknowns count as constant.
-    pub(super) fn along(&self, expr: ExprId, direction: usize, system: &mut System) -> ExprId {
-        let symbols = system.mechanism.graph.symbols(expr).to_vec();
+    pub(super) fn along(
+        &self,
+        expr: ExprId,
+        direction: usize,
+        pool: &mut Pool,
+        system: &System,
+    ) -> ExprId {
+        let symbols = pool.graph.symbols(expr).to_vec();
         let mut terms = Vec::with_capacity(symbols.len());
         for symbol in symbols {
-            let response = self.of_symbol(symbol, direction, system);
-            if response != system.mechanism.graph.zero() {
-                let graph = &mut system.mechanism.graph;
+            let response = self.of_symbol(symbol, direction, pool, system);
+            if response != pool.graph.zero() {
+                let graph = &mut pool.graph;
                 let partial = graph.derivative(expr, symbol);
                 terms.push(graph.multiply(partial, response));
             }
         }
-        system.mechanism.graph.sum(&terms)
+        pool.graph.sum(&terms)
     }
 
-    fn of_symbol(&self, symbol: SymbolId, direction: usize, system: &mut System) -> ExprId {
+    fn of_symbol(
+        &self,
+        symbol: SymbolId,
+        direction: usize,
+        pool: &mut Pool,
+        system: &System,
+    ) -> ExprId {
         let along = &self.directions[direction];
-        let form = &system.vector_form;
-        let graph = &mut system.mechanism.graph;
-        let zero = graph.zero();
-        match system.roles[symbol.index()] {
+        let zero = pool.graph.zero();
+        match pool.role(symbol) {
             SymbolRole::Position(unknown) => along.values[unknown].unwrap_or(zero),
             SymbolRole::Arm(place) => {
-                let arm = &form.arms[place];
+                let arm = pool.arms()[place].clone();
+                let graph = &mut pool.graph;
                 let turning = along.values[arm.angle].unwrap_or(zero);
                 let [x, y] = arm.symbols.map(|component| graph.variable(component));
                 let across = if symbol == arm.symbols[0] {
@@ -171,13 +189,14 @@ impl DirectionalDerivatives {
                 let changed = along.arms.get(&place).map_or(zero, |it| it[component]);
                 graph.add(turned, changed)
             }
-            _ if symbol == along.symbol => graph.one(),
+            _ if symbol == along.symbol => pool.graph.one(),
             SymbolRole::Time | SymbolRole::Parameter(_) | SymbolRole::Input { .. } => zero,
             _ if self.directions.iter().any(|other| other.symbol == symbol) => zero,
             _ => {
                 if let Some(&value) = self.fixed.get(&symbol) {
-                    return self.along(value, direction, system);
+                    return self.along(value, direction, pool, system);
                 }
+                let graph = &mut pool.graph;
                 let Some(turned) = self.turned.get(&symbol) else {
                     unreachable!("`{}` has no rule of response", graph.symbol_name(symbol))
                 };
@@ -190,20 +209,15 @@ impl DirectionalDerivatives {
     }
 
     /// Returns the response of a solved unknown; zero before.
-    pub(super) fn of_unknown(&self, unknown: usize, direction: usize, system: &System) -> ExprId {
+    pub(super) fn of_unknown(&self, unknown: usize, direction: usize, pool: &Pool) -> ExprId {
         let value = self.directions[direction].values[unknown];
-        value.unwrap_or(system.mechanism.graph.zero())
+        value.unwrap_or(pool.graph.zero())
     }
 
     /// Returns the rate of this response.
-    pub(super) fn rate_of_unknown(
-        &self,
-        unknown: usize,
-        direction: usize,
-        system: &System,
-    ) -> ExprId {
+    pub(super) fn rate_of_unknown(&self, unknown: usize, direction: usize, pool: &Pool) -> ExprId {
         let rate = self.directions[direction].rates[unknown];
-        rate.unwrap_or(system.mechanism.graph.zero())
+        rate.unwrap_or(pool.graph.zero())
     }
 
     /// True if a symbol is the derivative of an unknown or of its rate.

@@ -10,12 +10,13 @@ use crate::system::Cause;
 impl Builder<'_> {
     /// Returns the derivative of an expression along a direction.
     pub(in crate::program) fn along(&mut self, expr: ExprId, direction: usize) -> ExprId {
-        self.derivatives.along(expr, direction, self.system)
+        self.derivatives
+            .along(expr, direction, self.pool, self.system)
     }
 
     /// Assigns the response of an unknown. A constant needs no name, and its products may vanish.
     pub(in crate::program) fn respond(&mut self, unknown: usize, direction: usize, value: ExprId) {
-        let value = if self.system.mechanism.graph.is_constant(value) {
+        let value = if self.pool.graph.is_constant(value) {
             value
         } else {
             let target = self.response_symbol(unknown, direction);
@@ -32,7 +33,7 @@ impl Builder<'_> {
         direction: usize,
         value: ExprId,
     ) {
-        let graph = &self.system.mechanism.graph;
+        let graph = &self.pool.graph;
         if self.response(unknown, direction).is_none() || value == graph.zero() {
             return;
         }
@@ -44,7 +45,7 @@ impl Builder<'_> {
     /// Returns the symbol of a response; `None` if the response is constant.
     fn response(&self, unknown: usize, direction: usize) -> Option<SymbolId> {
         let value = self.derivatives.directions[direction].values[unknown]?;
-        match *self.system.mechanism.graph.node(value) {
+        match *self.pool.graph.node(value) {
             Node::Symbol(symbol) => Some(symbol),
             _ => None,
         }
@@ -53,7 +54,7 @@ impl Builder<'_> {
     fn found_rate(&mut self, unknown: usize, direction: usize, target: SymbolId) {
         let rate = self.graph().variable(target);
         if let Some(symbol) = self.response(unknown, direction) {
-            self.system.vector_form.set_rate(symbol, rate);
+            self.pool.set_rate(symbol, rate);
         }
         self.derivatives.directions[direction].rates[unknown] = Some(rate);
     }
@@ -61,18 +62,18 @@ impl Builder<'_> {
     fn response_symbol(&mut self, unknown: usize, direction: usize) -> SymbolId {
         let name = self.system.unknown_name(unknown).to_string();
         let name = self.derivatives.name(&name, direction);
-        let symbol = self.system.intermediate(&name);
+        let symbol = self.pool.intermediate(&name);
         self.derivatives.found.insert(symbol);
         // Unsolved unknowns count as constant.
         let zero = self.graph().zero();
-        self.system.vector_form.set_rate(symbol, zero);
+        self.pool.set_rate(symbol, zero);
         symbol
     }
 
     fn response_rate_symbol(&mut self, unknown: usize, direction: usize) -> SymbolId {
         let name = format!("{}_rate", self.system.unknown_name(unknown));
         let name = self.derivatives.name(&name, direction);
-        let symbol = self.system.intermediate(&name);
+        let symbol = self.pool.intermediate(&name);
         self.derivatives.found.insert(symbol);
         symbol
     }
@@ -84,7 +85,7 @@ impl Builder<'_> {
         }
         let back = self.graph().negate(w[1]);
         for (component, across) in w.into_iter().zip([back, w[0]]) {
-            if let Node::Symbol(symbol) = *self.system.mechanism.graph.node(component) {
+            if let Node::Symbol(symbol) = *self.pool.graph.node(component) {
                 self.derivatives
                     .turned
                     .insert(symbol, Turned { angle, across });

@@ -88,8 +88,7 @@ pub(super) fn multipliers(
                 sum: Vec::new(),
             },
         );
-        let constant =
-            |value: &ExprId| matches!(builder.system.mechanism.graph.node(*value), Node::Number(_));
+        let constant = |value: &ExprId| matches!(builder.pool.graph.node(*value), Node::Number(_));
         let Some((&row, &factor)) = balance.factors.iter().find(|(_, value)| constant(value))
         else {
             continue;
@@ -154,7 +153,7 @@ fn at_once(
     let names: Vec<String> = left.iter().map(|&row| name(prefix, row, builder)).collect();
     let targets: Vec<SymbolId> = names
         .iter()
-        .map(|name| builder.system.intermediate(name))
+        .map(|name| builder.pool.intermediate(name))
         .collect();
     let factor = |row: &usize, balance: &Balance| balance.factors.get(row).copied();
     let forces: Vec<ExprId> = chosen
@@ -203,7 +202,7 @@ fn independent<'b>(
     remaining: &[&'b Balance],
     builder: &Builder<'_>,
 ) -> Vec<&'b Balance> {
-    let graph = &builder.system.mechanism.graph;
+    let graph = &builder.pool.graph;
     let mut chosen = Vec::new();
     let mut reduced: Vec<(usize, Vec<f64>)> = Vec::new();
     for &balance in remaining {
@@ -244,7 +243,7 @@ fn balances(loads: &[ExprId], builder: &mut Builder<'_>) -> Vec<Balance> {
         })
         .collect();
     for joint in 0..builder.system.mechanism.joints.len() {
-        for (row, columns) in builder.system.passing(joint).rows {
+        for (row, columns) in builder.passing(joint).rows {
             for (unknown, factor) in columns {
                 balances[unknown].factors.insert(row, factor);
             }
@@ -307,7 +306,7 @@ fn eliminate(
 
 /// True if a balance has at most `most` unknown multipliers, and a number as the factor of one.
 fn is_solvable(balance: &Balance, most: usize, builder: &Builder<'_>) -> bool {
-    let graph = &builder.system.mechanism.graph;
+    let graph = &builder.pool.graph;
     let mut factors = balance.factors.values();
     let has_constant = factors.any(|value| matches!(graph.node(*value), Node::Number(_)));
     has_constant && balance.factors.len() <= most

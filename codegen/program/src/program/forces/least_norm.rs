@@ -117,7 +117,7 @@ fn unit_loads(builder: &mut Builder<'_>) -> Vec<Vec<ExprId>> {
     let unknowns = builder.system.vector_form.unknowns.len();
     let mut loads = vec![vec![zero; unknowns]; builder.system.monitored.len()];
     for joint in 0..builder.system.mechanism.joints.len() {
-        for (row, columns) in builder.system.passing(joint).monitored {
+        for (row, columns) in builder.passing(joint).monitored {
             for (unknown, value) in columns {
                 loads[row][unknown] = builder.graph().negate(value);
             }
@@ -179,7 +179,7 @@ fn shares(
         return vec![builder.value("share_1", share)];
     }
     let targets: Vec<SymbolId> = (1..=count)
-        .map(|number| builder.system.intermediate(&format!("share_{number}")))
+        .map(|number| builder.pool.intermediate(&format!("share_{number}")))
         .collect();
     builder.show(|builder| {
         let equations = (0..count).map(|row| {
@@ -215,7 +215,7 @@ fn weighed(
     name: &str,
     builder: &mut Builder<'_>,
 ) -> Vec<ExprId> {
-    let length = characteristic(builder.system);
+    let length = characteristic(builder.pool, builder.system);
     let slug = builder.system.mechanism.joints[joint].slug.clone();
     let system = &builder.system;
     let mut rows = system.rows.iter().chain(&system.monitored);

@@ -14,6 +14,7 @@ mod virtual_work;
 pub use reaction::Reaction;
 pub use reduced::{FreeCoordinate, Reduced};
 
+use crate::pool::Pool;
 use least_norm::Shared;
 use reaction::Multipliers;
 use teeth::ToothForces;
@@ -96,7 +97,7 @@ pub(super) fn forces(
     let requested = lowering.system.mechanism.forces.clone();
     let mut builder = Builder::new(lowering, plan.blocks.len());
     builder.section(Level::Forces);
-    let scale = characteristic(builder.system);
+    let scale = characteristic(builder.pool, builder.system);
     for &(symbol, length) in &loads.lengths {
         builder.assign(symbol, length);
         let length = builder.graph().variable(symbol);
@@ -144,7 +145,7 @@ pub(super) fn forces(
             ("added_power", loads.added),
         ];
         let [kinetic, potential, added] = values.map(|(name, value)| {
-            let target = builder.system.intermediate(name);
+            let target = builder.pool.intermediate(name);
             builder.assign(target, value);
             target
         });
@@ -156,7 +157,7 @@ pub(super) fn forces(
     }
     let mut statements = builder.finish().0.statements;
     let mut at_zero = |expr: ExprId| {
-        let graph = &mut lowering.system.mechanism.graph;
+        let graph = &mut lowering.pool.graph;
         let zero = graph.zero();
         let replaced: Vec<_> = shifts.iter().map(|&shift| (shift, zero)).collect();
         graph.substitute(expr, &replaced)
@@ -185,9 +186,9 @@ fn headline(requested: &crate::model::Forces) -> String {
 }
 
 /// Returns the characteristic length.
-fn characteristic(system: &mut System) -> ExprId {
+fn characteristic(pool: &mut Pool, system: &System) -> ExprId {
     let length = system.mechanism.characteristic_length;
-    let graph = &mut system.mechanism.graph;
+    let graph = &mut pool.graph;
     match Number::parse(&format!("{length:e}")) {
         Some(number) => graph.number(number),
         None => graph.one(),
@@ -237,7 +238,7 @@ fn efforts(
             work = builder.graph().add(work, shared_work);
         }
         let [effort, power] =
-            ["effort", "power"].map(|what| builder.system.intermediate(&format!("{what}_{name}")));
+            ["effort", "power"].map(|what| builder.pool.intermediate(&format!("{what}_{name}")));
         let value = value.unwrap_or(builder.graph().zero());
         let opposite = builder.graph().negate(work);
         builder.assign(effort, opposite);

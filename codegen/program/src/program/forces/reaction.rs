@@ -51,7 +51,7 @@ pub(super) fn reaction(
             _ => value,
         };
         let what = format!("reaction_{name}_{}", component.suffix());
-        let target = builder.system.intermediate(&what);
+        let target = builder.pool.intermediate(&what);
         builder.assign(target, value);
         (component, target)
     });
@@ -69,7 +69,7 @@ pub(super) fn components(
     multipliers: &Multipliers,
     builder: &mut Builder<'_>,
 ) -> Vec<(Component, ExprId)> {
-    let passing = builder.system.passing(joint);
+    let passing = builder.passing(joint);
     let zero = builder.graph().zero();
     let solved = passing.rows.iter();
     let solved = solved.map(|(row, columns)| (multipliers.rows[*row], columns));

@@ -104,7 +104,7 @@ pub(super) fn reduced(carried: &Carried, weights: &[Weight], builder: &mut Build
                 terms.push(graph.multiply(weight.inertia, turned));
             }
             let mass = builder.graph().sum(&terms);
-            let target = builder.system.intermediate(&named);
+            let target = builder.pool.intermediate(&named);
             builder.assign(target, mass);
             masses.push(target);
         }
@@ -127,7 +127,7 @@ pub(super) fn reduced(carried: &Carried, weights: &[Weight], builder: &mut Build
         let force = builder.graph().sum(&terms);
         let name_of_row = name(builder, joint);
         let target = builder
-            .system
+            .pool
             .intermediate(&format!("reduced_force_{name_of_row}"));
         builder.assign(target, force);
         coordinates.push(FreeCoordinate {
@@ -155,7 +155,7 @@ fn following(
     let [x, y, turning] = weight.unknowns.map(|unknown| {
         builder
             .derivatives
-            .of_unknown(unknown, direction, builder.system)
+            .of_unknown(unknown, direction, builder.pool)
     });
     let zero = builder.graph().zero();
     let turns_only = [x, y] == [zero; 2];

@@ -37,7 +37,7 @@ impl ToothForces {
             let gear = builder.system.mechanism.forces.teeth[place].gear;
             let slug = builder.system.mechanism.joints[gear].slug.clone();
             let multiplier = multiplier(gear, multipliers, builder);
-            let Some(force) = builder.system.tooth_force(place) else {
+            let Some(force) = builder.system.tooth_force(place, builder.pool) else {
                 continue;
             };
             say(place, builder);
@@ -70,7 +70,7 @@ impl ToothForces {
 
 /// Returns the multiplier of a gear's only row, solved or monitored.
 fn multiplier(gear: usize, multipliers: &Multipliers, builder: &mut Builder<'_>) -> ExprId {
-    let passing = builder.system.passing(gear);
+    let passing = builder.passing(gear);
     let row = passing.rows.first();
     let solved = row.and_then(|(row, _)| multipliers.rows.get(*row));
     let monitored = passing.monitored.first();
@@ -82,7 +82,7 @@ fn multiplier(gear: usize, multipliers: &Multipliers, builder: &mut Builder<'_>)
 /// Describes the force and the bearings that carry the force.
 fn say(place: usize, builder: &mut Builder<'_>) {
     builder.say(|builder| {
-        let mechanism = &mut builder.system.mechanism;
+        let mechanism = &builder.system.mechanism;
         let teeth = &mechanism.forces.teeth[place];
         let gear = &mechanism.joints[teeth.gear];
         let second = gear.operands.marks[1].frame.body.0;
@@ -90,7 +90,7 @@ fn say(place: usize, builder: &mut Builder<'_>) {
             0 => "the ground".into(),
             body => mechanism.bodies[body].name.clone(),
         };
-        let feature = gear.kind.feature(&gear.operands, &mut mechanism.graph);
+        let feature = gear.kind.feature(&gear.operands, &mut builder.pool.graph);
         let pushed = match feature {
             Some(Feature::Wheels(Mesh::Internal, _)) => {
                 "the inner wheel toward the axis of the ring"

@@ -58,7 +58,7 @@ pub(super) fn sweep(
         own.push(load);
     }
     let mut sweep = Sweep {
-        on_arms: vec![[const { Vec::new() }; 2]; form.arms.len()],
+        on_arms: vec![[const { Vec::new() }; 2]; builder.pool.arms().len()],
         builder,
         pending,
         carried: Carried::default(),
@@ -81,8 +81,7 @@ impl Sweep<'_, '_> {
     /// Returns the whole load on an unknown, as a named value.
     fn take(&mut self, unknown: usize) -> ExprId {
         let mut terms = std::mem::take(&mut self.pending[unknown]);
-        let form = &self.builder.system.vector_form;
-        let arms = form.arms.iter().enumerate();
+        let arms = self.builder.pool.arms().iter().enumerate();
         let arms: Vec<(usize, [SymbolId; 2], String)> = arms
             .filter(|(_, arm)| arm.angle == unknown)
             .map(|(place, arm)| (place, arm.symbols, arm.name.clone()))
@@ -118,15 +117,15 @@ impl Sweep<'_, '_> {
             return;
         }
         for symbol in self.builder.graph().symbols(expr).to_vec() {
-            let form = &self.builder.system.vector_form;
-            let unknown = form.place_of_unknown(symbol);
-            let arm = form.place_of_symbol(symbol);
-            let turned_by = arm.map(|place| form.arms[place].angle);
+            let unknown = self.builder.pool.place_of_unknown(symbol);
+            let arm = self.builder.pool.place_of_symbol(symbol);
+            let turned_by = arm.map(|place| self.builder.pool.arms()[place].angle);
             let moved = unknown.or(turned_by);
             if moved.is_some_and(|moved| except.contains(&moved)) {
                 continue;
             }
-            let component = arm.map(|place| usize::from(form.arms[place].symbols[0] != symbol));
+            let component =
+                arm.map(|place| usize::from(self.builder.pool.arms()[place].symbols[0] != symbol));
             let graph = self.builder.graph();
             let slope = graph.derivative(expr, symbol);
             let term = graph.multiply(factor, slope);
@@ -233,7 +232,7 @@ impl Sweep<'_, '_> {
         let targets: Vec<SymbolId> = part
             .equations
             .iter()
-            .map(|_| self.builder.system.intermediate("carried"))
+            .map(|_| self.builder.pool.intermediate("carried"))
             .collect();
         self.builder.state(Statement::Multipliers {
             targets: targets.iter().copied().map(Some).collect(),
@@ -248,12 +247,15 @@ impl Sweep<'_, '_> {
     fn slope(&mut self, expr: ExprId, unknown: usize) -> ExprId {
         let mut terms = Vec::new();
         for symbol in self.builder.graph().symbols(expr).to_vec() {
-            let form = &self.builder.system.vector_form;
-            let arm = form.place_of_symbol(symbol).map(|place| &form.arms[place]);
+            let arm = self
+                .builder
+                .pool
+                .place_of_symbol(symbol)
+                .map(|place| &self.builder.pool.arms()[place]);
             let turned = arm
                 .filter(|arm| arm.angle == unknown)
                 .map(|arm| arm.symbols);
-            let is_own = form.place_of_unknown(symbol) == Some(unknown);
+            let is_own = self.builder.pool.place_of_unknown(symbol) == Some(unknown);
             let graph = self.builder.graph();
             if is_own {
                 terms.push(graph.derivative(expr, symbol));

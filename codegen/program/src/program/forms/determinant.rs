@@ -9,7 +9,7 @@
 
 use crate::expr::{ExprId, Graph};
 use crate::joint::geometry::{Vector, dot};
-use crate::system::VectorForm;
+use crate::pool::Pool;
 
 /// Largest number of unknowns of a Newton-Raphson with an explicit determinant.
 pub const LARGEST_WRITTEN_OUT: usize = 3;
@@ -32,15 +32,10 @@ pub struct Determinant {
 
 impl Determinant {
     /// Returns the determinant of a closed form with the magnitude of its columns.
-    pub(super) fn closed(
-        value: ExprId,
-        size: ExprId,
-        form: &VectorForm,
-        graph: &mut Graph,
-    ) -> Determinant {
-        let ratio = graph.divide(value, size);
-        let [value, ratio] = [value, ratio].map(|it| form.written_out(it, graph));
-        let finite = |expr: ExprId| graph.is_finite(expr).then_some(expr);
+    pub(super) fn closed(value: ExprId, size: ExprId, pool: &mut Pool) -> Determinant {
+        let ratio = pool.graph.divide(value, size);
+        let [value, ratio] = [value, ratio].map(|it| pool.written_out(it));
+        let finite = |expr: ExprId| pool.graph.is_finite(expr).then_some(expr);
         Determinant {
             value: finite(value),
             size: finite(size),
@@ -51,56 +46,48 @@ impl Determinant {
 }
 
 /// Returns s cos φ − c sin φ, the derivative of c cos φ + s sin φ.
-pub(super) fn of_one_angle(
-    unknown: usize,
-    [c, s]: [ExprId; 2],
-    form: &VectorForm,
-    graph: &mut Graph,
-) -> ExprId {
+pub(super) fn of_one_angle(unknown: usize, [c, s]: [ExprId; 2], pool: &mut Pool) -> ExprId {
     // The vector (c, s) may be rotated by another angle, or be the mirror image of such a vector.
-    let minus = graph.negate(s);
-    if let (Some(leader), [u, v]) = orientation([c, s], form, graph) {
-        let difference = difference([Some(unknown), Some(leader)], form, graph);
-        return wave(u, v, difference, graph);
+    let minus = pool.graph.negate(s);
+    if let (Some(leader), [u, v]) = orientation([c, s], pool) {
+        let difference = difference([Some(unknown), Some(leader)], pool);
+        return wave(u, v, difference, &mut pool.graph);
     }
-    if let (Some(leader), [u, v]) = orientation([c, minus], form, graph) {
-        let [own, other] =
-            [unknown, leader].map(|angle| graph.variable(form.unknowns[angle].position));
-        let sum = graph.add(own, other);
-        let value = wave(u, v, sum, graph);
-        return graph.negate(value);
+    if let (Some(leader), [u, v]) = orientation([c, minus], pool) {
+        let [own, other] = [unknown, leader].map(|angle| pool.graph.variable(pool.position(angle)));
+        let sum = pool.graph.add(own, other);
+        let value = wave(u, v, sum, &mut pool.graph);
+        return pool.graph.negate(value);
     }
-    let angle = graph.variable(form.unknowns[unknown].position);
-    let minus = graph.negate(c);
-    wave(minus, s, angle, graph)
+    let angle = pool.graph.variable(pool.position(unknown));
+    let minus = pool.graph.negate(c);
+    wave(minus, s, angle, &mut pool.graph)
 }
 
 /// Returns R(φ_a) p × R(φ_b) q = (p · q) sin(φ_b − φ_a) + (p × q) cos(φ_b − φ_a); a vector without an angle is constant.
-pub(super) fn crossed(
-    angles: [Option<usize>; 2],
-    [p, q]: [Vector; 2],
-    form: &VectorForm,
-    graph: &mut Graph,
-) -> ExprId {
-    let along = dot(p, q, graph);
-    let [forward, backward] = [graph.multiply(p[0], q[1]), graph.multiply(p[1], q[0])];
-    let across = graph.subtract(forward, backward);
+pub(super) fn crossed(angles: [Option<usize>; 2], [p, q]: [Vector; 2], pool: &mut Pool) -> ExprId {
+    let along = dot(p, q, &mut pool.graph);
+    let [forward, backward] = [
+        pool.graph.multiply(p[0], q[1]),
+        pool.graph.multiply(p[1], q[0]),
+    ];
+    let across = pool.graph.subtract(forward, backward);
     match angles {
         [None, None] => across,
         _ => {
-            let difference = difference(angles, form, graph);
-            wave(along, across, difference, graph)
+            let difference = difference(angles, pool);
+            wave(along, across, difference, &mut pool.graph)
         }
     }
 }
 
 /// Returns φ_b − φ_a.
-fn difference(angles: [Option<usize>; 2], form: &VectorForm, graph: &mut Graph) -> ExprId {
+fn difference(angles: [Option<usize>; 2], pool: &mut Pool) -> ExprId {
     let [first, second] = angles.map(|angle| match angle {
-        Some(angle) => graph.variable(form.unknowns[angle].position),
-        None => graph.zero(),
+        Some(angle) => pool.graph.variable(pool.position(angle)),
+        None => pool.graph.zero(),
     });
-    graph.subtract(second, first)
+    pool.graph.subtract(second, first)
 }
 
 /// Returns a sin δ + b cos δ as one factor and one function of δ.
@@ -131,16 +118,12 @@ fn wave(a: ExprId, b: ExprId, delta: ExprId, graph: &mut Graph) -> ExprId {
 }
 
 /// Returns the known angle that rotates a vector, and the vector in its orientation; otherwise `None` and the vector as it is.
-pub(super) fn orientation(
-    vector: Vector,
-    form: &VectorForm,
-    graph: &mut Graph,
-) -> (Option<usize>, Vector) {
-    let zero = graph.zero();
-    let symbols = vector.iter().flat_map(|&part| graph.symbols(part));
-    let turning = symbols.filter_map(|&symbol| form.place_of_symbol(symbol));
-    if let Some(angle) = turning.min().map(|place| form.arms[place].angle)
-        && let Some((local, rest)) = form.turned_vector(vector, angle, graph)
+pub(super) fn orientation(vector: Vector, pool: &mut Pool) -> (Option<usize>, Vector) {
+    let zero = pool.graph.zero();
+    let symbols = vector.iter().flat_map(|&part| pool.graph.symbols(part));
+    let turning = symbols.filter_map(|&symbol| pool.place_of_symbol(symbol));
+    if let Some(angle) = turning.min().map(|place| pool.arms()[place].angle)
+        && let Some((local, rest)) = pool.turned_vector(vector, angle)
         && rest == [zero, zero]
     {
         return (Some(angle), local);
@@ -149,14 +132,14 @@ pub(super) fn orientation(
 }
 
 /// Returns |v|.
-pub(super) fn length(v: Vector, form: &VectorForm, graph: &mut Graph) -> ExprId {
-    let (_, v) = orientation(v, form, graph);
-    let square = dot(v, v, graph);
-    graph.sqrt(square)
+pub(super) fn length(v: Vector, pool: &mut Pool) -> ExprId {
+    let (_, v) = orientation(v, pool);
+    let square = dot(v, v, &mut pool.graph);
+    pool.graph.sqrt(square)
 }
 
 /// Returns |p| |q|.
-pub(super) fn sizes([p, q]: [Vector; 2], form: &VectorForm, graph: &mut Graph) -> ExprId {
-    let (p, q) = (length(p, form, graph), length(q, form, graph));
-    graph.multiply(p, q)
+pub(super) fn sizes([p, q]: [Vector; 2], pool: &mut Pool) -> ExprId {
+    let (p, q) = (length(p, pool), length(q, pool));
+    pool.graph.multiply(p, q)
 }

@@ -5,8 +5,10 @@
 
 use crate::expr::ExprId;
 use crate::joint::Quantity;
+use crate::pool::Pool;
+use crate::pool::SymbolRole;
 use crate::program::lengths::Lengths;
-use crate::system::{SymbolRole, System};
+use crate::system::System;
 
 /// Largest residual of an equation in the design configuration, relative to its scale: descriptions have a limited number of
 /// digits.
@@ -44,6 +46,7 @@ pub(super) fn drawn_mode(
     jacobian: &[ExprId],
     [rows, columns]: [&[Quantity]; 2],
     [row_lengths, column_lengths]: &[Lengths; 2],
+    pool: &Pool,
     system: &System,
 ) -> DrawnMode {
     let order = residuals.len();
@@ -51,8 +54,8 @@ pub(super) fn drawn_mode(
         return DrawnMode::Open;
     }
     let fits = |(residual, row): (&ExprId, &Quantity)| {
-        is_driven(*residual, system)
-            || system.drawn_value(*residual).abs() <= FITS * row_lengths.scale(*row)
+        is_driven(*residual, pool)
+            || system.drawn_value(*residual, pool).abs() <= FITS * row_lengths.scale(*row)
     };
     if !residuals.iter().zip(rows).all(fits) {
         return DrawnMode::Open;
@@ -60,9 +63,9 @@ pub(super) fn drawn_mode(
     let mut entries = Vec::with_capacity(order * order);
     for row in jacobian.chunks(order) {
         let row = row.iter().zip(columns);
-        entries.extend(
-            row.map(|(entry, column)| system.drawn_value(*entry) * column_lengths.scale(*column)),
-        );
+        entries.extend(row.map(|(entry, column)| {
+            system.drawn_value(*entry, pool) * column_lengths.scale(*column)
+        }));
     }
     sign_of(&entries).map_or(DrawnMode::Undecided, DrawnMode::Sign)
 }
@@ -81,13 +84,13 @@ pub fn sign_of(entries: &[f64]) -> Option<bool> {
 }
 
 /// True if time, inputs or parameters change an equation.
-fn is_driven(residual: ExprId, system: &System) -> bool {
-    let symbols = system.mechanism.graph.symbols(residual).iter();
-    let mut roles = symbols.map(|symbol| system.roles.get(symbol.index()));
+fn is_driven(residual: ExprId, pool: &Pool) -> bool {
+    let symbols = pool.graph.symbols(residual).iter();
+    let mut roles = symbols.map(|symbol| pool.role(*symbol));
     roles.any(|role| {
         matches!(
             role,
-            Some(SymbolRole::Time | SymbolRole::Input { .. } | SymbolRole::Parameter(_))
+            SymbolRole::Time | SymbolRole::Input { .. } | SymbolRole::Parameter(_)
         )
     })
 }

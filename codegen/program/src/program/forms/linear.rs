@@ -1,12 +1,12 @@
 //! Solves c u + rest = 0 for one unknown that its equation contains once.
 
+use crate::pool::Pool;
 use std::sync::Arc;
 
 use super::{Candidate, Determinant, Form, Solved, Transposed};
-use crate::expr::{ExprId, Graph};
+use crate::expr::ExprId;
 use crate::program::builder::Builder;
 use crate::program::function::Level;
-use crate::system::VectorForm;
 use crate::words::{Piece, Singular, phrase};
 
 /// Equation c u + rest = 0.
@@ -19,15 +19,15 @@ struct Linear {
 
 pub(super) fn recognize(candidate: &mut Candidate<'_>) -> Option<Arc<dyn Form>> {
     let (equation, unknown) = candidate.single()?;
-    let Candidate { form, graph, .. } = candidate;
-    let symbol = form.unknowns[unknown].position;
-    if form.is_turned_by(equation, unknown, graph) {
+    let pool = &mut *candidate.pool;
+    let symbol = pool.position(unknown);
+    if pool.is_turned_by(equation, unknown) {
         return None;
     }
-    let coefficient = graph.derivative(equation, symbol);
-    let zero = graph.zero();
-    (!graph.depends_on(coefficient, symbol)).then(|| {
-        let rest = graph.substitute(equation, &[(symbol, zero)]);
+    let coefficient = pool.graph.derivative(equation, symbol);
+    let zero = pool.graph.zero();
+    (!pool.graph.depends_on(coefficient, symbol)).then(|| {
+        let rest = pool.graph.substitute(equation, &[(symbol, zero)]);
         Arc::new(Linear {
             unknown,
             coefficient,
@@ -45,13 +45,13 @@ impl Form for Linear {
         vec![self.unknown]
     }
 
-    fn determinant(&self, form: &VectorForm, graph: &mut Graph) -> Determinant {
-        let value = form.written_out(self.coefficient, graph);
-        let one = graph.one();
+    fn determinant(&self, pool: &mut Pool) -> Determinant {
+        let value = pool.written_out(self.coefficient);
+        let one = pool.graph.one();
         Determinant {
             value: Some(value),
             size: None,
-            normalized: graph.is_fixed(value).then_some(one),
+            normalized: pool.graph.is_fixed(value).then_some(one),
             jacobian: Vec::new(),
         }
     }

@@ -21,13 +21,14 @@ pub use determinant::Determinant;
 pub use drawn_mode::{DrawnMode, sign_of};
 pub use transposed::Transposed;
 
+use crate::pool::Pool;
 use std::fmt::Debug;
 use std::sync::Arc;
 
 use super::block::NewtonBlock;
 use super::builder::Builder;
 use super::function::Level;
-use crate::expr::{ExprId, Graph};
+use crate::expr::ExprId;
 use crate::joint::Quantity;
 use crate::structure::Subsystem;
 use crate::system::{System, VectorForm};
@@ -40,7 +41,7 @@ pub trait Form: Debug + Send + Sync {
     /// Returns the unknowns that the method solves for.
     fn unknowns(&self) -> Vec<usize>;
     /// Returns the determinant of its Jacobian.
-    fn determinant(&self, form: &VectorForm, graph: &mut Graph) -> Determinant;
+    fn determinant(&self, pool: &mut Pool) -> Determinant;
     /// Returns the function that vanishes with the determinant.
     fn singular(&self) -> Singular;
     /// Returns the number of assembly modes; `None` if Newton-Raphson finds them one by one.
@@ -78,7 +79,7 @@ pub(super) struct Candidate<'a> {
     quantities: Vec<Quantity>,
     unknowns: &'a [usize],
     form: &'a VectorForm,
-    graph: &'a mut Graph,
+    pool: &'a mut Pool,
 }
 
 type Match = fn(&mut Candidate<'_>) -> Option<Arc<dyn Form>>;
@@ -94,20 +95,14 @@ const FORMS: &[Match] = &[
 ];
 
 /// Returns the solution method of a subsystem.
-pub(super) fn recognize(part: &Subsystem, system: &mut System) -> Arc<dyn Form> {
-    let System {
-        vector_form: form,
-        mechanism,
-        ..
-    } = system;
-    let graph = &mut mechanism.graph;
+pub(super) fn recognize(part: &Subsystem, pool: &mut Pool, system: &System) -> Arc<dyn Form> {
     let mut candidate = Candidate {
         equations: part.equations.iter().map(|it| it.residual).collect(),
         rows: part.equations.iter().map(|it| it.row).collect(),
         quantities: part.equations.iter().map(|it| it.quantity).collect(),
         unknowns: &part.unknowns,
-        form,
-        graph,
+        form: &system.vector_form,
+        pool,
     };
     // Newton-Raphson reports subsystems that are singular in every pose.
     let closed = FORMS.iter().filter(|_| !part.is_singular);
@@ -119,11 +114,11 @@ pub(super) fn recognize(part: &Subsystem, system: &mut System) -> Arc<dyn Form> 
     }
     let whole = newton::form(&candidate);
     // A measure of all equations needs all of them.
-    let sequences = match part.is_singular || mechanism.monitor {
+    let sequences = match part.is_singular || system.mechanism.monitor {
         true => Vec::new(),
         false => torn::sequences(&mut candidate),
     };
-    torn::form(whole, sequences, system)
+    torn::form(whole, sequences, pool, system)
 }
 
 /// Returns a closed form for some equations of a subsystem in some of its unknowns, while all others are known; `None` if there
@@ -139,7 +134,7 @@ fn closed(
         quantities: equations.iter().map(|&it| whole.quantities[it]).collect(),
         unknowns,
         form: whole.form,
-        graph: whole.graph,
+        pool: whole.pool,
     };
     FORMS.iter().find_map(|matches| matches(&mut candidate))
 }
@@ -177,13 +172,13 @@ impl Candidate<'_> {
 
     /// True if an expression mentions an unknown.
     fn mentions(&self, expr: ExprId, unknown: usize) -> bool {
-        self.form.mentions(expr, unknown, self.graph)
+        self.pool.mentions(expr, unknown)
     }
 
     /// Returns the two equations as x and y components of a vector equation: as they are, exchanged, or with one sign changed.
     /// [`Transposed`] reverses the arrangement by its index.
     fn arrangements(&mut self, [first, second]: [ExprId; 2]) -> [[ExprId; 2]; 4] {
-        let minus_second = self.graph.negate(second);
+        let minus_second = self.pool.graph.negate(second);
         [
             [first, second],
             [first, minus_second],

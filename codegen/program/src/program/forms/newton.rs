@@ -9,12 +9,12 @@ use super::{Candidate, Determinant, Form, Solved};
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::Quantity;
 use crate::joint::geometry::Vector;
+use crate::pool::Pool;
 use crate::program::block::NewtonBlock;
 use crate::program::builder::Builder;
 use crate::program::function::{Function, Level, Statement};
 use crate::program::lengths::Lengths;
 use crate::program::passes::liveness;
-use crate::system::VectorForm;
 use crate::words::{Phrase, Piece, Singular, counted, enumerated, phrase};
 
 /// Equations g(z) = 0.
@@ -42,22 +42,22 @@ impl Form for Newton {
         self.unknowns.clone()
     }
 
-    fn determinant(&self, form: &VectorForm, graph: &mut Graph) -> Determinant {
+    fn determinant(&self, pool: &mut Pool) -> Determinant {
         let jacobian: Vec<Vec<ExprId>> = self
             .residuals
             .iter()
             .map(|&residual| {
-                let residual = form.written_out(residual, graph);
+                let residual = pool.written_out(residual);
                 let slope =
-                    |&unknown: &usize| graph.derivative(residual, form.unknowns[unknown].position);
+                    |&unknown: &usize| pool.graph.derivative(residual, pool.position(unknown));
                 self.unknowns.iter().map(slope).collect()
             })
             .collect();
         let written =
             jacobian.len() <= LARGEST_WRITTEN_OUT && self.unknowns.len() == jacobian.len();
-        let value = written.then(|| expanded(&jacobian, graph));
+        let value = written.then(|| expanded(&jacobian, &mut pool.graph));
         Determinant {
-            value: value.filter(|&value| graph.is_finite(value)),
+            value: value.filter(|&value| pool.graph.is_finite(value)),
             size: None,
             normalized: None,
             jacobian,
@@ -123,12 +123,18 @@ impl Newton {
             .iter()
             .map(|&it| unknowns[it].quantity)
             .collect();
-        let scaled_by = Lengths::of_block(&self.residuals, &self.quantities, builder.system);
+        let scaled_by = Lengths::of_block(
+            &self.residuals,
+            &self.quantities,
+            builder.pool,
+            builder.system,
+        );
         let drawn = drawn_mode(
             &self.residuals,
             &jacobian,
             [&self.quantities, &columns],
             &scaled_by,
+            builder.pool,
             builder.system,
         );
         builder.say(|_| {
@@ -148,7 +154,7 @@ impl Newton {
                     statements,
                     ..results
                 },
-                &builder.system.mechanism.graph,
+                &builder.pool.graph,
             )
         };
         NewtonBlock {
@@ -225,7 +231,7 @@ impl Newton {
         let pairs: Vec<Vector> = pairs.map(|pair| [pair[0], pair[1]]).collect();
         let are_sums = pairs
             .iter()
-            .all(|&pair| builder.system.vector_sum(pair).is_some());
+            .all(|&pair| builder.system.vector_sum(pair, builder.pool).is_some());
         are_sums.then_some(pairs)
     }
 }

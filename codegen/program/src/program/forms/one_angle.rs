@@ -4,6 +4,7 @@
 //! minus the derivative of the equation in φ. Near the fold c = ±ρ, the product keeps all digits of ρ − c, where an arccosine
 //! would lose half of them. An equation in the cosine alone, or the sine, gives this function, and the root gives the other one.
 
+use crate::pool::Pool;
 use std::sync::Arc;
 
 use linkwright_math::double;
@@ -11,10 +12,9 @@ use linkwright_math::double;
 use super::determinant::{length, of_one_angle};
 use super::linear::say_again;
 use super::{Candidate, Determinant, Form, Solved, Transposed};
-use crate::expr::{ExprId, Graph};
+use crate::expr::ExprId;
 use crate::program::builder::{Builder, Direction};
 use crate::program::function::Level;
-use crate::system::VectorForm;
 use crate::words::{Phrase, Piece, Singular, phrase};
 
 /// Equation a cos φ + b sin φ + rest = 0.
@@ -32,11 +32,11 @@ struct OneAngle {
 
 pub(super) fn recognize(candidate: &mut Candidate<'_>) -> Option<Arc<dyn Form>> {
     let (equation, angle) = candidate.single()?;
-    let Candidate { form, graph, .. } = candidate;
-    if !form.is_turned_by(equation, angle, graph) {
+    let pool = &mut *candidate.pool;
+    if !pool.is_turned_by(equation, angle) {
         return None;
     }
-    let turned = form.split(equation, angle, graph)?;
+    let turned = pool.split(equation, angle)?;
     Some(Arc::new(OneAngle {
         angle,
         cosine: turned.cosine,
@@ -56,11 +56,11 @@ impl Form for OneAngle {
         vec![self.angle]
     }
 
-    fn determinant(&self, form: &VectorForm, graph: &mut Graph) -> Determinant {
+    fn determinant(&self, pool: &mut Pool) -> Determinant {
         let parts = [self.cosine, self.sine];
-        let value = of_one_angle(self.angle, parts, form, graph);
-        let size = length(parts, form, graph);
-        Determinant::closed(value, size, form, graph)
+        let value = of_one_angle(self.angle, parts, pool);
+        let size = length(parts, pool);
+        Determinant::closed(value, size, pool)
     }
 
     fn singular(&self) -> Singular {
@@ -78,7 +78,7 @@ impl Form for OneAngle {
         self.open(builder);
         let zero = builder.graph().zero();
         let is_constant =
-            |part: ExprId, builder: &Builder<'_>| builder.system.mechanism.graph.is_constant(part);
+            |part: ExprId, builder: &Builder<'_>| builder.pool.graph.is_constant(part);
         let root = match [self.cosine == zero, self.sine == zero] {
             [false, true] if is_constant(self.cosine, builder) => self.by_function(true, builder),
             [true, false] if is_constant(self.sine, builder) => self.by_function(false, builder),
@@ -129,8 +129,10 @@ impl OneAngle {
 
     /// Returns the mode with the sign of a slope in the design configuration, minus the derivative of the equation.
     fn mode(&self, builder: &mut Builder<'_>) -> ExprId {
-        let [a, b] = [self.cosine, self.sine].map(|part| builder.system.drawn_value(part));
-        let (sine, cosine) = double::sin_cos(builder.system.drawn_unknown(self.angle));
+        let [a, b] =
+            [self.cosine, self.sine].map(|part| builder.system.drawn_value(part, builder.pool));
+        let (sine, cosine) =
+            double::sin_cos(builder.system.drawn_unknown(self.angle, builder.pool));
         let name = builder.system.unknown_name(self.angle).to_string();
         let meaning = format!("which of two values {name} takes");
         let drawn = (a * sine - b * cosine) / a.hypot(b);
@@ -169,7 +171,7 @@ impl OneAngle {
         builder.reach(excess, one, ends);
         let branch = self.mode(builder);
         // The slope is a sin φ or −b cos φ, so the other function has the sign of the mode or the opposite one.
-        let is_negative = builder.system.mechanism.graph.constant_value(factor) < Some(0.0);
+        let is_negative = builder.pool.graph.constant_value(factor) < Some(0.0);
         let graph = builder.graph();
         let root = graph.sqrt(excess);
         let other = graph.multiply(branch, root);
@@ -178,7 +180,8 @@ impl OneAngle {
         } else {
             other
         };
-        let (sine, cosine) = double::sin_cos(builder.system.drawn_unknown(self.angle));
+        let (sine, cosine) =
+            double::sin_cos(builder.system.drawn_unknown(self.angle, builder.pool));
         let drawn = if by_cosine { sine } else { cosine };
         let sign = if drawn < 0.0 { "negative" } else { "positive" };
         let remark = format!("{sign} as in the drawing").into();

@@ -3,18 +3,18 @@
 //! The rotated link w = R(φ) p has the component n = c × d across the line. Along the line, w · d = k = ±√(p² d² − n²), whose
 //! sign is the assembly mode. The determinant of the block's Jacobian [Ω w, d] is −k.
 
+use crate::pool::Pool;
 use std::sync::Arc;
 
 use super::closing::Closing;
 use super::determinant::{crossed, orientation, sizes};
 use super::two_rotations::turning;
 use super::{Candidate, Determinant, Form, Solved, Transposed};
-use crate::expr::{ExprId, Graph};
+use crate::expr::ExprId;
 use crate::joint::geometry::{Vector, perpendicular};
 use crate::program::builder::Builder;
 use crate::program::function::Level;
 use crate::program::stretch::Stretch;
-use crate::system::VectorForm;
 use crate::words::{Phrase, Piece, Singular, phrase};
 
 /// Equation R(φ) p + ℓ d + c = 0.
@@ -34,19 +34,18 @@ struct RotationAndSlide {
 
 pub(super) fn recognize(candidate: &mut Candidate<'_>) -> Option<Arc<dyn Form>> {
     let (equations, [angle, slide]) = candidate.pair_of([true, false])?;
-    let form = candidate.form;
-    let symbol = form.unknowns[slide].position;
-    let zero = candidate.graph.zero();
+    let symbol = candidate.pool.position(slide);
+    let zero = candidate.pool.graph.zero();
     let arrangements = candidate.arrangements(equations).into_iter().enumerate();
     for (arrangement, arranged) in arrangements {
-        let graph = &mut *candidate.graph;
-        let direction = arranged.map(|equation| graph.derivative(equation, symbol));
-        let without = arranged.map(|equation| graph.substitute(equation, &[(symbol, zero)]));
-        let Some((link, closure)) = form.turned_vector(without, angle, graph) else {
+        let pool = &mut *candidate.pool;
+        let direction = arranged.map(|equation| pool.graph.derivative(equation, symbol));
+        let without = arranged.map(|equation| pool.graph.substitute(equation, &[(symbol, zero)]));
+        let Some((link, closure)) = pool.turned_vector(without, angle) else {
             continue;
         };
         let is_known = |part: &ExprId| {
-            !candidate.mentions(*part, angle) && !candidate.graph.depends_on(*part, symbol)
+            !candidate.mentions(*part, angle) && !candidate.pool.graph.depends_on(*part, symbol)
         };
         if direction.iter().all(is_known) {
             return Some(Arc::new(RotationAndSlide {
@@ -72,12 +71,12 @@ impl Form for RotationAndSlide {
     }
 
     /// Returns the determinant of [Ω w, d], which is Ω w × d = −w · d.
-    fn determinant(&self, form: &VectorForm, graph: &mut Graph) -> Determinant {
-        let turned = perpendicular(self.link, graph);
-        let (turning, d) = orientation(self.direction, form, graph);
-        let value = crossed([Some(self.angle), turning], [turned, d], form, graph);
-        let size = sizes([self.link, d], form, graph);
-        Determinant::closed(value, size, form, graph)
+    fn determinant(&self, pool: &mut Pool) -> Determinant {
+        let turned = perpendicular(self.link, &mut pool.graph);
+        let (turning, d) = orientation(self.direction, pool);
+        let value = crossed([Some(self.angle), turning], [turned, d], pool);
+        let size = sizes([self.link, d], pool);
+        Determinant::closed(value, size, pool)
     }
 
     fn singular(&self) -> Singular {
@@ -114,8 +113,10 @@ impl Form for RotationAndSlide {
         let ends = [graph.sqrt(by_length), graph.sqrt(p_square), graph.zero()];
         builder.reach(excess, scale, ends);
         let drawn = {
-            let w = builder.system.drawn_turn(angle, p);
-            let line = self.direction.map(|part| builder.system.drawn_value(part));
+            let w = builder.system.drawn_turn(angle, p, builder.pool);
+            let line = self
+                .direction
+                .map(|part| builder.system.drawn_value(part, builder.pool));
             let lengths = w[0].hypot(w[1]) * line[0].hypot(line[1]);
             (w[0] * line[0] + w[1] * line[1]) / lengths
         };
@@ -168,9 +169,13 @@ impl Form for RotationAndSlide {
 impl RotationAndSlide {
     /// Describes the known values and the closed loop.
     fn open(&self, builder: &mut Builder<'_>) {
-        let link = builder
-            .known
-            .link(self.angle, self.link, |_, _| true, builder.system);
+        let link = builder.known.link(
+            self.angle,
+            self.link,
+            |_, _| true,
+            builder.pool,
+            builder.system,
+        );
         let [angle, slide] = [self.angle, self.slide].map(Piece::Unknown);
         let names = link
             .as_ref()

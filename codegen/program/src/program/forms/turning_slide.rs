@@ -3,17 +3,17 @@
 //! With a = p · u and b = u × p, the known vector m = −c has the length √((a + ℓ)² + b²), so k = a + ℓ = ±√(m² − b²), whose sign
 //! is the assembly mode. The determinant of the block's Jacobian [Ω m, R u] is −k.
 
+use crate::pool::Pool;
 use std::sync::Arc;
 
 use super::determinant::sizes;
 use super::rotation_and_slide::Found;
 use super::two_rotations::turning;
 use super::{Candidate, Determinant, Form, Solved};
-use crate::expr::{ExprId, Graph};
+use crate::expr::ExprId;
 use crate::joint::geometry::{Vector, dot};
 use crate::program::builder::Builder;
 use crate::program::function::Level;
-use crate::system::VectorForm;
 use crate::words::{Phrase, Piece, Singular, phrase};
 
 /// Equation R(φ) (p + ℓ u) + c = 0.
@@ -33,22 +33,21 @@ struct TurningSlide {
 
 pub(super) fn recognize(candidate: &mut Candidate<'_>) -> Option<Arc<dyn Form>> {
     let (equations, [angle, slide]) = candidate.pair_of([true, false])?;
-    let form = candidate.form;
-    let symbol = form.unknowns[slide].position;
-    let zero = candidate.graph.zero();
+    let symbol = candidate.pool.position(slide);
+    let zero = candidate.pool.graph.zero();
     let arrangements = candidate.arrangements(equations).into_iter().enumerate();
     for (arrangement, arranged) in arrangements {
-        let graph = &mut *candidate.graph;
-        let slope = arranged.map(|equation| graph.derivative(equation, symbol));
-        let without = arranged.map(|equation| graph.substitute(equation, &[(symbol, zero)]));
-        let Some((start, closure)) = form.turned_vector(without, angle, graph) else {
+        let pool = &mut *candidate.pool;
+        let slope = arranged.map(|equation| pool.graph.derivative(equation, symbol));
+        let without = arranged.map(|equation| pool.graph.substitute(equation, &[(symbol, zero)]));
+        let Some((start, closure)) = pool.turned_vector(without, angle) else {
             continue;
         };
-        let is_constant = |part: &ExprId| !graph.depends_on(*part, symbol);
+        let is_constant = |part: &ExprId| !pool.graph.depends_on(*part, symbol);
         if !slope.iter().all(is_constant) {
             return None;
         }
-        let Some((direction, rest)) = form.turned_vector(slope, angle, graph) else {
+        let Some((direction, rest)) = pool.turned_vector(slope, angle) else {
             continue;
         };
         // A constant direction belongs to a rotation and a slide.
@@ -76,18 +75,18 @@ impl Form for TurningSlide {
     }
 
     /// Returns the determinant of [Ω m, R u] with m = R (p + ℓ u), which is −(p + ℓ u) · u.
-    fn determinant(&self, form: &VectorForm, graph: &mut Graph) -> Determinant {
+    fn determinant(&self, pool: &mut Pool) -> Determinant {
         let (p, u) = (self.start, self.direction);
-        let along = graph.variable(form.unknowns[self.slide].position);
+        let along = pool.graph.variable(pool.position(self.slide));
         let reach = [0, 1].map(|axis| {
-            let slid = graph.multiply(along, u[axis]);
-            graph.add(p[axis], slid)
+            let slid = pool.graph.multiply(along, u[axis]);
+            pool.graph.add(p[axis], slid)
         });
-        let (start, square) = (dot(p, u, graph), dot(u, u, graph));
-        let slid = graph.multiply(along, square);
-        let value = graph.add(start, slid);
-        let size = sizes([reach, u], form, graph);
-        Determinant::closed(value, size, form, graph)
+        let (start, square) = (dot(p, u, &mut pool.graph), dot(u, u, &mut pool.graph));
+        let slid = pool.graph.multiply(along, square);
+        let value = pool.graph.add(start, slid);
+        let size = sizes([reach, u], pool);
+        Determinant::closed(value, size, pool)
     }
 
     fn singular(&self) -> Singular {
@@ -127,8 +126,9 @@ impl Form for TurningSlide {
         let (distance, shortest) = (graph.sqrt(m_square), graph.sqrt(b_square));
         builder.reach(excess, m_square, [distance, distance, shortest]);
         let drawn = {
-            let along = builder.system.drawn_value(a) + builder.system.drawn_unknown(slide);
-            along / along.hypot(builder.system.drawn_value(b))
+            let along = builder.system.drawn_value(a, builder.pool)
+                + builder.system.drawn_unknown(slide, builder.pool);
+            along / along.hypot(builder.system.drawn_value(b, builder.pool))
         };
         let meaning = "whether the point lies ahead on the line or behind its foot".to_string();
         let branch_name = builder.system.unknown_name(angle).to_string();
@@ -240,8 +240,11 @@ impl TurningSlide {
                 " is the part in use."
             ]
         });
-        let ends = [first_end, second_end].map(|mark| builder.system.drawn_position(*mark));
-        let drawn = self.closure.map(|part| -builder.system.drawn_value(part));
+        let ends =
+            [first_end, second_end].map(|mark| builder.system.drawn_position(*mark, builder.pool));
+        let drawn = self
+            .closure
+            .map(|part| -builder.system.drawn_value(part, builder.pool));
         let along = drawn[0] * (ends[1][0] - ends[0][0]) + drawn[1] * (ends[1][1] - ends[0][1]);
         (name, along < 0.0)
     }

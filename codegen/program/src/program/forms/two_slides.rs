@@ -1,15 +1,15 @@
 //! Solves ℓ_a d + ℓ_b e + c = 0 with known directions: two lines meet.
 
+use crate::pool::Pool;
 use std::sync::Arc;
 
 use super::closing::Closing;
 use super::determinant::{crossed, orientation, sizes};
 use super::{Candidate, Determinant, Form, Solved, Transposed};
-use crate::expr::{ExprId, Graph};
+use crate::expr::ExprId;
 use crate::joint::geometry::Vector;
 use crate::program::builder::Builder;
 use crate::program::function::Level;
-use crate::system::VectorForm;
 use crate::words::{Piece, Singular, phrase};
 
 /// Equation ℓ_a d + ℓ_b e + c = 0.
@@ -25,22 +25,18 @@ struct TwoSlides {
 
 pub(super) fn recognize(candidate: &mut Candidate<'_>) -> Option<Arc<dyn Form>> {
     let (equations, slides) = candidate.pair_of([false, false])?;
-    let Candidate { form, graph, .. } = candidate;
-    let symbols = slides.map(|slide| form.unknowns[slide].position);
+    let pool = &mut *candidate.pool;
+    let symbols = slides.map(|slide| pool.position(slide));
     let directions =
-        symbols.map(|symbol| equations.map(|equation| graph.derivative(equation, symbol)));
+        symbols.map(|symbol| equations.map(|equation| pool.graph.derivative(equation, symbol)));
     let mut parts = directions.iter().flatten();
-    let linear = parts.all(|&part| symbols.iter().all(|&it| !graph.depends_on(part, it)));
-    let turns = |equation: &ExprId| {
-        slides
-            .iter()
-            .any(|&it| form.is_turned_by(*equation, it, graph))
-    };
+    let linear = parts.all(|&part| symbols.iter().all(|&it| !pool.graph.depends_on(part, it)));
+    let turns = |equation: &ExprId| slides.iter().any(|&it| pool.is_turned_by(*equation, it));
     if !linear || equations.iter().any(turns) {
         return None;
     }
-    let zeros = symbols.map(|symbol| (symbol, graph.zero()));
-    let closure = equations.map(|equation| graph.substitute(equation, &zeros));
+    let zeros = symbols.map(|symbol| (symbol, pool.graph.zero()));
+    let closure = equations.map(|equation| pool.graph.substitute(equation, &zeros));
     Some(Arc::new(TwoSlides {
         slides,
         directions,
@@ -57,13 +53,13 @@ impl Form for TwoSlides {
         self.slides.to_vec()
     }
 
-    fn determinant(&self, form: &VectorForm, graph: &mut Graph) -> Determinant {
+    fn determinant(&self, pool: &mut Pool) -> Determinant {
         let [(first, d), (second, e)] = self
             .directions
-            .map(|direction| orientation(direction, form, graph));
-        let value = crossed([first, second], [d, e], form, graph);
-        let size = sizes([d, e], form, graph);
-        Determinant::closed(value, size, form, graph)
+            .map(|direction| orientation(direction, pool));
+        let value = crossed([first, second], [d, e], pool);
+        let size = sizes([d, e], pool);
+        Determinant::closed(value, size, pool)
     }
 
     fn singular(&self) -> Singular {

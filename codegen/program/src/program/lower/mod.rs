@@ -4,6 +4,7 @@ mod needed;
 mod reported;
 mod stated;
 
+use crate::pool::Pool;
 use std::sync::Arc;
 
 use super::block::{Block, Branch, Lowering};
@@ -21,56 +22,60 @@ use super::textbook::Textbook;
 use super::{Constants, Program};
 use crate::expr::{ExprId, IdSet, SymbolId};
 use crate::structure::SolvedPlan;
-use crate::system::System;
+use crate::system::{System, Unknown};
 use needed::Needed;
 use reported::reported;
 use stated::Stated;
 
-/// Returns all functions of a mechanism. The system's arena grows by intermediate values.
-pub fn lower(system: &mut System, plan: &SolvedPlan) -> Program {
-    lower_keeping(system, plan, &IdSet::default())
+/// Unknowns that frames keep beside what the description requests.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kept {
+    /// None.
+    Requested,
+    /// Every unknown of the vector form, with rate and acceleration.
+    Unknowns,
 }
 
-/// Returns all functions, with every unknown of the vector form in frames, including rate and acceleration.
-pub fn lower_with_unknowns(system: &mut System, plan: &SolvedPlan) -> Program {
-    let unknowns = system.vector_form.unknowns.iter();
-    let kept = unknowns.flat_map(|it| [it.position, it.rate, it.acceleration]);
-    let kept = kept.collect();
-    lower_keeping(system, plan, &kept)
-}
-
-fn lower_keeping(system: &mut System, plan: &SolvedPlan, kept: &IdSet<SymbolId>) -> Program {
-    let mut lowering = Lowering::new(system, false);
-    let stated = Stated::of(&mut lowering, plan, kept);
+/// Returns all functions of a mechanism. Intermediate values are added to the pool.
+pub fn lower(pool: &mut Pool, system: &System, plan: &SolvedPlan, kept: Kept) -> Program {
+    let kept = match kept {
+        Kept::Requested => IdSet::default(),
+        Kept::Unknowns => {
+            let unknowns = system.vector_form.unknowns.iter();
+            unknowns.flat_map(Unknown::symbols).collect()
+        }
+    };
+    let mut lowering = Lowering::new(pool, system, plan, false);
+    let stated = Stated::of(&mut lowering, plan, &kept);
     let mut needed = stated.needed(&mut lowering, plan);
     let branches = lowering.branches;
-    share_blocks(&mut needed.blocks, system);
-    let report = reported(&stated, &mut needed, system);
+    share_blocks(&mut needed.blocks, pool, system);
+    let report = reported(&stated, &mut needed, pool, system);
     let Needed {
         blocks,
         asked,
         path,
     } = needed;
-    let branches = read_branches(branches, &blocks, system);
+    let branches = read_branches(branches, &blocks, pool);
     let branch_places = branches.iter().enumerate();
     let is_whole = stated.outputs.is_none();
-    let fields = fields(&blocks, &asked, is_whole, system);
+    let fields = fields(&blocks, &asked, is_whole, pool, system);
     let mut program = Program {
         field_set: fields.iter().copied().collect(),
         branch_places: branch_places
             .map(|(place, branch)| (branch.symbol, place))
             .collect(),
         path,
-        requirements: requirements(system),
-        textbook: Textbook::of(system),
-        drawn: drawn(system),
+        requirements: requirements(pool, system),
+        textbook: Textbook::of(pool, system),
+        drawn: drawn(pool, system),
         // If there are outputs, points are computed in blocks.
         points: match is_whole {
-            true => points(system),
+            true => points(pool, system),
             false => Vec::new(),
         },
         pressures: match is_whole {
-            true => pressures(system),
+            true => pressures(pool, system),
             false => Vec::new(),
         },
         loads: None,
@@ -85,39 +90,39 @@ fn lower_keeping(system: &mut System, plan: &SolvedPlan, kept: &IdSet<SymbolId>)
         forces: stated.forces,
         report,
     };
-    program.loads = loads(system, &program);
+    program.loads = loads(pool, system, &program);
     let mut constants = Constants::default();
     for function in program.functions() {
-        constants.note(function, system);
+        constants.note(function, pool, system);
     }
     program.constants = constants;
     program
 }
 
 /// Returns the assembly modes that the blocks read.
-fn read_branches(mut branches: Vec<Branch>, blocks: &[Block], system: &System) -> Vec<Branch> {
+fn read_branches(mut branches: Vec<Branch>, blocks: &[Block], pool: &Pool) -> Vec<Branch> {
     let read: IdSet<SymbolId> = blocks
         .iter()
         .flat_map(Block::functions)
         .flat_map(Function::values)
-        .flat_map(|expr| system.mechanism.graph.symbols(expr))
+        .flat_map(|expr| pool.graph.symbols(expr))
         .copied()
         .collect();
     branches.retain(|branch| read.contains(&branch.symbol));
     branches
 }
 
-fn share_blocks(blocks: &mut [Block], system: &mut System) {
+fn share_blocks(blocks: &mut [Block], pool: &mut Pool, system: &System) {
     for function in blocks.iter_mut().flat_map(Block::functions_mut) {
-        share(function, system);
+        share(function, pool, system);
     }
 }
 
 /// Returns the functions of all blocks without omissions and with derivations, for printing or interpretation. Unneeded values
 /// are computed too, so that every unknown of the vector form has its position and rate. If forces are requested, their block
 /// comes last.
-pub fn unpruned(system: &mut System, plan: &SolvedPlan) -> (Vec<Block>, Vec<Branch>) {
-    let mut lowering = Lowering::new(system, true);
+pub fn unpruned(pool: &mut Pool, system: &System, plan: &SolvedPlan) -> (Vec<Block>, Vec<Branch>) {
+    let mut lowering = Lowering::new(pool, system, plan, true);
     let blocks = plan.blocks.iter().enumerate();
     let mut blocks: Vec<Block> = blocks
         .map(|(place, block)| lowering.block(place, block))
@@ -126,27 +131,23 @@ pub fn unpruned(system: &mut System, plan: &SolvedPlan) -> (Vec<Block>, Vec<Bran
     let (forces, exerting) = forces(&mut lowering, plan, &transposed).unzip();
     let branches = lowering.branches;
     blocks.extend(exerting);
-    propagate(&mut blocks, &mut system.mechanism.graph);
+    propagate(&mut blocks, &mut pool.graph);
     if let (Some(forces), Some(block)) = (forces, blocks.last_mut()) {
         // Unrequested loads are not part of the derivation.
         let fields: IdSet<SymbolId> = forces.fields().into_iter().collect();
         let only_block = std::slice::from_mut(block);
-        prune(
-            only_block,
-            &|symbol| fields.contains(&symbol),
-            &system.mechanism.graph,
-        );
+        prune(only_block, &|symbol| fields.contains(&symbol), &pool.graph);
     }
     (blocks, branches)
 }
 
 /// Returns the solution methods of the subsystems of each block of a plan.
-pub fn forms_of(system: &mut System, plan: &SolvedPlan) -> Vec<Vec<Arc<dyn Form>>> {
+pub fn forms_of(pool: &mut Pool, system: &System, plan: &SolvedPlan) -> Vec<Vec<Arc<dyn Form>>> {
     let blocks = plan.blocks.iter();
     blocks
         .map(|block| {
             let parts = block.parts.iter();
-            parts.map(|part| recognize(part, system)).collect()
+            parts.map(|part| recognize(part, pool, system)).collect()
         })
         .collect()
 }
@@ -170,31 +171,41 @@ impl Program {
 }
 
 /// Returns a function with these results, in which common subexpressions are shared.
-pub(super) fn shared(results: impl IntoIterator<Item = ExprId>, system: &mut System) -> Function {
+pub(super) fn shared(
+    results: impl IntoIterator<Item = ExprId>,
+    pool: &mut Pool,
+    system: &System,
+) -> Function {
     let mut function = Function::of_results(results);
-    share_all(&mut function, system);
+    share_all(&mut function, pool, system);
     function
 }
 
 /// Returns the estimates of all unknowns; `None` if none depends on a parameter.
-fn drawn(system: &mut System) -> Option<Function> {
+fn drawn(pool: &mut Pool, system: &System) -> Option<Function> {
     let unknowns = system.vector_form.unknowns.iter();
     let estimates: Vec<ExprId> = unknowns.map(|unknown| unknown.estimate).collect();
-    let graph = &system.mechanism.graph;
+    let graph = &pool.graph;
     let is_given = estimates.iter().any(|&expr| !graph.is_constant(expr));
-    is_given.then(|| shared(estimates, system))
+    is_given.then(|| shared(estimates, pool, system))
 }
 
-fn points(system: &mut System) -> Vec<Function> {
+fn points(pool: &mut Pool, system: &System) -> Vec<Function> {
     let outputs = system.outputs.iter();
     let motions = outputs.map(|it| [it.position, it.velocity, it.acceleration].concat());
     let motions: Vec<_> = motions.collect();
-    motions.into_iter().map(|it| shared(it, system)).collect()
+    motions
+        .into_iter()
+        .map(|it| shared(it, pool, system))
+        .collect()
 }
 
-fn pressures(system: &mut System) -> Vec<Function> {
+fn pressures(pool: &mut Pool, system: &System) -> Vec<Function> {
     let pressures = system.pressures.iter();
     let parts = pressures.map(|it| [it.along, it.across, it.sliding]);
     let parts: Vec<_> = parts.collect();
-    parts.into_iter().map(|it| shared(it, system)).collect()
+    parts
+        .into_iter()
+        .map(|it| shared(it, pool, system))
+        .collect()
 }

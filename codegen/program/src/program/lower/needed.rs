@@ -1,13 +1,15 @@
 //! Determines the needed parts of blocks, including those that the path verification needs.
 
 use crate::expr::{ExprId, IdSet, SymbolId};
+use crate::pool::Pool;
+use crate::pool::SymbolRole;
 use crate::program::block::{Block, Lowering};
 use crate::program::function::{Function, Statement};
 use crate::program::passes::liveness::prune_path;
 use crate::program::passes::sharing::share_all;
 use crate::program::path::Path;
 use crate::structure::SolvedPlan;
-use crate::system::{SymbolRole, System};
+use crate::system::System;
 
 /// Needed statements.
 pub(super) struct Needed {
@@ -30,13 +32,13 @@ pub(super) fn path_of(blocks: &[Block], lowering: &mut Lowering<'_>, plan: &Solv
     if blocks.iter().all(|block| block.newton.is_none()) {
         path.closed = lowering.closed_path(kept);
     }
-    prune_path(&mut path, &lowering.system.mechanism.graph);
+    prune_path(&mut path, &lowering.pool.graph);
     path
 }
 
 /// Returns the symbols of blocks that a path reads, now and in the last frame; `unpruned` blocks are complete.
-pub(super) fn read_by_path(path: &Path, unpruned: &[Block], system: &System) -> IdSet<SymbolId> {
-    let graph = &system.mechanism.graph;
+pub(super) fn read_by_path(path: &Path, unpruned: &[Block], pool: &Pool) -> IdSet<SymbolId> {
+    let graph = &pool.graph;
     let targets: IdSet<SymbolId> = unpruned
         .iter()
         .flat_map(|it| it.function.targets())
@@ -45,28 +47,28 @@ pub(super) fn read_by_path(path: &Path, unpruned: &[Block], system: &System) -> 
         .functions()
         .flat_map(Function::values)
         .flat_map(|expr| graph.symbols(expr));
-    let symbols = symbols.map(|&symbol| match system.roles[symbol.index()] {
+    let symbols = symbols.map(|&symbol| match pool.role(symbol) {
         SymbolRole::Last(symbol) => symbol,
         _ => symbol,
     });
     // Rotated vectors are computed anew.
-    let is_arm = |symbol: SymbolId| matches!(system.roles[symbol.index()], SymbolRole::Arm(_));
+    let is_arm = |symbol: SymbolId| matches!(pool.role(symbol), SymbolRole::Arm(_));
     symbols
         .filter(|symbol| targets.contains(symbol) && !is_arm(*symbol))
         .collect()
 }
 
-pub(super) fn share_path(path: &mut Function, system: &mut System) {
-    share_all(path, system);
+pub(super) fn share_path(path: &mut Function, pool: &mut Pool, system: &System) {
+    share_all(path, pool, system);
     for inner in path.statements.iter_mut().filter_map(Statement::inner_mut) {
-        share_all(inner, system);
+        share_all(inner, pool, system);
     }
-    halve(path, system);
+    halve(path, pool);
 }
 
 /// Replaces a sine-cosine pair by one of them if the other is not read.
-fn halve(function: &mut Function, system: &mut System) {
-    let graph = &mut system.mechanism.graph;
+fn halve(function: &mut Function, pool: &mut Pool) {
+    let graph = &mut pool.graph;
     // A value is read by its symbol, or by the expression of the symbol.
     let mut read: IdSet<ExprId> = IdSet::default();
     let mut open: Vec<ExprId> = function.all_values().collect();

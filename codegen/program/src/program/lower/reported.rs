@@ -5,6 +5,7 @@ use super::share_blocks;
 use super::stated::Stated;
 use crate::expr::{IdSet, SymbolId};
 use crate::joint::Quantity;
+use crate::pool::Pool;
 use crate::program::block::Block;
 use crate::program::function::Statement;
 use crate::program::passes::costs::by_level;
@@ -14,23 +15,28 @@ use crate::program::{Report, Work};
 use crate::system::System;
 
 /// Returns the report; removes blocks that are not needed.
-pub(super) fn reported(stated: &Stated, needed: &mut Needed, system: &mut System) -> Report {
+pub(super) fn reported(
+    stated: &Stated,
+    needed: &mut Needed,
+    pool: &mut Pool,
+    system: &System,
+) -> Report {
     let Needed {
         blocks,
         asked,
         path,
     } = needed;
     let mut report = Report::default();
-    let levels = by_level(blocks, system);
+    let levels = by_level(blocks, pool, system);
     report.operations.copy_from_slice(&levels[..3]);
     report.all_operations = match stated.outputs {
         None => report.operations,
         Some(_) => {
             let mut all = stated.blocks.clone();
-            let coordinate = |symbol| system.is_coordinate(symbol) || asked.contains(&symbol);
-            prune(&mut all, &coordinate, &system.mechanism.graph);
-            share_blocks(&mut all, system);
-            let [position, velocity, acceleration, ..] = by_level(&all, system);
+            let coordinate = |symbol| system.is_coordinate(symbol, pool) || asked.contains(&symbol);
+            prune(&mut all, &coordinate, &pool.graph);
+            share_blocks(&mut all, pool, system);
+            let [position, velocity, acceleration, ..] = by_level(&all, pool, system);
             [position, velocity, acceleration]
         }
     };
@@ -42,12 +48,12 @@ pub(super) fn reported(stated: &Stated, needed: &mut Needed, system: &mut System
         .collect();
     blocks.retain(|block| !is_empty(block));
     report.kept = blocks.iter().map(|block| block.name.clone()).collect();
-    report.iterations = iterations(blocks, system);
+    report.iterations = iterations(blocks, pool, system);
     report.transmission = (!stated.transmissions.is_empty()).then_some(levels[3]);
     report.forces = (!stated.forces.fields().is_empty()).then_some(levels[5]);
     report.sensitivity = (!stated.sensitivities.is_empty()).then_some(levels[4]);
     report.angles_left_out = angles_left_out(blocks, system);
-    report.work = Work::of(blocks, &levels, path.as_ref(), system);
+    report.work = Work::of(blocks, &levels, path.as_ref(), pool, system);
     report
 }
 

@@ -1,5 +1,6 @@
 //! States the functions of all blocks and requests of a plan without omissions, with the requested fields.
 
+use crate::pool::Pool;
 use std::sync::Arc;
 
 use super::needed::{Needed, path_of, read_by_path, share_path};
@@ -37,11 +38,11 @@ impl Stated {
             .map(|(place, block)| lowering.block(place, block))
             .collect();
         let forms = blocks.iter().map(|block| block.forms.clone()).collect();
-        let requested = outputs(lowering.system);
+        let requested = outputs(lowering.pool, lowering.system);
         let (transmissions, transmitting) =
-            transmissions(lowering.system, &mut lowering.derivatives).unzip();
+            transmissions(lowering.pool, lowering.system, &mut lowering.derivatives).unzip();
         let (sensitivities, sensing) =
-            sensitivities(lowering.system, &mut lowering.derivatives).unzip();
+            sensitivities(lowering.pool, lowering.system, &mut lowering.derivatives).unzip();
         let (transmissions, sensitivities) = (
             transmissions.unwrap_or_default(),
             sensitivities.unwrap_or_default(),
@@ -52,7 +53,7 @@ impl Stated {
         // Zero loads have zero reactions.
         let exerts = exerting.is_some();
         blocks.extend(exerting);
-        propagate(&mut blocks, &mut lowering.system.mechanism.graph);
+        propagate(&mut blocks, &mut lowering.pool.graph);
         let exerting = blocks.pop_if(|_| exerts);
         let mut fields = kept.clone();
         fields.extend(transmissions.iter().flat_map(Transmission::fields));
@@ -82,14 +83,14 @@ impl Stated {
     /// Returns the needed statements of the blocks, and the verification of their path.
     pub fn needed(&self, lowering: &mut Lowering<'_>, plan: &SolvedPlan) -> Needed {
         let mut fields = self.asked.clone();
-        let mut blocks = self.pruned(&fields, lowering.system);
+        let mut blocks = self.pruned(&fields, lowering.pool, lowering.system);
         let mut path = None;
         if !lowering.system.mechanism.is_unguarded {
             let mut path_functions = path_of(&blocks, lowering, plan);
-            fields.extend(read_by_path(&path_functions, &self.blocks, lowering.system));
-            blocks = self.pruned(&fields, lowering.system);
+            fields.extend(read_by_path(&path_functions, &self.blocks, lowering.pool));
+            blocks = self.pruned(&fields, lowering.pool, lowering.system);
             for function in path_functions.whole_functions_mut() {
-                share_path(function, lowering.system);
+                share_path(function, lowering.pool, lowering.system);
             }
             path = Some(path_functions);
         }
@@ -101,12 +102,12 @@ impl Stated {
     }
 
     /// Returns the blocks without unneeded statements.
-    fn pruned(&self, asked: &IdSet<SymbolId>, system: &System) -> Vec<Block> {
+    fn pruned(&self, asked: &IdSet<SymbolId>, pool: &Pool, system: &System) -> Vec<Block> {
         let is_asked = |symbol: SymbolId| {
-            asked.contains(&symbol) || self.outputs.is_none() && system.is_coordinate(symbol)
+            asked.contains(&symbol) || self.outputs.is_none() && system.is_coordinate(symbol, pool)
         };
         let mut blocks = self.blocks.clone();
-        prune(&mut blocks, &is_asked, &system.mechanism.graph);
+        prune(&mut blocks, &is_asked, &pool.graph);
         blocks
     }
 }

@@ -1,5 +1,6 @@
 //! Writes constant parts of expressions as literals and named constants.
 
+use crate::pool::Pool;
 use std::collections::{HashMap, HashSet};
 
 use linkwright_math::double;
@@ -139,11 +140,15 @@ impl Constants {
     }
 
     /// Names the constants of a function.
-    pub(in crate::program) fn note(&mut self, function: &Function, system: &System) {
-        let computed = Computed { function, system };
+    pub(in crate::program) fn note(&mut self, function: &Function, pool: &Pool, system: &System) {
+        let computed = Computed {
+            function,
+            pool,
+            system,
+        };
         computed.addends(&mut |parts| {
             for constant in parts.iter().filter_map(|part| part.constant.as_ref()) {
-                self.add(constant, &system.mechanism.graph);
+                self.add(constant, &pool.graph);
             }
         });
     }

@@ -1,5 +1,6 @@
 //! Counts the arithmetic operations of functions.
 
+use crate::pool::Pool;
 use std::ops::AddAssign;
 
 use crate::expr::{ExprId, Graph, Node};
@@ -198,6 +199,7 @@ pub(in crate::program) fn is_symbol(expr: ExprId, graph: &Graph) -> bool {
 /// Evaluated expressions of a function, split into additions and multiplications, each as often as it is written.
 pub(in crate::program) struct Computed<'a> {
     pub function: &'a Function,
+    pub pool: &'a Pool,
     pub system: &'a System,
 }
 
@@ -283,8 +285,8 @@ impl Computed<'_> {
         each: &mut dyn FnMut(&[Addend]),
     ) -> Operations {
         let mut functions = Operations::default();
-        let graph = &self.system.mechanism.graph;
-        let order = WrittenOrder::new(self.system, &[]);
+        let graph = &self.pool.graph;
+        let order = WrittenOrder::new(self.pool, self.system, &[]);
         let named = |other: ExprId| self.function.name_of(other).is_some();
         let mut stack = vec![expr];
         let mut first = is_defined;
@@ -325,8 +327,16 @@ impl Computed<'_> {
 }
 
 /// Returns the operations of a function with its results.
-pub(in crate::program) fn of_function(function: &Function, system: &System) -> Operations {
-    let computed = Computed { function, system };
+pub(in crate::program) fn of_function(
+    function: &Function,
+    pool: &Pool,
+    system: &System,
+) -> Operations {
+    let computed = Computed {
+        function,
+        pool,
+        system,
+    };
     let mut operations = Operations::default();
     for statement in &function.statements {
         operations += computed.statement(statement);
@@ -336,12 +346,20 @@ pub(in crate::program) fn of_function(function: &Function, system: &System) -> O
 }
 
 /// Returns the operations of each level in all blocks, then those of all responses to drivers and to parameters, and of forces.
-pub(in crate::program) fn by_level(blocks: &[Block], system: &System) -> [Operations; 6] {
+pub(in crate::program) fn by_level(
+    blocks: &[Block],
+    pool: &Pool,
+    system: &System,
+) -> [Operations; 6] {
     let mut levels = [Operations::default(); 6];
     for block in blocks {
         let mut level = 0;
         let function = &block.function;
-        let computed = Computed { function, system };
+        let computed = Computed {
+            function,
+            pool,
+            system,
+        };
         for statement in &function.statements {
             if let Statement::Section(section) = statement {
                 level = match section {

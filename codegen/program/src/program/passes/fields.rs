@@ -1,6 +1,7 @@
 //! Finds the values that several blocks need.
 
 use crate::expr::{IdMap, IdSet, SymbolId};
+use crate::pool::Pool;
 use crate::program::block::Block;
 use crate::program::function::{Function, Statement};
 use crate::system::System;
@@ -11,6 +12,7 @@ pub(in crate::program) fn fields(
     blocks: &[Block],
     outputs: &IdSet<SymbolId>,
     whole: bool,
+    pool: &Pool,
     system: &System,
 ) -> Vec<SymbolId> {
     let mut home: IdMap<SymbolId, usize> = IdMap::default();
@@ -38,13 +40,15 @@ pub(in crate::program) fn fields(
     for (index, block) in blocks.iter().enumerate() {
         // Tearing variables are local to the equations of their own Newton-Raphson.
         let read = block.functions().flat_map(Function::values);
-        for symbol in read.flat_map(|expr| system.mechanism.graph.symbols(expr)) {
+        for symbol in read.flat_map(|expr| pool.graph.symbols(expr)) {
             if home.get(symbol).is_some_and(|&place| place != index) {
                 shared.insert(*symbol);
             }
         }
     }
     shared.extend(outputs);
-    order.retain(|&symbol| shared.contains(&symbol) && !(whole && system.is_coordinate(symbol)));
+    order.retain(|&symbol| {
+        shared.contains(&symbol) && !(whole && system.is_coordinate(symbol, pool))
+    });
     order
 }

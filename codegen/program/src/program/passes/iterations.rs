@@ -4,6 +4,7 @@
 
 use super::costs::{Operations, of_function};
 use super::elimination::{elimination, substitution};
+use crate::pool::Pool;
 use crate::program::block::Block;
 use crate::program::tearing::Tearing;
 use crate::system::System;
@@ -43,31 +44,35 @@ pub struct TornIterations {
 }
 
 /// Returns the Newton-Raphson of all blocks, in solve order.
-pub(in crate::program) fn iterations(blocks: &[Block], system: &System) -> Vec<Iterations> {
+pub(in crate::program) fn iterations(
+    blocks: &[Block],
+    pool: &Pool,
+    system: &System,
+) -> Vec<Iterations> {
     let newtons = blocks
         .iter()
         .filter_map(|block| Some((block, block.newton.as_ref()?)));
     let iterations = newtons.map(|(block, newton)| {
-        let mut jacobian = of_function(&newton.jacobian, system);
+        let mut jacobian = of_function(&newton.jacobian, pool, system);
         jacobian += elimination(newton.unknowns.len());
         jacobian += substitution(newton.unknowns.len());
         Iterations {
             block: block.name.clone(),
             unknowns: newton.unknowns.len(),
-            torn: newton.tearing.as_ref().map(|it| torn(it, system)),
-            residuals: of_function(&newton.residual, system),
+            torn: newton.tearing.as_ref().map(|it| torn(it, pool, system)),
+            residuals: of_function(&newton.residual, pool, system),
             jacobian,
         }
     });
     iterations.collect()
 }
 
-fn torn(tearing: &Tearing, system: &System) -> TornIterations {
-    let mut completion = of_function(&tearing.complete, system);
+fn torn(tearing: &Tearing, pool: &Pool, system: &System) -> TornIterations {
+    let mut completion = of_function(&tearing.complete, pool, system);
     completion.arctangents += tearing.angles;
     TornIterations {
         tears: tearing.tears.len(),
-        evaluation: of_function(&tearing.evaluate, system),
+        evaluation: of_function(&tearing.evaluate, pool, system),
         completion,
     }
 }

@@ -1,5 +1,6 @@
 //! Assigns unique names to the values of a function or of a frame.
 
+use crate::pool::Pool;
 use std::collections::{HashMap, HashSet};
 
 use crate::expr::{IdMap, SymbolId};
@@ -17,18 +18,20 @@ impl LocalNames {
     /// Names the definitions of a function in order, except for those that `is_kept` elsewhere.
     pub fn of(
         function: &Function,
+        pool: &Pool,
         system: &System,
         is_kept: impl Fn(SymbolId) -> bool,
         reserved: &[&str],
         spell: impl Fn(&str) -> String,
     ) -> LocalNames {
         let defined = function.targets().filter(|&symbol| !is_kept(symbol));
-        LocalNames::of_symbols(defined, system, reserved, spell)
+        LocalNames::of_symbols(defined, pool, system, reserved, spell)
     }
 
     /// Names these symbols by their preferred names, spelled by `spell`, and numbered if a name is taken or reserved.
     pub fn of_symbols(
         symbols: impl Iterator<Item = SymbolId>,
+        pool: &Pool,
         system: &System,
         reserved: &[&str],
         spell: impl Fn(&str) -> String,
@@ -41,7 +44,7 @@ impl LocalNames {
             if names.contains_key(&symbol) {
                 continue;
             }
-            let base = spell(&system.symbol_name(symbol));
+            let base = spell(&system.symbol_name(symbol, pool));
             let mut name = base.clone();
             while !taken.insert(name.clone()) {
                 let number = numbers.entry(base.clone()).or_insert(2);

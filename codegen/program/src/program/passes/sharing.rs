@@ -5,13 +5,15 @@
 //! already. If equations contain the path of a curve or a law of an unknown, all their parts are shared, and so are those of very
 //! long values: code then grows with the graph of expressions, and not with the expanded tree.
 
+use crate::pool::Pool;
 use std::collections::HashMap;
 
 use super::costs::{is_function, written_operands};
 use super::usage::{Orders, Usage};
 use crate::expr::{ExprId, Graph, IdMap, IdSet, Node, Number, SplineId, SymbolId};
+use crate::pool::SymbolRole;
 use crate::program::function::{Function, Statement};
-use crate::system::{SymbolRole, System};
+use crate::system::System;
 
 /// Length of a value, in characters, from which on all its parts are shared.
 const MAX_LENGTH: u64 = 4000;
@@ -23,29 +25,29 @@ const LONGEST_NESTED: u64 = 3000;
 const LARGEST_IN_NAME: i128 = 1000;
 
 /// Shares common subexpressions of a function of a block.
-pub(in crate::program) fn share(function: &mut Function, system: &mut System) {
+pub(in crate::program) fn share(function: &mut Function, pool: &mut Pool, system: &System) {
     let values: Vec<ExprId> = function.values().collect();
-    let timed = functions_of_time(&values, system);
-    name(function, &timed, system);
-    let graph = &system.mechanism.graph;
+    let timed = functions_of_time(&values, pool);
+    name(function, &timed, pool, system);
+    let graph = &pool.graph;
     let is_named = |expr| function.name_of(expr).is_some();
     let mut long = values
         .iter()
         .filter(|&&expr| !graph.is_within_with_names(expr, MAX_LENGTH, &is_named));
     if long.next().is_some() || calls_functions(&values, function, graph) {
-        name(function, &values, system);
+        name(function, &values, pool, system);
     }
 }
 
 /// Shares all common subexpressions of a function.
-pub(in crate::program) fn share_all(function: &mut Function, system: &mut System) {
+pub(in crate::program) fn share_all(function: &mut Function, pool: &mut Pool, system: &System) {
     let values: Vec<ExprId> = function.values().collect();
-    name(function, &values, system);
+    name(function, &values, pool, system);
 }
 
 /// Names those parts of these expressions that deserve a name.
-fn name(function: &mut Function, roots: &[ExprId], system: &mut System) {
-    let graph = &system.mechanism.graph;
+fn name(function: &mut Function, roots: &[ExprId], pool: &mut Pool, system: &System) {
+    let graph = &pool.graph;
     let usage = Usage::of(roots, graph, function);
     let whole: IdSet<ExprId> = roots.iter().copied().collect();
     let mut deserving: IdSet<ExprId> = IdSet::default();
@@ -74,12 +76,12 @@ fn name(function: &mut Function, roots: &[ExprId], system: &mut System) {
     for statement in std::mem::take(&mut function.statements) {
         let targets = statement.targets();
         for value in statement.values() {
-            sharing.define_parts(value, &targets, system);
+            sharing.define_parts(value, &targets, pool, system);
         }
         sharing.statements.push(statement);
     }
     for result in &function.results {
-        sharing.define_parts(result.expr, &[], system);
+        sharing.define_parts(result.expr, &[], pool, system);
     }
     function.statements = sharing.statements;
     function.named = sharing.named;
@@ -99,15 +101,21 @@ struct Sharing {
 impl Sharing {
     /// Defines the unnamed parts of an expression that deserve a name, operands first. An expression that is the value of these
     /// `targets` is written out there, so its parts must be defined before.
-    fn define_parts(&mut self, expr: ExprId, targets: &[SymbolId], system: &mut System) {
+    fn define_parts(
+        &mut self,
+        expr: ExprId,
+        targets: &[SymbolId],
+        pool: &mut Pool,
+        system: &System,
+    ) {
         // True if the operands of the expression on the stack have been visited.
         let mut stack = vec![(expr, false)];
         while let Some((expr, done)) = stack.pop() {
-            let graph = &system.mechanism.graph;
+            let graph = &pool.graph;
             let name = self.named.get(&expr);
             if done {
                 if self.deserving.contains(&expr) && name.is_none() {
-                    self.define(expr, system);
+                    self.define(expr, pool, system);
                 }
             } else if !graph.is_constant(expr)
                 && name.is_none_or(|name| targets.contains(name))
@@ -120,15 +128,15 @@ impl Sharing {
         }
     }
 
-    fn define(&mut self, expr: ExprId, system: &mut System) {
-        match *system.mechanism.graph.node(expr) {
-            Node::Sin(angle) | Node::Cos(angle) => self.define_angle(expr, angle, system),
+    fn define(&mut self, expr: ExprId, pool: &mut Pool, system: &System) {
+        match *pool.graph.node(expr) {
+            Node::Sin(angle) | Node::Cos(angle) => self.define_angle(expr, angle, pool, system),
             Node::Spline {
                 spline, argument, ..
-            } => self.define_lookup(spline, argument, system),
+            } => self.define_lookup(spline, argument, pool),
             ref node => {
                 let base = match node {
-                    _ if system.mechanism.graph.magnitude_of(expr).is_some() => "size",
+                    _ if pool.graph.magnitude_of(expr).is_some() => "size",
                     Node::Atan2(..) => "angle",
                     Node::Exp(_) => "exponential",
                     Node::Ln(_) => "logarithm",
@@ -137,19 +145,19 @@ impl Sharing {
                     _ => "shared",
                 };
                 let name = self.numbered(base);
-                let target = self.call(expr, &name, system);
+                let target = self.call(expr, &name, pool);
                 self.statements.push(Statement::assignment(target, expr));
             }
         }
     }
 
-    fn define_angle(&mut self, expr: ExprId, angle: ExprId, system: &mut System) {
-        let base = angle_name(angle, system).unwrap_or_else(|| self.numbered("argument"));
+    fn define_angle(&mut self, expr: ExprId, angle: ExprId, pool: &mut Pool, system: &System) {
+        let base = angle_name(angle, pool, system).unwrap_or_else(|| self.numbered("argument"));
         let both = self.usage.sine_cosine.get(&angle).copied();
         let [sine, cosine] = ["sin", "cos"].map(|function| format!("{function}_{base}"));
         if let Some((Some(first), Some(second))) = both {
-            let sine = self.call(first, &sine, system);
-            let cosine = self.call(second, &cosine, system);
+            let sine = self.call(first, &sine, pool);
+            let cosine = self.call(second, &cosine, pool);
             self.statements.push(Statement::SineCosine {
                 sine,
                 cosine,
@@ -157,27 +165,27 @@ impl Sharing {
             });
             return;
         }
-        let name = match system.mechanism.graph.node(expr) {
+        let name = match pool.graph.node(expr) {
             Node::Sin(_) => sine,
             _ => cosine,
         };
-        let target = self.call(expr, &name, system);
+        let target = self.call(expr, &name, pool);
         self.statements.push(Statement::assignment(target, expr));
     }
 
-    fn define_lookup(&mut self, spline: SplineId, argument: ExprId, system: &mut System) {
+    fn define_lookup(&mut self, spline: SplineId, argument: ExprId, pool: &mut Pool) {
         let orders: Orders = self
             .usage
             .splines
             .get(&(spline, argument))
             .copied()
             .unwrap_or_default();
-        let base = system.mechanism.graph.spline_of(spline).name.to_lowercase();
+        let base = pool.graph.spline_of(spline).name.to_lowercase();
         let base = self.numbered(&base);
         let mut targets = [None; 4];
         for (place, suffix) in ["", "_slope", "_second", "_third"].into_iter().enumerate() {
             targets[place] =
-                orders[place].map(|expr| self.call(expr, &format!("{base}{suffix}"), system));
+                orders[place].map(|expr| self.call(expr, &format!("{base}{suffix}"), pool));
         }
         let named: Vec<(ExprId, SymbolId)> = orders
             .iter()
@@ -194,8 +202,8 @@ impl Sharing {
         });
     }
 
-    fn call(&mut self, expr: ExprId, name: &str, system: &mut System) -> SymbolId {
-        let symbol = system.intermediate(name);
+    fn call(&mut self, expr: ExprId, name: &str, pool: &mut Pool) -> SymbolId {
+        let symbol = pool.intermediate(name);
         self.named.insert(expr, symbol);
         symbol
     }
@@ -209,24 +217,24 @@ impl Sharing {
 }
 
 /// Returns the name of an angle in the names of its functions: `phi1`, `t`, `2t`.
-fn angle_name(angle: ExprId, system: &System) -> Option<String> {
-    match system.mechanism.graph.node(angle) {
-        Node::Symbol(symbol) => match system.roles[symbol.index()] {
+fn angle_name(angle: ExprId, pool: &Pool, system: &System) -> Option<String> {
+    match pool.graph.node(angle) {
+        Node::Symbol(symbol) => match pool.role(*symbol) {
             SymbolRole::Position(unknown) => Some(system.unknown_name(unknown).to_string()),
             SymbolRole::Time => Some("t".to_string()),
             _ => None,
         },
-        _ => multiple_of_time(angle, system),
+        _ => multiple_of_time(angle, pool),
     }
 }
 
 /// Returns `2t` for 2·t, `3t_over_2` for 3/2·t; otherwise `None`.
-fn multiple_of_time(angle: ExprId, system: &System) -> Option<String> {
-    let Node::Sum(terms) = system.mechanism.graph.node(angle) else {
+fn multiple_of_time(angle: ExprId, pool: &Pool) -> Option<String> {
+    let Node::Sum(terms) = pool.graph.node(angle) else {
         return None;
     };
     let [term] = &**terms else { return None };
-    let Node::Symbol(symbol) = system.mechanism.graph.node(term.expr) else {
+    let Node::Symbol(symbol) = pool.graph.node(term.expr) else {
         return None;
     };
     let Number::Exact {
@@ -238,7 +246,7 @@ fn multiple_of_time(angle: ExprId, system: &System) -> Option<String> {
     };
     let (numerator, denominator) = (rational.numerator(), rational.denominator());
     let short = (1..LARGEST_IN_NAME).contains(&numerator) && denominator < LARGEST_IN_NAME;
-    if system.roles[symbol.index()] != SymbolRole::Time || !short {
+    if pool.role(*symbol) != SymbolRole::Time || !short {
         return None;
     }
     let multiple = match numerator {
@@ -252,12 +260,12 @@ fn multiple_of_time(angle: ExprId, system: &System) -> Option<String> {
 }
 
 /// Returns the function calls of t, inputs and parameters alone that are not inside another one.
-fn functions_of_time(expressions: &[ExprId], system: &System) -> Vec<ExprId> {
-    let graph = &system.mechanism.graph;
+fn functions_of_time(expressions: &[ExprId], pool: &Pool) -> Vec<ExprId> {
+    let graph = &pool.graph;
     let only_time = |expr: ExprId| {
         graph.symbols(expr).iter().all(|symbol| {
             matches!(
-                system.roles[symbol.index()],
+                pool.role(*symbol),
                 SymbolRole::Time | SymbolRole::Parameter(_) | SymbolRole::Input { .. }
             )
         })

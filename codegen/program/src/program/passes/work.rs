@@ -5,6 +5,7 @@
 //! arithmetic of equations, elimination and substitution, without norms, comparisons and copies. Limits repeat those of the
 //! runtime; a test compares them with its sources.
 
+use crate::pool::Pool;
 use crate::program::block::{Block, NewtonBlock};
 use crate::program::function::{Function, Statement};
 use crate::program::passes::costs::{Operations, of_function};
@@ -97,6 +98,7 @@ impl Work {
         blocks: &[Block],
         levels: &[Operations],
         path: Option<&Path>,
+        pool: &Pool,
         system: &System,
     ) -> Self {
         let mut attempt = Operations::default();
@@ -115,8 +117,8 @@ impl Work {
         }
         let mut recover = attempt;
         for newton in &iterated {
-            attempt += of_newton(newton, system);
-            recover += of_newton_from_afar(newton, system);
+            attempt += of_newton(newton, pool, system);
+            recover += of_newton_from_afar(newton, pool, system);
         }
         Self {
             attempt,
@@ -126,7 +128,7 @@ impl Work {
             window: path.map(|path| {
                 let mut window = Looks::default();
                 for function in [&path.function].into_iter().chain(&path.closed) {
-                    window.add(function, system);
+                    window.add(function, pool, system);
                 }
                 window
             }),
@@ -162,21 +164,21 @@ impl Work {
 }
 
 /// Returns the operations of Newton-Raphson with its rates and its last verification.
-fn of_newton(newton: &NewtonBlock, system: &System) -> Operations {
+fn of_newton(newton: &NewtonBlock, pool: &Pool, system: &System) -> Operations {
     let order = newton.unknowns.len();
     let [residuals, jacobians] = BEYOND_STEPS.map(|more| STEPS + more);
-    let mut all = of_function(&newton.residual, system).times(residuals);
-    all += of_function(&newton.jacobian, system).times(jacobians);
-    all += of_function(&newton.time_derivative, system);
-    all += of_function(&newton.gamma, system);
+    let mut all = of_function(&newton.residual, pool, system).times(residuals);
+    all += of_function(&newton.jacobian, pool, system).times(jacobians);
+    all += of_function(&newton.time_derivative, pool, system);
+    all += of_function(&newton.gamma, pool, system);
     all += elimination(order).times(jacobians);
     all += substitution(order).times(residuals + RATE_SOLVES + DOUBTFUL_SOLVES);
     if let Some(tearing) = &newton.tearing {
         // The first attempt may fail; one more evaluation serves the next frame.
-        all += of_function(&tearing.evaluate, system).times(EVALUATIONS + 1);
-        all += of_function(&tearing.scales, system).times(2);
-        all += of_function(&tearing.complete, system);
-        all += of_function(&tearing.sign_values, system);
+        all += of_function(&tearing.evaluate, pool, system).times(EVALUATIONS + 1);
+        all += of_function(&tearing.scales, pool, system).times(2);
+        all += of_function(&tearing.complete, pool, system);
+        all += of_function(&tearing.sign_values, pool, system);
         all.sines += order;
         all.arctangents += tearing.angles;
     }
@@ -185,15 +187,15 @@ fn of_newton(newton: &NewtonBlock, system: &System) -> Operations {
 
 /// Returns the operations of Newton-Raphson from a rough estimate: least squares, then plain and damped Newton-Raphson, and
 /// removal of whole turns.
-fn of_newton_from_afar(newton: &NewtonBlock, system: &System) -> Operations {
+fn of_newton_from_afar(newton: &NewtonBlock, pool: &Pool, system: &System) -> Operations {
     let order = newton.unknowns.len();
     let residuals = AFAR_RESIDUALS[0] * STEPS + AFAR_RESIDUALS[1] + 1 + order;
     let jacobians = AFAR_JACOBIANS[0] * STEPS + AFAR_JACOBIANS[1] + 1;
-    let mut all = of_newton(newton, system);
-    all += of_function(&newton.residual, system).times(residuals);
-    all += of_function(&newton.jacobian, system).times(jacobians);
-    all += of_function(&newton.time_derivative, system).times(AFAR_FINISHES);
-    all += of_function(&newton.gamma, system).times(AFAR_FINISHES);
+    let mut all = of_newton(newton, pool, system);
+    all += of_function(&newton.residual, pool, system).times(residuals);
+    all += of_function(&newton.jacobian, pool, system).times(jacobians);
+    all += of_function(&newton.time_derivative, pool, system).times(AFAR_FINISHES);
+    all += of_function(&newton.gamma, pool, system).times(AFAR_FINISHES);
     all += elimination(order).times(jacobians);
     all += substitution(order).times(residuals + AFAR_FINISHES * (RATE_SOLVES + DOUBTFUL_SOLVES));
     // Normal equations of each step: their matrix, the gradient, and the scales of both.
@@ -210,8 +212,8 @@ impl Looks {
     }
 
     /// Adds the operations of a path verification, with the largest number of rounds.
-    fn add(&mut self, function: &Function, system: &System) {
-        self.look += of_function(function, system);
+    fn add(&mut self, function: &Function, pool: &Pool, system: &System) {
+        self.look += of_function(function, pool, system);
         for statement in &function.statements {
             if let Statement::Isolate {
                 is_chain,
@@ -230,7 +232,7 @@ impl Looks {
                     multiplications: order * turning.len(),
                     ..Operations::default()
                 };
-                let mut round = of_function(variation, system);
+                let mut round = of_function(variation, pool, system);
                 round += products(order, 3);
                 whole += round.times(WIDENED);
                 match is_chain {

@@ -61,7 +61,7 @@ impl Builder<'_> {
 
     /// Returns the positions and rotated vectors of an expression.
     fn moving_in(&mut self, expr: ExprId) -> Moving {
-        let symbols = self.system.mechanism.graph.symbols(expr).to_vec();
+        let symbols = self.pool.graph.symbols(expr).to_vec();
         let symbols: BTreeSet<SymbolId> = symbols
             .into_iter()
             .filter(|it| self.moving(*it).is_some())

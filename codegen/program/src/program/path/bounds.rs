@@ -1,10 +1,10 @@
 //! States the bounds of unknowns and inputs along the chord, and names them.
 
 use crate::expr::{ExprId, SymbolId};
+use crate::pool::SymbolRole;
 use crate::program::builder::Builder;
 use crate::program::function::Statement;
 use crate::program::passes::enclosure::Enclosure;
-use crate::system::SymbolRole;
 
 impl Builder<'_> {
     /// Returns the change of an unknown along the chord: its change since the last frame, extrapolated over the window.
@@ -24,7 +24,7 @@ impl Builder<'_> {
         match self.paths.directions.get(&unknown) {
             // Without the angle itself, its change is known to be less than half a turn.
             Some(&[cosine, sine]) => {
-                let both = [cosine, sine].map(|symbol| [symbol, self.system.last(symbol)]);
+                let both = [cosine, sine].map(|symbol| [symbol, self.pool.last(symbol)]);
                 let [[c, c_last], [s, s_last]] =
                     both.map(|pair| pair.map(|symbol| self.graph().variable(symbol)));
                 let (along, across) = (
@@ -56,7 +56,7 @@ impl Builder<'_> {
 
     /// Returns a value less its value in the last frame.
     fn moved(&mut self, symbol: SymbolId) -> ExprId {
-        let last = self.system.last(symbol);
+        let last = self.pool.last(symbol);
         let [now, before] = [symbol, last].map(|it| self.graph().variable(it));
         self.graph().subtract(now, before)
     }
@@ -65,7 +65,7 @@ impl Builder<'_> {
     pub(super) fn bound(&mut self, unknown: usize, what: &str) -> SymbolId {
         let name = self.system.unknown_name(unknown);
         let name = format!("{name}_{what}");
-        self.system.intermediate(&name)
+        self.pool.intermediate(&name)
     }
 
     pub(in crate::program) fn know(&mut self, unknown: usize, enclosure: Enclosure) {
@@ -87,7 +87,7 @@ impl Builder<'_> {
 
     pub(in crate::program) fn enclosure(&mut self, expr: ExprId) -> Enclosure {
         self.meet_signals(expr);
-        self.paths.enclosures.of(expr, self.system)
+        self.paths.enclosures.of(expr, self.pool, self.system)
     }
 
     /// Adds the requirements of the bounds of a block.
@@ -103,8 +103,8 @@ impl Builder<'_> {
 
     /// Adds the bounds of the inputs that an expression mentions.
     fn meet_signals(&mut self, expr: ExprId) {
-        for symbol in self.system.mechanism.graph.symbols(expr).to_vec() {
-            let SymbolRole::Input { input, level: 0 } = self.system.roles[symbol.index()] else {
+        for symbol in self.pool.graph.symbols(expr).to_vec() {
+            let SymbolRole::Input { input, level: 0 } = self.pool.role(symbol) else {
                 continue;
             };
             if !self.paths.signals.insert(input) {
@@ -112,7 +112,7 @@ impl Builder<'_> {
             }
             let name = self.system.mechanism.inputs[input].name.to_lowercase();
             let bounds = ["radius", "deviation"]
-                .map(|what| self.system.intermediate(&format!("{name}_{what}")));
+                .map(|what| self.pool.intermediate(&format!("{name}_{what}")));
             self.state(Statement::Signal {
                 input,
                 found: bounds,

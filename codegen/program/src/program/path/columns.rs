@@ -7,8 +7,8 @@ use std::collections::{BTreeMap, HashMap};
 
 use super::chain::{self, Order};
 use crate::expr::{ExprId, SymbolId};
+use crate::pool::SymbolRole;
 use crate::program::builder::Builder;
-use crate::system::SymbolRole;
 
 /// Nonzero entries of a matrix, with their rows and columns.
 type Entries = Vec<([usize; 2], ExprId)>;
@@ -70,8 +70,8 @@ impl Builder<'_> {
         let mut turning = Vec::new();
         for (row, &residual) in residuals.iter().enumerate() {
             let rate = self.rate(residual);
-            let rates = self.system.mechanism.graph.symbols(rate).iter();
-            let moving = rates.filter_map(|&symbol| match self.system.roles[symbol.index()] {
+            let rates = self.pool.graph.symbols(rate).iter();
+            let moving = rates.filter_map(|&symbol| match self.pool.role(symbol) {
                 SymbolRole::Rate(unknown) => Some((*columns.get(&unknown)?, symbol)),
                 _ => None,
             });

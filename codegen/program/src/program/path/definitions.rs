@@ -3,10 +3,10 @@
 use super::isolation::Loops;
 use crate::expr::{ExprId, SymbolId};
 use crate::joint::Quantity;
+use crate::pool::SymbolRole;
 use crate::program::builder::Builder;
 use crate::program::passes::enclosure::Enclosure;
 use crate::structure::Definition;
-use crate::system::SymbolRole;
 
 /// Largest number of symbols of an assignment that is substituted for its unknown.
 const MAX_SYMBOLS: usize = 16;
@@ -14,7 +14,7 @@ const MAX_SYMBOLS: usize = 16;
 impl Builder<'_> {
     /// Returns an expression with assignments substituted, which merges vectors of one body.
     pub(in crate::program) fn in_short(&mut self, expr: ExprId) -> ExprId {
-        let graph = &mut self.system.mechanism.graph;
+        let graph = &mut self.pool.graph;
         let definitions = graph.symbols(expr).iter();
         let definitions =
             definitions.filter_map(|symbol| Some((*symbol, *self.paths.definitions.get(symbol)?)));
@@ -27,8 +27,8 @@ impl Builder<'_> {
     pub(in crate::program) fn path_of_definition(&mut self, definition: &Definition, block: usize) {
         let value = self.in_short(definition.value);
         let unknown = &self.system.vector_form.unknowns[definition.unknown];
-        let symbols = self.system.mechanism.graph.symbols(value);
-        let mut roles = symbols.iter().map(|it| self.system.roles[it.index()]);
+        let symbols = self.pool.graph.symbols(value);
+        let mut roles = symbols.iter().map(|it| self.pool.role(*it));
         let is_driven =
             roles.any(|role| matches!(role, SymbolRole::Time | SymbolRole::Input { .. }));
         if unknown.quantity != Quantity::Angle && !is_driven && symbols.len() <= MAX_SYMBOLS {
@@ -47,7 +47,7 @@ impl Builder<'_> {
 
     /// Bounds the assignments of all unknowns that an expression mentions, as far as that has not been done.
     pub(super) fn meet(&mut self, expr: ExprId, loops: &mut Loops) {
-        for symbol in self.system.mechanism.graph.symbols(expr).to_vec() {
+        for symbol in self.pool.graph.symbols(expr).to_vec() {
             if let Some((definition, block)) = self.awaited(symbol) {
                 self.look_at_definition(&definition, block, loops);
             }
@@ -59,7 +59,7 @@ impl Builder<'_> {
         let value = self.in_short(definition.value);
         self.meet(value, loops);
         let symbol = self.system.vector_form.unknowns[unknown].position;
-        let symbols = self.system.mechanism.graph.symbols(value);
+        let symbols = self.pool.graph.symbols(value);
         let mut moving = symbols.iter().filter_map(|&symbol| self.moving(symbol));
         if moving.any(|unknown| loops.columns.contains_key(&unknown)) {
             let position = self.graph().variable(symbol);

@@ -54,13 +54,13 @@ impl Builder<'_> {
         let time = self.system.mechanism.time;
         let first = self.graph().derivative(residual, time);
         let zero = self.graph().zero();
-        let symbols = self.system.mechanism.graph.symbols(first).to_vec();
+        let symbols = self.pool.graph.symbols(first).to_vec();
         let is_alone = symbols.into_iter().all(|symbol| {
             let value = self.graph().variable(symbol);
             symbol == time || self.enclosure(value).radius == zero
         });
         let second = self.graph().derivative(first, time);
-        let graph = &self.system.mechanism.graph;
+        let graph = &self.pool.graph;
         (is_alone && second != zero && is_smooth(graph, residual, time)).then_some(second)
     }
 }

@@ -15,6 +15,7 @@ mod definitions;
 mod isolation;
 mod line;
 
+use crate::pool::Pool;
 use std::collections::{HashMap, HashSet};
 
 use super::builder::{Builder, Direction};
@@ -22,8 +23,9 @@ use super::function::{Function, Statement};
 use super::passes::enclosure::{Enclosures, TimeWindow};
 use super::two_links::TwoLinks;
 use crate::expr::{ExprId, Node, SymbolId};
+use crate::pool::SymbolRole;
 use crate::structure::{Definition, SolvedBlock, Subsystem};
-use crate::system::{SymbolRole, System};
+use crate::system::System;
 use isolation::Loops;
 
 /// Bounds of all values while paths are verified.
@@ -49,17 +51,17 @@ pub(super) struct Paths {
 }
 
 impl Paths {
-    pub fn new(system: &mut System) -> Paths {
+    pub fn new(pool: &mut Pool, system: &System) -> Paths {
         let window = TimeWindow {
-            time: system.intermediate("window_time"),
-            steps: system.intermediate("window_steps"),
-            remainder: system.intermediate("window_remainder"),
-            beyond: system.intermediate("window_beyond"),
-            rounding: system.intermediate("window_rounding"),
+            time: pool.intermediate("window_time"),
+            steps: pool.intermediate("window_steps"),
+            remainder: pool.intermediate("window_remainder"),
+            beyond: pool.intermediate("window_beyond"),
+            rounding: pool.intermediate("window_rounding"),
         };
         Paths {
             window,
-            enclosures: Enclosures::new(window, system),
+            enclosures: Enclosures::new(window, pool, system),
             links: HashMap::new(),
             directions: HashMap::new(),
             definitions: HashMap::new(),
@@ -72,8 +74,8 @@ impl Paths {
     }
 
     /// Removes all bounds.
-    fn begin(&mut self, system: &mut System) {
-        self.enclosures = Enclosures::new(self.window, system);
+    fn begin(&mut self, pool: &mut Pool, system: &System) {
+        self.enclosures = Enclosures::new(self.window, pool, system);
         self.definitions.clear();
         self.awaited.clear();
         self.signals.clear();
@@ -82,8 +84,14 @@ impl Paths {
     }
 
     /// Records the cosine and the sine of an angle of a closed form.
-    pub fn note_direction(&mut self, unknown: usize, direction: Direction, system: &System) {
-        let graph = &system.mechanism.graph;
+    pub fn note_direction(
+        &mut self,
+        unknown: usize,
+        direction: Direction,
+        pool: &Pool,
+        system: &System,
+    ) {
+        let graph = &pool.graph;
         let symbol = |expr: ExprId| match *graph.node(expr) {
             Node::Symbol(symbol) => Some(symbol),
             _ => None,
@@ -162,7 +170,7 @@ impl Builder<'_> {
 
     /// Starts without bounds.
     pub(super) fn begin_path(&mut self) {
-        self.paths.begin(self.system);
+        self.paths.begin(self.pool, self.system);
         // Drivers are not shifted here.
         let zero = self.graph().zero();
         let shifts = self.derivatives.shifts().into_iter();
@@ -174,9 +182,9 @@ impl Builder<'_> {
     pub(super) fn path_geometry(&mut self, expressions: &[ExprId]) {
         let mut angles: Vec<usize> = Vec::new();
         for &expr in expressions {
-            for symbol in self.system.mechanism.graph.symbols(expr) {
-                if let SymbolRole::Arm(place) = self.system.roles[symbol.index()] {
-                    angles.push(self.system.vector_form.arms[place].angle);
+            for symbol in self.pool.graph.symbols(expr) {
+                if let SymbolRole::Arm(place) = self.pool.role(*symbol) {
+                    angles.push(self.pool.arms()[place].angle);
                 }
             }
         }
@@ -223,7 +231,7 @@ impl Builder<'_> {
         let zero = self.graph().zero();
         let of_block: HashSet<usize> = unknowns.iter().copied().collect();
         residuals.iter().all(|&residual| {
-            let symbols = self.system.mechanism.graph.symbols(residual).to_vec();
+            let symbols = self.pool.graph.symbols(residual).to_vec();
             symbols.into_iter().all(|symbol| {
                 let is_own = self
                     .moving(symbol)
@@ -238,9 +246,9 @@ impl Builder<'_> {
 
     /// Returns the unknown that moves a position or a vector component.
     pub(super) fn moving(&self, symbol: SymbolId) -> Option<usize> {
-        match self.system.roles[symbol.index()] {
+        match self.pool.role(symbol) {
             SymbolRole::Position(unknown) => Some(unknown),
-            SymbolRole::Arm(place) => Some(self.system.vector_form.arms[place].angle),
+            SymbolRole::Arm(place) => Some(self.pool.arms()[place].angle),
             _ => None,
         }
     }

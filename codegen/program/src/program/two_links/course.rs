@@ -117,8 +117,7 @@ impl Builder<'_> {
         let mut rest = closure;
         let mut arms = Vec::new();
         for angle in self.angles_in(closure) {
-            let graph = &mut self.system.mechanism.graph;
-            let turned = self.system.vector_form.turned_vector(rest, angle, graph);
+            let turned = self.pool.turned_vector(rest, angle);
             let (local, others) = turned?;
             let position = self.position(angle);
             let Enclosure { radius, deviation } = self.enclosure(position);

@@ -98,7 +98,7 @@ impl Builder<'_> {
     }
 
     fn row_before(&self, expr: ExprId, rows: &HashMap<usize, usize>) -> usize {
-        let symbols = self.system.mechanism.graph.symbols(expr).iter();
+        let symbols = self.pool.graph.symbols(expr).iter();
         let moving = symbols.filter_map(|&symbol| self.moving(symbol));
         moving
             .filter_map(|unknown| rows.get(&unknown).copied())
@@ -124,7 +124,7 @@ impl Builder<'_> {
 
     /// Bounds the unknowns of an expression that have no bounds yet.
     fn bound_definitions(&mut self, expr: ExprId, known: &mut Known) {
-        for symbol in self.system.mechanism.graph.symbols(expr).to_vec() {
+        for symbol in self.pool.graph.symbols(expr).to_vec() {
             let Some((definition, block)) = self.awaited(symbol) else {
                 continue;
             };

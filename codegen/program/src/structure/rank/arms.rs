@@ -6,9 +6,11 @@
 use super::functions::Functions;
 use super::motion::pivot;
 use super::survey::{all_rows, poses, whole};
+use crate::expr::Graph;
 use crate::joint::geometry::{Mark, Vector, length, subtract};
 use crate::joint::{AuxiliaryUnknown, Axis, Drawn, Kind};
 use crate::model::Mechanism;
+use crate::pool::Pool;
 use crate::system::System;
 
 /// Arm of a body from its center of rotation to a pin.
@@ -23,25 +25,25 @@ pub(super) struct Arm {
 }
 
 /// Returns the arms of all joints that have one.
-pub(super) fn arms(system: &System) -> Vec<Arm> {
+pub(super) fn arms(pool: &Pool, system: &System) -> Vec<Arm> {
     let joints = system.mechanism.joints.iter().enumerate();
     let marked = joints.filter(|(_, own)| own.redundant.is_some());
     let pinned = marked.filter_map(|(at, own)| Some((at, own.kind.on_arm()?)));
     pinned
-        .filter_map(|(at, kind)| arm(system, at, kind))
+        .filter_map(|(at, kind)| arm(pool, system, at, kind))
         .collect()
 }
 
-fn arm(system: &System, joint: usize, kind: &'static dyn Kind) -> Option<Arm> {
+fn arm(pool: &Pool, system: &System, joint: usize, kind: &'static dyn Kind) -> Option<Arm> {
     let marks = &system.mechanism.joints[joint].operands.marks;
     let bodies = [0, 1].map(|side| marks[side].frame.body.0);
     let others = all_rows(system).into_iter();
     let others = others.filter(|&at| system.row(at).joint != joint);
-    let functions: Functions<'_> = whole(system, others.collect());
-    let consistent = poses(system, &functions);
+    let functions: Functions<'_> = whole(pool, system, others.collect());
+    let consistent = poses(pool, system, &functions);
     (0..2).find_map(|own| {
         let pair = [bodies[own], bodies[1 - own]];
-        let pivot = pivot(system, &functions, &consistent, pair)?;
+        let pivot = pivot(pool, system, &functions, &consistent, pair)?;
         Some(Arm {
             joint,
             kind,
@@ -53,13 +55,8 @@ fn arm(system: &System, joint: usize, kind: &'static dyn Kind) -> Option<Arm> {
 
 impl Arm {
     /// Makes the joint's rows lie along and across the arm.
-    pub(super) fn state(&self, mechanism: &mut Mechanism) {
-        let Mechanism {
-            graph,
-            joints,
-            bodies,
-            ..
-        } = mechanism;
+    pub(super) fn state(&self, mechanism: &mut Mechanism, graph: &mut Graph) {
+        let Mechanism { joints, bodies, .. } = mechanism;
         let joint = &mut joints[self.joint];
         let operands = &mut joint.operands;
         let pin = operands.marks[self.own];

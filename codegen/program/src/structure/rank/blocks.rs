@@ -6,6 +6,7 @@
 use super::functions::{Functions, Pose};
 use super::independence::Basis;
 use super::{balanced, pose};
+use crate::pool::Pool;
 use crate::structure::{Incidence, Matching, components};
 use crate::system::System;
 
@@ -54,11 +55,12 @@ struct Found {
 /// Returns equations that are singular in every pose considered. `None` if the equations are independent, or if there are too few
 /// poses to decide.
 pub(in crate::structure) fn singular(
+    pool: &Pool,
     system: &System,
     incidence: &Incidence,
     matching: &Matching,
 ) -> Option<Singular> {
-    let length = system.characteristic_length();
+    let length = system.characteristic_length(pool);
     let blocks: Vec<Functions<'_>> = components(incidence, matching)
         .into_iter()
         .map(|rows| {
@@ -67,7 +69,7 @@ pub(in crate::structure) fn singular(
                 .filter_map(|&row| matching.column_of[row])
                 .collect();
             columns.sort_unstable();
-            Functions::measured_in(length, system, rows, columns)
+            Functions::measured_in(length, pool, system, rows, columns)
         })
         .collect();
     let mut results = vec![Found::default(); blocks.len()];
@@ -81,7 +83,7 @@ pub(in crate::structure) fn singular(
         look_at(
             &blocks,
             &mut results,
-            pose::start(system, number),
+            pose::start(pool, system, number),
             number,
             incidence,
         );
@@ -112,19 +114,25 @@ pub(in crate::structure) fn singular(
         Some(Singular::Contradicting {
             row,
             repeats,
-            misfit: left_over(system, block, *place, pose.clone()),
+            misfit: left_over(pool, system, block, *place, pose.clone()),
         })
     })
 }
 
 /// Returns the residual of one row of a block where the other rows hold, in the row's unit.
-fn left_over(system: &System, block: &Functions<'_>, place: usize, mut pose: Pose) -> f64 {
+fn left_over(
+    pool: &Pool,
+    system: &System,
+    block: &Functions<'_>,
+    place: usize,
+    mut pose: Pose,
+) -> f64 {
     let (mut others, columns) = (block.rows.clone(), block.columns.clone());
     let row = others.remove(place);
-    pose::project(&Functions::new(system, others, columns), &mut pose);
+    pose::project(&Functions::new(pool, system, others, columns), &mut pose);
     pose.shift = 0.0;
-    let alone = Functions::new(system, vec![row], block.columns.clone());
-    alone.residuals(&pose)[0].abs() * system.scale(system.row(row).quantity)
+    let alone = Functions::new(pool, system, vec![row], block.columns.clone());
+    alone.residuals(&pose)[0].abs() * system.scale(system.row(row).quantity, pool)
 }
 
 /// Solves blocks one after another and judges the consistent ones.

@@ -6,6 +6,7 @@
 use crate::expr::{ExprId, SymbolId, Tape};
 use crate::joint::Quantity;
 use crate::model::Role;
+use crate::pool::Pool;
 use crate::system::System;
 
 /// Values of all symbols, by their index, with shifted drivers.
@@ -33,18 +34,30 @@ pub(super) struct Functions<'a> {
 }
 
 impl<'a> Functions<'a> {
-    pub fn new(system: &'a System, rows: Vec<usize>, columns: Vec<usize>) -> Functions<'a> {
-        Functions::measured_in(system.characteristic_length(), system, rows, columns)
+    pub fn new(
+        pool: &Pool,
+        system: &'a System,
+        rows: Vec<usize>,
+        columns: Vec<usize>,
+    ) -> Functions<'a> {
+        Functions::measured_in(
+            system.characteristic_length(pool),
+            pool,
+            system,
+            rows,
+            columns,
+        )
     }
 
     /// Selects rows and coordinates with a known characteristic length, which saves its repeated computation.
     pub fn measured_in(
         length: f64,
+        pool: &Pool,
         system: &'a System,
         rows: Vec<usize>,
         columns: Vec<usize>,
     ) -> Functions<'a> {
-        let graph = &system.mechanism.graph;
+        let graph = &pool.graph;
         let residuals: Vec<ExprId> = rows.iter().map(|&at| system.row(at).residual).collect();
         let (mut entries, mut places) = (Vec::new(), Vec::new());
         for (place, &at) in rows.iter().enumerate() {

@@ -6,6 +6,7 @@ use super::independence::{Basis, Reduced, TOLERANCE};
 use super::survey::{all_rows, poses, whole};
 use super::{LARGEST_SURVEY, balanced, pose};
 use crate::model::Mechanism;
+use crate::pool::Pool;
 use crate::system::{System, assemble, assemble_without};
 
 /// Factor by which a later row must exceed an earlier one to be preferred.
@@ -22,23 +23,27 @@ pub(in crate::structure) struct Misfit {
 
 /// Returns the equations of a mechanism with the repeated rows of `redundant` joints monitored. Of rows that could determine the
 /// same motion, those that do so best in all poses near the design configuration are solved.
-pub fn released(mut mechanism: Mechanism) -> System {
+pub fn released(pool: &mut Pool, mut mechanism: Mechanism) -> System {
     if mechanism.joints.iter().all(|own| own.redundant.is_none()) {
-        return assemble(mechanism);
+        return assemble(pool, mechanism);
     }
-    let mut draft = assemble(mechanism.clone());
+    // Repetition is measured on equations that are assembled apart, so that the pool holds only those of the result.
+    let mut apart = pool.clone();
+    let mut draft = assemble(&mut apart, mechanism.clone());
     if draft.coordinates.len() > LARGEST_SURVEY || shared_line(&draft).is_some() {
+        *pool = apart;
         return draft;
     }
-    let arms = arms(&draft);
+    let arms = arms(&apart, &draft);
     if !arms.is_empty() {
         for arm in arms {
-            arm.state(&mut mechanism);
+            arm.state(&mut mechanism, &mut pool.graph);
         }
-        draft = assemble(mechanism.clone());
+        apart = pool.clone();
+        draft = assemble(&mut apart, mechanism.clone());
     }
-    let dropped = dependent(&draft);
-    assemble_without(mechanism, &dropped)
+    let dropped = dependent(&apart, &draft);
+    assemble_without(pool, mechanism, &dropped)
 }
 
 /// Returns a marked joint whose line another joint or driver names, and that joint: both are needed.
@@ -59,7 +64,7 @@ pub(in crate::structure) fn shared_line(system: &System) -> Option<(usize, usize
 }
 
 /// Returns the rows of marked joints that other rows repeat, ascending.
-fn dependent(system: &System) -> Vec<usize> {
+fn dependent(pool: &Pool, system: &System) -> Vec<usize> {
     let is_marked = |at: usize| {
         let joint = &system.mechanism.joints[system.row(at).joint];
         joint.redundant.is_some()
@@ -67,12 +72,12 @@ fn dependent(system: &System) -> Vec<usize> {
     // Uses all rows if they are consistent; otherwise the unmarked rows.
     let (unmarked, marked): (Vec<usize>, Vec<usize>) =
         all_rows(system).into_iter().partition(|&at| !is_marked(at));
-    let mut consistent = poses(system, &whole(system, all_rows(system)));
+    let mut consistent = poses(pool, system, &whole(pool, system, all_rows(system)));
     let fits = consistent.len() > 1;
     if !fits {
-        consistent = poses(system, &whole(system, unmarked.clone()));
+        consistent = poses(pool, system, &whole(pool, system, unmarked.clone()));
     }
-    let ordered = whole(system, [unmarked.clone(), marked.clone()].concat());
+    let ordered = whole(pool, system, [unmarked.clone(), marked.clone()].concat());
     let matrices: Vec<Vec<Vec<f64>>> = consistent
         .iter()
         .map(|pose| balanced(ordered.jacobian(pose)).0)
@@ -130,31 +135,31 @@ fn most_independent(
 }
 
 /// Returns the monitored row with the largest misfit; `None` if all rows hold in the design configuration and in a pose off it.
-pub(in crate::structure) fn misfit(system: &System) -> Option<Misfit> {
+pub(in crate::structure) fn misfit(pool: &Pool, system: &System) -> Option<Misfit> {
     if system.monitored.is_empty() {
         return None;
     }
-    let together = whole(system, all_rows(system));
-    if poses(system, &together).len() > 1 {
+    let together = whole(pool, system, all_rows(system));
+    if poses(pool, system, &together).len() > 1 {
         return None;
     }
-    let solved = whole(system, (0..system.rows.len()).collect());
+    let solved = whole(pool, system, (0..system.rows.len()).collect());
     let watched = system.rows.len()..system.rows.len() + system.monitored.len();
-    let watched = whole(system, watched.collect());
+    let watched = whole(pool, system, watched.collect());
     let mut worst: Option<Misfit> = None;
     let mut consider = |pose: &Pose| {
         for (monitored, value) in watched.residuals(pose).into_iter().enumerate() {
-            let size = value.abs() * system.scale(system.monitored[monitored].quantity);
+            let size = value.abs() * system.scale(system.monitored[monitored].quantity, pool);
             if worst.is_none_or(|worst| size > worst.size) {
                 worst = Some(Misfit { monitored, size });
             }
         }
     };
-    let consistent = poses(system, &solved);
+    let consistent = poses(pool, system, &solved);
     consistent.iter().for_each(&mut consider);
     if consistent.is_empty() {
         // The other rows do not hold near the design configuration, so the misfit is measured in that configuration.
-        consider(&pose::start(system, 0));
+        consider(&pose::start(pool, system, 0));
     }
     worst
 }

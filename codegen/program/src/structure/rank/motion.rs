@@ -4,6 +4,7 @@
 //! Angles come last, and later bodies before earlier ones, so that a motion rotates a single body if possible. A rotation is
 //! described by the instantaneous center of rotation, which is named only if it is the center in every pose.
 
+use crate::pool::Pool;
 use std::cmp::Reverse;
 
 use linkwright_math::double;
@@ -52,6 +53,7 @@ type Rates = Vec<f64>;
 
 /// Returns the motions that all of these poses allow.
 pub(super) fn free_motions(
+    pool: &Pool,
     system: &System,
     functions: &Functions<'_>,
     poses: &[Pose],
@@ -77,7 +79,7 @@ pub(super) fn free_motions(
             .iter()
             .map(|(pose, own)| (*pose, &own[place].1))
             .collect();
-        described(system, &instants)
+        described(pool, system, &instants)
     });
     described.collect()
 }
@@ -85,6 +87,7 @@ pub(super) fn free_motions(
 /// Returns the point about which a body rotates in the only motion of these poses, while another body rests. `None` if there are
 /// several motions, or if the body moves otherwise.
 pub(super) fn pivot(
+    pool: &Pool,
     system: &System,
     functions: &Functions<'_>,
     poses: &[Pose],
@@ -109,14 +112,14 @@ pub(super) fn pivot(
     if instants.is_empty() || !instants.iter().all(rests) {
         return None;
     }
-    match movement(system, body, &instants) {
+    match movement(pool, system, body, &instants) {
         Moves::About(name) => {
             let mut marks = system.mechanism.bodies[body].marks.iter();
             marks
                 .find(|named| named.name == name)
                 .map(|named| named.mark.local)
         }
-        Moves::AboutOrigin => Some([system.mechanism.graph.zero(); 2]),
+        Moves::AboutOrigin => Some([pool.graph.zero(); 2]),
         Moves::Turning | Moves::Along(_) | Moves::Toward(_) | Moves::Contact(_) => None,
     }
 }
@@ -163,7 +166,7 @@ fn of_body(system: &System, body: usize, instant: (&Pose, &Rates)) -> [[f64; 2];
     })
 }
 
-fn described(system: &System, instants: &[(&Pose, &Rates)]) -> FreeMotion {
+fn described(pool: &Pool, system: &System, instants: &[(&Pose, &Rates)]) -> FreeMotion {
     let (_, rates) = instants[0];
     let mut bodies: Vec<usize> = Vec::new();
     let mut contact = None;
@@ -179,7 +182,7 @@ fn described(system: &System, instants: &[(&Pose, &Rates)]) -> FreeMotion {
     }
     let moves: Vec<Moves> = bodies
         .iter()
-        .map(|&body| movement(system, body, instants))
+        .map(|&body| movement(pool, system, body, instants))
         .collect();
     // A body that turns about a pin leads before a body that slides on a line.
     let rank = |moves: &Moves| match moves {
@@ -208,7 +211,7 @@ fn described(system: &System, instants: &[(&Pose, &Rates)]) -> FreeMotion {
     }
 }
 
-fn movement(system: &System, body: usize, instants: &[(&Pose, &Rates)]) -> Moves {
+fn movement(pool: &Pool, system: &System, body: usize, instants: &[(&Pose, &Rates)]) -> Moves {
     let length = system.mechanism.characteristic_length;
     let turns = |instant: &(&Pose, &Rates)| {
         let [[_, x], [_, y], [_, turning]] = of_body(system, body, *instant);
@@ -218,7 +221,7 @@ fn movement(system: &System, body: usize, instants: &[(&Pose, &Rates)]) -> Moves
         let is_centre = |local: Vector| {
             instants.iter().all(|&instant| {
                 let [[_, x], [_, y], [angle, turning]] = of_body(system, body, instant);
-                let [[px, py]] = [values(system, local, instant.0)];
+                let [[px, py]] = [values(pool, local, instant.0)];
                 // The point p rests where ṙ + φ̇ Ω R p = 0.
                 let (sine, cosine) = double::sin_cos(angle);
                 let (ax, ay) = (cosine * px - sine * py, sine * px + cosine * py);
@@ -230,7 +233,7 @@ fn movement(system: &System, body: usize, instants: &[(&Pose, &Rates)]) -> Moves
         if let Some(named) = marks.iter().find(|named| is_centre(named.mark.local)) {
             return Moves::About(named.name.clone());
         }
-        let zero = system.mechanism.graph.zero();
+        let zero = pool.graph.zero();
         if is_centre([zero, zero]) {
             return Moves::AboutOrigin;
         }
@@ -250,7 +253,7 @@ fn movement(system: &System, body: usize, instants: &[(&Pose, &Rates)]) -> Moves
         let axis = joint.operands.axis.filter(|_| concerns);
         axis.is_some_and(|axis| {
             instants.iter().all(|instant| {
-                let [ux, uy] = values(system, axis.turned, instant.0);
+                let [ux, uy] = values(pool, axis.turned, instant.0);
                 let [x, y] = direction(instant);
                 (ux * y - uy * x).abs() <= MET
             })
@@ -264,12 +267,8 @@ fn movement(system: &System, body: usize, instants: &[(&Pose, &Rates)]) -> Moves
 }
 
 /// Returns the value of a vector in a pose.
-fn values(system: &System, vector: Vector, pose: &Pose) -> [f64; 2] {
+fn values(pool: &Pool, vector: Vector, pose: &Pose) -> [f64; 2] {
     let mut values = [0.0; 2];
-    Tape::new(&system.mechanism.graph, &vector).evaluate(
-        &pose.symbols,
-        &mut Vec::new(),
-        &mut values,
-    );
+    Tape::new(&pool.graph, &vector).evaluate(&pose.symbols, &mut Vec::new(), &mut values);
     values
 }

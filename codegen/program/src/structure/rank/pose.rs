@@ -7,6 +7,7 @@
 use super::functions::{Functions, Pose, spread};
 use super::independence::norm;
 use super::least_squares::damped;
+use crate::pool::Pool;
 use crate::system::System;
 
 /// Times of the poses, in s, and distances of drivers and estimates from the design configuration. The first pose is the design
@@ -44,9 +45,9 @@ const LARGEST_DAMPING: f64 = 1e6;
 const LONGEST_STEP: f64 = 0.5;
 
 /// Returns the start of the search for the pose with this number.
-pub(super) fn start(system: &System, number: usize) -> Pose {
+pub(super) fn start(pool: &Pool, system: &System, number: usize) -> Pose {
     let (time, off) = POSES[number % COUNT];
-    let graph = &system.mechanism.graph;
+    let graph = &pool.graph;
     let mut symbols = vec![0.0; graph.symbol_count()];
     graph.fill_nominal(&mut symbols);
     symbols[system.mechanism.time.index()] = time;
@@ -54,7 +55,7 @@ pub(super) fn start(system: &System, number: usize) -> Pose {
         let initial = graph.constant_value(input.initial).unwrap_or(f64::NAN);
         symbols[input.symbols[0].index()] = initial;
     }
-    let length = system.characteristic_length();
+    let length = system.characteristic_length(pool);
     for (index, coordinate) in system.coordinates.iter().enumerate() {
         let drawn = graph.constant_value(coordinate.estimate);
         let scale = length.powi(coordinate.quantity.power_of_length());

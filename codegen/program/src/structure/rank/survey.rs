@@ -5,6 +5,7 @@ use super::independence::Basis;
 use super::motion::{FreeMotion, free_motions};
 use super::{LARGEST_SURVEY, balanced, pose};
 use crate::model::Role;
+use crate::pool::Pool;
 use crate::system::System;
 
 /// Equation that repeats others.
@@ -33,19 +34,19 @@ pub struct Survey {
 impl Survey {
     /// Surveys all rows of a system, including monitored ones. `None` if the system is too large, or if fewer than two consistent
     /// poses are found.
-    pub fn of(system: &System) -> Option<Survey> {
+    pub fn of(pool: &Pool, system: &System) -> Option<Survey> {
         if system.coordinates.len() > LARGEST_SURVEY {
             return None;
         }
-        let functions = whole(system, all_rows(system));
-        let poses = poses(system, &functions);
+        let functions = whole(pool, system, all_rows(system));
+        let poses = poses(pool, system, &functions);
         if poses.len() < 2 {
             return None;
         }
-        Some(Survey::at(system, &functions, &poses))
+        Some(Survey::at(pool, system, &functions, &poses))
     }
 
-    fn at(system: &System, functions: &Functions<'_>, poses: &[Pose]) -> Survey {
+    fn at(pool: &Pool, system: &System, functions: &Functions<'_>, poses: &[Pose]) -> Survey {
         let coordinates = system.coordinates.len();
         let is_joint = |at: usize| {
             let row = system.row(at);
@@ -93,7 +94,7 @@ impl Survey {
             kinematic,
             net,
             dependences: dependences.unwrap_or_default(),
-            motions: free_motions(system, functions, &regular),
+            motions: free_motions(pool, system, functions, &regular),
         }
     }
 }
@@ -127,15 +128,15 @@ pub(super) fn all_rows(system: &System) -> Vec<usize> {
 }
 
 /// Selects rows with all coordinates.
-pub(super) fn whole(system: &System, rows: Vec<usize>) -> Functions<'_> {
-    Functions::new(system, rows, (0..system.coordinates.len()).collect())
+pub(super) fn whole<'a>(pool: &'a Pool, system: &'a System, rows: Vec<usize>) -> Functions<'a> {
+    Functions::new(pool, system, rows, (0..system.coordinates.len()).collect())
 }
 
 /// Returns the poses in which the rows hold.
-pub(super) fn poses(system: &System, functions: &Functions<'_>) -> Vec<Pose> {
+pub(super) fn poses(pool: &Pool, system: &System, functions: &Functions<'_>) -> Vec<Pose> {
     (0..pose::COUNT)
         .filter_map(|number| {
-            let mut pose = pose::start(system, number);
+            let mut pose = pose::start(pool, system, number);
             (pose::project(functions, &mut pose) <= pose::HOLDS).then_some(pose)
         })
         .collect()

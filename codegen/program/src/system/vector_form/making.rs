@@ -8,10 +8,10 @@ use crate::diagnostic::internal::work_at;
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::{Kind, Quantity, Resolved, Row};
 use crate::model::{Body, Joint, Mechanism, Role};
-use crate::system::assemble::Watch;
+use crate::pool::Pool;
+use crate::system::Unknown;
 use crate::system::mark_names::MarkNames;
 use crate::system::orientation::Orientations;
-use crate::system::{Settled, SymbolRole, Unknown};
 
 /// Largest distance between a driven angle and its design value at which the assembly mode is sure, in rad.
 const DESIGN_TOLERANCE: f64 = 1e-3;
@@ -34,87 +34,69 @@ impl VectorForm {
     /// Makes the vector form of every joint, with the design values of auxiliary unknowns. `dropped` is true for each textbook
     /// row of a joint that is not solved.
     pub(in crate::system) fn new(
-        mechanism: &mut Mechanism,
+        mechanism: &Mechanism,
         coordinates: &[Unknown],
         dropped: &[Vec<bool>],
-        watch: &mut Watch,
+        pool: &mut Pool,
     ) -> VectorForm {
         let mut form = VectorForm {
-            unknowns: Settled::new(coordinates.to_vec()),
-            rows: Settled::new(Vec::new()),
-            arms: Settled::new(Vec::new()),
-            orientations: Settled::new(Orientations::new(mechanism.bodies.len(), &mechanism.graph)),
-            points: Settled::new(Vec::new()),
-            naming: mechanism.naming,
+            unknowns: coordinates.to_vec(),
+            rows: Vec::new(),
+            orientations: Orientations::new(mechanism.bodies.len(), &pool.graph),
+            points: Vec::new(),
             dropped: dropped.to_vec(),
             angles: mechanism
                 .bodies
                 .iter()
                 .map(|body| body.coordinates[2].map(|it| it.place))
                 .collect(),
-            rates: HashMap::new(),
-            arm_places: HashMap::new(),
-            taken_names: coordinates
-                .iter()
-                .map(|coordinate| coordinate.name.clone())
-                .collect(),
-            name_numbers: HashMap::new(),
-            arms_of: HashMap::new(),
-            roles: coordinates
-                .iter()
-                .enumerate()
-                .map(|(place, own)| (own.position, SymbolRole::Position(place)))
-                .collect(),
             mark_names: MarkNames::new(&mechanism.bodies, &mechanism.points),
         };
-        form.rates.extend(mechanism.explicit_rates());
+        for (symbol, rate) in mechanism.explicit_rates(&mut pool.graph) {
+            pool.set_rate(symbol, rate);
+        }
         // Ties of angles must be known before the first arm is made.
-        form.tie_angles(mechanism, dropped);
+        form.tie_angles(mechanism, dropped, &mut pool.graph);
         let Mechanism {
-            graph,
             joints,
             bodies,
             points,
             parameters,
             ..
         } = mechanism;
-        let fixed = parameters.iter().map(|own| (own.symbol, graph.zero()));
-        form.rates.extend(fixed);
+        for parameter in parameters {
+            pool.set_rate(parameter.symbol, pool.graph.zero());
+        }
         for (index, (joint, dropped)) in joints.iter().zip(dropped).enumerate() {
             let _work = work_at(joint.span);
             if joint.kind.keeps_vector_rows(dropped) {
-                form.add_auxiliaries(joint, bodies, graph);
+                form.add_auxiliaries(joint, bodies, pool);
             }
-            let operands = form.with_arms(&joint.operands, bodies, graph);
-            let rows = kept_rows(joint.kind, &operands, dropped, graph);
-            form.rows.write().extend(rows.iter().map(|row| VectorRow {
+            let operands = form.with_arms(&joint.operands, bodies, pool);
+            let rows = kept_rows(joint.kind, &operands, dropped, &mut pool.graph);
+            form.rows.extend(rows.iter().map(|row| VectorRow {
                 joint: index,
                 residual: row.residual,
                 quantity: row.quantity,
                 component: row.component,
             }));
-            if watch.is_beyond(graph, joint.span) {
+            if pool.is_beyond(joint.span) {
                 break;
             }
         }
         for point in points.iter() {
-            let mark = form.mark_with_arm(&point.mark, bodies, graph);
-            let position = mark.position(graph);
-            form.points.write().push(position);
+            let mark = form.mark_with_arm(&point.mark, bodies, pool);
+            let position = mark.position(&mut pool.graph);
+            form.points.push(position);
         }
-        form.note_rates(graph);
+        pool.set_rates_of_unknowns();
         form
     }
 
     /// Ties the angles of bodies that joints keep at a constant difference.
-    fn tie_angles(&mut self, mechanism: &mut Mechanism, dropped: &[Vec<bool>]) {
+    fn tie_angles(&mut self, mechanism: &Mechanism, dropped: &[Vec<bool>], graph: &mut Graph) {
         let moved = !mechanism.transmissions.is_empty() || mechanism.forces.need_multipliers();
-        let Mechanism {
-            graph,
-            joints,
-            bodies,
-            ..
-        } = mechanism;
+        let Mechanism { joints, bodies, .. } = mechanism;
         let angles = bodies.iter().enumerate().filter_map(|(body, own)| {
             let [_, _, angle] = own.coordinates;
             Some((angle?.symbol, body))
@@ -129,54 +111,35 @@ impl VectorForm {
             for row in kept_rows(joint.kind, &joint.operands, dropped, graph) {
                 let is_tied = !is_driver || is_drawn(&row, bodies, graph);
                 if row.quantity == Quantity::Angle && is_tied {
-                    self.orientations.write().tie(&row, &angles, graph);
+                    self.orientations.tie(&row, &angles, graph);
                 }
             }
         }
-        self.orientations.write().settle(graph);
+        self.orientations.settle(graph);
     }
 
-    /// Records the rates of the unknowns and the rates of these rates.
-    fn note_rates(&mut self, graph: &mut Graph) {
-        for unknown in &self.unknowns {
-            let (rate, acceleration) = (
-                graph.variable(unknown.rate),
-                graph.variable(unknown.acceleration),
-            );
-            self.rates.insert(unknown.position, rate);
-            self.rates.insert(unknown.rate, acceleration);
-        }
-    }
-
-    /// Adds a constant symbol to the value of a driver, given by its joint.
+    /// Adds a constant symbol to the value of a driver in these rows of the vector form. The driver is given by its joint.
     pub(in crate::system) fn shift_driver(
-        &mut self,
+        &self,
         joint: usize,
         shift: SymbolId,
-        mechanism: &mut Mechanism,
+        mechanism: &Mechanism,
+        rows: &mut [VectorRow],
+        pool: &mut Pool,
     ) {
-        let Mechanism {
-            graph,
-            joints,
-            bodies,
-            ..
-        } = mechanism;
+        let Mechanism { joints, bodies, .. } = mechanism;
         let Joint { kind, operands, .. } = &joints[joint];
         let Some(value) = operands.value else {
             return;
         };
-        self.rates.insert(shift, graph.zero());
-        let delta = graph.variable(shift);
+        pool.set_rate(shift, pool.graph.zero());
+        let delta = pool.graph.variable(shift);
         let shifted = Resolved {
-            value: Some(graph.add(value, delta)),
-            ..self.with_arms(operands, bodies, graph)
+            value: Some(pool.graph.add(value, delta)),
+            ..self.with_arms(operands, bodies, pool)
         };
-        let rows = self
-            .rows
-            .write()
-            .iter_mut()
-            .filter(|row| row.joint == joint);
-        for (row, shifted) in rows.zip(kind.vector_rows(&shifted, graph)) {
+        let rows = rows.iter_mut().filter(|row| row.joint == joint);
+        for (row, shifted) in rows.zip(kind.vector_rows(&shifted, &mut pool.graph)) {
             row.residual = shifted.residual;
         }
     }

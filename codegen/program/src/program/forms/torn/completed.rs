@@ -19,7 +19,7 @@ pub(super) fn found(
         let name = builder.system.unknown_name(unknown).to_string();
         directions.push(is_angle(unknown, builder).then(|| {
             let named = |function: &str| format!("{function}_{name}");
-            ["sin", "cos"].map(|function| builder.system.intermediate(&named(function)))
+            ["sin", "cos"].map(|function| builder.pool.intermediate(&named(function)))
         }));
     }
     let tears = torn.sequence.tears.iter();
@@ -33,9 +33,7 @@ pub(super) fn found(
     let memory = memory.iter();
     tearing::TornFields {
         directions,
-        memory: memory
-            .map(|name| builder.system.intermediate(name))
-            .collect(),
+        memory: memory.map(|name| builder.pool.intermediate(name)).collect(),
     }
 }
 
@@ -83,9 +81,7 @@ pub(super) fn completed(
             .iter()
             .filter(|&it| !torn.sequence.tears.contains(it))
         {
-            let response = builder
-                .derivatives
-                .of_unknown(unknown, place, builder.system);
+            let response = builder.derivatives.of_unknown(unknown, place, builder.pool);
             let factor = tear_scale / scale(unknown, builder);
             results.push(match factor == 1.0 {
                 true => response,

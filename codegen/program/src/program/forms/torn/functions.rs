@@ -1,5 +1,6 @@
 //! Makes the functions of tearing variables: tearing residuals, their derivatives, and the final results.
 
+use crate::pool::Pool;
 use std::collections::HashSet;
 
 use super::Torn;
@@ -10,11 +11,12 @@ use super::sequence::{Remaining, Step};
 use super::stated::Stated;
 use crate::expr::{ExprId, Node, SymbolId};
 use crate::joint::Quantity;
+use crate::pool::SymbolRole;
 use crate::program::block::NewtonBlock;
 use crate::program::builder::Builder;
 use crate::program::function::{Function, Level, Statement};
 use crate::program::tearing::{Proof, Tearing, needed, parted};
-use crate::system::{SymbolRole, System};
+use crate::system::System;
 
 pub(super) fn is_angle(unknown: usize, builder: &Builder<'_>) -> bool {
     builder.system.vector_form.unknowns[unknown].quantity == Quantity::Angle
@@ -28,7 +30,7 @@ pub(super) fn tearing(
 ) -> Option<Tearing> {
     let places = builder
         .derivatives
-        .tear(&torn.sequence.tears, builder.system);
+        .tear(&torn.sequence.tears, builder.pool, builder.system);
     let before = builder.begin_inside();
     let tearing = stated(torn, &places, block, builder);
     builder.end_inside(before);
@@ -59,10 +61,10 @@ fn stated(
     let completed = completed(torn, places, block, builder)?;
     let all = statements.iter().chain(&later);
     let results = evaluated.iter().chain(&completed).copied();
-    if reads_unfound(torn, all, results, builder.system) {
+    if reads_unfound(torn, all, results, builder.pool) {
         return None;
     }
-    let graph = &builder.system.mechanism.graph;
+    let graph = &builder.pool.graph;
     let (evaluate, complete, carried) = parted(&statements, evaluated, completed, &later, graph);
     let (scales, terms) = scales(torn, &steps, block, builder);
     let proof = proof(torn, &rests, statements, builder);
@@ -114,7 +116,7 @@ fn proof(
     });
     let mut turned = Vec::new();
     for unknown in closed.flatten() {
-        let arms = builder.system.vector_form.arms_of(unknown);
+        let arms = builder.pool.arms_of(unknown);
         let arms: Vec<_> = arms.map(|arm| (arm.symbols, arm.local)).collect();
         for (symbols, local) in arms {
             let square = builder.dot(local, local);
@@ -156,13 +158,13 @@ fn reads_unfound<'a>(
     torn: &Torn,
     statements: impl Iterator<Item = &'a Statement> + Clone,
     results: impl Iterator<Item = ExprId>,
-    system: &System,
+    pool: &Pool,
 ) -> bool {
-    let graph = &system.mechanism.graph;
+    let graph = &pool.graph;
     let targets: HashSet<SymbolId> = statements.clone().flat_map(Statement::targets).collect();
     let mut read = statements.flat_map(Statement::values).chain(results);
     let is_missing = |symbol: &SymbolId| {
-        let unknown = match system.roles[symbol.index()] {
+        let unknown = match pool.role(*symbol) {
             SymbolRole::Position(unknown) => unknown,
             _ => return false,
         };
@@ -200,7 +202,7 @@ fn scales(
         .map(|remaining| match *remaining {
             Remaining::Equation(at) => {
                 let scale = block.scaled_by[0].scale(block.quantities[at]);
-                (magnitude(torn.whole.residuals[at], builder.system) / scale).max(1.0)
+                (magnitude(torn.whole.residuals[at], builder.pool, builder.system) / scale).max(1.0)
             }
             Remaining::Length { .. } => 1.0,
         });
@@ -208,16 +210,16 @@ fn scales(
 }
 
 /// Returns the sum of the magnitudes of a sum's terms in the design configuration.
-fn magnitude(sum: ExprId, system: &System) -> f64 {
-    let graph = &system.mechanism.graph;
+fn magnitude(sum: ExprId, pool: &Pool, system: &System) -> f64 {
+    let graph = &pool.graph;
     match graph.node(sum) {
         Node::Sum(terms) => {
             let values = terms.iter();
             let values =
-                values.map(|term| term.coefficient.to_f64() * system.drawn_value(term.expr));
+                values.map(|term| term.coefficient.to_f64() * system.drawn_value(term.expr, pool));
             values.map(f64::abs).sum()
         }
-        _ => system.drawn_value(sum).abs(),
+        _ => system.drawn_value(sum, pool).abs(),
     }
 }
 
@@ -234,14 +236,11 @@ fn sign_value(
         [(_, drawn)] => *drawn,
         _ => return None,
     };
-    let system = &mut *builder.system;
-    let value = form
-        .determinant(&system.vector_form, &mut system.mechanism.graph)
-        .value?;
-    let agreement = drawn * builder.system.drawn_value(value);
+    let value = form.determinant(builder.pool).value?;
+    let agreement = drawn * builder.system.drawn_value(value, builder.pool);
     // NaN must count as undecided, hence these comparisons.
     let (same, opposite) = (agreement > 0.0, agreement < 0.0);
-    let graph = &mut builder.system.mechanism.graph;
+    let graph = &mut builder.pool.graph;
     match (same, opposite) {
         (true, _) => Some(Some(value)),
         (_, true) => Some(Some(graph.negate(value))),

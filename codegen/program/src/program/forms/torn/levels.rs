@@ -4,9 +4,9 @@ use super::Torn;
 use super::rests::rest_rate;
 use super::stated::Stated;
 use crate::expr::{ExprId, SymbolId};
+use crate::pool::SymbolRole;
 use crate::program::builder::Builder;
 use crate::program::function::{Level, Statement};
-use crate::system::SymbolRole;
 
 /// States a level: derivatives at constant tearing variables, then those of the tearing variables, then the total.
 pub(super) fn solve_level(
@@ -48,7 +48,7 @@ pub(super) fn solve_level(
             builder.assign(target, value);
             continue;
         }
-        let name = format!("{}_held", builder.system.symbol_name(target));
+        let name = format!("{}_held", builder.system.symbol_name(target, builder.pool));
         let resting = builder.value(&name, at_rest);
         held.push((target, resting));
         moved.push((target, value, resting));
@@ -69,7 +69,7 @@ pub(super) fn solve_level(
         builder.assign(tear, value);
     }
     for (target, value, resting) in moved {
-        let unknown = match builder.system.roles[target.index()] {
+        let unknown = match builder.pool.role(target) {
             SymbolRole::Rate(unknown) | SymbolRole::Acceleration(unknown) => Some(unknown),
             _ => None,
         };
@@ -78,9 +78,7 @@ pub(super) fn solve_level(
             Some(unknown) => {
                 let mut terms = vec![resting];
                 for (&place, &tear) in places.iter().zip(&tears) {
-                    let response = builder
-                        .derivatives
-                        .of_unknown(unknown, place, builder.system);
+                    let response = builder.derivatives.of_unknown(unknown, place, builder.pool);
                     let tear = builder.graph().variable(tear);
                     terms.push(builder.graph().multiply(response, tear));
                 }

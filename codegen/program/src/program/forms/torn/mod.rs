@@ -18,14 +18,14 @@ mod three_circles;
 mod turned_link;
 mod two_pins;
 
+use crate::pool::Pool;
 use std::sync::Arc;
 
 use super::newton::{Found, Newton};
 use super::{Candidate, Determinant, Form, Solved};
-use crate::expr::Graph;
 use crate::program::builder::{Builder, Direction};
 use crate::program::function::Statement;
-use crate::system::{System, VectorForm};
+use crate::system::System;
 use crate::words::{Phrase, Piece, Singular, enumerated, phrase};
 
 pub(in crate::program::forms) use sequence::Sequence;
@@ -49,26 +49,30 @@ pub(super) fn sequences(candidate: &mut Candidate<'_>) -> Vec<Sequence> {
 
 /// Returns the solution method of a subsystem without a closed form: the first of these sequences that is clear of singular
 /// poses, otherwise Newton-Raphson on all equations.
-pub(super) fn form(whole: Newton, sequences: Vec<Sequence>, system: &mut System) -> Arc<dyn Form> {
+pub(super) fn form(
+    whole: Newton,
+    sequences: Vec<Sequence>,
+    pool: &mut Pool,
+    system: &System,
+) -> Arc<dyn Form> {
     let mut sequences = sequences.into_iter();
-    match sequences.find(|sequence| is_clear(sequence, system)) {
+    match sequences.find(|sequence| is_clear(sequence, pool, system)) {
         Some(sequence) => Arc::new(Torn { whole, sequence }),
         None => Arc::new(whole),
     }
 }
 
 /// True if all closed forms are clear of singular poses in the design configuration.
-fn is_clear(sequence: &Sequence, system: &mut System) -> bool {
+fn is_clear(sequence: &Sequence, pool: &mut Pool, system: &System) -> bool {
     sequence.steps.iter().all(|step| {
         let form = match step {
             Step::Closed(form) => form,
             Step::TwoPins(_) => return true,
-            Step::ThreeCircles(circles) => return circles.drawn_sine(system).abs() >= CLEAR,
+            Step::ThreeCircles(circles) => return circles.drawn_sine(pool, system).abs() >= CLEAR,
         };
-        let graph = &mut system.mechanism.graph;
-        let normalized = form.determinant(&system.vector_form, graph).normalized;
+        let normalized = form.determinant(pool).normalized;
         // NaN must not count as clear, hence this comparison.
-        normalized.is_none_or(|sine| system.drawn_value(sine).abs() >= CLEAR)
+        normalized.is_none_or(|sine| system.drawn_value(sine, pool).abs() >= CLEAR)
     })
 }
 
@@ -83,8 +87,8 @@ impl Form for Torn {
         self.whole.unknowns.clone()
     }
 
-    fn determinant(&self, form: &VectorForm, graph: &mut Graph) -> Determinant {
-        self.whole.determinant(form, graph)
+    fn determinant(&self, pool: &mut Pool) -> Determinant {
+        self.whole.determinant(pool)
     }
 
     fn singular(&self) -> Singular {

@@ -221,7 +221,7 @@ impl<'a, 'b> Search<'a, 'b> {
         let Candidate {
             equations,
             form,
-            graph,
+            pool,
             ..
         } = &*self.candidate;
         let unknowns = self.candidate.unknowns.iter().copied();
@@ -229,7 +229,7 @@ impl<'a, 'b> Search<'a, 'b> {
         let is_mentioned = |unknown: &usize| {
             let symbol = form.unknowns[*unknown].position;
             let mut equations = equations.iter();
-            equations.any(|&equation| graph.depends_on(equation, symbol))
+            equations.any(|&equation| pool.graph.depends_on(equation, symbol))
         };
         angles.filter(is_mentioned).collect()
     }
@@ -291,7 +291,7 @@ fn keeps_its_line(form: &dyn Form, candidate: &Candidate<'_>) -> bool {
         return true;
     };
     let mut parts = [start, direction].into_iter().flatten();
-    parts.all(|part| candidate.graph.is_fixed(part))
+    parts.all(|part| candidate.pool.graph.is_fixed(part))
 }
 
 /// Returns single equations, and the components of vector equations as pairs.
@@ -300,7 +300,7 @@ fn items(candidate: &Candidate<'_>) -> Vec<Item> {
     let row = |at: usize| &candidate.form.rows[candidate.rows[at]];
     let unknowns: BTreeSet<usize> = candidate.unknowns.iter().copied().collect();
     let mentions = |equation: ExprId| {
-        let mentioned = candidate.form.mentioned(equation, candidate.graph);
+        let mentioned = candidate.pool.mentioned(equation);
         mentioned
             .into_iter()
             .filter(|it| unknowns.contains(it))

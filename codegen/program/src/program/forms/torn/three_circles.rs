@@ -9,6 +9,7 @@ use super::turned_link::TurnedLink;
 use crate::expr::ExprId;
 use crate::joint::Quantity;
 use crate::joint::geometry::Vector;
+use crate::pool::Pool;
 use crate::program::builder::Builder;
 use crate::program::forms::Candidate;
 use crate::program::function::Level;
@@ -38,7 +39,8 @@ impl ThreeCircles {
             return None;
         };
         let angles = [shared, b, c];
-        let Candidate { form, graph, .. } = candidate;
+        let form = candidate.form;
+        let pool = &mut *candidate.pool;
         if b == c
             || angles
                 .iter()
@@ -49,22 +51,22 @@ impl ThreeCircles {
         let mut parts = Vec::new();
         for (pair, other) in equations.into_iter().zip([b, c]) {
             let pair = pair.map(|it| candidate.equations[it]);
-            let (first, rest) = form.turned_vector(pair, shared, graph)?;
-            let (second, closure) = form.turned_vector(rest, other, graph)?;
+            let (first, rest) = pool.turned_vector(pair, shared)?;
+            let (second, closure) = pool.turned_vector(rest, other)?;
             parts.push([first, second, closure]);
         }
         let mut all = parts.iter().flatten().flatten();
-        if all.any(|&part| angles.iter().any(|&it| form.mentions(part, it, graph))) {
+        if all.any(|&part| angles.iter().any(|&it| pool.mentions(part, it))) {
             return None;
         }
         let [[p, q, c], [again, r, d]] = parts[..] else {
             return None;
         };
-        let zero = graph.zero();
-        let negated = again.map(|part| graph.negate(part));
+        let zero = pool.graph.zero();
+        let negated = again.map(|part| pool.graph.negate(part));
         let [r, d] = match (again == p, negated == p) {
             (true, _) => [r, d],
-            (_, true) => [r, d].map(|vector| vector.map(|part| graph.negate(part))),
+            (_, true) => [r, d].map(|vector| vector.map(|part| pool.graph.negate(part))),
             _ => return None,
         };
         let links = [p, q, r];
@@ -76,10 +78,10 @@ impl ThreeCircles {
     }
 
     /// Returns the sine of the angle between c and d in the design configuration.
-    pub fn drawn_sine(&self, system: &System) -> f64 {
+    pub fn drawn_sine(&self, pool: &Pool, system: &System) -> f64 {
         let [c, d] = self
             .closures
-            .map(|vector| vector.map(|part| system.drawn_value(part)));
+            .map(|vector| vector.map(|part| system.drawn_value(part, pool)));
         (c[0] * d[1] - c[1] * d[0]) / (c[0].hypot(c[1]) * d[0].hypot(d[1]))
     }
 
@@ -105,11 +107,9 @@ impl ThreeCircles {
             builder.graph().multiply(square, squares[0])
         }];
         let whole = builder.graph().subtract(found, given);
-        let system = &mut *builder.system;
-        let graph = &mut system.mechanism.graph;
-        let whole = system.vector_form.written_out(whole, graph);
-        let angle = system.vector_form.unknowns[tear].position;
-        let slope = graph.derivative(whole, angle);
+        let whole = builder.pool.written_out(whole);
+        let angle = builder.pool.position(tear);
+        let slope = builder.graph().derivative(whole, angle);
         [whole, slope]
     }
 

@@ -28,15 +28,16 @@ impl TwoPins {
         angle: usize,
         candidate: &mut Candidate<'_>,
     ) -> Option<TwoPins> {
-        let Candidate { form, graph, .. } = candidate;
+        let form = candidate.form;
+        let pool = &mut *candidate.pool;
         if form.unknowns[angle].quantity != Quantity::Angle {
             return None;
         }
         let pair = equations.map(|it| candidate.equations[it]);
-        let (link, closure) = form.turned_vector(pair, angle, graph)?;
+        let (link, closure) = pool.turned_vector(pair, angle)?;
         let mut parts = [link, closure].into_iter().flatten();
-        let is_known = parts.all(|part| !form.mentions(part, angle, graph));
-        let zero = graph.zero();
+        let is_known = parts.all(|part| !pool.mentions(part, angle));
+        let zero = pool.graph.zero();
         (is_known && link != [zero, zero]).then_some(TwoPins {
             angle,
             link,

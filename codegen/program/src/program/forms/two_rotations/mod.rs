@@ -9,17 +9,17 @@
 
 mod words;
 
+use crate::pool::Pool;
 use std::sync::Arc;
 
 use super::closing::Closing;
 use super::determinant::{crossed, sizes};
 use super::{Candidate, Determinant, Form, Solved, Transposed};
-use crate::expr::{ExprId, Graph};
+use crate::expr::ExprId;
 use crate::joint::geometry::Vector;
 use crate::program::builder::{Builder, Direction};
 use crate::program::function::Level;
 use crate::program::two_links::TwoLinks;
-use crate::system::VectorForm;
 use crate::words::{Piece, Singular, phrase};
 use words::{TriangleNames, components, first_link};
 
@@ -40,10 +40,8 @@ pub(super) fn recognize(candidate: &mut Candidate<'_>) -> Option<Arc<dyn Form>> 
     let (equations, angles) = candidate.pair_of([true, true])?;
     let arrangements = candidate.arrangements(equations).into_iter().enumerate();
     for (arrangement, arranged) in arrangements {
-        let form = candidate.form;
-        let split = |pair, angle, candidate: &mut Candidate<'_>| {
-            form.turned_vector(pair, angle, candidate.graph)
-        };
+        let split =
+            |pair, angle, candidate: &mut Candidate<'_>| candidate.pool.turned_vector(pair, angle);
         let Some((p, rest)) = split(arranged, angles[0], candidate) else {
             continue;
         };
@@ -74,10 +72,10 @@ impl Form for TwoRotations {
     }
 
     /// Returns the determinant of [Ω w_a, Ω w_b], which is w_a × w_b.
-    fn determinant(&self, form: &VectorForm, graph: &mut Graph) -> Determinant {
-        let value = crossed(self.angles.map(Some), self.links, form, graph);
-        let size = sizes(self.links, form, graph);
-        Determinant::closed(value, size, form, graph)
+    fn determinant(&self, pool: &mut Pool) -> Determinant {
+        let value = crossed(self.angles.map(Some), self.links, pool);
+        let size = sizes(self.links, pool);
+        Determinant::closed(value, size, pool)
     }
 
     fn singular(&self) -> Singular {
@@ -93,7 +91,9 @@ impl Form for TwoRotations {
 
     fn position(&self, builder: &mut Builder<'_>) -> Box<dyn Solved> {
         let angles = self.angles;
-        let triangle = builder.known.triangle(angles, self.links, builder.system);
+        let triangle = builder
+            .known
+            .triangle(angles, self.links, builder.pool, builder.system);
         // The links are reversed if the triangle is read in the other direction.
         let is_backward = triangle.as_ref().is_some_and(|found| !found.forward);
         let [p, q, c] = [self.links[0], self.links[1], self.closure].map(|vector| {
@@ -106,8 +106,11 @@ impl Form for TwoRotations {
         let names = self.open(triangle.as_ref(), [p, q], builder);
         self.close(&names, triangle.as_ref(), [p, q], c, builder);
         let drawn = {
-            let [first, second] =
-                [0, 1].map(|side| builder.system.drawn_turn(angles[side], [p, q][side]));
+            let [first, second] = [0, 1].map(|side| {
+                builder
+                    .system
+                    .drawn_turn(angles[side], [p, q][side], builder.pool)
+            });
             let lengths = first[0].hypot(first[1]) * second[0].hypot(second[1]);
             (first[0] * second[1] - first[1] * second[0]) / lengths
         };

@@ -2,13 +2,19 @@
 
 use super::{Enclosure, Enclosures, still};
 use crate::expr::{ExprId, Node};
+use crate::pool::Pool;
 use crate::system::System;
 
 impl Enclosures {
     /// Bounds |x|, which changes by at most as much as x and has a kink.
-    pub(super) fn of_magnitude(&mut self, x: ExprId, system: &mut System) -> Enclosure {
-        let Enclosure { radius, deviation } = self.of(x, system);
-        let graph = &mut system.mechanism.graph;
+    pub(super) fn of_magnitude(
+        &mut self,
+        x: ExprId,
+        pool: &mut Pool,
+        system: &System,
+    ) -> Enclosure {
+        let Enclosure { radius, deviation } = self.of(x, pool, system);
+        let graph = &mut pool.graph;
         let size = graph.magnitude(x);
         let kept = graph.subtract(size, radius);
         Enclosure {
@@ -23,14 +29,15 @@ impl Enclosures {
         &mut self,
         expr: ExprId,
         [condition, below, otherwise]: [ExprId; 3],
-        system: &mut System,
+        pool: &mut Pool,
+        system: &System,
     ) -> Enclosure {
-        if let Some(periodic) = self.of_periodic(expr, system) {
+        if let Some(periodic) = self.of_periodic(expr, pool, system) {
             return periodic;
         }
-        let deciding = self.of(condition, system).radius;
-        let arms = [below, otherwise].map(|arm| self.of(arm, system));
-        let graph = &mut system.mechanism.graph;
+        let deciding = self.of(condition, pool, system).radius;
+        let arms = [below, otherwise].map(|arm| self.of(arm, pool, system));
+        let graph = &mut pool.graph;
         let size = graph.magnitude(condition);
         let certain = graph.subtract(size, deciding);
         let zero = graph.zero();
@@ -55,41 +62,41 @@ impl Enclosures {
 
     /// Bounds a choice by a periodic argument, which is continuous too: beyond the end of a period, the value continues with the
     /// previous number of periods.
-    fn of_periodic(&mut self, expr: ExprId, system: &mut System) -> Option<Enclosure> {
-        let floors = floors(expr, system);
+    fn of_periodic(&mut self, expr: ExprId, pool: &mut Pool, system: &System) -> Option<Enclosure> {
+        let floors = floors(expr, pool);
         let &[floor] = &floors[..] else {
             return None;
         };
-        let Node::Floor(periods) = *system.mechanism.graph.node(floor) else {
+        let Node::Floor(periods) = *pool.graph.node(floor) else {
             return None;
         };
-        let inner = self.of(periods, system);
+        let inner = self.of(periods, pool, system);
         // One end of a period may lie between the frames, none beyond them.
-        let beyond = system.mechanism.graph.variable(self.window.beyond);
-        let radius = system.mechanism.graph.multiply(beyond, inner.radius);
-        self.require_between_integers(periods, radius, system);
-        let last = system.in_last_frame(periods);
-        let graph = &mut system.mechanism.graph;
+        let beyond = pool.graph.variable(self.window.beyond);
+        let radius = pool.graph.multiply(beyond, inner.radius);
+        self.require_between_integers(periods, radius, pool);
+        let last = pool.in_last_frame(periods);
+        let graph = &mut pool.graph;
         let before = graph.floor(last);
         let passed = graph.subtract(floor, before);
         let passed = graph.magnitude(passed);
         let one_and_a_half = graph.rational(3, 2);
         let few = graph.subtract(one_and_a_half, passed);
         self.required.push(few);
-        let number = system.intermediate("periods");
-        let graph = &mut system.mechanism.graph;
+        let number = pool.intermediate("periods");
+        let graph = &mut pool.graph;
         let held = graph.variable(number);
         let fixed = graph.replace_parts(expr, &[(floor, held)]);
         self.known.insert(number, still(graph));
-        let bounds = self.of(fixed, system);
+        let bounds = self.of(fixed, pool, system);
         let [now, then] = [floor, before].map(|value| {
             [bounds.radius, bounds.deviation].map(|bound| {
-                let graph = &mut system.mechanism.graph;
+                let graph = &mut pool.graph;
                 graph.substitute(bound, &[(number, value)])
             })
         });
         let required: Vec<ExprId> = std::mem::take(&mut self.required);
-        let graph = &mut system.mechanism.graph;
+        let graph = &mut pool.graph;
         self.required = required
             .into_iter()
             .flat_map(|expr| match graph.depends_on(expr, number) {
@@ -108,13 +115,8 @@ impl Enclosures {
         })
     }
 
-    pub(super) fn require_between_integers(
-        &mut self,
-        x: ExprId,
-        radius: ExprId,
-        system: &mut System,
-    ) {
-        let graph = &mut system.mechanism.graph;
+    pub(super) fn require_between_integers(&mut self, x: ExprId, radius: ExprId, pool: &mut Pool) {
+        let graph = &mut pool.graph;
         let floor = graph.floor(x);
         let above = graph.subtract(x, floor);
         let one = graph.one();
@@ -125,8 +127,8 @@ impl Enclosures {
 }
 
 /// Returns the moving roundings to an integer in an expression.
-fn floors(expr: ExprId, system: &System) -> Vec<ExprId> {
-    let graph = &system.mechanism.graph;
+fn floors(expr: ExprId, pool: &Pool) -> Vec<ExprId> {
+    let graph = &pool.graph;
     let mut roundings = Vec::new();
     let (mut open, mut seen) = (vec![expr], std::collections::HashSet::new());
     while let Some(expr) = open.pop() {

@@ -2,12 +2,19 @@
 
 use super::{Enclosure, Enclosures};
 use crate::expr::{ExprId, Number, Rational, SplineId};
+use crate::pool::Pool;
 use crate::system::System;
 
 impl Enclosures {
-    pub(super) fn of_arctangent(&mut self, y: ExprId, x: ExprId, system: &mut System) -> Enclosure {
-        let [of_y, of_x] = [y, x].map(|part| self.of(part, system));
-        let graph = &mut system.mechanism.graph;
+    pub(super) fn of_arctangent(
+        &mut self,
+        y: ExprId,
+        x: ExprId,
+        pool: &mut Pool,
+        system: &System,
+    ) -> Enclosure {
+        let [of_y, of_x] = [y, x].map(|part| self.of(part, pool, system));
+        let graph = &mut pool.graph;
         let squares = [y, x].map(|part| graph.multiply(part, part));
         let square = graph.sum(&squares);
         let distance = graph.sqrt(square);
@@ -23,7 +30,7 @@ impl Enclosures {
         self.required.push(jumps);
         let slopes = [-1, -2].map(|power| graph.power(least, Rational::integer(power)));
         let deviation = graph.add(of_y.deviation, of_x.deviation);
-        self.composed(Enclosure { radius, deviation }, slopes, system)
+        self.composed(Enclosure { radius, deviation }, slopes, pool)
     }
 
     pub(super) fn of_spline(
@@ -31,19 +38,16 @@ impl Enclosures {
         spline: SplineId,
         order: u8,
         argument: ExprId,
-        system: &mut System,
+        pool: &mut Pool,
+        system: &System,
     ) -> Enclosure {
-        let inner = self.of(argument, system);
-        let steepest = system
-            .mechanism
-            .graph
-            .spline_of(spline)
-            .largest_derivatives();
-        let graph = &mut system.mechanism.graph;
+        let inner = self.of(argument, pool, system);
+        let steepest = pool.graph.spline_of(spline).largest_derivatives();
+        let graph = &mut pool.graph;
         let [first, second, third] = steepest.map(|value| graph.number(Number::float(value)));
         match order {
-            0 => self.composed(inner, [first, second], system),
-            1 => self.composed(inner, [second, third], system),
+            0 => self.composed(inner, [first, second], pool),
+            1 => self.composed(inner, [second, third], pool),
             // The second derivative has kinks, the third one jumps.
             2 => {
                 let radius = graph.multiply(third, inner.radius);
@@ -67,9 +71,9 @@ impl Enclosures {
         &self,
         inner: Enclosure,
         [first, second]: [ExprId; 2],
-        system: &mut System,
+        pool: &mut Pool,
     ) -> Enclosure {
-        let graph = &mut system.mechanism.graph;
+        let graph = &mut pool.graph;
         let remainder = graph.variable(self.window.remainder);
         let moved = graph.multiply(first, inner.deviation);
         let curved = graph.product(&[second, remainder, inner.radius, inner.radius]);
@@ -80,8 +84,8 @@ impl Enclosures {
     }
 
     /// Returns the smallest value over the window, and requires that it is positive.
-    pub(super) fn least(&mut self, x: ExprId, inner: Enclosure, system: &mut System) -> ExprId {
-        let least = system.mechanism.graph.subtract(x, inner.radius);
+    pub(super) fn least(&mut self, x: ExprId, inner: Enclosure, pool: &mut Pool) -> ExprId {
+        let least = pool.graph.subtract(x, inner.radius);
         self.required.push(least);
         least
     }

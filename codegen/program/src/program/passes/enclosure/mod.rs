@@ -10,6 +10,7 @@ mod arms;
 mod choices;
 mod functions;
 
+use crate::pool::Pool;
 use std::collections::HashMap;
 
 use crate::expr::{ExprId, Graph, Node, Rational, SymbolId};
@@ -53,8 +54,8 @@ pub(in crate::program) struct Enclosures {
 
 impl Enclosures {
     /// Starts with moving time alone.
-    pub fn new(window: TimeWindow, system: &mut System) -> Enclosures {
-        let graph = &mut system.mechanism.graph;
+    pub fn new(window: TimeWindow, pool: &mut Pool, system: &System) -> Enclosures {
+        let graph = &mut pool.graph;
         let time = Enclosure {
             radius: graph.variable(window.time),
             deviation: graph.zero(),
@@ -77,14 +78,13 @@ impl Enclosures {
     }
 
     /// Keeps bounds until those on which they depend change.
-    fn keep(&mut self, expr: ExprId, enclosure: Enclosure, system: &System) {
+    fn keep(&mut self, expr: ExprId, enclosure: Enclosure, pool: &Pool) {
         self.found.insert(expr, enclosure);
-        let mut bases: Vec<SymbolId> = system
-            .mechanism
+        let mut bases: Vec<SymbolId> = pool
             .graph
             .symbols(expr)
             .iter()
-            .map(|&it| base(it, system))
+            .map(|&it| base(it, pool))
             .collect();
         bases.sort_unstable();
         bases.dedup();
@@ -94,79 +94,82 @@ impl Enclosures {
     }
 
     /// Bounds an expression.
-    pub fn of(&mut self, expr: ExprId, system: &mut System) -> Enclosure {
+    pub fn of(&mut self, expr: ExprId, pool: &mut Pool, system: &System) -> Enclosure {
         if let Some(&known) = self.found.get(&expr) {
             return known;
         }
-        let graph = &mut system.mechanism.graph;
+        let graph = &mut pool.graph;
         let enclosure = match graph.node(expr).clone() {
             _ if graph.is_fixed(expr) => still(graph),
             Node::Number(_) | Node::Pi => still(graph),
-            Node::Symbol(symbol) => self.of_symbol(symbol, system),
-            Node::Sum(terms) => self.of_sum(&terms, system),
-            Node::Product(factors) => self.of_product(&factors, system),
+            Node::Symbol(symbol) => self.of_symbol(symbol, pool, system),
+            Node::Sum(terms) => self.of_sum(&terms, pool, system),
+            Node::Product(factors) => self.of_product(&factors, pool, system),
             Node::Sin(x) | Node::Cos(x) => {
-                let inner = self.of(x, system);
-                let one = system.mechanism.graph.one();
-                self.composed(inner, [one, one], system)
+                let inner = self.of(x, pool, system);
+                let one = pool.graph.one();
+                self.composed(inner, [one, one], pool)
             }
             Node::Exp(x) => {
-                let inner = self.of(x, system);
-                let graph = &mut system.mechanism.graph;
+                let inner = self.of(x, pool, system);
+                let graph = &mut pool.graph;
                 let largest = graph.add(x, inner.radius);
                 let slope = graph.exp(largest);
-                self.composed(inner, [slope, slope], system)
+                self.composed(inner, [slope, slope], pool)
             }
             Node::Ln(x) => {
-                let inner = self.of(x, system);
-                let least = self.least(x, inner, system);
-                let graph = &mut system.mechanism.graph;
+                let inner = self.of(x, pool, system);
+                let least = self.least(x, inner, pool);
+                let graph = &mut pool.graph;
                 let slopes = [-1, -2].map(|power| graph.power(least, Rational::integer(power)));
-                self.composed(inner, slopes, system)
+                self.composed(inner, slopes, pool)
             }
-            Node::Atan2(y, x) => self.of_arctangent(y, x, system),
+            Node::Atan2(y, x) => self.of_arctangent(y, x, pool, system),
             Node::Floor(x) => {
-                let inner = self.of(x, system);
-                self.require_between_integers(x, inner.radius, system);
-                still(&system.mechanism.graph)
+                let inner = self.of(x, pool, system);
+                self.require_between_integers(x, inner.radius, pool);
+                still(&pool.graph)
             }
             Node::Choose {
                 condition,
                 below,
                 otherwise,
             } => match graph.magnitude_of(expr) {
-                Some(x) => self.of_magnitude(x, system),
-                None => self.of_choice(expr, [condition, below, otherwise], system),
+                Some(x) => self.of_magnitude(x, pool, system),
+                None => self.of_choice(expr, [condition, below, otherwise], pool, system),
             },
             Node::Spline {
                 spline,
                 order,
                 argument,
-            } => self.of_spline(spline, order, argument, system),
+            } => self.of_spline(spline, order, argument, pool, system),
         };
-        self.keep(expr, enclosure, system);
+        self.keep(expr, enclosure, pool);
         enclosure
     }
 
-    fn of_symbol(&mut self, symbol: SymbolId, system: &mut System) -> Enclosure {
+    fn of_symbol(&mut self, symbol: SymbolId, pool: &mut Pool, system: &System) -> Enclosure {
         if let Some(&known) = self.known.get(&symbol) {
             return known;
         }
-        let Some((angle, amplitude)) = arm(symbol, system) else {
-            unreachable!(
-                "`{}` has no bounds",
-                system.mechanism.graph.symbol_name(symbol)
-            )
+        let Some((angle, amplitude)) = arm(symbol, pool) else {
+            unreachable!("`{}` has no bounds", pool.graph.symbol_name(symbol))
         };
-        self.of_turned(angle, amplitude, system)
+        self.of_turned(angle, amplitude, pool, system)
     }
 
     /// Bounds a wave a cos φ + b sin φ, whose derivatives in φ are at most √(a² + b²).
-    fn of_turned(&mut self, angle: usize, amplitude: Amplitude, system: &mut System) -> Enclosure {
+    fn of_turned(
+        &mut self,
+        angle: usize,
+        amplitude: Amplitude,
+        pool: &mut Pool,
+        system: &System,
+    ) -> Enclosure {
         let turning = system.vector_form.unknowns[angle].position;
-        let turning = self.of_symbol(turning, system);
-        let length = length(amplitude, &mut system.mechanism.graph);
-        self.composed(turning, [length, length], system)
+        let turning = self.of_symbol(turning, pool, system);
+        let length = length(amplitude, &mut pool.graph);
+        self.composed(turning, [length, length], pool)
     }
 }
 

@@ -3,59 +3,73 @@
 //! d/dt f = Σ ∂f/∂s ṡ over all symbols that move. Squares and products of sums are differentiated factor by factor: Σ u² gives 2
 //! Σ u u̇ and not a term for each symbol.
 
-use super::VectorForm;
-use crate::expr::{ExprId, Factor, Graph, Node, Rational};
+use super::Pool;
+use crate::expr::{ExprId, Factor, Graph, Node, Rational, SymbolId};
 
-impl VectorForm {
+impl Pool {
+    /// Records the rate of a symbol.
+    pub fn set_rate(&mut self, symbol: SymbolId, rate: ExprId) {
+        self.rates.insert(symbol, rate);
+    }
+
+    /// Records the rates of the unknowns and the rates of these rates.
+    pub fn set_rates_of_unknowns(&mut self) {
+        for &[position, rate, acceleration] in &self.unknowns {
+            let [first, second] = [rate, acceleration].map(|it| self.graph.variable(it));
+            self.rates.insert(position, first);
+            self.rates.insert(rate, second);
+        }
+    }
+
     /// Returns d/dt of an expression of unknowns, rates, rotated vectors, parameters, inputs and t.
-    pub fn rate(&self, expr: ExprId, graph: &mut Graph) -> ExprId {
-        let Node::Sum(terms) = graph.node(expr) else {
-            return match factors_of(expr, graph) {
-                Some(factors) => self.rate_of_product(&factors, graph),
-                None => self.rate_by_symbols(expr, graph),
+    pub fn rate(&mut self, expr: ExprId) -> ExprId {
+        let Node::Sum(terms) = self.graph.node(expr) else {
+            return match factors_of(expr, &self.graph) {
+                Some(factors) => self.rate_of_product(&factors),
+                None => self.rate_by_symbols(expr),
             };
         };
         let terms = terms.clone();
         let (mut rates, mut others) = (Vec::new(), Vec::new());
         for term in terms.iter() {
-            match factors_of(term.expr, graph) {
+            match factors_of(term.expr, &self.graph) {
                 Some(factors) => {
-                    let rate = self.rate_of_product(&factors, graph);
-                    rates.push(graph.scale(term.coefficient, rate));
+                    let rate = self.rate_of_product(&factors);
+                    rates.push(self.graph.scale(term.coefficient, rate));
                 }
-                None => others.push(graph.scale(term.coefficient, term.expr)),
+                None => others.push(self.graph.scale(term.coefficient, term.expr)),
             }
         }
         if rates.is_empty() {
-            return self.rate_by_symbols(expr, graph);
+            return self.rate_by_symbols(expr);
         }
-        let others = graph.sum(&others);
-        rates.push(self.rate_by_symbols(others, graph));
-        graph.sum(&rates)
+        let others = self.graph.sum(&others);
+        rates.push(self.rate_by_symbols(others));
+        self.graph.sum(&rates)
     }
 
-    fn rate_by_symbols(&self, expr: ExprId, graph: &mut Graph) -> ExprId {
-        let symbols = graph.symbols(expr).to_vec();
+    fn rate_by_symbols(&mut self, expr: ExprId) -> ExprId {
+        let symbols = self.graph.symbols(expr).to_vec();
         let mut terms = Vec::with_capacity(symbols.len());
         for symbol in symbols {
             let Some(&rate) = self.rates.get(&symbol) else {
-                unreachable!("`{}` has no rule of motion", graph.symbol_name(symbol))
+                unreachable!("`{}` has no rule of motion", self.graph.symbol_name(symbol))
             };
-            if rate == graph.zero() {
+            if rate == self.graph.zero() {
                 continue;
             }
-            let partial = graph.derivative(expr, symbol);
-            terms.push(graph.multiply(partial, rate));
+            let partial = self.graph.derivative(expr, symbol);
+            terms.push(self.graph.multiply(partial, rate));
         }
-        graph.sum(&terms)
+        self.graph.sum(&terms)
     }
 
     /// Returns Σ n uⁿ⁻¹ u̇ times the other factors.
-    fn rate_of_product(&self, factors: &[Factor], graph: &mut Graph) -> ExprId {
+    fn rate_of_product(&mut self, factors: &[Factor]) -> ExprId {
         let mut terms = Vec::with_capacity(factors.len());
         for (at, factor) in factors.iter().enumerate() {
-            let rate = self.rate(factor.base, graph);
-            if rate == graph.zero() {
+            let rate = self.rate(factor.base);
+            if rate == self.graph.zero() {
                 continue;
             }
             let mut parts = vec![rate];
@@ -64,13 +78,13 @@ impl VectorForm {
                     true => own.exponent.checked_sub(Rational::ONE),
                     false => Some(own.exponent),
                 };
-                parts.extend(exponent.map(|exponent| graph.power(own.base, exponent)));
+                parts.extend(exponent.map(|exponent| self.graph.power(own.base, exponent)));
             }
-            let exponent = graph.integer(factor.exponent.numerator() as i64);
+            let exponent = self.graph.integer(factor.exponent.numerator() as i64);
             parts.push(exponent);
-            terms.push(graph.product(&parts));
+            terms.push(self.graph.product(&parts));
         }
-        graph.sum(&terms)
+        self.graph.sum(&terms)
     }
 }
 
