@@ -48,7 +48,7 @@ pub use emit::{Language, OutputFile, Scalar};
 pub use linkwright_description::diagnostic;
 #[doc(inline)]
 pub use linkwright_description::format::format;
-pub use read::{Read, read};
+pub use read::{Read, read, read_along};
 
 use checks::check_all;
 use diagnostic::{Diagnostics, Source, internal};
@@ -186,8 +186,8 @@ pub fn generate(source: &Source, options: &Options) -> Result<Generated, Diagnos
         Scalar::F32 => finiteness::Range::F32,
     };
     let (mut lowered, mut found) = (Vec::new(), Vec::new());
-    for Derived { pool, system } in motions.clone() {
-        let mut pool = pool;
+    for derived in &motions {
+        let Derived { mut pool, system } = derived.clone();
         let _work = internal::work_at(system.mechanism.place());
         let plan = structure::plan(&mut pool, &system, Shift::Directions).ok();
         let program = plan

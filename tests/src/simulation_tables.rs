@@ -4,7 +4,7 @@
 
 use std::ops::RangeInclusive;
 
-use linkwright_solver::simulation::{Method, Options};
+use linkwright_solver::{Method, SimulationOptions};
 
 use crate::damped_chain::{DampedChain, Element};
 use crate::sled::Sled;
@@ -56,7 +56,7 @@ pub fn damped_table(damped: Damped, damper: f64, end: f64) -> String {
 fn by_tolerance<E>(
     digits: RangeInclusive<i32>,
     dampers: &[f64],
-    compared: impl Fn(usize, Options) -> Result<Found, E>,
+    compared: impl Fn(usize, SimulationOptions) -> Result<Found, E>,
 ) -> String {
     let mut titles = vec!["`--rtol`".to_string()];
     for damper in dampers {

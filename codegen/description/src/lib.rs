@@ -4,7 +4,7 @@
 //! change with every release.
 //!
 //! Each module imports only those named before it: `units`, `diagnostic`, `columns`, `syntax`, `format`, `consequences`, `expr`,
-//! `joint`, `force`, `model`. A resolved [`model::Mechanism`] has SI units and no unresolved name.
+//! `joint`, `force`, `pool`, `model`. A resolved [`model::Mechanism`] has SI units and no unresolved name.
 
 #![doc(html_root_url = "https://docs.rs/linkwright-description/0.1.0")]
 
@@ -23,7 +23,6 @@ pub mod format;
 pub mod joint;
 #[doc(hidden)]
 pub mod model;
-#[doc(hidden)]
 #[doc(hidden)]
 pub mod pool;
 #[doc(hidden)]

@@ -23,6 +23,7 @@ pub mod modes;
 pub mod program;
 #[doc(hidden)]
 pub mod solved;
+#[doc(hidden)]
 pub mod structure;
 #[doc(hidden)]
 pub mod system;

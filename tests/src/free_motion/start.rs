@@ -4,10 +4,7 @@
 //! the ray before that end.
 
 use linkwright::{Blocks, Shell, Signal};
-use linkwright_solver::instant::Instant;
-use linkwright_solver::interpreted::Interpreted;
-use linkwright_solver::supplied::InputSignals;
-use linkwright_solver::view::View;
+use linkwright_solver::{InputSignals, Instant, Interpreted, View};
 use nalgebra::DVector;
 
 use super::gallery::Freed;

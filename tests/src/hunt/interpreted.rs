@@ -1,6 +1,6 @@
 //! Answers of the interpreted formulations for a mechanism with its truth, in f64.
 
-use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::Interpreted;
 
 use super::known::Known;
 use super::ways::{Answered, solved, textbook};

@@ -2,8 +2,7 @@
 //! hand.
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_solver::dense::Dense;
-use linkwright_solver::view::View;
+use linkwright_solver::{Dense, View};
 use linkwright_tests::forces::{Followed, Weight, cross, moving, systems};
 use nalgebra::{DMatrix, DVector};
 

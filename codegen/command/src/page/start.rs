@@ -9,11 +9,8 @@ use linkwright_codegen::stages::emit::mathml::symbol;
 use linkwright_codegen::stages::pool::SymbolRole;
 use linkwright_codegen::stages::system::System;
 use linkwright_codegen::stages::units::OutputUnit;
-use linkwright_solver::condition::Condition;
 use linkwright_solver::first_step::{FirstStep, first_step as first_step_from};
-use linkwright_solver::instant::Instant;
-use linkwright_solver::interpreted::Interpreted;
-use linkwright_solver::view::View as _;
+use linkwright_solver::{Condition, Instant, Interpreted, View as _};
 use nalgebra::{DMatrix, DVector};
 
 use super::number::{mathml, number};

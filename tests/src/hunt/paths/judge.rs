@@ -1,8 +1,8 @@
 //! Judges every step of `advance` along a schedule by the smooth path.
 
 use linkwright::Signal;
-use linkwright_solver::supplied::{InputSignals, Numbers};
 use linkwright_solver::textbook::TextbookEquations;
+use linkwright_solver::{InputSignals, Numbers};
 use nalgebra::DVector;
 
 use super::course::{Course, quintic, straight};
