@@ -18,7 +18,7 @@ fn path() -> PathBuf {
 
 /// Rules of the grammar whose words are a list of the language, with that list.
 fn lists() -> Vec<(&'static str, Vec<&'static str>)> {
-    let keyword = |it: &&'static dyn linkwright_codegen::stages::joint::Kind| it.keyword;
+    let keyword = |it: &&'static linkwright_codegen::stages::joint::Kind| it.keyword;
     vec![
         ("statements", KEYWORDS.to_vec()),
         ("joints", CONSTRAINTS.iter().map(keyword).collect()),

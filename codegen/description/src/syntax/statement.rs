@@ -246,6 +246,18 @@ pub(super) fn semicolon(tokens: &mut Tokens<'_>, start: Span) -> Outcome<Span> {
     })
 }
 
+/// Parses items separated by commas up to the semicolon; a comma may follow the last one.
+pub(super) fn listed<T>(
+    tokens: &mut Tokens<'_>,
+    item: impl Fn(&mut Tokens<'_>) -> Outcome<T>,
+) -> Outcome<Vec<T>> {
+    let mut items = vec![item(tokens)?];
+    while tokens.mark(',').is_some() && !tokens.peek_mark(';') {
+        items.push(item(tokens)?);
+    }
+    Ok(items)
+}
+
 /// Parses the semicolon after a joint without a value.
 pub(super) fn semicolon_after_operands(tokens: &mut Tokens<'_>, start: Span) -> Outcome<Span> {
     missing_semicolon(tokens, start)
