@@ -39,7 +39,7 @@ pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
             let whole = indexed::value(&constant.value, tokens.reader);
             tokens
                 .reader
-                .learn(|scope| scope.add_constant(&constant.name.text, whole));
+                .learn(|scope| scope.add_constant(&constant.name, whole));
             Ok(Statement::Constant(constant))
         }
         "param" => constant(tokens, docs, first.span, "a parameter").map(Statement::Parameter),
