@@ -45,13 +45,10 @@ fn sources() -> Vec<Source> {
 
 fn names(source: &Source) -> Names {
     let document = parse(source, &mut Diagnostics::new());
-    {
-        let lexemes = lexemes(&source.text);
-        document
-            .as_ref()
-            .map(|it| Names::of(it, &source.text, &lexemes))
-            .unwrap_or_default()
-    }
+    document
+        .as_ref()
+        .map(|it| Names::of(it, &source.text))
+        .unwrap_or_default()
 }
 
 /// Words of the language that may occur anywhere in a statement.

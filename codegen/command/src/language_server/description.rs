@@ -27,9 +27,7 @@ impl Description {
         let mut diagnostics = Diagnostics::new();
         let document = syntax::parse(&source, &mut diagnostics);
         let lexemes = syntax::lexemes(&source.text);
-        let names = document
-            .as_ref()
-            .map(|it| Names::of(it, &source.text, &lexemes));
+        let names = document.as_ref().map(|it| Names::of(it, &source.text));
         Description {
             lexemes,
             names: names.unwrap_or_default(),

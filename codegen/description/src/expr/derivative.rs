@@ -17,7 +17,7 @@ use super::node::{ExprId, Factor, Node, SymbolId, Term};
 use super::number::Number;
 use super::product::Monomial;
 use super::rational::Rational;
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 /// Depth from which operands are differentiated first.
 const OPERANDS_FIRST_DEPTH: u32 = 32;
@@ -60,18 +60,9 @@ impl Graph {
 
     /// Returns the subexpressions that depend on the symbol and are not yet differentiated, operands first.
     fn open_below(&self, expr: ExprId, symbol: SymbolId) -> Vec<ExprId> {
-        let mut seen: HashSet<ExprId, BuildExprHasher> = HashSet::default();
-        let mut stack = self.operands(expr);
-        while let Some(operand) = stack.pop() {
-            let is_open = self.depends_on(operand, symbol)
-                && !self.derivatives.contains_key(&(operand, symbol));
-            if is_open && seen.insert(operand) {
-                self.node(operand).each_operand(|inner| stack.push(inner));
-            }
-        }
-        let mut open: Vec<ExprId> = seen.into_iter().collect();
-        open.sort_unstable();
-        open
+        self.open_operands(expr, |operand| {
+            self.depends_on(operand, symbol) && !self.derivatives.contains_key(&(operand, symbol))
+        })
     }
 
     /// Differentiates an expression that depends on the symbol, given the derivatives of its operands.

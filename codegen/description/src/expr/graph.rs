@@ -13,7 +13,7 @@ use super::rational::Rational;
 use super::spline::Spline;
 use super::symbols::SymbolSets;
 use super::values::Worth;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::hash::{Hash, Hasher};
 use std::sync::Arc;
 
@@ -88,6 +88,24 @@ impl Graph {
         let mut operands = Vec::new();
         self.node(id).each_operand(|operand| operands.push(operand));
         operands
+    }
+
+    /// Returns the subexpressions below an expression that are open, operands first. Operands of others are not visited.
+    pub(super) fn open_operands(
+        &self,
+        expr: ExprId,
+        is_open: impl Fn(ExprId) -> bool,
+    ) -> Vec<ExprId> {
+        let mut seen: HashSet<ExprId, BuildExprHasher> = HashSet::default();
+        let mut stack = self.operands(expr);
+        while let Some(operand) = stack.pop() {
+            if is_open(operand) && seen.insert(operand) {
+                self.node(operand).each_operand(|inner| stack.push(inner));
+            }
+        }
+        let mut open: Vec<ExprId> = seen.into_iter().collect();
+        open.sort_unstable();
+        open
     }
 
     /// Returns one more than the depth of the deepest operand; 0 without operands.

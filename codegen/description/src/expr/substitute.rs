@@ -8,7 +8,7 @@ use super::hashing::BuildExprHasher;
 use super::node::{ExprId, Node, SymbolId};
 use super::number::Number;
 use super::product::Monomial;
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 /// Depth from which operands are rebuilt first.
 const OPERANDS_FIRST_DEPTH: u32 = 32;
@@ -64,18 +64,10 @@ impl Graph {
 
     /// Returns the subexpressions to rebuild, operands first.
     fn open_in(&self, expr: ExprId, substitution: &Substitution) -> Vec<ExprId> {
-        let mut seen: HashSet<ExprId, BuildExprHasher> = HashSet::default();
-        let mut stack = self.operands(expr);
-        while let Some(operand) = stack.pop() {
-            let is_open = (substitution.parts || self.concerns(operand, substitution))
-                && !substitution.done.contains_key(&operand);
-            if is_open && seen.insert(operand) {
-                self.node(operand).each_operand(|inner| stack.push(inner));
-            }
-        }
-        let mut open: Vec<ExprId> = seen.into_iter().collect();
-        open.sort_unstable();
-        open
+        self.open_operands(expr, |operand| {
+            (substitution.parts || self.concerns(operand, substitution))
+                && !substitution.done.contains_key(&operand)
+        })
     }
 
     /// Rebuilds an expression from its replaced operands.

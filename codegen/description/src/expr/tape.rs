@@ -27,11 +27,6 @@ impl Tape {
         }
     }
 
-    /// Number of results.
-    pub fn result_count(&self) -> usize {
-        self.roots.len()
-    }
-
     /// The value of each root. `symbols` holds a value for each symbol by [`SymbolId::index`](super::SymbolId::index), at
     /// least up to the last one that occurs; `results` has one place per root. The workspace may be used again for any
     /// tape; its content means nothing.

@@ -16,7 +16,7 @@ pub use torsion::{TorsionDamper, TorsionSpring};
 use std::fmt::Debug;
 
 use crate::expr::{ExprId, Graph, SymbolId};
-use crate::joint::geometry::{BodyId, Mark, Vector};
+use crate::joint::geometry::{BodyId, Mark, Vector, add, perpendicular};
 
 /// A moving point of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,6 +27,26 @@ pub struct Place {
     pub velocity: Vector,
     /// Angular velocity of the body, in rad/s.
     pub turning: ExprId,
+}
+
+impl Place {
+    /// Creates a point of a body with these rates of x, y and φ; `None` is zero.
+    pub fn moving(mark: Mark, rates: [Option<ExprId>; 3], graph: &mut Graph) -> Place {
+        let zero = graph.zero();
+        let [x, y, turning] = rates.map(|rate| rate.unwrap_or(zero));
+        let velocity = if mark.frame.body == BodyId::GROUND {
+            [zero; 2]
+        } else {
+            let across = perpendicular(mark.arm, graph);
+            let turned = across.map(|part| graph.multiply(turning, part));
+            add([x, y], turned, graph)
+        };
+        Place {
+            mark,
+            velocity,
+            turning,
+        }
+    }
 }
 
 /// Forces, torques and energy of an element.

@@ -6,7 +6,7 @@ use super::request::Named;
 use super::resolve::Resolver;
 use super::{Point, Requested, Role};
 use crate::diagnostic::{Code, Diagnostic, Span};
-use crate::syntax::{OutputItem, Statement, Transmission};
+use crate::syntax::{OutputItem, Statement};
 
 impl Resolver<'_> {
     /// Resolves all `transmission` statements in source order; items with an error are reported and omitted.
@@ -22,7 +22,7 @@ impl Resolver<'_> {
             let Statement::Transmission(transmission) = statement else {
                 continue;
             };
-            self.require_driver(transmission);
+            self.require_drivers(transmission.span, "has no column for it", "`transmission`");
             for item in &transmission.items {
                 let Some(quantity) = self.requested(item, points) else {
                     continue;
@@ -81,44 +81,32 @@ impl Resolver<'_> {
         }
     }
 
-    /// Requires a driver, since a transmission has a column for each driver.
-    fn require_driver(&mut self, transmission: &Transmission) {
-        let mut drivers = self
-            .linkage
-            .joints
-            .iter()
-            .map(|(joint, _)| joint)
-            .filter(|joint| joint.role == Role::Driver);
+    /// Requires drivers of quantities. `label` says what a time-dependent equation lacks, `statement` requires the driver.
+    pub(super) fn require_drivers(&mut self, span: Span, label: &str, statement: &str) {
+        let joints = self.linkage.joints.iter().map(|(joint, _)| joint);
+        let mut drivers = joints.filter(|joint| joint.role == Role::Driver);
         // A time-dependent equation has no value whose rate could define a column.
-        if let Some(equation) = drivers.clone().find(|it| it.operands.value.is_none()) {
-            self.diagnostics.push(
-                Diagnostic::error(
-                    Code::WrongForm,
-                    transmission.span,
-                    format!(
-                        "`{}` moves with time, but does not drive a single quantity",
-                        equation.label
-                    ),
-                )
-                .label("has no column for it")
-                .also(equation.span, "moves with time")
-                .help("write what moves as a `drive` statement, and the equation without it"),
+        let equation = drivers.clone().find(|it| it.operands.value.is_none());
+        let finding = |problem: String| Diagnostic::error(Code::WrongForm, span, problem);
+        if let Some(equation) = equation {
+            let problem = format!(
+                "`{}` moves with time, but does not drive a single quantity",
+                equation.label
             );
-            return;
-        }
-        let driven = drivers.next().is_some();
+            let help = "write what moves as a `drive` statement, and the equation without it";
+            let finding = finding(problem)
+                .label(label)
+                .also(equation.span, "moves with time")
+                .help(help);
+            self.diagnostics.push(finding);
         // A driver with an error has been reported.
-        if driven || self.diagnostics.has_errors() {
-            return;
+        } else if drivers.next().is_none() && !self.diagnostics.has_errors() {
+            let problem = format!("{statement} requires a driver");
+            self.diagnostics
+                .push(finding(problem).help(
+                    "add a driver, for example `drive phi(1) = t;`, or remove the statement",
+                ));
         }
-        self.diagnostics.push(
-            Diagnostic::error(
-                Code::WrongForm,
-                transmission.span,
-                "`transmission` requires a driver",
-            )
-            .help("add a driver, for example `drive phi(1) = t;`, or remove the statement"),
-        );
     }
 }
 

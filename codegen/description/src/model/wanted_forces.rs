@@ -65,7 +65,7 @@ impl Resolver<'_> {
             );
         }
         if let Some((_, span)) = requests.iter().find(|(word, _)| *word == "effort") {
-            self.require_drivers_of_quantities(*span);
+            self.require_drivers(*span, "has no effort along it", "`effort`");
         }
         let reaction = requests
             .iter()
@@ -138,34 +138,6 @@ impl Resolver<'_> {
             None => finding.help("name a joint behind its word, `revolute P(1, 2);`, or request all reactions with `reactions;`"),
         };
         self.diagnostics.push(finding);
-    }
-
-    /// Requires drivers of quantities, to which driving forces belong.
-    fn require_drivers_of_quantities(&mut self, span: Span) {
-        let joints = self.linkage.joints.iter().map(|(joint, _)| joint);
-        let mut drivers = joints.filter(|joint| joint.role == Role::Driver);
-        if let Some(equation) = drivers.clone().find(|it| it.operands.value.is_none()) {
-            self.diagnostics.push(
-                Diagnostic::error(
-                    Code::WrongForm,
-                    span,
-                    format!(
-                        "`{}` moves with time, but does not drive a single quantity",
-                        equation.label
-                    ),
-                )
-                .label("has no effort along it")
-                .also(equation.span, "moves with time")
-                .help("write what moves as a `drive` statement, and the equation without it"),
-            );
-            return;
-        }
-        if drivers.next().is_none() && !self.diagnostics.has_errors() {
-            self.diagnostics.push(
-                Diagnostic::error(Code::WrongForm, span, "`effort` requires a driver")
-                    .help("add a driver, for example `drive phi(1) = t;`, or remove the statement"),
-            );
-        }
     }
 
     /// Rejects redundant joints, whose reactions are not unique.

@@ -10,7 +10,7 @@ use super::expression::{coordinates, expression};
 use super::formula::{Expression, Name, Pair, Reference};
 use super::reader::Outcome;
 use super::reference::{body_name, identifier, operands, reference};
-use super::statement::{equals, semicolon, semicolon_after_operands};
+use super::statement::{equals, listed, semicolon, semicolon_after_operands};
 use super::tokens::Tokens;
 use crate::diagnostic::Span;
 
@@ -250,13 +250,7 @@ pub(super) fn reaction(
     docs: Vec<String>,
     start: Span,
 ) -> Outcome<Statement> {
-    let mut names = vec![body_name(tokens, "the name of a joint")?];
-    while tokens.mark(',').is_some() {
-        if tokens.peek_mark(';') {
-            break;
-        }
-        names.push(body_name(tokens, "the name of a joint")?);
-    }
+    let names = listed(tokens, |it| body_name(it, "the name of a joint"))?;
     let span = start.to(semicolon_after_operands(tokens, start)?);
     Ok(Statement::Reaction(Reaction { docs, names, span }))
 }

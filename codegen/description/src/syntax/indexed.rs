@@ -8,7 +8,7 @@ use super::expression::{after_expression, expression};
 use super::formula::{Expression, ExpressionKind, Name, Operation, Sign};
 use super::reader::{Outcome, Reader};
 use super::reference::identifier;
-use super::scope::inside;
+use super::scope::{Scope, inside};
 use super::tokens::Tokens;
 use crate::diagnostic::{Code, Diagnostic, Span};
 
@@ -18,12 +18,10 @@ const WHOLE: &str = "a whole number is made of digits, the indices of `repeat` s
 /// Resolves a name with its indices and, for a part, with the names after the dots.
 pub(super) fn qualified(tokens: &mut Tokens<'_>, name: Name) -> Outcome<Name> {
     let name = indexed(tokens, name)?;
-    if tokens
-        .reader
-        .known(|scope| scope.part(&name.text).is_none())
-    {
+    let Some(part) = tokens.reader.known(|scope| scope.part(&name.text)) else {
         return Ok(name);
-    }
+    };
+    tokens.reader.learn(|scope| scope.mention(name.span, part));
     if tokens.mark('.').is_none() {
         let written = tokens.reader.spelled(&name.text);
         let message = format!("`{written}` is a part");
@@ -99,7 +97,7 @@ pub(super) fn value(formula: &Expression, reader: &Reader<'_>) -> Option<i64> {
     match &formula.kind {
         ExpressionKind::Number { digits, unit: None } => digits.parse().ok(),
         ExpressionKind::Reference(reference) if reference.body.is_none() => {
-            reader.known(|scope| scope.whole_number(&reference.name.text))
+            reader.mentioned(&reference.name, Scope::whole_number)
         }
         ExpressionKind::Negative(of) => value(of, reader)?.checked_neg(),
         ExpressionKind::Sum(terms) => terms.iter().try_fold(0_i64, |sum, (sign, term)| {

@@ -51,7 +51,7 @@ pub use formula::*;
 pub use output::LEVELS;
 pub(crate) use scan::block_comment_length;
 pub use scan::{Kind, Lexeme, lexemes};
-pub use scope::Spellings;
+pub use scope::{Expanded, ExpandedSort, Expansion, Spellings};
 
 use std::sync::Arc;
 
@@ -165,12 +165,13 @@ pub fn parse(source: &Source, diagnostics: &mut Diagnostics) -> Option<Document>
     let mut idle_parts = Vec::new();
     let document = file(Tokens::all(&reader, buffer.begin()), &mut idle_parts);
     let idle = reader.idle_documentation();
-    let (findings, spellings) = reader.into_parts();
+    let (findings, spellings, expansion) = reader.into_parts();
     diagnostics.extend(findings);
     let document = document.map(|document| Document {
         attachments: source.attachments.clone(),
         units: source.units.clone(),
         spellings: Arc::new(spellings),
+        expansion,
         ..document
     });
     // After errors, documentation of a malformed statement would be reported as misplaced.
@@ -213,6 +214,8 @@ fn file(mut tokens: Tokens<'_>, idle: &mut Vec<Diagnostic>) -> Option<Document> 
             (Some(name), Some((inner, _))) if ahead.peek_word() == Some("mechanism") => {
                 // This mechanism is a part of the next one; its documentation is consumed with it.
                 reader.docs(inner.next_span().start, true);
+                let head = start.to(name.span);
+                reader.learn(|scope| scope.declare(ExpandedSort::Mechanism, name.clone(), head));
                 above.push(Part::new(name.clone(), inner));
                 start = ahead.next_span();
                 docs = reader.docs(start.start, false);
@@ -267,6 +270,7 @@ fn file(mut tokens: Tokens<'_>, idle: &mut Vec<Diagnostic>) -> Option<Document> 
         units: None,
         mechanism,
         spellings: Arc::default(),
+        expansion: Expansion::default(),
     })
 }
 

@@ -8,7 +8,7 @@ use super::document::{
 };
 use super::reader::Outcome;
 use super::reference::{identifier, operands, reference};
-use super::statement::{semicolon, semicolon_after_operands};
+use super::statement::{listed, semicolon, semicolon_after_operands};
 use super::tokens::Tokens;
 use crate::diagnostic::Span;
 
@@ -34,7 +34,7 @@ pub(super) fn output(
         }
         _ => None,
     };
-    let items = items(tokens)?;
+    let items = listed(tokens, item)?;
     let span = start.to(semicolon_after_operands(tokens, start)?);
     Ok(Statement::Output(Output {
         docs,
@@ -50,7 +50,7 @@ pub(super) fn transmission(
     docs: Vec<String>,
     start: Span,
 ) -> Outcome<Statement> {
-    let items = items(tokens)?;
+    let items = listed(tokens, item)?;
     let span = start.to(semicolon_after_operands(tokens, start)?);
     Ok(Statement::Transmission(Transmission { docs, items, span }))
 }
@@ -61,13 +61,7 @@ pub(super) fn sensitivity(
     docs: Vec<String>,
     start: Span,
 ) -> Outcome<Statement> {
-    let mut names = vec![identifier(tokens, "the name of a parameter")?];
-    while tokens.mark(',').is_some() {
-        if tokens.peek_mark(';') {
-            break;
-        }
-        names.push(identifier(tokens, "the name of a parameter")?);
-    }
+    let names = listed(tokens, |it| identifier(it, "the name of a parameter"))?;
     let span = start.to(semicolon_after_operands(tokens, start)?);
     Ok(Statement::Sensitivity(Sensitivity { docs, names, span }))
 }
@@ -81,18 +75,6 @@ pub(super) fn directive(
 ) -> Outcome<Statement> {
     let span = start.to(semicolon(tokens, start)?);
     Ok(Statement::Directive(Directive { kind, docs, span }))
-}
-
-/// Parses one or more quantities; a comma may follow the last one.
-fn items(tokens: &mut Tokens<'_>) -> Outcome<Vec<OutputItem>> {
-    let mut items = vec![item(tokens)?];
-    while tokens.mark(',').is_some() {
-        if tokens.peek_mark(';') {
-            break;
-        }
-        items.push(item(tokens)?);
-    }
-    Ok(items)
 }
 
 /// Parses a point, or a coordinate of a body.

@@ -13,7 +13,7 @@ use super::expression::{after_expression, coordinates, expression};
 use super::formula::{Expression, Name};
 use super::indexed::{indexed, value};
 use super::placed::Place;
-use super::reader::Outcome;
+use super::reader::{Outcome, Reader};
 use super::recovery;
 use super::reference::{check_word, identifier};
 use super::renamed::Renaming;
@@ -140,7 +140,7 @@ pub(super) fn part(
     check_given(&used, part, &expanded).unwrap_or_else(report);
     let mut renaming = Renaming::new(reader, &used.name.text, bodies, &expanded);
     for statement in &mut expanded {
-        let argument = given_for(&used, statement);
+        let argument = given_for(&used, statement, reader);
         let placed = renaming.statement(statement).and_then(|global| {
             if let Some(argument) = argument {
                 replace(statement, argument);
@@ -157,7 +157,8 @@ fn used(tokens: &mut Tokens<'_>, start: Span) -> Outcome<(Used, usize)> {
     let Some(word) = tokens.word() else {
         return Err(tokens.unexpected("the name of the part", FORM));
     };
-    let name = indexed(tokens, check_word(word)?)?;
+    let plain = check_word(word)?;
+    let name = indexed(tokens, plain.clone())?;
     if let Some(first) = tokens.reader.known(|scope| scope.part(&name.text)) {
         let written = tokens.reader.spelled(&name.text);
         let message = format!("part `{written}` is declared twice");
@@ -198,6 +199,17 @@ fn used(tokens: &mut Tokens<'_>, start: Span) -> Outcome<(Used, usize)> {
         None => None,
     };
     let span = start.to(semicolon(tokens, start)?);
+    tokens.reader.learn(|scope| {
+        let text = plain.text;
+        scope.declare_part(
+            Name {
+                text,
+                ..name.clone()
+            },
+            span,
+        );
+        scope.mention(mechanism.span, tokens.parts[definition].name.span);
+    });
     let used = Used {
         name,
         given: arguments,
@@ -275,9 +287,10 @@ fn check_given(used: &Used, part: &Part<'_>, own: &[Statement]) -> Outcome<()> {
     Ok(())
 }
 
-fn given_for(used: &Used, statement: &Statement) -> Option<Expression> {
-    let name = &valued(statement)?.name.text;
-    let argument = used.given.iter().find(|it| it.0.text == *name)?;
+fn given_for(used: &Used, statement: &Statement, reader: &Reader<'_>) -> Option<Expression> {
+    let name = &valued(statement)?.name;
+    let argument = used.given.iter().find(|it| it.0.text == name.text)?;
+    reader.learn(|scope| scope.mention(argument.0.span, name.span));
     Some(argument.1.clone())
 }
 

@@ -7,7 +7,7 @@ use super::brackets::StatementStarts;
 use super::formula::Name;
 use super::repair::Repaired;
 use super::scan::Documentation;
-use super::scope::{Scope, Spellings};
+use super::scope::{Expansion, Scope, Spellings};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 
 /// Result of a rule: its node, or the finding that stopped it.
@@ -83,12 +83,10 @@ impl<'a> Reader<'a> {
         self.findings.borrow().len()
     }
 
-    /// Returns the findings and the spellings.
-    pub(super) fn into_parts(self) -> (Vec<Diagnostic>, Spellings) {
-        (
-            self.findings.into_inner(),
-            self.scope.into_inner().spellings,
-        )
+    /// Returns the findings, the spellings and the expanded names.
+    pub(super) fn into_parts(self) -> (Vec<Diagnostic>, Spellings, Expansion) {
+        let scope = self.scope.into_inner();
+        (self.findings.into_inner(), scope.spellings, scope.expansion)
     }
 
     /// Reads from the scope, without parsing.
@@ -99,6 +97,17 @@ impl<'a> Reader<'a> {
     /// Changes the scope, without parsing.
     pub(super) fn learn<T>(&self, change: impl FnOnce(&mut Scope) -> T) -> T {
         change(&mut self.scope.borrow_mut())
+    }
+
+    /// Returns the value of a name of the scope, and records the mention.
+    pub(super) fn mentioned<T>(
+        &self,
+        name: &Name,
+        find: impl FnOnce(&Scope, &str) -> Option<(T, Span)>,
+    ) -> Option<T> {
+        let (value, declared) = self.known(|scope| find(scope, &name.text))?;
+        self.learn(|scope| scope.mention(name.span, declared));
+        Some(value)
     }
 
     /// Returns the source spelling of a name.

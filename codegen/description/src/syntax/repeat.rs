@@ -10,7 +10,7 @@ use super::formula::Name;
 use super::indexed::whole_number;
 use super::reader::Outcome;
 use super::recovery;
-use super::scope::MAX_EXPANDED;
+use super::scope::{ExpandedSort, MAX_EXPANDED};
 use super::tokens::Tokens;
 use super::{BUILT_IN, KEYWORDS};
 use crate::diagnostic::{Code, Diagnostic, Span};
@@ -34,20 +34,22 @@ pub(super) fn repeat(
         return Err(tokens.unexpected("an operation or `to`", FORM));
     }
     let last = whole_number(tokens)?;
+    let head = start.to(tokens.previous());
     let Some((inner, _)) = tokens.group(Delimiter::Brace) else {
         return Err(tokens.unexpected("an operation or `{`", FORM));
     };
+    reader.learn(|scope| scope.declare(ExpandedSort::Index, index.clone(), head));
     // The statements of an empty repetition are read for their errors.
     let is_empty = last < first;
     let last = last.max(first);
     let before = reader.count_of_findings();
     for value in first..=last {
         let mut inner = inner;
-        reader.learn(|scope| scope.set_index(&index.text, Some(value)));
+        reader.learn(|scope| scope.set_index(&index, Some(value)));
         // Each expansion has the same errors.
         let is_known = reader.count_of_findings() > before;
         let expanded = reader.again(is_known, || recovery::statements(&mut inner));
-        reader.learn(|scope| scope.set_index(&index.text, None));
+        reader.learn(|scope| scope.set_index(&index, None));
         if is_empty {
             continue;
         }

@@ -14,11 +14,43 @@ pub(super) const MAX_EXPANDED: usize = 50_000;
 /// Source spellings of resolved names, by resolved name: `rod[3]` for `rod3`.
 pub type Spellings = BTreeMap<String, String>;
 
+/// Names that expanded statements no longer contain, with all their places in the source.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Expansion {
+    /// Declarations; repeated statements and parts repeat them.
+    pub declared: Vec<Expanded>,
+    /// Locations of names, each with the location of its declaration.
+    pub mentions: Vec<[Span; 2]>,
+}
+
+/// Declaration of an index, a part, or a mechanism that may be a part.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Expanded {
+    /// Meaning of the name.
+    pub sort: ExpandedSort,
+    /// Declared name.
+    pub name: Name,
+    /// Location of the declaration without braces.
+    pub span: Span,
+}
+
+/// Meaning of a name that is expanded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ExpandedSort {
+    /// Index of a repetition.
+    Index,
+    /// Mechanism as a part of another.
+    Part,
+    /// Mechanism that may be a part.
+    Mechanism,
+}
+
 /// Names visible to the parser.
 #[derive(Debug, Default)]
 pub(super) struct Scope {
     levels: Vec<Level>,
     pub spellings: Spellings,
+    pub expansion: Expansion,
     /// Number of statements and repetitions expanded so far.
     pub written_out: usize,
 }
@@ -27,11 +59,14 @@ pub(super) struct Scope {
 #[derive(Debug, Default)]
 struct Level {
     /// Indices, innermost last.
-    indices: Vec<(String, i64)>,
-    whole_numbers: HashMap<String, i64>,
+    indices: Vec<(Name, i64)>,
+    /// Whole-number constants with the locations of their declarations.
+    whole_numbers: HashMap<String, (i64, Span)>,
     /// Arguments for constants of a part; `None` for values that are not whole numbers.
     given: HashMap<String, Option<i64>>,
     parts: HashMap<String, Span>,
+    /// First part of each name without its indices.
+    first_parts: HashMap<String, Span>,
     bodies: HashMap<String, BodyOfPart>,
 }
 
@@ -94,39 +129,62 @@ impl Scope {
     }
 
     /// Sets an index, or removes it for `None`.
-    pub(super) fn set_index(&mut self, name: &str, value: Option<i64>) {
+    pub(super) fn set_index(&mut self, name: &Name, value: Option<i64>) {
         let Some(level) = self.levels.last_mut() else {
             return;
         };
         match value {
-            Some(value) => level.indices.push((name.to_string(), value)),
+            Some(value) => level.indices.push((name.clone(), value)),
             None => {
                 level.indices.pop();
             }
         }
     }
 
-    /// Returns the value of an index.
-    pub(super) fn index(&self, name: &str) -> Option<i64> {
+    /// Returns value and declaration of an index.
+    pub(super) fn index(&self, name: &str) -> Option<(i64, Span)> {
         let mut indices = self.level()?.indices.iter().rev();
-        indices.find(|it| it.0 == name).map(|it| it.1)
+        let (index, value) = indices.find(|it| it.0.text == name)?;
+        Some((*value, index.span))
     }
 
-    /// Returns the value of an index or of a whole-number constant.
-    pub(super) fn whole_number(&self, name: &str) -> Option<i64> {
+    /// Returns value and declaration of an index or of a whole-number constant.
+    pub(super) fn whole_number(&self, name: &str) -> Option<(i64, Span)> {
         let known = self.level()?.whole_numbers.get(name).copied();
         self.index(name).or(known)
     }
 
     /// Records a constant, unless an argument of the part overrides it.
-    pub(super) fn add_constant(&mut self, name: &str, value: Option<i64>) {
+    pub(super) fn add_constant(&mut self, name: &Name, value: Option<i64>) {
         let Some(level) = self.levels.last_mut() else {
             return;
         };
-        let value = level.given.get(name).copied().unwrap_or(value);
+        let value = level.given.get(&name.text).copied().unwrap_or(value);
         if let Some(value) = value {
-            level.whole_numbers.insert(name.to_string(), value);
+            let declared = (value, name.span);
+            level.whole_numbers.insert(name.text.clone(), declared);
         }
+    }
+
+    /// Records a declaration.
+    pub(super) fn declare(&mut self, sort: ExpandedSort, name: Name, span: Span) {
+        let declared = Expanded { sort, name, span };
+        self.expansion.declared.push(declared);
+    }
+
+    /// Records a name with the location of its declaration.
+    pub(super) fn mention(&mut self, name: Span, declaration: Span) {
+        self.expansion.mentions.push([name, declaration]);
+    }
+
+    /// Records a part, whose name has the text before its indices; parts that differ in indices alone share one name.
+    pub(super) fn declare_part(&mut self, name: Name, span: Span) {
+        if let Some(level) = self.levels.last_mut() {
+            let first = level.first_parts.entry(name.text.clone());
+            let first = *first.or_insert(name.span);
+            self.mention(name.span, first);
+        }
+        self.declare(ExpandedSort::Part, name, span);
     }
 
     /// Returns the location of the part with this name.

@@ -39,7 +39,7 @@ pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
             let whole = indexed::value(&constant.value, tokens.reader);
             tokens
                 .reader
-                .learn(|scope| scope.add_constant(&constant.name.text, whole));
+                .learn(|scope| scope.add_constant(&constant.name, whole));
             Ok(Statement::Constant(constant))
         }
         "param" => constant(tokens, docs, first.span, "a parameter").map(Statement::Parameter),
@@ -244,6 +244,18 @@ pub(super) fn semicolon(tokens: &mut Tokens<'_>, start: Span) -> Outcome<Span> {
     missing_semicolon(tokens, start).ok_or_else(|| {
         after_expression(tokens, "an operation or `;`", "end the statement with `;`")
     })
+}
+
+/// Parses items separated by commas up to the semicolon; a comma may follow the last one.
+pub(super) fn listed<T>(
+    tokens: &mut Tokens<'_>,
+    item: impl Fn(&mut Tokens<'_>) -> Outcome<T>,
+) -> Outcome<Vec<T>> {
+    let mut items = vec![item(tokens)?];
+    while tokens.mark(',').is_some() && !tokens.peek_mark(';') {
+        items.push(item(tokens)?);
+    }
+    Ok(items)
 }
 
 /// Parses the semicolon after a joint without a value.

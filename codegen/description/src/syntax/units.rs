@@ -3,7 +3,7 @@
 use super::document::{Statement, Units};
 use super::formula::Name;
 use super::reader::Outcome;
-use super::statement::semicolon_after_operands;
+use super::statement::{listed, semicolon_after_operands};
 use super::tokens::Tokens;
 use crate::diagnostic::Span;
 
@@ -15,13 +15,7 @@ const MARKS: [char; 4] = ['*', '/', '^', '-'];
 
 /// Parses the statement after its first word.
 pub(super) fn units(tokens: &mut Tokens<'_>, docs: Vec<String>, start: Span) -> Outcome<Statement> {
-    let mut units = vec![unit(tokens)?];
-    while tokens.mark(',').is_some() {
-        if tokens.peek_mark(';') {
-            break;
-        }
-        units.push(unit(tokens)?);
-    }
+    let units = listed(tokens, unit)?;
     let span = start.to(semicolon_after_operands(tokens, start)?);
     Ok(Statement::Units(Units { docs, units, span }))
 }

@@ -13,7 +13,7 @@ use super::{System, VectorForm, VectorRow};
 use crate::expr::{ExprId, Number, Rational, SymbolId};
 use crate::force::{Place, Rated, moment};
 use crate::joint::Feature;
-use crate::joint::geometry::{BodyId, Mark, Vector, add, dot, length, perpendicular, subtract};
+use crate::joint::geometry::{BodyId, Mark, Vector, dot, length, perpendicular, subtract};
 use crate::model::Mechanism;
 use crate::pool::Pool;
 
@@ -200,28 +200,9 @@ pub(super) fn forces(mechanism: &Mechanism, form: &VectorForm, pool: &mut Pool) 
 /// A point with its velocity.
 fn placed(mark: Mark, form: &VectorForm, mechanism: &Mechanism, pool: &mut Pool) -> Place {
     let graph = &mut pool.graph;
-    let body = mark.frame.body;
-    let zero = graph.zero();
-    if body == BodyId::GROUND {
-        return Place {
-            mark,
-            velocity: [zero; 2],
-            turning: zero,
-        };
-    }
-    let [x, y, turning] = mechanism.bodies[body.0]
-        .coordinates
-        .map(|coordinate| match coordinate {
-            Some(it) => graph.variable(form.unknowns[it.place].rate),
-            None => zero,
-        });
-    let across = perpendicular(mark.arm, graph);
-    let turned = across.map(|part| graph.multiply(turning, part));
-    Place {
-        mark,
-        velocity: add([x, y], turned, graph),
-        turning,
-    }
+    let coordinates = mechanism.bodies[mark.frame.body.0].coordinates;
+    let rates = coordinates.map(|it| Some(graph.variable(form.unknowns[it?.place].rate)));
+    Place::moving(mark, rates, graph)
 }
 
 impl System {

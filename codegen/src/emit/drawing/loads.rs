@@ -5,7 +5,7 @@ use super::plane::{Point, scaled};
 use super::pose::{At, Pose};
 use crate::expr::{ExprId, Graph};
 use crate::force::{Element, Place, Shape};
-use crate::joint::geometry::{BodyId, Mark, add, perpendicular};
+use crate::joint::geometry::Mark;
 use crate::pool::Pool;
 use crate::system::System;
 
@@ -162,23 +162,9 @@ fn vector(system: &System, element: &dyn Element, graph: &mut Graph) -> [ExprId;
 
 /// Returns a point with its velocity, in terms of coordinates and rates.
 fn placed(system: &System, mark: Mark, graph: &mut Graph) -> Place {
-    let zero = graph.zero();
-    let body = mark.frame.body;
-    let coordinates = match body {
-        BodyId::GROUND => [None; 3],
-        body => system.mechanism.bodies[body.0].coordinates,
-    };
-    let [x, y, turning] = coordinates.map(|coordinate| match coordinate {
-        Some(it) => graph.variable(system.coordinates[it.place].rate),
-        None => zero,
-    });
-    let across = perpendicular(mark.arm, graph);
-    let turned = across.map(|part| graph.multiply(turning, part));
-    Place {
-        mark,
-        velocity: add([x, y], turned, graph),
-        turning,
-    }
+    let coordinates = system.mechanism.bodies[mark.frame.body.0].coordinates;
+    let rates = coordinates.map(|it| Some(graph.variable(system.coordinates[it?.place].rate)));
+    Place::moving(mark, rates, graph)
 }
 
 /// Forces and torques of a system in any pose.

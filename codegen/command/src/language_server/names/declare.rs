@@ -1,7 +1,9 @@
 //! Walks over a document for declarations, before mentions are sought.
 
 use linkwright_codegen::diagnostic::Span;
-use linkwright_codegen::stages::syntax::{Document, Member, Name, Statement};
+use linkwright_codegen::stages::syntax::{
+    Document, ExpandedSort, Expansion, Member, Name, Statement,
+};
 
 use super::scope::{Scopes, Space};
 use super::{Sort, Symbol, SymbolId};
@@ -40,6 +42,25 @@ impl Scopes {
             body: None,
             motion: self.motion,
         })
+    }
+
+    /// Adds indices, parts and mechanisms that are parts, which the parser has resolved, with their mentions.
+    pub(super) fn add_expanded(&mut self, expansion: &Expansion) {
+        for own in &expansion.declared {
+            let sort = match own.sort {
+                ExpandedSort::Index => Sort::Index,
+                ExpandedSort::Part => Sort::Part,
+                ExpandedSort::Mechanism => Sort::Mechanism,
+            };
+            if !own.name.text.is_empty() && self.declared_at(own.name.span).is_none() {
+                self.plain(sort, &own.name, own.span, &[]);
+            }
+        }
+        for &[span, declaration] in &expansion.mentions {
+            if let Some(symbol) = self.declared_at(declaration) {
+                self.mention(span, symbol);
+            }
+        }
     }
 
     fn declare_statement(&mut self, statement: &Statement) {

@@ -13,7 +13,7 @@ mod scope;
 mod written;
 
 use linkwright_codegen::diagnostic::Span;
-use linkwright_codegen::stages::syntax::{Document, Lexeme};
+use linkwright_codegen::stages::syntax::Document;
 
 use scope::Scopes;
 pub use written::{Whole, mechanisms};
@@ -141,12 +141,13 @@ pub struct Names {
 }
 
 impl Names {
-    /// Returns the names of a document with this text and these lexemes.
-    pub fn of(document: &Document, text: &str, lexemes: &[Lexeme]) -> Names {
+    /// Returns the names of a document with this text.
+    pub fn of(document: &Document, text: &str) -> Names {
         let mut scopes = Scopes::default();
         scopes.declare_all(document);
         scopes.mention_all(document);
-        scopes.into_names(document, text, lexemes)
+        scopes.add_expanded(&document.expansion);
+        scopes.into_names(document, text)
     }
 
     /// Returns the mention that contains an offset or ends there; `None` if there is none.

@@ -3,9 +3,9 @@
 use std::collections::HashMap;
 
 use linkwright_codegen::diagnostic::Span;
-use linkwright_codegen::stages::syntax::{Direction, Document, Lexeme, Name};
+use linkwright_codegen::stages::syntax::{Direction, Document, Name};
 
-use super::written::{Reading, identifier};
+use super::written::identifier;
 use super::{Mention, Names, Sort, Symbol, SymbolId};
 
 /// Predefined body, which has no declaration.
@@ -178,12 +178,7 @@ impl Scopes {
     }
 
     /// Converts the findings to names as they are written: symbols of one place become one.
-    pub(super) fn into_names(
-        mut self,
-        document: &Document,
-        text: &str,
-        lexemes: &[Lexeme],
-    ) -> Names {
+    pub(super) fn into_names(mut self, document: &Document, text: &str) -> Names {
         for symbol in &mut self.symbols {
             symbol.declared = identifier(text, symbol.place);
             if let Some(spelled) = document.spellings.get(&symbol.name) {
@@ -193,17 +188,7 @@ impl Scopes {
         for mention in &mut self.mentions {
             mention.span = identifier(text, mention.span);
         }
-        let count = self.symbols.len();
-        let symbols = std::mem::take(&mut self.symbols);
-        let mentions = std::mem::take(&mut self.mentions);
-        let mut reading = Reading::new(text, lexemes, symbols, mentions);
-        reading.all();
-        let Reading {
-            symbols,
-            mut mentions,
-            ..
-        } = reading;
-        self.earlier.extend(count..symbols.len());
+        let mut mentions = std::mem::take(&mut self.mentions);
         mentions.sort();
         mentions.dedup();
         for pair in mentions.windows(2) {
@@ -211,10 +196,10 @@ impl Scopes {
                 self.unite(pair[0].symbol, pair[1].symbol);
             }
         }
-        let first = (0..symbols.len()).map(|it| self.first(it)).collect();
+        let first = (0..self.symbols.len()).map(|it| self.first(it)).collect();
         Names {
             first,
-            symbols,
+            symbols: self.symbols,
             mentions,
             carried: self.carried,
         }

@@ -31,6 +31,15 @@ pub const LAWS: &[&str] = &[
     "harmonic",
 ];
 
+/// Words of the error that a value does not exceed an earlier one.
+struct Increase<'a> {
+    problem: &'a str,
+    label: &'a str,
+    /// Label of the earlier value.
+    earlier: &'a str,
+    help: &'a str,
+}
+
 impl Resolver<'_> {
     /// Evaluates a law; its name must be one of [`LAWS`].
     pub(super) fn law(
@@ -92,28 +101,25 @@ impl Resolver<'_> {
         false
     }
 
-    /// True if `later` is greater than `earlier`, or if one of them is unknown.
-    fn is_increase(&mut self, earlier: ExprId, later: ExprId) -> bool {
-        let gap = self.graph.subtract(later, earlier);
+    /// True if `later` is greater than `earlier`, or if one of them is unknown; otherwise reports an error in these words.
+    fn increases(
+        &mut self,
+        earlier: (&Expression, ExprId),
+        later: (&Expression, ExprId),
+        words: &Increase<'_>,
+    ) -> bool {
+        let gap = self.graph.subtract(later.1, earlier.1);
         let known = self.graph.constant_value(gap);
-        known.is_none_or(|gap| gap > 0.0)
-    }
-
-    /// True if `later` is greater than `earlier`, or if one of them is unknown; otherwise reports an error.
-    fn increases(&mut self, earlier: (&Expression, ExprId), later: (&Expression, ExprId)) -> bool {
-        if self.is_increase(earlier.1, later.1) {
-            return true;
+        let is_increase = known.is_none_or(|gap| gap > 0.0);
+        if !is_increase {
+            let span = later.0.span;
+            self.diagnostics.push(
+                Diagnostic::error(Code::NotIncreasing, span, words.problem)
+                    .label(words.label)
+                    .also(earlier.0.span, words.earlier)
+                    .help(words.help),
+            );
         }
-        self.diagnostics.push(
-            Diagnostic::error(
-                Code::NotIncreasing,
-                later.0.span,
-                "a law of motion must end after it begins",
-            )
-            .label("not larger than where it begins")
-            .also(earlier.0.span, "it begins here")
-            .help("the arguments are `x, x0, h0, x1, h1` with x1 larger than x0"),
-        );
-        false
+        is_increase
     }
 }

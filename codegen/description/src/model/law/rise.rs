@@ -9,6 +9,7 @@
 
 use super::super::expression::Value;
 use super::super::resolve::Resolver;
+use super::Increase;
 use crate::diagnostic::Span;
 use crate::expr::{ExprId, Graph, Rational};
 use crate::syntax::{Expression, Name};
@@ -242,7 +243,14 @@ impl Resolver<'_> {
                 && self.fits_like(written_x1, x1.1, (written_x0, x0.1)),
             self.fits_like(written_h1, h1.1, (written_h0, h0.1)),
         ];
-        if fits.contains(&false) || !self.increases((written_x0, x0.0), (written_x1, x1.0)) {
+        let words = Increase {
+            problem: "a law of motion must end after it begins",
+            label: "not larger than where it begins",
+            earlier: "it begins here",
+            help: "the arguments are `x, x0, h0, x1, h1` with x1 larger than x0",
+        };
+        let [begin, end] = [(written_x0, x0.0), (written_x1, x1.0)];
+        if fits.contains(&false) || !self.increases(begin, end, &words) {
             return None;
         }
         let graph = &mut self.graph;

@@ -9,8 +9,8 @@
 
 use super::super::expression::{Value, listed};
 use super::super::resolve::Resolver;
-use super::LAWS;
 use super::rise::Rise;
+use super::{Increase, LAWS};
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::{ExprId, Graph};
 use crate::syntax::{Expression, ExpressionKind};
@@ -65,9 +65,15 @@ impl Resolver<'_> {
             fits &= self.fits_like(place.0, place.1.1, (written_x, x.1));
             fits &= self.fits_like(height.0, height.1.1, (stations[0][1].0, stations[0][1].1.1));
         }
+        let words = Increase {
+            problem: "the arguments of a sequence must increase",
+            label: "not larger than the one before",
+            earlier: "the one before",
+            help: &format!("write `{FORM}` with x0 < x1 < …: order the pairs by their first value"),
+        };
         for pair in stations.windows(2) {
-            let [earlier, later] = [pair[0][0], pair[1][0]];
-            fits = fits && self.follows(earlier, later);
+            let [earlier, later] = [0, 1].map(|at| (pair[at][0].0, pair[at][0].1.0));
+            fits = fits && self.increases(earlier, later, &words);
         }
         if !fits {
             return None;
@@ -117,26 +123,6 @@ impl Resolver<'_> {
         };
         let values = (self.value(place), self.value(height));
         Some([(place, values.0?), (height, values.1?)])
-    }
-
-    /// True if a position exceeds the previous one, or if one of them is unknown; otherwise reports an error.
-    fn follows(&mut self, earlier: (&Expression, Value), later: (&Expression, Value)) -> bool {
-        if self.is_increase(earlier.1.0, later.1.0) {
-            return true;
-        }
-        self.diagnostics.push(
-            Diagnostic::error(
-                Code::NotIncreasing,
-                later.0.span,
-                "the arguments of a sequence must increase",
-            )
-            .label("not larger than the one before")
-            .also(earlier.0.span, "the one before")
-            .help(format!(
-                "write `{FORM}` with x0 < x1 < …: order the pairs by their first value"
-            )),
-        );
-        false
     }
 
     /// Reports a periodic motion whose end differs from its beginning.

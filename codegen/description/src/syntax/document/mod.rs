@@ -18,7 +18,7 @@ use std::sync::Arc;
 
 use super::forces::{Element, Force, Gravity, Mass, Reaction, Torque};
 use super::formula::{Expression, Name};
-use super::scope::Spellings;
+use super::scope::{Expansion, Spellings};
 use crate::diagnostic::{Attachment, Span};
 use crate::units::OutputUnits;
 
@@ -35,6 +35,8 @@ pub struct Document {
     pub mechanism: MechanismItem,
     /// Source spellings of resolved names; shared by all motions.
     pub spellings: Arc<Spellings>,
+    /// Names that expanded statements no longer contain.
+    pub expansion: Expansion,
 }
 
 /// `mechanism NAME { statements }`.

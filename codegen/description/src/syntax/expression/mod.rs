@@ -15,6 +15,7 @@ use super::brackets::too_deep;
 use super::formula::{Component, Expression, ExpressionKind, Name, Operation, Reference, Sign};
 use super::reader::Outcome;
 use super::reference::reference_or_component;
+use super::scope::Scope;
 use super::tokens::Tokens;
 use super::{MAX_DEPTH, indexed, literal};
 use crate::diagnostic::{Code, Diagnostic};
@@ -234,10 +235,9 @@ fn named(tokens: &mut Tokens<'_>, depth: usize) -> Outcome<Expression> {
         return Err(Box::new(finding));
     }
     let (reference, axis) = reference_or_component(tokens, "a formula")?;
-    let index = tokens
-        .reader
-        .known(|scope| scope.index(&reference.name.text));
-    if let (Some(value), None, None) = (index, &reference.body, &axis) {
+    if let (None, None) = (&reference.body, &axis)
+        && let Some(value) = tokens.reader.mentioned(&reference.name, Scope::index)
+    {
         return Ok(indexed::number(value, reference.span));
     }
     // A bracket on the next line starts something else, as a semicolon is missing.
