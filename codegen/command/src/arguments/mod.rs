@@ -175,7 +175,7 @@ Examples:
   linkwright check mechanisms/two_body.mech
   linkwright check mechanisms/excavator.mech --to 20 --plot pictures    assemblies.svg shows all assemblies
   linkwright check mechanisms/four_bar.mech --json | jq '.blocks[].closest'
-  linkwright check mechanisms/excavator.mech --prove --points K         what holds at every instant, not in frames alone
+  linkwright check mechanisms/excavator.mech --prove --points K         statements about every instant
 
 Exit codes: 0 checked, 1 the mechanism cannot be assembled or its motion ends early, with `--prove` also where the motion
 cannot be proven, with `--deny-warnings` also where there are warnings, 2 bad input.")]
