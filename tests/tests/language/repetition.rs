@@ -254,7 +254,7 @@ fn a_part_knows_nothing_of_what_stands_around_it() {
     assert_eq!(line, "gap");
     assert_eq!(
         errors[0].notes,
-        ["the same holds where it is written out 39 more times"]
+        ["this holds for 39 more copies, too"]
     );
 }
 

@@ -148,7 +148,7 @@ mod tests {
         assert_eq!(sorted[0].message, "no body is named `rod1`");
         assert_eq!(
             sorted[0].notes,
-            ["the same holds where it is written out 2 more times"]
+            ["this holds for 2 more copies, too"]
         );
         assert!(sorted[1].notes.is_empty());
     }

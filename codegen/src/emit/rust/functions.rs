@@ -16,7 +16,7 @@ pub(super) const FUNCTIONS: [&str; 2] = ["math", "angle_near"];
 /// What is no path becomes an error where the code is compiled, as a path does that leads nowhere.
 pub(super) fn functions(path: &str, mentioned: &HashSet<&str>) -> TokenStream {
     let Ok(module) = Path::parse_mod_style.parse_str(path) else {
-        let problem = format!("the option `math` is `{path}`, which is no path of a module");
+        let problem = format!("the option `math` is `{path}`, which is not the path of a module");
         return quote!(compile_error!(#problem););
     };
     let imports = [quote!(self as math), quote!(angle_near)];
