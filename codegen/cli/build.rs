@@ -7,14 +7,14 @@ use std::process::Command;
 fn main() {
     println!("cargo::rerun-if-changed=build.rs");
     let repository = Path::new("../..");
-    // A package may be unpacked anywhere, also inside the repository of somebody else.
+    // A package may be unpacked anywhere, also inside another repository.
     let is_clone = repository.join(".git").exists() && repository.join("codegen/cli").is_dir();
     let commit = match is_clone {
         true => git(&["rev-parse", "--short=12", "HEAD"]),
         false => None,
     };
-    let shown = commit.map_or(String::new(), |commit| format!(" ({commit})"));
-    println!("cargo::rustc-env=LINKWRIGHT_COMMIT={shown}");
+    let suffix = commit.map_or(String::new(), |commit| format!(" ({commit})"));
+    println!("cargo::rustc-env=LINKWRIGHT_COMMIT={suffix}");
     if !is_clone {
         return;
     }
@@ -29,7 +29,7 @@ fn main() {
     }
 }
 
-/// What git prints, in one line; nothing where it fails.
+/// Output of git in one line; empty if it fails.
 fn git(arguments: &[&str]) -> Option<String> {
     let ran = Command::new("git").args(arguments).output().ok()?;
     let text = String::from_utf8(ran.stdout).ok()?;

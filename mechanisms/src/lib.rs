@@ -25,17 +25,17 @@ linkwright::include_mechanism! {
 }
 
 linkwright::include_mechanism! {
-    /// The same arm with every body's frame at one of its pins.
+    /// Excavator-like arm with every body's frame at one of its pins.
     pub mod excavator_pins;
 }
 
 linkwright::include_mechanism! {
-    /// The same arm, asked for the motion of its tool alone.
+    /// Excavator-like arm with only the motion of its tool as output.
     pub mod excavator_tool;
 }
 
 linkwright::include_mechanism! {
-    /// The same arm driven from either end: from its actuators, or from its tool.
+    /// Excavator-like arm driven from either end: from its actuators, or from its tool.
     pub mod excavator_motions;
 }
 

@@ -146,7 +146,7 @@ impl Leg {
         let resolution = from.abs().max(end.abs()) * f64::EPSILON;
         if count > 0.0 && step.abs() <= 2.0 * resolution {
             return Err(format!(
-                "a step of {} s cannot be told apart from rounding at t = {end} s",
+                "a step of {} s cannot be distinguished from rounding at t = {end} s",
                 step.abs()
             ));
         }

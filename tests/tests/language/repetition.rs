@@ -253,10 +253,7 @@ fn a_part_knows_nothing_of_what_stands_around_it() {
     assert_eq!(errors[0].message, "no constant is named `cell[1].gap`");
     let line = &text[errors[0].primary.span.range()];
     assert_eq!(line, "gap");
-    assert_eq!(
-        errors[0].notes,
-        ["the same holds where it is written out 39 more times"]
-    );
+    assert_eq!(errors[0].notes, ["this holds for 39 more copies, too"]);
 }
 
 #[test]

@@ -174,8 +174,8 @@ Examples:
   linkwright calibrate lift.mech log.csv --param L2,L3 --deviation 0.1mm,0.05deg --out fitted.mech
   linkwright calibrate lift.mech log.csv --param L2,L3 --json | jq '.parameters[].value'
 
-What is to be fitted is a `param` of the description. A parameter that the motion does not determine keeps its value. Nothing is written
-where the fit is not to be trusted, unless `--force` says so.
+Fitted values are `param` statements of the description. A parameter that the motion does not determine keeps its value. If the
+fit is not to be trusted, nothing is written without `--force`.
 
-Exit codes: 0 fitted, 1 the fit is not to be trusted (a parameter is undetermined or at its bound, or more is left than noise), or the
+Exit codes: 0 fitted, 1 the fit is not to be trusted (a parameter is undetermined or at its bound, or the residuals exceed the noise), or the
 mechanism does not move through all times of the table, 2 bad input.";

@@ -57,7 +57,7 @@ Examples:
 A description called `-` is read from stdin; its tables lie in the current folder.
 
 Exit codes: 0 done, 1 the mechanism cannot be solved (or `generate --check` or `fmt --check` found a
-difference, `check --deny-warnings` something to look at, `compare` a difference beyond its
+difference, `check --deny-warnings` a warning, `compare` a difference beyond its
 tolerance), 2 bad input, 70 an error of linkwright itself.";
 
 /// Commands.
@@ -73,7 +73,7 @@ pub enum Command {
     View(View),
     /// Write the mechanism as a Rust module, or as C99
     Generate(Generate),
-    /// Show Φ, Φ_q, Φ_t and γ, and what the generated code solves
+    /// Show Φ, Φ_q, Φ_t and γ, and the blocks of the generated code
     Inspect(Inspect),
     /// Derive the solution block by block, in words and formulas
     Plan(Plan),
@@ -175,10 +175,10 @@ Examples:
   linkwright check mechanisms/two_body.mech
   linkwright check mechanisms/excavator.mech --to 20 --plot pictures    assemblies.svg shows all assemblies
   linkwright check mechanisms/four_bar.mech --json | jq '.blocks[].closest'
-  linkwright check mechanisms/excavator.mech --prove --points K         what holds at every instant, not in frames alone
+  linkwright check mechanisms/excavator.mech --prove --points K         statements about every instant
 
-Exit codes: 0 checked, 1 the mechanism cannot be assembled or its motion ends early, with `--prove` also where the motion
-cannot be proven, with `--deny-warnings` also where there are warnings, 2 bad input.")]
+Exit codes: 0 checked, 1 the mechanism cannot be assembled or its motion ends early, with `--prove` also if the motion
+cannot be proven, with `--deny-warnings` also if there are warnings, 2 bad input.")]
 pub struct Check {
     /// Description.
     #[command(flatten)]
@@ -233,8 +233,8 @@ Examples:
   linkwright generate mechanisms/two_body.mech --scalar f32          in single precision
   linkwright generate --lang c mechanisms/two_body.mech -o two_body.c
 
-The module holds two views of the mechanism: the solved view, which its type runs, with one function for each block of
-equations, and the textbook view, Φ, Φ_q, Φ_t and γ as functions. Above 150 coordinates the textbook view is left out.
+The module holds two formulations of the mechanism: the solved one, which its type runs, with one function for each block,
+and the textbook one, Φ, Φ_q, Φ_t and γ as functions. Above 150 coordinates the textbook formulation is left out.
 
 Exit codes: 0 written or unchanged, 1 `--check` found a difference, 2 bad input.")]
 pub struct Generate {
@@ -284,10 +284,10 @@ Examples:
   linkwright inspect mechanisms/two_body.mech --format rust
   linkwright inspect mechanisms/two_body.mech --format latex --fragment > equations.tex
 
-Equations are also shown of a mechanism whose motion they do not determine. As text and in Unicode a last section says what
-the generated code solves: its blocks in their order, what no `output` needs, and how many operations each level takes.
+Equations are also shown if they do not determine the motion. In text and Unicode a last section lists the contents of the
+generated code: its blocks in their order, values that no `output` needs, and the number of operations of each level.
 
-Exit codes: 0 shown, 2 bad input, with `--format rust` also where the equations do not determine the motion.")]
+Exit codes: 0 shown, 2 bad input, with `--format rust` also if the equations do not determine the motion.")]
 pub struct Inspect {
     /// Description, a `.mech` file; `-` is stdin
     pub file: PathBuf,
@@ -325,7 +325,7 @@ Examples:
   linkwright plan mechanisms/excavator.mech --format latex > excavator.tex
   linkwright plan mechanisms/two_body.mech --format latex --fragment > solution.tex
 
-Exit codes: 0 derived, 2 bad input, also where the equations do not determine the motion.")]
+Exit codes: 0 derived, 2 bad input, also if the equations do not determine the motion.")]
 pub struct Plan {
     /// The description.
     #[command(flatten)]

@@ -16,7 +16,7 @@ Examples:
   linkwright fmt descriptions --check        all descriptions of a folder, for a build
   linkwright fmt - < arm.mech                the formatted text on stdout, for an editor
 
-Exit codes: 0 formatted, 1 `--check` found a file that is not, 2 bad input.")]
+Exit codes: 0 formatted, 1 `--check` found an unformatted file, 2 bad input.")]
 pub struct Fmt {
     /// Descriptions, or folders of them; `-` is stdin, and is printed
     #[arg(required = true)]
@@ -52,9 +52,9 @@ pub struct New {
 /// does. Texts need not be saved; tables are read from the folder of the description.
 #[derive(Args, Debug)]
 #[command(after_help = "\
-How editors are set up stands in the guide, codegen/guide/editors.md.
+The guide, codegen/guide/editors.md, describes the setup of editors.
 
-Exit codes: 0 the editor has taken its leave, 1 it went without.")]
+Exit codes: 0 the editor has sent `shutdown`, 1 it ended without.")]
 pub struct Lsp {
     /// Use stdin and stdout, which is always the case; some editors pass this option
     #[arg(long)]

@@ -66,4 +66,4 @@ Examples:
   linkwright simulate pendulum.mech --json | jq '.simulation'         evaluations, steps, drift of the energy
 
 Exit codes: 0 simulated, 1 the mechanism cannot be assembled or its motion ends early, 2 bad input.
-Frames before the end of a motion that ends early are printed and written all the same.";
+Frames before the end of a motion that ends early are printed and written nevertheless.";

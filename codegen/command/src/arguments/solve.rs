@@ -75,4 +75,4 @@ Examples:
   linkwright solve mechanisms/excavator.mech --step 5e-6 --no-files a million frames, checked and not kept
 
 Exit codes: 0 solved, 1 the mechanism cannot be assembled or its motion ends early, 2 bad input.
-Frames before the end of a motion that ends early are printed and written all the same.";
+Frames before the end of a motion that ends early are printed and written nevertheless.";

@@ -57,4 +57,4 @@ Examples:
   linkwright view lift.mech --set L2=360mm --set 'lift=0.5 + 0.1*sin(2*t)'
   linkwright view mechanisms/four_bar.mech --watch                  edit, save, see
 
-Exit codes: 0 written, 1 the mechanism cannot be assembled or its motion ends early, which the page says, 2 bad input.";
+Exit codes: 0 written, 1 the mechanism cannot be assembled or its motion ends early, which the page reports, 2 bad input.";

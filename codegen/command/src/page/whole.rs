@@ -272,8 +272,8 @@ fn assemblies(check: &Check) -> String {
         ),
     };
     let rest = match check.assemblies.are_all() {
-        true => "; there are no others.",
-        false => "; there may be others.",
+        true => "; the list is complete.",
+        false => "; others may exist.",
     };
     let choice = match assemblies.len() {
         0 | 1 => "",

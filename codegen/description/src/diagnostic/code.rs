@@ -47,7 +47,7 @@ codes! {
     UnexpectedEnd = "K05";
     /// The file describes no mechanism.
     EmptyFile = "K06";
-    /// A statement starts with a word that is no statement of the language.
+    /// A word at the beginning of a statement that does not name one.
     UnknownStatement = "K07";
     /// Something that Rust may write as an expression, but this language does not.
     OutsideGrammar = "K08";
@@ -69,7 +69,7 @@ codes! {
     JointOnOneBody = "K16";
     /// A name that is declared and never used.
     UnusedName = "K17";
-    /// A unit suffix the language does not know.
+    /// A unit suffix that is unknown.
     UnknownUnit = "K20";
     /// A length where an angle is wanted, and the like.
     WrongDimension = "K21";
@@ -99,13 +99,13 @@ codes! {
     DependentEquations = "K34";
     /// A joint marked `redundant` that repeats nothing.
     NotRedundant = "K35";
-    /// Equations that repeat one another but do not agree, so that there is no pose.
+    /// Repeated equations that contradict one another, so that no pose exists.
     ContradictingEquations = "K36";
     /// Formulas or equations that take more work than one description may cause.
     TooMuchWork = "K37";
     /// An assembly mode that the drawing decides by little.
     UndecidedMode = "K38";
-    /// Links of constant lengths that do not reach their ends, so that there is no pose.
+    /// Links of constant lengths that do not reach their ends, so that no pose exists.
     OutOfReach = "K39";
     /// An error of Linkwright itself.
     InternalError = "K90";

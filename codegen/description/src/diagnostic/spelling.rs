@@ -147,10 +147,7 @@ mod tests {
         let sorted = findings.respelled(&spellings()).into_sorted();
         assert_eq!(sorted.len(), 2);
         assert_eq!(sorted[0].message, "no body is named `rod1`");
-        assert_eq!(
-            sorted[0].notes,
-            ["the same holds where it is written out 2 more times"]
-        );
+        assert_eq!(sorted[0].notes, ["this holds for 2 more copies, too"]);
         assert!(sorted[1].notes.is_empty());
     }
 }

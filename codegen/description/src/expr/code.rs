@@ -1,6 +1,7 @@
-//! *Instructions on registers* → *what the registers hold afterwards*.
+//! Straight-line code: instructions on registers.
 //!
-//! [`Code`] is what an [`Assembler`](super::Assembler) has written down; it is independent of the graph of the expressions.
+//! [`Code`] is what an [`Assembler`](super::Assembler) has written down; it is independent of the graph of the
+//! expressions.
 
 use std::ops::Range;
 use std::sync::Arc;

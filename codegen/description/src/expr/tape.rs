@@ -1,6 +1,6 @@
-//! Evaluation: *roots of a graph* → *their values for given values of the symbols*.
+//! Evaluates roots of a graph for given values of the symbols.
 //!
-//! A tape is independent of its graph afterwards. It does not know how code is emitted.
+//! A tape is independent of its graph.
 
 use super::code::{Code, Register};
 use super::graph::Graph;

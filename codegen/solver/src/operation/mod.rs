@@ -1,4 +1,4 @@
-//! *An operation of a function, and registers* → *what it finds, or why it fails*.
+//! Executes operations of a function on registers.
 
 mod arithmetic;
 mod writer;

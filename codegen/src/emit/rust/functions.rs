@@ -22,7 +22,7 @@ pub(super) fn functions(path: &str, mentioned: &HashSet<&str>) -> Option<String>
         is_word(name.trim_start_matches("r#")) || matches!(*name, "crate" | "self" | "super")
     };
     if below.is_empty() || !below.iter().all(is_name) {
-        let problem = format!("the option `math` is `{path}`, which is no path of a module");
+        let problem = format!("the option `math` is `{path}`, which is not the path of a module");
         return Some(format!("compile_error!({problem:?});"));
     }
     let path = names.join("::");
