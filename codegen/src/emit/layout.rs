@@ -349,7 +349,7 @@ mod tests {
     }
 
     #[test]
-    fn what_fits_into_a_line_stays_on_it() {
+    fn fitting_lines_stay_as_they_are() {
         let statement = "let a = f([1.0, 2.0], b)?;";
         assert_eq!(lines(statement), format!("        {statement}"));
     }
