@@ -254,11 +254,8 @@ impl Lines {
         while whole.text.starts_with('"') && !fits(&format!("{:depth$}{rest}", "")) {
             let room = rest.char_indices().nth(WIDTH - depth - 1);
             let start = room.map_or(&*rest, |(at, _)| &rest[..at]);
-            let spaces = start.match_indices(' ').map(|(at, _)| at + 1);
-            let Some(at) = spaces
-                .filter(|at| !rest[*at..].starts_with([' ', '"']))
-                .next_back()
-            else {
+            let mut spaces = start.match_indices(' ').map(|(at, _)| at + 1);
+            let Some(at) = spaces.rfind(|at| !rest[*at..].starts_with([' ', '"'])) else {
                 break;
             };
             self.all.push(format!("{:depth$}{}{end}", "", &rest[..at]));
@@ -352,7 +349,7 @@ mod tests {
     }
 
     #[test]
-    fn what_fits_into_a_line_stays_on_it() {
+    fn fitting_lines_stay_as_they_are() {
         let statement = "let a = f([1.0, 2.0], b)?;";
         assert_eq!(lines(statement), format!("        {statement}"));
     }

@@ -275,7 +275,7 @@ fn the_printed_formulas_give_the_motion() {
 fn the_other_forms_satisfy_the_textbook_equations() {
     for (name, method) in [
         ("two_lines", "PRP or RPP dyad"),
-        ("turning_rail", "RPR dyad"),
+        ("turning_rail", "RRP dyad"),
         ("inclined_slider", "one angle"),
         // Links without a body, a driven one, a block beside its line, a rack, and an angle that follows another in its loop.
         ("coupled_rockers", "RRR dyad"),

@@ -115,7 +115,8 @@ fn has_meaning(name: &str, described: &BTreeSet<String>) -> bool {
             let (first, second) = part.split_at(at);
             described.contains(first) && described.contains(second)
         });
-        is_number || is_pair || WORDS.contains(&part) || described.contains(part)
+        let word = part.trim_end_matches(|it: char| it.is_ascii_digit());
+        is_number || is_pair || WORDS.contains(&word) || described.contains(part)
     })
 }
 

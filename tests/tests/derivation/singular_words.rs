@@ -92,7 +92,7 @@ impl Points<'_> {
         if let Some(lines) = sentence.strip_suffix(" meet in one point or are parallel") {
             return self.lines_in_one_point(lines.strip_prefix("the lines ")?);
         }
-        if let Some(links) = sentence.strip_suffix(" are in line") {
+        if let Some(links) = sentence.strip_suffix(" are collinear") {
             let (one, other) = links.split_once(" and ")?;
             return pairs(one, other, |a, b| a[0] * b[1] - a[1] * b[0]);
         }

@@ -251,7 +251,7 @@ fn outputs_leave_the_measures_as_they_are() {
     let text = closest.to_string();
     assert!(
         text.starts_with("loop L-G-H: ")
-            && text.ends_with("from singular, where c3 and the actuator c10-c9 are in line"),
+            && text.ends_with("from singular, where c3 and the actuator c10-c9 are collinear"),
         "{text}"
     );
 }

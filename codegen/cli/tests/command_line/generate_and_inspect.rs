@@ -139,7 +139,7 @@ fn single_precision_is_generated_on_request() {
     );
     assert!(!code.contains("f64") && !code.contains("double"), "{code}");
     // Constants have the digits that this scalar holds.
-    assert!(code.contains("    SQRT_3 = 1.7320508, "), "{code}");
+    assert!(code.contains("    BODY_2_LENGTH = 1.7320508, "), "{code}");
     folder.run("generate a.mech --scalar f16").exits_with(2);
     // A check compares with the module of the same scalar, and says how to write it.
     folder

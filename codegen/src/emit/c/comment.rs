@@ -38,7 +38,7 @@ impl Code {
             let begin = if place == 0 { "/* " } else { "   " };
             let end = if place == last { " */" } else { "" };
             let text = format!("{begin}{line}");
-            self.whole(&format!("{}{end}", text.trim_end()));
+            self.whole(format!("{}{end}", text.trim_end()));
         }
     }
 }

@@ -221,6 +221,6 @@ fn constants(printer: &Printer<'_>, code: &Code, text: &mut Code) {
         let remark = remark.map_or(String::new(), |remark| {
             format!(" {}", printer.beside(&remark))
         });
-        text.whole(&format!("{line}{remark}"));
+        text.whole(format!("{line}{remark}"));
     }
 }

@@ -57,7 +57,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_path_is_an_error_of_the_compiler() {
+    fn invalid_paths_are_errors_of_the_compiler() {
         for path in ["", "1", "crate::", "a b", "a; use b", "crate::fn", "::"] {
             let import = functions(path, &HashSet::from(["math"]));
             assert!(

@@ -236,11 +236,8 @@ fn solve(
 ) {
     let module = scope.module;
     let tears = tears(newton, module);
-    let levels: [(&str, fn(&Unknown) -> SymbolId); 3] = [
-        ("q", |it| it.position),
-        ("qd", |it| it.rate),
-        ("qdd", |it| it.acceleration),
-    ];
+    let of: [fn(&Unknown) -> SymbolId; 3] = [|it| it.position, |it| it.rate, |it| it.acceleration];
+    let levels = ["q", "qd", "qdd"].into_iter().zip(of);
     let fields = |of: fn(&Unknown) -> SymbolId, frame: &str| {
         let fields = tears.iter().map(|it| module.field(of(it), frame));
         fields.collect::<Vec<_>>().join(", ")
@@ -250,7 +247,7 @@ fn solve(
     }
     code.open("let tears = kinematics::Frame {");
     code.line("t: last.t,");
-    for (level, of) in levels {
+    for (level, of) in levels.clone() {
         code.line(format!("{level}: Vector::from([{}]),", fields(of, "last")));
     }
     code.close("};");

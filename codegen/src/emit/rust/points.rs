@@ -36,9 +36,9 @@ pub(super) fn methods(module: &Module<'_>, code: &mut Code) {
 
 /// Writes the points by name, for code that is written for any mechanism.
 pub(super) fn table(module: &Module<'_>, code: &mut Code) {
-    let own = module.system.outputs.iter().map(|it| &it.name);
+    let all = module.system.outputs.iter().map(|it| &it.name);
     let names: Vec<&String> = match &module.program.outputs {
-        None => own.collect(),
+        None => all.collect(),
         Some(outputs) => outputs
             .iter()
             .filter_map(|output| match output {

@@ -72,7 +72,7 @@ fn vector(
             continue;
         }
         if let Some(label) = documentation::before_row(system, index, is_shown) {
-            statements.remark(&label);
+            statements.remark(label);
         }
         let name = identifier(&row.name);
         statements.line(format!("let {name} = {value};"));
@@ -112,7 +112,7 @@ fn matrix(module: &Module<'_>, function: &Function, code: &mut Code) {
     statements.line("let mut phi_q = Matrix::zeros();");
     for (index, row) in system.rows.iter().enumerate() {
         if let Some(label) = documentation::before_row(system, index, |_| true) {
-            statements.remark(&label);
+            statements.remark(label);
         }
         for (entry, value) in row.jacobian.iter().zip(values.by_ref()) {
             statements.line(format!("phi_q[({index}, {})] = {value};", entry.coordinate));

@@ -58,19 +58,29 @@ impl Described {
             add_places(&mut coordinates, body, graph, mechanism);
             described.general.extend(&lengths);
             described.general.extend(&coordinates);
-            if let Some(angle) = angle_of(body, system) {
-                if let Some(rod) = rod.filter(|_| is_along_axis(&links)) {
-                    described.rods.entry(angle).or_default().add_link(&rod);
+            let angles = angles_of(body, system);
+            if angles.is_empty() {
+                described.terms.extend(&coordinates);
+            }
+            for angle in angles {
+                if let Some(rod) = rod.as_ref().filter(|_| is_along_axis(&links)) {
+                    described.rods.entry(angle).or_default().add_link(rod);
                 }
                 let own = described.coordinates.entry(angle).or_default();
                 own.extend(&lengths);
                 own.extend(&coordinates);
-            } else {
-                described.terms.extend(&coordinates);
             }
         }
         described
     }
+}
+
+/// Returns the unknown angle of a body, and that of the body that it follows; none of the ground.
+fn angles_of(body: usize, system: &System) -> Vec<usize> {
+    let own = (body > 0).then(|| system.vector_form.angle_of(body));
+    let mut angles: Vec<usize> = own.into_iter().chain(angle_of(body, system)).collect();
+    angles.dedup();
+    angles
 }
 
 /// Returns the unknown angle that rotates a body; `None` if the body does not rotate.

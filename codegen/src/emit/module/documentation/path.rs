@@ -43,7 +43,7 @@ pub(in crate::emit) const VERIFY_PATH: [&str; 2] = [
 
 /// Documentation of the function that verifies dyads one after another.
 pub(in crate::emit) const VERIFY_NONSINGULAR: [&str; 2] = [
-    "Verifies that the two links of no dyad become collinear in the window, block by block.",
+    "Verifies for each dyad in turn that its two links do not become collinear in the window.",
     "Fails with the number of the block that is not verified.",
 ];
 
