@@ -48,7 +48,7 @@ pub use emit::{Language, OutputFile, Scalar};
 pub use linkwright_description::diagnostic;
 #[doc(inline)]
 pub use linkwright_description::format::format;
-pub use read::{Read, read};
+pub use read::{Read, read, read_along};
 
 use checks::check_all;
 use diagnostic::{Diagnostics, Source, internal};

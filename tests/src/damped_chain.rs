@@ -6,8 +6,7 @@
 
 use linkwright_solver::dormand_prince::Step;
 use linkwright_solver::rates::Rates;
-use linkwright_solver::simulation::{Options, Stop};
-use linkwright_solver::tolerances::Tolerances;
+use linkwright_solver::{SimulationOptions, Stop, Tolerances};
 use nalgebra::{DMatrix, DVector};
 
 use crate::multipliers::larger;
@@ -153,7 +152,12 @@ impl DampedChain {
     ///
     /// # Errors
     /// It ends early.
-    pub fn compared(self, motion: &[Vec<f64>], end: f64, options: Options) -> Result<Found, Stop> {
+    pub fn compared(
+        self,
+        motion: &[Vec<f64>],
+        end: f64,
+        options: SimulationOptions,
+    ) -> Result<Found, Stop> {
         let mut simulation = simulation(&self.text(), end, options);
         let mut error = 0.0_f64;
         for (step, expected) in motion.iter().enumerate() {

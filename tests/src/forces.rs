@@ -7,9 +7,7 @@ use linkwright::{Settings, Shell};
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::stages::system::System;
 use linkwright_solver::forces::names;
-use linkwright_solver::instant::Instant;
-use linkwright_solver::interpreted::Interpreted;
-use linkwright_solver::view::View;
+use linkwright_solver::{Instant, Interpreted, View};
 use nalgebra::{DMatrix, DVector};
 
 use crate::values::assembled_from;

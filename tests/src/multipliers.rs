@@ -6,8 +6,8 @@
 
 use linkwright::Equations;
 use linkwright_codegen::stages::system::System;
-use linkwright_solver::supplied::{InputLaws, Numbers};
 use linkwright_solver::textbook::TextbookEquations;
+use linkwright_solver::{InputLaws, Numbers};
 use nalgebra::{DMatrix, DVector};
 
 use crate::forces::Weight;

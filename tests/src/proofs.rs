@@ -5,12 +5,9 @@
 use linkwright::{Blocks, Shell};
 use linkwright_codegen::stages::expr::ExprId;
 use linkwright_codegen::stages::system::System;
-use linkwright_solver::check::Check;
-use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::measures::Measures;
 use linkwright_solver::proof::{Enclosed, Proof, Proven};
-use linkwright_solver::schedule::Schedule;
-use linkwright_solver::view::View;
+use linkwright_solver::{Check, Interpreted, Schedule, View};
 
 use crate::magnitude::needed;
 use crate::random::Random;

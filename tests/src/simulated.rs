@@ -2,17 +2,15 @@
 
 use linkwright::{Blocks, Shell, Signal};
 use linkwright_codegen::stages::system::System;
-use linkwright_solver::instant::Instant;
-use linkwright_solver::interpreted::Interpreted;
-use linkwright_solver::simulation::{Options, Simulation, Tolerances};
-use linkwright_solver::supplied::{InputSignals, Numbers};
-use linkwright_solver::view::View;
+use linkwright_solver::{
+    InputSignals, Instant, Interpreted, Numbers, Simulation, SimulationOptions, Tolerances, View,
+};
 
 use crate::forces::systems;
 
 /// The options of a test: a relative tolerance, with an absolute one far below what is asked.
-pub fn options(relative: f64) -> Options {
-    Options {
+pub fn options(relative: f64) -> SimulationOptions {
+    SimulationOptions {
         tolerances: Tolerances {
             relative,
             absolute: relative * 1e-3,
@@ -34,7 +32,7 @@ pub fn interpreted(text: &str) -> Interpreted {
 ///
 /// # Panics
 /// If it has errors, or cannot be assembled.
-pub fn simulation(text: &str, end: f64, options: Options) -> Simulation {
+pub fn simulation(text: &str, end: f64, options: SimulationOptions) -> Simulation {
     let view = interpreted(text);
     Simulation::new(&view, None, end, options).expect("it starts as drawn")
 }

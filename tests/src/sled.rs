@@ -3,7 +3,7 @@
 //! The drag is a force whose formula is in rates alone. Its direction turns with the sled, and no coordinate of the pose has that direction
 //! (Chaplygin's sled). With the velocities u along and v across the runner and a constant rate ω, u̇ = ω v and v̇ = −ω u − D/m v.
 
-use linkwright_solver::simulation::{Options, Stop};
+use linkwright_solver::{SimulationOptions, Stop};
 
 use crate::multipliers::larger;
 use crate::simulated::{coordinate, simulation};
@@ -71,7 +71,7 @@ impl Sled {
     ///
     /// # Errors
     /// It ends early.
-    pub fn compared(self, end: f64, options: Options) -> Result<Found, Stop> {
+    pub fn compared(self, end: f64, options: SimulationOptions) -> Result<Found, Stop> {
         let mut simulation = simulation(&self.text(), end, options);
         let mut error = 0.0_f64;
         for step in 1..=INSTANTS {

@@ -2,8 +2,7 @@
 
 use linkwright_solver::dormand_prince::Step;
 use linkwright_solver::rates::Rates;
-use linkwright_solver::simulation::{Effort, Method, Options, Simulation, Stop};
-use linkwright_solver::tolerances::Tolerances;
+use linkwright_solver::{Effort, Method, Simulation, SimulationOptions, Stop, Tolerances};
 
 use crate::multipliers::larger;
 use crate::simulated::{coordinate, simulation};
@@ -89,7 +88,7 @@ impl Damped {
         damper: f64,
         motion: &[State],
         end: f64,
-        options: Options,
+        options: SimulationOptions,
     ) -> Result<Found, Stop> {
         let mut simulation = simulation(&self.text(damper), end, options);
         let mut error = 0.0_f64;
@@ -118,9 +117,9 @@ impl Damped {
     }
 }
 
-/// Options of a method.
-pub fn options(method: Method, relative: f64) -> Options {
-    Options {
+/// SimulationOptions of a method.
+pub fn options(method: Method, relative: f64) -> SimulationOptions {
+    SimulationOptions {
         method,
         ..crate::simulated::options(relative)
     }

@@ -15,7 +15,7 @@
 //!     revolute A(ground, arm);
 //!     drive phi(arm) = t;
 //! }";
-//! let read = linkwright_codegen::stages::read_along(&Source::new("crank.mech", text), &["L"]);
+//! let read = linkwright_codegen::read_along(&Source::new("crank.mech", text), &["L"]);
 //! let system = read.expect("no errors").only().expect("one motion");
 //! let calibrator = Calibrator::new(&system, 0.1).expect("its equations can be ordered");
 //!
@@ -48,8 +48,8 @@ pub use identification::{Identification, Indistinct};
 pub use model::{Calibrator, NotDerived};
 
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
+use linkwright_solver::View as _;
 use linkwright_solver::observable::Observable;
-use linkwright_solver::view::View as _;
 use nalgebra::storage::Owned;
 use nalgebra::{DMatrix, DVector, Dyn};
 

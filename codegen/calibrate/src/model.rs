@@ -10,14 +10,9 @@ use linkwright_codegen::stages::expr::{ExprId, SymbolId};
 use linkwright_codegen::stages::model::Dimension;
 use linkwright_codegen::stages::system::{Cause, System};
 use linkwright_solver::comparison::difference;
-use linkwright_solver::instant::Instant;
-use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::observable::{Observable, values};
 use linkwright_solver::reader::Reader;
-use linkwright_solver::schedule::Schedule;
-use linkwright_solver::supplied::Modes;
-use linkwright_solver::trajectory::follow;
-use linkwright_solver::view::View;
+use linkwright_solver::{Instant, Interpreted, Modes, Schedule, View, follow};
 
 use crate::{Bounds, Measurements};
 
@@ -60,7 +55,7 @@ pub(crate) struct Sampled {
 
 impl Calibrator {
     /// Returns the calibrator of a system with the sensitivities to the parameters that are to be fitted, as
-    /// [`linkwright_codegen::stages::read_along`] gives it. `step` is the largest time between frames (s). `None` if its blocks
+    /// [`linkwright_codegen::read_along`] gives it. `step` is the largest time between frames (s). `None` if its blocks
     /// cannot be ordered.
     pub fn new(system: &System, step: f64) -> Option<Calibrator> {
         Some(Calibrator::of(Interpreted::new(system)?, step))

@@ -1,50 +1,130 @@
 //! Solves the motion of a description immediately, without a compile step.
 //!
-//! [`interpreted`] runs the blocks of the generated code in the same shell, and so with the same bits, modes, path and failures.
-//! [`dense`] solves the textbook formulation as one system. Further modules find assemblies, closest approaches to singular poses,
-//! residuals and trajectories. The package also builds for `wasm32-unknown-unknown`.
+//! [`Interpreted`] runs the blocks of generated code in the shell of the runtime, with the same bits, modes, path and
+//! failures. All quantities are in SI units: m, rad, s.
+//!
+//! ```
+//! use linkwright::{Blocks, Mechanism, Settings, Shell};
+//! use linkwright_codegen::diagnostic::Source;
+//! use linkwright_solver::{Interpreted, View};
+//!
+//! let text = "
+//!     mechanism crank {
+//!         point O = (0, 0);
+//!         body arm at O { O, A: (2, 0) }
+//!         revolute O(ground, arm);
+//!         drive phi(arm) = 3*t;
+//!     }";
+//! let source = Source::new("crank.mech", text);
+//! let read = linkwright_codegen::read(&source).map_err(|errors| errors.render(&source))?;
+//! let blocks = Interpreted::new(&read.motions[0]).ok_or("the equations do not determine the motion")?;
+//!
+//! let (parameters, laws) = (blocks.nominal_parameters(), blocks.input_laws());
+//! let (pose, modes) = (blocks.drawn_pose(&parameters), blocks.drawn_branches());
+//! let settings = Settings::default();
+//! let mut crank = Shell::assemble(blocks, &parameters, &pose, modes, 0.0, &laws.at(0.0), settings)?;
+//! let instant = crank.advance(0.5, &laws.at(0.5))?;
+//! assert_eq!((instant.q()[2], instant.qd()[2]), (1.5, 3.0));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! - [`View`] is what both formulations provide. [`Dense`] is the other one, the textbook formulation as one system.
+//! - [`follow`] moves a mechanism over the times of a [`Schedule`] and finds the end of its motion.
+//! - [`Check`] looks for assemblies and singular poses over a schedule.
+//! - [`Simulation`] integrates the motion of free coordinates under forces.
+//! - [`Observable`](observable::Observable) names a quantity of a frame, to be compared with measured values.
+//!
+//! The package also builds for `wasm32-unknown-unknown`.
 
 #![doc(html_root_url = "https://docs.rs/linkwright-solver/0.1.0")]
 
-pub mod approach;
-pub mod assemblies;
-pub mod check;
-pub mod comparison;
-pub mod condition;
-pub mod dense;
-pub mod derivatives;
-pub mod diagnosis;
-pub mod dormand_prince;
-pub mod drawn;
-pub mod every_pose;
-pub mod first_step;
-pub mod forces;
-pub mod instant;
-pub mod interpreted;
+mod instant;
+mod interpreted;
 mod known_poses;
-pub mod measures;
-pub mod mode_selection;
+mod mode_selection;
 mod newton;
-pub mod not_finite;
-pub mod number;
-pub mod observable;
-pub mod open_loop;
 mod operation;
 mod path;
-pub mod pressure;
-pub mod proof;
-pub mod radau;
-pub mod rates;
-pub mod reader;
-pub mod residuals;
-pub mod schedule;
-pub mod search;
-pub mod simulation;
-pub mod singular_participants;
-pub mod supplied;
-pub mod textbook;
-pub mod tolerances;
+mod schedule;
+mod supplied;
 mod torn;
-pub mod trajectory;
-pub mod view;
+mod trajectory;
+mod view;
+
+pub mod observable;
+
+// Items that the command, the fits and the tests of this repository call; they may change with every release.
+#[doc(hidden)]
+pub mod approach;
+#[doc(hidden)]
+pub mod assemblies;
+#[doc(hidden)]
+pub mod check;
+#[doc(hidden)]
+pub mod comparison;
+#[doc(hidden)]
+pub mod condition;
+#[doc(hidden)]
+pub mod dense;
+#[doc(hidden)]
+pub mod derivatives;
+#[doc(hidden)]
+pub mod diagnosis;
+#[doc(hidden)]
+pub mod dormand_prince;
+#[doc(hidden)]
+pub mod drawn;
+#[doc(hidden)]
+pub mod every_pose;
+#[doc(hidden)]
+pub mod first_step;
+#[doc(hidden)]
+pub mod forces;
+#[doc(hidden)]
+pub mod measures;
+#[doc(hidden)]
+pub mod not_finite;
+#[doc(hidden)]
+pub mod number;
+#[doc(hidden)]
+pub mod open_loop;
+#[doc(hidden)]
+pub mod pressure;
+#[doc(hidden)]
+pub mod proof;
+#[doc(hidden)]
+pub mod radau;
+#[doc(hidden)]
+pub mod rates;
+#[doc(hidden)]
+pub mod reader;
+#[doc(hidden)]
+pub mod residuals;
+#[doc(hidden)]
+pub mod search;
+#[doc(hidden)]
+pub mod simulation;
+#[doc(hidden)]
+pub mod singular_participants;
+#[doc(hidden)]
+pub mod textbook;
+#[doc(hidden)]
+pub mod tolerances;
+#[doc(hidden)]
 pub mod warnings;
+
+pub use assemblies::{Assemblies, Assembly};
+pub use check::{Check, CheckedPart};
+pub use comparison::Comparison;
+pub use condition::Condition;
+pub use dense::Dense;
+pub use instant::Instant;
+pub use interpreted::Interpreted;
+pub use mode_selection::{ModeSelection, Unassembled};
+pub use residuals::Residuals;
+pub use schedule::{Leg, Schedule, Visit};
+pub use simulation::{Effort, Method, Simulation, SimulationOptions, Stop};
+pub use supplied::{InputLaws, InputSignals, Modes, Numbers, ParameterValues};
+pub use tolerances::Tolerances;
+pub use trajectory::{End, follow};
+pub use view::View;

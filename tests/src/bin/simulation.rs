@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use std::process::ExitCode;
 
 use clap::Parser;
-use linkwright_solver::simulation::{Method, Options};
+use linkwright_solver::{Method, SimulationOptions};
 use linkwright_tests::damped_chain::{DampedChain, Element};
 use linkwright_tests::sled::Sled;
 use linkwright_tests::stiff::{Damped, Found, options};
@@ -134,7 +134,7 @@ fn table(damped: Damped, damper: f64, end: f64) -> String {
 fn by_tolerance<E>(
     digits: RangeInclusive<i32>,
     dampers: &[f64],
-    compared: impl Fn(usize, Options) -> Result<Found, E>,
+    compared: impl Fn(usize, SimulationOptions) -> Result<Found, E>,
 ) -> String {
     let mut titles = vec!["`--rtol`".to_string()];
     for damper in dampers {

@@ -1,6 +1,6 @@
 //! Motions of the reference from a start, with the growth of a small change on the way.
 
-use linkwright_solver::simulation::Simulation;
+use linkwright_solver::Simulation;
 use nalgebra::DVector;
 
 use crate::multipliers::{Motion, Multipliers, apart, larger};

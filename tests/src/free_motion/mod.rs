@@ -12,8 +12,7 @@ pub use gallery::{Freed, LEFT_OUT, MECHANISMS};
 pub use report::{Tally, report};
 
 use linkwright::Blocks;
-use linkwright_solver::interpreted::Interpreted;
-use linkwright_solver::simulation::Simulation;
+use linkwright_solver::{Interpreted, Simulation};
 use nalgebra::DVector;
 
 use crate::forces::systems;

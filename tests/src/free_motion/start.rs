@@ -3,10 +3,7 @@
 //! From the drawing what is free is moved along a ray until there is no pose. Starts lie on the ray before that end.
 
 use linkwright::{Blocks, Shell, Signal};
-use linkwright_solver::instant::Instant;
-use linkwright_solver::interpreted::Interpreted;
-use linkwright_solver::supplied::InputSignals;
-use linkwright_solver::view::View;
+use linkwright_solver::{InputSignals, Instant, Interpreted, View};
 use nalgebra::DVector;
 
 use super::gallery::Freed;

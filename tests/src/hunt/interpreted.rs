@@ -1,6 +1,6 @@
 //! *A mechanism with its truth* → *what the interpreted views make of it*, in f64.
 
-use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::Interpreted;
 
 use super::known::Known;
 use super::ways::{Answered, solved, textbook};

@@ -4,9 +4,8 @@
 use linkwright::Equations;
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::stages::system::System;
-use linkwright_solver::interpreted::Interpreted;
-use linkwright_solver::supplied::Numbers;
 use linkwright_solver::textbook::TextbookEquations;
+use linkwright_solver::{Interpreted, Numbers};
 use nalgebra::DVector;
 
 use super::mechanism::Mechanism;

@@ -6,7 +6,7 @@ use linkwright::{
 use linkwright_codegen::stages::program::forms_of;
 use linkwright_codegen::stages::structure::plan_of_motion;
 use linkwright_codegen::stages::system::System;
-use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::Interpreted;
 use linkwright_solver::textbook::TextbookEquations;
 use nalgebra::Dyn;
 

@@ -3,8 +3,7 @@
 use linkwright::{Blocks, Settings, Shell};
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
 use linkwright_codegen::stages::system::System;
-use linkwright_solver::interpreted::Interpreted;
-use linkwright_solver::supplied::InputSignals;
+use linkwright_solver::{InputSignals, Interpreted};
 use linkwright_tests::hunt::paths::families::{course, junk, with};
 use linkwright_tests::random::Random;
 use linkwright_tests::{description, files};

@@ -8,8 +8,7 @@ use linkwright_codegen::stages::joint::geometry::Mark;
 use linkwright_codegen::stages::system::System;
 use linkwright_solver::assemblies::assemblies;
 use linkwright_solver::drawn::pose;
-use linkwright_solver::instant::Instant;
-use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::{Instant, Interpreted};
 use linkwright_tests::values::assembled_from;
 use linkwright_tests::{description, files};
 

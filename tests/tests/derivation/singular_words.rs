@@ -3,10 +3,8 @@
 
 use linkwright::{Blocks, Settings, Shell};
 use linkwright_codegen::stages::expr::ExprId;
-use linkwright_solver::instant::Instant;
-use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::reader::Reader;
-use linkwright_solver::view::View;
+use linkwright_solver::{Instant, Interpreted, View};
 use linkwright_tests::description;
 use linkwright_tests::random::Random;
 use nalgebra::{DMatrix, Matrix3};

@@ -2,9 +2,7 @@
 
 use linkwright_solver::dormand_prince::Step;
 use linkwright_solver::rates::Rates;
-use linkwright_solver::simulation::Simulation;
-use linkwright_solver::tolerances::Tolerances;
-use linkwright_solver::view::View;
+use linkwright_solver::{Simulation, Tolerances, View};
 use linkwright_tests::description;
 use linkwright_tests::simulated::{
     coordinate, elliptic, energy, force, n_four_bar, options, simulation,

@@ -3,8 +3,7 @@
 use linkwright::{Blocks, FailureKind, Settings, Shell, Signal, Values};
 use linkwright_codegen::stages::report;
 use linkwright_mechanisms::andrews;
-use linkwright_solver::interpreted::Interpreted;
-use linkwright_solver::supplied::InputSignals;
+use linkwright_solver::{InputSignals, Interpreted};
 use linkwright_tests::description;
 use linkwright_tests::forces::{Followed, systems};
 use linkwright_tests::values::assembled_with;

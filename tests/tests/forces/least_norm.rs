@@ -1,8 +1,7 @@
 //! What redundant joints carry with the least norm, against a pseudo-inverse of free bodies that are written out by hand.
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_solver::dense::Dense;
-use linkwright_solver::view::View;
+use linkwright_solver::{Dense, View};
 use linkwright_tests::forces::{Followed, Weight, cross, moving, systems};
 use nalgebra::{DMatrix, DVector};
 

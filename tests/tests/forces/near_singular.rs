@@ -1,6 +1,6 @@
 //! Motions past poses in which loops are nearly singular, against all coordinates integrated with multipliers and quadrature of the energy integral.
 
-use linkwright_solver::simulation::{Simulation, Stop};
+use linkwright_solver::{Simulation, Stop};
 use linkwright_tests::simulated::{coordinate, energy, options, simulation};
 
 /// Moves a simulation to angles of its crank at times, which were found by DOP853 with multipliers at 1e-12 and by t = ∫ sqrt(M/2E) dφ.

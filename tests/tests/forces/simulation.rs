@@ -1,8 +1,8 @@
 //! What forces move, against closed solutions in elliptic functions, against 28 digits of Andrews' mechanism, and against energy.
 
 use linkwright::Signal;
-use linkwright_solver::simulation::{ReducedMotion, Simulation, Stop};
-use linkwright_solver::view::View;
+use linkwright_solver::simulation::ReducedMotion;
+use linkwright_solver::{Simulation, Stop, View};
 use linkwright_tests::description;
 use linkwright_tests::simulated::{
     PENDULUM, by_blocks, coordinate, energy, interpreted, n_four_bar, options, simulation, swung,

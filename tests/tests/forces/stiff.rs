@@ -1,6 +1,6 @@
 //! Motions with strong dampers, against a closed form and Lagrange's equations in short steps.
 
-use linkwright_solver::simulation::{Method, Simulation};
+use linkwright_solver::{Method, Simulation};
 use linkwright_tests::damped_chain::{DampedChain, Element};
 use linkwright_tests::simulated::{PENDULUM, coordinate, energy, simulation, swung};
 use linkwright_tests::sled::Sled;

@@ -4,9 +4,8 @@
 use linkwright::{FailureKind, Settings, Shell, assemble, branch_of, follow};
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::stages::system::System;
-use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::textbook::TextbookEquations;
-use linkwright_solver::view::View;
+use linkwright_solver::{Interpreted, View};
 use linkwright_tests::description;
 use linkwright_tests::values::{assembled_from, assembled_with};
 

@@ -2,8 +2,7 @@
 
 use linkwright::{Blocks, FailureKind, Settings, Signal};
 use linkwright_mechanisms::ankle::{to_joint, to_motors};
-use linkwright_solver::interpreted::Interpreted;
-use linkwright_solver::view::View;
+use linkwright_solver::{Interpreted, View};
 use linkwright_tests::ankle::{SIDES, foot_of};
 use linkwright_tests::description::written;
 use linkwright_tests::files;

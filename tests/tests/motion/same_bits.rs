@@ -3,9 +3,7 @@
 
 use linkwright::{Blocks, Failure, Mechanism, Settings, Shell, Signals, math};
 use linkwright_codegen::stages::system::System;
-use linkwright_solver::interpreted::Interpreted;
-use linkwright_solver::supplied::InputSignals;
-use linkwright_solver::view::View;
+use linkwright_solver::{InputSignals, Interpreted, View};
 use linkwright_tests::description;
 use linkwright_tests::values::{assembled_from, filled, numbers};
 

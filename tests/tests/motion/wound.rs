@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use linkwright::nalgebra::DVector;
 use linkwright::{Equations as _, Settings};
-use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::Interpreted;
 use linkwright_solver::textbook::TextbookEquations;
 use linkwright_tests::description::written;
 use linkwright_tests::random::Random;

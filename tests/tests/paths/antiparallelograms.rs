@@ -6,8 +6,7 @@
 use linkwright::{Blocks as _, Settings, Shell};
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::read;
-use linkwright_solver::interpreted::Interpreted;
-use linkwright_solver::view::View as _;
+use linkwright_solver::{Interpreted, View as _};
 use linkwright_tests::values::assembled_from;
 
 const CRANK: f64 = 0.1;

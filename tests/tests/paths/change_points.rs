@@ -6,8 +6,7 @@ use std::fmt::Write as _;
 use linkwright::{Blocks, Branch, FailureKind, Settings, Shell};
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::read;
-use linkwright_solver::interpreted::Interpreted;
-use linkwright_solver::view::View;
+use linkwright_solver::{Interpreted, View};
 use linkwright_tests::values::assembled_from;
 
 /// Cranks of one length in a row, each of which turns the next one through a coupler as long as the ground between them.

@@ -3,8 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use linkwright::{Blocks, FailureKind, Settings, Signal};
-use linkwright_solver::interpreted::Interpreted;
-use linkwright_solver::view::View;
+use linkwright_solver::{Interpreted, View};
 use linkwright_tests::description;
 use linkwright_tests::values::assembled_with;
 

@@ -5,8 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use linkwright::{Failure, FailureKind, Settings};
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::read;
-use linkwright_solver::interpreted::Interpreted;
-use linkwright_solver::view::View;
+use linkwright_solver::{Interpreted, View};
 use linkwright_tests::description;
 use linkwright_tests::values::{assembled_with, levels};
 

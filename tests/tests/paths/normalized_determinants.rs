@@ -5,9 +5,8 @@ use linkwright::{Blocks, Failure, Mechanism, NormalizedDeterminant, Settings, Sh
 use linkwright_codegen::Options;
 use linkwright_codegen::diagnostic::Source;
 use linkwright_solver::approach::{Approach, Watch};
-use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::reader::Reader;
-use linkwright_solver::view::View;
+use linkwright_solver::{Interpreted, View};
 use linkwright_tests::description;
 use linkwright_tests::stability::precise::Precise;
 use linkwright_tests::values::{assembled, assembled_from};

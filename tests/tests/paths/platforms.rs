@@ -6,8 +6,8 @@
 
 use std::ops::{Add, Mul, Sub};
 
+use linkwright_solver::Interpreted;
 use linkwright_solver::assemblies::assemblies;
-use linkwright_solver::interpreted::Interpreted;
 use linkwright_tests::description::written;
 use linkwright_tests::random::Random;
 use num_bigint::{BigInt, Sign};

@@ -4,7 +4,7 @@ use linkwright::{Blocks, Failure, Settings, Shell, Signal, Signals, Values};
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
 use linkwright_codegen::stages::syntax::parse;
 use linkwright_codegen::stages::system::System;
-use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::Interpreted;
 use linkwright_tests::hunt::paths::course::Course;
 use linkwright_tests::hunt::paths::families::{FAMILIES, course};
 use linkwright_tests::metamorphic::order::reordered;

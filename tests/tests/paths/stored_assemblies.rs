@@ -3,10 +3,8 @@
 
 use std::f64::consts::TAU;
 
-use linkwright_solver::assemblies::{Assemblies, assemblies};
-use linkwright_solver::interpreted::Interpreted;
-use linkwright_solver::mode_selection::ModeSelection;
-use linkwright_solver::view::View;
+use linkwright_solver::assemblies::assemblies;
+use linkwright_solver::{Assemblies, Interpreted, ModeSelection, View};
 use linkwright_tests::description::{motions, written};
 
 /// Descriptions in the middle of the code, each with its text.

@@ -12,9 +12,7 @@ use linkwright::generated::{Conditions, Pair, Start, TimeWindow};
 use linkwright::{Blocks, Settings, Signal, Signals};
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::read;
-use linkwright_solver::instant::Instant;
-use linkwright_solver::interpreted::Interpreted;
-use linkwright_solver::supplied::{InputSignals, Modes};
+use linkwright_solver::{InputSignals, Instant, Interpreted, Modes};
 use linkwright_tests::description;
 use linkwright_tests::random::Random;
 use linkwright_tests::values::assembled_with;
@@ -59,8 +57,7 @@ impl Poses<'_> {
 }
 
 fn no_parameters() -> &'static <Interpreted as Blocks>::Parameters {
-    static NONE: <Interpreted as Blocks>::Parameters =
-        linkwright_solver::supplied::Numbers(Vec::new());
+    static NONE: <Interpreted as Blocks>::Parameters = linkwright_solver::Numbers(Vec::new());
     &NONE
 }
 

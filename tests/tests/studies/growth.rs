@@ -4,8 +4,7 @@ use std::time::Instant;
 
 use linkwright::Settings;
 use linkwright_codegen::diagnostic::Source;
-use linkwright_solver::interpreted::Interpreted;
-use linkwright_solver::supplied::InputSignals;
+use linkwright_solver::{InputSignals, Interpreted};
 use linkwright_tests::dyad_chain;
 use linkwright_tests::values::assembled_with;
 

@@ -1,7 +1,7 @@
 //! Draws the motion of a description as an animation, an SVG or a GIF.
 
 use linkwright_codegen::stages::emit::drawing::{Animation, Options};
-use linkwright_solver::schedule::Schedule;
+use linkwright_solver::Schedule;
 
 use super::animation_format::AnimationFormat;
 use super::description::{determined, interpreted, outputs, set_all, source};

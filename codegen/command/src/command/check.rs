@@ -1,8 +1,6 @@
 //! Lists the assemblies of a description, and finds its closest approach to a singular pose.
 
-use linkwright_solver::check::Check;
-use linkwright_solver::schedule::Schedule;
-use linkwright_solver::view::View;
+use linkwright_solver::{Check, Schedule, View};
 
 use super::description::{determined, interpreted, outputs, set_all, source};
 use super::{Outcome, Problem, in_folder, print, say};

@@ -2,10 +2,9 @@
 
 use std::io;
 
-use linkwright_solver::comparison::{Comparison, difference};
-use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::comparison::difference;
 use linkwright_solver::observable::{Observable, values};
-use linkwright_solver::schedule::Schedule;
+use linkwright_solver::{Comparison, Interpreted, Schedule};
 
 use super::description::{chosen, determined, interpreted, outputs_besides, set_all, source};
 use super::{Outcome, Problem, in_folder, print, say};

@@ -9,10 +9,7 @@ use linkwright_codegen::stages::files;
 use linkwright_codegen::stages::model::set;
 use linkwright_codegen::stages::structure;
 use linkwright_codegen::stages::system::System;
-use linkwright_solver::instant::Instant;
-use linkwright_solver::interpreted::Interpreted;
-use linkwright_solver::mode_selection::ModeSelection;
-use linkwright_solver::supplied::Modes;
+use linkwright_solver::{Instant, Interpreted, ModeSelection, Modes};
 
 use super::{Problem, say};
 use crate::output::Outputs;

@@ -7,9 +7,7 @@ use linkwright_codegen::diagnostic::{Source, nearest};
 use linkwright_codegen::stages::emit::drawing::{self, Options, Pose, Traced};
 use linkwright_codegen::stages::system::System;
 use linkwright_solver::drawn::pose;
-use linkwright_solver::instant::Instant;
-use linkwright_solver::interpreted::Interpreted;
-use linkwright_solver::schedule::Schedule;
+use linkwright_solver::{Instant, Interpreted, Schedule};
 
 use super::description::{
     chosen, determined, interpreted, motions, outputs, set_all, several, source,

@@ -3,8 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use linkwright_solver::schedule::Schedule;
-use linkwright_solver::view::View;
+use linkwright_solver::{Schedule, View};
 
 use super::solve_files::Files;
 use super::{Outcome, Problem, print, say};

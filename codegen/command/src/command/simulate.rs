@@ -2,8 +2,7 @@
 
 use linkwright_codegen::stages::model::Role;
 use linkwright_codegen::stages::system::System;
-use linkwright_solver::schedule::Schedule;
-use linkwright_solver::simulation::{Effort, Method, Options, Tolerances};
+use linkwright_solver::{Effort, Method, Schedule, SimulationOptions, Tolerances};
 
 use super::description::{chosen, determined, interpreted, outputs, set_all, source};
 use super::report::{check_stdout, report};
@@ -55,7 +54,7 @@ pub fn run(arguments: &Simulate) -> Result<Outcome, Problem> {
     };
     let view = interpreted(&system, &source, &arguments.described.file)?;
     let chosen = chosen(&arguments.branch, &view, 0.0)?;
-    let options = Options {
+    let options = SimulationOptions {
         tolerances: Tolerances {
             relative: arguments.rtol,
             absolute: arguments.atol,

@@ -4,9 +4,7 @@ use std::io;
 
 use linkwright_codegen::stages::joint::Quantity;
 use linkwright_codegen::stages::system::System;
-use linkwright_solver::dense::Dense;
-use linkwright_solver::schedule::Schedule;
-use linkwright_solver::view::View;
+use linkwright_solver::{Dense, Schedule, View};
 
 use super::description::{chosen, determined, interpreted, outputs, set_all, source};
 use super::report::{check_stdout, report};

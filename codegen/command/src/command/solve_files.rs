@@ -4,8 +4,7 @@ use std::path::{Path, PathBuf};
 
 use linkwright_codegen::stages::system::System;
 use linkwright_codegen::stages::units::OutputUnits;
-use linkwright_solver::schedule::Schedule;
-use linkwright_solver::view::View;
+use linkwright_solver::{Schedule, View};
 
 use super::{Problem, in_folder};
 use crate::arguments::Reported;

@@ -3,10 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
-use linkwright_solver::check::Check;
-use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::open_loop::open_loop;
-use linkwright_solver::schedule::Schedule;
+use linkwright_solver::{Check, Interpreted, Schedule};
 
 use super::description::{
     chosen, determined_with, interpreted_with, outputs, set_all, source, warn,

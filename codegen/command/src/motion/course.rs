@@ -1,7 +1,7 @@
 //! Collects the data of plots and pictures of a motion: the course of each selected point and coordinate, and paths.
 
 use linkwright::PointMotion;
-use linkwright_solver::instant::Instant;
+use linkwright_solver::Instant;
 
 use super::{Curve, Path, Wanted, of_coordinate};
 

@@ -4,13 +4,10 @@ use std::io;
 
 use linkwright::PointMotion;
 use linkwright_solver::approach::Watch;
-use linkwright_solver::instant::Instant;
 use linkwright_solver::not_finite::load;
 use linkwright_solver::number::time;
-use linkwright_solver::schedule::Schedule;
-use linkwright_solver::trajectory::follow;
-use linkwright_solver::view::View;
 use linkwright_solver::warnings::warnings;
+use linkwright_solver::{Instant, Schedule, View, follow};
 
 use super::{Followed, Row, Shown, Sink, of_coordinate};
 

@@ -2,14 +2,12 @@
 
 use linkwright::Shell;
 use linkwright_codegen::stages::system::System;
-use linkwright_solver::condition::{Condition, dimensionless, jacobian};
-use linkwright_solver::instant::Instant;
+use linkwright_solver::condition::{dimensionless, jacobian};
 use linkwright_solver::measures::MeasuredPart;
 use linkwright_solver::pressure::PressureCheck;
 use linkwright_solver::residuals::ResidualCheck;
-use linkwright_solver::supplied::{Modes, Numbers};
 use linkwright_solver::textbook::TextbookEquations;
-use linkwright_solver::view::View;
+use linkwright_solver::{Condition, Instant, Modes, Numbers, View};
 use nalgebra::DVector;
 
 use super::{Course, Rows, Simulated, Wanted};

@@ -22,7 +22,7 @@ pub use simulated::{Listeners, Simulated, hint};
 use std::io;
 
 use linkwright::PointMotion;
-use linkwright_solver::instant::Instant;
+use linkwright_solver::Instant;
 
 /// Selection of quantities of a motion.
 #[derive(Clone, Debug)]

@@ -2,14 +2,11 @@
 
 use std::io;
 
-use linkwright_solver::dense::Dense;
-use linkwright_solver::instant::Instant;
-use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::number::time;
-use linkwright_solver::schedule::Schedule;
-use linkwright_solver::simulation::{Effort, Method, Options, Simulation, Stop};
-use linkwright_solver::supplied::Modes;
-use linkwright_solver::view::View;
+use linkwright_solver::{
+    Dense, Effort, Instant, Interpreted, Method, Modes, Schedule, Simulation, SimulationOptions,
+    Stop, View,
+};
 
 use super::{Followed, Sink, Wanted};
 
@@ -89,7 +86,7 @@ impl Followed<Dense> {
         &mut self,
         (described, chosen): (&Interpreted, Option<(Instant, Modes)>),
         schedule: &Schedule,
-        options: Options,
+        options: SimulationOptions,
         sinks: &mut [&mut dyn Sink],
         listeners: Listeners<'_>,
     ) -> io::Result<()> {

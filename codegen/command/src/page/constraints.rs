@@ -6,7 +6,7 @@ use linkwright_codegen::stages::emit::derivation::constraints_in_html;
 use linkwright_codegen::stages::emit::markup::escaped;
 use linkwright_codegen::stages::model::Role;
 use linkwright_codegen::stages::system::System;
-use linkwright_solver::check::Check;
+use linkwright_solver::Check;
 
 use super::equations::about;
 

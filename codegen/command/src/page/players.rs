@@ -6,13 +6,8 @@ use linkwright_codegen::stages::emit::drawing::{ActingLoads, Pose};
 use linkwright_codegen::stages::emit::mathml::symbol;
 use linkwright_codegen::stages::joint::Quantity;
 use linkwright_codegen::stages::system::{Described, SymbolRole, System};
-use linkwright_solver::check::Check;
 use linkwright_solver::drawn::pose;
-use linkwright_solver::instant::Instant;
-use linkwright_solver::interpreted::Interpreted;
-use linkwright_solver::schedule::Schedule;
-use linkwright_solver::supplied::Modes;
-use linkwright_solver::view::View as _;
+use linkwright_solver::{Check, Instant, Interpreted, Modes, Schedule, View as _};
 use serde::Serialize;
 
 use super::equations::moved;

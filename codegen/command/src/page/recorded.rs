@@ -8,10 +8,7 @@ use std::io;
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use linkwright_solver::instant::Instant;
-use linkwright_solver::interpreted::Interpreted;
-use linkwright_solver::schedule::Schedule;
-use linkwright_solver::supplied::Modes;
+use linkwright_solver::{Instant, Interpreted, Modes, Schedule};
 use serde::Serialize;
 
 use crate::motion::{Followed, Shown, Sink, Wanted};

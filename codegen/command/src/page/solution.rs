@@ -4,9 +4,8 @@ use std::fmt::Write as _;
 
 use linkwright_codegen::stages::emit::derivation::{Script, html, singular_poses};
 use linkwright_codegen::stages::emit::markup::escaped;
-use linkwright_solver::check::Check;
 use linkwright_solver::number::time;
-use linkwright_solver::view::View as _;
+use linkwright_solver::{Check, View as _};
 
 use super::number::number;
 

@@ -7,11 +7,8 @@ use linkwright_codegen::stages::emit::markup::escaped;
 use linkwright_codegen::stages::emit::mathml::symbol;
 use linkwright_codegen::stages::system::{SymbolRole, System};
 use linkwright_codegen::stages::units::OutputUnit;
-use linkwright_solver::condition::Condition;
 use linkwright_solver::first_step::{FirstStep, first_step as first_step_from};
-use linkwright_solver::instant::Instant;
-use linkwright_solver::interpreted::Interpreted;
-use linkwright_solver::view::View as _;
+use linkwright_solver::{Condition, Instant, Interpreted, View as _};
 use nalgebra::{DMatrix, DVector};
 
 use super::number::{mathml, number};

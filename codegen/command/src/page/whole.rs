@@ -4,15 +4,11 @@ use std::fmt::Write as _;
 
 use linkwright_codegen::stages::emit::drawing::{self, Gap, Options, Pose};
 use linkwright_codegen::stages::emit::markup::escaped;
-use linkwright_solver::check::Check;
-use linkwright_solver::condition::{Condition, jacobian};
+use linkwright_solver::condition::jacobian;
 use linkwright_solver::drawn::pose;
-use linkwright_solver::instant::Instant;
 use linkwright_solver::open_loop::open_loop;
-use linkwright_solver::schedule::Schedule;
-use linkwright_solver::supplied::Modes;
 use linkwright_solver::textbook::TextbookEquations;
-use linkwright_solver::view::View as _;
+use linkwright_solver::{Check, Condition, Instant, Modes, Schedule, View as _};
 use nalgebra::DVector;
 
 use super::number::number;

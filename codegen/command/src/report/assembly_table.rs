@@ -7,10 +7,8 @@ use std::io::{self, Write};
 use linkwright_codegen::stages::emit::text::shown_width;
 use linkwright_codegen::stages::joint::Quantity;
 use linkwright_codegen::stages::system::{Described, System};
-use linkwright_solver::assemblies::Assembly;
-use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::number::fixed;
-use linkwright_solver::view::View;
+use linkwright_solver::{Assembly, Interpreted, View};
 
 use super::units::text_of;
 

@@ -25,10 +25,9 @@ use std::collections::BTreeMap;
 use std::io::{self, Write};
 
 use linkwright_codegen::stages::units::OutputUnit;
-use linkwright_solver::check::Check;
 use linkwright_solver::every_pose::Undecided;
 use linkwright_solver::proof::{Enclosed, Proof};
-use linkwright_solver::view::View;
+use linkwright_solver::{Check, View};
 use serde::Serialize;
 
 use super::units::{enclosing, of_coordinate, si_of};

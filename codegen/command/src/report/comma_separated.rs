@@ -15,7 +15,7 @@
 use std::io::{self, Write};
 
 use linkwright_codegen::stages::units::{OutputUnit, Unit};
-use linkwright_solver::view::View;
+use linkwright_solver::View;
 
 use super::units::ColumnUnits;
 use crate::motion::{Followed, Shown, Sink};

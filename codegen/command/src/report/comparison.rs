@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use linkwright_solver::comparison::Comparison;
+use linkwright_solver::Comparison;
 use linkwright_solver::number::{counted, scientific, time};
 
 use super::aligned::aligned;

@@ -1,9 +1,8 @@
 //! Prepares solved instants for drawings: paths of points, and the sheet of all assemblies.
 
 use linkwright_codegen::stages::emit::drawing::{self, Panel, Traced};
-use linkwright_solver::assemblies::Assembly;
 use linkwright_solver::drawn::pose;
-use linkwright_solver::view::View;
+use linkwright_solver::{Assembly, View};
 
 use super::picture::signed;
 

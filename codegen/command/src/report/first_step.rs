@@ -2,9 +2,9 @@
 
 use std::io::{self, Write};
 
+use linkwright_solver::View;
 use linkwright_solver::first_step::first_step;
 use linkwright_solver::number::{fixed, time};
-use linkwright_solver::view::View;
 
 use super::motion_table::{Column, table};
 

@@ -3,8 +3,8 @@
 use std::io::{self, Write};
 
 use linkwright_codegen::stages::units::OutputUnits;
+use linkwright_solver::View;
 use linkwright_solver::number::time;
-use linkwright_solver::view::View;
 
 use super::motion_table::{self, Column};
 use crate::motion::Followed;

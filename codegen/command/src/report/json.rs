@@ -26,8 +26,7 @@ use linkwright_codegen::stages::model::Role;
 use linkwright_codegen::stages::units::OutputUnit;
 use linkwright_solver::check::equation_count;
 use linkwright_solver::pressure::LargestPressureAngle;
-use linkwright_solver::residuals::Residuals;
-use linkwright_solver::view::View;
+use linkwright_solver::{Residuals, View};
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 

@@ -1,7 +1,7 @@
 //! Draws the paths of a motion's points as one SVG: x against y, both at one scale.
 
 use linkwright_codegen::stages::units::OutputUnit;
-use linkwright_solver::view::View;
+use linkwright_solver::View;
 use plotters::prelude::*;
 
 use super::plot::{Drawing, Refused, UNITS, drawn, extent, label_format};

@@ -5,7 +5,7 @@
 use std::ops::Range;
 
 use linkwright_codegen::stages::units::{OutputUnit, OutputUnits};
-use linkwright_solver::view::View;
+use linkwright_solver::View;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};

@@ -5,10 +5,9 @@
 use std::io::{self, Write};
 
 use linkwright_codegen::stages::units::OutputUnit;
-use linkwright_solver::check::Check;
 use linkwright_solver::number::{counted, time};
 use linkwright_solver::proof::{Enclosed, Proof, Proven};
-use linkwright_solver::view::View;
+use linkwright_solver::{Check, View};
 
 use super::units::enclosing;
 

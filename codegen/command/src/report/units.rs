@@ -3,8 +3,8 @@
 use linkwright_codegen::stages::joint::Quantity;
 use linkwright_codegen::stages::system::System;
 use linkwright_codegen::stages::units::{OutputUnit, OutputUnits};
+use linkwright_solver::View;
 use linkwright_solver::number::fixed;
-use linkwright_solver::view::View;
 
 use crate::motion::Followed;
 

@@ -45,9 +45,9 @@ use crate::view::View;
 /// Factor of the length of a step that leads to a state without a solution, for the next attempt.
 const RETREAT: f64 = 0.25;
 
-/// Options of an integration.
+/// SimulationOptions of an integration.
 #[derive(Clone, Copy, Debug)]
-pub struct Options {
+pub struct SimulationOptions {
     /// Tolerances of a step.
     pub tolerances: Tolerances,
     /// Method of the steps.
@@ -79,7 +79,7 @@ enum Segment {
 pub struct Simulation {
     view: Dense,
     right_side: RightSide,
-    options: Options,
+    options: SimulationOptions,
     /// End of the motion (s), which no step exceeds.
     end: f64,
     state: Vec<f64>,
@@ -111,7 +111,7 @@ impl Simulation {
         view: &Interpreted,
         chosen: Option<(Instant, Modes)>,
         end: f64,
-        options: Options,
+        options: SimulationOptions,
     ) -> Result<Simulation, Stop> {
         let motion = ReducedMotion::of(view).ok_or(Stop::NothingFree)?;
         let parameters = view.nominal_parameters();

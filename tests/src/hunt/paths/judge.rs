@@ -1,8 +1,8 @@
 //! *What `advance` has made of a schedule, and where the smooth path goes* → *an outcome of every step*.
 
 use linkwright::Signal;
-use linkwright_solver::supplied::{InputSignals, Numbers};
 use linkwright_solver::textbook::TextbookEquations;
+use linkwright_solver::{InputSignals, Numbers};
 use nalgebra::DVector;
 
 use super::course::{Course, quintic, straight};

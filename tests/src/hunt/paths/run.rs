@@ -3,7 +3,7 @@
 use linkwright::Blocks;
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::stages::system::System;
-use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::Interpreted;
 use linkwright_solver::textbook::TextbookEquations;
 use nalgebra::DVector;
 

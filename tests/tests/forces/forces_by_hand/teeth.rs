@@ -1,7 +1,7 @@
 //! Forces of teeth against closed forms, and with other values of parameters.
 
 use linkwright::{Blocks, FailureKind, Values};
-use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::Interpreted;
 use linkwright_tests::forces::{Followed, systems};
 
 use super::{close, followed};

@@ -1,7 +1,6 @@
 //! Bodies on gears cut free: the forces at the pitch points balance each of them, by the equations of Newton and Euler.
 
-use linkwright_solver::dense::Dense;
-use linkwright_solver::view::View;
+use linkwright_solver::{Dense, View};
 use linkwright_tests::description;
 use linkwright_tests::forces::{Followed, Weight, cross, moving, systems};
 

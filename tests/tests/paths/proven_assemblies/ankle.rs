@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use linkwright_solver::Interpreted;
 use linkwright_solver::assemblies::assemblies;
-use linkwright_solver::interpreted::Interpreted;
 use linkwright_tests::files;
 use linkwright_tests::forces::systems;
 use linkwright_tests::random::Random;

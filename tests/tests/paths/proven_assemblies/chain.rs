@@ -1,7 +1,7 @@
 //! Two cells of bars, each of which follows from those before it by hand: a cosine, another one, and two circles that meet.
 
+use linkwright_solver::Interpreted;
 use linkwright_solver::assemblies::assemblies;
-use linkwright_solver::interpreted::Interpreted;
 use linkwright_tests::description::written;
 use linkwright_tests::random::Random;
 

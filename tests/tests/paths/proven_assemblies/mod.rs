@@ -8,9 +8,9 @@ use std::f64::consts::{PI, TAU};
 
 use linkwright::{Equations, Settings, assemble};
 use linkwright_codegen::stages::joint::Quantity;
-use linkwright_solver::assemblies::{Assemblies, assemblies};
-use linkwright_solver::interpreted::Interpreted;
+use linkwright_solver::assemblies::assemblies;
 use linkwright_solver::textbook::TextbookEquations;
+use linkwright_solver::{Assemblies, Interpreted};
 use linkwright_tests::description::{source, system, written};
 use linkwright_tests::random::Random;
 use nalgebra::DVector;

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use linkwright::generated::{Pair, TimeWindow};
 use linkwright::{Blocks, Settings};
 use linkwright_codegen::diagnostic::Source;
-use linkwright_solver::supplied::InputSignals;
+use linkwright_solver::InputSignals;
 use linkwright_tests::dyad_chain;
 use linkwright_tests::random::Random;
 use linkwright_tests::values::assembled_with;

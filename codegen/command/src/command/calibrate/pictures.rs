@@ -2,7 +2,7 @@
 
 use linkwright_calibrate::Fit;
 use linkwright_codegen::stages::system::System;
-use linkwright_solver::comparison::Comparison;
+use linkwright_solver::Comparison;
 
 use super::super::{Problem, print};
 use crate::data::Data;

@@ -6,8 +6,8 @@ use linkwright_codegen::stages::emit::Notation;
 use linkwright_codegen::stages::emit::text::formula;
 use linkwright_codegen::stages::model::{Body, Role};
 use linkwright_codegen::stages::units::OutputUnits;
+use linkwright_solver::View;
 use linkwright_solver::check::equation_count;
-use linkwright_solver::view::View;
 
 use super::listing::{line, list, shortened};
 use crate::motion::Followed;

@@ -8,9 +8,9 @@ use std::io::{self, Write};
 
 use linkwright_codegen::stages::model::Mechanism;
 use linkwright_codegen::stages::units::OutputUnits;
+use linkwright_solver::View;
 use linkwright_solver::diagnosis::unit;
 use linkwright_solver::number::{counted, fixed, scientific, time};
-use linkwright_solver::view::View;
 
 use super::first_step;
 use super::forces;

@@ -2,8 +2,8 @@
 
 use std::io::{self, Write};
 
+use linkwright_solver::View;
 use linkwright_solver::number::fixed;
-use linkwright_solver::view::View;
 
 use super::{Layout, WIDTH};
 use crate::motion::{Followed, Row};
