@@ -21,7 +21,7 @@ use crate::view::View;
 use crate::warnings::warnings;
 
 /// Measure below which a warning is given: links within about half a degree of collinear.
-pub const CLOSE: f64 = 0.01;
+pub(crate) const WARNING_MEASURE: f64 = 0.01;
 
 /// Subsystem of the plan.
 #[derive(Clone, Debug)]
@@ -146,7 +146,7 @@ impl Check {
         Check {
             kinematic_freedom,
             net_freedom,
-            warnings: warnings(&approaches, poses, CLOSE),
+            warnings: warnings(&approaches, poses, WARNING_MEASURE),
             parts: parts(&interpreted, &approaches),
             start,
             range,

@@ -10,7 +10,7 @@ use crate::supplied::InputLaws;
 use crate::view::View;
 
 /// Precision of the end of a motion, relative to the larger of the time and one second.
-pub const END: f64 = 1e-12;
+pub(crate) const END_PRECISION: f64 = 1e-12;
 
 /// End of a motion.
 #[derive(Clone, Debug)]
@@ -82,7 +82,7 @@ fn last_before<V: View>(shell: &mut Shell<V>, laws: &InputLaws, mut beyond: f64)
     loop {
         let t = shell.frame().t();
         let middle = t + 0.5 * (beyond - t);
-        if (beyond - t).abs() <= END * beyond.abs().max(1.0) || middle == t || middle == beyond {
+        if (beyond - t).abs() <= END_PRECISION * beyond.abs().max(1.0) || middle == t || middle == beyond {
             return shell.frame().clone();
         }
         if shell.advance(middle, &laws.at(middle)).is_err() {

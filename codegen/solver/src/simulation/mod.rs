@@ -39,7 +39,7 @@ use crate::dormand_prince::first_length;
 use crate::instant::Instant;
 use crate::interpreted::Interpreted;
 use crate::supplied::{Modes, Numbers};
-use crate::trajectory::END;
+use crate::trajectory::END_PRECISION;
 use crate::view::View;
 
 /// Factor of the length of a step that leads to a state without a solution, for the next attempt.
@@ -229,7 +229,7 @@ impl Simulation {
                 tolerances,
             ) {
                 Ok(length) => return Ok(length),
-                Err(stop) if longest <= END => return Err(stop),
+                Err(stop) if longest <= END_PRECISION => return Err(stop),
                 Err(_) => longest *= RETREAT,
             }
         }
