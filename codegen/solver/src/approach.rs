@@ -14,7 +14,7 @@ use crate::view::View;
 const WAITING: usize = 64;
 
 /// Difference below which two measures count as the same minimum, reached again.
-pub const SAME: f64 = 1e-9;
+pub(crate) const MEASURE_TOLERANCE: f64 = 1e-9;
 
 /// Closest approach of one subsystem to a singular pose.
 #[derive(Clone, Debug)]
@@ -27,7 +27,7 @@ pub struct Approach {
     pub size: f64,
     /// First instant of this magnitude.
     pub instant: Instant,
-    /// Number of times of this magnitude, up to [`SAME`].
+    /// Number of times of this magnitude, up to `MEASURE_TOLERANCE`.
     pub times: usize,
     /// True if it is an end of the motion, beyond which the measure might fall further.
     pub at_end: bool,
@@ -55,7 +55,7 @@ struct Watched {
     brackets: Vec<Bracket>,
     /// Magnitudes at the ends and at refined minima, with their times.
     sizes: Vec<[f64; 2]>,
-    /// First of the smallest of these, up to [`SAME`], and any that is lower.
+    /// First of the smallest of these, up to `MEASURE_TOLERANCE`, and any that is lower.
     first: Option<Low>,
     /// True if the measure changes its sign at any of them.
     crosses: bool,
@@ -153,7 +153,7 @@ impl Watch {
         for (place, watched) in all.iter_mut().enumerate() {
             let brackets = std::mem::take(&mut watched.brackets);
             for bracket in &brackets {
-                if bracket.least <= watched.bound + SAME * watched.unit() {
+                if bracket.least <= watched.bound + MEASURE_TOLERANCE * watched.unit() {
                     watched.note(self.refine(place, bracket, shell));
                 }
             }
@@ -257,7 +257,7 @@ impl Watched {
     /// Records an end of the motion or a refined minimum.
     fn note(&mut self, low: Low) {
         let (size, t) = (low.size, low.instant.t());
-        let same = SAME * self.unit();
+        let same = MEASURE_TOLERANCE * self.unit();
         self.bound = self.bound.min(size);
         self.crosses |= low.crosses;
         self.sizes.push([t, size]);
@@ -275,11 +275,11 @@ impl Watched {
         let sizes = self.sizes.iter().map(|&[_, size]| size);
         let smallest = sizes.min_by(f64::total_cmp)?;
         let lowest = self.sizes.iter();
-        let lowest = lowest.filter(|[_, size]| *size <= smallest + SAME * unit);
+        let lowest = lowest.filter(|[_, size]| *size <= smallest + MEASURE_TOLERANCE * unit);
         let mut times: Vec<f64> = lowest.map(|&[t, _]| t).collect();
         times.sort_by(f64::total_cmp);
         // An end that is also stationary counts once.
-        times.dedup_by(|a, b| (*a - *b).abs() <= SAME);
+        times.dedup_by(|a, b| (*a - *b).abs() <= MEASURE_TOLERANCE);
         let first = self.first?;
         Some(Approach {
             part: self.part,

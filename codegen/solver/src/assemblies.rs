@@ -13,13 +13,13 @@ use crate::every_pose::Undecided;
 use crate::instant::Instant;
 use crate::interpreted::{Interpreted, State};
 use crate::known_poses::letter;
-use crate::search::{SAME, STARTS};
+use crate::search::{POSE_TOLERANCE, STARTS};
 use crate::supplied::Modes;
 use crate::textbook::TextbookEquations;
 use crate::view::View;
 
 /// Largest number of tried combinations of signs. Each random pose from which a block without a closed form is solved counts as one.
-pub const LARGEST: usize = 4096;
+pub(crate) const MAX_ASSEMBLIES: usize = 4096;
 
 /// Pose of a block without a closed form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,7 +70,7 @@ pub struct Assemblies {
     pub undecided: Vec<Undecided>,
     /// Part of the candidate volume in which existence is decided, at most 1: the smallest of all blocks; 0 without a proof.
     pub decided: f64,
-    /// True if some combinations were left untried because there are more than [`LARGEST`].
+    /// True if some combinations were left untried because there are more than `MAX_ASSEMBLIES`.
     pub cut_short: bool,
 }
 
@@ -124,7 +124,7 @@ pub fn assemblies(interpreted: &Interpreted, t: f64) -> Assemblies {
         ..
     } = search;
     found.sort_by_key(|it| !it.drawn);
-    let is_proven = proven && tried <= LARGEST;
+    let is_proven = proven && tried <= MAX_ASSEMBLIES;
     Assemblies {
         modes: drawn.closed.len(),
         iterated: drawn.iterated.len(),
@@ -132,7 +132,7 @@ pub fn assemblies(interpreted: &Interpreted, t: f64) -> Assemblies {
         decided: if is_proven { decided } else { 0.0 },
         proven: is_proven,
         undecided,
-        cut_short: tried > LARGEST,
+        cut_short: tried > MAX_ASSEMBLIES,
     }
 }
 
@@ -159,7 +159,7 @@ impl Search<'_> {
         // Positive signs come first; the first sign changes fastest.
         for choice in 0..1_usize << own.closed.len().min(usize::BITS as usize - 2) {
             self.tried += if is_iterated { STARTS as usize } else { 1 };
-            if self.tried > LARGEST {
+            if self.tried > MAX_ASSEMBLIES {
                 return;
             }
             let mut modes = modes.clone();
@@ -197,7 +197,7 @@ impl Search<'_> {
             return;
         };
         let scale = |k| self.textbook.coordinate_scale(k);
-        let is_there = (0..q.len()).all(|k| (q[k] - frame.q[k]).abs() <= SAME * scale(k));
+        let is_there = (0..q.len()).all(|k| (q[k] - frame.q[k]).abs() <= POSE_TOLERANCE * scale(k));
         self.proven &= is_there;
         if is_there {
             instant.set_frame(&frame);

@@ -21,7 +21,7 @@ use crate::view::View;
 use crate::warnings::warnings;
 
 /// Measure below which a warning is given: links within about half a degree of collinear.
-pub const CLOSE: f64 = 0.01;
+pub(crate) const WARNING_MEASURE: f64 = 0.01;
 
 /// Subsystem of the plan.
 #[derive(Clone, Debug)]
@@ -37,6 +37,32 @@ pub struct CheckedPart {
 }
 
 /// Results of all checks.
+///
+/// ```
+/// use linkwright_codegen::diagnostic::Source;
+/// use linkwright_solver::{Check, Interpreted, Schedule};
+///
+/// let text = "
+///     mechanism four_bar {
+///         point A = (0, 0), D = (100mm, 0);
+///         body crank   at (0, 0, 40deg)       { A: (0, 0), B: (40mm, 0) }
+///         body coupler at (30mm, 25mm, 20deg) { B: (0, 0), C: (120mm, 0) }
+///         body rocker  at (100mm, 0, 57deg)   { D: (0, 0), C: (80mm, 0) }
+///         revolute A(ground, crank);
+///         revolute B(crank, coupler);
+///         revolute C(coupler, rocker);
+///         revolute D(ground, rocker);
+///         drive phi(crank) = 40deg + 3*t;
+///     }";
+/// let read = linkwright_codegen::read(&Source::new("four_bar.mech", text)).expect("no errors");
+/// let blocks = Interpreted::new(&read.motions[0]).expect("the equations determine the motion");
+/// let schedule = Schedule::range(0.0, 2.0, 0.1).expect("a step");
+/// let check = Check::new(blocks, &schedule, |_| ());
+/// assert_eq!((check.kinematic_freedom, check.net_freedom), (1, 0));
+/// assert_eq!(check.range, Some([0.0, 2.0]));
+/// // Coupler and rocker meet at either side of the diagonal BD.
+/// assert_eq!(check.assemblies.found.len(), 2);
+/// ```
 #[derive(Clone, Debug)]
 pub struct Check {
     /// Mechanism.
@@ -120,7 +146,7 @@ impl Check {
         Check {
             kinematic_freedom,
             net_freedom,
-            warnings: warnings(&approaches, poses, CLOSE),
+            warnings: warnings(&approaches, poses, WARNING_MEASURE),
             parts: parts(&interpreted, &approaches),
             start,
             range,

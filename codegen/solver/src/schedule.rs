@@ -4,10 +4,10 @@
 //! start strictly monotonically, and every requested instant is on a leg exactly.
 
 /// Largest number of visited times.
-pub const LARGEST: usize = 10_000_000;
+pub(crate) const MAX_VISITS: usize = 10_000_000;
 
 /// Smallest number of times between the ends of a range that is visited as a whole.
-pub const BETWEEN: usize = 64;
+pub(crate) const MIN_INNER_TIMES: usize = 64;
 
 /// Relative deviation from a whole number of steps that is put down to rounding.
 const ROUNDING: f64 = 1e-9;
@@ -69,7 +69,7 @@ impl Schedule {
         })
     }
 
-    /// Plans both ends of a range (s) and steps between them, of which the last one may be shorter. There are at least [`BETWEEN`] times
+    /// Plans both ends of a range (s) and steps between them, of which the last one may be shorter. There are at least `MIN_INNER_TIMES` times
     /// between the ends, if `f64` can tell them apart.
     ///
     /// # Errors
@@ -78,7 +78,7 @@ impl Schedule {
         let usable = step.is_finite() && step != 0.0;
         // Twice the resolution, so that a short last step does not repeat the end.
         let least = 4.0 * from.abs().max(to.abs()) * f64::EPSILON;
-        let longest = ((to - from) / (BETWEEN + 1) as f64).max(least);
+        let longest = ((to - from) / (MIN_INNER_TIMES + 1) as f64).max(least);
         let step = match usable && to > from {
             true => step.min(longest),
             false => step,
@@ -137,9 +137,9 @@ impl Leg {
         let rounded = steps.round();
         let whole = (steps - rounded).abs() <= ROUNDING * rounded.max(1.0);
         let count = if whole { rounded } else { steps.floor() };
-        if count >= LARGEST as f64 {
+        if count >= MAX_VISITS as f64 {
             return Err(format!(
-                "{count:.1e} steps are too many (at most {LARGEST}): use a larger `--step`"
+                "{count:.1e} steps are too many (at most {MAX_VISITS}): use a larger `--step`"
             ));
         }
         // Below the resolution of `f64`, times would repeat.

@@ -21,7 +21,7 @@ pub const STARTS: u32 = 200;
 const SCATTER: f64 = PI;
 
 /// Distance below which poses are equal, in the scale of each unknown.
-pub const SAME: f64 = 1e-6;
+pub(crate) const POSE_TOLERANCE: f64 = 1e-6;
 
 /// Sought mode of a block without a closed form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -185,6 +185,6 @@ fn is_same(newton: &Newton, one: &DVector<f64>, other: &DVector<f64>) -> bool {
             true => nearest_turn(other[place], one[place]),
             false => other[place],
         };
-        (one[place] - other).abs() <= SAME * newton.scale(place)
+        (one[place] - other).abs() <= POSE_TOLERANCE * newton.scale(place)
     })
 }

@@ -26,7 +26,7 @@ const FIRST_STEP: f64 = 1e-6;
 const SMALL: f64 = 1e-5;
 
 /// Largest length of a stable step, in units of the fastest decay time.
-pub const STABLE: f64 = 6.1;
+pub(crate) const STABILITY_LIMIT: f64 = 6.1;
 
 /// Attempted step.
 #[derive(Clone, Debug)]
@@ -157,7 +157,7 @@ impl Step {
     ///
     /// Two stages at the end of a finished step yield the estimate, or the rounding of the stages.
     ///
-    /// Beyond [`STABLE`], stability limits a step and not its error (Hairer and Wanner 1996, Solving Ordinary Differential Equations II,
+    /// Beyond `STABILITY_LIMIT`, stability limits a step and not its error (Hairer and Wanner 1996, Solving Ordinary Differential Equations II,
     /// section IV.2).
     pub fn stiffness(&self, judged: usize) -> f64 {
         let length = self.to - self.from;

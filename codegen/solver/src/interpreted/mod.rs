@@ -33,6 +33,30 @@ use compiled::Compiled;
 use loads::LoadReader;
 
 /// Mechanism that is solved block by block, in SI units: m, rad, s.
+///
+/// It implements [`Blocks`](linkwright::Blocks), so a [`Shell`](linkwright::Shell) moves it as a generated mechanism:
+///
+/// ```
+/// use linkwright::{Blocks, Settings, Shell};
+/// use linkwright_codegen::diagnostic::Source;
+/// use linkwright_solver::{Interpreted, View};
+///
+/// let text = "
+///     mechanism crank {
+///         point O = (0, 0);
+///         body arm at O { O, A: (2, 0) }
+///         revolute O(ground, arm);
+///         drive phi(arm) = 3*t;
+///     }";
+/// let read = linkwright_codegen::read(&Source::new("crank.mech", text)).expect("no errors");
+/// let blocks = Interpreted::new(&read.motions[0]).expect("the equations determine the motion");
+/// let (parameters, inputs) = (blocks.nominal_parameters(), blocks.initial_inputs());
+/// let (pose, modes) = (blocks.drawn_pose(&parameters), blocks.drawn_branches());
+/// let mut crank = Shell::assemble(blocks, &parameters, &pose, modes, 0.0, &inputs, Settings::default())?;
+/// // Coordinates are x, y and φ of each body.
+/// assert_eq!(crank.advance(0.5, &inputs)?.q()[2], 1.5);
+/// # Ok::<(), linkwright::Failure>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Interpreted {
     compiled: Arc<Compiled>,

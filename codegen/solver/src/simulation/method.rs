@@ -4,7 +4,7 @@
 //! several steps [`dormand_prince::Step::stiffness`] detects that (Hairer and Wanner 1996, section IV.2), and eigenvalues of the rates
 //! confirm it. The motion stops being stiff when an explicit step of twice the implicit length would be stable.
 
-use crate::dormand_prince::{self, STABLE};
+use crate::dormand_prince::{self, STABILITY_LIMIT};
 use crate::radau::{self, Differences};
 use crate::rates::Rates;
 use crate::tolerances::Tolerances;
@@ -103,7 +103,10 @@ impl Chosen {
         }
         let judged = right_side.judged();
         let (speaks_for_other, enough) = match step {
-            Step::Explicit(step) => (step.stiffness(judged) > NEEDLESS * STABLE, STIFF_STEPS),
+            Step::Explicit(step) => (
+                step.stiffness(judged) > NEEDLESS * STABILITY_LIMIT,
+                STIFF_STEPS,
+            ),
             Step::Implicit(step) => {
                 let is_stiff =
                     differences.is_none_or(|it| is_stiff(it, step.to - step.from, judged));
@@ -137,7 +140,7 @@ impl Chosen {
 /// True if a step of this length is long relative to a stable explicit one, or to one that is accurate along decays.
 fn is_stiff(differences: &Differences, length: f64, judged: usize) -> bool {
     let [fastest, decay] = differences.fastest(judged);
-    length * fastest > STABLE || length * decay > NEEDLESS * STABLE
+    length * fastest > STABILITY_LIMIT || length * decay > NEEDLESS * STABILITY_LIMIT
 }
 
 impl Step {

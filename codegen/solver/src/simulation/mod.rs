@@ -39,7 +39,7 @@ use crate::dormand_prince::first_length;
 use crate::instant::Instant;
 use crate::interpreted::Interpreted;
 use crate::supplied::{Modes, Numbers};
-use crate::trajectory::END;
+use crate::trajectory::END_PRECISION;
 use crate::view::View;
 
 /// Factor of the length of a step that leads to a state without a solution, for the next attempt.
@@ -75,6 +75,32 @@ enum Segment {
 }
 
 /// Mechanism that forces move.
+///
+/// ```
+/// use linkwright_codegen::diagnostic::Source;
+/// use linkwright_solver::{Interpreted, Method, Simulation, SimulationOptions, Tolerances};
+///
+/// // A point mass on a rod of 2 m, released at a small angle from its lowest position: T = 2π √(l / g).
+/// let text = "
+///     mechanism pendulum {
+///         point O = (0, 0);
+///         body bob at O { O, S: (0, -2) }
+///         revolute O(ground, bob);
+///         free swing: phi(bob) = 0.001 rate 0;
+///         mass bob = 3kg at S;
+///         gravity = (0, -9.81);
+///     }";
+/// let read = linkwright_codegen::read(&Source::new("pendulum.mech", text)).expect("no errors");
+/// let blocks = Interpreted::new(&read.motions[0]).expect("the equations determine the motion");
+/// let period = std::f64::consts::TAU * (2.0_f64 / 9.81).sqrt();
+/// let options = SimulationOptions {
+///     tolerances: Tolerances { relative: 1e-9, absolute: 1e-12 },
+///     method: Method::Automatic,
+/// };
+/// let mut pendulum = Simulation::new(&blocks, None, period, options).expect("it starts");
+/// let half = pendulum.advance(0.5 * period).expect("it moves").q()[2];
+/// assert!((half + 0.001).abs() < 1e-8);
+/// ```
 #[derive(Clone, Debug)]
 pub struct Simulation {
     view: Dense,
@@ -203,7 +229,7 @@ impl Simulation {
                 tolerances,
             ) {
                 Ok(length) => return Ok(length),
-                Err(stop) if longest <= END => return Err(stop),
+                Err(stop) if longest <= END_PRECISION => return Err(stop),
                 Err(_) => longest *= RETREAT,
             }
         }

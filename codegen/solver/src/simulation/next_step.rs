@@ -7,7 +7,7 @@ use super::crossing::Crossing;
 use super::right_side::RightSide;
 use super::solved::Solved;
 use super::{RETREAT, Segment, Simulation, Stop};
-use crate::trajectory::END;
+use crate::trajectory::END_PRECISION;
 
 /// Largest part of the time to an expected loss of rank that one step takes.
 const APPROACH: f64 = 0.6;
@@ -117,7 +117,7 @@ impl Simulation {
             } else {
                 from + self.length
             };
-            if to - from <= END * from.abs().max(1.0) && !is_last || to <= from {
+            if to - from <= END_PRECISION * from.abs().max(1.0) && !is_last || to <= from {
                 return Err(reason.unwrap_or(Stop::TooShort { t: from }));
             }
             let (tolerances, range) = (&self.options.tolerances, [from, to]);
