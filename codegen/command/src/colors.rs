@@ -24,7 +24,7 @@ pub fn on_terminal(text: &str) -> String {
 }
 
 /// Colors the message line by line.
-pub fn colored(text: &str) -> String {
+fn colored(text: &str) -> String {
     let lines = text.split('\n').map(line);
     lines.collect::<Vec<_>>().join("\n")
 }

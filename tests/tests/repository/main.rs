@@ -1,6 +1,7 @@
 //! The order of modules, the documentation and the thresholds of the repository itself.
 
 mod affected;
+mod alike;
 mod english;
 mod failure_kinds;
 mod links;

@@ -3,15 +3,13 @@
 //! A mechanism's types, functions and constants begin with its name. What is left are fields of structures and local values, which
 //! must be no word of C or C++, no macro and no function that is called; such a name gets an underscore.
 
-use crate::diagnostic::{Code, Diagnostic};
 use crate::emit::module::Words;
-use crate::emit::rust::{self, type_name};
+use crate::emit::rust;
 use crate::model::Naming;
-use crate::syntax::Name;
 
 /// What C asks of the names of a description.
 pub const NAMING: Naming = Naming {
-    mechanism,
+    mechanism: |name| rust::not_a_type(name, TYPES, "C"),
     motion: rust::NAMING.motion,
     apart,
 };
@@ -264,19 +262,6 @@ const PREFIXES: &[&str] = &[
     "exponential",
     "logarithm",
 ];
-
-fn mechanism(name: &Name) -> Option<Diagnostic> {
-    let (text, type_name) = (&name.text, type_name(&name.text));
-    let problem = if !type_name.starts_with(|first: char| first.is_ascii_alphabetic()) {
-        format!("`{text}` gives no name for a type")
-    } else if TYPES.contains(&type_name.as_str()) {
-        format!("`{text}` would become the type `{type_name}`, which C has already")
-    } else {
-        return None;
-    };
-    let finding = Diagnostic::error(Code::NameNotAllowed, name.span, problem);
-    Some(finding.help("give the mechanism another name"))
-}
 
 fn apart(name: &str, prefix: &str) -> String {
     let first_word = name.split('_').next().unwrap_or_default();

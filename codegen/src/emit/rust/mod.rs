@@ -37,5 +37,6 @@ mod transmission;
 pub use docs::documentation;
 pub use file::file;
 pub(super) use names::WORDS;
+pub(in crate::emit) use names::not_a_type;
 pub use names::{NAMING, type_name};
 pub use page::page;

@@ -9,7 +9,7 @@ use crate::syntax::Name;
 
 /// Rules for names of a description.
 pub const NAMING: Naming = Naming {
-    mechanism: not_a_type,
+    mechanism: |name| not_a_type(name, TYPES, "every generated module"),
     motion: not_a_module,
     apart,
 };
@@ -189,14 +189,13 @@ pub fn type_name(mechanism: &str) -> String {
         .collect()
 }
 
-fn not_a_type(name: &Name) -> Option<Diagnostic> {
+/// The error of a mechanism whose type has no name, or one of these names, which `owner` has already.
+pub(in crate::emit) fn not_a_type(name: &Name, types: &[&str], owner: &str) -> Option<Diagnostic> {
     let (text, type_name) = (&name.text, type_name(&name.text));
     let problem = if !type_name.starts_with(|first: char| first.is_ascii_alphabetic()) {
         format!("`{text}` gives no name for a type")
-    } else if TYPES.contains(&type_name.as_str()) {
-        format!(
-            "`{text}` would become the type `{type_name}`, which every generated module has already"
-        )
+    } else if types.contains(&type_name.as_str()) {
+        format!("`{text}` would become the type `{type_name}`, which {owner} has already")
     } else {
         return None;
     };

@@ -101,7 +101,7 @@ impl Operations {
     }
 
     /// Returns the operations of the addends of one expression, without those of its operands.
-    pub(in crate::program) fn of_addends(addends: &[Addend]) -> Operations {
+    fn of_addends(addends: &[Addend]) -> Operations {
         let mut operations = Operations {
             additions: addends.len().saturating_sub(1),
             ..Operations::default()
