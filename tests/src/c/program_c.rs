@@ -235,7 +235,7 @@ fn calls(declared: &Declared, suffix: &str) -> String {
             "                if (k >= 4) {{\n                    branches = {capitals}_ASSEMBLIES[(unsigned)(k - 4) % {capitals}_ASSEMBLY_COUNT];\n                }}"
         );
     }
-    let given = match declared.inputs > 0 {
+    let inputs_line = match declared.inputs > 0 {
         true => format!("        const {type_name}Inputs inputs = moved(given);\n"),
         false => "        (void)given;\n".to_string(),
     };
@@ -300,7 +300,7 @@ fn calls(declared: &Declared, suffix: &str) -> String {
             given[k] = of_bits(bits);
         }}
         {{
-{given}            if (letter == 'a') {{
+{inputs_line}            if (letter == 'a') {{
                 assembled({prefix}_assemble(&fresh, t{inputs}));
             }} else if (((letter == 'v') || (letter == 'j') || (letter == 'n')) && is_held) {{
                 report({prefix}_advance(&mechanism, t{inputs}));

@@ -191,7 +191,7 @@ fn reports_unwritable_paths_before_the_work() {
     refused(
         &folder,
         both,
-        "cannot write `out/P.svg`: something else is to be written",
+        "cannot write `out/P.svg`: another output is written",
     );
     refused(
         &folder,
