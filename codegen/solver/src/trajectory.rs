@@ -82,7 +82,10 @@ fn last_before<V: View>(shell: &mut Shell<V>, laws: &InputLaws, mut beyond: f64)
     loop {
         let t = shell.frame().t();
         let middle = t + 0.5 * (beyond - t);
-        if (beyond - t).abs() <= END_PRECISION * beyond.abs().max(1.0) || middle == t || middle == beyond {
+        if (beyond - t).abs() <= END_PRECISION * beyond.abs().max(1.0)
+            || middle == t
+            || middle == beyond
+        {
             return shell.frame().clone();
         }
         if shell.advance(middle, &laws.at(middle)).is_err() {

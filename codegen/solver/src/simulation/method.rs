@@ -103,7 +103,10 @@ impl Chosen {
         }
         let judged = right_side.judged();
         let (speaks_for_other, enough) = match step {
-            Step::Explicit(step) => (step.stiffness(judged) > NEEDLESS * STABILITY_LIMIT, STIFF_STEPS),
+            Step::Explicit(step) => (
+                step.stiffness(judged) > NEEDLESS * STABILITY_LIMIT,
+                STIFF_STEPS,
+            ),
             Step::Implicit(step) => {
                 let is_stiff =
                     differences.is_none_or(|it| is_stiff(it, step.to - step.from, judged));
