@@ -10,7 +10,7 @@ use nalgebra::{DVector, Dyn};
 
 use crate::supplied::{InputSignals, ParameterValues};
 
-/// Solved instant in m, rad and s: the time, parameters and inputs, q, q̇, q̈, and the further values of a [`Layout`].
+/// Solved instant in m, rad and s: the time, parameters and inputs, q, q̇, q̈, and the further values of a `Layout`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Instant {
     values: Vec<f64>,
@@ -105,7 +105,7 @@ impl Instant {
         self.level(2)
     }
 
-    /// All values, by [`Layout::slot`].
+    /// All values, by `Layout::slot`.
     pub fn values(&self) -> &[f64] {
         &self.values
     }
