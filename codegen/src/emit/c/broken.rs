@@ -41,7 +41,7 @@ pub(super) fn broken(statement: &str, depth: usize) -> Vec<String> {
     for level in 0..=deepest {
         for kind in KINDS {
             let pieces = pieces(statement, level, kind);
-            // A number of elements is no place to break a line.
+            // The first piece fits, so the break helps.
             let helps = pieces.len() > 1 && pieces[0].len() + depth <= WIDTH;
             if helps {
                 return filled(&pieces, kind, depth);
