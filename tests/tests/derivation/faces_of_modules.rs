@@ -221,9 +221,9 @@ fn faults(name: &str, source: &Source) -> Faults {
                 Language::C => unused_in_c(text),
                 _ => {
                     let tokens: TokenStream = text.parse().expect("tokens of Rust");
-                    let mut found = Vec::new();
-                    unused(tokens, &mut found);
-                    found
+                    let mut names = Vec::new();
+                    unused(tokens, &mut names);
+                    names
                 }
             };
             faults.entry("unused values").or_default().extend(unused);
@@ -286,14 +286,14 @@ fn faults_are_found() {
     let names = described("body coupler { B 0, 0; C 12 cm, 0 }");
     assert!(has_meaning("INVERSE_COUPLER_LENGTH", &names) && has_meaning("BC_LENGTH", &names));
     assert!(!has_meaning("BQ_LENGTH", &names) && !has_meaning("FANCY_LENGTH", &names));
-    let mut found = Vec::new();
+    let mut names = Vec::new();
     unused(
         "fn f() { let a = 1; let (b, c) = g(a); h(c) }"
             .parse()
             .expect("tokens"),
-        &mut found,
+        &mut names,
     );
-    assert_eq!(found, ["b"]);
+    assert_eq!(names, ["b"]);
     let code = "static void f(void)\n{\n    const double x = 1.0;\n    const double y = x;\n}\n";
     assert_eq!(unused_in_c(code), ["y"]);
 }

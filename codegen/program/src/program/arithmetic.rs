@@ -123,13 +123,15 @@ impl<'a> Evaluation<'a> {
 
     /// Arithmetic of the value that a statement assigns to a target, even if the value is named after that target.
     pub fn assigned(&self, target: SymbolId, expr: ExprId) -> Arithmetic {
-        let own = Evaluation {
+        let assigned = Evaluation {
             target: Some(target),
             ..*self
         };
         match self.function.name_of(expr) == Some(target) {
-            true => own.call(expr).unwrap_or_else(|| own.sum(expr, &[])),
-            false => own.mentioning(expr, &[]),
+            true => assigned
+                .call(expr)
+                .unwrap_or_else(|| assigned.sum(expr, &[])),
+            false => assigned.mentioning(expr, &[]),
         }
     }
 

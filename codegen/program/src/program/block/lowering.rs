@@ -109,9 +109,6 @@ impl<'a> Lowering<'a> {
         let mut newton = solved.into_iter().find_map(|found| found.newton());
         builder.without_shifts(newton.as_mut());
         let (function, measured, page_names, written_out) = builder.finish();
-        // Newton-Raphson and torn blocks have the links of their block.
-        let functions = newton.iter_mut().flat_map(|it| it.functions_mut());
-        functions.for_each(|it| it.quantities = function.quantities.clone());
         Block {
             name,
             title,
@@ -159,7 +156,7 @@ impl<'a> Lowering<'a> {
 /// Names a block after its named joints, otherwise after its first joint: `loop_l_g_h`.
 fn block_name(block: &SolvedBlock, system: &System) -> String {
     const NAMED: usize = 6;
-    const LONGEST: usize = 48;
+    const MAX_NAME_LENGTH: usize = 48;
     if block.parts.is_empty() {
         return "explicit".to_string();
     }
@@ -182,7 +179,7 @@ fn block_name(block: &SolvedBlock, system: &System) -> String {
         .enumerate()
         .take_while(|(place, name)| {
             length += name.len() + 1;
-            *place == 0 || length <= LONGEST
+            *place == 0 || length <= MAX_NAME_LENGTH
         });
     let count = fitting.count();
     format!("loop_{}", named[..count].join("_"))

@@ -59,6 +59,8 @@ pub(in crate::program) struct Occurrence<'a> {
     function: &'a Function,
     /// Angle whose sine or cosine the constant multiplies, if any.
     angle: Option<usize>,
+    /// Name of the target of the statement; empty if there is none.
+    target: &'a str,
     /// True if the constant is a whole term.
     is_term: bool,
     /// Unknown whose value has the constant as a term, if any.
@@ -160,7 +162,7 @@ impl<'a> Occurrence<'a> {
         addend: &Addend,
         target: Option<SymbolId>,
         function: &'a Function,
-        pool: &Pool,
+        pool: &'a Pool,
     ) -> Occurrence<'a> {
         let graph = &pool.graph;
         let unknown = |symbol: SymbolId| match pool.role(symbol) {
@@ -183,6 +185,7 @@ impl<'a> Occurrence<'a> {
         Occurrence {
             function,
             angle: angle.or_else(|| of_arm(target?)),
+            target: target.map_or("", |target| pool.local_name(target)),
             is_term,
             unknown: target.and_then(unknown).filter(|_| is_term),
         }
@@ -270,14 +273,20 @@ impl Constants {
     ) -> Option<Quantity> {
         let value = part.value(graph);
         let described = &self.described;
-        let own = |lists: &HashMap<usize, Quantities>| lists.get(&occurrence.angle?)?.find(value);
-        let known = own(&described.rods).or_else(|| occurrence.function.quantities.find(value));
+        let of_body =
+            |lists: &HashMap<usize, Quantities>| lists.get(&occurrence.angle?)?.find(value);
+        let quantities = &occurrence.function.quantities;
+        let known =
+            of_body(&described.rods).or_else(|| quantities.find_within(value, occurrence.target));
         // A short decimal may occur with another meaning.
         if known.is_some() || part.literal(graph).is_some() {
             return known;
         }
+        if let Some(known) = quantities.find(value) {
+            return Some(known);
+        }
         let of_term = || described.terms.find(value).filter(|_| occurrence.is_term);
-        own(&described.coordinates)
+        of_body(&described.coordinates)
             .or_else(of_term)
             .or_else(|| described.general.find(value))
     }

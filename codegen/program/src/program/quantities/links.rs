@@ -6,6 +6,9 @@ use crate::expr::ExprId;
 use crate::joint::geometry::Vector;
 use crate::program::builder::Builder;
 
+/// Statements of a proof that contain lengths of arms.
+const TARGETS: &[&str] = &["", "*_input_change", "*_input_deviation"];
+
 /// Largest verified rotation of a link, in rad.
 const LARGEST_TURN: f64 = 1.5;
 
@@ -28,14 +31,17 @@ impl Quantities {
             words,
             length,
         } = link;
+        self.within(&["", "*_input_change", "*_input_deviation"]);
         self.add(["", "_LENGTH"], stem, format!("|{words}|"), *length);
         let square = length * length;
+        self.within(&["", "forward", "excess"]);
         self.add(
             ["", "_LENGTH_SQUARED"],
             stem,
             format!("|{words}|^2"),
             square,
         );
+        self.within(&["cos_*", "sin_*", "*_deviation", "*_radius", "*_bent"]);
         let inverse = format!("1/|{words}|");
         self.add(["INVERSE_", "_LENGTH"], stem, inverse, 1.0 / length);
         let inverse = format!("1/|{words}|^2");
@@ -48,24 +54,27 @@ impl Quantities {
         let (a, b) = (first.length, second.length);
         let [p, q] = [first, second].map(|it| format!("|{}|", it.words));
         let product = format!("({p}*{q})");
-        let mut add = |both, words, value| self.add(both, &stem, words, value);
+        let mut add = |targets, both, words, value| {
+            self.within(targets);
+            self.add(both, &stem, words, value);
+        };
+        let square = format!("{product}^2");
         add(
+            &["", "excess"],
             ["", "_PRODUCT_SQUARED"],
-            format!("{product}^2"),
+            square,
             a * a * b * b,
         );
-        add(
-            ["", "_HALF_SQUARES"],
-            format!("({p}^2 + {q}^2)/2"),
-            (a * a + b * b) / 2.0,
-        );
-        add(["", "_PRODUCT"], format!("{p}*{q}"), a * b);
-        add(["", "_LONGEST_REACH"], format!("{p} + {q}"), a + b);
-        add(["", "_SHORTEST_REACH"], format!("{p} - {q}"), a - b);
+        let half = format!("({p}^2 + {q}^2)/2");
+        add(&["k"], ["", "_HALF_SQUARES"], half, (a * a + b * b) / 2.0);
+        add(&[], ["", "_PRODUCT"], format!("{p}*{q}"), a * b);
+        add(&[""], ["", "_LONGEST_REACH"], format!("{p} + {q}"), a + b);
+        add(&[""], ["", "_SHORTEST_REACH"], format!("{p} - {q}"), a - b);
     }
 
     /// Adds the factors of the proof that two links do not become collinear.
     pub(in crate::program) fn add_dyad_bounds(&mut self, [first, second]: [&LinkName; 2]) {
+        self.within(&["", "*_cosine", "*_bent"]);
         let stem = format!("{}_{}", first.stem, second.stem);
         let slope = 1.0 / first.length + 1.0 / second.length;
         let sum = format!("1/|{}| + 1/|{}|", first.words, second.words);
@@ -80,6 +89,7 @@ impl Quantities {
 
     /// Adds the factor by which the largest verified rotation enters, and its square.
     pub(in crate::program) fn add_turn_limit(&mut self) {
+        self.within(&[""]);
         let inverse = 1.0 / LARGEST_TURN;
         let words = "1/(largest verified rotation, 1.5 rad)";
         self.add(["INVERSE_", ""], "LARGEST_TURN", words.to_string(), inverse);
@@ -94,6 +104,7 @@ impl Quantities {
 
     /// Adds the components of a link over its squared length, which turn the link into a direction.
     fn add_direction(&mut self, link: &LinkName, parts: [f64; 2]) {
+        self.within(&["cos_*", "sin_*"]);
         let square = link.length * link.length;
         for (part, (suffix, axis)) in parts.into_iter().zip([
             ("_X_OVER_LENGTH_SQUARED", "x"),
@@ -139,6 +150,7 @@ impl Builder<'_> {
         }) = arm
         {
             let words = format!("|{words}|");
+            self.quantities.within(TARGETS);
             self.quantities.add(["", "_LENGTH"], &stem, words, length);
         }
     }
@@ -152,6 +164,7 @@ impl Builder<'_> {
         } in rods(&self.pool.graph, &self.system.mechanism)
         {
             let words = format!("|{words}|");
+            self.quantities.within(TARGETS);
             self.quantities.add(["", "_LENGTH"], &stem, words, length);
         }
     }

@@ -13,19 +13,19 @@ pub use of_description::Described;
 pub(super) use rotated::rotated_component;
 
 /// Relative distance of two values that are the same quantity: rounding of a few operations.
-const SAME: f64 = 16.0 * f64::EPSILON;
+const EQUALITY_TOLERANCE: f64 = 16.0 * f64::EPSILON;
 
 /// Largest value that is a plain number if it is a multiple of a quarter.
 const LARGEST_PLAIN: f64 = 10.0;
 
 /// Number of links from which on a name no longer lists them.
-const MANY: usize = 3;
+const UNLISTED_COUNT: usize = 3;
 
 /// Length of the list of links in a name, in characters, up to which the name has the list.
 const LONGEST_LIST: usize = 32;
 
 /// Number of equal quantities that a remark lists at most.
-const LISTED: usize = 3;
+const MAX_LISTED: usize = 3;
 
 /// Quantity with the parts of its name.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,6 +35,8 @@ pub struct Quantity {
     suffix: &'static str,
     words: Vec<String>,
     value: f64,
+    /// Targets of the statements that contain the quantity, see [`Quantities::within`].
+    targets: &'static [&'static str],
 }
 
 /// Quantities in order of preference.
@@ -43,13 +45,14 @@ pub struct Quantities {
     list: Vec<Quantity>,
     /// Magnitudes, ascending, with indices of the list.
     by_magnitude: Vec<(f64, usize)>,
+    targets: &'static [&'static str],
 }
 
 impl Quantity {
     /// Returns the name of a constant: `INVERSE_COUPLER_LENGTH`.
     pub fn name(&self) -> String {
         let list = self.stems.join("_AND_");
-        let is_list = self.stems.len() < MANY && list.len() <= LONGEST_LIST;
+        let is_list = self.stems.len() < UNLISTED_COUNT && list.len() <= LONGEST_LIST;
         let stem = match is_list || self.stems.len() == 1 {
             true => list,
             false => "LINK".to_string(),
@@ -59,7 +62,7 @@ impl Quantity {
 
     /// Returns the formula in the points of the description: `1/|BC|`.
     pub fn words(&self) -> String {
-        self.words[..self.words.len().min(LISTED)].join(" = ")
+        self.words[..self.words.len().min(MAX_LISTED)].join(" = ")
     }
 }
 
@@ -86,48 +89,72 @@ impl Quantities {
             suffix,
             words: vec![words],
             value,
+            targets: self.targets,
         });
+    }
+
+    /// Sets the statements that contain the next quantities: names of their targets, with `*` for any letters at one end, or an
+    /// empty name for statements without a target. Only there, a short decimal is the quantity.
+    pub(super) fn within(&mut self, targets: &'static [&'static str]) {
+        self.targets = targets;
     }
 
     /// Adds all quantities of another list.
     pub(super) fn extend(&mut self, other: &Quantities) {
         for it in &other.list {
             let both = [it.prefix, it.suffix];
+            self.within(it.targets);
             self.add(both, &it.stems[0], it.words[0].clone(), it.value);
         }
     }
 
     /// Returns the preferred quantity with this value; links of equal length share it. `None` if there is none.
     pub fn find(&self, value: f64) -> Option<Quantity> {
+        self.find_if(value, |_| true)
+    }
+
+    /// Returns the preferred quantity with this value in statements with this target.
+    pub fn find_within(&self, value: f64, target: &str) -> Option<Quantity> {
+        let is_target =
+            |pattern: &&str| match (pattern.strip_prefix('*'), pattern.strip_suffix('*')) {
+                (Some(end), _) => target.ends_with(end),
+                (_, Some(start)) => target.starts_with(start),
+                _ => *pattern == target,
+            };
+        self.find_if(value, |it| it.targets.iter().any(|it| is_target(&it)))
+    }
+
+    fn find_if(&self, value: f64, accepts: impl Fn(&Quantity) -> bool) -> Option<Quantity> {
         if is_plain(value) {
             return None;
         }
-        let least = value.abs() * (1.0 - SAME);
+        let least = value.abs() * (1.0 - EQUALITY_TOLERANCE);
         let first = self.by_magnitude.partition_point(|it| it.0 < least);
         let close = self.by_magnitude[first..].iter();
-        let close = close.take_while(|it| it.0 <= value.abs() * (1.0 + SAME));
+        let close = close.take_while(|it| it.0 <= value.abs() * (1.0 + EQUALITY_TOLERANCE));
         let mut places: Vec<usize> = close.map(|it| it.1).collect();
         places.sort_unstable();
-        let mut places = places.into_iter().map(|place| &self.list[place]);
-        let mut found = places.next()?.clone();
-        if found.value * value < 0.0 {
-            let words = &found.words[0];
-            found.words[0] = match words.contains(" + ") || words.contains(" - ") {
+        let places = places.into_iter().map(|place| &self.list[place]);
+        let mut places = places.filter(|it| accepts(it));
+        let mut quantity = places.next()?.clone();
+        if quantity.value * value < 0.0 {
+            let words = &quantity.words[0];
+            quantity.words[0] = match words.contains(" + ") || words.contains(" - ") {
                 true => format!("-({words})"),
                 false => format!("-{words}"),
             };
         }
         let has_shape = |it: &&Quantity| {
             (it.prefix, it.suffix, it.value > 0.0)
-                == (found.prefix, found.suffix, found.value > 0.0)
+                == (quantity.prefix, quantity.suffix, quantity.value > 0.0)
         };
         for other in places.filter(has_shape).cloned().collect::<Vec<_>>() {
-            if !found.stems.contains(&other.stems[0]) {
-                found.stems.extend(other.stems);
-                found.words.extend(other.words);
+            if !quantity.stems.contains(&other.stems[0]) {
+                quantity.stems.extend(other.stems);
+                quantity.words.extend(other.words);
             }
         }
-        Some(found)
+        Some(quantity)
     }
 }
 
@@ -178,9 +205,9 @@ mod tests {
             "1/|AB|".to_string(),
             1.0 / 0.12,
         );
-        let found = list.find(0.12).expect("a length");
-        assert_eq!(found.name(), "CRANK_AND_ROCKER_LENGTH");
-        assert_eq!(found.words(), "|AB| = |CD|");
+        let length = list.find(0.12).expect("a length");
+        assert_eq!(length.name(), "CRANK_AND_ROCKER_LENGTH");
+        assert_eq!(length.words(), "|AB| = |CD|");
         let inverse = list.find(25.0 / 3.0).map(|it| it.name());
         assert_eq!(inverse.as_deref(), Some("INVERSE_CRANK_LENGTH"));
         assert_eq!(list.find(0.12 + 1e-12), None);
@@ -188,6 +215,16 @@ mod tests {
             list.find(-0.12).map(|it| it.words()).as_deref(),
             Some("-|AB|")
         );
+    }
+
+    #[test]
+    fn finds_short_decimals_in_their_statements() {
+        let mut list = Quantities::default();
+        list.within(&["k", "cos_*", "*_rounding", ""]);
+        list.add(["", "_LENGTH"], "CRANK", "|AB|".to_string(), 0.12);
+        let is_in = |target: &str| list.find_within(0.12, target).is_some();
+        assert!(["k", "cos_phi", "phi_rounding", ""].into_iter().all(is_in));
+        assert!(!["k_2", "forward", "sin_phi"].into_iter().any(is_in));
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::links::LinkName;
-use super::{Quantities, SAME, between, both, drivers, upper};
+use super::{EQUALITY_TOLERANCE, Quantities, between, both, drivers, upper};
 use crate::expr::Graph;
 use crate::joint::geometry::Vector;
 use crate::model::Mechanism;
@@ -64,11 +64,13 @@ impl Described {
             }
             for angle in angles {
                 if let Some(rod) = rod.as_ref().filter(|_| is_along_axis(&links)) {
-                    described.rods.entry(angle).or_default().add_link(rod);
+                    let words = format!("|{}|", rod.words);
+                    let rods = described.rods.entry(angle).or_default();
+                    rods.add(["", "_LENGTH"], &rod.stem, words, rod.length);
                 }
-                let own = described.coordinates.entry(angle).or_default();
-                own.extend(&lengths);
-                own.extend(&coordinates);
+                let of_angle = described.coordinates.entry(angle).or_default();
+                of_angle.extend(&lengths);
+                of_angle.extend(&coordinates);
             }
         }
         described
@@ -77,8 +79,8 @@ impl Described {
 
 /// Returns the unknown angle of a body, and that of the body that it follows; none of the ground.
 fn angles_of(body: usize, system: &System) -> Vec<usize> {
-    let own = (body > 0).then(|| system.vector_form.angle_of(body));
-    let mut angles: Vec<usize> = own.into_iter().chain(angle_of(body, system)).collect();
+    let first = (body > 0).then(|| system.vector_form.angle_of(body));
+    let mut angles: Vec<usize> = first.into_iter().chain(angle_of(body, system)).collect();
     angles.dedup();
     angles
 }
@@ -100,17 +102,17 @@ pub(in crate::program) fn arm_of(
 ) -> Option<LinkName> {
     let mechanism = &system.mechanism;
     let bodies = 1..mechanism.bodies.len();
-    let own: Vec<usize> = bodies
+    let rotated: Vec<usize> = bodies
         .filter(|&body| angle_of(body, system) == Some(angle))
         .collect();
-    for &body in &own {
+    for &body in &rotated {
         let (_, links) = links(body, graph, mechanism);
-        let is_equal = |it: &LinkName| (it.length - length).abs() <= SAME * length;
+        let is_equal = |it: &LinkName| (it.length - length).abs() <= EQUALITY_TOLERANCE * length;
         if let Some((link, _)) = links.into_iter().find(|(link, _)| is_equal(link)) {
             return Some(link);
         }
     }
-    let body = *own.first()?;
+    let body = *rotated.first()?;
     Some(LinkName {
         stem: format!("{}_ARM", body_stem(body, mechanism)),
         words: format!("arm on {}", mechanism.bodies[body].name),
@@ -228,10 +230,10 @@ pub(super) fn body_stem(body: usize, mechanism: &Mechanism) -> String {
 
 /// Returns a stem that begins no name of generated items.
 fn apart(stem: String, mechanism: &Mechanism) -> String {
-    let own = format!("{}_", mechanism.name.to_uppercase());
-    let begins = |prefix: &str| format!("{stem}_").starts_with(prefix);
+    let prefix = format!("{}_", mechanism.name.to_uppercase());
+    let begins = |start: &str| format!("{stem}_").starts_with(start);
     let is_name = stem.starts_with(|it: char| it.is_ascii_alphabetic());
-    match is_name && !["TABLE_", "LINKWRIGHT_", &own].into_iter().any(begins) {
+    match is_name && !["TABLE_", "LINKWRIGHT_", &prefix].into_iter().any(begins) {
         true => stem,
         false => format!("BODY_{stem}"),
     }

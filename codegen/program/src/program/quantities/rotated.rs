@@ -1,6 +1,6 @@
 //! Names components of rotated local vectors.
 
-use super::SAME;
+use super::EQUALITY_TOLERANCE;
 use crate::expr::{ExprId, Node};
 use crate::pool::{Pool, SymbolRole};
 use crate::system::System;
@@ -76,5 +76,5 @@ fn scaled(coefficient: f64, expr: ExprId, pool: &Pool) -> Option<(f64, ExprId)> 
 }
 
 fn is_equal(first: f64, second: f64) -> bool {
-    (first - second).abs() <= SAME * second.abs()
+    (first - second).abs() <= EQUALITY_TOLERANCE * second.abs()
 }

@@ -167,6 +167,7 @@ impl Builder<'_> {
             let [a, b] = lengths.map(|length| self.size_of(length, known));
             let size = self.graph().sum(&[x, y, a, b]);
             if let Some(value) = self.constant_of(size) {
+                self.quantities.within(&["*_rounding"]);
                 let stem = upper(&name);
                 let words = "sum of the largest terms of the loop".to_string();
                 self.quantities.add(["", "_LOOP_SIZE"], &stem, words, value);
