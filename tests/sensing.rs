@@ -15,7 +15,7 @@ pub fn write(folder: &str) {
     let descriptions = empty_folder("sensing");
     let (mut modules, mut list) = (String::new(), String::new());
     for described in in_folder(folder) {
-        let mechanism = &described.system.mechanism;
+        let mechanism = &described.derived.system.mechanism;
         let limited = described.reads_files
             || !mechanism.requests.is_empty()
             || !mechanism.sensitivities.is_empty();
@@ -25,8 +25,9 @@ pub fn write(folder: &str) {
         }
         // What only forces depend on moves nothing.
         let moves = mechanism.parameters.iter().any(|parameter| {
-            let rows = described.system.rows.iter();
-            let mut symbols = rows.flat_map(|row| mechanism.graph.symbols(row.residual).to_vec());
+            let rows = described.derived.system.rows.iter();
+            let mut symbols =
+                rows.flat_map(|row| described.derived.pool.graph.symbols(row.residual).to_vec());
             symbols.any(|symbol| symbol == parameter.symbol)
         });
         if !moves {

@@ -1,7 +1,8 @@
 //! Derives the constraint equations of a planar mechanism and writes them as specialised Rust.
 //!
 //! `Source → Document → Mechanism → System → SolvedPlan → Program → Rust`: each arrow is one function of one module, and each module
-//! imports only those named before it. [`generate_with`] names all stages; [`stages`] shows what stands between them.
+//! imports only those named before it. [`generate_with`] names all stages; [`stages`] shows what stands between them. Expressions
+//! stand apart, in a [`stages::pool::Pool`] that each stage adds to.
 //! The modules up to `Mechanism` are in the internal package `linkwright-description`, those up to `Program` in `linkwright-program`.
 //!
 //! The generated code holds two views of a mechanism. Its type runs the *solved view*: the equations are ordered into the

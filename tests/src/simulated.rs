@@ -1,7 +1,7 @@
 //! *A description with free coordinates* → *its simulated motion*, and what it is held against.
 
 use linkwright::{Blocks, Shell, Signal};
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 use linkwright_solver::instant::Instant;
 use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::simulation::{Options, Simulation, Tolerances};
@@ -26,8 +26,8 @@ pub fn options(relative: f64) -> Options {
 /// # Panics
 /// If it has errors.
 pub fn interpreted(text: &str) -> Interpreted {
-    let system: &System = &systems("simulated", text)[0];
-    Interpreted::new(system).expect("an order")
+    let derived: &Derived = &systems("simulated", text)[0];
+    Interpreted::new(derived).expect("an order")
 }
 
 /// A text with forces where it starts.
@@ -85,7 +85,7 @@ pub fn coordinate(simulation: &Simulation, name: &str) -> [f64; 2] {
 /// If it is not.
 pub fn force(simulation: &Simulation, name: &str) -> f64 {
     let view = simulation.view();
-    let names = linkwright_solver::forces::names(view.system());
+    let names = linkwright_solver::forces::names(view.pool(), view.system());
     let place = names.iter().position(|(own, _)| own == name);
     let values = view.forces(simulation.frame()).expect("known");
     values[place.unwrap_or_else(|| panic!("no {name}"))]

@@ -2,7 +2,7 @@
 //! that each statement of a test is made about both.
 
 use linkwright::{Equations, Frame, PointMotion, Settings, Step, newton};
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 use linkwright_solver::textbook::TextbookEquations;
 use nalgebra::{DMatrix, DVector, Dyn};
 
@@ -77,9 +77,9 @@ impl Interpreted {
     }
 
     /// The interpreter of a system, not yet assembled.
-    pub fn of(system: &System) -> Interpreted {
+    pub fn of(derived: &Derived) -> Interpreted {
         Interpreted {
-            equations: TextbookEquations::new(system),
+            equations: TextbookEquations::new(&derived.pool, &derived.system),
             frame: None,
         }
     }

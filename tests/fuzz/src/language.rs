@@ -42,7 +42,7 @@ pub fn run(bytes: &[u8]) -> String {
     if read
         .motions
         .iter()
-        .all(|it| it.coordinates.len() <= LARGEST)
+        .all(|it| it.system.coordinates.len() <= LARGEST)
     {
         let generated = linkwright_codegen::generate(&source);
         let generated = generated.expect("what is checked can be generated");

@@ -2,7 +2,7 @@
 
 use linkwright::{Blocks, Settings, Shell};
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 use linkwright_solver::interpreted::Interpreted;
 use linkwright_solver::supplied::InputSignals;
 use linkwright_tests::hunt::paths::families::{course, junk, with};
@@ -15,7 +15,7 @@ const ROUNDING: f64 = 1e-9;
 /// How many steps of how long (s) a mechanism is moved.
 const STEPS: (u8, f64) = (24, 0.083);
 
-fn systems(text: &str) -> Result<Vec<System>, String> {
+fn systems(text: &str) -> Result<Vec<Derived>, String> {
     let source = Source::new("beside.mech", text);
     let refused = |found: Diagnostics| found.render(&source);
     let read = linkwright_codegen::read(&source).map_err(refused)?;
@@ -24,11 +24,11 @@ fn systems(text: &str) -> Result<Vec<System>, String> {
 }
 
 /// The coordinates after every step, or the kind of the failure.
-fn moved(system: &System) -> Vec<Result<Vec<f64>, String>> {
-    let blocks = Interpreted::new(system).expect("determined");
+fn moved(derived: &Derived) -> Vec<Result<Vec<f64>, String>> {
+    let blocks = Interpreted::new(derived).expect("determined");
     let parameters = blocks.nominal_parameters();
     let (pose, branches) = (blocks.drawn_pose(&parameters), blocks.drawn_branches());
-    let inputs = InputSignals::initial(system);
+    let inputs = InputSignals::initial(&derived.pool, &derived.system);
     let kind = |failure: linkwright::Failure| {
         let text = format!("{:?}", failure.kind);
         text.split([' ', '{'])
@@ -51,9 +51,10 @@ fn moved(system: &System) -> Vec<Result<Vec<f64>, String>> {
 }
 
 /// What has changed: the coordinates of bodies, and behind all bodies those of contacts.
-fn changed(before: &System, after: &System) -> Option<String> {
-    let names = |system: &System| -> Vec<String> {
-        system
+fn changed(before: &Derived, after: &Derived) -> Option<String> {
+    let names = |derived: &Derived| -> Vec<String> {
+        derived
+            .system
             .coordinates
             .iter()
             .map(|it| it.name.clone())

@@ -10,8 +10,8 @@ use linkwright_tests::reference::{REFERENCES, reference, yardsticks};
 use linkwright_tests::{description, files};
 
 fn page(name: &str) -> String {
-    let (system, plan) = planned(name);
-    derivation::text(&system, &plan, Notation::Ascii)
+    let (derived, plan) = planned(name);
+    derivation::text(&derived.pool, &derived.system, &plan, Notation::Ascii)
 }
 
 fn snapshot(name: &str, printed: &str) {
@@ -48,10 +48,13 @@ fn pages_are_written_as_in_their_snapshots() {
 #[test]
 fn the_exam_and_a_crane_are_typeset_as_in_their_snapshots() {
     for name in TYPESET {
-        let (system, plan) = planned(name);
-        let unicode = derivation::text(&system, &plan, Notation::Unicode);
+        let (derived, plan) = planned(name);
+        let unicode = derivation::text(&derived.pool, &derived.system, &plan, Notation::Unicode);
         snapshot(&format!("{name}.unicode"), &unicode);
-        snapshot(&format!("{name}.latex"), &derivation::latex(&system, &plan));
+        snapshot(
+            &format!("{name}.latex"),
+            &derivation::latex(&derived.pool, &derived.system, &plan),
+        );
     }
 }
 
@@ -72,8 +75,9 @@ fn every_outline_is_as_in_the_snapshot() {
     let outlines: Vec<String> = description::whole()
         .iter()
         .map(|name| {
-            let (system, plan) = planned(name);
-            let outline = derivation::outline(&system, &plan, Notation::Ascii);
+            let (derived, plan) = planned(name);
+            let outline =
+                derivation::outline(&derived.pool, &derived.system, &plan, Notation::Ascii);
             format!("{name}\n{outline}")
         })
         .collect();
@@ -94,8 +98,8 @@ fn no_snapshot_is_orphaned() {
 
 /// The forms with the names of their unknowns, in solve order.
 fn named_forms(name: &str) -> Vec<(Vec<String>, String)> {
-    let (system, plan) = planned(name);
-    forms(system, &plan)
+    let (derived, plan) = planned(name);
+    forms(derived, &plan)
 }
 
 /// With pins instead of centers of mass as origins the same angles are found in the same order by the same methods.
@@ -220,12 +224,12 @@ fn the_printed_formulas_give_the_motion() {
     for (name, _) in REFERENCES {
         let table = reference(name);
         let scales = yardsticks(&table);
-        let system = description::system(name);
+        let derived = description::system(name);
         let text = page(name);
         let names: Vec<String> = ["", "'", "''"]
             .iter()
             .flat_map(|dots| {
-                let coordinates = system.coordinates.iter();
+                let coordinates = derived.system.coordinates.iter();
                 coordinates.map(move |coordinate| format!("{}{dots}", coordinate.name))
             })
             .collect();
@@ -251,7 +255,7 @@ fn the_printed_formulas_give_the_motion() {
                     .filter(|it| found.printed.contains(it))
                     .count()
             };
-            let size = system.coordinates.len();
+            let size = derived.system.coordinates.len();
             assert_eq!(compared(0..size), size - tears, "{name} prints no formula");
             for (column, quantity) in names.iter().enumerate() {
                 if !found.printed.contains(quantity) {
@@ -289,27 +293,28 @@ fn the_other_forms_satisfy_the_textbook_equations() {
         ("rolling_pinion", "two slides"),
         ("driven_coupler", "two rotations"),
     ] {
-        let (system, plan) = planned(name);
-        let found = forms(system.clone(), &plan);
+        let (derived, plan) = planned(name);
+        let found = forms(derived.clone(), &plan);
         let methods: Vec<&str> = found.iter().map(|(_, form)| form.as_str()).collect();
         assert_eq!(methods, [method]);
-        let text = derivation::text(&system, &plan, Notation::Ascii);
+        let text = derivation::text(&derived.pool, &derived.system, &plan, Notation::Ascii);
         for t in [0.0, 0.4, 1.1, 2.7] {
             let found = calculated(&text, t, &Values::new()).values;
-            let graph = &system.mechanism.graph;
+            let graph = &derived.pool.graph;
             let mut symbols = vec![0.0; graph.symbol_count()];
-            symbols[system.mechanism.time.index()] = t;
-            for coordinate in &system.coordinates {
+            symbols[derived.system.mechanism.time.index()] = t;
+            for coordinate in &derived.system.coordinates {
                 symbols[coordinate.position.index()] = found[&coordinate.name];
             }
-            let rate =
-                |coordinate: usize| found[&format!("{}'", system.coordinates[coordinate].name)];
+            let rate = |coordinate: usize| {
+                found[&format!("{}'", derived.system.coordinates[coordinate].name)]
+            };
             let evaluated = |expr| {
                 let mut result = [0.0];
                 Tape::new(graph, &[expr]).evaluate(&symbols, &mut Vec::new(), &mut result);
                 result[0]
             };
-            for row in &system.rows {
+            for row in &derived.system.rows {
                 let residual = evaluated(row.residual);
                 assert!(
                     residual.abs() < 1e-14,
@@ -318,7 +323,7 @@ fn the_other_forms_satisfy_the_textbook_equations() {
                 );
                 // A constant has no formula for its rate, which is zero.
                 let moving = row.jacobian.iter().filter(|entry| {
-                    let name = &system.coordinates[entry.coordinate].name;
+                    let name = &derived.system.coordinates[entry.coordinate].name;
                     found.contains_key(&format!("{name}'"))
                 });
                 let moved: f64 = moving

@@ -19,10 +19,9 @@ struct Points<'a> {
 
 impl Points<'_> {
     fn value(&self, expr: ExprId) -> f64 {
-        let mut graph = self.solved.system().mechanism.graph.clone();
-        let form = &self.solved.system().vector_form;
-        let written = form.written_out(expr, &mut graph);
-        Reader::new(&graph, self.solved.layout(), &[written]).values(self.instant)[0]
+        let mut draft = self.solved.pool().draft();
+        let written = draft.written_out(expr);
+        Reader::new(&draft.graph, self.solved.layout(), &[written]).values(self.instant)[0]
     }
 
     /// Every place where a point of this name is: bodies may carry different ones.
@@ -136,14 +135,14 @@ fn what_is_said_to_vanish_is_the_determinant() {
                 continue;
             };
             let part = &solved.program().forms[pose.block][pose.part];
-            let mut graph = solved.system().mechanism.graph.clone();
-            let found = part.determinant(&solved.system().vector_form, &mut graph);
+            let mut draft = solved.pool().draft();
+            let found = part.determinant(&mut draft);
             let order = found.jacobian.len();
             let entries = match found.value {
                 Some(value) => vec![value],
                 None => found.jacobian.concat(),
             };
-            let determinant = Reader::new(&graph, solved.layout(), &entries);
+            let determinant = Reader::new(&draft.graph, solved.layout(), &entries);
             let mut random = Random::new(11);
             let mut seen = 0;
             for _ in 0..20 {

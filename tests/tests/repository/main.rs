@@ -6,4 +6,5 @@ mod failure_kinds;
 mod links;
 mod modules;
 mod rooms;
+mod stages;
 mod thresholds;

@@ -2,13 +2,13 @@
 //!
 //! Guides, bars and cylinders are as long as what moves needs, so that they are others in another assembly.
 
-use crate::pool::Pool;
 use std::collections::BTreeMap;
 
 use super::draft::drafted;
 use super::picture::{Composition, Options};
 use super::pose::{Pose, Scene};
 use super::svg::{Written, groups};
+use crate::pool::Pool;
 use crate::system::System;
 
 /// A picture that is moved.

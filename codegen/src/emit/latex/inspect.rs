@@ -6,8 +6,7 @@ use super::spelling::{Latex, escaped};
 use crate::emit::derivation::SingularPose;
 use crate::emit::named_parts::NamedParts;
 use crate::expr::ExprId;
-use crate::pool::Pool;
-use crate::pool::SymbolRole;
+use crate::pool::{Pool, SymbolRole};
 use crate::system::{Cause, Derived, Row, System};
 
 /// A Jacobian of more columns than these is listed by its entries that are not zero.

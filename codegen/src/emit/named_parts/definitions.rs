@@ -1,10 +1,10 @@
 //! *The names on a page* → *what each stands for*, in an order in which they can be computed.
 
-use crate::pool::Pool;
 use std::collections::{BTreeSet, HashSet};
 
 use super::{NamedParts, State};
 use crate::expr::{ExprId, Graph, Node, Rational};
+use crate::pool::Pool;
 
 /// What a name stands for.
 #[derive(Clone, Copy, Debug)]

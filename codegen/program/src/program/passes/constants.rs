@@ -1,12 +1,12 @@
 //! Writes constant parts of expressions as literals and named constants.
 
-use crate::pool::Pool;
 use std::collections::{HashMap, HashSet};
 
 use linkwright_math::double;
 
 use super::costs::Computed;
 use crate::expr::{ExprId, Factor, Graph, Node, Number, Term};
+use crate::pool::Pool;
 use crate::program::function::Function;
 use crate::system::System;
 
