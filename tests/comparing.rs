@@ -4,7 +4,9 @@
 //! without a list of names.
 
 use linkwright_codegen::stages::emit::rust::type_name;
+use linkwright_codegen::stages::program::Kept;
 use linkwright_codegen::stages::program::{Output, Program, Reaction, lower};
+use linkwright_codegen::stages::structure::Shift;
 use linkwright_codegen::stages::structure::plan;
 use linkwright_codegen::stages::system::Component;
 
@@ -16,7 +18,7 @@ pub fn write(own: &str, others: &str) {
     let (mut modules, mut list) = (String::new(), String::new());
     for (is_own, folder) in [(true, own), (false, others)] {
         for motions in motions_in_folder(folder) {
-            let name = motions[0].mechanism.name.clone();
+            let name = motions[0].system.mechanism.name.clone();
             let module = match is_own {
                 true => name.clone(),
                 false => format!("linkwright_mechanisms::{name}"),
@@ -26,18 +28,18 @@ pub fn write(own: &str, others: &str) {
                     "pub mod {name} {{\n    linkwright::include_mechanism!({name});\n}}\n"
                 ));
             }
-            for (place, mut system) in motions.into_iter().enumerate() {
-                let motion = system.mechanism.motion.as_ref();
+            for (place, mut derived) in motions.into_iter().enumerate() {
+                let motion = derived.system.mechanism.motion.as_ref();
                 let path = motion.map_or(module.clone(), |it| format!("{module}::{}", it.name));
                 let mechanism_type = type_name(&name);
-                let Some(plan) = plan(&mut system) else {
+                let Ok(plan) = plan(&mut derived.pool, &derived.system, Shift::Directions) else {
                     continue;
                 };
-                let program = lower(&mut system, &plan);
+                let program = lower(&mut derived.pool, &derived.system, &plan, Kept::Requested);
                 let (outputs, forces) = (outputs(&program), forces(&program));
                 let derivatives = derivatives(&program);
                 list.push_str(&format!(
-                    "    Compared {{\n        name: {name:?},\n        motion: {place},\n        compare: |system| compare::<{path}::{mechanism_type}>(\n            system,\n            |it| {{ {} }},\n            |it| {{ {} }},\n            |it| {{ {} }},\n        ),\n    }},\n",
+                    "    Compared {{\n        name: {name:?},\n        motion: {place},\n        compare: |derived| compare::<{path}::{mechanism_type}>(\n            derived,\n            |it| {{ {} }},\n            |it| {{ {} }},\n            |it| {{ {} }},\n        ),\n    }},\n",
                     collected(&outputs),
                     collected(&forces),
                     collected(&derivatives),

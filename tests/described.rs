@@ -4,14 +4,14 @@ use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 
 /// Description without errors, with one motion.
 pub struct Described {
     /// Text.
     pub text: String,
     /// Equations.
-    pub system: System,
+    pub derived: Derived,
     /// True if it names files, which a copy in another folder would not find.
     pub reads_files: bool,
 }
@@ -36,10 +36,10 @@ pub fn in_folder(folder: &str) -> Vec<Described> {
         let reads_files = linkwright_codegen::read(&source).is_err();
         let source = linkwright_codegen::stages::files::attach_files(source, path.parent()?);
         let read = linkwright_codegen::read(&source).ok()?;
-        let system = read.only()?;
+        let derived = read.only()?;
         Some(Described {
             text,
-            system,
+            derived,
             reads_files,
         })
     });
@@ -47,7 +47,7 @@ pub fn in_folder(folder: &str) -> Vec<Described> {
 }
 
 /// Motions of each description in a folder, by the names of their files. Those with errors are left out.
-pub fn motions_in_folder(folder: &str) -> Vec<Vec<System>> {
+pub fn motions_in_folder(folder: &str) -> Vec<Vec<Derived>> {
     let paths = paths_in(folder);
     let described = paths.iter().filter_map(|path| {
         let text = fs::read_to_string(path).ok()?;
@@ -73,7 +73,7 @@ fn paths_in(folder: &str) -> Vec<PathBuf> {
 impl Described {
     /// Text with another name and one more statement.
     pub fn extended(&self, name: &str, statement: &str) -> String {
-        let declaration = format!("mechanism {}", self.system.mechanism.name);
+        let declaration = format!("mechanism {}", self.derived.system.mechanism.name);
         let renamed = self
             .text
             .replacen(&declaration, &format!("mechanism {name}"), 1);

@@ -35,7 +35,7 @@ pub fn write(folders: &[&str]) {
     let descriptions = empty_folder("monitoring");
     let (mut modules, mut list) = (String::new(), String::new());
     for described in folders.iter().flat_map(|folder| in_folder(folder)) {
-        let name = described.system.mechanism.name.as_str();
+        let name = described.derived.system.mechanism.name.as_str();
         if !MONITORED.contains(&name) {
             continue;
         }

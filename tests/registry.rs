@@ -25,7 +25,7 @@ pub fn listed(folder: &str) -> Vec<Listed> {
 }
 
 fn whole(described: &Described) -> Option<Listed> {
-    let mechanism = &described.system.mechanism;
+    let mechanism = &described.derived.system.mechanism;
     let has_inputs = !mechanism.parameters.is_empty() || !mechanism.inputs.is_empty();
     let whole = !has_inputs && mechanism.motion.is_none() && mechanism.requests.is_empty();
     whole.then(|| Listed {

@@ -16,7 +16,7 @@ pub fn write(folder: &str) {
     let descriptions = empty_folder("sensing");
     let (mut modules, mut list) = (String::new(), String::new());
     for described in in_folder(folder) {
-        let mechanism = &described.system.mechanism;
+        let mechanism = &described.derived.system.mechanism;
         let limited = described.reads_files
             || !mechanism.requests.is_empty()
             || !mechanism.sensitivities.is_empty();
@@ -26,8 +26,9 @@ pub fn write(folder: &str) {
         }
         // Parameters of forces alone move nothing.
         let moves = mechanism.parameters.iter().any(|parameter| {
-            let rows = described.system.rows.iter();
-            let mut symbols = rows.flat_map(|row| mechanism.graph.symbols(row.residual).to_vec());
+            let rows = described.derived.system.rows.iter();
+            let mut symbols =
+                rows.flat_map(|row| described.derived.pool.graph.symbols(row.residual).to_vec());
             symbols.any(|symbol| symbol == parameter.symbol)
         });
         if !moves {

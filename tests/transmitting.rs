@@ -18,7 +18,7 @@ pub fn write(folders: &[&str]) {
     let (mut modules, mut list) = (String::new(), String::new());
     for folder in folders {
         for described in in_folder(folder) {
-            let system = &described.system;
+            let system = &described.derived.system;
             let mechanism = &system.mechanism;
             let limited = described.reads_files
                 || !mechanism.requests.is_empty()

@@ -44,7 +44,7 @@ pub mod syntax {
     pub use crate::syntax::*;
 }
 
-/// What grows behind the equations: expressions, and symbols with their roles.
+/// Expressions, and symbols with their roles, which grow behind the equations.
 pub mod pool {
     #[doc(inline)]
     pub use crate::pool::{Arm, Draft, Pool, SymbolRole};

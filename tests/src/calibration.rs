@@ -118,9 +118,9 @@ pub fn calibrator(text: &str, parameters: &[&str], step: f64) -> (Calibrator, Ve
     let source = Source::new("study.mech", text);
     let read = linkwright_codegen::read_along(&source, parameters);
     let read = read.unwrap_or_else(|found| panic!("{}", found.render(&source)));
-    let system = read.only().expect("one motion");
-    let calibrator = Calibrator::new(&system, step).expect("its blocks can be ordered");
-    (calibrator, all(&system))
+    let derived = read.only().expect("one motion");
+    let calibrator = Calibrator::new(&derived, step).expect("its blocks can be ordered");
+    (calibrator, all(&derived.pool, &derived.system))
 }
 
 /// Observables of the quantities with these names.

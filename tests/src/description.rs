@@ -3,7 +3,7 @@
 use std::fs;
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 
 use crate::files;
 
@@ -24,7 +24,7 @@ pub fn whole() -> Vec<String> {
         let [only] = &motions(name)[..] else {
             return false;
         };
-        let mechanism = &only.mechanism;
+        let mechanism = &only.system.mechanism;
         let has_inputs = !mechanism.parameters.is_empty() || !mechanism.inputs.is_empty();
         !has_inputs && mechanism.motion.is_none() && mechanism.requests.is_empty()
     });
@@ -65,7 +65,7 @@ pub fn source(name: &str) -> Source {
 ///
 /// # Panics
 /// If the description has errors.
-pub fn motions(name: &str) -> Vec<System> {
+pub fn motions(name: &str) -> Vec<Derived> {
     let source = source(name);
     let read = linkwright_codegen::read(&source)
         .unwrap_or_else(|errors| panic!("{}", errors.render(&source)));
@@ -79,8 +79,8 @@ pub fn motions(name: &str) -> Vec<System> {
 ///
 /// # Panics
 /// If the description has errors or several motions.
-pub fn system(name: &str) -> System {
-    let [only] = <[System; 1]>::try_from(motions(name))
+pub fn system(name: &str) -> Derived {
+    let [only] = <[Derived; 1]>::try_from(motions(name))
         .unwrap_or_else(|several| panic!("{name} has {} motions", several.len()));
     only
 }
@@ -89,7 +89,7 @@ pub fn system(name: &str) -> System {
 ///
 /// # Panics
 /// If the description has errors or several motions.
-pub fn written(text: &str) -> System {
+pub fn written(text: &str) -> Derived {
     let source = Source::new("written.mech", text.to_string());
     let read = linkwright_codegen::read(&source)
         .unwrap_or_else(|errors| panic!("{}", errors.render(&source)));

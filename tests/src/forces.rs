@@ -6,7 +6,7 @@
 
 use linkwright::{Settings, Shell};
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 use linkwright_solver::forces::names;
 use linkwright_solver::{Instant, Interpreted, View};
 use nalgebra::{DMatrix, DVector};
@@ -25,7 +25,7 @@ pub struct Followed {
 ///
 /// # Panics
 /// If the text has errors.
-pub fn systems(name: &str, text: &str) -> Vec<System> {
+pub fn systems(name: &str, text: &str) -> Vec<Derived> {
     let source = Source::new(format!("{name}.mech"), text.to_string());
     let read = linkwright_codegen::read(&source)
         .unwrap_or_else(|errors| panic!("{}", errors.render(&source)));
@@ -37,12 +37,15 @@ pub fn systems(name: &str, text: &str) -> Vec<System> {
 
 impl Followed {
     /// Mechanism assembled at a time; `None` if the assembly fails.
-    pub fn new(system: &System, t: f64) -> Option<Followed> {
-        let view = Interpreted::new(system)?;
+    pub fn new(derived: &Derived, t: f64) -> Option<Followed> {
+        let view = Interpreted::new(derived)?;
         let shell = assembled_from(view.clone(), &[], t, Settings::default());
         Some(Followed {
             shell: shell.ok()?,
-            names: names(system).into_iter().map(|(name, _)| name).collect(),
+            names: names(&derived.pool, &derived.system)
+                .into_iter()
+                .map(|(name, _)| name)
+                .collect(),
             view,
         })
     }

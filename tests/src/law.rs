@@ -29,10 +29,10 @@ impl Law {
         );
         let source = Source::new("driven.mech", text);
         let read = read(&source).unwrap_or_else(|found| panic!("{}", found.render(&source)));
-        let system = read.only().expect("one motion");
-        let residual = system.rows[2].residual;
-        let mechanism = system.mechanism;
-        let mut graph = mechanism.graph;
+        let derived = read.only().expect("one motion");
+        let residual = derived.system.rows[2].residual;
+        let mechanism = derived.system.mechanism;
+        let mut graph = derived.pool.graph;
         let [_, _, angle] = mechanism.bodies[1].coordinates;
         let angle = angle.expect("a moving body").symbol;
         let zero = graph.zero();

@@ -6,7 +6,7 @@
 //! rigid bodies in plain numbers.
 
 use linkwright::Equations;
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 use linkwright_solver::textbook::TextbookEquations;
 use linkwright_solver::{InputLaws, Numbers};
 use nalgebra::{DMatrix, DVector};
@@ -45,26 +45,30 @@ pub struct Multipliers {
 
 impl Multipliers {
     /// Equations of a system with these weights.
-    pub fn new(system: &System, weights: &[Weight], gravity: [f64; 2]) -> Multipliers {
-        let drivers: Vec<usize> = system
+    pub fn new(derived: &Derived, weights: &[Weight], gravity: [f64; 2]) -> Multipliers {
+        let drivers: Vec<usize> = derived
+            .system
             .mechanism
             .forces
             .free
             .iter()
             .map(|it| it.joint)
             .collect();
-        let rows = 0..system.rows.len();
+        let rows = 0..derived.system.rows.len();
         let (free, held): (Vec<usize>, _) =
-            rows.partition(|&row| drivers.contains(&system.rows[row].joint));
-        let inputs = InputLaws::of(system).at(0.0);
+            rows.partition(|&row| drivers.contains(&derived.system.rows[row].joint));
+        let inputs = InputLaws::of(&derived.pool, &derived.system).at(0.0);
         let values = free.iter().map(|&row| {
-            let mut all = system.mechanism.forces.free.iter();
-            let coordinate = all.find(|it| it.joint == system.rows[row].joint);
+            let mut all = derived.system.mechanism.forces.free.iter();
+            let coordinate = all.find(|it| it.joint == derived.system.rows[row].joint);
             inputs.0[coordinate.expect("a free coordinate").input].value
         });
         let values = DVector::from_vec(values.collect());
-        let equations = TextbookEquations::new(system);
-        equations.supply(&Numbers::nominal_parameters(system), &inputs);
+        let equations = TextbookEquations::new(&derived.pool, &derived.system);
+        equations.supply(
+            &Numbers::nominal_parameters(&derived.pool, &derived.system),
+            &inputs,
+        );
         Multipliers {
             equations,
             held,

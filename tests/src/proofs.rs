@@ -4,7 +4,7 @@
 
 use linkwright::{Blocks, Shell};
 use linkwright_codegen::stages::expr::ExprId;
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 use linkwright_solver::measures::Measures;
 use linkwright_solver::proof::{Enclosed, Proof, Proven};
 use linkwright_solver::{Check, Interpreted, Schedule, View};
@@ -67,11 +67,11 @@ impl Verdict {
 ///
 /// # Panics
 /// If the mechanism does not move over the range, or exact values cannot be computed.
-pub fn judged(system: &System, range: [f64; 2], instants: usize) -> Verdict {
-    let interpreted = Interpreted::new(system).expect("a plan");
+pub fn judged(derived: &Derived, range: [f64; 2], instants: usize) -> Verdict {
+    let interpreted = Interpreted::new(derived).expect("a plan");
     let schedule = Schedule::whole(range[0], range[1], 0.01).expect("a good range");
     let check = Check::new(interpreted.clone(), &schedule, |_| {});
-    let points: Vec<usize> = (0..system.outputs.len()).collect();
+    let points: Vec<usize> = (0..derived.system.outputs.len()).collect();
     let proof = check.prove(&schedule, &points);
     let mut verdict = Verdict {
         compared: 0,
@@ -102,7 +102,7 @@ pub fn judged(system: &System, range: [f64; 2], instants: usize) -> Verdict {
     let times = (0..instants).map(|_| random.between(range[0], range[1]));
     let mut times: Vec<f64> = times.collect();
     times.sort_by(f64::total_cmp);
-    let exact = Exact::new(system);
+    let exact = Exact::new(derived);
     let laws = interpreted.input_laws();
     let parameters = interpreted.nominal_parameters();
     let mut shell = Shell::assemble(
@@ -155,25 +155,30 @@ struct Exact {
 }
 
 impl Exact {
-    fn new(system: &System) -> Exact {
-        let points: Vec<[ExprId; 2]> = system.outputs.iter().map(|it| it.position).collect();
+    fn new(derived: &Derived) -> Exact {
+        let points: Vec<[ExprId; 2]> = derived
+            .system
+            .outputs
+            .iter()
+            .map(|it| it.position)
+            .collect();
         Exact {
-            truth: Truth::new(system),
-            order: needed(&system.mechanism.graph, &points.concat()),
+            truth: Truth::new(derived),
+            order: needed(&derived.pool.graph, &points.concat()),
             points,
         }
     }
 
     fn compare(&self, proven: &Proven, given: &Given, near: &[f64], verdict: &mut Verdict) {
-        let system = &self.truth.system;
+        let derived = &self.truth.derived;
         let start: Vec<Precise> = near.iter().map(|&it| Precise::from_f64(it)).collect();
         let exact = self.truth.solve(given, &start).expect("an exact pose");
         let [q, ..] = exact.levels;
-        let mut symbols = given.symbols(system, Precise::from_f64);
-        for (own, value) in system.coordinates.iter().zip(&q) {
+        let mut symbols = given.symbols(derived, Precise::from_f64);
+        for (own, value) in derived.system.coordinates.iter().zip(&q) {
             symbols[own.position.index()] = value.clone();
         }
-        let node_values = values(&system.mechanism.graph, &self.order, &symbols);
+        let node_values = values(&derived.pool.graph, &self.order, &symbols);
         let points = self
             .points
             .iter()

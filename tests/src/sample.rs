@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use linkwright_codegen::stages::joint::Quantity;
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 
 use crate::random::Random;
 
@@ -20,8 +20,9 @@ pub struct Sample {
 
 impl Sample {
     /// Lengths up to 2 m, angles up to a turn, rates up to 2 m/s or 2 rad/s, times up to 5 s.
-    pub fn random(system: &System, random: &mut Random) -> Sample {
-        let q = system
+    pub fn random(derived: &Derived, random: &mut Random) -> Sample {
+        let q = derived
+            .system
             .coordinates
             .iter()
             .map(|coordinate| match coordinate.quantity {
@@ -38,16 +39,16 @@ impl Sample {
     }
 
     /// The value of every symbol by its index: q, q̇, t, the defaults of parameters and signals, and zero for accelerations.
-    pub fn symbols(&self, system: &System) -> Vec<f64> {
-        let mut symbols = vec![0.0; system.mechanism.graph.symbol_count()];
-        for ((coordinate, q), qd) in system.coordinates.iter().zip(&self.q).zip(&self.qd) {
+    pub fn symbols(&self, derived: &Derived) -> Vec<f64> {
+        let mut symbols = vec![0.0; derived.pool.graph.symbol_count()];
+        for ((coordinate, q), qd) in derived.system.coordinates.iter().zip(&self.q).zip(&self.qd) {
             symbols[coordinate.position.index()] = *q;
             symbols[coordinate.rate.index()] = *qd;
         }
-        symbols[system.mechanism.time.index()] = self.t;
-        system.mechanism.graph.fill_nominal(&mut symbols);
-        for input in &system.mechanism.inputs {
-            let initial = system.mechanism.graph.constant_value(input.initial);
+        symbols[derived.system.mechanism.time.index()] = self.t;
+        derived.pool.graph.fill_nominal(&mut symbols);
+        for input in &derived.system.mechanism.inputs {
+            let initial = derived.pool.graph.constant_value(input.initial);
             symbols[input.symbols[0].index()] = initial.expect("a constant");
         }
         symbols

@@ -1,7 +1,7 @@
 //! Simulated motions of descriptions with free coordinates, and their references.
 
 use linkwright::{Blocks, Shell, Signal};
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 use linkwright_solver::{
     InputSignals, Instant, Interpreted, Numbers, Simulation, SimulationOptions, Tolerances, View,
 };
@@ -24,8 +24,8 @@ pub fn options(relative: f64) -> SimulationOptions {
 /// # Panics
 /// If it has errors.
 pub fn interpreted(text: &str) -> Interpreted {
-    let system: &System = &systems("simulated", text)[0];
-    Interpreted::new(system).expect("an order")
+    let derived: &Derived = &systems("simulated", text)[0];
+    Interpreted::new(derived).expect("an order")
 }
 
 /// Simulation of a text with forces from its start.
@@ -83,7 +83,7 @@ pub fn coordinate(simulation: &Simulation, name: &str) -> [f64; 2] {
 /// If it is not requested.
 pub fn force(simulation: &Simulation, name: &str) -> f64 {
     let view = simulation.view();
-    let names = linkwright_solver::forces::names(view.system());
+    let names = linkwright_solver::forces::names(view.pool(), view.system());
     let place = names.iter().position(|(own, _)| own == name);
     let values = view.forces(simulation.frame()).expect("known");
     values[place.unwrap_or_else(|| panic!("no {name}"))]

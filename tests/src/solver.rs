@@ -3,7 +3,7 @@
 
 use linkwright::generated::newton;
 use linkwright::{Equations, Frame, PointMotion, Settings, Step};
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 use linkwright_solver::textbook::TextbookEquations;
 use nalgebra::{DMatrix, DVector, Dyn};
 
@@ -78,9 +78,9 @@ impl Interpreted {
     }
 
     /// The interpreter of a system, not yet assembled.
-    pub fn of(system: &System) -> Interpreted {
+    pub fn of(derived: &Derived) -> Interpreted {
         Interpreted {
-            equations: TextbookEquations::new(system),
+            equations: TextbookEquations::new(&derived.pool, &derived.system),
             frame: None,
         }
     }

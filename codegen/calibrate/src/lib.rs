@@ -16,11 +16,11 @@
 //!     drive phi(arm) = t;
 //! }";
 //! let read = linkwright_codegen::read_along(&Source::new("crank.mech", text), &["L"]);
-//! let system = read.expect("no errors").only().expect("one motion");
-//! let calibrator = Calibrator::new(&system, 0.1).expect("its equations can be ordered");
+//! let derived = read.expect("no errors").only().expect("one motion");
+//! let calibrator = Calibrator::new(&derived, 0.1).expect("its equations can be ordered");
 //!
 //! // Measured positions of B, for a crank that is 42 mm long.
-//! let quantities = observable::all(&system);
+//! let quantities = observable::all(&derived.pool, &derived.system);
 //! let x = quantities.iter().find(|it| it.name == "B_x").expect("a point");
 //! let times: Vec<f64> = (0..20).map(|step| 0.1 * f64::from(step)).collect();
 //! let values = times.iter().map(|t| Some(0.042 * t.cos())).collect();

@@ -57,8 +57,8 @@ mod tests {
             .replacen("{", "{ point O = (0, 0);", 1)
             .replace("{ O: (0, 0) }", "{ O }");
         let read = linkwright_codegen::read(&Source::new("crank.mech", &text));
-        let system = read.expect("a description").only().expect("one motion");
-        let step = first_step(&system, &[0.25, -0.5, 0.125], 2.0);
+        let derived = read.expect("a description").only().expect("one motion");
+        let step = first_step(&derived.pool, &derived.system, &[0.25, -0.5, 0.125], 2.0);
         let correction = step.correction.expect("a regular pose");
         assert_eq!(correction.as_slice(), [-0.25, 0.5, 1.875]);
     }

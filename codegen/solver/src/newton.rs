@@ -1,12 +1,12 @@
 //! Evaluates the [`Equations`] of a block without a closed form on registers.
 
-use linkwright_codegen::stages::pool::Pool;
 use std::cell::RefCell;
 
 use linkwright::{Equations, Frame};
 use linkwright_codegen::stages::assemblies;
 use linkwright_codegen::stages::expr::{Code, Register, SymbolId};
 use linkwright_codegen::stages::joint::Quantity;
+use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::program::{Block, Function, Lengths, Statement};
 use linkwright_codegen::stages::system::System;
 use nalgebra::{DMatrix, DVector, Dyn};

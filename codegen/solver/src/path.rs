@@ -6,8 +6,7 @@ use linkwright::generated::{
     Chord, Pair, PathEnclosure, TimeWindow, isolate_all, isolate_whole_chain, required,
 };
 use linkwright_codegen::stages::expr::{Code, Register, SymbolId};
-use linkwright_codegen::stages::pool::Pool;
-use linkwright_codegen::stages::pool::SymbolRole;
+use linkwright_codegen::stages::pool::{Pool, SymbolRole};
 use linkwright_codegen::stages::program::{Function, Program};
 use linkwright_codegen::stages::system::System;
 use nalgebra::{DMatrix, DVector};

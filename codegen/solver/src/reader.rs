@@ -1,9 +1,9 @@
 //! Evaluates expressions of a system, and functions of its program, at an instant.
 
-use linkwright_codegen::stages::pool::Pool;
 use std::cell::RefCell;
 
 use linkwright_codegen::stages::expr::{Code, ExprId, Graph, Recorder, Register, SymbolId};
+use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::program::{Function, Program};
 use linkwright_codegen::stages::system::System;
 

@@ -5,8 +5,7 @@
 use super::named_parts::NamedParts;
 use super::parts::{Addend, Fraction, Part, addends, fraction, terms};
 use crate::expr::{Comparison, ExprId, Graph, Node, Rational, Term};
-use crate::pool::Pool;
-use crate::pool::SymbolRole;
+use crate::pool::{Pool, SymbolRole};
 use crate::program::ConstantPart;
 use crate::system::{System, WrittenOrder};
 

@@ -9,8 +9,7 @@ pub(crate) use spelling::{Latex, escaped, vector_name};
 
 use super::formula::Printer;
 use crate::expr::ExprId;
-use crate::pool::Pool;
-use crate::pool::SymbolRole;
+use crate::pool::{Pool, SymbolRole};
 use crate::system::System;
 
 /// One expression for math mode, with the bodies mentioned in this order.

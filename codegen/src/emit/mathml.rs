@@ -12,8 +12,7 @@ pub(crate) use spelling::{MathMl, brackets, name, typed, vector_name};
 use super::formula::Printer;
 use super::inspection::Inspection;
 use crate::expr::ExprId;
-use crate::pool::Pool;
-use crate::pool::SymbolRole;
+use crate::pool::{Pool, SymbolRole};
 use crate::system::{Derived, System};
 
 /// One expression, with the bodies mentioned in this order.

@@ -11,14 +11,13 @@
 
 mod definitions;
 
-use crate::pool::Pool;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 
 use super::Notation;
 use super::formula::Printer;
 use crate::expr::{ExprId, Graph, Node, SymbolId};
-use crate::pool::SymbolRole;
+use crate::pool::{Pool, SymbolRole};
 use crate::system::System;
 
 /// Longest choice that stands where it is used, in characters, without a name in it.

@@ -12,8 +12,7 @@ use super::Notation;
 use super::formula::Printer;
 use super::named_parts::LONGEST_FORMULA;
 use crate::expr::ExprId;
-use crate::pool::Pool;
-use crate::pool::SymbolRole;
+use crate::pool::{Pool, SymbolRole};
 use crate::program::{Constant, ConstantPart};
 use crate::system::System;
 

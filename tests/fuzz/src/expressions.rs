@@ -224,14 +224,14 @@ fn attempt(input: &mut Unstructured<'_>) -> Result<String> {
         formula.text
     );
     let source = Source::new("fuzzed.mech", text);
-    let system = match linkwright_codegen::read(&source) {
+    let derived = match linkwright_codegen::read(&source) {
         Ok(read) => read.only().expect("one motion"),
         Err(findings) => {
             assert!(!findings.render(&source).is_empty());
             return Ok(with_codes("refused", &findings));
         }
     };
-    let equations = TextbookEquations::new(&system);
+    let equations = TextbookEquations::new(&derived.pool, &derived.system);
     let q = DVector::zeros(3);
     let (mut phi, mut rates) = (DVector::zeros(3), DVector::zeros(3));
     equations.residual(&q, TIME, &mut phi);

@@ -43,7 +43,7 @@ pub fn run(bytes: &[u8]) -> String {
     if read
         .motions
         .iter()
-        .all(|it| it.coordinates.len() <= MAX_COORDINATES)
+        .all(|it| it.system.coordinates.len() <= MAX_COORDINATES)
     {
         let generated = generate(&source, &Options::default());
         let generated = generated.expect("what is checked can be generated");

@@ -109,14 +109,14 @@ fn attempt(input: &mut Unstructured<'_>) -> Result<String> {
             return Ok(with_codes("refused", &findings));
         }
     };
-    let Some(system) = read.only() else {
+    let Some(derived) = read.only() else {
         return Ok("without a motion".to_string());
     };
-    if let Err(findings) = linkwright_codegen::check(&system) {
+    if let Err(findings) = linkwright_codegen::check(&derived) {
         assert!(!findings.render(&source).is_empty());
         return Ok(with_codes("not solvable", &findings));
     }
-    let equations = TextbookEquations::new(&system);
+    let equations = TextbookEquations::new(&derived.pool, &derived.system);
     let settings = Settings::default();
     let assembled =
         assemble_from_rough_estimate(&equations, equations.estimate(), None, 0.0, &settings);

@@ -11,7 +11,7 @@ pub mod joint;
 
 use linkwright_codegen::stages::expr::ExprId;
 use linkwright_codegen::stages::joint::geometry::{self, BodyId};
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 use nalgebra::{DMatrix, DVector, Vector2};
 
 use self::drive::{Drive, drives};
@@ -47,11 +47,11 @@ impl Baseline {
     ///
     /// # Panics
     /// If the table of drives does not fit the mechanism, or it has a joint of a kind that is not written here.
-    pub fn new(system: &System) -> Baseline {
-        let reading = Reading { system };
-        let mut drives = drives(&system.mechanism.name).into_iter();
+    pub fn new(derived: &Derived) -> Baseline {
+        let reading = Reading { derived };
+        let mut drives = drives(&derived.system.mechanism.name).into_iter();
         let mut joints = Vec::new();
-        for joint in &system.mechanism.joints {
+        for joint in &derived.system.mechanism.joints {
             let drive = |drives: &mut dyn Iterator<Item = Drive>| {
                 drives
                     .next()
@@ -60,8 +60,9 @@ impl Baseline {
             joints.push(reading.joint(joint, || drive(&mut drives)));
         }
         assert!(drives.next().is_none(), "a drive without a joint");
-        let n = system.coordinates.len();
-        let estimate = system
+        let n = derived.system.coordinates.len();
+        let estimate = derived
+            .system
             .coordinates
             .iter()
             .map(|it| reading.constant(it.estimate));
@@ -149,13 +150,13 @@ impl Baseline {
 
 /// Numbers out of a description.
 struct Reading<'a> {
-    system: &'a System,
+    derived: &'a Derived,
 }
 
 impl Reading<'_> {
     fn constant(&self, expression: ExprId) -> f64 {
-        self.system
-            .mechanism
+        self.derived
+            .pool
             .graph
             .constant_value(expression)
             .expect("a dimension is constant")

@@ -44,11 +44,11 @@ fn run(arguments: &Arguments) -> Result<bool, Box<dyn Error>> {
     let mut notes = String::new();
     let mut is_good = true;
     for (name, _) in reference::REFERENCES {
-        let system = description::system(name);
-        if system.mechanism.graph.splines().next().is_some() {
+        let derived = description::system(name);
+        if derived.pool.graph.splines().next().is_some() {
             continue;
         }
-        let verdict = proofs::judged(&system, [0.0, arguments.to], arguments.instants);
+        let verdict = proofs::judged(&derived, [0.0, arguments.to], arguments.instants);
         let proof = &verdict.proof;
         if let Some(unproven) = &proof.unproven {
             writeln!(

@@ -40,8 +40,8 @@ fn run(arguments: &Arguments) -> Result<u32, Box<dyn Error>> {
     let environment = arguments.destination.environment();
     let mut measured: Vec<Measured> = Vec::new();
     for name in description::names() {
-        for system in description::motions(&name) {
-            let measurement = measure(&system, arguments.starts);
+        for derived in description::motions(&name) {
+            let measurement = measure(&derived, arguments.starts);
             let generated = measurement.generated.as_ref().map(Outcomes::success);
             eprintln!(
                 "{}: textbook {:.2} %, from afar {:.2} %, generated {generated:.2?} %",

@@ -105,7 +105,7 @@ fn motions(
     header: &str,
 ) -> Vec<program_rust::Motion> {
     let read = linkwright_codegen::read(&case.source).expect("the description has been generated");
-    let mechanism = read.motions[0].mechanism.name.clone();
+    let mechanism = read.motions[0].system.mechanism.name.clone();
     let of = |motion: Option<&str>| -> program_rust::Motion {
         let prefix = motion.map_or(mechanism.clone(), |it| format!("{mechanism}_{it}"));
         let declared: Declared = declared(header, &prefix, &type_name(&prefix), motion);
@@ -121,6 +121,7 @@ fn motions(
     motions
         .map(|it| {
             of(it
+                .system
                 .mechanism
                 .motion
                 .as_ref()

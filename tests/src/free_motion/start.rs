@@ -45,7 +45,7 @@ pub(super) struct Start {
 impl Places {
     pub fn new(freed: &'static Freed, weighed: &Weighed) -> Places {
         let view = interpreted(&weighed.drawn());
-        let reference = Multipliers::new(view.system(), &[], [0.0; 2]);
+        let reference = Multipliers::new(view.derived(), &[], [0.0; 2]);
         let drawn = DVector::from_vec(view.drawn_pose(&view.nominal_parameters()).0);
         let design_values = reference.free_values(&drawn);
         let signals = view.input_laws().at(0.0).0;

@@ -2,7 +2,7 @@
 //!
 //! An angle has no mass: a wheel turns with it.
 
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 
 use super::gallery::Freed;
 use crate::files;
@@ -109,14 +109,14 @@ impl Weighed {
     }
 
     /// The masses of the bodies of a system.
-    pub fn weights(&self, system: &System) -> Vec<Weight> {
+    pub fn weights(&self, derived: &Derived) -> Vec<Weight> {
         let weights = self.weights.iter().map(|weight| {
             let body = &self.bodies[weight.body];
             let name = match body.starts_with(|it: char| it.is_ascii_digit()) {
                 true => format!("x{body}"),
                 false => format!("x_{body}"),
             };
-            let mut coordinates = system.coordinates.iter();
+            let mut coordinates = derived.system.coordinates.iter();
             let place = coordinates.position(|it| it.name == name);
             let place = place.unwrap_or_else(|| panic!("no {name}"));
             assert!(place.is_multiple_of(3), "{name}");

@@ -174,7 +174,10 @@ fn one(
 }
 
 fn is_angle(known: &Known, place: usize) -> bool {
-    known.system.coordinates[place].quantity.power_of_length() == 0
+    known.derived.system.coordinates[place]
+        .quantity
+        .power_of_length()
+        == 0
 }
 
 /// True if the pose is that on the path except for whole turns.

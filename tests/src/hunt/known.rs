@@ -2,7 +2,7 @@
 
 use linkwright::Equations;
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 use linkwright_solver::textbook::TextbookEquations;
 use linkwright_solver::{Interpreted, Numbers};
 use nalgebra::DVector;
@@ -39,7 +39,7 @@ pub struct Instant {
 /// A mechanism with its truth.
 pub struct Known {
     /// Equations.
-    pub system: System,
+    pub derived: Derived,
     /// Equations for evaluation.
     pub interpreter: TextbookEquations,
     /// Equations in 384 bits.
@@ -132,12 +132,12 @@ pub fn known(mechanism: &Mechanism, seed: u64) -> Result<Known, Unused> {
         Unused::Refused(codes.join(" "), rendered)
     };
     let read = linkwright_codegen::read(&source).map_err(|errors| refused(&errors))?;
-    let system = hunted(read).expect("the hunted motion");
-    linkwright_codegen::check(&system).map_err(|errors| refused(&errors))?;
-    let interpreter = TextbookEquations::new(&system);
-    let truth = Truth::new(&system);
+    let derived = hunted(read).expect("the hunted motion");
+    linkwright_codegen::check(&derived).map_err(|errors| refused(&errors))?;
+    let interpreter = TextbookEquations::new(&derived.pool, &derived.system);
+    let truth = Truth::new(&derived);
     let size = mechanism.size;
-    let length = system.mechanism.characteristic_length.max(size);
+    let length = derived.system.mechanism.characteristic_length.max(size);
     let times = times();
     let start = DVector::from_vec(mechanism.coordinates());
     let scales = truth.scales(size);
@@ -170,7 +170,7 @@ pub fn known(mechanism: &Mechanism, seed: u64) -> Result<Known, Unused> {
     if off > 1e-6 * away {
         return Err(Unused::Singular);
     }
-    let parameters = Numbers::nominal_parameters(&system).0;
+    let parameters = Numbers::nominal_parameters(&derived.pool, &derived.system).0;
     let mut instants = Vec::new();
     let mut end = path.end;
     for (t, tracked) in times.iter().zip(&path.poses) {
@@ -204,13 +204,13 @@ pub fn known(mechanism: &Mechanism, seed: u64) -> Result<Known, Unused> {
     if end == End::Unknown {
         return Err(Unused::Undecided);
     }
-    let is_closed = Interpreted::new(&system).is_some_and(|view| {
+    let is_closed = Interpreted::new(&derived).is_some_and(|view| {
         let mut forms = view.program().forms.iter().flatten();
         forms.all(|form| form.modes().is_some())
     });
     let task = task(&instants, &scales, times, seed);
     Ok(Known {
-        system,
+        derived,
         interpreter,
         truth,
         length,
@@ -255,7 +255,7 @@ pub fn elsewhere(known: &Known, instant: usize, found: &[f64]) -> Option<Instant
     self::instant(
         &known.truth,
         &known.interpreter,
-        &Numbers::nominal_parameters(&known.system).0,
+        &Numbers::nominal_parameters(&known.derived.pool, &known.derived.system).0,
         known.task.times[instant],
         &near,
         known.length,

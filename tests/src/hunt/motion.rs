@@ -6,7 +6,7 @@
 use std::fmt::Write as _;
 
 use linkwright_codegen::Read;
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 
 use super::joint::Joint;
 use super::mechanism::Mechanism;
@@ -81,9 +81,9 @@ impl Motions {
 }
 
 /// The motion that is hunted, or the only one.
-pub fn hunted(read: Read) -> Option<System> {
+pub fn hunted(read: Read) -> Option<Derived> {
     match read.motion(HUNTED) {
-        Some(system) => Some(system.clone()),
+        Some(derived) => Some(derived.clone()),
         None => read.only(),
     }
 }

@@ -55,7 +55,7 @@ impl Periodic {
             right[row] = 6.0 * (self.slope(row) - self.slope(row + 3));
         }
         let solution = matrix.full_piv_lu().solve(&right);
-        solution.expect("a diagonally dominant system")
+        solution.expect("a diagonally dominant derived")
     }
 
     /// Value, first and second derivative at an argument.

@@ -4,8 +4,8 @@ use linkwright::{
     Blocks, Failure, Frame, Settings, advance, assemble, assemble_from_rough_estimate,
 };
 use linkwright_codegen::stages::program::forms_of;
-use linkwright_codegen::stages::structure::plan_of_motion;
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::structure::{self, Shift};
+use linkwright_codegen::stages::system::Derived;
 use linkwright_solver::Interpreted;
 use linkwright_solver::textbook::TextbookEquations;
 use nalgebra::Dyn;
@@ -34,26 +34,26 @@ pub struct Instant {
 pub type Moved = Vec<Result<Instant, String>>;
 
 /// Motion in each formulation, with its name.
-pub fn motions(system: &System) -> Vec<(&'static str, Moved)> {
+pub fn motions(derived: &Derived) -> Vec<(&'static str, Moved)> {
     let judge = Judge {
-        truth: Truth::new(system),
-        given: given(system),
-        length: system.characteristic_length(),
+        truth: Truth::new(derived),
+        given: given(derived),
+        length: derived.system.characteristic_length(&derived.pool),
     };
-    let mut all = textbook(system, &judge);
-    all.push(("solved", solved(system, &judge)));
+    let mut all = textbook(derived, &judge);
+    all.push(("solved", solved(derived, &judge)));
     all
 }
 
 /// Steps of the plan that solve for something by more than a division, as kinds with their numbers. A coefficient has
 /// a division of its own only if it is not a number. The number of tearing variables depends on the order in which
 /// sequences are tried. Neither changes the solution.
-pub fn plan(system: &System) -> Vec<(String, usize)> {
-    let mut system = system.clone();
-    let Some(plan) = plan_of_motion(&mut system) else {
+pub fn plan(derived: &Derived) -> Vec<(String, usize)> {
+    let mut derived = derived.clone();
+    let Ok(plan) = structure::plan(&mut derived.pool, &derived.system, Shift::Efforts) else {
         return Vec::new();
     };
-    let forms = forms_of(&mut system, &plan);
+    let forms = forms_of(&mut derived.pool, &derived.system, &plan);
     let names = forms.iter().flatten().map(|form| match form.modes() {
         Some(_) => form.name(),
         None => format!("Newton of {} unknowns", form.unknowns().len()),
@@ -71,10 +71,13 @@ pub fn plan(system: &System) -> Vec<(String, usize)> {
 }
 
 /// True if the rounding of the residuals at a pose exceeds the tolerance to which they must be solved.
-pub fn is_rounded_away(system: &System, t: f64, q: &[f64]) -> bool {
-    let instant_inputs = Given { t, ..given(system) };
+pub fn is_rounded_away(derived: &Derived, t: f64, q: &[f64]) -> bool {
+    let instant_inputs = Given {
+        t,
+        ..given(derived)
+    };
     let tolerance = Settings::<f64>::default().tolerance;
-    Truth::new(system).rounding(&instant_inputs, q, Scalar::F64) > tolerance
+    Truth::new(derived).rounding(&instant_inputs, q, Scalar::F64) > tolerance
 }
 
 struct Judge {
@@ -99,10 +102,10 @@ impl Judge {
 }
 
 /// Default parameters and signals.
-fn given(system: &System) -> Given {
-    let mechanism = &system.mechanism;
+fn given(derived: &Derived) -> Given {
+    let mechanism = &derived.system.mechanism;
     let value = |id| {
-        let value = mechanism.graph.constant_value(id);
+        let value = derived.pool.graph.constant_value(id);
         value.expect("a constant")
     };
     Given {
@@ -120,8 +123,8 @@ fn given(system: &System) -> Given {
     }
 }
 
-fn textbook(system: &System, judge: &Judge) -> Vec<(&'static str, Moved)> {
-    let interpreter = TextbookEquations::new(system);
+fn textbook(derived: &Derived, judge: &Judge) -> Vec<(&'static str, Moved)> {
+    let interpreter = TextbookEquations::new(&derived.pool, &derived.system);
     let settings = Settings::default();
     let instant = |found: Result<Frame<f64, Dyn>, Failure<f64>>| {
         let frame = found.map_err(|failure| named(failure.kind).to_string())?;
@@ -154,8 +157,8 @@ fn textbook(system: &System, judge: &Judge) -> Vec<(&'static str, Moved)> {
     ]
 }
 
-fn solved(system: &System, judge: &Judge) -> Moved {
-    let Some(blocks) = Interpreted::new(system) else {
+fn solved(derived: &Derived, judge: &Judge) -> Moved {
+    let Some(blocks) = Interpreted::new(derived) else {
         return vec![Err("no plan".to_string())];
     };
     let instant =

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
 use linkwright_codegen::stages::syntax::{Equation, parse};
-use linkwright_codegen::stages::system::{Described, System};
+use linkwright_codegen::stages::system::{Derived, Described};
 
 use super::lengths::{FACTORS, scaled, shifted, turned};
 use super::naming::renamed;
@@ -53,7 +53,7 @@ pub struct Rewriting {
 ///
 /// # Panics
 /// If the description has errors.
-pub fn all(source: &Source, motions: &[System]) -> (Vec<Rewriting>, Vec<String>) {
+pub fn all(source: &Source, motions: &[Derived]) -> (Vec<Rewriting>, Vec<String>) {
     let document = parse(source, &mut Diagnostics::new()).expect("a description without errors");
     let text = source.text.as_str();
     let rewritten = |name: String, text: String, change, by_name| Rewriting {
@@ -108,15 +108,16 @@ pub fn all(source: &Source, motions: &[System]) -> (Vec<Rewriting>, Vec<String>)
 }
 
 /// Power of length in the dimension of an equation.
-fn power(equation: &Equation, motions: &[System]) -> i32 {
-    let rows = motions.iter().flat_map(|system| {
+fn power(equation: &Equation, motions: &[Derived]) -> i32 {
+    let rows = motions.iter().flat_map(|derived| {
         let is_of_equation = |row: &&linkwright_codegen::stages::system::Row| {
-            system.mechanism.joints[row.joint].span == equation.span
+            derived.system.mechanism.joints[row.joint].span == equation.span
         };
-        system
+        derived
+            .system
             .rows
             .iter()
-            .chain(&system.monitored)
+            .chain(&derived.system.monitored)
             .filter(is_of_equation)
     });
     let powers: Vec<i32> = rows.map(|row| row.quantity.power_of_length()).collect();
@@ -125,9 +126,9 @@ fn power(equation: &Equation, motions: &[System]) -> i32 {
 
 impl Change {
     /// Values of the `level`th derivative of the coordinates of `system` after the change.
-    pub fn apply(&self, system: &System, values: &[f64], level: usize) -> Vec<f64> {
+    pub fn apply(&self, derived: &Derived, values: &[f64], level: usize) -> Vec<f64> {
         let mut changed = values.to_vec();
-        for (place, coordinate) in system.coordinates.iter().enumerate() {
+        for (place, coordinate) in derived.system.coordinates.iter().enumerate() {
             let Described::Pose { axis, .. } = coordinate.describes else {
                 continue;
             };
@@ -151,8 +152,8 @@ impl Change {
     }
 
     /// Bound on the error of the coordinate at `place` after the change, if all errors were within `bounds` before.
-    pub fn bound(&self, system: &System, bounds: &[f64], place: usize) -> f64 {
-        let coordinate = &system.coordinates[place];
+    pub fn bound(&self, derived: &Derived, bounds: &[f64], place: usize) -> f64 {
+        let coordinate = &derived.system.coordinates[place];
         match (self, coordinate.describes) {
             (Change::Factor(factor), Described::Pose { axis: 0 | 1, .. }) => factor * bounds[place],
             (Change::Turn, Described::Pose { axis: 0, .. }) => bounds[place] + bounds[place + 1],
@@ -163,9 +164,9 @@ impl Change {
 }
 
 /// Distance between two values of the coordinate at `place`; whole turns of bodies do not count if they may be wound.
-pub fn distance(system: &System, place: usize, [one, other]: [f64; 2], wound: bool) -> f64 {
+pub fn distance(derived: &Derived, place: usize, [one, other]: [f64; 2], wound: bool) -> f64 {
     let difference = one - other;
-    match system.coordinates[place].describes {
+    match derived.system.coordinates[place].describes {
         Described::Pose { axis: 2, .. } if wound => {
             (difference - TAU * (difference / TAU).round()).abs()
         }
@@ -177,13 +178,23 @@ pub fn distance(system: &System, place: usize, [one, other]: [f64; 2], wound: bo
 ///
 /// # Panics
 /// If one is missing.
-pub fn places(rewriting: &Rewriting, before: &System, after: &System) -> Vec<usize> {
-    assert_eq!(before.coordinates.len(), after.coordinates.len());
+pub fn places(rewriting: &Rewriting, before: &Derived, after: &Derived) -> Vec<usize> {
+    assert_eq!(
+        before.system.coordinates.len(),
+        after.system.coordinates.len()
+    );
     if !rewriting.by_name {
-        return (0..before.coordinates.len()).collect();
+        return (0..before.system.coordinates.len()).collect();
     }
-    let place = |name: &str| after.coordinates.iter().position(|it| it.name == name);
+    let place = |name: &str| {
+        after
+            .system
+            .coordinates
+            .iter()
+            .position(|it| it.name == name)
+    };
     before
+        .system
         .coordinates
         .iter()
         .map(|it| place(&it.name).unwrap_or_else(|| panic!("no coordinate {}", it.name)))

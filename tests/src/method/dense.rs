@@ -2,7 +2,7 @@
 
 use std::hint::black_box;
 
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 
 use super::{Levels, Method};
 use crate::baseline::Baseline;
@@ -14,9 +14,9 @@ pub struct Dense {
 
 impl Dense {
     /// The baseline of a mechanism.
-    pub fn new(system: &System) -> Dense {
+    pub fn new(derived: &Derived) -> Dense {
         Dense {
-            baseline: Baseline::new(system),
+            baseline: Baseline::new(derived),
         }
     }
 }

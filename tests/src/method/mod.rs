@@ -12,6 +12,7 @@ pub use dense::Dense;
 use linkwright::math::Real;
 use linkwright::nalgebra::Const;
 use linkwright::{Blocks, Equations, Mechanism, Settings};
+use linkwright_codegen::stages::structure::Shift;
 use linkwright_codegen::stages::{program, structure};
 
 use crate::description;
@@ -88,10 +89,10 @@ pub fn methods(mechanism: &str) -> Vec<Box<dyn Method>> {
 
 /// True if a block of the mechanism's solved formulation has no closed form.
 fn iterates(mechanism: &str) -> bool {
-    let mut system = description::system(mechanism);
-    let plan = structure::plan(&mut system);
-    let plan = plan.unwrap_or_else(|| panic!("`{mechanism}` has no solved view"));
-    let forms = program::forms_of(&mut system, &plan);
+    let mut derived = description::system(mechanism);
+    let plan = structure::plan(&mut derived.pool, &derived.system, Shift::Directions);
+    let plan = plan.unwrap_or_else(|_| panic!("`{mechanism}` has no solved view"));
+    let forms = program::forms_of(&mut derived.pool, &derived.system, &plan);
     forms.iter().flatten().any(|form| form.modes().is_none())
 }
 

@@ -28,7 +28,7 @@ impl Truth {
         length: f64,
         scalar: Scalar,
     ) -> Levels<f64> {
-        let graph = &self.system.mechanism.graph;
+        let graph = &self.derived.pool.graph;
         let epsilon = scalar.epsilon();
         let n = self.count();
         let scales = self.scales(length);
@@ -36,8 +36,8 @@ impl Truth {
             .levels
             .each_ref()
             .map(|level| level.iter().map(Precise::to_f64).collect::<Vec<f64>>());
-        let mut symbols = given.symbols(&self.system, Precise::from_f64);
-        for (place, coordinate) in self.system.coordinates.iter().enumerate() {
+        let mut symbols = given.symbols(&self.derived, Precise::from_f64);
+        for (place, coordinate) in self.derived.system.coordinates.iter().enumerate() {
             symbols[coordinate.position.index()] = exact.levels[0][place].clone();
             symbols[coordinate.rate.index()] = exact.levels[1][place].clone();
         }
@@ -45,7 +45,7 @@ impl Truth {
         nodes.evaluate(graph, &self.all, &symbols);
         let rows_at = |pose: &[f64], rates: &[f64]| {
             let mut margins = vec![Margin::NONE; graph.symbol_count()];
-            let coordinates = self.system.coordinates.iter();
+            let coordinates = self.derived.system.coordinates.iter();
             for ((coordinate, pose), rate) in coordinates.zip(pose).zip(rates) {
                 margins[coordinate.position.index()] = Margin::even(*pose);
                 margins[coordinate.rate.index()] = Margin::even(*rate);
@@ -67,7 +67,7 @@ impl Truth {
         };
         let still = vec![0.0; n];
         let row_errors = rows_at(&still, &still);
-        let rows = || self.system.rows.iter();
+        let rows = || self.derived.system.rows.iter();
         let residuals: Vec<f64> = rows()
             .map(|row| {
                 let scale = length.powi(row.quantity.power_of_length());

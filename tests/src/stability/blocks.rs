@@ -5,6 +5,7 @@
 //! without a closed form is bounded as in [`super::dense`]. So these bounds hold for the operations of a generated
 //! module, in any order of sums and products.
 
+use linkwright_codegen::stages::structure::Shift;
 use std::cell::RefCell;
 
 use linkwright_codegen::stages::expr::{ExprId, SymbolId};
@@ -12,7 +13,7 @@ use linkwright_codegen::stages::program::{
     Block, Branch, Function, Level, NewtonBlock, Statement, unpruned,
 };
 use linkwright_codegen::stages::structure;
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 
 use super::bounded::{Margin, errors};
 use super::dense::{Dense, Evaluated};
@@ -23,14 +24,14 @@ use crate::magnitude::needed;
 
 /// Solved formulation of a mechanism.
 pub struct Blocks {
-    system: System,
+    derived: Derived,
     blocks: Vec<Block>,
     branches: Vec<Branch>,
 }
 
 /// Values and errors of all symbols so far.
 struct State<'a> {
-    system: &'a System,
+    derived: &'a Derived,
     nodes: RefCell<Nodes>,
     symbols: Vec<Precise>,
     margins: Vec<Margin>,
@@ -39,12 +40,15 @@ struct State<'a> {
 
 impl Blocks {
     /// Solved formulation with all values; `None` if the system has none.
-    pub fn new(system: &System) -> Option<Blocks> {
-        let mut system = system.without_directions();
-        let plan = structure::plan_of_motion(&mut system)?;
-        let (blocks, branches) = unpruned(&mut system, &plan);
+    pub fn new(derived: &Derived) -> Option<Blocks> {
+        let mut derived = Derived {
+            pool: derived.pool.clone(),
+            system: derived.system.without_directions(),
+        };
+        let plan = structure::plan(&mut derived.pool, &derived.system, Shift::Efforts).ok()?;
+        let (blocks, branches) = unpruned(&mut derived.pool, &derived.system, &plan);
         Some(Blocks {
-            system,
+            derived,
             blocks,
             branches,
         })
@@ -61,11 +65,11 @@ impl Blocks {
         length: f64,
         scalar: Scalar,
     ) -> Result<Levels<Margin>, String> {
-        let graph = &self.system.mechanism.graph;
+        let graph = &self.derived.pool.graph;
         let mut state = State {
-            system: &self.system,
+            derived: &self.derived,
             nodes: RefCell::new(Nodes::new(graph)),
-            symbols: given.symbols(&self.system, Precise::from_f64),
+            symbols: given.symbols(&self.derived, Precise::from_f64),
             margins: vec![Margin::NONE; graph.symbol_count()],
             scalar,
         };
@@ -90,7 +94,7 @@ impl Blocks {
             }
         }
         state.compare(exact)?;
-        let coordinates = || self.system.coordinates.iter();
+        let coordinates = || self.derived.system.coordinates.iter();
         let of = |symbol: SymbolId| state.margins[symbol.index()];
         Ok([
             coordinates().map(|it| of(it.position)).collect(),
@@ -111,7 +115,7 @@ const LOST: f64 = 1e-60;
 impl State<'_> {
     /// Errors of expressions if symbols have the errors `margins`.
     fn errors(&self, roots: &[ExprId], margins: &[Margin]) -> Vec<Margin> {
-        let graph = &self.system.mechanism.graph;
+        let graph = &self.derived.pool.graph;
         let order = needed(graph, roots);
         let mut nodes = self.nodes.borrow_mut();
         nodes.evaluate(graph, &order, &self.symbols);
@@ -164,7 +168,7 @@ impl State<'_> {
                     .times(x.to_f64() / size)
                     .plus(argument_errors[1].times(y.to_f64() / size))
                     .times(1.0 / size);
-                let mut unknowns = self.system.vector_form.unknowns.iter();
+                let mut unknowns = self.derived.system.vector_form.unknowns.iter();
                 let unknown = unknowns.position(|it| it.position == *target);
                 let near = unknown.and_then(|unknown| exact.levels[0].get(unknown));
                 let angle = wound(&arctangent(&y, &x), near);
@@ -182,7 +186,12 @@ impl State<'_> {
         let unknowns: Vec<_> = newton
             .unknowns
             .iter()
-            .map(|&place| (place, self.system.vector_form.unknowns[place].clone()))
+            .map(|&place| {
+                (
+                    place,
+                    self.derived.system.vector_form.unknowns[place].clone(),
+                )
+            })
             .collect();
         let mut levels: [Vec<f64>; 3] = Default::default();
         for (place, unknown) in &unknowns {
@@ -289,7 +298,9 @@ impl State<'_> {
             let Some([sine, cosine]) = *direction else {
                 continue;
             };
-            let position = self.system.vector_form.unknowns[unknown].position.index();
+            let position = self.derived.system.vector_form.unknowns[unknown]
+                .position
+                .index();
             let angle = self.symbols[position].clone();
             let [s, c] = [angle.sin(), angle.cos()];
             let rounding = 2.0 * epsilon * angle.to_f64().abs().max(std::f64::consts::FRAC_PI_4);
@@ -302,7 +313,7 @@ impl State<'_> {
 
     /// Checks that the statements have led to the exact motion.
     fn compare(&self, exact: &Exact) -> Result<(), String> {
-        for (place, coordinate) in self.system.coordinates.iter().enumerate() {
+        for (place, coordinate) in self.derived.system.coordinates.iter().enumerate() {
             let symbols = [
                 coordinate.position,
                 coordinate.rate,

@@ -118,9 +118,9 @@ impl Counts {
 /// Solves every `stride`th sample of a family by every procedure.
 pub fn judged(mut family: Family, stride: usize) -> Judged {
     family.samples = family.samples.into_iter().step_by(stride).collect();
-    let system = description::system(family.compiled.name);
-    let truth = Truth::new(&system);
-    let blocks = Blocks::new(&system).expect("the study's mechanisms have a plan");
+    let derived = description::system(family.compiled.name);
+    let truth = Truth::new(&derived);
+    let blocks = Blocks::new(&derived).expect("the study's mechanisms have a plan");
     let verdicts = family.samples.iter().map(|sample| {
         let exact = [Scalar::F64, Scalar::F32].map(|scalar| exact(&truth, sample, scalar));
         std::array::from_fn(|way| {

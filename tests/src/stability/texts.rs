@@ -98,15 +98,15 @@ pub fn judged(text: &str) -> (Verdict, Option<String>) {
         Ok(read) => read,
         Err(errors) => return refused(&first_line(errors.render(&source))),
     };
-    let system = read.only().expect("one motion");
-    if let Err(errors) = linkwright_codegen::check(&system) {
+    let derived = read.only().expect("one motion");
+    if let Err(errors) = linkwright_codegen::check(&derived) {
         return refused(&first_line(errors.render(&source)));
     }
-    let truth = Truth::new(&system);
-    let Some(blocks) = Blocks::new(&system) else {
+    let truth = Truth::new(&derived);
+    let Some(blocks) = Blocks::new(&derived) else {
         return refused("no plan");
     };
-    let interpreter = TextbookEquations::new(&system);
+    let interpreter = TextbookEquations::new(&derived.pool, &derived.system);
     let start: Vec<f64> = interpreter.estimate().iter().copied().collect();
     let sample = Sample {
         x: 0.0,

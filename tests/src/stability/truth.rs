@@ -4,7 +4,7 @@
 //! formulation ([`super::dense`]); [`super::blocks`] bounds that of the solved formulation.
 
 use linkwright_codegen::stages::expr::{ExprId, Tape};
-use linkwright_codegen::stages::system::{Row, System};
+use linkwright_codegen::stages::system::{Derived, Row};
 use nalgebra::DMatrix;
 
 use super::bounded::{Margin, errors};
@@ -22,7 +22,7 @@ pub type Levels<T> = [Vec<T>; 3];
 /// Equations of a mechanism, for exact solution.
 pub struct Truth {
     /// The system.
-    pub system: System,
+    pub derived: Derived,
     /// Nodes that Φ needs, and nodes that Φ and Φ_q need.
     residual: Vec<ExprId>,
     position: Vec<ExprId>,
@@ -42,9 +42,9 @@ pub struct Given {
 
 impl Given {
     /// Value for each symbol; those of the coordinates are set later.
-    pub fn symbols<T: Clone>(&self, system: &System, number: impl Fn(f64) -> T) -> Vec<T> {
-        let mechanism = &system.mechanism;
-        let mut symbols = vec![number(0.0); mechanism.graph.symbol_count()];
+    pub fn symbols<T: Clone>(&self, derived: &Derived, number: impl Fn(f64) -> T) -> Vec<T> {
+        let mechanism = &derived.system.mechanism;
+        let mut symbols = vec![number(0.0); derived.pool.graph.symbol_count()];
         for (parameter, value) in mechanism.parameters.iter().zip(&self.parameters) {
             symbols[parameter.symbol.index()] = number(*value);
         }
@@ -71,32 +71,32 @@ pub struct Exact {
 
 impl Truth {
     /// Equations of a system, which must be square.
-    pub fn new(system: &System) -> Truth {
-        let residual: Vec<ExprId> = system.rows.iter().map(|row| row.residual).collect();
-        let entries = system.rows.iter().flat_map(|row| {
+    pub fn new(derived: &Derived) -> Truth {
+        let residual: Vec<ExprId> = derived.system.rows.iter().map(|row| row.residual).collect();
+        let entries = derived.system.rows.iter().flat_map(|row| {
             let entries = row.jacobian.iter().map(|entry| entry.value);
             entries.chain([row.residual, row.time_derivative, row.gamma])
         });
         let all: Vec<ExprId> = entries.collect();
-        let entries = system.rows.iter().flat_map(|row| &row.jacobian);
+        let entries = derived.system.rows.iter().flat_map(|row| &row.jacobian);
         let mut position = residual.clone();
         position.extend(entries.map(|entry| entry.value));
         Truth {
-            residual: needed(&system.mechanism.graph, &residual),
-            position: needed(&system.mechanism.graph, &position),
-            all: needed(&system.mechanism.graph, &all),
-            system: system.clone(),
+            residual: needed(&derived.pool.graph, &residual),
+            position: needed(&derived.pool.graph, &position),
+            all: needed(&derived.pool.graph, &all),
+            derived: derived.clone(),
         }
     }
 
     /// Number of coordinates.
     pub fn count(&self) -> usize {
-        self.system.coordinates.len()
+        self.derived.system.coordinates.len()
     }
 
     /// Magnitude of each coordinate: the characteristic length, and 1 for angles.
     pub fn scales(&self, length: f64) -> Vec<f64> {
-        let coordinates = self.system.coordinates.iter();
+        let coordinates = self.derived.system.coordinates.iter();
         coordinates
             .map(|it| length.powi(it.quantity.power_of_length()))
             .collect()
@@ -104,9 +104,9 @@ impl Truth {
 
     /// Characteristic length with these parameters (m).
     pub fn length(&self, given: &Given) -> f64 {
-        let symbols = given.symbols(&self.system, |value| value);
-        let mut lengths = vec![0.0; self.system.lengths.len()];
-        let tape = Tape::new(&self.system.mechanism.graph, &self.system.lengths);
+        let symbols = given.symbols(&self.derived, |value| value);
+        let mut lengths = vec![0.0; self.derived.system.lengths.len()];
+        let tape = Tape::new(&self.derived.pool.graph, &self.derived.system.lengths);
         tape.evaluate(&symbols, &mut Vec::new(), &mut lengths);
         let largest = lengths
             .iter()
@@ -114,13 +114,13 @@ impl Truth {
         if largest > 0.0 && largest.is_finite() {
             largest
         } else {
-            self.system.mechanism.characteristic_length
+            self.derived.system.mechanism.characteristic_length
         }
     }
 
     fn matrix(&self, values: &[Precise]) -> Vec<Vec<Precise>> {
         let mut rows = vec![vec![Precise::from_f64(0.0); self.count()]; self.count()];
-        for (row, entries) in self.system.rows.iter().zip(&mut rows) {
+        for (row, entries) in self.derived.system.rows.iter().zip(&mut rows) {
             for entry in &row.jacobian {
                 entries[entry.coordinate] = values[entry.value.index()].clone();
             }
@@ -148,8 +148,8 @@ impl Truth {
         start: &[Precise],
         limit: f64,
     ) -> Option<(Vec<Precise>, Vec<Precise>, Factors)> {
-        let graph = &self.system.mechanism.graph;
-        let mut symbols = given.symbols(&self.system, Precise::from_f64);
+        let graph = &self.derived.pool.graph;
+        let mut symbols = given.symbols(&self.derived, Precise::from_f64);
         let mut q = start.to_vec();
         let mut first_sign = None;
         let mut settled = false;
@@ -163,7 +163,7 @@ impl Truth {
             if settled {
                 return Some((symbols, q, factors));
             }
-            let rows = self.system.rows.iter();
+            let rows = self.derived.system.rows.iter();
             let phi: Vec<Precise> = rows.map(|it| values[it.residual.index()].clone()).collect();
             let step = factors.solve(&phi);
             let before = q.iter().map(|it| it.to_f64().abs()).fold(0.0, f64::max);
@@ -182,18 +182,18 @@ impl Truth {
     }
 
     fn place(&self, symbols: &mut [Precise], level: usize, values: &[Precise]) {
-        for (coordinate, value) in self.system.coordinates.iter().zip(values) {
+        for (coordinate, value) in self.derived.system.coordinates.iter().zip(values) {
             let symbol = [coordinate.position, coordinate.rate][level];
             symbols[symbol.index()] = value.clone();
         }
     }
 
     fn complete(&self, mut symbols: Vec<Precise>, q: Vec<Precise>, factors: &Factors) -> Exact {
-        let graph = &self.system.mechanism.graph;
+        let graph = &self.derived.pool.graph;
         let zero = Precise::from_f64(0.0);
         let values_at = |symbols: &[Precise]| values(graph, &self.all, symbols);
         let before = values_at(&symbols);
-        let rows = || self.system.rows.iter();
+        let rows = || self.derived.system.rows.iter();
         let b: Vec<Precise> = rows()
             .map(|row| zero.minus(&before[row.time_derivative.index()]))
             .collect();
@@ -221,21 +221,23 @@ impl Truth {
     /// Data of [`Truth::bounds`] at a pose that is known to rounding and taken for the exact one; `None` if its
     /// Jacobian is singular. Unlike [`Truth::solve`] this takes no arithmetic of high precision.
     pub fn around(&self, given: &Given, levels: Levels<f64>) -> Option<Exact> {
-        let graph = &self.system.mechanism.graph;
-        let mut symbols = given.symbols(&self.system, |number| number);
-        for (coordinate, value) in self.system.coordinates.iter().zip(&levels[0]) {
+        let graph = &self.derived.pool.graph;
+        let mut symbols = given.symbols(&self.derived, |number| number);
+        for (coordinate, value) in self.derived.system.coordinates.iter().zip(&levels[0]) {
             symbols[coordinate.position.index()] = *value;
         }
         let values = crate::magnitude::values(graph, &self.position, &symbols);
-        let coordinates = self.system.coordinates.iter();
+        let coordinates = self.derived.system.coordinates.iter();
         let columns: Vec<f64> = coordinates
-            .map(|it| self.system.scale(it.quantity))
+            .map(|it| self.derived.system.scale(it.quantity, &self.derived.pool))
             .collect();
-        let rows = self.system.rows.iter();
-        let rows: Vec<f64> = rows.map(|it| self.system.scale(it.quantity)).collect();
+        let rows = self.derived.system.rows.iter();
+        let rows: Vec<f64> = rows
+            .map(|it| self.derived.system.scale(it.quantity, &self.derived.pool))
+            .collect();
         let n = self.count();
         let mut matrix = DMatrix::zeros(n, n);
-        for (index, row) in self.system.rows.iter().enumerate() {
+        for (index, row) in self.derived.system.rows.iter().enumerate() {
             for entry in &row.jacobian {
                 let scale = columns[entry.coordinate] / rows[index];
                 matrix[(index, entry.coordinate)] = values[entry.value.index()] * scale;
@@ -257,25 +259,28 @@ impl Truth {
     /// Largest error of a residual at a pose, in the scales of the rows, by the rounding of its terms and of the
     /// coordinates. Below it no solver can tell poses apart.
     pub fn rounding(&self, given: &Given, q: &[f64], scalar: Scalar) -> f64 {
-        let graph = &self.system.mechanism.graph;
-        let mut symbols = given.symbols(&self.system, |number| number);
+        let graph = &self.derived.pool.graph;
+        let mut symbols = given.symbols(&self.derived, |number| number);
         let mut margins = vec![Margin::NONE; graph.symbol_count()];
-        for (coordinate, value) in self.system.coordinates.iter().zip(q) {
+        for (coordinate, value) in self.derived.system.coordinates.iter().zip(q) {
             symbols[coordinate.position.index()] = *value;
             margins[coordinate.position.index()] = scalar.rounding(*value);
         }
         let values = crate::magnitude::values(graph, &self.residual, &symbols);
         let node_errors = errors(graph, &self.residual, &values, &margins, scalar);
-        let rows = self.system.rows.iter();
-        rows.map(|row| node_errors[row.residual.index()].worst / self.system.scale(row.quantity))
-            .fold(0.0, f64::max)
+        let rows = self.derived.system.rows.iter();
+        rows.map(|row| «O:node_errors«B:found«T:{
+            found»[row.residual.index()].worst
+                / self.derived.system.scale(row.quantity, &self.derived.pool)
+        })
+        .fold(0.0, f64::max)
     }
 
     /// Bounds on the error of q, q̇ and q̈ of the textbook formulation in a scalar. `length` is the scale of
     /// residuals in m.
     pub fn bounds(&self, given: &Given, exact: &Exact, length: f64, scalar: Scalar) -> Bounds {
-        let graph = &self.system.mechanism.graph;
-        let mut symbols = given.symbols(&self.system, Precise::from_f64);
+        let graph = &self.derived.pool.graph;
+        let mut symbols = given.symbols(&self.derived, Precise::from_f64);
         self.place(&mut symbols, 0, &exact.levels[0]);
         self.place(&mut symbols, 1, &exact.levels[1]);
         let mut nodes = Nodes::new(graph);
@@ -285,9 +290,9 @@ impl Truth {
 
     /// Bounds around a pose from [`Truth::around`], in f64, for each value.
     pub fn bounds_around(&self, given: &Given, exact: &Exact, length: f64) -> Levels<f64> {
-        let graph = &self.system.mechanism.graph;
-        let mut symbols = given.symbols(&self.system, |number| number);
-        for (place, coordinate) in self.system.coordinates.iter().enumerate() {
+        let graph = &self.derived.pool.graph;
+        let mut symbols = given.symbols(&self.derived, |number| number);
+        for (place, coordinate) in self.derived.system.coordinates.iter().enumerate() {
             let level_symbols = [coordinate.position, coordinate.rate];
             for (level, symbol) in level_symbols.into_iter().enumerate() {
                 symbols[symbol.index()] = exact.levels[level][place].to_f64();
@@ -302,9 +307,9 @@ impl Truth {
 
     /// Bounds with these values of the nodes.
     fn bounds_at(&self, values: &[f64], exact: &Exact, length: f64, scalar: Scalar) -> Bounds {
-        let graph = &self.system.mechanism.graph;
+        let graph = &self.derived.pool.graph;
         let n = self.count();
-        let rows = || self.system.rows.iter();
+        let rows = || self.derived.system.rows.iter();
         let mut jacobian = vec![vec![0.0; n]; n];
         for (row, entries) in rows().zip(&mut jacobian) {
             for entry in &row.jacobian {
@@ -323,7 +328,7 @@ impl Truth {
         };
         let evaluate = |pose: &[Margin], rates: &[Margin]| {
             let mut margins = vec![Margin::NONE; graph.symbol_count()];
-            let coordinates = self.system.coordinates.iter();
+            let coordinates = self.derived.system.coordinates.iter();
             for ((coordinate, pose), rate) in coordinates.zip(pose).zip(rates) {
                 margins[coordinate.position.index()] = *pose;
                 margins[coordinate.rate.index()] = *rate;
@@ -350,10 +355,10 @@ impl Truth {
 
     /// Largest scaled residual of an exact pose, in f64, as evaluated in 384 bits.
     pub fn residual(&self, given: &Given, q: &[Precise]) -> f64 {
-        let mut symbols = given.symbols(&self.system, Precise::from_f64);
+        let mut symbols = given.symbols(&self.derived, Precise::from_f64);
         self.place(&mut symbols, 0, q);
-        let values = values(&self.system.mechanism.graph, &self.residual, &symbols);
-        let rows = self.system.rows.iter();
+        let values = values(&self.derived.pool.graph, &self.residual, &symbols);
+        let rows = self.derived.system.rows.iter();
         rows.map(|row| values[row.residual.index()].to_f64().abs())
             .fold(0.0, f64::max)
     }

@@ -12,7 +12,7 @@ use linkwright::{
     Equations, Failure, Frame, Settings, assemble, assemble_from_rough_estimate, branch_of,
 };
 use linkwright_codegen::stages::joint::Quantity;
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 use linkwright_solver::textbook::TextbookEquations;
 use nalgebra::{DMatrix, DVector, Dyn};
 
@@ -116,14 +116,14 @@ impl Equations<f64, Dyn> for Counted<'_> {
 ///
 /// # Panics
 /// If the design configuration itself does not lead to a pose.
-pub fn measure(system: &System, starts: u32) -> Measured {
-    let mechanism = &system.mechanism;
+pub fn measure(derived: &Derived, starts: u32) -> Measured {
+    let mechanism = &derived.system.mechanism;
     let motion = mechanism.motion.as_ref();
     let name = match motion {
         Some(motion) => format!("{}, {}", mechanism.name, motion.name),
         None => mechanism.name.clone(),
     };
-    let interpreter = TextbookEquations::new(system);
+    let interpreter = TextbookEquations::new(&derived.pool, &derived.system);
     let settings = Settings::default();
     let drawn = interpreter.estimate();
     let truth = assemble(&interpreter, drawn, 0.0, &settings)
@@ -131,9 +131,9 @@ pub fn measure(system: &System, starts: u32) -> Measured {
         .q;
     let branch = branch_of(&interpreter, &truth, 0.0, &settings)
         .unwrap_or_else(|failure| panic!("{name}: {failure}"));
-    let reach = reach(system);
+    let reach = reach(derived);
     let judge = Judge {
-        system,
+        derived,
         interpreter: &interpreter,
         truth: &truth,
     };
@@ -188,7 +188,7 @@ pub fn measure(system: &System, starts: u32) -> Measured {
 }
 
 struct Judge<'a> {
-    system: &'a System,
+    derived: &'a Derived,
     interpreter: &'a TextbookEquations,
     truth: &'a DVector<f64>,
 }
@@ -197,10 +197,12 @@ impl Judge<'_> {
     fn judge(&self, q: &DVector<f64>, is_branch: bool, is_asked: bool, outcomes: &mut Outcomes) {
         let mut phi = DVector::zeros(q.len());
         self.interpreter.residual(q, 0.0, &mut phi);
-        let scaled = phi.iter().zip(&self.system.rows);
+        let scaled = phi.iter().zip(&self.derived.system.rows);
         // NaN does not count as a pose.
         let is_solved = scaled
-            .map(|(value, row)| value.abs() / self.system.scale(row.quantity))
+            .map(|(value, row)| {
+                value.abs() / self.derived.system.scale(row.quantity, &self.derived.pool)
+            })
             .all(|value| value <= SOLVED);
         if !is_solved || (is_asked && !is_branch) {
             outcomes.wrong += 1;
@@ -216,13 +218,17 @@ impl Judge<'_> {
     fn is_drawn(&self, q: &DVector<f64>) -> bool {
         let pairs = q.iter().zip(self.truth.iter());
         pairs
-            .zip(&self.system.coordinates)
+            .zip(&self.derived.system.coordinates)
             .all(|((found, wanted), coordinate)| {
                 let mut difference = found - wanted;
                 if coordinate.quantity == Quantity::Angle {
                     difference -= TAU * (difference / TAU).round();
                 }
-                difference.abs() <= POSE_DISTANCE_LIMIT * self.system.scale(coordinate.quantity)
+                difference.abs()
+                    <= POSE_DISTANCE_LIMIT * self
+                            .derived
+                            .system
+                            .scale(coordinate.quantity, &self.derived.pool)
             })
     }
 }

@@ -1,7 +1,7 @@
 //! Estimates that differ from the design configuration by up to half a radian and half a link in every coordinate.
 
 use linkwright_codegen::stages::joint::Quantity;
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 use nalgebra::DVector;
 
 use crate::random::Random;
@@ -10,9 +10,9 @@ use crate::random::Random;
 pub const SEED: u64 = 0x7374_6172_7473;
 
 /// The length of a link: the longest distance between two points of a body, for the median of the bodies that carry two.
-pub fn link(system: &System) -> f64 {
-    let mechanism = &system.mechanism;
-    let value = |id| mechanism.graph.constant_value(id).unwrap_or(f64::NAN);
+pub fn link(derived: &Derived) -> f64 {
+    let mechanism = &derived.system.mechanism;
+    let value = |id| derived.pool.graph.constant_value(id).unwrap_or(f64::NAN);
     let mut lengths: Vec<f64> = mechanism.bodies[1..]
         .iter()
         .map(|body| {
@@ -34,9 +34,9 @@ pub fn link(system: &System) -> f64 {
 }
 
 /// By how much each coordinate is off at most: half a link, half a radian.
-pub fn reach(system: &System) -> Vec<f64> {
-    let link = link(system);
-    let coordinates = system.coordinates.iter();
+pub fn reach(derived: &Derived) -> Vec<f64> {
+    let link = link(derived);
+    let coordinates = derived.system.coordinates.iter();
     coordinates
         .map(|it| match it.quantity {
             Quantity::Length => 0.5 * link,

@@ -2,7 +2,7 @@
 
 use linkwright::{Blocks, Settings, Shell};
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 use linkwright_solver::{InputSignals, Interpreted};
 use linkwright_tests::hunt::paths::families::{course, junk, with};
 use linkwright_tests::random::Random;
@@ -14,7 +14,7 @@ const ROUNDING: f64 = 1e-9;
 /// Number and length (s) of the steps of a motion.
 const STEPS: (u8, f64) = (24, 0.083);
 
-fn systems(text: &str) -> Result<Vec<System>, String> {
+fn systems(text: &str) -> Result<Vec<Derived>, String> {
     let source = Source::new("beside.mech", text);
     let refused = |found: Diagnostics| found.render(&source);
     let read = linkwright_codegen::read(&source).map_err(refused)?;
@@ -23,11 +23,11 @@ fn systems(text: &str) -> Result<Vec<System>, String> {
 }
 
 /// The coordinates after every step, or the kind of the failure.
-fn moved(system: &System) -> Vec<Result<Vec<f64>, String>> {
-    let blocks = Interpreted::new(system).expect("determined");
+fn moved(derived: &Derived) -> Vec<Result<Vec<f64>, String>> {
+    let blocks = Interpreted::new(derived).expect("determined");
     let parameters = blocks.nominal_parameters();
     let (pose, branches) = (blocks.drawn_pose(&parameters), blocks.drawn_branches());
-    let inputs = InputSignals::initial(system);
+    let inputs = InputSignals::initial(&derived.pool, &derived.system);
     let kind = |failure: linkwright::Failure| {
         let text = format!("{:?}", failure.kind);
         text.split([' ', '{'])
@@ -50,9 +50,10 @@ fn moved(system: &System) -> Vec<Result<Vec<f64>, String>> {
 }
 
 /// Changed coordinates of bodies, and of contacts, which follow all bodies.
-fn changed(before: &System, after: &System) -> Option<String> {
-    let names = |system: &System| -> Vec<String> {
-        system
+fn changed(before: &Derived, after: &Derived) -> Option<String> {
+    let names = |derived: &Derived| -> Vec<String> {
+        derived
+            .system
             .coordinates
             .iter()
             .map(|it| it.name.clone())

@@ -2,6 +2,8 @@
 
 use linkwright_codegen::stages::emit::derivation::Script;
 use linkwright_codegen::stages::emit::{Notation, derivation};
+use linkwright_codegen::stages::program::Kept;
+use linkwright_codegen::stages::structure::Shift;
 use linkwright_codegen::stages::{program, structure};
 use linkwright_tests::description;
 
@@ -27,18 +29,27 @@ fn block_words() -> String {
     ];
     let described = description::names();
     for name in names {
-        for mut system in description::motions(&name) {
-            let plan = structure::plan(&mut system).expect("a plan");
-            let lowered = program::lower(&mut system, &plan);
+        for mut derived in description::motions(&name) {
+            let plan = structure::plan(&mut derived.pool, &derived.system, Shift::Directions)
+                .expect("a plan");
+            let lowered =
+                program::lower(&mut derived.pool, &derived.system, &plan, Kept::Requested);
             let poses = derivation::singular_poses(
-                &system,
+                &derived.pool,
+                &derived.system,
                 &plan,
                 &lowered.forms,
                 Script::Text(Notation::Ascii),
             );
-            let words = derivation::block_words(&lowered.blocks, &system, &plan, &poses);
+            let words = derivation::block_words(
+                &lowered.blocks,
+                &derived.pool,
+                &derived.system,
+                &plan,
+                &poses,
+            );
             let is_read = described.contains(&name) || read.contains(&name.as_str());
-            let mut own_text = format!("{}\n", system.mechanism.title());
+            let mut own_text = format!("{}\n", derived.system.mechanism.title());
             for (block, words) in lowered.blocks.iter().zip(&words) {
                 let block_poses = poses.iter().filter(|pose| Some(pose.block) == block.place);
                 for said in block_poses.filter_map(|pose| pose.said.as_ref()) {

@@ -10,8 +10,8 @@ use linkwright_tests::reference::{REFERENCES, reference, yardsticks};
 use linkwright_tests::{description, files};
 
 fn page(name: &str) -> String {
-    let (system, plan) = planned(name);
-    derivation::text(&system, &plan, Notation::Ascii)
+    let (derived, plan) = planned(name);
+    derivation::text(&derived.pool, &derived.system, &plan, Notation::Ascii)
 }
 
 fn snapshot(name: &str, printed: &str) {
@@ -48,10 +48,13 @@ fn pages_are_written_as_in_their_snapshots() {
 #[test]
 fn the_exam_and_a_crane_are_typeset_as_in_their_snapshots() {
     for name in TYPESET {
-        let (system, plan) = planned(name);
-        let unicode = derivation::text(&system, &plan, Notation::Unicode);
+        let (derived, plan) = planned(name);
+        let unicode = derivation::text(&derived.pool, &derived.system, &plan, Notation::Unicode);
         snapshot(&format!("{name}.unicode"), &unicode);
-        snapshot(&format!("{name}.latex"), &derivation::latex(&system, &plan));
+        snapshot(
+            &format!("{name}.latex"),
+            &derivation::latex(&derived.pool, &derived.system, &plan),
+        );
     }
 }
 
@@ -72,8 +75,9 @@ fn every_outline_is_as_in_the_snapshot() {
     let outlines: Vec<String> = description::whole()
         .iter()
         .map(|name| {
-            let (system, plan) = planned(name);
-            let outline = derivation::outline(&system, &plan, Notation::Ascii);
+            let (derived, plan) = planned(name);
+            let outline =
+                derivation::outline(&derived.pool, &derived.system, &plan, Notation::Ascii);
             format!("{name}\n{outline}")
         })
         .collect();
@@ -94,8 +98,8 @@ fn no_snapshot_is_orphaned() {
 
 /// Solution methods with the names of their unknowns, in solve order.
 fn named_forms(name: &str) -> Vec<(Vec<String>, String)> {
-    let (system, plan) = planned(name);
-    forms(system, &plan)
+    let (derived, plan) = planned(name);
+    forms(derived, &plan)
 }
 
 /// With pins instead of centers of mass as origins, equal angles are solved in the same order by the same methods.
@@ -215,12 +219,12 @@ fn the_printed_formulas_give_the_motion() {
     for (name, _) in REFERENCES {
         let table = reference(name);
         let scales = yardsticks(&table);
-        let system = description::system(name);
+        let derived = description::system(name);
         let text = page(name);
         let names: Vec<String> = ["", "'", "''"]
             .iter()
             .flat_map(|dots| {
-                let coordinates = system.coordinates.iter();
+                let coordinates = derived.system.coordinates.iter();
                 coordinates.map(move |coordinate| format!("{}{dots}", coordinate.name))
             })
             .collect();
@@ -246,7 +250,7 @@ fn the_printed_formulas_give_the_motion() {
                     .filter(|it| page.printed.contains(it))
                     .count()
             };
-            let size = system.coordinates.len();
+            let size = derived.system.coordinates.len();
             assert_eq!(compared(0..size), size - tears, "{name} prints no formula");
             for (column, quantity) in names.iter().enumerate() {
                 if !page.printed.contains(quantity) {
@@ -284,28 +288,29 @@ fn the_other_forms_satisfy_the_textbook_equations() {
         ("rolling_pinion", "PRP or RPP dyad"),
         ("driven_coupler", "RRR dyad"),
     ] {
-        let (system, plan) = planned(name);
-        let solved_forms = forms(system.clone(), &plan);
+        let (derived, plan) = planned(name);
+        let solved_forms = forms(derived.clone(), &plan);
         let methods: Vec<&str> = solved_forms.iter().map(|(_, form)| form.as_str()).collect();
         assert_eq!(methods, [method]);
-        let text = derivation::text(&system, &plan, Notation::Ascii);
+        let text = derivation::text(&derived.pool, &derived.system, &plan, Notation::Ascii);
         for t in [0.0, 0.4, 1.1, 2.7] {
             let solved_forms = calculated(&text, t, &Values::new()).values;
-            let graph = &system.mechanism.graph;
+            let graph = &derived.pool.graph;
             let mut symbols = vec![0.0; graph.symbol_count()];
-            symbols[system.mechanism.time.index()] = t;
-            for coordinate in &system.coordinates {
+            symbols[derived.system.mechanism.time.index()] = t;
+            for coordinate in &derived.system.coordinates {
                 symbols[coordinate.position.index()] = solved_forms[&coordinate.name];
             }
-            let rate = |coordinate: usize| {
-                solved_forms[&format!("{}'", system.coordinates[coordinate].name)]
+            let rate = |coordinate: usize| «O:{
+                solved_forms«B:found«T:{
+                found»[&format!("{}'", derived.system.coordinates[coordinate].name)]
             };
             let evaluated = |expr| {
                 let mut result = [0.0];
                 Tape::new(graph, &[expr]).evaluate(&symbols, &mut Vec::new(), &mut result);
                 result[0]
             };
-            for row in &system.rows {
+            for row in &derived.system.rows {
                 let residual = evaluated(row.residual);
                 assert!(
                     residual.abs() < 1e-14,
@@ -314,7 +319,7 @@ fn the_other_forms_satisfy_the_textbook_equations() {
                 );
                 // A constant has no formula for its rate, which is zero.
                 let moving = row.jacobian.iter().filter(|entry| {
-                    let name = &system.coordinates[entry.coordinate].name;
+                    let name = &derived.system.coordinates[entry.coordinate].name;
                     solved_forms.contains_key(&format!("{name}'"))
                 });
                 let moved: f64 = moving

@@ -5,6 +5,7 @@ use linkwright_codegen::stages::emit::derivation::Script;
 use linkwright_codegen::stages::emit::{Notation, derivation};
 use linkwright_codegen::stages::expr::ExprId;
 use linkwright_codegen::stages::program::forms_of;
+use linkwright_codegen::stages::structure::Shift;
 use linkwright_solver::condition::jacobian;
 use linkwright_solver::reader::Reader;
 use linkwright_solver::textbook::TextbookEquations;
@@ -16,14 +17,13 @@ use nalgebra::DMatrix;
 
 /// Product of the determinants of all subsystems, and det Φ_q, at times of a motion.
 fn products(name: &str, times: &[f64]) -> Vec<(f64, f64)> {
-    let system = description::system(name);
-    let textbook = TextbookEquations::new(&system);
-    let solved = Interpreted::new(&system).expect("a plan");
-    let mut graph = solved.system().mechanism.graph.clone();
-    let form = &solved.system().vector_form;
+    let derived = description::system(name);
+    let textbook = TextbookEquations::new(&derived.pool, &derived.system);
+    let solved = Interpreted::new(&derived).expect("a plan");
+    let mut draft = solved.pool().draft();
     let parts = solved.program().forms.iter().flatten();
     let parts = parts.map(|part| {
-        let evaluated = part.determinant(form, &mut graph);
+        let evaluated = part.determinant(&mut draft);
         let roots: Vec<ExprId> = match evaluated.value {
             Some(value) => vec![value],
             None => evaluated.jacobian.concat(),
@@ -33,7 +33,7 @@ fn products(name: &str, times: &[f64]) -> Vec<(f64, f64)> {
         } else {
             evaluated.jacobian.len()
         };
-        (size, Reader::new(&graph, solved.layout(), &roots))
+        (size, Reader::new(&draft.graph, solved.layout(), &roots))
     });
     let parts: Vec<(usize, Reader)> = parts.collect();
     let settings = Settings::default();
@@ -87,7 +87,7 @@ fn factor(name: &str) -> f64 {
 fn the_product_of_the_blocks_is_the_determinant_of_the_whole() {
     let mut compared = 0;
     for name in description::whole() {
-        if description::system(&name).coordinates.len() > 60 {
+        if description::system(&name).system.coordinates.len() > 60 {
             continue;
         }
         let pairs = products(&name, &times(12));
@@ -113,10 +113,21 @@ fn the_exam_has_the_determinant_of_its_solution() {
             "{product} {whole}"
         );
     }
-    let mut system = description::system("two_body");
-    let plan = linkwright_codegen::stages::structure::plan(&mut system).expect("a plan");
-    let forms = forms_of(&mut system, &plan);
-    let poses = derivation::singular_poses(&system, &plan, &forms, Script::Text(Notation::Unicode));
+    let mut derived = description::system("two_body");
+    let plan = linkwright_codegen::stages::structure::plan(
+        &mut derived.pool,
+        &derived.system,
+        Shift::Directions,
+    )
+    .expect("a plan");
+    let forms = forms_of(&mut derived.pool, &derived.system, &plan);
+    let poses = derivation::singular_poses(
+        &derived.pool,
+        &derived.system,
+        &plan,
+        &forms,
+        Script::Text(Notation::Unicode),
+    );
     assert_eq!(poses.len(), 1);
     assert_eq!(poses[0].determinant.as_deref(), Some("√3·sin φ₂"));
 }

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use linkwright::{Settings, Shell};
 use linkwright_codegen::stages::emit::drawing::{self, Options, Panel, Pose};
 use linkwright_codegen::stages::joint::geometry::Mark;
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 use linkwright_solver::assemblies::assemblies;
 use linkwright_solver::drawn::pose;
 use linkwright_solver::{Instant, Interpreted};
@@ -17,7 +17,7 @@ use linkwright_tests::{description, files};
 const LETTERS: f64 = 13.0;
 
 /// Every motion of every description of the repository, by its title.
-fn gallery() -> BTreeMap<String, System> {
+fn gallery() -> BTreeMap<String, Derived> {
     let folders = [
         files::repository().join("mechanisms"),
         files::package("descriptions"),
@@ -29,27 +29,32 @@ fn gallery() -> BTreeMap<String, System> {
     let systems = paths
         .iter()
         .flat_map(|path| description::motions(files::stem(path)));
-    let all: BTreeMap<_, _> = systems.map(|it| (it.mechanism.title(), it)).collect();
+    let all: BTreeMap<_, _> = systems
+        .map(|it| (it.system.mechanism.title(), it))
+        .collect();
     assert!(all.len() > 80, "{} descriptions", all.len());
     all
 }
 
-fn assembled(system: &System) -> (Interpreted, Instant) {
-    let view = Interpreted::new(system).expect("its blocks have an order");
+fn assembled(derived: &Derived) -> (Interpreted, Instant) {
+    let view = Interpreted::new(derived).expect("its blocks have an order");
     let shell: Shell<Interpreted> = assembled_from(view.clone(), &[], 0.0, Settings::default())
-        .unwrap_or_else(|failure| panic!("{}: {failure:?}", system.mechanism.title()));
+        .unwrap_or_else(|failure| panic!("{}: {failure:?}", derived.system.mechanism.title()));
     let instant = shell.frame().clone();
     (view, instant)
 }
 
-fn picture(system: &System) -> (String, Instant) {
-    let (view, instant) = assembled(system);
+fn picture(derived: &Derived) -> (String, Instant) {
+    let (view, instant) = assembled(derived);
     let options = Options {
-        caption: system.mechanism.title(),
+        caption: derived.system.mechanism.title(),
         ..Options::default()
     };
     let posed = pose(&view, &instant);
-    (drawing::draw(system, &posed, &[], &[], &options), instant)
+    (
+        drawing::draw(&derived.pool, &derived.system, &posed, &[], &[], &options),
+        instant,
+    )
 }
 
 /// Value of an attribute of a tag.
@@ -142,8 +147,8 @@ fn labels(svg: &str) -> Vec<(String, Label)> {
 
 #[test]
 fn names_stand_apart_and_none_leaves_the_picture() {
-    for (title, system) in gallery() {
-        let (svg, _) = picture(&system);
+    for (title, derived) in gallery() {
+        let (svg, _) = picture(&derived);
         let first = svg.split('>').next().expect("the first tag");
         let [width, height] = ["width", "height"].map(|name| number(first, name));
         let labels = labels(&svg);
@@ -162,11 +167,11 @@ fn names_stand_apart_and_none_leaves_the_picture() {
         }
         // Every body has its name, every point at least one of its names.
         let has = |wanted: &str| labels.iter().any(|(text, _)| text == wanted);
-        for body in system.mechanism.moving_bodies() {
+        for body in derived.system.mechanism.moving_bodies() {
             assert!(has(&body.name), "{title}: no name of body {}", body.name);
         }
-        for point in &system.mechanism.points {
-            let body = &system.mechanism.bodies[point.mark.frame.body.0];
+        for point in &derived.system.mechanism.points {
+            let body = &derived.system.mechanism.bodies[point.mark.frame.body.0];
             let written = body.marks.iter().any(|it| has(&it.name));
             assert!(
                 has(&point.name) || written,
@@ -190,9 +195,9 @@ fn has_ink(group: Option<&str>) -> bool {
 
 #[test]
 fn every_joint_and_every_body_appears_once() {
-    for (title, system) in gallery() {
-        let (svg, _) = picture(&system);
-        for joint in &system.mechanism.joints {
+    for (title, derived) in gallery() {
+        let (svg, _) = picture(&derived);
+        for joint in &derived.system.mechanism.joints {
             let id = format!("joint-{}", joint.slug);
             assert_eq!(
                 svg.matches(&format!("<g id=\"{id}\"")).count(),
@@ -207,7 +212,7 @@ fn every_joint_and_every_body_appears_once() {
                 joint.label
             );
         }
-        for (number, body) in system.mechanism.bodies.iter().enumerate().skip(1) {
+        for (number, body) in derived.system.mechanism.bodies.iter().enumerate().skip(1) {
             let id = format!("body-{}", body.name);
             assert_eq!(
                 svg.matches(&format!("<g id=\"{id}\"")).count(),
@@ -222,9 +227,9 @@ fn every_joint_and_every_body_appears_once() {
 }
 
 /// Position of a mark, by the solver's coordinates.
-fn solved(system: &System, instant: &Instant, mark: &Mark) -> [f64; 2] {
-    let graph = &system.mechanism.graph;
-    let body = &system.mechanism.bodies[mark.frame.body.0];
+fn solved(derived: &Derived, instant: &Instant, mark: &Mark) -> [f64; 2] {
+    let graph = &derived.pool.graph;
+    let body = &derived.system.mechanism.bodies[mark.frame.body.0];
     let [x, y, angle] = body
         .coordinates
         .map(|it| it.map_or(0.0, |own| instant.q()[own.place]));
@@ -238,13 +243,13 @@ fn solved(system: &System, instant: &Instant, mark: &Mark) -> [f64; 2] {
 #[test]
 fn pins_are_drawn_where_the_solver_puts_them() {
     let mut count = 0;
-    for (title, system) in gallery() {
-        let (svg, instant) = picture(&system);
+    for (title, derived) in gallery() {
+        let (svg, instant) = picture(&derived);
         let scale = number(
             group(&svg, "mechanism").expect("the mechanism"),
             "data-scale",
         );
-        for joint in &system.mechanism.joints {
+        for joint in &derived.system.mechanism.joints {
             if joint.kind.keyword != "revolute" {
                 continue;
             }
@@ -259,7 +264,7 @@ fn pins_are_drawn_where_the_solver_puts_them() {
             ];
             // A third mark is the point about which an arm turns.
             for mark in joint.operands.marks.iter().take(2) {
-                let [x, y] = solved(&system, &instant, mark);
+                let [x, y] = solved(&derived, &instant, mark);
                 let off = (there[0] - scale * x).hypot(there[1] + scale * y);
                 // A hundredth of a degree across a picture is a tenth of a pixel.
                 assert!(off < 0.15, "{title}: {} is off by {off} px", joint.label);
@@ -272,9 +277,18 @@ fn pins_are_drawn_where_the_solver_puts_them() {
 
 #[test]
 fn a_picture_is_the_same_on_every_run() {
-    for (title, system) in gallery() {
-        let drawn = Pose::drawn(&system);
-        let draw = || drawing::draw(&system, &drawn, &[], &[], &Options::default());
+    for (title, derived) in gallery() {
+        let drawn = Pose::drawn(&derived.pool, &derived.system);
+        let draw = || {
+            drawing::draw(
+                &derived.pool,
+                &derived.system,
+                &drawn,
+                &[],
+                &[],
+                &Options::default(),
+            )
+        };
         let svg = draw();
         assert_eq!(svg, draw(), "{title}");
         let (_, drawn) = svg.split_once("</style>").expect("a style sheet");
@@ -289,15 +303,22 @@ fn a_picture_is_the_same_on_every_run() {
 
 #[test]
 fn a_size_that_is_asked_for_is_kept() {
-    let system = description::system("scissor");
-    let (view, instant) = assembled(&system);
+    let derived = description::system("scissor");
+    let (view, instant) = assembled(&derived);
     for size in [[300, 900], [1200, 300]] {
         let options = Options {
             size: Some(size),
             frames: vec![0, 1],
             ..Options::default()
         };
-        let svg = drawing::draw(&system, &pose(&view, &instant), &[], &[], &options);
+        let svg = drawing::draw(
+            &derived.pool,
+            &derived.system,
+            &pose(&view, &instant),
+            &[],
+            &[],
+            &options,
+        );
         let first = svg.split('>').next().expect("the first tag");
         let size_px = ["width", "height"].map(|name| number(first, name));
         assert_eq!(size_px, size.map(f64::from));
@@ -308,8 +329,8 @@ fn a_size_that_is_asked_for_is_kept() {
 /// The sixteen assemblies of the excavator, each four times: the largest number of panels in a picture.
 #[test]
 fn sixty_four_assemblies_have_one_scale_and_a_panel_each() {
-    let system = description::system("excavator");
-    let view = Interpreted::new(&system).expect("its blocks have an order");
+    let derived = description::system("excavator");
+    let view = Interpreted::new(&derived).expect("its blocks have an order");
     let list = assemblies(&view, 0.0).found;
     let panels: Vec<Panel> = list
         .iter()
@@ -320,7 +341,7 @@ fn sixty_four_assemblies_have_one_scale_and_a_panel_each() {
             pose: pose(&view, &assembly.instant),
         })
         .collect();
-    let svg = drawing::sheet(&system, &panels);
+    let svg = drawing::sheet(&derived.pool, &derived.system, &panels);
     let first = svg.split('>').next().expect("the first tag");
     let [width, height] = ["width", "height"].map(|name| number(first, name));
     let side = width / 8.0;
@@ -336,7 +357,8 @@ fn sixty_four_assemblies_have_one_scale_and_a_panel_each() {
         let ([x, y], _) = transform(line);
         let corner = [side * (place % 8) as f64, height / 8.0 * (place / 8) as f64];
         // Every pin lies in its panel.
-        for joint in system
+        for joint in derived
+            .system
             .mechanism
             .joints
             .iter()
@@ -344,7 +366,7 @@ fn sixty_four_assemblies_have_one_scale_and_a_panel_each() {
         {
             let mark = &joint.operands.marks[0];
             let instant = &list[place % list.len()].instant;
-            let [u, v] = solved(&system, instant, mark);
+            let [u, v] = solved(&derived, instant, mark);
             let at = [x + scale * u - corner[0], y - scale * v - corner[1]];
             assert!(
                 at[0] > 0.0 && at[0] < side,

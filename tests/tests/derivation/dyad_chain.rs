@@ -16,11 +16,11 @@ fn chains_of_one_to_twenty_dyads_assemble_and_move() {
             "{}",
             read.warnings.render(&source)
         );
-        let system = read.only().expect("one motion");
-        if let Err(errors) = linkwright_codegen::check(&system) {
+        let derived = read.only().expect("one motion");
+        if let Err(errors) = linkwright_codegen::check(&derived) {
             panic!("{}", errors.render(&source));
         }
-        let chain = TextbookEquations::new(&system);
+        let chain = TextbookEquations::new(&derived.pool, &derived.system);
         assert_eq!(chain.estimate().len(), 3 + 6 * n);
         let settings = Settings::default();
         let start = linkwright::assemble(&chain, chain.estimate(), 0.0, &settings);

@@ -3,8 +3,8 @@
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::stages::emit::{Notation, derivation, latex, text};
 use linkwright_codegen::stages::expr::{ExprId, Tape};
-use linkwright_codegen::stages::structure;
-use linkwright_codegen::stages::system::{Row, SymbolRole, System};
+use linkwright_codegen::stages::structure::{self, Shift};
+use linkwright_codegen::stages::system::{Derived, Row};
 use linkwright_tests::files;
 use linkwright_tests::printed::{Values, value};
 use linkwright_tests::random::Random;
@@ -19,21 +19,21 @@ const PAGES: [&str; 4] = [
     "descriptions/cam_law",
 ];
 
-fn read(name: &str, text: String) -> System {
+fn read(name: &str, text: String) -> Derived {
     let source = Source::new(name.to_string(), text);
     let read = linkwright_codegen::read(&source);
     let read = read.unwrap_or_else(|found| panic!("{}", found.render(&source)));
     read.only().expect("one motion")
 }
 
-fn system(name: &str) -> System {
+fn system(name: &str) -> Derived {
     let path = files::package(&format!("{name}.mech"));
     read(name, std::fs::read_to_string(&path).expect("a description"))
 }
 
-fn evaluated(system: &System, expr: ExprId, symbols: &[f64]) -> f64 {
+fn evaluated(derived: &Derived, expr: ExprId, symbols: &[f64]) -> f64 {
     let mut result = [0.0];
-    let tape = Tape::new(&system.mechanism.graph, &[expr]);
+    let tape = Tape::new(&derived.pool.graph, &[expr]);
     tape.evaluate(symbols, &mut Vec::new(), &mut result);
     result[0]
 }
@@ -61,22 +61,22 @@ fn section(page: &str, heading: &str) -> Vec<String> {
 fn the_printed_rows_with_their_names_are_the_rows() {
     let mut random = Random::new(7);
     for name in PAGES {
-        let system = system(name);
-        let page = text::inspect(&system, Notation::Ascii);
+        let derived = system(name);
+        let page = text::inspect(&derived, Notation::Ascii);
         let definitions = section(&page, "where");
         assert!(!definitions.is_empty(), "{page}");
         for _ in 0..40 {
-            let mut symbols = vec![0.0; system.mechanism.graph.symbol_count()];
+            let mut symbols = vec![0.0; derived.pool.graph.symbol_count()];
             let mut values = Values::new();
-            for (index, role) in system.roles.iter().enumerate() {
-                let printed = match *role {
-                    SymbolRole::Position(it) => system.unknown_name(it).to_string(),
-                    SymbolRole::Rate(it) => format!("{}'", system.unknown_name(it)),
-                    SymbolRole::Time => "t".to_string(),
-                    _ => continue,
-                };
-                symbols[index] = random.between(-7.0, 7.0);
-                values.insert(printed, symbols[index]);
+            let unknowns = derived.system.vector_form.unknowns.iter();
+            let named = unknowns.flat_map(|own| {
+                let rate = format!("{}'", own.name);
+                [(own.position, own.name.clone()), (own.rate, rate)]
+            });
+            let time = (derived.system.mechanism.time, "t".to_string());
+            for (symbol, printed) in named.chain([time]) {
+                symbols[symbol.index()] = random.between(-7.0, 7.0);
+                values.insert(printed, symbols[symbol.index()]);
             }
             for line in &definitions {
                 let (left, right) = line.split_once(" = ").expect("a definition");
@@ -103,8 +103,8 @@ fn the_printed_rows_with_their_names_are_the_rows() {
                         continue;
                     };
                     let formula = line.rsplit("  ").next().expect("a formula").trim();
-                    let row = &system.rows[number - 1];
-                    let exact = evaluated(&system, of(row), &symbols);
+                    let row = &derived.system.rows[number - 1];
+                    let exact = evaluated(&derived, of(row), &symbols);
                     let evaluated = value(formula, &values);
                     let evaluated =
                         evaluated.unwrap_or_else(|| panic!("{name}: {formula} has no value"));
@@ -116,7 +116,7 @@ fn the_printed_rows_with_their_names_are_the_rows() {
                     compared += 1;
                 }
             }
-            assert!(compared > system.rows.len(), "{page}");
+            assert!(compared > derived.system.rows.len(), "{page}");
         }
     }
 }
@@ -125,10 +125,11 @@ fn the_printed_rows_with_their_names_are_the_rows() {
 #[test]
 fn a_long_choice_is_written_once() {
     for name in PAGES {
-        let mut system = system(name);
-        let inspected = text::inspect(&system, Notation::Ascii);
-        let plan = structure::plan(&mut system).expect("a plan");
-        let derived = derivation::text(&system, &plan, Notation::Ascii);
+        let mut derived = system(name);
+        let inspected = text::inspect(&derived, Notation::Ascii);
+        let plan =
+            structure::plan(&mut derived.pool, &derived.system, Shift::Directions).expect("a plan");
+        let derived = derivation::text(&derived.pool, &derived.system, &plan, Notation::Ascii);
         for page in [inspected, derived] {
             let mut defined = Vec::new();
             for line in page.lines().map(str::trim) {
@@ -160,10 +161,11 @@ fn a_long_choice_is_written_once() {
 #[test]
 fn the_typeset_pages_are_balanced() {
     for name in PAGES {
-        let mut system = system(name);
-        let inspected = latex::inspect(&[(&system, Vec::new())]);
-        let plan = structure::plan(&mut system).expect("a plan");
-        let derived = derivation::latex(&system, &plan);
+        let mut derived = system(name);
+        let inspected = latex::inspect(&[(&derived, Vec::new())]);
+        let plan =
+            structure::plan(&mut derived.pool, &derived.system, Shift::Directions).expect("a plan");
+        let derived = derivation::latex(&derived.pool, &derived.system, &plan);
         for page in [inspected, derived] {
             assert!(page.contains("\\begin{cases}"), "{name} has no choice");
             let mut open: Vec<&str> = Vec::new();

@@ -17,10 +17,9 @@ struct Points<'a> {
 
 impl Points<'_> {
     fn value(&self, expr: ExprId) -> f64 {
-        let mut graph = self.solved.system().mechanism.graph.clone();
-        let form = &self.solved.system().vector_form;
-        let written = form.written_out(expr, &mut graph);
-        Reader::new(&graph, self.solved.layout(), &[written]).values(self.instant)[0]
+        let mut draft = self.solved.pool().draft();
+        let written = draft.written_out(expr);
+        Reader::new(&draft.graph, self.solved.layout(), &[written]).values(self.instant)[0]
     }
 
     /// Positions of all points with this name: bodies may carry different ones.
@@ -135,14 +134,14 @@ fn quantities_reported_to_vanish_are_the_determinant() {
                 continue;
             };
             let part = &solved.program().forms[pose.block][pose.part];
-            let mut graph = solved.system().mechanism.graph.clone();
-            let evaluated = part.determinant(&solved.system().vector_form, &mut graph);
+            let mut draft = solved.pool().draft();
+            let evaluated = part.determinant(&mut draft);
             let order = evaluated.jacobian.len();
             let entries = match evaluated.value {
                 Some(value) => vec![value],
                 None => evaluated.jacobian.concat(),
             };
-            let determinant = Reader::new(&graph, solved.layout(), &entries);
+            let determinant = Reader::new(&draft.graph, solved.layout(), &entries);
             let mut random = Random::new(11);
             let mut seen = 0;
             for _ in 0..20 {

@@ -72,11 +72,20 @@ const EXAM: [&str; 6] = [
 
 #[test]
 fn the_equations_of_the_exam_are_written_as_the_exam_writes_them() {
-    let system = description::system("two_body");
-    let rows: Vec<String> = system
+    let derived = description::system("two_body");
+    let rows: Vec<String> = derived
+        .system
         .rows
         .iter()
-        .map(|row| text::formula(&system, &row.bodies, Notation::Ascii, row.residual))
+        .map(|row| {
+            text::formula(
+                &derived.pool,
+                &derived.system,
+                &row.bodies,
+                Notation::Ascii,
+                row.residual,
+            )
+        })
         .collect();
     assert_eq!(rows, EXAM);
     let code = rust("two_body");
@@ -91,12 +100,21 @@ fn the_equations_of_the_exam_are_written_as_the_exam_writes_them() {
 /// Φ_q as the exam's question 6 prints it.
 #[test]
 fn the_jacobian_of_the_exam_is_written_as_the_exam_writes_it() {
-    let system = description::system("two_body");
-    let printed: Vec<Vec<(usize, String)>> = system
+    let derived = description::system("two_body");
+    let printed: Vec<Vec<(usize, String)>> = derived
+        .system
         .rows
         .iter()
         .map(|row| {
-            let entry = |expr| text::formula(&system, &row.bodies, Notation::Ascii, expr);
+            let entry = |expr| {
+                text::formula(
+                    &derived.pool,
+                    &derived.system,
+                    &row.bodies,
+                    Notation::Ascii,
+                    expr,
+                )
+            };
             row.jacobian
                 .iter()
                 .map(|it| (it.coordinate, entry(it.value)))
@@ -144,15 +162,27 @@ fn a_direction_between_drawn_points_is_not_turned_there_and_back() {
         }",
     );
     let read = linkwright_codegen::read(&source).expect("a description without errors");
-    let system = read.only().expect("one motion");
+    let derived = read.only().expect("one motion");
     // The direction is (3/5, 4/5): no sine of 1 is left beside x and y.
     for (row, expected) in [(1, ["-0.8", "0.6"]), (2, ["0.6", "0.8"])] {
-        let row = &system.rows[row];
+        let row = &derived.system.rows[row];
         for (entry, expected) in row.jacobian.iter().zip(expected) {
-            let printed = text::formula(&system, &row.bodies, Notation::Ascii, entry.value);
+            let printed = text::formula(
+                &derived.pool,
+                &derived.system,
+                &row.bodies,
+                Notation::Ascii,
+                entry.value,
+            );
             assert_eq!(printed, expected);
         }
-        let residual = text::formula(&system, &row.bodies, Notation::Ascii, row.residual);
+        let residual = text::formula(
+            &derived.pool,
+            &derived.system,
+            &row.bodies,
+            Notation::Ascii,
+            row.residual,
+        );
         assert!(residual.len() < 200, "{residual}");
     }
 }

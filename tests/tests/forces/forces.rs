@@ -3,7 +3,7 @@
 
 use linkwright::Equations;
 use linkwright_codegen::stages::model::{Body, Role};
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 use linkwright_solver::textbook::TextbookEquations;
 use linkwright_tests::forces::{Followed, Moving, Weight, cross, moving, multipliers, systems};
 use linkwright_tests::pantograph::Pantograph;
@@ -34,8 +34,8 @@ fn weight(body: usize) -> Weight {
 }
 
 /// Description with loads on its bodies, and with all possible requests.
-fn loaded(text: &str, system: &System) -> String {
-    let mechanism = &system.mechanism;
+fn loaded(text: &str, derived: &Derived) -> String {
+    let mechanism = &derived.system.mechanism;
     let bodies: Vec<&str> = mechanism
         .moving_bodies()
         .iter()
@@ -68,28 +68,29 @@ fn loaded(text: &str, system: &System) -> String {
         "force on {last} = (1.5, 3N/1m*x({first})) in {first};\n"
     ));
     loads.push_str("energy;\n");
-    if has_efforts(system) {
+    if has_efforts(derived) {
         loads.push_str("effort;\n");
     }
-    if has_reactions(system) {
+    if has_reactions(derived) {
         loads.push_str("reactions;\n");
     }
     let end = text.rfind('}').expect("a mechanism");
     format!("{}{loads}}}\n", &text[..end])
 }
 
-fn drivers(system: &System) -> impl Iterator<Item = &linkwright_codegen::stages::model::Joint> {
-    let joints = system.mechanism.joints.iter();
+fn drivers(derived: &Derived) -> impl Iterator<Item = &linkwright_codegen::stages::model::Joint> {
+    let joints = derived.system.mechanism.joints.iter();
     joints.filter(|it| it.role == Role::Driver)
 }
 
-fn has_efforts(system: &System) -> bool {
-    let valued = drivers(system).all(|it| it.operands.value.is_some());
-    valued && drivers(system).next().is_some()
+fn has_efforts(derived: &Derived) -> bool {
+    let valued = drivers(derived).all(|it| it.operands.value.is_some());
+    valued && drivers(derived).next().is_some()
 }
 
-fn has_reactions(system: &System) -> bool {
-    system
+fn has_reactions(derived: &Derived) -> bool {
+    derived
+        .system
         .mechanism
         .joints
         .iter()
@@ -153,14 +154,14 @@ fn plain(bodies: usize, coordinates: usize, t: f64, at: &dyn Fn(usize) -> Moving
 /// Force and moment of a joint on its second body, by the rows of Φ_q and the multipliers; the moment about the point
 /// of the joint on that body. If the second body is the ground, the opposite of the load on the first.
 fn wrench(
-    system: &System,
+    derived: &Derived,
     joint: usize,
     jacobian: &DMatrix<f64>,
     multipliers: &DVector<f64>,
     at: &dyn Fn(usize) -> Moving,
 ) -> [f64; 3] {
-    let joint_row = &system.mechanism.joints[joint];
-    let graph = &system.mechanism.graph;
+    let joint_row = &derived.system.mechanism.joints[joint];
+    let graph = &derived.pool.graph;
     let local = |mark: &linkwright_codegen::stages::joint::geometry::Mark| {
         mark.local
             .map(|part| graph.constant_value(part).expect("a number"))
@@ -186,7 +187,7 @@ fn wrench(
         (body, _) => (body, -1.0),
     };
     let mut wrench = [0.0; 3];
-    for (row, stated) in system.rows.iter().enumerate() {
+    for (row, stated) in derived.system.rows.iter().enumerate() {
         if stated.joint == joint {
             for (axis, part) in wrench.iter_mut().enumerate() {
                 *part += sign * jacobian[(row, 3 * (body - 1) + axis)] * multipliers[row];
@@ -198,19 +199,28 @@ fn wrench(
     wrench[2] -= cross(arm, [wrench[0], wrench[1]]);
     if joint_row.kind.keyword.ends_with("gear") || joint_row.kind.keyword.ends_with("belt") {
         // The row has the slope 1 in the angle of the second wheel, whichever row constrains that angle.
-        let row = system.rows.iter().position(|row| row.joint == joint);
+        let row = derived
+            .system
+            .rows
+            .iter()
+            .position(|row| row.joint == joint);
         wrench[2] = -multipliers[row.expect("its row")];
     }
     wrench
 }
 
 /// Requested values at an instant against the dense solve, and the balance of powers.
-fn compare(name: &str, system: &System, followed: &Followed, t: f64) -> usize {
+fn compare(name: &str, derived: &Derived, followed: &Followed, t: f64) -> usize {
     let instant = followed.instant();
-    let coordinates = system.coordinates.len();
+    let coordinates = derived.system.coordinates.len();
     let at = |body: usize| moving(body, instant);
-    let plain = plain(system.mechanism.moving_bodies().len(), coordinates, t, &at);
-    let textbook = TextbookEquations::new(system);
+    let plain = plain(
+        derived.system.mechanism.moving_bodies().len(),
+        coordinates,
+        t,
+        &at,
+    );
+    let textbook = TextbookEquations::new(&derived.pool, &derived.system);
     let q = DVector::from_column_slice(instant.q());
     let mut jacobian = DMatrix::zeros(coordinates, coordinates);
     textbook.jacobian(&q, t, &mut jacobian);
@@ -229,21 +239,21 @@ fn compare(name: &str, system: &System, followed: &Followed, t: f64) -> usize {
         );
         compared += 1;
     };
-    for (place, own) in system.mechanism.joints.iter().enumerate() {
+    for (place, own) in derived.system.mechanism.joints.iter().enumerate() {
         let slug = &own.slug;
-        if own.role == Role::Driver && has_efforts(system) {
+        if own.role == Role::Driver && has_efforts(derived) {
             // The driver of one row that is its quantity less its value.
-            let mut rows = system.rows.iter().enumerate();
+            let mut rows = derived.system.rows.iter().enumerate();
             let row = rows.position(|(_, it)| it.joint == place).expect("a row");
             let keyword = own.kind.keyword;
             if matches!(keyword, "phi" | "x" | "y" | "length") {
                 agree(&format!("effort_{slug}"), -carried[row], size);
             }
         }
-        if own.role == Role::Driver || !has_reactions(system) {
+        if own.role == Role::Driver || !has_reactions(derived) {
             continue;
         }
-        let [x, y, moment] = wrench(system, place, &jacobian, &carried, &at);
+        let [x, y, moment] = wrench(derived, place, &jacobian, &carried, &at);
         if x.is_nan() {
             continue;
         }
@@ -274,7 +284,7 @@ fn compare(name: &str, system: &System, followed: &Followed, t: f64) -> usize {
         plain.potential[0].abs(),
     );
     agree("added_power", plain.added, plain.added.abs());
-    if has_efforts(system) {
+    if has_efforts(derived) {
         let powers = all.iter().filter(|(name, _)| name.starts_with("power_"));
         let powers: Vec<f64> = powers.map(|(_, power)| *power).collect();
         let brought: f64 = powers.iter().sum::<f64>() + plain.added;
@@ -316,14 +326,14 @@ fn forces_are_those_of_the_dense_solve_and_powers_balance() {
         if text.contains("\" in (") || text.contains("mass ") {
             continue;
         }
-        for (place, system) in systems(&name, &text).iter().enumerate() {
+        for (place, derived) in systems(&name, &text).iter().enumerate() {
             // An angle without a body has no mass.
-            if system.mechanism.bodies.iter().any(Body::is_angle) {
+            if derived.system.mechanism.bodies.iter().any(Body::is_angle) {
                 continue;
             }
-            let text = loaded(&text, system);
-            let system = &systems(&name, &text)[place];
-            let Some(mut followed) = Followed::new(system, 0.0) else {
+            let text = loaded(&text, derived);
+            let derived = &systems(&name, &text)[place];
+            let Some(mut followed) = Followed::new(derived, 0.0) else {
                 continue;
             };
             mechanisms += 1;
@@ -332,7 +342,7 @@ fn forces_are_those_of_the_dense_solve_and_powers_balance() {
                 if step > 0 && !followed.advance(t) {
                     break;
                 }
-                compared += compare(&name, system, &followed, t);
+                compared += compare(&name, derived, &followed, t);
             }
         }
     }

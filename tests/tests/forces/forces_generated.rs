@@ -105,8 +105,8 @@ fn a_load_that_is_not_finite_is_named() {
     let inputs = |value| endless_loads::Inputs { gap: gap(value) };
     let mut mechanism =
         endless_loads::EndlessLoads::assemble(0.0, &inputs(0.25)).expect("as drawn");
-    let system = &systems("endless_loads", &description::source("endless_loads").text)[0];
-    let view = Interpreted::new(system).expect("two cranks");
+    let derived = &systems("endless_loads", &description::source("endless_loads").text)[0];
+    let view = Interpreted::new(derived).expect("two cranks");
     let parameters = view.nominal_parameters();
     let mut interpreted = Shell::assemble(
         view.clone(),

@@ -88,7 +88,7 @@ fn nan_is_never_right() {
         assert!(apart(&numbers, &motion(place)).is_nan(), "{place}");
         assert!(apart(&motion(place), &numbers).is_nan(), "{place}");
     }
-    let system = &systems("pendulum", PENDULUM)[0];
+    let derived = &systems("pendulum", PENDULUM)[0];
     for (mass, is_found) in [(3.0, true), (f64::NAN, false)] {
         let weight = Weight {
             body: 0,
@@ -96,7 +96,7 @@ fn nan_is_never_right() {
             center: [0.0, -2.0],
             inertia: 0.5,
         };
-        let reference = Multipliers::new(system, &[weight], [0.0, -9.81]);
+        let reference = Multipliers::new(derived, &[weight], [0.0, -9.81]);
         let start = Motion {
             pose: DVector::from_vec(vec![0.0, 0.0, 1.0]),
             rates: DVector::zeros(3),

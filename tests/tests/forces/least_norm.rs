@@ -299,11 +299,11 @@ fn least(balance: &DMatrix<f64>, weights: &[Option<f64>], load: &DVector<f64>) -
 #[test]
 fn redundant_joints_carry_the_smallest_forces_that_balance_every_body() {
     for case in [cranks(3), cranks(4), alike(), rails(), rods()] {
-        let system = &systems(case.name, &case.text)[0];
-        assert!(!system.monitored.is_empty());
-        let length = system.mechanism.characteristic_length;
-        let mut followed = Followed::new(system, 0.0).expect("as drawn");
-        let dense = Dense::new(system);
+        let derived = &systems(case.name, &case.text)[0];
+        assert!(!derived.system.monitored.is_empty());
+        let length = derived.system.mechanism.characteristic_length;
+        let mut followed = Followed::new(derived, 0.0).expect("as drawn");
+        let dense = Dense::new(derived);
         for step in 1..=20 {
             assert!(followed.advance(0.1 * f64::from(step)), "{}", case.name);
             let (balance, weights) = balance(&followed, &case, length);
@@ -354,8 +354,8 @@ fn the_smallest_forces_do_not_depend_on_which_joint_is_marked() {
         .replace("redundant revolute M", "revolute M")
         .replace("revolute K", "redundant revolute K");
     let [mut one, mut other] = [text, other].map(|text| {
-        let system = &systems("cranks", &text)[0];
-        Followed::new(system, 0.0).expect("as drawn")
+        let derived = &systems("cranks", &text)[0];
+        Followed::new(derived, 0.0).expect("as drawn")
     });
     for step in 1..=20 {
         let t = 0.1 * f64::from(step);

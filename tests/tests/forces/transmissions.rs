@@ -1,6 +1,7 @@
 //! Transmissions of the drivers: T ṡ is the velocity, virtual work is conserved, closed forms, the textbook
 //! formulation, singular poses.
 
+use linkwright_codegen::stages::pool::Pool;
 use std::path::Path;
 
 use linkwright::nalgebra::{DMatrix, DVector};
@@ -8,7 +9,7 @@ use linkwright::{Blocks, FailureKind, Mechanism};
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::stages::expr::{ExprId, Tape};
 use linkwright_codegen::stages::model::Role;
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 use linkwright_solver::textbook::TextbookEquations;
 use linkwright_tests::values::{Levels, assembled, levels, point_names};
 
@@ -148,7 +149,7 @@ const LOAD: [f64; 2] = [0.7, -1.3];
 
 impl Transmitting {
     /// Equations with the transmission of every point and angle.
-    fn system(&self) -> System {
+    fn derived(&self) -> Derived {
         let folder = Path::new(env!("OUT_DIR")).join("transmitting");
         let path = folder.join(format!("{}.mech", self.name));
         let text = std::fs::read_to_string(&path).expect("a description");
@@ -162,11 +163,11 @@ impl Transmitting {
 
     /// Rates ṡ at these times: the derivatives of the drivers' laws, in written order.
     fn driver_rates(&self) -> Vec<DVector<f64>> {
-        let mut system = self.system();
-        let mechanism = &mut system.mechanism;
+        let Derived { pool, system } = &mut self.derived();
+        let mechanism = &system.mechanism;
         let drivers = mechanism.joints.iter().filter(|it| it.role == Role::Driver);
         let values: Vec<ExprId> = drivers.filter_map(|it| it.operands.value).collect();
-        let (graph, time) = (&mut mechanism.graph, mechanism.time);
+        let (graph, time) = (&mut pool.graph, mechanism.time);
         let rates: Vec<ExprId> = values
             .iter()
             .map(|&value| graph.derivative(value, time))
@@ -263,8 +264,8 @@ fn a_transmission_does_not_change_the_motion() {
 #[test]
 fn the_textbook_view_transmits_the_same() {
     for mechanism in ALL {
-        let system = mechanism.system();
-        let interpreter = TextbookEquations::new(&system);
+        let derived = mechanism.derived();
+        let interpreter = TextbookEquations::new(&derived.pool, &derived.system);
         let mut largest = 0.0_f64;
         for instant in (mechanism.sample)(&times(), LOAD).iter().step_by(7) {
             let q = DVector::from_column_slice(&instant.q);

@@ -3,6 +3,8 @@
 //! Work is counted in the terms and factors that the stages build. Work without these is measured by the clock, as
 //! the ratio of two sizes on one machine one after the other.
 
+use linkwright_codegen::stages::program::Kept;
+use linkwright_codegen::stages::structure::Shift;
 use std::time::Instant;
 
 use linkwright_codegen::diagnostic::{Code, Diagnostics, Source};
@@ -21,10 +23,11 @@ fn work(kind: &Kind, n: usize) -> usize {
     let source = source((kind.text)(n));
     let read =
         read(&source).unwrap_or_else(|errors| panic!("{}: {}", kind.name, errors.render(&source)));
-    let mut system = read.only().expect("one motion");
-    let plan = structure::plan(&mut system).expect(kind.name);
-    program::lower(&mut system, &plan);
-    let graph = &system.mechanism.graph;
+    let mut derived = read.only().expect("one motion");
+    let plan =
+        structure::plan(&mut derived.pool, &derived.system, Shift::Directions).expect(kind.name);
+    program::lower(&mut derived.pool, &derived.system, &plan, Kept::Requested);
+    let graph = &derived.pool.graph;
     assert_eq!(graph.excess(), None, "{}", kind.name);
     graph.work() + graph.store() + graph.node_count()
 }
@@ -60,10 +63,11 @@ fn printed(kind: &Kind, n: usize) -> [usize; 3] {
     let source = source((kind.text)(n));
     let read =
         read(&source).unwrap_or_else(|errors| panic!("{}: {}", kind.name, errors.render(&source)));
-    let mut system = read.only().expect("one motion");
-    let equations = text::inspect(&system, Notation::Ascii);
-    let plan = structure::plan(&mut system).expect(kind.name);
-    let derivation = derivation::text(&system, &plan, Notation::Ascii);
+    let mut derived = read.only().expect("one motion");
+    let equations = text::inspect(&derived, Notation::Ascii);
+    let plan =
+        structure::plan(&mut derived.pool, &derived.system, Shift::Directions).expect(kind.name);
+    let derivation = derivation::text(&derived.pool, &derived.system, &plan, Notation::Ascii);
     let module = generate(&source, &Options::default())
         .unwrap_or_else(|errors| panic!("{}: {}", kind.name, errors.render(&source)));
     [equations, derivation, module.code().to_string()].map(|text| text.len())
@@ -96,13 +100,14 @@ fn nested_formulas_are_printed_as_graphs() {
                 let source = kind(n);
                 let read = read(&source)
                     .unwrap_or_else(|errors| panic!("{formula}: {}", errors.render(&source)));
-                let mut system = read.only().expect("one motion");
-                let equations = text::inspect(&system, Notation::Unicode);
-                let plan = structure::plan(&mut system).expect(formula);
+                let mut derived = read.only().expect("one motion");
+                let equations = text::inspect(&derived, Notation::Unicode);
+                let plan = structure::plan(&mut derived.pool, &derived.system, Shift::Directions)
+                    .expect(formula);
                 let formats = [
-                    derivation::text(&system, &plan, Notation::Ascii),
-                    derivation::latex(&system, &plan),
-                    latex::inspect(&[(&system, Vec::new())]),
+                    derivation::text(&derived.pool, &derived.system, &plan, Notation::Ascii),
+                    derivation::latex(&derived.pool, &derived.system, &plan),
+                    latex::inspect(&[(&derived, Vec::new())]),
                 ];
                 let module = generate(&source, &Options::default())
                     .unwrap_or_else(|errors| panic!("{formula}: {}", errors.render(&source)));
@@ -142,9 +147,10 @@ fn seconds(kind: &Kind, n: usize) -> f64 {
     let start = Instant::now();
     match read(&source) {
         Ok(read) => {
-            let mut system = read.only().expect("one motion");
-            if structure::analyze(&system, &mut Diagnostics::new()) {
-                structure::plan(&mut system);
+            let mut derived = read.only().expect("one motion");
+            if !structure::analyze(&derived.pool, &derived.system).has_errors() {
+                // Refusals take time too.
+                let _ = structure::plan(&mut derived.pool, &derived.system, Shift::Directions);
             }
         }
         Err(found) => {
@@ -188,8 +194,8 @@ fn every_function_is_nested_through_names_up_to_a_bound() {
             match read(&deep) {
                 // Constant numbers end a nest.
                 Ok(read) => {
-                    let system = read.only().expect("one motion");
-                    assert!(system.mechanism.graph.node_count() < 20_000, "{formula}");
+                    let derived = read.only().expect("one motion");
+                    assert!(derived.pool.graph.node_count() < 20_000, "{formula}");
                 }
                 Err(errors) => {
                     let (code, marked) = refusal(&deep, errors);
@@ -206,10 +212,11 @@ fn shared_expressions_stay_shared() {
     // Written out the formula has 3^25 terms.
     let source = source(large::nest("sin(@)*cos(@) + @", true, 25));
     let read = read(&source).unwrap_or_else(|errors| panic!("{}", errors.render(&source)));
-    let mut system = read.only().expect("one motion");
-    let plan = structure::plan(&mut system).expect("a plan");
-    program::lower(&mut system, &plan);
-    let nodes = system.mechanism.graph.node_count();
+    let mut derived = read.only().expect("one motion");
+    let plan =
+        structure::plan(&mut derived.pool, &derived.system, Shift::Directions).expect("a plan");
+    program::lower(&mut derived.pool, &derived.system, &plan, Kept::Requested);
+    let nodes = derived.pool.graph.node_count();
     assert!(nodes < 2000, "{nodes}");
 }
 
@@ -253,10 +260,11 @@ fn documented_sizes_are_not_refused() {
     for text in promised {
         let source = source(text);
         let read = read(&source).unwrap_or_else(|errors| panic!("{}", errors.render(&source)));
-        let mut system = read.only().expect("one motion");
-        let plan = structure::plan(&mut system).expect("a plan");
-        program::lower(&mut system, &plan);
-        assert_eq!(system.mechanism.graph.excess(), None);
+        let mut derived = read.only().expect("one motion");
+        let plan =
+            structure::plan(&mut derived.pool, &derived.system, Shift::Directions).expect("a plan");
+        program::lower(&mut derived.pool, &derived.system, &plan, Kept::Requested);
+        assert_eq!(derived.pool.graph.excess(), None);
     }
 }
 

@@ -10,7 +10,7 @@
 use std::fmt::Write;
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 use linkwright_tests::metamorphic::frames::{
     FROM_AFAR, Moved, TIMES, is_rounded_away, motions, plan,
 };
@@ -18,7 +18,7 @@ use linkwright_tests::metamorphic::rewriting::{Rewriting, SEED, all, distance, p
 use linkwright_tests::{description, files};
 
 /// Equations of every motion, which must be determined.
-fn read(source: &Source) -> Result<Vec<System>, String> {
+fn read(source: &Source) -> Result<Vec<Derived>, String> {
     let read = linkwright_codegen::read(source).map_err(|errors| errors.render(source))?;
     linkwright_codegen::stages::check_all(&read.motions).map_err(|errors| errors.render(source))?;
     Ok(read.motions)
@@ -27,7 +27,7 @@ fn read(source: &Source) -> Result<Vec<System>, String> {
 /// Changes by more than rounding in one formulation, and the largest ratio of change to bound.
 fn compare(
     rewriting: &Rewriting,
-    [before, after]: [&System; 2],
+    [before, after]: [&Derived; 2],
     [was, is]: [&Moved; 2],
     poor: bool,
     largest: &mut f64,
@@ -63,7 +63,7 @@ fn compare(
         };
         for level in 0..3 {
             let expected = change.apply(before, &was.values[level], level);
-            for (place, coordinate) in before.coordinates.iter().enumerate() {
+            for (place, coordinate) in before.system.coordinates.iter().enumerate() {
                 let rewritten = is.values[level][places[place]];
                 let original_bound = change.bound(before, &was.bounds[level], place);
                 let bound = original_bound + is.bounds[level][places[place]];

@@ -242,10 +242,10 @@ fn digest(bytes: &[u8]) -> Outcome {
         return Outcome::Refused;
     };
     // Readable, but not determined, or without values: it can still be inspected.
-    assert!(read.motions.iter().any(|system| check(system).is_err()));
-    for system in &read.motions {
-        let printed = emit::text::inspect(system, emit::Notation::Unicode);
-        assert!(!printed.is_empty() && !emit::latex::inspect(&[(system, Vec::new())]).is_empty());
+    assert!(read.motions.iter().any(|derived| check(derived).is_err()));
+    for derived in &read.motions {
+        let printed = emit::text::inspect(derived, emit::Notation::Unicode);
+        assert!(!printed.is_empty() && !emit::latex::inspect(&[(derived, Vec::new())]).is_empty());
     }
     Outcome::Undetermined
 }

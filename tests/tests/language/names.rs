@@ -116,8 +116,8 @@ fn points_whose_names_meet() {
         }";
     checked(description);
     let read = read(&Source::new("names.mech", description)).expect("no errors");
-    let system = read.only().expect("one motion");
-    let arms = &system.vector_form.arms;
+    let derived = read.only().expect("one motion");
+    let arms = &derived.pool.arms();
     let names: BTreeSet<&str> = arms.iter().map(|arm| arm.name.as_str()).collect();
     assert_eq!(names.len(), arms.len(), "{names:?}");
     assert!(names.contains("point_sin_phi"), "{names:?}");

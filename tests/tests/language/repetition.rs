@@ -215,15 +215,16 @@ fn a_part_has_the_values_that_it_is_given() {
             drive phi(other.crank) = t;
         }}"
     );
-    let system = description::written(&text);
-    let parameters: Vec<&str> = system
+    let derived = description::written(&text);
+    let parameters: Vec<&str> = derived
+        .system
         .mechanism
         .parameters
         .iter()
         .map(|it| it.name.as_str())
         .collect();
     assert_eq!(parameters, ["long"]);
-    let mut view = Interpreted::of(&system);
+    let mut view = Interpreted::of(&derived);
     view.assemble(0.0);
     let crank = |view: &Interpreted, name: &str, y: f64| {
         let place = view.point(name).position;
@@ -361,7 +362,7 @@ fn motions_that_are_written_out_share_the_spellings_of_names() {
         read(&source(text)).unwrap_or_else(|found| panic!("{}", found.render(&source(text))));
     assert_eq!(read.motions.len(), 5);
     for pair in read.motions.windows(2) {
-        let [first, second] = [&pair[0], &pair[1]].map(|it| &it.mechanism.spellings);
+        let [first, second] = [&pair[0], &pair[1]].map(|it| &it.system.mechanism.spellings);
         assert_eq!(first["m3"], "m[3]");
         assert!(Arc::ptr_eq(first, second));
     }

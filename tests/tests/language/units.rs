@@ -20,10 +20,10 @@ fn value(written: &str) -> Result<f64, String> {
     );
     let source = Source::new("units.mech", text);
     let read = linkwright_codegen::read(&source).map_err(|found| found.render(&source))?;
-    let system = read.only().expect("one motion");
-    let parameter = &system.mechanism.parameters[0];
-    Ok(system
-        .mechanism
+    let derived = read.only().expect("one motion");
+    let parameter = &derived.system.mechanism.parameters[0];
+    Ok(derived
+        .pool
         .graph
         .constant_value(parameter.nominal)
         .expect("a number"))

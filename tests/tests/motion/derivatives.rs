@@ -2,7 +2,7 @@
 //! poses, rates and times. Every tolerance is computed: Taylor remainder and rounding by `majorant`, nothing else.
 
 use linkwright_codegen::stages::expr::ExprId;
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 use linkwright_tests::description;
 use linkwright_tests::generated::MODULES;
 use linkwright_tests::magnitude::{magnitudes, needed};
@@ -75,11 +75,11 @@ struct Roots {
 }
 
 impl Roots {
-    fn of(system: &System) -> Roots {
-        let graph = &system.mechanism.graph;
-        let residuals: Vec<ExprId> = system.rows.iter().map(|row| row.residual).collect();
+    fn of(derived: &Derived) -> Roots {
+        let graph = &derived.pool.graph;
+        let residuals: Vec<ExprId> = derived.system.rows.iter().map(|row| row.residual).collect();
         let mut all = residuals.clone();
-        for row in &system.rows {
+        for row in &derived.system.rows {
             all.extend(row.jacobian.iter().map(|entry| entry.value));
             all.extend([row.time_derivative, row.gamma]);
         }
@@ -93,22 +93,22 @@ impl Roots {
 
 /// Every moving symbol has the slope 1, which is at least its slope along any coordinate and along t. Parameters are
 /// fixed, and the interpreter holds signals.
-fn ones(system: &System) -> Vec<f64> {
-    let mut slopes = vec![1.0; system.mechanism.graph.symbol_count()];
-    for parameter in &system.mechanism.parameters {
+fn ones(derived: &Derived) -> Vec<f64> {
+    let mut slopes = vec![1.0; derived.pool.graph.symbol_count()];
+    for parameter in &derived.system.mechanism.parameters {
         slopes[parameter.symbol.index()] = 0.0;
     }
-    for input in &system.mechanism.inputs {
+    for input in &derived.system.mechanism.inputs {
         slopes[input.symbols[0].index()] = 0.0;
     }
     slopes
 }
 
 /// Compares Φ_q and Φ_t with first differences of Φ.
-fn check_first(system: &System, roots: &Roots, solver: &dyn Solver, sample: &Sample) -> Record {
-    let graph = &system.mechanism.graph;
-    let symbols = sample.symbols(system);
-    let slopes = ones(system);
+fn check_first(derived: &Derived, roots: &Roots, solver: &dyn Solver, sample: &Sample) -> Record {
+    let graph = &derived.pool.graph;
+    let symbols = sample.symbols(derived);
+    let slopes = ones(derived);
     let line = Line {
         values: &symbols,
         slopes: &slopes,
@@ -131,7 +131,7 @@ fn check_first(system: &System, roots: &Roots, solver: &dyn Solver, sample: &Sam
             *moved += step * FIRST_STEP;
             solver.residual(&q, t)
         });
-        for (index, row) in system.rows.iter().enumerate() {
+        for (index, row) in derived.system.rows.iter().enumerate() {
             let entry = row.jacobian.iter().find(|entry| entry.coordinate == column);
             let (found, expr) = if column < n {
                 (
@@ -154,14 +154,14 @@ fn check_first(system: &System, roots: &Roots, solver: &dyn Solver, sample: &Sam
 }
 
 /// Compares -γ with the second difference of Φ along the curve (q + q̇ s, t + s), on which q̈ = 0.
-fn check_second(system: &System, roots: &Roots, solver: &dyn Solver, sample: &Sample) -> Record {
-    let graph = &system.mechanism.graph;
-    let symbols = sample.symbols(system);
+fn check_second(derived: &Derived, roots: &Roots, solver: &dyn Solver, sample: &Sample) -> Record {
+    let graph = &derived.pool.graph;
+    let symbols = sample.symbols(derived);
     let mut slopes = vec![0.0; symbols.len()];
-    for (coordinate, rate) in system.coordinates.iter().zip(&sample.qd) {
+    for (coordinate, rate) in derived.system.coordinates.iter().zip(&sample.qd) {
         slopes[coordinate.position.index()] = *rate;
     }
-    slopes[system.mechanism.time.index()] = 1.0;
+    slopes[derived.system.mechanism.time.index()] = 1.0;
     let line = Line {
         values: &symbols,
         slopes: &slopes,
@@ -186,7 +186,7 @@ fn check_second(system: &System, roots: &Roots, solver: &dyn Solver, sample: &Sa
         solver.residual(&q, sample.t + s)
     });
     let mut record = Record::default();
-    for (index, row) in system.rows.iter().enumerate() {
+    for (index, row) in derived.system.rows.iter().enumerate() {
         let values = values.each_ref().map(|phi| phi[index]);
         let quotient = second(values, SECOND_STEP, &bounds[row.residual.index()]);
         let gamma_error = rounding[row.gamma.index()].error;
@@ -206,14 +206,14 @@ fn merge(into: &mut Record, record: Record) {
 }
 
 fn derivatives_agree(name: &str, samples: usize) {
-    for system in description::motions(name) {
-        derivatives_of_one_agree(name, &system, samples);
+    for derived in description::motions(name) {
+        derivatives_of_one_agree(name, &derived, samples);
     }
 }
 
-fn derivatives_of_one_agree(name: &str, system: &System, samples: usize) {
-    let roots = Roots::of(system);
-    let mut solvers: Vec<Box<dyn Solver>> = vec![Box::new(Interpreted::of(system))];
+fn derivatives_of_one_agree(name: &str, derived: &Derived, samples: usize) {
+    let roots = Roots::of(derived);
+    let mut solvers: Vec<Box<dyn Solver>> = vec![Box::new(Interpreted::of(derived))];
     solvers.extend(
         MODULES
             .iter()
@@ -224,9 +224,12 @@ fn derivatives_of_one_agree(name: &str, system: &System, samples: usize) {
         let mut random = Random::new(2);
         let (mut slopes, mut curves) = (Record::default(), Record::default());
         for _ in 0..samples {
-            let sample = Sample::random(system, &mut random);
-            merge(&mut slopes, check_first(system, &roots, &*solver, &sample));
-            merge(&mut curves, check_second(system, &roots, &*solver, &sample));
+            let sample = Sample::random(derived, &mut random);
+            merge(&mut slopes, check_first(derived, &roots, &*solver, &sample));
+            merge(
+                &mut curves,
+                check_second(derived, &roots, &*solver, &sample),
+            );
         }
         println!(
             "{name}, {}: Φ_q and Φ_t {slopes:?}, γ {curves:?}",
@@ -276,7 +279,12 @@ fn derivatives_of_all_others_agree_with_differences() {
 #[test]
 fn derivatives_of_the_small_mechanisms_agree_with_differences() {
     for name in description::small() {
-        if description::system(&name).mechanism.tables.is_empty() {
+        if description::system(&name)
+            .system
+            .mechanism
+            .tables
+            .is_empty()
+        {
             derivatives_agree(&name, FEWER_SAMPLES);
         }
     }
@@ -325,33 +333,33 @@ impl Solver for Planted {
 #[test]
 #[should_panic(expected = "planted Φ_q(p_x, 2)")]
 fn an_entry_of_the_jacobian_that_is_wrong_by_1e_9_is_found() {
-    let system = description::system("two_body");
+    let derived = description::system("two_body");
     let [solver, _] = both("two_body");
-    let sample = Sample::random(&system, &mut Random::new(3));
-    check_first(&system, &Roots::of(&system), &Planted(solver), &sample);
+    let sample = Sample::random(&derived, &mut Random::new(3));
+    check_first(&derived, &Roots::of(&derived), &Planted(solver), &sample);
 }
 
 #[test]
 #[should_panic(expected = "planted γ(p_x)")]
 fn a_gamma_that_is_wrong_by_1e_6_is_found() {
-    let system = description::system("two_body");
+    let derived = description::system("two_body");
     let [solver, _] = both("two_body");
-    let sample = Sample::random(&system, &mut Random::new(3));
-    check_second(&system, &Roots::of(&system), &Planted(solver), &sample);
+    let sample = Sample::random(&derived, &mut Random::new(3));
+    check_second(&derived, &Roots::of(&derived), &Planted(solver), &sample);
 }
 
 #[test]
 fn generated_code_and_interpreter_agree_to_4_ulp_of_their_terms() {
     for module in MODULES {
-        let system = description::system(module.name);
-        let graph = &system.mechanism.graph;
-        let roots = Roots::of(&system);
+        let derived = description::system(module.name);
+        let graph = &derived.pool.graph;
+        let roots = Roots::of(&derived);
         let [generated, interpreted] = both(module.name);
         let mut random = Random::new(4);
         let mut largest = 0.0_f64;
         for _ in 0..SAMPLES {
-            let sample = Sample::random(&system, &mut random);
-            let magnitude = magnitudes(graph, &roots.of_all, &sample.symbols(&system));
+            let sample = Sample::random(&derived, &mut random);
+            let magnitude = magnitudes(graph, &roots.of_all, &sample.symbols(&derived));
             let one = generated.functions(&sample.q, &sample.qd, sample.t);
             let other = interpreted.functions(&sample.q, &sample.qd, sample.t);
             let mut check = |what: &str, one: f64, other: f64, expr: ExprId| {
@@ -365,7 +373,7 @@ fn generated_code_and_interpreter_agree_to_4_ulp_of_their_terms() {
                     largest = largest.max(error / ulp);
                 }
             };
-            for (index, row) in system.rows.iter().enumerate() {
+            for (index, row) in derived.system.rows.iter().enumerate() {
                 check("Φ", one.phi[index], other.phi[index], row.residual);
                 check(
                     "Φ_t",

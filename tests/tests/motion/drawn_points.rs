@@ -22,8 +22,8 @@ fn crank(statement: &str, point: &str) -> String {
 fn equations(description: &str) -> Vec<String> {
     let source = Source::new("case.mech", description);
     let read = read(&source).unwrap_or_else(|found| panic!("{}", found.render(&source)));
-    let system = read.only().expect("one motion");
-    let page = text::inspect(&system, Notation::Ascii).replace("ground.S", "S");
+    let derived = read.only().expect("one motion");
+    let page = text::inspect(&derived, Notation::Ascii).replace("ground.S", "S");
     page.split_whitespace().map(str::to_string).collect()
 }
 
@@ -67,10 +67,10 @@ fn a_body_of_the_same_name_is_meant_first() {
             }}"
         );
         let source = Source::new("case.mech", text.as_str());
-        let system = read(&source).ok().and_then(|read| read.only());
-        let system = system.expect("a good description");
-        check(&system).expect("as many equations as coordinates");
-        text::inspect(&system, Notation::Ascii)
+        let derived = read(&source).ok().and_then(|read| read.only());
+        let derived = derived.expect("a good description");
+        check(&derived).expect("as many equations as coordinates");
+        text::inspect(&derived, Notation::Ascii)
     };
     // The origin of the body S is where A is; the drawn point is named with the ground.
     let body = of("S");

@@ -5,7 +5,8 @@ use linkwright_codegen::stages::emit::{Notation, text};
 use linkwright_codegen::stages::model::Role;
 use linkwright_codegen::stages::program::forms_of;
 use linkwright_codegen::stages::structure;
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::structure::Shift;
+use linkwright_codegen::stages::system::Derived;
 use linkwright_tests::description::written;
 use linkwright_tests::random::Random;
 
@@ -153,11 +154,17 @@ fn a_pin_written_as_equations_is_the_joint() {
     }
 }
 
-fn rows(system: &System) -> Vec<(&str, &str, String)> {
-    let joints = &system.mechanism.joints;
-    let rows = system.rows.iter();
+fn rows(derived: &Derived) -> Vec<(&str, &str, String)> {
+    let joints = &derived.system.mechanism.joints;
+    let rows = derived.system.rows.iter();
     rows.map(|row| {
-        let residual = text::formula(system, &row.bodies, Notation::Ascii, row.residual);
+        let residual = text::formula(
+            &derived.pool,
+            &derived.system,
+            &row.bodies,
+            Notation::Ascii,
+            row.residual,
+        );
         (
             joints[row.joint].label.as_str(),
             row.name.as_str(),
@@ -169,7 +176,7 @@ fn rows(system: &System) -> Vec<(&str, &str, String)> {
 
 #[test]
 fn equations_are_rows_with_names_of_their_own() {
-    let system = written(
+    let derived = written(
         "mechanism m {
             const L = 2m;
             point A = (1, 2), B = (0.5, 0);
@@ -191,19 +198,26 @@ fn equations_are_rows_with_names_of_their_own() {
         ("equation wheel", "wheel", "phi1 + 2*phi2 - t"),
         ("equation 4", "equation_4", "sqrt((0.5 - x2)^2 + y2^2) - 2"),
     ];
-    let rows = rows(&system);
+    let rows = rows(&derived);
     let printed: Vec<(&str, &str, &str)> = rows
         .iter()
         .map(|(label, name, row)| (*label, *name, row.as_str()))
         .collect();
     assert_eq!(printed, expected);
-    let roles: Vec<Role> = system.mechanism.joints.iter().map(|it| it.role).collect();
+    let roles: Vec<Role> = derived
+        .system
+        .mechanism
+        .joints
+        .iter()
+        .map(|it| it.role)
+        .collect();
     use Role::{Constraint, Driver};
     assert_eq!(roles, [Constraint, Constraint, Driver, Constraint]);
-    let scales: Vec<f64> = system
+    let scales: Vec<f64> = derived
+        .system
         .rows
         .iter()
-        .map(|row| system.scale(row.quantity))
+        .map(|row| derived.system.scale(row.quantity, &derived.pool))
         .collect();
     assert_eq!(scales, [4.0, 2.0, 1.0, 2.0]);
 }
@@ -211,7 +225,7 @@ fn equations_are_rows_with_names_of_their_own() {
 /// The sine and the cosine of a body's angle are rotated local vectors, so that the textbook's closed forms apply.
 #[test]
 fn equations_in_sines_and_cosines_are_solved_in_closed_form() {
-    let mut system = written(
+    let mut derived = written(
         "mechanism yoke {
             body crank at (0, 0, 30deg);
             body yoke at (0.8, 0);
@@ -223,9 +237,10 @@ fn equations_in_sines_and_cosines_are_solved_in_closed_form() {
             equation x(yoke) = 0.5 + 0.1*sin(t);
         }",
     );
-    check(&system).expect("determined");
-    let plan = structure::plan(&mut system).expect("a plan");
-    let forms = forms_of(&mut system, &plan);
+    check(&derived).expect("determined");
+    let plan =
+        structure::plan(&mut derived.pool, &derived.system, Shift::Directions).expect("a plan");
+    let forms = forms_of(&mut derived.pool, &derived.system, &plan);
     let names: Vec<String> = forms.iter().flatten().map(|form| form.name()).collect();
     assert_eq!(names, ["one angle"]);
 }

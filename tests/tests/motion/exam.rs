@@ -119,15 +119,16 @@ fn the_first_newton_step_at_t_0_01_is_the_printed_one() {
 /// The printed Newton step with exact numbers: the pose is substituted into the equations symbolically.
 #[test]
 fn the_printed_newton_step_is_exact_in_the_equations() {
-    let mut system = description::system(NAME);
-    let rows = system.rows.clone();
-    let symbols: Vec<_> = system
+    let mut derived = description::system(NAME);
+    let rows = derived.system.rows.clone();
+    let symbols: Vec<_> = derived
+        .system
         .coordinates
         .iter()
         .map(|coordinate| coordinate.position)
         .collect();
-    let time = system.mechanism.time;
-    let graph = &mut system.mechanism.graph;
+    let time = derived.system.mechanism.time;
+    let graph = &mut derived.pool.graph;
     let fraction = |graph: &mut linkwright_codegen::stages::expr::Graph, part| {
         let (pi, part) = (graph.pi(), graph.rational(1, part));
         graph.multiply(pi, part)

@@ -4,7 +4,7 @@
 
 use linkwright::{FailureKind, Settings, Shell, assemble, branch_of, follow};
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 use linkwright_solver::textbook::TextbookEquations;
 use linkwright_solver::{Interpreted, View};
 use linkwright_tests::description;
@@ -19,9 +19,9 @@ const FRAMES: u32 = 50;
 const LIMIT: f64 = 1e-13;
 
 /// Largest difference of q, q̇ and q̈, relative to the largest value of each level (or 1).
-fn difference(system: &System) -> Option<[f64; 3]> {
-    let textbook = TextbookEquations::new(system);
-    let solved = Interpreted::new(system)?;
+fn difference(derived: &Derived) -> Option<[f64; 3]> {
+    let textbook = TextbookEquations::new(&derived.pool, &derived.system);
+    let solved = Interpreted::new(derived)?;
     let laws = solved.input_laws();
     let settings = Settings::default();
     let mut shell: Option<Shell<Interpreted>> = None;
@@ -73,8 +73,8 @@ fn difference(system: &System) -> Option<[f64; 3]> {
 #[test]
 fn both_views_describe_the_same_motion() {
     for name in [description::names(), description::small()].concat() {
-        for system in description::motions(&name) {
-            let Some(worst) = difference(&system) else {
+        for derived in description::motions(&name) {
+            let Some(worst) = difference(&derived) else {
                 panic!("{name}: no frame in one of the views");
             };
             for (level, difference) in ["q", "q̇", "q̈"].iter().zip(worst) {
@@ -107,8 +107,8 @@ fn a_motion_that_ends_leaves_the_last_pose() {
 /// A page or a server solves in a thread besides that of its interface.
 #[test]
 fn an_interpreted_mechanism_may_be_moved_to_another_thread() {
-    let system = description::system("four_bar");
-    let mechanism = Interpreted::new(&system).expect("blocks");
+    let derived = description::system("four_bar");
+    let mechanism = Interpreted::new(&derived).expect("blocks");
     let count = std::thread::spawn(move || mechanism.plan().blocks.len());
     assert!(count.join().expect("no panic") > 0);
 }

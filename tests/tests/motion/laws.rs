@@ -325,21 +325,21 @@ fn generated_code_agrees_with_the_interpreter() {
     let text = std::fs::read_to_string(path).expect("the description");
     let source = Source::new("laws.mech", text);
     let read = read(&source).unwrap_or_else(|found| panic!("{}", found.render(&source)));
-    let system = read.only().expect("one motion");
-    let rows = &system.rows;
+    let derived = read.only().expect("one motion");
+    let rows = &derived.system.rows;
     let roots: Vec<_> = rows
         .iter()
         .flat_map(|row| [row.residual, row.time_derivative, row.gamma])
         .collect();
-    let tape = Tape::new(&system.mechanism.graph, &roots);
-    let mut symbols = vec![0.0; system.mechanism.graph.symbol_count()];
+    let tape = Tape::new(&derived.pool.graph, &roots);
+    let mut symbols = vec![0.0; derived.pool.graph.symbol_count()];
     let mut values = vec![0.0; roots.len()];
     let zero = generated::Coordinates::from_array([0.0; 9]);
     let mut moved = generated::Laws::assemble(-1.0).expect("the drawing assembles");
     for step in -300..=1500 {
         // Ends of pieces are among these times.
         let t = f64::from(step) / 200.0;
-        symbols[system.mechanism.time.index()] = t;
+        symbols[derived.system.mechanism.time.index()] = t;
         tape.evaluate(&symbols, &mut Vec::new(), &mut values);
         let (phi, phi_t) = (generated::phi(&zero, t), generated::phi_t(&zero, t));
         let gamma = generated::gamma(&zero, &zero, t);

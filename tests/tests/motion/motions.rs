@@ -99,18 +99,18 @@ fn a_motion_is_a_complete_mechanism() {
     let names: Vec<String> = read
         .motions
         .iter()
-        .map(|system| system.mechanism.title())
+        .map(|derived| derived.system.mechanism.title())
         .collect();
     assert_eq!(names, ["crank, motion a", "crank, motion b"]);
     assert!(
         read.motion("a")
-            .is_some_and(|system| system.rows.len() == 3)
+            .is_some_and(|derived| derived.system.rows.len() == 3)
     );
     assert!(read.motion("c").is_none());
     let requests: Vec<usize> = read
         .motions
         .iter()
-        .map(|system| system.mechanism.requests.len())
+        .map(|derived| derived.system.mechanism.requests.len())
         .collect();
     assert_eq!(requests, [0, 1]);
     assert!(read.only().is_none());

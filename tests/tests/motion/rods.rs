@@ -229,8 +229,8 @@ fn rods_carry_what_motors_exert() {
     let text = text.replace("pitch_torque = 0Nm", "pitch_torque = 20Nm");
     let text = text.replace("roll_torque = 0Nm", "roll_torque = -7Nm");
     let text = text.replace("left_motor = 0deg", "left_motor = 10deg");
-    let system = &systems("ankle", &text)[1];
-    let followed = Followed::new(system, 0.0).expect("near the drawing");
+    let derived = &systems("ankle", &text)[1];
+    let followed = Followed::new(derived, 0.0).expect("near the drawing");
     let q = followed.instant().q();
     // pitch, roll, left, right
     let [pitch, roll] = [q[0], q[1]].map(Jet::from);

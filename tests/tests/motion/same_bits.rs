@@ -2,7 +2,7 @@
 //! compiled, along its path, with other parameters and inputs, back and forth and to its limits.
 
 use linkwright::{Blocks, Failure, Mechanism, Settings, Shell, Signals, math};
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 use linkwright_solver::{InputSignals, Interpreted, View};
 use linkwright_tests::description;
 use linkwright_tests::values::{assembled_from, filled, numbers};
@@ -29,7 +29,7 @@ type Tally = [[usize; 2]; KINDS.len()];
 pub struct Compared {
     name: &'static str,
     motion: usize,
-    compare: fn(&System) -> Tally,
+    compare: fn(&Derived) -> Tally,
 }
 
 type Frame<M> = <<M as Mechanism>::Blocks as Blocks>::Frame;
@@ -193,7 +193,7 @@ fn supplied<B: Blocks<Scalar = f64>>(blocks: &B, inputs: &InputSignals) -> B::In
 
 /// Moves a compiled mechanism and an interpreted one, and compares both.
 fn compare<M>(
-    system: &System,
+    derived: &Derived,
     outputs: fn(&Frame<M>) -> Outputs,
     forces: fn(&Frame<M>) -> Vec<f64>,
     derivatives: fn(&Frame<M>) -> Vec<f64>,
@@ -201,7 +201,7 @@ fn compare<M>(
 where
     M: Mechanism<Blocks: Blocks<Scalar = f64> + Default>,
 {
-    let view = Interpreted::new(system).expect("a plan");
+    let view = Interpreted::new(derived).expect("a plan");
     let laws = view.input_laws();
     let nominal = numbers(&view.nominal_parameters());
     let mut both = Both::<M> {
@@ -267,11 +267,11 @@ fn interpreted_and_generated_numbers_are_the_same() {
         compare,
     } in ALL
     {
-        let system = &description::motions(name)[*motion];
-        let mut tally = compare(system);
+        let derived = &description::motions(name)[*motion];
+        let mut tally = compare(derived);
         let [pose, _, _, point, ..] = &mut tally;
         assert!(pose[0] > 100, "{name}: hardly any frame");
-        if !system.mechanism.requests.is_empty() {
+        if !derived.system.mechanism.requests.is_empty() {
             of_outputs += std::mem::take(&mut point[1]);
         }
         for (kind, (sum, [count, different])) in KINDS.iter().zip(all.iter_mut().zip(tally)) {
@@ -309,10 +309,10 @@ fn interpreted_powers_and_logarithms_are_those_of_generated_code() {
         ("-0.3*t^3", |t| -0.3 * t * t * t),
     ];
     for (law, written) in laws {
-        let system = description::written(&format!(
+        let derived = description::written(&format!(
             "mechanism lone {{ point A = (0, 0); body crank at A {{ A, B: (1, 0) }} revolute A(ground, crank); drive phi(crank) = {law}; }}"
         ));
-        let view = Interpreted::new(&system).expect("a plan");
+        let view = Interpreted::new(&derived).expect("a plan");
         let mut shell = assembled_from(view, &[], 0.1, Settings::default()).expect("as drawn");
         for step in 1..=200 {
             let t = 0.1 + 0.013 * f64::from(step);

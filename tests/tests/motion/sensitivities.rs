@@ -1,12 +1,13 @@
 //! Derivatives of the motion by parameters: against differences, closed forms and the textbook formulation, and at
 //! singular poses.
 
+use linkwright_codegen::stages::pool::Pool;
 use std::path::Path;
 
 use linkwright::nalgebra::DVector;
 use linkwright::{Blocks, FailureKind, Mechanism, Settings, Shell, Values};
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 use linkwright_solver::textbook::TextbookEquations;
 use linkwright_tests::values::{filled, levels, numbers};
 
@@ -107,7 +108,7 @@ fn named(name: &str) -> &'static Sensing {
 }
 
 impl Sensing {
-    fn system(&self) -> System {
+    fn derived(&self) -> Derived {
         let folder = Path::new(env!("OUT_DIR")).join("sensing");
         let path = folder.join(format!("{}.mech", self.name));
         let text = std::fs::read_to_string(&path).expect("a description");
@@ -222,9 +223,9 @@ fn differences_leave_their_truncation() {
 #[test]
 fn the_textbook_view_depends_on_parameters_alike() {
     for mechanism in ALL {
-        let system = mechanism.system();
-        let interpreter = TextbookEquations::new(&system);
-        let count = system.coordinates.len();
+        let derived = mechanism.derived();
+        let interpreter = TextbookEquations::new(&derived.pool, &derived.system);
+        let count = derived.system.coordinates.len();
         let mut largest = 0.0_f64;
         for instant in (mechanism.sample)(&(mechanism.nominal)(), &times()) {
             let [q, qd] =

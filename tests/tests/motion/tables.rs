@@ -360,29 +360,29 @@ fn derivatives_agree_with_differences() {
 #[test]
 fn generated_code_agrees_with_the_interpreter_in_both_precisions() {
     const COUNT: usize = generated::Coordinates::COUNT;
-    let system = description::system("tables");
-    let rows = &system.rows;
+    let derived = description::system("tables");
+    let rows = &derived.system.rows;
     let roots: Vec<_> = rows
         .iter()
         .flat_map(|row| [row.residual, row.time_derivative, row.gamma])
         .collect();
-    let tape = Tape::new(&system.mechanism.graph, &roots);
+    let tape = Tape::new(&derived.pool.graph, &roots);
     let mut random = Random::new(11);
     let mut values = vec![0.0; roots.len()];
     for step in -800..=2400 {
         // Points of the tables are among these times, and most are outside of one.
         let t = f64::from(step) / 200.0;
-        let mut symbols = vec![0.0; system.mechanism.graph.symbol_count()];
+        let mut symbols = vec![0.0; derived.pool.graph.symbol_count()];
         let mut q = [0.0; COUNT];
         let mut qd = [0.0; COUNT];
-        for (index, coordinate) in system.coordinates.iter().enumerate() {
+        for (index, coordinate) in derived.system.coordinates.iter().enumerate() {
             // Exactly the same in single precision.
             q[index] = f64::from(random.between(-4.0, 4.0) as f32);
             qd[index] = f64::from(random.between(-1.0, 1.0) as f32);
             symbols[coordinate.position.index()] = q[index];
             symbols[coordinate.rate.index()] = qd[index];
         }
-        symbols[system.mechanism.time.index()] = t;
+        symbols[derived.system.mechanism.time.index()] = t;
         tape.evaluate(&symbols, &mut Vec::new(), &mut values);
         let [q_named, qd_named] = [q, qd].map(generated::Coordinates::from_array);
         let generated_levels = [

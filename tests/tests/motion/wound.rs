@@ -28,9 +28,9 @@ const ROLLING: &str = "mechanism rolling {
 
 #[test]
 fn whole_turns_that_are_counted_stay() {
-    let system = written(ROLLING);
-    let interpreted = Interpreted::new(&system).expect("a plan");
-    let textbook = TextbookEquations::new(&system);
+    let derived = written(ROLLING);
+    let interpreted = Interpreted::new(&derived).expect("a plan");
+    let textbook = TextbookEquations::new(&derived.pool, &derived.system);
     let drawn = textbook.estimate().clone();
     let mut random = Random::new(7);
     let (mut found, mut wound) = (0, 0);

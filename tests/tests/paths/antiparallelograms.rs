@@ -70,8 +70,8 @@ fn blocks(grounds: &[f64], start: f64) -> Interpreted {
         }
     }
     text += &format!("drive phi(crank0) = t - {TIME};\n}}");
-    let system = read(&Source::new("row.mech", text)).expect("no errors");
-    Interpreted::new(&system.only().expect("one motion")).expect("its blocks")
+    let derived = read(&Source::new("row.mech", text)).expect("no errors");
+    Interpreted::new(&derived.only().expect("one motion")).expect("its blocks")
 }
 
 /// Number of frames beyond the pose in which all links are in line, of four that are asked for; each must be right.

@@ -210,8 +210,8 @@ impl Row {
 }
 
 fn blocks(text: String) -> Interpreted {
-    let system = read(&Source::new("row.mech", text)).expect("no errors");
-    Interpreted::new(&system.only().expect("one motion")).expect("its blocks")
+    let derived = read(&Source::new("row.mech", text)).expect("no errors");
+    Interpreted::new(&derived.only().expect("one motion")).expect("its blocks")
 }
 
 /// Mechanism at t = 0 in the branches of the design configuration.

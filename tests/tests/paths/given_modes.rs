@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use linkwright::{Blocks, Branch};
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 use linkwright_solver::{Interpreted, View};
 use linkwright_tests::hunt::paths::families::course;
 use linkwright_tests::random::Random;
@@ -19,7 +19,7 @@ enum Role {
     Late,
 }
 
-fn systems(text: &str) -> Result<Vec<System>, String> {
+fn systems(text: &str) -> Result<Vec<Derived>, String> {
     let source = Source::new("given.mech", text);
     let read = linkwright_codegen::read(&source).map_err(|errors| errors.render(&source))?;
     linkwright_codegen::stages::check_all(&read.motions)
@@ -29,8 +29,8 @@ fn systems(text: &str) -> Result<Vec<System>, String> {
 
 /// Branches of closed forms by their names. The sign of another block's determinant depends on the order of its
 /// equations, which drivers may change.
-fn modes(system: &System) -> BTreeMap<String, Branch> {
-    let blocks = Interpreted::new(system).expect("determined");
+fn modes(derived: &Derived) -> BTreeMap<String, Branch> {
+    let blocks = Interpreted::new(derived).expect("determined");
     let drawn = blocks.drawn_branches();
     let names = blocks.mode_names().into_iter();
     names
@@ -109,8 +109,8 @@ fn keeps_modes(name: &str, text: &str, random: &mut Random, counts: &mut [usize;
                 }
             };
             counts[0] += 1;
-            for (was, system) in before.iter().zip(&after) {
-                let is = modes(system);
+            for (was, derived) in before.iter().zip(&after) {
+                let is = modes(derived);
                 assert_eq!(
                     *was, is,
                     "{name}, driver {place}, {role:?} {default}:\n{text}"

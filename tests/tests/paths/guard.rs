@@ -88,8 +88,8 @@ fn parallelograms_of_all_sizes_are_driven_through() {
         (1e5, 0.7),
     ] {
         let text = slanted(coupler, turned);
-        let system = read(&Source::new("slanted.mech", text)).expect("no errors");
-        let interpreted = Interpreted::new(&system.only().expect("one motion"));
+        let derived = read(&Source::new("slanted.mech", text)).expect("no errors");
+        let interpreted = Interpreted::new(&derived.only().expect("one motion"));
         let interpreted = interpreted.expect("its blocks");
         let (laws, settings) = (interpreted.input_laws(), Settings::default());
         for h in STEPS {
@@ -193,9 +193,9 @@ fn end_from(start: f64, step: f64, interpreted: &Interpreted) -> Failure {
 
 #[test]
 fn a_gap_ends_paths_from_both_sides() {
-    let system = read(&description::source("rocker_limit"));
-    let system = system.expect("no errors").only().expect("one motion");
-    let interpreted = Interpreted::new(&system).expect("its blocks");
+    let derived = read(&description::source("rocker_limit"));
+    let derived = derived.expect("no errors").only().expect("one motion");
+    let interpreted = Interpreted::new(&derived).expect("its blocks");
     let first = ((PI - 0.625_f64.acos() - 70_f64.to_radians()) / 60_f64.to_radians()).asin();
     let last = PI - first;
     // They are collinear again where |AC| is their sum, 160 mm.

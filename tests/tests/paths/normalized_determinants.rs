@@ -213,13 +213,13 @@ fn a_newton_block_has_the_condition_of_its_jacobian() {
         let solved = shell.blocks().clone();
         let mut forms = solved.program().forms.iter().flatten();
         let newton = forms.find(|form| form.modes().is_none());
-        let mut graph = solved.system().mechanism.graph.clone();
+        let mut draft = solved.pool().draft();
         let jacobian = newton
             .expect("a Newton block")
-            .determinant(&solved.system().vector_form, &mut graph)
+            .determinant(&mut draft)
             .jacobian;
         let size = jacobian.len();
-        let entries = Reader::new(&graph, solved.layout(), &jacobian.concat());
+        let entries = Reader::new(&draft.graph, solved.layout(), &jacobian.concat());
         let inputs = solved.initial_inputs();
         for (t, own) in times().into_iter().zip(frames) {
             let instant = shell.advance(t, &inputs).expect("a pose");

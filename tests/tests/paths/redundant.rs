@@ -146,7 +146,10 @@ fn a_pose_off_the_redundant_equation_shows_in_it() {
 /// 12 coordinates and 11 independent equations of joints; 3 and 2.
 #[test]
 fn degrees_of_freedom_are_counted_by_rank() {
-    let count = |name| Freedom::of(&description::system(name));
+    let count = |name| {
+        let derived = description::system(name);
+        Freedom::of(&derived.pool, &derived.system)
+    };
     let expected = |redundant| Freedom {
         kinematic: 1,
         net: 0,

@@ -122,14 +122,14 @@ fn twice_as_far_most_lead_to_the_drawing_and_none_to_the_other_branch() {
 fn no_start_of_any_mechanism_is_answered_wrongly() {
     println!("seed {SEED:#x}");
     for name in description::names() {
-        for system in description::motions(&name) {
+        for derived in description::motions(&name) {
             // For a large mechanism, the cost of the matrices exceeds the information of more starts.
-            let starts = if system.coordinates.len() <= 12 {
+            let starts = if derived.system.coordinates.len() <= 12 {
                 200
             } else {
                 20
             };
-            let measured = measure(&system, starts);
+            let measured = measure(&derived, starts);
             println!(
                 "{}: {} from afar, {} plain, of {starts}",
                 measured.name, measured.afar.drawn, measured.plain.drawn

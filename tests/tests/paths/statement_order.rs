@@ -3,7 +3,7 @@
 use linkwright::{Blocks, Failure, Settings, Shell, Signal, Signals, Values};
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
 use linkwright_codegen::stages::syntax::parse;
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 use linkwright_solver::Interpreted;
 use linkwright_tests::hunt::paths::course::Course;
 use linkwright_tests::hunt::paths::families::{FAMILIES, course};
@@ -33,7 +33,7 @@ struct Case {
 }
 
 /// The equations of every motion; `None` where the description is refused.
-fn systems(source: &Source) -> Option<Vec<System>> {
+fn systems(source: &Source) -> Option<Vec<Derived>> {
     let read = linkwright_codegen::read(source).ok()?;
     linkwright_codegen::stages::check_all(&read.motions).ok()?;
     Some(read.motions)
@@ -66,8 +66,8 @@ fn failed(failure: Failure) -> String {
 ///
 /// # Errors
 /// The failure, where the mechanism does not move as far.
-fn permitted(system: &System, case: &Case, start: &[(usize, f64)]) -> Result<Permitted, String> {
-    let blocks = Interpreted::new(system).ok_or("no plan")?;
+fn permitted(derived: &Derived, case: &Case, start: &[(usize, f64)]) -> Result<Permitted, String> {
+    let blocks = Interpreted::new(derived).ok_or("no plan")?;
     let parameters = blocks.nominal_parameters();
     let mut pose = blocks.drawn_pose(&parameters);
     for (index, value) in start {
@@ -143,10 +143,10 @@ fn permitted(system: &System, case: &Case, start: &[(usize, f64)]) -> Result<Per
 }
 
 /// Places and values of the start in a description with these coordinates.
-fn start(before: &System, after: &System, start: &[f64]) -> Vec<(usize, f64)> {
-    let known = before.coordinates.iter().zip(start);
+fn start(before: &Derived, after: &Derived, start: &[f64]) -> Vec<(usize, f64)> {
+    let known = before.system.coordinates.iter().zip(start);
     let all = known.map(|(coordinate, value)| {
-        let mut others = after.coordinates.iter();
+        let mut others = after.system.coordinates.iter();
         let place = others.position(|it| it.name == coordinate.name);
         (place.expect("the same coordinates"), *value)
     });

@@ -97,9 +97,9 @@ fn a_platform_moves_through_poses_at_which_its_linear_equations_vanish() {
 
 /// Largest difference from all textbook equations at once, relative to the largest value of each level (or 1).
 fn difference(text: &str, frames: u32) -> [f64; 3] {
-    let system = written(text);
-    let textbook = TextbookEquations::new(&system);
-    let solved = Interpreted::new(&system).expect("a plan");
+    let derived = written(text);
+    let textbook = TextbookEquations::new(&derived.pool, &derived.system);
+    let solved = Interpreted::new(&derived).expect("a plan");
     let (laws, settings) = (solved.input_laws(), Settings::default());
     let mut shell: Shell<Interpreted> =
         assembled_from(solved, &[], 0.0, settings).expect("as drawn");

@@ -189,10 +189,10 @@ fn chain(random: &mut Random, drive: &str) -> String {
 }
 
 fn blocks_of(source: &Source) -> Interpreted {
-    let system = read(source);
-    let system = system.unwrap_or_else(|errors| panic!("{}\n{errors:?}", source.text));
-    let system = system.only().expect("one motion");
-    let blocks = Interpreted::new(&system).expect("its blocks");
+    let derived = read(source);
+    let derived = derived.unwrap_or_else(|errors| panic!("{}\n{errors:?}", source.text));
+    let derived = derived.only().expect("one motion");
+    let blocks = Interpreted::new(&derived).expect("its blocks");
     assert!(blocks.is_closed());
     blocks
 }

@@ -9,4 +9,5 @@ mod modules;
 mod pipeline_table;
 mod public;
 mod rooms;
+mod stages;
 mod thresholds;

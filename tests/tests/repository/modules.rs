@@ -9,8 +9,9 @@ fn every_description_has_a_module_with_its_points() {
     listed.sort_unstable();
     assert_eq!(listed, description::whole());
     for module in MODULES {
-        let system = description::system(module.name);
-        let points: Vec<&str> = system
+        let derived = description::system(module.name);
+        let points: Vec<&str> = derived
+            .system
             .outputs
             .iter()
             .map(|output| output.name.as_str())
@@ -22,8 +23,8 @@ fn every_description_has_a_module_with_its_points() {
 #[test]
 fn a_file_describes_the_mechanism_it_is_named_after() {
     for name in description::names() {
-        for system in description::motions(&name) {
-            assert_eq!(system.mechanism.name, name);
+        for derived in description::motions(&name) {
+            assert_eq!(derived.system.mechanism.name, name);
         }
     }
 }

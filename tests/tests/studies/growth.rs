@@ -20,10 +20,10 @@ const RUNS: usize = 5;
 
 fn blocks(text: &str) -> Interpreted {
     let source = Source::new("dyad_chain.mech", text);
-    let system = linkwright_codegen::read(&source);
-    let system = system.unwrap_or_else(|errors| panic!("{}", errors.render(&source)));
-    let system = system.only().expect("one motion");
-    Interpreted::new(&system).expect("its blocks")
+    let derived = linkwright_codegen::read(&source);
+    let derived = derived.unwrap_or_else(|errors| panic!("{}", errors.render(&source)));
+    let derived = derived.only().expect("one motion");
+    Interpreted::new(&derived).expect("its blocks")
 }
 
 /// The time of a run (s).

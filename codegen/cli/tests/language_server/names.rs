@@ -92,18 +92,21 @@ fn every_word_is_a_name_or_one_of_the_language() {
 fn equations(source: &Source, is_point: bool) -> Vec<String> {
     let read = read(source).unwrap_or_else(|found| panic!("{}", found.render(source)));
     let mut all = Vec::new();
-    for system in &read.motions {
-        let formula = |expr| text::formula(system, &[], Notation::Ascii, expr);
-        for row in system.rows.iter().chain(&system.monitored) {
+    for derived in &read.motions {
+        let formula =
+            |expr| text::formula(&derived.pool, &derived.system, &[], Notation::Ascii, expr);
+        for row in derived.system.rows.iter().chain(&derived.system.monitored) {
             all.push(row.name.clone());
             all.push(text::formula(
-                system,
+                &derived.pool,
+                &derived.system,
                 &row.bodies,
                 Notation::Ascii,
                 row.residual,
             ));
         }
-        let places = system
+        let places = derived
+            .system
             .outputs
             .iter()
             .map(|it| it.position.map(formula).concat());
@@ -112,7 +115,7 @@ fn equations(source: &Source, is_point: bool) -> Vec<String> {
             places.sort();
         }
         all.extend(places);
-        let mechanism = &system.mechanism;
+        let mechanism = &derived.system.mechanism;
         all.extend(mechanism.joints.iter().map(|it| it.label.clone()));
         all.extend(mechanism.constants.iter().map(|it| formula(it.value)));
         let expected = (

@@ -1,8 +1,8 @@
 //! Announces the files of `solve` before its work, and writes them afterwards.
 
-use linkwright_codegen::stages::pool::Pool;
 use std::path::{Path, PathBuf};
 
+use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::system::System;
 use linkwright_codegen::stages::units::OutputUnits;
 use linkwright_solver::{Schedule, View};

@@ -8,7 +8,6 @@ mod mapping;
 mod scale;
 mod sizes;
 
-use linkwright_codegen::stages::pool::Pool;
 use std::path::Path;
 
 use linkwright_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span};
@@ -16,6 +15,7 @@ use linkwright_codegen::stages::columns::{
     Columns, Decimal, Delimiter, Fault, Known, MAX_BYTES, Unit,
 };
 use linkwright_codegen::stages::files;
+use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::system::System;
 use linkwright_solver::observable::Named;
 

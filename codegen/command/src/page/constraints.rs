@@ -1,11 +1,11 @@
 //! Writes the constraints of a system in words, and the degrees of freedom that they leave.
 
-use linkwright_codegen::stages::pool::Pool;
 use std::fmt::Write as _;
 
 use linkwright_codegen::stages::emit::derivation::constraints_in_html;
 use linkwright_codegen::stages::emit::markup::escaped;
 use linkwright_codegen::stages::model::Role;
+use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::system::System;
 use linkwright_solver::Check;
 

@@ -1,10 +1,10 @@
 //! Writes the parameters and inputs of a system with their values and documentation.
 
-use linkwright_codegen::stages::pool::Pool;
 use std::fmt::Write as _;
 
 use linkwright_codegen::stages::emit::markup::escaped;
 use linkwright_codegen::stages::emit::mathml;
+use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::system::System;
 
 use super::number::number;

@@ -1,12 +1,11 @@
 //! Collects the motions of all assemblies that a page plays, as one JSON object.
 
-use linkwright_codegen::stages::pool::Pool;
 use std::collections::BTreeMap;
 
 use linkwright_codegen::stages::emit::drawing::{ActingLoads, Pose};
 use linkwright_codegen::stages::emit::mathml::symbol;
 use linkwright_codegen::stages::joint::Quantity;
-use linkwright_codegen::stages::pool::SymbolRole;
+use linkwright_codegen::stages::pool::{Pool, SymbolRole};
 use linkwright_codegen::stages::system::{Described, System};
 use linkwright_solver::drawn::pose;
 use linkwright_solver::{Check, Instant, Interpreted, Modes, Schedule, View as _};

@@ -1,12 +1,11 @@
 //! Writes the coordinates and points of the first instant with their rates, and the first Newton-Raphson step from it.
 
-use linkwright_codegen::stages::pool::Pool;
 use std::fmt::Write as _;
 
 use linkwright::PointMotion;
 use linkwright_codegen::stages::emit::markup::escaped;
 use linkwright_codegen::stages::emit::mathml::symbol;
-use linkwright_codegen::stages::pool::SymbolRole;
+use linkwright_codegen::stages::pool::{Pool, SymbolRole};
 use linkwright_codegen::stages::system::System;
 use linkwright_codegen::stages::units::OutputUnit;
 use linkwright_solver::first_step::{FirstStep, first_step as first_step_from};

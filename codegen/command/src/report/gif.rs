@@ -254,6 +254,7 @@ mod tests {
     use gif::{ColorOutput, DecodeOptions};
     use linkwright_codegen::diagnostic::Source;
     use linkwright_codegen::stages::emit::drawing::{Options, Pose};
+    use linkwright_codegen::stages::system::Derived;
 
     use super::*;
 
@@ -261,17 +262,18 @@ mod tests {
     fn turning(angles: &[f64]) -> Animation {
         let text = "mechanism bar { point O = (0, 0); body arm at O { O, P: (1, 0) } revolute O(ground, arm); drive phi(arm) = t; }";
         let read = linkwright_codegen::read(&Source::new("bar.mech", text));
-        let system = read.expect("a description").only().expect("one motion");
+        let derived = read.expect("a description").only().expect("one motion");
+        let Derived { pool, system } = &derived;
         let poses = angles.iter().map(|angle| {
             let place = system
                 .coordinates
                 .iter()
                 .position(|it| it.name == "phi_arm");
             let symbol = system.coordinates[place.expect("an angle")].position;
-            Pose::new(&system, [(symbol, *angle)])
+            Pose::new(pool, [(symbol, *angle)])
         });
         let poses: Vec<Pose> = poses.collect();
-        Animation::new(&system, &poses, &[], &Options::default()).expect("a pose")
+        Animation::new(pool, system, &poses, &[], &Options::default()).expect("a pose")
     }
 
     /// Decodes all pictures, each composed with those before, and their delays in hundredths of a second.

@@ -4,7 +4,6 @@
 //! drivers may have any value of their laws, and modes either sign. Angles that parameters or inputs change range over a turn,
 //! other such values are unbounded, and nothing is proven of these.
 
-use crate::pool::Pool;
 use std::collections::HashSet;
 use std::f64::consts::TAU;
 
@@ -12,7 +11,7 @@ use super::enclosed::{Enclosed, Enclosing, Place};
 use super::interval::Interval;
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::joint::Quantity;
-use crate::pool::SymbolRole;
+use crate::pool::{Pool, SymbolRole};
 use crate::program::{Program, Statement};
 use crate::system::System;
 

@@ -2,7 +2,6 @@
 //!
 //! Every pose is among the poses found or in an undecided range; each pose found is isolated.
 
-use crate::pool::Pool;
 use std::f64::consts::TAU;
 
 use linkwright_math::double;
@@ -13,6 +12,7 @@ use super::isolation::isolate;
 use super::sought::Sought;
 use crate::expr::SymbolId;
 use crate::joint::Quantity;
+use crate::pool::Pool;
 use crate::program::NewtonBlock;
 use crate::system::System;
 

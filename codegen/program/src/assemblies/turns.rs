@@ -3,11 +3,11 @@
 //! Closed forms and proofs find directions of links, which suffices if angles only occur in sines and cosines. Gears, racks or
 //! user equations may count turns, so that results depend on the number of turns too.
 
-use crate::pool::Pool;
 use std::collections::{BTreeSet, HashSet};
 
 use crate::expr::{ExprId, Graph, Node, SymbolId};
 use crate::joint::Quantity;
+use crate::pool::Pool;
 use crate::program::{Function, Program, Statement};
 use crate::system::System;
 use crate::words::Singular;

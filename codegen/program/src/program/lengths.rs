@@ -3,14 +3,13 @@
 //! These lengths are in the equations: vectors of links, amplitudes of sines, added lengths. Other parts of the design
 //! configuration have no effect.
 
-use crate::pool::Pool;
 use std::collections::HashSet;
 
 use super::function::Function;
 use super::lower::shared;
 use crate::expr::{ExprId, Graph, Node, Rational};
 use crate::joint::Quantity;
-use crate::pool::SymbolRole;
+use crate::pool::{Pool, SymbolRole};
 use crate::system::System;
 
 /// Lengths, in m; the largest is the scale.

@@ -6,8 +6,7 @@ use super::Program;
 use super::function::Function;
 use super::lower::shared;
 use crate::expr::{ExprId, Graph, IdSet, Node, SymbolId};
-use crate::pool::Pool;
-use crate::pool::SymbolRole;
+use crate::pool::{Pool, SymbolRole};
 use crate::system::{Forces, System};
 
 /// Loads that may be the cause of a rejected frame.

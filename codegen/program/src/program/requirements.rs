@@ -9,8 +9,7 @@ use crate::expr::{ExprId, Graph, Number, Rational, SymbolId};
 use crate::joint::geometry::{length, subtract};
 use crate::joint::{Feature, Mesh};
 use crate::model::{Mass, Mechanism};
-use crate::pool::Pool;
-use crate::pool::SymbolRole;
+use crate::pool::{Pool, SymbolRole};
 use crate::system::System;
 
 /// Values that must be positive.

@@ -1,6 +1,5 @@
 //! Reports subsystems that are not square, by their bodies and joints.
 
-use crate::pool::Pool;
 use std::collections::HashSet;
 
 use super::CoarseDecomposition;
@@ -8,6 +7,7 @@ use super::rank::{Dependence, Survey};
 use super::repetition::{advice, with_freedom};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 use crate::model::{Joint, Role};
+use crate::pool::Pool;
 use crate::system::{Described, System};
 
 /// Largest number of positions or names that a message lists.

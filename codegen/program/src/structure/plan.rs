@@ -55,7 +55,7 @@ pub enum Shift {
     Efforts,
 }
 
-/// Reason for which there is no plan.
+/// Reason that the equations have no plan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unplanned {
     /// The vector form is not structurally square.

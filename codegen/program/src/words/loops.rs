@@ -1,8 +1,8 @@
 //! Names the blocks of a plan.
 
-use crate::pool::Pool;
 use std::collections::HashSet;
 
+use crate::pool::Pool;
 use crate::structure::{Definition, SolvedBlock};
 use crate::system::System;
 

@@ -11,8 +11,7 @@ use super::known::Known;
 use super::phrase::{Phrase, Piece, phrase};
 use crate::expr::ExprId;
 use crate::joint::geometry::Vector;
-use crate::pool::Arm;
-use crate::pool::Pool;
+use crate::pool::{Arm, Pool};
 use crate::structure::SolvedBlock;
 use crate::system::System;
 

@@ -2,7 +2,6 @@
 //!
 //! Values of instants are copied into registers here, and results out of them.
 
-use linkwright_codegen::stages::pool::Pool;
 use std::collections::HashSet;
 
 use linkwright_codegen::stages::emit::Notation;
@@ -10,6 +9,7 @@ use linkwright_codegen::stages::emit::derivation::{
     BlockWords, Script, SingularPose, block_words, singular_poses,
 };
 use linkwright_codegen::stages::expr::{Code, ExprId, Register, SymbolId};
+use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::program::{Program, Statement};
 use linkwright_codegen::stages::structure::SolvedPlan;
 use linkwright_codegen::stages::system::{Derived, System};

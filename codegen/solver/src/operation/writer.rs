@@ -2,11 +2,11 @@
 //!
 //! [`Evaluation`] decides the order of arithmetic; the writer only assigns registers.
 
-use linkwright_codegen::stages::pool::Pool;
 use std::collections::HashMap;
 use std::ops::Range;
 
 use linkwright_codegen::stages::expr::{Assembler, Code, Computation, ExprId, Register, SymbolId};
+use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::program::{Evaluation, Function, Program, Statement};
 use linkwright_codegen::stages::system::System;
 

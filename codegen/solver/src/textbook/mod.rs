@@ -7,10 +7,10 @@ mod directions;
 mod equations;
 mod observed;
 
-use linkwright_codegen::stages::pool::Pool;
 use std::cell::RefCell;
 
 use linkwright_codegen::stages::expr::{ExprId, SymbolId, Tape};
+use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::system::System;
 use nalgebra::DVector;
 

@@ -1,12 +1,11 @@
 //! Summarizes a plan and its solution methods in a sentence and in a table.
 
-use crate::pool::Pool;
 use std::sync::Arc;
 
 use super::document::OutlineLine;
 use super::script::Script;
 use super::spelling::Spelling;
-use crate::pool::SymbolRole;
+use crate::pool::{Pool, SymbolRole};
 use crate::program::forms::Form;
 use crate::structure::SolvedPlan;
 use crate::system::System;

@@ -8,8 +8,7 @@ use crate::emit::mathml::MathMl;
 use crate::emit::named_parts::NamedParts;
 use crate::emit::{Notation, latex, mathml, text};
 use crate::expr::ExprId;
-use crate::pool::Pool;
-use crate::pool::SymbolRole;
+use crate::pool::{Pool, SymbolRole};
 use crate::system::System;
 
 /// Script of words and formulas.

@@ -2,13 +2,13 @@
 //!
 //! The lengths of guides, bars and cylinders depend on the motion, so that they differ in another assembly.
 
-use crate::pool::Pool;
 use std::collections::BTreeMap;
 
 use super::draft::drafted;
 use super::picture::{Composition, Options};
 use super::pose::{Pose, Scene};
 use super::svg::{Written, groups};
+use crate::pool::Pool;
 use crate::system::System;
 
 /// Picture for several motions.

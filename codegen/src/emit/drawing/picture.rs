@@ -1,6 +1,5 @@
 //! Composes the picture of a scene with names, a scale bar and a caption.
 
-use crate::pool::Pool;
 use std::fmt::Write as _;
 
 use super::draft::drafted;
@@ -13,6 +12,7 @@ use super::pose::{Pose, Scene};
 use super::style::{Themes, sheet};
 use super::svg::{Written, layers, number};
 use crate::emit::markup::escaped;
+use crate::pool::Pool;
 use crate::system::System;
 
 /// Options of a picture.

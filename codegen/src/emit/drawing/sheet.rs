@@ -1,6 +1,5 @@
 //! Draws several poses of one mechanism as panels of one picture, all at one scale.
 
-use crate::pool::Pool;
 use std::fmt::Write as _;
 
 use super::draft::drafted;
@@ -12,6 +11,7 @@ use super::pose::{Pose, Scene};
 use super::style::{Themes, sheet as style};
 use super::svg::{Written, layers, number};
 use crate::emit::markup::escaped;
+use crate::pool::Pool;
 use crate::system::System;
 
 /// Pose with its title.

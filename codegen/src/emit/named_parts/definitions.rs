@@ -1,10 +1,10 @@
 //! Definitions of the names on a page, in an order in which they can be computed.
 
-use crate::pool::Pool;
 use std::collections::{BTreeSet, HashSet};
 
 use super::{NamedParts, State};
 use crate::expr::{ExprId, Graph, Node, Rational};
+use crate::pool::Pool;
 
 /// Definition of a name.
 #[derive(Clone, Copy, Debug)]

@@ -2,7 +2,7 @@
 
 use linkwright::Blocks;
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::Derived;
 use linkwright_solver::Interpreted;
 use linkwright_solver::textbook::TextbookEquations;
 use nalgebra::DVector;
@@ -24,7 +24,7 @@ pub struct Hunted {
     /// Course of the drivers.
     pub course: Course,
     /// Resolved description.
-    pub system: System,
+    pub derived: Derived,
     /// Equations.
     pub equations: TextbookEquations,
     scales: Vec<f64>,
@@ -46,7 +46,7 @@ const SLOW: ([&str; 3], f64) = (
 ///
 /// # Errors
 /// The codes of its errors.
-pub fn read(text: &str) -> Result<System, String> {
+pub fn read(text: &str) -> Result<Derived, String> {
     let source = Source::new("hunted.mech", text);
     let codes = |errors: &linkwright_codegen::diagnostic::Diagnostics| {
         let rendered = errors.render(&source);
@@ -57,14 +57,14 @@ pub fn read(text: &str) -> Result<System, String> {
         format!("refused: {}", codes.join(" "))
     };
     let read = linkwright_codegen::read(&source).map_err(|errors| codes(&errors))?;
-    let system = hunted(read).ok_or("several motions")?;
-    linkwright_codegen::check(&system).map_err(|errors| codes(&errors))?;
-    Ok(system)
+    let derived = hunted(read).ok_or("several motions")?;
+    linkwright_codegen::check(&derived).map_err(|errors| codes(&errors))?;
+    Ok(derived)
 }
 
 /// Scale of every coordinate: 1 for an angle, the size for a length.
-pub fn scales(system: &System, size: f64) -> Vec<f64> {
-    let coordinates = system.coordinates.iter();
+pub fn scales(derived: &Derived, size: f64) -> Vec<f64> {
+    let coordinates = derived.system.coordinates.iter();
     let scale = |power: i32| if power == 0 { 1.0 } else { size };
     coordinates
         .map(|it| scale(it.quantity.power_of_length()))
@@ -82,8 +82,8 @@ pub fn prepare(
 ) -> Option<Hunted> {
     let course = course(family, seed, number);
     let key = (family, number);
-    let system = match read(&course.text) {
-        Ok(system) => system,
+    let derived = match read(&course.text) {
+        Ok(derived) => derived,
         Err(why) => {
             tally.skip(key, why);
             return None;
@@ -97,10 +97,10 @@ pub fn prepare(
     let mut random = Random::new(seed ^ number ^ ((family as u64) << 32));
     Some(Hunted {
         key,
-        equations: TextbookEquations::new(&system),
-        scales: scales(&system, course.size),
+        equations: TextbookEquations::new(&derived.pool, &derived.system),
+        scales: scales(&derived, course.size),
         schedules: schedules(&course, &mut random, part),
-        system,
+        derived,
         course,
     })
 }
@@ -170,7 +170,7 @@ impl Hunted {
 
     /// Moves the mechanism with the interpreter and counts the outcomes. Returns the path.
     pub fn interpret(&self, tally: &mut Tally) -> Option<Trace> {
-        let Some(blocks) = Interpreted::new(&self.system) else {
+        let Some(blocks) = Interpreted::new(&self.derived) else {
             tally.skip(self.key, "no plan".to_string());
             return None;
         };

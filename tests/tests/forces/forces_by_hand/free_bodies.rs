@@ -125,8 +125,8 @@ fn a_four_bar_cut_into_free_bodies_has_the_same_forces() {
             ),
         ];
         for (number, (free, pins, torques)) in bodies.iter().enumerate() {
-            let system = (&mut matrix, &mut right);
-            cut_free(free, pins, torques, 9.81, &four_bar, system, 3 * number);
+            let derived = (&mut matrix, &mut right);
+            cut_free(free, pins, torques, 9.81, &four_bar, derived, 3 * number);
         }
         let solved = matrix.full_piv_lu().solve(&right).expect("regular");
         let names = ["a", "b", "c", "d"]
@@ -149,16 +149,10 @@ fn a_slider_crank_cut_into_free_bodies_has_the_same_forces() {
     let text = description::source("forced_slider").text;
     let mut engine = followed(&text);
     let lengths = |body: usize, name: &str| {
-        let system = &systems("slider", &text)[0];
-        let marks = &system.mechanism.moving_bodies()[body].marks;
+        let derived = &systems("slider", &text)[0];
+        let marks = &derived.system.mechanism.moving_bodies()[body].marks;
         let mark = marks.iter().find(|it| it.name == name).expect("a point");
-        let value = |part| {
-            system
-                .mechanism
-                .graph
-                .constant_value(part)
-                .expect("a number")
-        };
+        let value = |part| derived.pool.graph.constant_value(part).expect("a number");
         mark.mark.local.map(value)
     };
     let (to_b, to_p) = (lengths(0, "B"), lengths(1, "P"));
@@ -194,8 +188,8 @@ fn a_slider_crank_cut_into_free_bodies_has_the_same_forces() {
         };
         let on_crank = [pin(0, [0.0; 2], 1.0), pin(2, b, -1.0)];
         let on_rod = [pin(2, b, 1.0), pin(4, p, -1.0)];
-        let system = (&mut matrix, &mut right);
-        cut_free(&crank, &on_crank, &[(8, 1.0)], 9.81, &engine, system, 0);
+        let derived = (&mut matrix, &mut right);
+        cut_free(&crank, &on_crank, &[(8, 1.0)], 9.81, &engine, derived, 0);
         cut_free(
             &rod,
             &on_rod,
@@ -205,14 +199,14 @@ fn a_slider_crank_cut_into_free_bodies_has_the_same_forces() {
             (&mut matrix, &mut right),
             3,
         );
-        let system = (&mut matrix, &mut right);
+        let derived = (&mut matrix, &mut right);
         cut_free(
             &slider,
             &[pin(4, p, 1.0)],
             &[(7, 1.0)],
             9.81,
             &engine,
-            system,
+            derived,
             6,
         );
         // The guide is along x: its force is along y at P, and P is where the driving force acts too.

@@ -11,8 +11,8 @@ use linkwright_tests::description;
 use linkwright_tests::forces::{Followed, moving, systems};
 
 fn followed(text: &str) -> Followed {
-    let system = &systems("by_hand", text)[0];
-    Followed::new(system, 0.0).expect("the drawing assembles")
+    let derived = &systems("by_hand", text)[0];
+    Followed::new(derived, 0.0).expect("the drawing assembles")
 }
 
 fn close(found: f64, expected: f64, limit: f64, what: &str) {
@@ -209,9 +209,9 @@ fn efforts_hold_what_transmissions_pass_on() {
         "{}transmission K; force on K = (300N, -500N); effort; }}",
         &text[..end]
     );
-    let system = &systems("excavator", &loaded)[0];
-    let mut excavator = Followed::new(system, 0.0).expect("as drawn");
-    let names = linkwright_solver::derivatives::names(system);
+    let derived = &systems("excavator", &loaded)[0];
+    let mut excavator = Followed::new(derived, 0.0).expect("as drawn");
+    let names = linkwright_solver::derivatives::names(&derived.system);
     for step in 0..50 {
         assert!(excavator.advance(0.1 * f64::from(step)));
         let columns = excavator.derivatives();

@@ -155,9 +155,9 @@ fn imbalance(case: &Case, followed: &Followed, t: f64) -> [f64; 2] {
 
 /// Follows a case: every body is balanced, and all equations at once give the same forces.
 fn balance(case: &Case) {
-    let system = &systems("teeth", &case.text)[0];
-    let mut motion = Followed::new(system, 0.0).expect("as drawn");
-    let dense = Dense::new(system);
+    let derived = &systems("teeth", &case.text)[0];
+    let mut motion = Followed::new(derived, 0.0).expect("as drawn");
+    let dense = Dense::new(derived);
     for step in 0..40 {
         let t = 0.037 * f64::from(step);
         assert!(motion.advance(t));

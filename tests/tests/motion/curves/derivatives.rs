@@ -74,7 +74,7 @@ fn generated_code_agrees_with_the_interpreter() {
     let text = std::fs::read_to_string(path).expect("the description");
     let read =
         linkwright_codegen::read(&Source::new("rocking_cams.mech", text)).expect("no errors");
-    let equations = TextbookEquations::new(&read.motions[0]);
+    let equations = TextbookEquations::new(&read.motions[0].pool, &read.motions[0].system);
     let mut generated = rocking_cams::RockingCams::assemble(0.0).expect("the drawing assembles");
     let start = equations.estimate().clone();
     let settings = linkwright::Settings::default();

@@ -78,10 +78,10 @@ fn contacts_are_printed_and_written_as_a_person_would() {
     let path = files::package("descriptions/cam_polar.mech");
     let text = std::fs::read_to_string(path).expect("the description");
     let source = Source::new("cam_polar.mech", text);
-    let system = &linkwright_codegen::read(&source)
+    let derived = &linkwright_codegen::read(&source)
         .expect("no errors")
         .motions[0];
-    let unicode = text::inspect(system, Notation::Unicode);
+    let unicode = text::inspect(derived, Notation::Unicode);
     for line in [
         "q = (x_cam, y_cam, φ_cam, x_follower, y_follower, φ_follower, s_tip)",
         "7 coordinates, 6 equations of joints, 1 equation of drivers, 1 degree of freedom",
@@ -89,7 +89,7 @@ fn contacts_are_printed_and_written_as_a_person_would() {
     ] {
         assert!(unicode.contains(line), "{line} in {unicode}");
     }
-    let typeset = latex::inspect(&[(system, Vec::new())]);
+    let typeset = latex::inspect(&[(derived, Vec::new())]);
     assert!(typeset.contains("\\cos s_{\\mathrm{tip}}"), "{typeset}");
     let code = linkwright_codegen::generate(&source, &Options::default())
         .expect("no errors")

@@ -17,6 +17,7 @@ pub fn check(
     mut solved: impl FnMut(f64) -> Frame,
 ) {
     let names: Vec<String> = description::system(name)
+        .system
         .coordinates
         .iter()
         .map(|coordinate| coordinate.name.clone())

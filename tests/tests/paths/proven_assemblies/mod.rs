@@ -149,10 +149,10 @@ fn double_poses_of_mirrored_cranks_are_undecided() {
 
 #[test]
 fn no_start_at_random_finds_another_assembly_of_rocking_cams() {
-    let system = system("rocking_cams");
-    let textbook = TextbookEquations::new(&system);
-    let is_angle = |at: usize| system.coordinates[at].quantity == Quantity::Angle;
-    let all = assemblies(&Interpreted::new(&system).expect("a plan"), 0.0);
+    let derived = system("rocking_cams");
+    let textbook = TextbookEquations::new(&derived.pool, &derived.system);
+    let is_angle = |at: usize| derived.system.coordinates[at].quantity == Quantity::Angle;
+    let all = assemblies(&Interpreted::new(&derived).expect("a plan"), 0.0);
     assert!(all.proven && all.undecided.is_empty());
     assert_eq!(all.found.len(), 8);
     let size = textbook.dimension().0;
@@ -267,11 +267,11 @@ const HALF: &str = "mechanism half {
 
 #[test]
 fn a_gear_after_a_block_counts_the_turns_of_its_angles() {
-    let system = written(HALF);
-    let textbook = TextbookEquations::new(&system);
-    let all = assemblies(&Interpreted::new(&system).expect("a plan"), 0.0);
+    let derived = written(HALF);
+    let textbook = TextbookEquations::new(&derived.pool, &derived.system);
+    let all = assemblies(&Interpreted::new(&derived).expect("a plan"), 0.0);
     let [rocker, wheel] = ["phi_rocker", "phi_wheel"].map(|name| {
-        let mut coordinates = system.coordinates.iter();
+        let mut coordinates = derived.system.coordinates.iter();
         coordinates
             .position(|it| it.name == name)
             .expect("an angle")

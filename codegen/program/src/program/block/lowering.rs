@@ -1,10 +1,10 @@
 //! Lowers the blocks of a plan to functions: positions, then rates, then accelerations, then responses to each direction.
 
-use crate::pool::Pool;
 use std::sync::Arc;
 
 use super::{Block, Branch};
 use crate::diagnostic::internal::work_at;
+use crate::pool::Pool;
 use crate::program::builder::Builder;
 use crate::program::directional_derivatives::DirectionalDerivatives;
 use crate::program::forms::{Form, recognize};

@@ -99,7 +99,7 @@ impl<'a> Builder<'a> {
         self.system.passing(joint, &self.plan.rows, self.pool)
     }
 
-    /// Returns the arena.
+    /// Returns the arena of all expressions.
     pub fn graph(&mut self) -> &mut Graph {
         &mut self.pool.graph
     }

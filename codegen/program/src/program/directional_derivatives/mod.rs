@@ -6,12 +6,11 @@
 
 mod responses;
 
-use crate::pool::Pool;
 use std::collections::{HashMap, HashSet};
 
 use crate::expr::{ExprId, SymbolId};
 use crate::joint::geometry::Vector;
-use crate::pool::SymbolRole;
+use crate::pool::{Pool, SymbolRole};
 use crate::system::{Direction, System};
 
 /// Responses of all solved values to each direction.

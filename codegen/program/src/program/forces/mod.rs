@@ -14,7 +14,6 @@ mod virtual_work;
 pub use reaction::Reaction;
 pub use reduced::{FreeCoordinate, Reduced};
 
-use crate::pool::Pool;
 use least_norm::Shared;
 use reaction::Multipliers;
 use teeth::ToothForces;
@@ -25,6 +24,7 @@ use super::forms::Transposed;
 use super::function::{Level, Statement};
 use crate::expr::{ExprId, Number, SymbolId};
 use crate::joint::Quantity;
+use crate::pool::Pool;
 use crate::structure::SolvedPlan;
 use crate::system::System;
 

@@ -5,8 +5,7 @@
 
 use crate::expr::ExprId;
 use crate::joint::Quantity;
-use crate::pool::Pool;
-use crate::pool::SymbolRole;
+use crate::pool::{Pool, SymbolRole};
 use crate::program::lengths::Lengths;
 use crate::system::System;
 

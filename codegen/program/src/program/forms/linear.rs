@@ -1,10 +1,10 @@
 //! Solves c u + rest = 0 for one unknown that its equation contains once.
 
-use crate::pool::Pool;
 use std::sync::Arc;
 
 use super::{Candidate, Determinant, Form, Solved, Transposed};
 use crate::expr::ExprId;
+use crate::pool::Pool;
 use crate::program::builder::Builder;
 use crate::program::function::Level;
 use crate::words::{Piece, Singular, phrase};

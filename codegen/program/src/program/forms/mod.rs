@@ -21,7 +21,6 @@ pub use determinant::Determinant;
 pub use drawn_mode::{DrawnMode, sign_of};
 pub use transposed::Transposed;
 
-use crate::pool::Pool;
 use std::fmt::Debug;
 use std::sync::Arc;
 
@@ -30,6 +29,7 @@ use super::builder::Builder;
 use super::function::Level;
 use crate::expr::ExprId;
 use crate::joint::Quantity;
+use crate::pool::Pool;
 use crate::structure::Subsystem;
 use crate::system::{System, VectorForm};
 use crate::words::Singular;

@@ -4,7 +4,6 @@
 //! minus the derivative of the equation in φ. Near the fold c = ±ρ, the product keeps all digits of ρ − c, where an arccosine
 //! would lose half of them. An equation in the cosine alone, or the sine, gives this function, and the root gives the other one.
 
-use crate::pool::Pool;
 use std::sync::Arc;
 
 use linkwright_math::double;
@@ -13,6 +12,7 @@ use super::determinant::{length, of_one_angle};
 use super::linear::say_again;
 use super::{Candidate, Determinant, Form, Solved, Transposed};
 use crate::expr::ExprId;
+use crate::pool::Pool;
 use crate::program::builder::{Builder, Direction};
 use crate::program::function::Level;
 use crate::words::{Phrase, Piece, Singular, phrase};

@@ -3,7 +3,6 @@
 //! The rotated link w = R(φ) p has the component n = c × d across the line. Along the line, w · d = k = ±√(p² d² − n²), whose
 //! sign is the assembly mode. The determinant of the block's Jacobian [Ω w, d] is −k.
 
-use crate::pool::Pool;
 use std::sync::Arc;
 
 use super::closing::Closing;
@@ -12,6 +11,7 @@ use super::two_rotations::turning;
 use super::{Candidate, Determinant, Form, Solved, Transposed};
 use crate::expr::ExprId;
 use crate::joint::geometry::{Vector, perpendicular};
+use crate::pool::Pool;
 use crate::program::builder::Builder;
 use crate::program::function::Level;
 use crate::program::stretch::Stretch;

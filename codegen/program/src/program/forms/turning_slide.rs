@@ -3,7 +3,6 @@
 //! With a = p · u and b = u × p, the known vector m = −c has the length √((a + ℓ)² + b²), so k = a + ℓ = ±√(m² − b²), whose sign
 //! is the assembly mode. The determinant of the block's Jacobian [Ω m, R u] is −k.
 
-use crate::pool::Pool;
 use std::sync::Arc;
 
 use super::determinant::sizes;
@@ -12,6 +11,7 @@ use super::two_rotations::turning;
 use super::{Candidate, Determinant, Form, Solved};
 use crate::expr::ExprId;
 use crate::joint::geometry::{Vector, dot};
+use crate::pool::Pool;
 use crate::program::builder::Builder;
 use crate::program::function::Level;
 use crate::words::{Phrase, Piece, Singular, phrase};

@@ -1,6 +1,5 @@
 //! Solves ℓ_a d + ℓ_b e + c = 0 with known directions: two lines meet.
 
-use crate::pool::Pool;
 use std::sync::Arc;
 
 use super::closing::Closing;
@@ -8,6 +7,7 @@ use super::determinant::{crossed, orientation, sizes};
 use super::{Candidate, Determinant, Form, Solved, Transposed};
 use crate::expr::ExprId;
 use crate::joint::geometry::Vector;
+use crate::pool::Pool;
 use crate::program::builder::Builder;
 use crate::program::function::Level;
 use crate::words::{Piece, Singular, phrase};

@@ -4,7 +4,6 @@ mod needed;
 mod reported;
 mod stated;
 
-use crate::pool::Pool;
 use std::sync::Arc;
 
 use super::block::{Block, Branch, Lowering};
@@ -21,6 +20,7 @@ use super::requirements::requirements;
 use super::textbook::Textbook;
 use super::{Constants, Program};
 use crate::expr::{ExprId, IdSet, SymbolId};
+use crate::pool::Pool;
 use crate::structure::SolvedPlan;
 use crate::system::{System, Unknown};
 use needed::Needed;

@@ -1,8 +1,7 @@
 //! Determines the needed parts of blocks, including those that the path verification needs.
 
 use crate::expr::{ExprId, IdSet, SymbolId};
-use crate::pool::Pool;
-use crate::pool::SymbolRole;
+use crate::pool::{Pool, SymbolRole};
 use crate::program::block::{Block, Lowering};
 use crate::program::function::{Function, Statement};
 use crate::program::passes::liveness::prune_path;

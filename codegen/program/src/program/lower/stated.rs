@@ -1,10 +1,10 @@
 //! States the functions of all blocks and requests of a plan without omissions, with the requested fields.
 
-use crate::pool::Pool;
 use std::sync::Arc;
 
 use super::needed::{Needed, path_of, read_by_path, share_path};
 use crate::expr::{IdSet, SymbolId};
+use crate::pool::Pool;
 use crate::program::block::{Block, Lowering, Measured};
 use crate::program::forces::{Forces, forces};
 use crate::program::forms::Form;

@@ -2,16 +2,16 @@
 //!
 //! The name of a constant is the quantity that the constant is in the description or in the derivation of its block. Numbers
 //! that are no such quantity are literals, except for short roots and multiples of π.
-
 use std::collections::HashMap;
 
 use linkwright_math::double;
 
 use super::costs::Computed;
 use crate::expr::{ExprId, Factor, Graph, Node, Number, SymbolId, Term};
-use crate::pool::{Pool, SymbolRole};
+use crate::«O:pool::{Pool, SymbolRole};
 use crate::program::addends::Addend;
-use crate::program::function::Function;
+use crate::«B:«T:pool::Pool;
+use crate::»program::function::Function;
 use crate::program::quantities::{Described, Quantities, Quantity, upper};
 use crate::system::System;
 

@@ -1,9 +1,9 @@
 //! Counts the arithmetic operations of functions.
 
-use crate::pool::Pool;
 use std::ops::AddAssign;
 
 use crate::expr::{ExprId, Graph, Node, SymbolId};
+use crate::pool::Pool;
 use crate::program::addends::{Addend, Compared, Power, addends, bases, compared};
 use crate::program::block::Block;
 use crate::program::function::{Function, Level, Statement};

@@ -1,9 +1,9 @@
 //! Assigns unique names to the values of a function or of a frame.
 
-use crate::pool::Pool;
 use std::collections::{HashMap, HashSet};
 
 use crate::expr::{IdMap, SymbolId};
+use crate::pool::Pool;
 use crate::program::function::Function;
 use crate::system::System;
 

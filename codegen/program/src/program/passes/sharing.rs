@@ -5,13 +5,12 @@
 //! already. If equations contain the path of a curve or a law of an unknown, all their parts are shared, and so are those of very
 //! long values: code then grows with the graph of expressions, and not with the expanded tree.
 
-use crate::pool::Pool;
 use std::collections::HashMap;
 
 use super::costs::{is_function, written_operands};
 use super::usage::{Orders, Usage};
 use crate::expr::{ExprId, Graph, IdMap, IdSet, Node, Number, SplineId, SymbolId};
-use crate::pool::SymbolRole;
+use crate::pool::{Pool, SymbolRole};
 use crate::program::function::{Function, Statement};
 use crate::program::quantities::rotated_component;
 use crate::system::System;

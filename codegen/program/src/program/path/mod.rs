@@ -15,7 +15,6 @@ mod definitions;
 mod isolation;
 mod line;
 
-use crate::pool::Pool;
 use std::collections::{HashMap, HashSet};
 
 use super::builder::{Builder, Direction};
@@ -24,7 +23,7 @@ use super::passes::enclosure::{Enclosures, TimeWindow};
 use super::quantities::LinkName;
 use super::two_links::TwoLinks;
 use crate::expr::{ExprId, Node, SymbolId};
-use crate::pool::SymbolRole;
+use crate::pool::{Pool, SymbolRole};
 use crate::structure::{Definition, SolvedBlock, Subsystem};
 use crate::system::System;
 use isolation::Loops;

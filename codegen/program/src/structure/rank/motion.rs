@@ -4,7 +4,6 @@
 //! Angles come last, and later bodies before earlier ones, so that a motion rotates a single body if possible. A rotation is
 //! described by the instantaneous center of rotation, which is named only if it is the center in every pose.
 
-use crate::pool::Pool;
 use std::cmp::Reverse;
 
 use linkwright_math::double;
@@ -15,6 +14,7 @@ use super::independence::Basis;
 use crate::expr::Tape;
 use crate::joint::Quantity;
 use crate::joint::geometry::Vector;
+use crate::pool::Pool;
 use crate::system::{Described, System};
 
 /// Tolerance of a center or a direction, in characteristic lengths.

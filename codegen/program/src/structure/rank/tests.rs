@@ -3,7 +3,7 @@
 use super::{FreeMotion, Moves, Survey, released};
 use crate::diagnostic::{Diagnostics, Source};
 use crate::model::Naming;
-use crate::system::System;
+use crate::system::Derived;
 
 /// Naming without changes.
 const ANY: Naming = Naming {
@@ -13,15 +13,17 @@ const ANY: Naming = Naming {
 };
 
 /// Assembles the equations of a mechanism's statements.
-fn system(statements: &str) -> System {
+fn derived(statements: &str) -> Derived {
     let source = Source::new("case.mech", format!("mechanism case {{\n{statements}\n}}"));
     let mut diagnostics = Diagnostics::new();
     let document = linkwright_description::syntax::parse(&source, &mut diagnostics);
-    let mechanisms =
+    let motions =
         document.and_then(|document| crate::model::resolve(&document, &ANY, &mut diagnostics));
     assert!(!diagnostics.has_errors(), "{}", diagnostics.render(&source));
-    let mechanism = mechanisms.and_then(|mut all| all.pop());
-    released(mechanism.expect("a mechanism"))
+    let motion = motions.and_then(|mut all| all.pop());
+    let (mut pool, mechanism) = motion.expect("a mechanism");
+    let system = released(&mut pool, mechanism);
+    Derived { pool, system }
 }
 
 const PARALLELOGRAM: &str = "
@@ -38,7 +40,8 @@ const PARALLELOGRAM: &str = "
 ";
 
 fn survey(statements: &str) -> Survey {
-    Survey::of(&system(statements)).expect("poses")
+    let Derived { pool, system } = derived(statements);
+    Survey::of(&pool, &system).expect("poses")
 }
 
 /// Has twelve coordinates and twelve pin equations: immobile by Grübler's count, and yet it moves.
@@ -128,7 +131,7 @@ fn a_pendulum_on_a_slider_has_two_motions() {
 
 #[test]
 fn a_marked_joint_keeps_the_rows_that_determine_something() {
-    let system = system(&format!(
+    let Derived { pool, system } = derived(&format!(
         "{PARALLELOGRAM} redundant revolute M(3, 4); drive phi(1) = t;"
     ));
     let names = |rows: &[crate::system::Row]| -> Vec<String> {

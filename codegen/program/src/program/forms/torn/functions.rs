@@ -1,6 +1,5 @@
 //! Makes the functions of tearing variables: tearing residuals, their derivatives, and the final results.
 
-use crate::pool::Pool;
 use std::collections::HashSet;
 
 use super::Torn;
@@ -11,7 +10,7 @@ use super::sequence::{Remaining, Step};
 use super::stated::Stated;
 use crate::expr::{ExprId, Node, SymbolId};
 use crate::joint::Quantity;
-use crate::pool::SymbolRole;
+use crate::pool::{Pool, SymbolRole};
 use crate::program::block::NewtonBlock;
 use crate::program::builder::Builder;
 use crate::program::function::{Function, Level, Statement};

@@ -18,11 +18,11 @@ mod three_circles;
 mod turned_link;
 mod two_pins;
 
-use crate::pool::Pool;
 use std::sync::Arc;
 
 use super::newton::{Found, Newton};
 use super::{Candidate, Determinant, Form, Solved};
+use crate::pool::Pool;
 use crate::program::builder::{Builder, Direction};
 use crate::program::function::Statement;
 use crate::system::System;

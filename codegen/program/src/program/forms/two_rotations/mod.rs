@@ -9,7 +9,6 @@
 
 mod words;
 
-use crate::pool::Pool;
 use std::sync::Arc;
 
 use super::closing::Closing;
@@ -17,6 +16,7 @@ use super::determinant::{crossed, sizes};
 use super::{Candidate, Determinant, Form, Solved, Transposed};
 use crate::expr::ExprId;
 use crate::joint::geometry::Vector;
+use crate::pool::Pool;
 use crate::program::builder::{Builder, Direction};
 use crate::program::function::Level;
 use crate::program::two_links::TwoLinks;

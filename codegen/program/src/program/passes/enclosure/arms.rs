@@ -1,8 +1,7 @@
 //! Writes the components of a rotated vector as waves of its angle.
 
 use crate::expr::{ExprId, Graph, Node, SymbolId};
-use crate::pool::Pool;
-use crate::pool::SymbolRole;
+use crate::pool::{Pool, SymbolRole};
 
 /// Coefficients of cosine and sine in a sum of vectors that rotate with one angle.
 pub(super) type Amplitude = [ExprId; 2];

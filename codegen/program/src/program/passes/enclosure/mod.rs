@@ -10,10 +10,10 @@ mod arms;
 mod choices;
 mod functions;
 
-use crate::pool::Pool;
 use std::collections::HashMap;
 
 use crate::expr::{ExprId, Graph, Node, Rational, SymbolId};
+use crate::pool::Pool;
 use crate::system::System;
 use arms::{Amplitude, arm, base, length};
 
