@@ -38,11 +38,11 @@ pub fn damped_table(damped: Damped, damper: f64, end: f64) -> String {
                 cells.extend(["–".to_string(), "–".to_string()]);
                 continue;
             }
-            let found = damped.compared(damper, &motion, end, options(method, relative));
-            match found {
-                Ok(found) => {
-                    cells.push(format!("{:.1e}", found.error));
-                    cells.push(found.effort.evaluations.to_string());
+            let comparison = damped.compared(damper, &motion, end, options(method, relative));
+            match comparison {
+                Ok(comparison) => {
+                    cells.push(format!("{:.1e}", comparison.error));
+                    cells.push(comparison.effort.evaluations.to_string());
                 }
                 Err(_) => cells.extend(["ends".to_string(), "–".to_string()]),
             }

@@ -12,7 +12,7 @@ const PAGE: &str = "codegen/guide/theory.md";
 
 const TITLES: &str = "| module | folder | responsibility |\n|---|---|---|\n";
 
-/// Modules that are no stage of the pipeline.
+/// Modules beside the pipeline.
 const LEFT_OUT: [&str; 2] = ["stages", "lib"];
 
 /// Returns the first sentence of a module's head.

@@ -16,7 +16,7 @@ use linkwright_tests::starts::report::table as starts_table;
 use linkwright_tests::stiff::Damped;
 use linkwright_tests::study::committed::{Committed, rows};
 use linkwright_tests::study::measurement::{Effort, measure};
-use linkwright_tests::study::table::markdown;
+use linkwright_tests::study::table::{aligned, markdown};
 
 /// Asserts that every row of a table is among the rows below a heading of a report. Columns whose titles are in `times` are left out.
 fn assert_repeated(report: &Committed, heading: &str, table: &str, times: &[&str]) {
@@ -45,12 +45,12 @@ fn assert_repeated(report: &Committed, heading: &str, table: &str, times: &[&str
 #[test]
 fn proofs_of_motions_are_repeated() {
     let report = Committed::read("proofs.md");
-    let mut text = format!("| {} |\n", proofs::TITLES.join(" | "));
+    let mut rows = vec![proofs::TITLES.map(str::to_string)];
     for name in ["two_body", "four_bar"] {
         let verdict = proofs::judged(&description::system(name), [0.0, 5.0], 1000);
-        text += &format!("| {} |\n", verdict.row(name).join(" | "));
+        rows.push(verdict.row(name));
     }
-    assert_repeated(&report, "Proofs of whole motions", &text, &[]);
+    assert_repeated(&report, "Proofs of whole motions", &aligned(&rows, 1), &[]);
 }
 
 #[test]
