@@ -283,7 +283,7 @@ mod tests {
         }
 
         fn build_with(&self, options: &Options) -> Vec<String> {
-            let mut said = Vec::new();
+            let mut lines = Vec::new();
             let descriptions = self.0.join("descriptions");
             let output = self.0.join("out");
             build_folder(&descriptions, &output, options, &mut |line| {

@@ -6,14 +6,13 @@ use crate::counted::Counted;
 use crate::single::{Single, single};
 use crate::turning::{Turning, closed_form};
 use linkwright::generated::{
-    branch_of,
     damped::{SHORTENINGS, solve_damped},
     least_squares::{STEPS, approach},
     newton,
 };
 use linkwright::nalgebra::SVector;
 use linkwright::{
-    Branch, Equations, FailureKind, Settings, assemble, assemble_from_rough_estimate,
+    Branch, Equations, FailureKind, Settings, assemble, assemble_from_rough_estimate, branch_of,
 };
 
 /// A reproducible sequence of numbers in [-1, 1) (xorshift64*, Vigna 2016).

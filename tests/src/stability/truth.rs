@@ -269,8 +269,8 @@ impl Truth {
         let values = crate::magnitude::values(graph, &self.residual, &symbols);
         let node_errors = errors(graph, &self.residual, &values, &margins, scalar);
         let rows = self.derived.system.rows.iter();
-        rows.map(|row| «O:node_errors«B:found«T:{
-            found»[row.residual.index()].worst
+        rows.map(|row| {
+            node_errors[row.residual.index()].worst
                 / self.derived.system.scale(row.quantity, &self.derived.pool)
         })
         .fold(0.0, f64::max)

@@ -225,7 +225,8 @@ impl Judge<'_> {
                     difference -= TAU * (difference / TAU).round();
                 }
                 difference.abs()
-                    <= POSE_DISTANCE_LIMIT * self
+                    <= POSE_DISTANCE_LIMIT
+                        * self
                             .derived
                             .system
                             .scale(coordinate.quantity, &self.derived.pool)

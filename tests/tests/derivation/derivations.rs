@@ -301,9 +301,8 @@ fn the_other_forms_satisfy_the_textbook_equations() {
             for coordinate in &derived.system.coordinates {
                 symbols[coordinate.position.index()] = solved_forms[&coordinate.name];
             }
-            let rate = |coordinate: usize| «O:{
-                solved_forms«B:found«T:{
-                found»[&format!("{}'", derived.system.coordinates[coordinate].name)]
+            let rate = |coordinate: usize| {
+                solved_forms[&format!("{}'", derived.system.coordinates[coordinate].name)]
             };
             let evaluated = |expr| {
                 let mut result = [0.0];

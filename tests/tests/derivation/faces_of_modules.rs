@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 use std::fs;
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::{Language, Options, generate_files};
+use linkwright_codegen::{Language, Options, generate};
 use linkwright_tests::{description, files};
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
@@ -195,9 +195,14 @@ fn faults(name: &str, source: &Source) -> Faults {
     let described = described(&source.text);
     let mut faults = Faults::new();
     for language in [Language::Rust, Language::C] {
-        let files = generate_files(source, language, name, &Options::default());
-        let files = files.unwrap_or_else(|errors| panic!("{}", errors.render(source)));
-        for file in files.files {
+        let options = Options {
+            language,
+            stem: Some(name.to_string()),
+            ..Options::default()
+        };
+        let generated = generate(source, &options);
+        let generated = generated.unwrap_or_else(|errors| panic!("{}", errors.render(source)));
+        for file in generated.files {
             let text = &file.text;
             let long = text.lines().filter(|line| line.chars().count() > WIDTH);
             faults

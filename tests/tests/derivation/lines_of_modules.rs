@@ -1,6 +1,6 @@
 //! Reads every generated module of Rust: the compiler's grammar accepts it, and its lines fit.
 
-use linkwright_codegen::{Options, Scalar, generate_with};
+use linkwright_codegen::{Options, Scalar, generate};
 use linkwright_tests::description;
 
 /// Longest line of code, in characters.
@@ -28,12 +28,12 @@ fn modules_parse_and_their_lines_fit() {
                 scalar,
                 ..Options::default()
             };
-            let module = generate_with(&source, &options);
+            let module = generate(&source, &options);
             let module = module.unwrap_or_else(|found| panic!("{}", found.render(&source)));
-            let parsed = syn::parse_file(&module.code);
+            let parsed = syn::parse_file(module.code());
             assert!(parsed.is_ok(), "{name}: {:?}", parsed.err());
             let mut before = "";
-            for line in module.code.lines() {
+            for line in module.code().lines() {
                 let is_apart = !(line.contains("/// ") && before.ends_with('}'));
                 assert!(is_apart, "{name}: no empty line before {line}");
                 before = line;

@@ -1,7 +1,6 @@
 //! Transmissions of the drivers: T ṡ is the velocity, virtual work is conserved, closed forms, the textbook
 //! formulation, singular poses.
 
-use linkwright_codegen::stages::pool::Pool;
 use std::path::Path;
 
 use linkwright::nalgebra::{DMatrix, DVector};

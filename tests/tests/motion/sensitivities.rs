@@ -1,7 +1,6 @@
 //! Derivatives of the motion by parameters: against differences, closed forms and the textbook formulation, and at
 //! singular poses.
 
-use linkwright_codegen::stages::pool::Pool;
 use std::path::Path;
 
 use linkwright::nalgebra::DVector;

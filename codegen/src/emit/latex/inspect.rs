@@ -4,14 +4,7 @@ use super::super::inspection::{Entry, Inspection, Quantity, Section, Subject};
 use super::lines::{self, Line, displayed, fit_in_a_row, title, width};
 use super::spelling::{Latex, escaped};
 use crate::emit::derivation::SingularPose;
-use crate::«O:«B:emit::named_parts::NamedParts;
-use crate::expr::ExprId;
-use crate::pool::Pool;
-use crate::pool::SymbolRole;
-use crate::«T:emit::named_parts::NamedParts;
-use crate::expr::ExprId;
-use crate::pool::{Pool, SymbolRole};
-use crate::»system::{Derived, System};
+use crate::system::{Derived, System};
 
 /// A Jacobian of more columns than these is listed by its entries that are not zero.
 const LARGEST_MATRIX: usize = 12;

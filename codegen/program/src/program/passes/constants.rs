@@ -8,10 +8,9 @@ use linkwright_math::double;
 
 use super::costs::Computed;
 use crate::expr::{ExprId, Factor, Graph, Node, Number, SymbolId, Term};
-use crate::«O:pool::{Pool, SymbolRole};
+use crate::pool::{Pool, SymbolRole};
 use crate::program::addends::Addend;
-use crate::«B:«T:pool::Pool;
-use crate::»program::function::Function;
+use crate::program::function::Function;
 use crate::program::quantities::{Described, Quantities, Quantity, upper};
 use crate::system::System;
 
