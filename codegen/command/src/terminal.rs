@@ -126,7 +126,7 @@ mod tests {
             "* is the closest of all; it would be singular where L-G and G-H are collinear";
         assert_eq!(
             folded(sentence, 40),
-            "* is the closest of all; it would be\n  singular where L-G and G-H are collinear"
+            "* is the closest of all; it would be\n  singular where L-G and G-H are\n  collinear"
         );
     }
 

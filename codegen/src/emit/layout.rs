@@ -20,12 +20,11 @@ const SHARED_LENGTH: usize = 36;
 /// Operators that a line breaks before, those that bind least first.
 const OPERATORS: [&[&str]; 3] = [
     &[" && ", " || ", " ? ", " : ", " >= ", " < ", " > "],
-    &[" + ", " - "],
+    SUM,
     &[" * ", " / "],
 ];
 
-/// Rank of the operators of a sum.
-const SUM: usize = 1;
+const SUM: &[&str] = &[" + ", " - "];
 
 /// Lines of a statement, an element or the head of an item that begins so deep.
 pub(super) fn broken(line: &str, depth: usize, lists: Lists) -> Vec<String> {
@@ -287,7 +286,7 @@ fn operands(text: &str) -> Option<(Vec<&str>, bool)> {
             }
         }
         pieces.push(&text[start..]);
-        (pieces.len() > 1).then_some((pieces, rank != SUM))
+        (pieces.len() > 1).then_some((pieces, OPERATORS[rank] != SUM))
     })
 }
 

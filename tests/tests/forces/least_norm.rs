@@ -427,7 +427,7 @@ fn it_is_asked_for_where_there_is_a_choice() {
         (
             "least_norm;",
             "",
-            "or write `least_norm;` for the smallest of all answers",
+            "or write `least_norm;` for the smallest reactions",
         ),
     ] {
         let rendered = errors(&text.replace(from, to));

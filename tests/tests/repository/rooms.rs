@@ -81,7 +81,11 @@ fn rank(room: &str) -> Option<usize> {
 fn imported(text: &str) -> Vec<String> {
     let code: String = text
         .lines()
-        .map(|line| line.split("//").next().unwrap_or(line).to_string() + "\n")
+        .map(|line| {
+            let code = line.split("//").next().unwrap_or(line);
+            // Every second part is a string.
+            code.split('"').step_by(2).collect::<String>() + "\n"
+        })
         .collect();
     let mut names = Vec::new();
     for (at, path) in code.match_indices("crate::") {

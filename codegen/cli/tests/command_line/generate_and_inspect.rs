@@ -171,7 +171,7 @@ fn inspect_ends_with_what_the_generated_code_solves() {
             .exits_with(0);
         let (equations, solved) = ran.stdout.split_once(HEADING).expect("the heading");
         assert!(!equations.contains("Blocks in solve order"), "{equations}");
-        for text in ["  Blocks in solve order: ", "  Position: ", "  All in all "] {
+        for text in ["  Blocks in solve order: ", "  Position: ", "  In total "] {
             assert!(solved.contains(text), "{text} in {solved}");
         }
     }

@@ -1,4 +1,4 @@
-//! Holds all that grows behind the equations of a motion: expressions, roles of symbols, rotated local vectors and names in use.
+//! Holds the expressions of a motion, the roles of their symbols, rotated local vectors and the names in use.
 //!
 //! A stage takes a pool by `&mut` to add to it, and by `&` to read it. An id never changes its meaning, so what an earlier stage
 //! has made stays valid. Ids depend only on the order of additions.

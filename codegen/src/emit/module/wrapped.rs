@@ -44,10 +44,20 @@ pub(in crate::emit) fn wrapped<S: AsRef<str>>(lines: impl IntoIterator<Item = S>
 fn break_of(line: &str, indent: usize) -> Option<usize> {
     let end = line.char_indices().nth(WIDTH)?.0;
     let first = indent.max(2);
-    let spaces = |text: &str| text.rfind(' ').filter(|at| *at > first);
-    let next = line[end..].find(' ').map(|at| end + at);
     let end = end + usize::from(line[end..].starts_with(' '));
-    spaces(&line[..end]).or(next)
+    let breaks = |at: &usize| *at > first && !begins_block(line[*at..].trim_start());
+    let mut before = line[..end].rmatch_indices(' ').map(|it| it.0);
+    let mut after = line[end..].match_indices(' ').map(|it| end + it.0);
+    before.find(breaks).or_else(|| after.find(breaks))
+}
+
+/// True if Markdown reads a line that begins with this text as a list, a heading or a quotation, even within code.
+fn begins_block(text: &str) -> bool {
+    let digits = text.trim_start_matches(|it: char| it.is_ascii_digit());
+    let is_number =
+        digits.len() < text.len() && (digits.starts_with(". ") || digits.starts_with(") "));
+    let marks = ["- ", "* ", "+ ", "#", ">", "```"];
+    is_number || marks.iter().any(|it| text.starts_with(it))
 }
 
 /// True if a line is the row of a table.
@@ -59,8 +69,7 @@ fn is_row(line: &str) -> bool {
 /// True if a line continues a paragraph.
 fn is_prose(line: &str) -> bool {
     let text = line.trim_start();
-    let begins = ["- ", "* ", "#", ">", "```"];
-    !text.is_empty() && line.len() - text.len() < 4 && !begins.iter().any(|it| text.starts_with(it))
+    !text.is_empty() && line.len() - text.len() < 4 && !begins_block(text)
 }
 
 /// Returns the depth of the lines that continue a line.
@@ -96,7 +105,7 @@ mod tests {
         let long = format!("- 1: `{}`", "alpha + ".repeat(30).trim_end());
         let lines = wrapped([long.as_str(), "- 2"]);
         assert!(lines.iter().all(|it| it.chars().count() <= WIDTH));
-        assert!(lines[1].starts_with("  alpha") || lines[1].starts_with("  +"));
+        assert!(lines[1].starts_with("  alpha"));
         assert_eq!(lines.last().map(String::as_str), Some("- 2"));
     }
 

@@ -193,7 +193,7 @@ pub fn type_name(mechanism: &str) -> String {
 pub(in crate::emit) fn not_a_type(name: &Name, types: &[&str], owner: &str) -> Option<Diagnostic> {
     let (text, type_name) = (&name.text, type_name(&name.text));
     let problem = if !type_name.starts_with(|first: char| first.is_ascii_alphabetic()) {
-        format!("`{text}` gives no name for a type")
+        format!("`{text}` is not a name for a type")
     } else if types.contains(&type_name.as_str()) {
         format!("`{text}` would become the type `{type_name}`, which {owner} has already")
     } else {
@@ -218,7 +218,7 @@ fn not_a_module(name: &Name) -> Option<Diagnostic> {
     let finding = Diagnostic::error(
         Code::NameNotAllowed,
         name.span,
-        format!("`{text}` gives no name for a module"),
+        format!("`{text}` is not a name for a module"),
     )
     .label(problem);
     let lower = text.to_ascii_lowercase();

@@ -1,7 +1,8 @@
 //! Writes constant parts of expressions as literals and named constants.
 //!
-//! The name of a constant is the quantity that the constant is in the description or in the derivation of its block. Numbers
-//! that are no such quantity are literals, except for short roots and multiples of π.
+//! The name of a constant is the quantity that the constant is in the description or in the derivation of its block. Other
+//! numbers are literals, except for short roots and multiples of π.
+
 use std::collections::HashMap;
 
 use linkwright_math::double;
@@ -131,10 +132,11 @@ impl ConstantPart {
             return None;
         };
         let (numerator, denominator) = (rational.numerator(), rational.denominator());
+        let half_turn = 180;
         let name = match (pi, radicand) {
             (true, 1) if numerator == 1 => format!("PI_{}", over(denominator)),
-            (true, 1) if HALF_TURN % denominator == 0 => {
-                format!("ANGLE_{}_DEGREES", numerator * (HALF_TURN / denominator))
+            (true, 1) if half_turn % denominator == 0 => {
+                format!("ANGLE_{}_DEGREES", numerator * (half_turn / denominator))
             }
             (false, 2..) if numerator == 1 => format!("SQRT_{radicand}_{}", over(denominator)),
             (false, 2..) => format!("SQRT_{radicand}_TIMES_{numerator}_{}", over(denominator)),
@@ -144,9 +146,6 @@ impl ConstantPart {
         (name.len() <= LONGEST_NAME).then_some(name)
     }
 }
-
-/// Half a turn, in degrees.
-const HALF_TURN: i128 = 180;
 
 fn over(denominator: i128) -> String {
     match denominator {

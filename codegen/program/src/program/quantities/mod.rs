@@ -121,7 +121,7 @@ impl Quantities {
                 (_, Some(start)) => target.starts_with(start),
                 _ => *pattern == target,
             };
-        self.find_if(value, |it| it.targets.iter().any(|it| is_target(&it)))
+        self.find_if(value, |it| it.targets.iter().any(|it| is_target(it)))
     }
 
     fn find_if(&self, value: f64, accepts: impl Fn(&Quantity) -> bool) -> Option<Quantity> {
@@ -137,13 +137,6 @@ impl Quantities {
         let places = places.into_iter().map(|place| &self.list[place]);
         let mut places = places.filter(|it| accepts(it));
         let mut quantity = places.next()?.clone();
-        if quantity.value * value < 0.0 {
-            let words = &quantity.words[0];
-            quantity.words[0] = match words.contains(" + ") || words.contains(" - ") {
-                true => format!("-({words})"),
-                false => format!("-{words}"),
-            };
-        }
         let has_shape = |it: &&Quantity| {
             (it.prefix, it.suffix, it.value > 0.0)
                 == (quantity.prefix, quantity.suffix, quantity.value > 0.0)
@@ -154,6 +147,11 @@ impl Quantities {
                 quantity.words.extend(other.words);
             }
         }
+        if quantity.value * value < 0.0 {
+            for words in &mut quantity.words {
+                *words = negated(words);
+            }
+        }
         Some(quantity)
     }
 }
@@ -162,6 +160,13 @@ impl Quantities {
 fn is_plain(value: f64) -> bool {
     let quarters = 4.0 * value.abs();
     quarters.fract() == 0.0 && value.abs() <= LARGEST_PLAIN
+}
+
+fn negated(words: &str) -> String {
+    match words.contains(" + ") || words.contains(" - ") {
+        true => format!("-({words})"),
+        false => format!("-{words}"),
+    }
 }
 
 /// Returns a name of the description as part of a constant's name: ASCII letters and digits in upper case.
@@ -213,7 +218,7 @@ mod tests {
         assert_eq!(list.find(0.12 + 1e-12), None);
         assert_eq!(
             list.find(-0.12).map(|it| it.words()).as_deref(),
-            Some("-|AB|")
+            Some("-|AB| = -|CD|")
         );
     }
 

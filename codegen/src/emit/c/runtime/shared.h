@@ -10,9 +10,9 @@
  * neither contract a product and a sum into one operation nor reorder them. Clang reads the pragma in the .c files.
  * GCC does not: give it -std=c99 or -ffp-contract=off. GCC 12 contracts in spite of them if it vectorizes straight-line
  * code for a processor with fused operations (-mfma, -march=native); a pragma in the .c files prevents that, and so
- * does -fno-tree-slp-vectorize. In GNU mode (-std=gnu99 and later, as Arduino compiles) GCC contracts on a processor with
- * fused operations, such as a Cortex-M4F: all bounds, failures and guarantees hold there too, but the last bits may
- * differ from those of another build. -ffast-math is refused.
+ * does -fno-tree-slp-vectorize. In GNU mode (-std=gnu99 and later, as Arduino compiles) GCC contracts on a processor
+ * with fused operations, such as a Cortex-M4F: all bounds, failures and guarantees hold there too, but the last bits
+ * may differ from those of another build. -ffast-math is refused.
  *
  * This file is part of the output of the generator. Anyone who generates it may use, change and distribute it and
  * everything generated beside it for any purpose and under any licence, without a notice. There is no warranty. */
