@@ -57,7 +57,7 @@ impl MotionEquations {
     pub fn new(pool: &Pool, system: &System) -> Option<MotionEquations> {
         let mut pool = pool.draft();
         let loads = system.forces.clone()?;
-        let layout = Layout::new(&system, &[]);
+        let layout = Layout::new(system, &[]);
         let free = system.mechanism.forces.free.clone();
         if free.is_empty() {
             return None;
@@ -137,8 +137,8 @@ impl MotionEquations {
         let dynamics = Reader::new(&pool.graph, &layout, &roots);
         let elongations = Elongations::of(&mut pool, system, &layout);
         Some(MotionEquations {
-            parameters: Numbers::nominal_parameters(&pool, &system),
-            laws: InputLaws::of(&pool, &system),
+            parameters: Numbers::nominal_parameters(&pool, system),
+            laws: InputLaws::of(&pool, system),
             row_scales: held
                 .iter()
                 .map(|row| system.scale(row.quantity, &pool))

@@ -346,7 +346,7 @@ impl<'a> Writer<'a> {
                 left: spelling.formula_as_is(definition.name),
                 right: spelling
                     .script
-                    .value(&spelling.pool, &spelling.system, definition.value),
+                    .value(spelling.pool, spelling.system, definition.value),
                 note: String::new(),
             })
             .collect();

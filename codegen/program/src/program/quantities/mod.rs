@@ -121,7 +121,7 @@ impl Quantities {
                 (_, Some(start)) => target.starts_with(start),
                 _ => *pattern == target,
             };
-        self.find_if(value, |it| it.targets.iter().any(|it| is_target(it)))
+        self.find_if(value, |it| it.targets.iter().any(is_target))
     }
 
     fn find_if(&self, value: f64, accepts: impl Fn(&Quantity) -> bool) -> Option<Quantity> {
