@@ -96,6 +96,7 @@ mod scale;
 mod settings;
 mod shell;
 mod signal;
+pub mod single;
 mod substeps;
 mod table;
 pub mod thresholds;

@@ -1,4 +1,4 @@
-//! Solves all equations of a [`System`] at once: the textbook formulation as one block.
+//! Solves all equations of a system at once: the textbook formulation as one block.
 
 use std::cell::Cell;
 use std::sync::Arc;

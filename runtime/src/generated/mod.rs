@@ -87,9 +87,11 @@ pub mod torn {
 }
 
 macro_rules! precision {
-    ($(#[$docs:meta])* $name:ident, $scalar:ident) => {
+    ($(#[$docs:meta])* $name:ident, $scalar:ident, $types:path) => {
         $(#[$docs])*
         pub mod $name {
+            // Public types under the names for which `rustdoc` has pages.
+            pub use $types::{Failure, NormalizedDeterminant, PointMotion, Settings, Signal};
             pub use crate::generated::{
                 BlockEquations, Chord, Factorization, Start, Torn, all_finite, block, exceeds_rounding, isolate,
                 isolate_chain, kinematics, largest_length, load_not_finite, multipliers, newton, not_finite,
@@ -100,24 +102,14 @@ macro_rules! precision {
 
             /// Scalar of everything in this module.
             pub type Scalar = $scalar;
-            /// Distance of a block from a singular pose.
-            pub type NormalizedDeterminant = crate::NormalizedDeterminant<Scalar>;
             /// Failure with the name of its block.
             pub type FailureMessage = crate::FailureMessage<'static, Scalar>;
-            /// Failure of a solve.
-            pub type Failure = crate::Failure<Scalar>;
             /// Matrix of R rows and C columns.
             pub type Matrix<const R: usize, const C: usize> = crate::nalgebra::SMatrix<Scalar, R, C>;
             /// Distance of a block's Jacobian from singular.
             pub type Measure = crate::generated::Measure<Scalar>;
-            /// Position, velocity and acceleration of a point.
-            pub type PointMotion = crate::PointMotion<Scalar>;
             /// Name of a point, and the method of the frames F that returns its motion.
             pub type NamedPoint<F> = (&'static str, fn(&F) -> PointMotion);
-            /// Limits within which a solve must succeed.
-            pub type Settings = crate::Settings<Scalar>;
-            /// Quantity that is supplied with its rate and acceleration.
-            pub type Signal = crate::Signal<Scalar>;
             /// Window of time about two frames.
             pub type TimeWindow = crate::generated::TimeWindow<Scalar>;
             /// Chord through the values of two frames, with a bound on the deviation from it.
@@ -135,10 +127,12 @@ macro_rules! precision {
 precision!(
     /// Types and functions of generated modules in f64.
     double,
-    f64
+    f64,
+    crate
 );
 precision!(
     /// Types and functions of generated modules in f32.
     single,
-    f32
+    f32,
+    crate::single
 );

@@ -106,7 +106,7 @@ pub fn run(elf: &Path, processor: Processor) -> io::Result<String> {
     let mut command = Command::new("timeout");
     command.args([
         PATIENCE,
-        "qemu-derived-arm",
+        "qemu-system-arm",
         "-machine",
         processor.board(),
         "-icount",

@@ -118,6 +118,6 @@ pub fn versions() -> io::Result<Vec<String>> {
     Ok(vec![
         first(rustc.arg("--version").env_remove("LD_LIBRARY_PATH"))?,
         first(Command::new("arm-none-eabi-gcc").arg("--version"))?,
-        first(Command::new("qemu-derived-arm").arg("--version"))?,
+        first(Command::new("qemu-system-arm").arg("--version"))?,
     ])
 }

@@ -267,7 +267,10 @@ fn imports(
         UseTree::Name(it) if it.ident == "self" => add(path.clone(), path.last().cloned()),
         UseTree::Name(it) => {
             let name = it.ident.to_string();
-            add([path.as_slice(), std::slice::from_ref(&name)].concat(), Some(name));
+            add(
+                [path.as_slice(), std::slice::from_ref(&name)].concat(),
+                Some(name),
+            );
         }
         UseTree::Rename(it) => {
             let last = [it.ident.to_string()];
