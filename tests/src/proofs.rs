@@ -115,7 +115,7 @@ pub fn judged(derived: &Derived, range: [f64; 2], instants: usize) -> Verdict {
         Default::default(),
     )
     .expect("it is assembled");
-    let measures = Measures::new(&interpreted);
+    let measures = interpreted.measures().expect("measured subsystems");
     for t in times {
         let inputs = laws.at(t);
         shell.advance(t, &inputs).expect("it moves");

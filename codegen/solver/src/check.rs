@@ -3,16 +3,15 @@
 use std::convert::Infallible;
 
 use linkwright::{Blocks, FailureKind, Shell};
-use linkwright_codegen::stages::emit::derivation::SingularPose;
 use linkwright_codegen::stages::model::Role;
 use linkwright_codegen::stages::system::System;
 use nalgebra::DVector;
 
 use crate::approach::{Approach, Watch};
 use crate::assemblies::{Assemblies, assemblies};
+use crate::checked_part::CheckedPart;
 use crate::condition::{Condition, dimensionless, jacobian};
 use crate::interpreted::Interpreted;
-use crate::measures::Measures;
 use crate::proof::Proof;
 use crate::schedule::Schedule;
 use crate::textbook::TextbookEquations;
@@ -22,19 +21,6 @@ use crate::warnings::warnings;
 
 /// Measure below which a warning is given: links within about half a degree of collinear.
 pub(crate) const WARNING_MEASURE: f64 = 0.01;
-
-/// Subsystem of the plan.
-#[derive(Clone, Debug)]
-pub struct CheckedPart {
-    /// Singular poses in words.
-    pub pose: SingularPose,
-    /// Number of solutions of its closed form; `None` for Newton-Raphson.
-    pub solutions: Option<usize>,
-    /// Closest approach to a singular pose; `None` if it is never singular, or if the motion could not be followed.
-    pub approach: Option<Approach>,
-    /// Reciprocal condition of the dimensionless Φ_q there.
-    pub reciprocal: Option<f64>,
-}
 
 /// Results of all checks.
 ///
@@ -123,7 +109,7 @@ impl Check {
         match assembled {
             Err(failure) => error = Some(interpreted.not_assembled(&failure)),
             Ok(mut shell) => {
-                let mut watch = Watch::new(Measures::new(&interpreted), laws.clone());
+                let mut watch = Watch::new(interpreted.measured(), laws.clone());
                 watch.see(&shell);
                 let (mut count, mut last) = (1, start);
                 let seen = |shell: &Shell<Interpreted>, _| {

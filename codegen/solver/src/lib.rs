@@ -38,16 +38,16 @@
 
 #![doc(html_root_url = "https://docs.rs/linkwright-solver/0.1.0")]
 
+mod checked_part;
+mod explained;
 mod instant;
 mod interpreted;
 mod known_poses;
 mod mode_selection;
 mod newton;
 mod operation;
-mod path;
 mod schedule;
 mod supplied;
-mod torn;
 mod trajectory;
 mod view;
 
@@ -68,8 +68,6 @@ pub mod condition;
 pub mod dense;
 #[doc(hidden)]
 pub mod derivatives;
-#[doc(hidden)]
-pub mod diagnosis;
 #[doc(hidden)]
 pub mod dormand_prince;
 #[doc(hidden)]
@@ -114,7 +112,8 @@ pub mod tolerances;
 pub mod warnings;
 
 pub use assemblies::{Assemblies, Assembly};
-pub use check::{Check, CheckedPart};
+pub use check::Check;
+pub use checked_part::CheckedPart;
 pub use comparison::Comparison;
 pub use condition::Condition;
 pub use dense::Dense;

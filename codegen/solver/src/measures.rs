@@ -14,9 +14,7 @@ use linkwright_codegen::stages::system::System;
 use nalgebra::{DMatrix, DVector};
 
 use crate::instant::Instant;
-use crate::interpreted::Interpreted;
 use crate::reader::Reader;
-use crate::view::View;
 
 /// Measure and its rate.
 pub type Sample = [f64; 2];
@@ -134,15 +132,9 @@ impl MeasuredPart {
 }
 
 impl Measures {
-    /// Creates the measures of a mechanism.
-    pub fn new(interpreted: &Interpreted) -> Measures {
-        let compiled = interpreted.compiled();
-        let graph = &interpreted.pool().graph;
-        let (parts, values) = &compiled.measured;
-        Measures {
-            parts: parts.clone(),
-            reader: Reader::new(graph, interpreted.layout(), values),
-        }
+    /// Creates the measures of subsystems with their expressions from [`measured`], evaluated by `reader`.
+    pub(crate) fn new(parts: Vec<MeasuredPart>, reader: Reader) -> Measures {
+        Measures { parts, reader }
     }
 
     /// Measured subsystems.

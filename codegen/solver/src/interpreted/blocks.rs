@@ -9,8 +9,8 @@ use linkwright_codegen::stages::emit::derivation::BlockWords;
 
 use super::Interpreted;
 use super::compiled::Compiled;
+use super::path::InterpretedPath;
 use crate::instant::Instant;
-use crate::path::InterpretedPath;
 use crate::supplied::{InputSignals, Modes, Numbers, ParameterValues, Pose};
 use crate::view::View;
 

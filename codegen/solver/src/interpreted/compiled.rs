@@ -14,11 +14,11 @@ use linkwright_codegen::stages::program::{Program, Statement};
 use linkwright_codegen::stages::structure::SolvedPlan;
 use linkwright_codegen::stages::system::{Derived, System};
 
+use super::path::InterpretedPath;
 use crate::instant::{Instant, Layout};
 use crate::measures::MeasuredPart;
 use crate::newton::Newton;
 use crate::operation::{Operation, Writer};
-use crate::path::InterpretedPath;
 use crate::reader::Formulas;
 use crate::supplied::{InputSignals, Modes, ParameterValues};
 

@@ -6,6 +6,7 @@
 mod blocks;
 mod compiled;
 mod loads;
+mod path;
 mod run;
 mod view;
 
@@ -24,13 +25,13 @@ use linkwright_codegen::stages::system::Derived;
 use crate::derivatives::{Derivative, of_program};
 use crate::forces;
 use crate::instant::Instant;
-use crate::measures::measured;
-use crate::path::InterpretedPath;
+use crate::measures::{Measures, measured};
 use crate::reader::{Formulas, Reader};
 use crate::supplied::{InputSignals, Modes, Pose};
 use crate::view::View;
 use compiled::Compiled;
 use loads::LoadReader;
+use path::InterpretedPath;
 
 /// Mechanism that is solved block by block, in SI units: m, rad, s.
 ///
@@ -187,6 +188,20 @@ impl Interpreted {
     /// Functions that are run.
     pub fn program(&self) -> &Program {
         &self.compiled.program
+    }
+
+    /// Returns the measures of all subsystems that can be singular.
+    pub(crate) fn measured(&self) -> Measures {
+        let Compiled {
+            derived,
+            measured: (parts, values),
+            layout,
+            ..
+        } = &*self.compiled;
+        Measures::new(
+            parts.clone(),
+            Reader::new(&derived.pool.graph, layout, values),
+        )
     }
 
     pub(crate) fn compiled(&self) -> &Compiled {

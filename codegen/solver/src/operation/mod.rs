@@ -1,6 +1,7 @@
 //! Executes operations of a function on registers.
 
 mod arithmetic;
+mod isolation;
 mod writer;
 
 use std::ops::Range;
@@ -14,7 +15,7 @@ use linkwright_codegen::stages::expr::{Code, Register};
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::path::Isolation;
+pub(crate) use isolation::Isolation;
 pub(crate) use writer::Writer;
 
 /// Operation of a block.

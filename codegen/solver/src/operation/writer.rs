@@ -10,8 +10,7 @@ use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::program::{Evaluation, Function, Program, Statement};
 use linkwright_codegen::stages::system::System;
 
-use super::Operation;
-use crate::path::Isolation;
+use super::{Isolation, Operation};
 
 /// Writes the operations of one function after another.
 pub(crate) struct Writer<'a> {

@@ -9,7 +9,7 @@ use super::matrices::normalized_determinant;
 use super::prover::{Node, Prover, Window};
 use super::window::Verified;
 use super::{Determinant, Enclosed, Proven};
-use crate::check::CheckedPart;
+use crate::checked_part::CheckedPart;
 use crate::interpreted::Interpreted;
 use crate::measures::MeasuredPart;
 use crate::view::View;

@@ -10,7 +10,7 @@ mod matrices;
 mod prover;
 mod window;
 
-use crate::check::CheckedPart;
+use crate::checked_part::CheckedPart;
 use crate::interpreted::Interpreted;
 use crate::schedule::Schedule;
 use crate::view::View;

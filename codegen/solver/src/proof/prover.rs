@@ -8,7 +8,7 @@ use super::claims::{Bounds, Claims};
 use super::functions::{self, Chord, Writing};
 use super::window::{Cause, Cell, Verified, cells, verify};
 use super::{Proof, Unproven};
-use crate::check::CheckedPart;
+use crate::checked_part::CheckedPart;
 use crate::instant::Instant;
 use crate::interpreted::Interpreted;
 use crate::supplied::{InputLaws, Modes};

@@ -9,7 +9,7 @@ use std::io::{self, Write};
 use linkwright_codegen::stages::model::Mechanism;
 use linkwright_codegen::stages::units::OutputUnits;
 use linkwright_solver::View;
-use linkwright_solver::diagnosis::unit;
+use linkwright_solver::dense::diagnosis::unit;
 use linkwright_solver::number::{counted, fixed, scientific, time};
 
 use super::first_step;

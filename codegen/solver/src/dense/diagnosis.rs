@@ -6,8 +6,8 @@ use linkwright::{Equations, Failure, FailureKind};
 use linkwright_codegen::stages::system::System;
 use nalgebra::{DMatrix, DVector};
 
+use super::Dense;
 use crate::condition::{Condition, Weakness, dimensionless, jacobian};
-use crate::dense::Dense;
 use crate::instant::Instant;
 use crate::number::{scientific, time};
 use crate::singular_participants::SingularParticipants;

@@ -1,5 +1,7 @@
 //! Evaluates the [`Equations`] of a block without a closed form on registers.
 
+mod torn;
+
 use std::cell::RefCell;
 
 use linkwright::{Equations, Frame};
@@ -12,7 +14,7 @@ use linkwright_codegen::stages::system::System;
 use nalgebra::{DMatrix, DVector, Dyn};
 
 use crate::operation::{Operation, Writer, run};
-use crate::torn::Tearing;
+use torn::Tearing;
 
 /// Newton-Raphson of a block.
 #[derive(Clone, Debug)]

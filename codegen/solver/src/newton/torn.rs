@@ -10,7 +10,7 @@ use linkwright_codegen::stages::program::{Block, Statement};
 use linkwright_codegen::stages::system::System;
 use nalgebra::{DMatrix, DVector, Dyn};
 
-use crate::newton::{NewtonEquations, Part};
+use super::{NewtonEquations, Part};
 use crate::operation::Writer;
 
 /// Torn block.

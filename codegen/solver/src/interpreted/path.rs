@@ -2,17 +2,14 @@
 //!
 //! The statements are those of generated code; see [`linkwright::Blocks::verify_path`].
 
-use linkwright::generated::{
-    Chord, Pair, PathEnclosure, TimeWindow, isolate_all, isolate_whole_chain, required,
-};
+use linkwright::generated::{Pair, PathEnclosure, TimeWindow, required};
 use linkwright_codegen::stages::expr::{Code, Register, SymbolId};
 use linkwright_codegen::stages::pool::{Pool, SymbolRole};
 use linkwright_codegen::stages::program::{Function, Program};
 use linkwright_codegen::stages::system::System;
-use nalgebra::{DMatrix, DVector};
 
+use super::Interpreted;
 use crate::instant::{Instant, Layout};
-use crate::interpreted::Interpreted;
 use crate::operation::{Operation, Writer, run};
 
 /// Path of a mechanism.
@@ -37,26 +34,6 @@ struct WindowCheck {
     /// Registers that are read of the instant, and of the last one, with their indices there.
     read: [Vec<(Register, usize)>; 2],
     operations: Vec<Operation>,
-}
-
-/// Bounds on deviations from the chord, as registers; see [`isolate_all`].
-#[derive(Clone, Debug)]
-pub(crate) struct Isolation {
-    /// True for a chain; see [`isolate_whole_chain`].
-    pub is_chain: bool,
-    /// Block of each equation: an index into the plan.
-    pub blocks: Vec<usize>,
-    pub bounds: Vec<Register>,
-    pub curvatures: Vec<Register>,
-    pub changes: Vec<Register>,
-    pub sizes: Vec<Register>,
-    pub jacobian: Vec<([usize; 2], Register)>,
-    pub turns: Vec<bool>,
-    pub turning: Vec<([usize; 2], Register)>,
-    /// Deviation of each unknown.
-    pub found: Vec<Register>,
-    pub variation: Vec<Operation>,
-    pub varied: Vec<([usize; 2], Register)>,
 }
 
 impl InterpretedPath {
@@ -265,58 +242,6 @@ impl WindowCheck {
                 _ => run(operation, &self.code, registers, 0.0, 0)
                     .map_err(|failure| failure.block)?,
             }
-        }
-        Ok(())
-    }
-}
-
-impl Isolation {
-    /// Finds the deviations of all unknowns.
-    ///
-    /// # Errors
-    /// The index in the plan of the block whose verification fails.
-    fn find(&self, window: &TimeWindow, code: &Code, registers: &mut [f64]) -> Result<(), usize> {
-        let order = self.found.len();
-        let fill =
-            |matrix: &mut DMatrix<f64>, entries: &[([usize; 2], Register)], registers: &[f64]| {
-                for &([row, column], register) in entries {
-                    matrix[(row, column)] = registers[register.index()];
-                }
-            };
-        let vector = |places: &[Register]| {
-            DVector::from_iterator(order, places.iter().map(|it| registers[it.index()]))
-        };
-        let matrix = |entries, registers: &[f64]| {
-            let mut matrix = DMatrix::zeros(order, order);
-            fill(&mut matrix, entries, registers);
-            matrix
-        };
-        let chord = Chord {
-            remainder: window.remainder,
-            bounds: vector(&self.bounds),
-            curvatures: vector(&self.curvatures),
-            changes: vector(&self.changes),
-            sizes: vector(&self.sizes),
-            jacobian: &mut matrix(&self.jacobian, registers),
-            turns: DVector::from_column_slice(&self.turns),
-            turning: &mut matrix(&self.turning, registers),
-        };
-        let deviations = match self.is_chain {
-            true => isolate_whole_chain(window, chord),
-            false => isolate_all(chord, |deviations, variation| {
-                for (register, deviation) in self.found.iter().zip(deviations.iter()) {
-                    registers[register.index()] = *deviation;
-                }
-                for operation in &self.variation {
-                    // Functions of bounds cannot fail.
-                    let _ = run(operation, code, registers, 0.0, 0);
-                }
-                fill(variation, &self.varied, registers);
-            }),
-        };
-        let deviations = deviations.map_err(|row| self.blocks[row])?;
-        for (register, deviation) in self.found.iter().zip(deviations.iter()) {
-            registers[register.index()] = *deviation;
         }
         Ok(())
     }

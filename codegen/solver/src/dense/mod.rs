@@ -1,5 +1,8 @@
 //! Solves all equations of a system at once: the textbook formulation as one block.
 
+#[doc(hidden)]
+pub mod diagnosis;
+
 use std::cell::Cell;
 use std::sync::Arc;
 
@@ -9,7 +12,6 @@ use linkwright_codegen::stages::emit::derivation::SingularPose;
 use linkwright_codegen::stages::system::Derived;
 use nalgebra::{DMatrix, DVector, Dyn};
 
-use crate::diagnosis::cause;
 use crate::forces::DenseForces;
 use crate::instant::{Instant, Layout};
 use crate::measures::Measures;
@@ -17,6 +19,7 @@ use crate::number::time;
 use crate::supplied::{InputSignals, ModeName, Modes, Numbers, ParameterValues, Pose};
 use crate::textbook::TextbookEquations;
 use crate::view::View;
+use diagnosis::cause;
 
 /// Φ(q, t) = 0 as one dense system in SI units: m, rad, s.
 #[derive(Clone, Debug)]
