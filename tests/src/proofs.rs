@@ -5,7 +5,6 @@
 use linkwright::{Blocks, Shell};
 use linkwright_codegen::stages::expr::ExprId;
 use linkwright_codegen::stages::system::Derived;
-use linkwright_solver::measures::Measures;
 use linkwright_solver::proof::{Enclosed, Proof, Proven};
 use linkwright_solver::{Check, Interpreted, Schedule, View};
 
