@@ -277,7 +277,7 @@ fn is_call(text: &str) -> bool {
 
 /// Operands with the operators before them, and true if they fill lines; a sum has a line for each term. `None` if there is one alone.
 fn operands(text: &str) -> Option<(Vec<&str>, bool)> {
-    OPERATORS.iter().enumerate().find_map(|(rank, operators)| {
+    OPERATORS.iter().find_map(|operators| {
         let (mut pieces, mut start) = (Vec::new(), 0);
         for (at, _) in outer(text) {
             if operators.iter().any(|it| text[at..].starts_with(it)) {
@@ -286,7 +286,7 @@ fn operands(text: &str) -> Option<(Vec<&str>, bool)> {
             }
         }
         pieces.push(&text[start..]);
-        (pieces.len() > 1).then_some((pieces, OPERATORS[rank] != SUM))
+        (pieces.len() > 1).then_some((pieces, *operators != SUM))
     })
 }
 

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::{Options, generate, read};
 use linkwright_tests::files;
+use linkwright_tests::prose::lines;
 
 /// The names that the `let` statement on a line binds: one, or those of a tuple.
 fn bound(line: &str) -> Vec<&str> {
@@ -128,8 +129,7 @@ fn imported() -> BTreeSet<String> {
     let path = files::repository().join("runtime/src/generated/mod.rs");
     let text = std::fs::read_to_string(path).expect("the runtime's names");
     let (_, list) = text.split_once("pub mod $name {").expect("a list");
-    let lines = list.lines().filter(|it| !it.trim_start().starts_with("//"));
-    let list: String = lines.collect::<Vec<_>>().join("\n");
+    let list: String = lines(list).into_iter().map(|it| it.code + "\n").collect();
     let items = list
         .split(';')
         .filter(|item| item.contains("pub use") || item.contains("pub type"));

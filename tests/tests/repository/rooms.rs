@@ -3,6 +3,7 @@
 use std::fs;
 
 use linkwright_tests::files;
+use linkwright_tests::prose::lines;
 
 /// Folders of the generator's packages, each with its modules, in the order of the pipeline.
 pub(super) const ORDER: [(&str, &[&str]); 3] = [
@@ -136,14 +137,7 @@ fn rank(rooms: &[&str], room: &str) -> Option<usize> {
 /// Names after `crate::`: one, or several in braces, which may stand on several lines. Exports of `lib.rs` itself
 /// count as `lib`.
 fn imported(rooms: &[&str], text: &str) -> Vec<String> {
-    let code: String = text
-        .lines()
-        .map(|line| {
-            let code = line.split("//").next().unwrap_or(line);
-            // Every second part is a string.
-            code.split('"').step_by(2).collect::<String>() + "\n"
-        })
-        .collect();
+    let code: String = lines(text).into_iter().map(|it| it.code + "\n").collect();
     let mut names = Vec::new();
     for (at, path) in code.match_indices("crate::") {
         let rest = &code[at + path.len()..];
