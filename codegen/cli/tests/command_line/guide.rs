@@ -165,6 +165,7 @@ fn shown(page: &str) -> Vec<&str> {
 fn commands_print_what_the_guide_says() {
     let updates = std::env::var_os("GUIDE_UPDATE").is_some();
     let (mut ran, mut written, mut wanted) = (0, Vec::new(), Vec::new());
+    let mut stale = Vec::new();
     for path in pages() {
         let page = std::fs::read_to_string(&path).expect("a page");
         let name = path.file_stem().and_then(|it| it.to_str()).expect("a name");
@@ -202,19 +203,19 @@ fn commands_print_what_the_guide_says() {
                         let text = result.stdout + &result.stderr;
                         let printed: Vec<&str> = text.lines().collect();
                         ran += 1;
-                        let Some(difference) = difference(&expected, &printed) else {
+                        let Some(wrong) = difference(&expected, &printed) else {
                             continue;
                         };
-                        assert!(
-                            updates,
-                            "{}: {command}\n{difference}\n\n{text}",
-                            path.display()
-                        );
+                        assert!(updates, "{}: {command}\n{wrong}\n\n{text}", path.display());
                         let block = |lines: &[&str]| {
                             let lines = lines.iter().map(|line| format!("{line}\n"));
                             format!("$ {command}\n{}", lines.collect::<String>())
                         };
-                        let now = block(&updated(&expected, &printed));
+                        let renewed = updated(&expected, &printed);
+                        if let Some(wrong) = difference(&renewed, &printed) {
+                            stale.push(format!("{}: {command}\n{wrong}", path.display()));
+                        }
+                        let now = block(&renewed);
                         rewritten = rewritten.replacen(&block(&expected), &now, 1);
                     }
                 }
@@ -239,6 +240,11 @@ fn commands_print_what_the_guide_says() {
         written.extend(made.into_iter().map(|(_, bytes)| bytes));
     }
     assert!(ran >= 10, "only {ran} commands were found");
+    assert!(
+        stale.is_empty(),
+        "to be written by hand:\n{}",
+        stale.join("\n\n")
+    );
     for picture in wanted {
         let bytes = std::fs::read(&picture).unwrap_or_else(|error| panic!("{picture:?}: {error}"));
         assert!(written.contains(&bytes), "no command writes {picture:?}");
