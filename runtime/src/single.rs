@@ -1,4 +1,14 @@
 //! Names the types of this package in f32.
+//!
+//! ```
+//! use linkwright::single::{Settings, Signal};
+//!
+//! let settings = Settings::default();
+//! // Position, rate and acceleration of an actuator that does not move.
+//! let input = Signal::constant(0.25);
+//! assert_eq!(settings.tolerance, linkwright::Settings::<f32>::default().tolerance);
+//! assert_eq!(input, linkwright::Signal::constant(0.25_f32));
+//! ```
 
 /// Failure of a solve.
 pub type Failure = crate::Failure<f32>;
