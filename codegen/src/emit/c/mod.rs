@@ -29,6 +29,7 @@ mod runtime;
 mod sensitivity;
 mod shell;
 mod statement;
+mod statuses;
 mod tables;
 mod textbook;
 mod torn;
