@@ -87,7 +87,7 @@ fn resolved(
     mut diagnostics: Diagnostics,
 ) -> Result<Read, Diagnostics> {
     let mut resolving = Diagnostics::new();
-    let resolved = model::resolve(document, language.naming(), &mut resolving);
+    let resolved = model::resolve(document, &language.conventions().naming, &mut resolving);
     if diagnostics.has_errors() {
         consequences::add_independent(resolving, document, source, &mut diagnostics);
         return Err(diagnostics);

@@ -91,7 +91,7 @@ pub mod assemblies {
 /// What is written of it.
 pub mod emit {
     pub use crate::emit::{
-        Notation, derivation, drawing, inspection, latex, markup, mathml, report, text,
+        Conventions, Notation, derivation, drawing, inspection, latex, markup, mathml, report, text,
     };
 
     /// Modules of Rust.

@@ -115,6 +115,14 @@ impl<T> FailureKind<T> {
             Self::LoadNotFinite { .. } => "a load is not finite",
         }
     }
+
+    /// True if a number is refused: the failure does not tell which block has no pose.
+    pub(crate) fn refuses_number(&self) -> bool {
+        matches!(
+            self,
+            Self::NotPositive { .. } | Self::NotFinite | Self::LoadNotFinite { .. }
+        )
+    }
 }
 
 impl<T: Real> Failure<T> {

@@ -99,13 +99,8 @@ pub fn in_steps<T: Real>(
                 }
                 (refused, latest) = (Some(failure), Some(failure.block));
                 if missing(&failure).is_some()
-                    || matches!(
-                        failure.kind,
-                        FailureKind::Singular { .. }
-                            | FailureKind::NotPositive { .. }
-                            | FailureKind::NotFinite
-                            | FailureKind::LoadNotFinite { .. }
-                    )
+                    || matches!(failure.kind, FailureKind::Singular { .. })
+                    || failure.kind.refuses_number()
                 {
                     beyond = Some(failure);
                 }
@@ -129,11 +124,9 @@ pub fn in_steps<T: Real>(
         Some(beyond)
             if failure.kind == FailureKind::StepTooLarge
                 && step.abs() <= refined
-                && match beyond.kind {
-                    FailureKind::NotPositive { .. }
-                    | FailureKind::NotFinite
-                    | FailureKind::LoadNotFinite { .. } => (beyond.time - reached).abs() <= refined,
-                    _ => beyond.block == failure.block,
+                && match beyond.kind.refuses_number() {
+                    true => (beyond.time - reached).abs() <= refined,
+                    false => beyond.block == failure.block,
                 } =>
         {
             Failure {
@@ -198,15 +191,8 @@ fn end_of_reach<T: Real>(reached: T, nearer: &Failure<T>, farther: &Failure<T>) 
 fn lasting<T: Real>(kind: FailureKind<T>, coarse: bool) -> FailureKind<T> {
     match kind {
         FailureKind::OutOfReach { .. } => kind,
-        FailureKind::Singular { .. }
-        | FailureKind::WrongBranch
-        | FailureKind::NotPositive { .. }
-        | FailureKind::NotFinite
-        | FailureKind::LoadNotFinite { .. }
-            if !coarse =>
-        {
-            kind
-        }
+        FailureKind::Singular { .. } | FailureKind::WrongBranch if !coarse => kind,
+        refused if refused.refuses_number() && !coarse => kind,
         _ => FailureKind::StepTooLarge,
     }
 }

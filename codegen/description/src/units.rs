@@ -26,6 +26,8 @@ pub struct Named {
     pub powers: Powers,
     /// True if the rate of an angle in this unit, without a unit of angles, counts turns.
     pub counts_turns: bool,
+    /// True if descriptions that use its first name are reported in it. Positions in turns or kilometers would be unreadable.
+    pub is_adopted: bool,
 }
 
 const LENGTH: Powers = [1, 0, 0, 0];
@@ -49,6 +51,7 @@ const fn rational(
         times_pi: false,
         powers,
         counts_turns: false,
+        is_adopted: false,
     }
 }
 
@@ -66,6 +69,13 @@ impl Named {
             ..self
         }
     }
+
+    const fn adopted(self) -> Named {
+        Named {
+            is_adopted: true,
+            ..self
+        }
+    }
 }
 
 /// All named units, by quantity.
@@ -76,25 +86,28 @@ pub const KNOWN: &[Named] = &[
         &["meter", "meters", "metre", "metres"],
         [1, 1],
         LENGTH,
-    ),
+    )
+    .adopted(),
     rational(&[], &["dm"], [1, 10], LENGTH),
     rational(
         &["cm"],
         &["centimeter", "centimeters", "centimetre"],
         [1, 100],
         LENGTH,
-    ),
+    )
+    .adopted(),
     rational(
         &["mm"],
         &["millimeter", "millimeters", "millimetre", "millimetres"],
         [1, 1000],
         LENGTH,
-    ),
+    )
+    .adopted(),
     rational(&["um"], &["µm", "μm", "micrometer"], [1, 1_000_000], LENGTH),
     rational(&["km"], &[], [1000, 1], LENGTH),
-    rational(&["inch"], &["in", "inches"], [254, 10_000], LENGTH),
-    rational(&["ft"], &["foot", "feet"], [3048, 10_000], LENGTH),
-    rational(&["rad"], &["radian", "radians"], [1, 1], ANGLE),
+    rational(&["inch"], &["in", "inches"], [254, 10_000], LENGTH).adopted(),
+    rational(&["ft"], &["foot", "feet"], [3048, 10_000], LENGTH).adopted(),
+    rational(&["rad"], &["radian", "radians"], [1, 1], ANGLE).adopted(),
     rational(&["mrad"], &[], [1, 1000], ANGLE),
     rational(
         &["deg"],
@@ -102,7 +115,8 @@ pub const KNOWN: &[Named] = &[
         [1, 180],
         ANGLE,
     )
-    .times_pi(),
+    .times_pi()
+    .adopted(),
     rational(&["turn", "turns"], &["rev", "revolutions"], [2, 1], ANGLE).times_pi(),
     rational(&["s"], &["sec", "second", "seconds", "secs"], [1, 1], TIME),
     rational(
@@ -124,12 +138,12 @@ pub const KNOWN: &[Named] = &[
     rational(&["Hz"], &["hz"], [1, 1], [0, -1, 0, 0]).counting_turns(),
     rational(&["rpm", "U/min", "r/min"], &[], [1, 30], ANGULAR_VELOCITY).times_pi(),
     rational(&["U/s", "r/s"], &["rps"], [2, 1], ANGULAR_VELOCITY).times_pi(),
-    rational(&["kg"], &[], [1, 1], MASS),
-    rational(&["g"], &[], [1, 1000], MASS),
+    rational(&["kg"], &[], [1, 1], MASS).adopted(),
+    rational(&["g"], &[], [1, 1000], MASS).adopted(),
     rational(&["t"], &[], [1000, 1], MASS),
-    rational(&["N"], &["newton", "newtons"], [1, 1], FORCE),
-    rational(&["mN"], &[], [1, 1000], FORCE),
-    rational(&["kN"], &[], [1000, 1], FORCE),
+    rational(&["N"], &["newton", "newtons"], [1, 1], FORCE).adopted(),
+    rational(&["mN"], &[], [1, 1000], FORCE).adopted(),
+    rational(&["kN"], &[], [1000, 1], FORCE).adopted(),
     rational(&["MN"], &[], [1_000_000, 1], FORCE),
     // 0.453 592 37 kg times 9.806 65 m/s².
     rational(
@@ -138,9 +152,9 @@ pub const KNOWN: &[Named] = &[
         [44_482_216_152_605, 10_000_000_000_000],
         FORCE,
     ),
-    rational(&["Nm"], &["J", "joule", "joules"], [1, 1], TORQUE),
-    rational(&["mNm", "Nmm"], &[], [1, 1000], TORQUE),
-    rational(&["kNm"], &[], [1000, 1], TORQUE),
+    rational(&["Nm"], &["J", "joule", "joules"], [1, 1], TORQUE).adopted(),
+    rational(&["mNm", "Nmm"], &[], [1, 1000], TORQUE).adopted(),
+    rational(&["kNm"], &[], [1000, 1], TORQUE).adopted(),
     rational(&[], &["W", "watt", "watts"], [1, 1], [2, -3, 1, 0]),
 ];
 

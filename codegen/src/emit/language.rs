@@ -1,4 +1,6 @@
 //! Languages of generated modules, and the files of a mechanism in each.
+//!
+//! [`Language`] is the list; the folder of a language states its [`Conventions`].
 
 use super::scalar::Scalar;
 use super::{c, rust};
@@ -15,6 +17,33 @@ pub enum Language {
     C,
 }
 
+/// Names and files of a language.
+#[derive(Debug)]
+pub struct Conventions {
+    /// Name in options: `c`.
+    pub option: &'static str,
+    /// Name in sentences: `C`.
+    pub name: &'static str,
+    /// Description in help.
+    pub about: &'static str,
+    /// Noun for its files in messages: `generated C`.
+    pub noun: &'static str,
+    /// Returns true for the first line of its files.
+    pub is_first_line: fn(&str) -> bool,
+    /// Endings of the names of a mechanism's own files, the first file's first: `c`, `h`.
+    pub extensions: &'static [&'static str],
+    /// Files that all mechanisms of a folder share.
+    pub shared_files: &'static [&'static str],
+    /// Files beside the first one, in words; `None` if there are none.
+    pub beside: Option<&'static str>,
+    /// Returns the objection to names of files that begin so; `None` if there is none.
+    pub objection: fn(stem: &str) -> Option<&'static str>,
+    /// Rules for names of a description.
+    pub(crate) naming: Naming,
+    /// Returns the texts of all files, with the arguments of [`Language::files`].
+    pub(crate) texts: fn(&[Solved], stem: &str, Scalar, math: Option<&str>) -> Vec<String>,
+}
+
 /// File to be written.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct OutputFile {
@@ -25,25 +54,24 @@ pub struct OutputFile {
 }
 
 impl Language {
-    /// Rules of the language for names of a description.
-    pub(crate) fn naming(self) -> &'static Naming {
+    /// All languages, the default first.
+    pub const ALL: [Language; 2] = [Language::Rust, Language::C];
+
+    /// Names and files of the language.
+    pub fn conventions(self) -> &'static Conventions {
         match self {
-            Language::Rust => &rust::NAMING,
-            Language::C => &c::NAMING,
+            Language::Rust => &rust::CONVENTIONS,
+            Language::C => &c::CONVENTIONS,
         }
     }
 
     /// Names of the files of a mechanism; the first is `stem` and the suffix of the language.
     pub fn file_names(self, stem: &str) -> Vec<String> {
-        match self {
-            Language::Rust => vec![format!("{stem}.rs")],
-            Language::C => vec![
-                format!("{stem}.c"),
-                format!("{stem}.h"),
-                "linkwright.c".to_string(),
-                "linkwright.h".to_string(),
-            ],
-        }
+        let conventions = self.conventions();
+        let extensions = conventions.extensions.iter();
+        let names = extensions.map(|extension| format!("{stem}.{extension}"));
+        let shared = conventions.shared_files.iter().map(ToString::to_string);
+        names.chain(shared).collect()
     }
 
     /// Files of the motions of one mechanism, under the names of [`Language::file_names`]. `math` is the path of a
@@ -55,10 +83,7 @@ impl Language {
         scalar: Scalar,
         math: Option<&str>,
     ) -> Vec<OutputFile> {
-        let texts = match self {
-            Language::Rust => vec![rust::file(motions, scalar, math)],
-            Language::C => c::texts(motions, stem, scalar),
-        };
+        let texts = (self.conventions().texts)(motions, stem, scalar, math);
         let names = self.file_names(stem).into_iter();
         let files = names.zip(texts);
         files

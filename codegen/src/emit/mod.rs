@@ -28,6 +28,6 @@ mod scalar;
 pub mod text;
 mod typeset;
 
-pub use language::{Language, OutputFile};
+pub use language::{Conventions, Language, OutputFile};
 pub use notation::Notation;
 pub use scalar::Scalar;

@@ -69,15 +69,11 @@ fn declared(statements: &[Statement], names: &mut Vec<String>) {
                 declarations.push(&motion.name);
                 declared(&motion.statements, names);
             }
-            Statement::Output(_)
-            | Statement::Transmission(_)
-            | Statement::Sensitivity(_)
+            Statement::Request(_)
             | Statement::Mass(_)
             | Statement::Gravity(_)
             | Statement::Force(_)
             | Statement::Torque(_)
-            | Statement::Reaction(_)
-            | Statement::Directive(_)
             | Statement::Units(_) => {}
             Statement::Element(it) => declarations.extend(&it.name),
         }
@@ -140,9 +136,10 @@ impl Renaming {
                     // Its formulas are visited with all others.
                     let (Shape::Parametric(_) | Shape::Polar(_)) = it.shape;
                 }
-                Statement::Output(it) => self.items(&it.items),
-                Statement::Transmission(it) => self.items(&it.items),
-                Statement::Sensitivity(it) => it.names.iter().for_each(|name| self.name(name)),
+                Statement::Request(it) => {
+                    self.items(&it.items);
+                    it.names.iter().for_each(|name| self.name(name));
+                }
                 Statement::Mass(it) => {
                     self.name(&it.body);
                     if let Some(Center::Point(point)) = &it.center {
@@ -158,8 +155,7 @@ impl Renaming {
                     it.frame.iter().for_each(|name| self.name(name));
                 }
                 Statement::Torque(it) => self.name(&it.body),
-                Statement::Reaction(it) => it.names.iter().for_each(|name| self.name(name)),
-                Statement::Gravity(_) | Statement::Directive(_) | Statement::Units(_) => {}
+                Statement::Gravity(_) | Statement::Units(_) => {}
                 Statement::Motion(it) => {
                     self.name(&it.name);
                     self.statements(&it.statements);

@@ -89,16 +89,12 @@ fn ordered(text: &str, statements: &[Statement], random: &mut Random) -> String 
     let is_last = |it: &&Statement| {
         matches!(
             it,
-            Statement::Output(_)
-                | Statement::Transmission(_)
-                | Statement::Sensitivity(_)
+            Statement::Request(_)
                 | Statement::Mass(_)
                 | Statement::Gravity(_)
                 | Statement::Element(_)
                 | Statement::Force(_)
                 | Statement::Torque(_)
-                | Statement::Reaction(_)
-                | Statement::Directive(_)
                 | Statement::Units(_)
         )
     };

@@ -69,16 +69,12 @@ fn statements<'a>(all: &'a [Statement], visit: &mut dyn FnMut(Given<'a>)) {
             | Statement::Parameter(_)
             | Statement::Input(_)
             | Statement::Table(_)
-            | Statement::Output(_)
-            | Statement::Transmission(_)
-            | Statement::Sensitivity(_)
+            | Statement::Request(_)
             | Statement::Mass(_)
             | Statement::Gravity(_)
             | Statement::Element(_)
             | Statement::Force(_)
             | Statement::Torque(_)
-            | Statement::Reaction(_)
-            | Statement::Directive(_)
             | Statement::Units(_) => {}
         }
     }
@@ -333,13 +329,7 @@ pub fn each_formula<'a>(all: &'a [Statement], visit: &mut dyn FnMut(&'a Expressi
             }
             Statement::Torque(torque) => visit(&torque.value, true),
             // Its points are numbers.
-            Statement::Table(_)
-            | Statement::Output(_)
-            | Statement::Transmission(_)
-            | Statement::Sensitivity(_)
-            | Statement::Reaction(_)
-            | Statement::Directive(_)
-            | Statement::Units(_) => {}
+            Statement::Table(_) | Statement::Request(_) | Statement::Units(_) => {}
         }
     }
 }

@@ -23,7 +23,10 @@ pub use view::View;
 
 use std::path::PathBuf;
 
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use linkwright_codegen::Language;
+use linkwright_codegen::stages::emit::Conventions;
 
 use values::{size, step, time};
 
@@ -244,8 +247,8 @@ pub struct Generate {
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Language of the module
-    #[arg(long, value_enum, default_value_t = Lang::Rust)]
-    pub lang: Lang,
+    #[arg(long, default_value = "rust", value_parser = languages())]
+    pub lang: Language,
     /// Replace a file that is not a generated module
     #[arg(long, conflicts_with = "check")]
     pub force: bool,
@@ -257,13 +260,16 @@ pub struct Generate {
     pub scalar: Precision,
 }
 
-/// Languages of modules.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Lang {
-    /// A Rust module
-    Rust,
-    /// C99, with its runtime
-    C,
+/// Parser of a language by its name.
+fn languages() -> impl TypedValueParser<Value = Language> {
+    let names = Language::ALL.map(|language| {
+        let Conventions { option, about, .. } = language.conventions();
+        PossibleValue::new(option).help(about)
+    });
+    PossibleValuesParser::new(names).map(|name| {
+        let named = |language: &Language| language.conventions().option == name;
+        Language::ALL.into_iter().find(named).unwrap_or_default()
+    })
 }
 
 /// Number types of generated code.

@@ -2,26 +2,24 @@
 
 use super::resolve::Resolver;
 use crate::diagnostic::{Code, Diagnostic};
-use crate::syntax::{DirectiveKind, Statement};
+use crate::syntax::{RequestKind, Statement};
 
 impl Resolver<'_> {
     /// True if there is a statement of this kind; a second one is reported.
-    pub(super) fn has(&mut self, wished: DirectiveKind, statements: &[&Statement]) -> bool {
-        let spans = statements.iter().filter_map(|statement| match statement {
-            Statement::Directive(wish) if wish.kind == wished => Some(wish.span),
-            _ => None,
-        });
-        let spans: Vec<_> = spans.collect();
+    pub(super) fn has(&mut self, wished: RequestKind, statements: &[&Statement]) -> bool {
+        let wishes = statements.iter().filter_map(|it| it.request(wished));
+        let spans: Vec<_> = wishes.map(|wish| wish.span).collect();
         let Some((first, others)) = spans.split_first() else {
             return false;
         };
         let message = match wished {
-            DirectiveKind::Monitor => "the mechanism is monitored already",
-            DirectiveKind::Unguarded => "the mechanism is unguarded already",
-            DirectiveKind::Effort => "efforts are already requested",
-            DirectiveKind::Reactions => "all reactions are already requested",
-            DirectiveKind::LeastNorm => "reactions of the least norm are already requested",
-            DirectiveKind::Energy => "energies are already requested",
+            RequestKind::Monitor => "the mechanism is monitored already",
+            RequestKind::Unguarded => "the mechanism is unguarded already",
+            RequestKind::Effort => "efforts are already requested",
+            RequestKind::Reactions => "all reactions are already requested",
+            RequestKind::LeastNorm => "reactions of the least norm are already requested",
+            RequestKind::Energy => "energies are already requested",
+            _ => "this is already requested",
         };
         for &span in others {
             self.diagnostics.push(

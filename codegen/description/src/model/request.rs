@@ -6,7 +6,7 @@ use super::resolve::Resolver;
 use super::{Point, Request, Requested};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::joint::geometry::{BodyId, Mark, Vector};
-use crate::syntax::{AXES, LEVELS, Name, Output, OutputItem, Reference};
+use crate::syntax::{self, AXES, LEVELS, Name, OutputItem, Reference};
 
 /// Points of a mechanism by the names used in items; never iterated.
 pub(super) struct Named<'a> {
@@ -47,7 +47,11 @@ impl<'a> Named<'a> {
 
 impl Resolver<'_> {
     /// Resolves the items of a statement; items with an error are reported and omitted.
-    pub(super) fn requests(&mut self, output: &Output, points: &Named<'_>) -> Vec<Request> {
+    pub(super) fn requests(
+        &mut self,
+        output: &syntax::Request,
+        points: &Named<'_>,
+    ) -> Vec<Request> {
         let named = output
             .level
             .as_ref()

@@ -19,7 +19,7 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Span};
 use crate::expr::{Graph, SymbolId};
 use crate::joint::geometry::{Mark, Vector};
 use crate::pool::Pool;
-use crate::syntax::{self, BUILT_IN, DirectiveKind};
+use crate::syntax::{self, BUILT_IN, RequestKind};
 use crate::units::ReportUnits;
 
 /// State of the resolution of a description.
@@ -100,18 +100,17 @@ pub(super) fn resolve_statements<'a>(
         );
     }
     let points = resolver.output_points();
-    let outputs = statements.iter().filter_map(|statement| match statement {
-        syntax::Statement::Output(output) => Some(output),
-        _ => None,
-    });
+    let outputs = statements
+        .iter()
+        .filter_map(|it| it.request(RequestKind::Output));
     let named = Named::new(&points);
     let requests = outputs
         .flat_map(|output| resolver.requests(output, &named))
         .collect();
     let transmissions = resolver.transmissions(statements, &named);
     let sensitivities = resolver.sensitivities(statements, &points);
-    let monitor = resolver.has(DirectiveKind::Monitor, statements);
-    let is_unguarded = resolver.has(DirectiveKind::Unguarded, statements);
+    let monitor = resolver.has(RequestKind::Monitor, statements);
+    let is_unguarded = resolver.has(RequestKind::Unguarded, statements);
     let forces = resolver.wanted_forces(statements);
     let units = ReportUnits {
         requested: resolver.formulas.requested_units.take(),
@@ -208,12 +207,7 @@ impl Resolver<'_> {
             syntax::Statement::Force(force) => self.add_force(force),
             syntax::Statement::Torque(torque) => self.add_torque(torque),
             // Points are known after all bodies, and parameters may follow.
-            syntax::Statement::Output(_)
-            | syntax::Statement::Transmission(_)
-            | syntax::Statement::Sensitivity(_)
-            | syntax::Statement::Reaction(_)
-            | syntax::Statement::Directive(_)
-            | syntax::Statement::Units(_) => {}
+            syntax::Statement::Request(_) | syntax::Statement::Units(_) => {}
             // The statements of motions are passed separately.
             syntax::Statement::Motion(_) => {}
         }

@@ -8,7 +8,7 @@ use std::collections::{HashMap, HashSet};
 use super::resolve::Resolver;
 use super::{Point, Requested, field_name};
 use crate::diagnostic::{Code, Diagnostic, Span};
-use crate::syntax::{Name, Statement};
+use crate::syntax::{Name, RequestKind, Statement};
 
 /// Infix of the names of sensitivities, between quantity and parameter.
 const BETWEEN: &str = "_sensitivity_";
@@ -31,7 +31,7 @@ impl Resolver<'_> {
             .map(|(place, own)| (own.name.clone(), place))
             .collect();
         for statement in statements {
-            let Statement::Sensitivity(sensitivity) = statement else {
+            let Some(sensitivity) = statement.request(RequestKind::Sensitivity) else {
                 continue;
             };
             for name in &sensitivity.names {

@@ -6,7 +6,7 @@ use super::request::Named;
 use super::resolve::Resolver;
 use super::{Point, Requested, Role};
 use crate::diagnostic::{Code, Diagnostic, Span};
-use crate::syntax::{OutputItem, Statement};
+use crate::syntax::{OutputItem, RequestKind, Statement};
 
 impl Resolver<'_> {
     /// Resolves all `transmission` statements in source order; items with an error are reported and omitted.
@@ -19,7 +19,7 @@ impl Resolver<'_> {
         let mut spans: HashMap<Requested, Span> = HashMap::new();
         let mut names: HashMap<String, Span> = HashMap::new();
         for statement in statements {
-            let Statement::Transmission(transmission) = statement else {
+            let Some(transmission) = statement.request(RequestKind::Transmission) else {
                 continue;
             };
             self.require_drivers(transmission.span, "has no column for it", "`transmission`");

@@ -7,7 +7,7 @@ use super::Role;
 use super::forces::Forces;
 use super::resolve::Resolver;
 use crate::diagnostic::{Code, Diagnostic, Span};
-use crate::syntax::{DirectiveKind, Name, Statement};
+use crate::syntax::{Name, RequestKind, Statement};
 
 impl Resolver<'_> {
     /// Returns masses, loads and requests.
@@ -24,11 +24,11 @@ impl Resolver<'_> {
             }
             forces.gravity = Some(gravity);
         }
-        forces.efforts = self.has(DirectiveKind::Effort, statements);
-        forces.energy = self.has(DirectiveKind::Energy, statements);
-        let every = self.has(DirectiveKind::Reactions, statements);
+        forces.efforts = self.has(RequestKind::Effort, statements);
+        forces.energy = self.has(RequestKind::Energy, statements);
+        let every = self.has(RequestKind::Reactions, statements);
         forces.reactions = self.reactions(statements, every);
-        forces.least_norm = self.has(DirectiveKind::LeastNorm, statements);
+        forces.least_norm = self.has(RequestKind::LeastNorm, statements);
         let requests = asking(statements);
         if let Some((word, span)) = requests.first() {
             let word = *word;
@@ -89,7 +89,7 @@ impl Resolver<'_> {
         let mut named: BTreeMap<String, Span> = BTreeMap::new();
         let mut joints: Vec<usize> = Vec::new();
         for statement in statements {
-            let Statement::Reaction(reaction) = statement else {
+            let Some(reaction) = statement.request(RequestKind::Reaction) else {
                 continue;
             };
             for name in &reaction.names {
@@ -188,12 +188,12 @@ impl Resolver<'_> {
 /// Returns the statements that request forces, each with its keyword.
 fn asking(statements: &[&Statement]) -> Vec<(&'static str, Span)> {
     let requests = statements.iter().filter_map(|statement| match statement {
-        Statement::Reaction(it) => Some(("reaction", it.span)),
-        Statement::Directive(it) => match it.kind {
-            DirectiveKind::Effort => Some(("effort", it.span)),
-            DirectiveKind::Reactions => Some(("reactions", it.span)),
-            DirectiveKind::Energy => Some(("energy", it.span)),
-            DirectiveKind::Monitor | DirectiveKind::Unguarded | DirectiveKind::LeastNorm => None,
+        Statement::Request(it) => match it.kind {
+            RequestKind::Effort
+            | RequestKind::Reaction
+            | RequestKind::Reactions
+            | RequestKind::Energy => Some((it.word, it.span)),
+            _ => None,
         },
         _ => None,
     });
@@ -202,8 +202,6 @@ fn asking(statements: &[&Statement]) -> Vec<(&'static str, Span)> {
 
 /// Returns the location of the `least_norm` statement; `None` without one.
 fn least_norm(statements: &[&Statement]) -> Option<Span> {
-    statements.iter().find_map(|statement| match statement {
-        Statement::Directive(it) if it.kind == DirectiveKind::LeastNorm => Some(it.span),
-        _ => None,
-    })
+    let mut requests = statements.iter();
+    requests.find_map(|it| Some(it.request(RequestKind::LeastNorm)?.span))
 }

@@ -1,7 +1,7 @@
-//! Parses masses, loads and reactions: `mass 1 = 2kg at S inertia 0.03;`, `gravity = (0, -9.81);`, `spring (1.P, 2.Q) = 4530
-//! free 78mm;`, `force on 1.P = (0, -20N);`, `reaction P;`.
+//! Parses masses and loads: `mass 1 = 2kg at S inertia 0.03;`, `gravity = (0, -9.81);`, `spring (1.P, 2.Q) = 4530
+//! free 78mm;`, `force on 1.P = (0, -20N);`.
 //!
-//! Names of points and joints are not resolved.
+//! Names of points are not resolved.
 
 use proc_macro2::Delimiter;
 
@@ -10,7 +10,7 @@ use super::expression::{coordinates, expression};
 use super::formula::{Expression, Name, Pair, Reference};
 use super::reader::Outcome;
 use super::reference::{body_name, identifier, operands, reference};
-use super::statement::{equals, listed, semicolon, semicolon_after_operands};
+use super::statement::{equals, semicolon};
 use super::tokens::Tokens;
 use crate::diagnostic::Span;
 
@@ -108,17 +108,6 @@ pub struct Torque {
     pub body: Name,
     /// Torque, positive counterclockwise.
     pub value: Expression,
-    /// The whole statement with its semicolon.
-    pub span: Span,
-}
-
-/// `reaction P, Q;`
-#[derive(Debug, Clone, PartialEq)]
-pub struct Reaction {
-    /// The `///` lines above it.
-    pub docs: Vec<String>,
-    /// Names of joints; at least one.
-    pub names: Vec<Name>,
     /// The whole statement with its semicolon.
     pub span: Span,
 }
@@ -242,17 +231,6 @@ pub(super) fn torque(
         value,
         span,
     }))
-}
-
-/// Parses a `reaction` statement after its first word.
-pub(super) fn reaction(
-    tokens: &mut Tokens<'_>,
-    docs: Vec<String>,
-    start: Span,
-) -> Outcome<Statement> {
-    let names = listed(tokens, |it| body_name(it, "the name of a joint"))?;
-    let span = start.to(semicolon_after_operands(tokens, start)?);
-    Ok(Statement::Reaction(Reaction { docs, names, span }))
 }
 
 /// Parses the expression after a keyword; `None` if the keyword is not written.

@@ -46,7 +46,7 @@ mod unreadable;
 pub use document::*;
 pub use files::named_files;
 pub(crate) use files::{is_relative, leaves_folder};
-pub use forces::{Center, Element, ElementKind, Force, Gravity, Mass, Reaction, Torque};
+pub use forces::{Center, Element, ElementKind, Force, Gravity, Mass, Torque};
 pub use formula::*;
 pub use output::LEVELS;
 pub(crate) use scan::block_comment_length;

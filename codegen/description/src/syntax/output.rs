@@ -1,13 +1,11 @@
-//! Parses requests for results: `output K;`, `output velocity K, phi(c1);`, `transmission K;`, `sensitivity L;`, `monitor;`,
-//! `unguarded;`.
+//! Parses requests: `output velocity K, phi(c1);`, `transmission K;`, `sensitivity L;`, `reaction P;`, `monitor;`.
 
 use proc_macro2::Delimiter;
 
-use super::document::{
-    Directive, DirectiveKind, Output, OutputItem, Sensitivity, Statement, Transmission,
-};
+use super::document::{Operands, OutputItem, Request, RequestKind, Statement};
+use super::formula::Name;
 use super::reader::Outcome;
-use super::reference::{identifier, operands, reference};
+use super::reference::{body_name, identifier, operands, reference};
 use super::statement::{listed, semicolon, semicolon_after_operands};
 use super::tokens::Tokens;
 use crate::diagnostic::Span;
@@ -15,13 +13,45 @@ use crate::diagnostic::Span;
 /// Words for the highest level, in order of the derivatives.
 pub const LEVELS: [&str; 3] = ["position", "velocity", "acceleration"];
 
-/// Parses an `output` statement after its first word.
-pub(super) fn output(
+/// Parses a request after its first word.
+pub(super) fn request(
     tokens: &mut Tokens<'_>,
     docs: Vec<String>,
+    (word, kind, operands): (&'static str, RequestKind, Operands),
     start: Span,
 ) -> Outcome<Statement> {
-    let level = match tokens.peek_word() {
+    let level = match kind {
+        RequestKind::Output => level(tokens),
+        _ => None,
+    };
+    let (mut items, mut names) = (Vec::new(), Vec::new());
+    match operands {
+        Operands::None => {}
+        Operands::Quantities => items = listed(tokens, item)?,
+        Operands::Parameters => {
+            names = listed(tokens, |it| identifier(it, "the name of a parameter"))?;
+        }
+        Operands::Joints => names = listed(tokens, |it| body_name(it, "the name of a joint"))?,
+    }
+    let end = match operands {
+        Operands::None => semicolon(tokens, start)?,
+        _ => semicolon_after_operands(tokens, start)?,
+    };
+    Ok(Statement::Request(Request {
+        kind,
+        word,
+        operands,
+        docs,
+        level,
+        items,
+        names,
+        span: start.to(end),
+    }))
+}
+
+/// Parses the level of an `output` statement; `None` if it names none.
+fn level(tokens: &mut Tokens<'_>) -> Option<Name> {
+    match tokens.peek_word() {
         Some(word) if LEVELS.contains(&word) => {
             // A point may have the name of a level; no item follows it then.
             let mut ahead = *tokens;
@@ -33,48 +63,7 @@ pub(super) fn output(
             level.filter(|_| item_follows)
         }
         _ => None,
-    };
-    let items = listed(tokens, item)?;
-    let span = start.to(semicolon_after_operands(tokens, start)?);
-    Ok(Statement::Output(Output {
-        docs,
-        level,
-        items,
-        span,
-    }))
-}
-
-/// Parses a `transmission` statement after its first word.
-pub(super) fn transmission(
-    tokens: &mut Tokens<'_>,
-    docs: Vec<String>,
-    start: Span,
-) -> Outcome<Statement> {
-    let items = listed(tokens, item)?;
-    let span = start.to(semicolon_after_operands(tokens, start)?);
-    Ok(Statement::Transmission(Transmission { docs, items, span }))
-}
-
-/// Parses a `sensitivity` statement after its first word.
-pub(super) fn sensitivity(
-    tokens: &mut Tokens<'_>,
-    docs: Vec<String>,
-    start: Span,
-) -> Outcome<Statement> {
-    let names = listed(tokens, |it| identifier(it, "the name of a parameter"))?;
-    let span = start.to(semicolon_after_operands(tokens, start)?);
-    Ok(Statement::Sensitivity(Sensitivity { docs, names, span }))
-}
-
-/// Parses a statement of one word, after that word.
-pub(super) fn directive(
-    tokens: &mut Tokens<'_>,
-    docs: Vec<String>,
-    kind: DirectiveKind,
-    start: Span,
-) -> Outcome<Statement> {
-    let span = start.to(semicolon(tokens, start)?);
-    Ok(Statement::Directive(Directive { kind, docs, span }))
+    }
 }
 
 /// Parses a point, or a coordinate of a body.

@@ -8,7 +8,7 @@ use std::collections::{HashMap, HashSet};
 
 use proc_macro2::Delimiter;
 
-use super::document::{Body, Constant, Member, Statement};
+use super::document::{Body, Constant, Member, Operands, Statement};
 use super::expression::{after_expression, coordinates, expression};
 use super::formula::{Expression, Name};
 use super::indexed::{indexed, value};
@@ -90,14 +90,16 @@ impl<'a> Part<'a> {
     }
 }
 
+/// Name of statements without operands of a part.
+const WHOLE: &str = "a statement about the whole mechanism";
+
 /// Returns the name of a statement that is allowed only in a whole mechanism; `None` for other statements.
 fn of_the_whole(statement: &Statement) -> Option<&'static str> {
     match statement {
         Statement::Motion(_) => Some("a motion"),
         Statement::Gravity(_) => Some("gravity"),
-        Statement::Directive(_) | Statement::Units(_) => {
-            Some("a statement about the whole mechanism")
-        }
+        Statement::Units(_) => Some(WHOLE),
+        Statement::Request(it) if it.operands == Operands::None => Some(WHOLE),
         _ => None,
     }
 }

@@ -90,9 +90,10 @@ impl<'a> Renaming<'a> {
                 self.formulas([&mut equation.left, &mut equation.right])
             }
             Statement::Curve(curve) => self.curve(curve),
-            Statement::Output(output) => self.items(&mut output.items),
-            Statement::Transmission(transmission) => self.items(&mut transmission.items),
-            Statement::Sensitivity(sensitivity) => self.names(&mut sensitivity.names),
+            Statement::Request(request) => {
+                self.items(&mut request.items)?;
+                self.names(&mut request.names)
+            }
             Statement::Mass(mass) => {
                 self.body_name(&mut mass.body)?;
                 self.formula(&mut mass.mass)?;
@@ -114,9 +115,8 @@ impl<'a> Renaming<'a> {
                 self.body_name(&mut torque.body)?;
                 self.formula(&mut torque.value)
             }
-            Statement::Reaction(reaction) => self.names(&mut reaction.names),
             // Not permitted in a part.
-            Statement::Directive(_) | Statement::Units(_) | Statement::Motion(_) => Ok(()),
+            Statement::Units(_) | Statement::Motion(_) => Ok(()),
         }
     }
 

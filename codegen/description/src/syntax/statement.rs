@@ -8,7 +8,7 @@ use proc_macro2::Delimiter;
 use super::KEYWORDS;
 use super::body::body;
 use super::curve::curve;
-use super::document::{Constant, DirectiveKind, DrawnPoint, Joint, Points, Statement};
+use super::document::{Constant, DrawnPoint, Joint, Points, REQUESTS, Statement};
 use super::drive::{drive, free};
 use super::equation::equation;
 use super::expression::{after_expression, coordinates, expression};
@@ -16,7 +16,7 @@ use super::forces::{self, ElementKind, valued};
 use super::formula::Name;
 use super::indexed;
 use super::motion::motion;
-use super::output::{directive, output, sensitivity, transmission};
+use super::output::request;
 use super::reader::Outcome;
 use super::reference::{body_name, direction, identifier, operands, separator};
 use super::table::table;
@@ -53,25 +53,18 @@ pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
         "free" => free(tokens, docs, first.span),
         "equation" => equation(tokens, docs, None, first.span),
         "redundant" => redundant(tokens, docs, first.span),
-        "output" => output(tokens, docs, first.span),
-        "transmission" => transmission(tokens, docs, first.span),
-        "sensitivity" => sensitivity(tokens, docs, first.span),
-        "monitor" => directive(tokens, docs, DirectiveKind::Monitor, first.span),
-        "unguarded" => directive(tokens, docs, DirectiveKind::Unguarded, first.span),
         "mass" => forces::mass(tokens, docs, first.span),
         "gravity" => forces::gravity(tokens, docs, first.span),
         "spring" => forces::element(tokens, docs, ElementKind::Spring, first.span),
         "damper" => forces::element(tokens, docs, ElementKind::Damper, first.span),
         "force" => forces::force(tokens, docs, first.span),
         "torque" => forces::torque(tokens, docs, first.span),
-        "effort" => directive(tokens, docs, DirectiveKind::Effort, first.span),
-        "reaction" => forces::reaction(tokens, docs, first.span),
-        "reactions" => directive(tokens, docs, DirectiveKind::Reactions, first.span),
-        "least_norm" => directive(tokens, docs, DirectiveKind::LeastNorm, first.span),
-        "energy" => directive(tokens, docs, DirectiveKind::Energy, first.span),
         "units" => units(tokens, docs, first.span),
         "motion" => motion(tokens, docs, first.span),
-        _ => joint(tokens, docs, None, first),
+        word => match REQUESTS.into_iter().find(|it| it.0 == word) {
+            Some(row) => request(tokens, docs, row, first.span),
+            None => joint(tokens, docs, None, first),
+        },
     }
 }
 

@@ -3,6 +3,7 @@
 //! The parts are C but for four marks: `$real` is the scalar, `$f` what names and literals of float end in, `$F` the same of macros,
 //! `$FLT` the prefix of its limits. They follow the Rust runtime file by file, and every operation of both is the same.
 
+use super::statuses;
 use crate::emit::scalar::Scalar;
 
 /// The parts that both scalars share, in the order in which they build on each other.
@@ -52,7 +53,8 @@ fn origin(file: &str) -> String {
 pub(super) fn header() -> String {
     let mut text = origin("linkwright.h");
     text.push_str("/*\n");
-    text.push_str(&include_str!("runtime/shared.h").replace("$version", &version()));
+    let shared = include_str!("runtime/shared.h").replace("$version", &version());
+    text.push_str(&shared.replace("$statuses", &statuses::constants()));
     let declarations = include_str!("runtime/declarations.h");
     for scalar in [Scalar::F64, Scalar::F32] {
         text.push('\n');
@@ -65,7 +67,8 @@ pub(super) fn header() -> String {
 /// `linkwright.c`.
 pub(super) fn source() -> String {
     let mut text = origin("linkwright.c");
-    text.push_str(&include_str!("runtime/shared.c").replace("$version", &version()));
+    let shared = include_str!("runtime/shared.c").replace("$version", &version());
+    text.push_str(&shared.replace("$status_texts", &statuses::cases()));
     for (scalar, math) in [
         (Scalar::F64, include_str!("runtime/math_double.c")),
         (Scalar::F32, include_str!("runtime/math_single.c")),

@@ -133,16 +133,12 @@ impl Scopes {
             }
             // The name of a joint may be that of a point: operands are considered together with it.
             Statement::Joint(_)
-            | Statement::Output(_)
-            | Statement::Transmission(_)
-            | Statement::Sensitivity(_)
+            | Statement::Request(_)
             | Statement::Mass(_)
             | Statement::Gravity(_)
             | Statement::Force(_)
             | Statement::Torque(_)
-            | Statement::Reaction(_)
-            | Statement::Units(_)
-            | Statement::Directive(_) => {}
+            | Statement::Units(_) => {}
         }
     }
 

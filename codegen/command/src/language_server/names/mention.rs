@@ -1,7 +1,7 @@
 //! Walks over a document for mentions of declared names.
 
 use linkwright_codegen::stages::syntax::{
-    Body, Center, Curve, Direction, Document, Element, Ends, Force, Mass, Member, Name,
+    Body, Center, Curve, Direction, Document, Element, Ends, Force, Mass, Member, Name, Operands,
     Orientation, Origin, OutputItem, Reference, Shape, Statement, Table, TablePoints,
 };
 
@@ -64,31 +64,23 @@ impl Scopes {
                 self.body(&own.body);
                 self.formula(&own.value, None);
             }
-            Statement::Output(_)
-            | Statement::Transmission(_)
-            | Statement::Sensitivity(_)
-            | Statement::Reaction(_)
-            | Statement::Units(_)
-            | Statement::Directive(_)
-            | Statement::Motion(_) => {}
+            Statement::Request(_) | Statement::Units(_) | Statement::Motion(_) => {}
         }
     }
 
     fn mention_requests(&mut self, statement: &Statement) {
-        match statement {
-            Statement::Output(own) => self.wanted(&own.items),
-            Statement::Transmission(own) => self.wanted(&own.items),
-            Statement::Sensitivity(own) => {
-                for name in &own.names {
-                    if let Some(parameter) = self.find(Space::Values, &name.text) {
-                        self.mention(name.span, parameter);
-                    }
-                }
+        let Statement::Request(own) = statement else {
+            return;
+        };
+        self.wanted(&own.items);
+        if own.operands == Operands::Joints {
+            own.names.iter().for_each(|it| self.joints_named(it));
+            return;
+        }
+        for name in &own.names {
+            if let Some(parameter) = self.find(Space::Values, &name.text) {
+                self.mention(name.span, parameter);
             }
-            Statement::Reaction(own) => {
-                own.names.iter().for_each(|it| self.joints_named(it));
-            }
-            _ => {}
         }
     }
 

@@ -12,11 +12,12 @@ pub use constraint::{Drive, DrivenForm, Equation, Free, Joint};
 pub use drawn::{Body, Curve, DrawnPoint, Member, Orientation, Origin, Points, Shape};
 pub use table::{Ends, Table, TablePoints};
 pub use units::Units;
-pub use wanted::{Directive, DirectiveKind, Output, OutputItem, Sensitivity, Transmission};
+pub(super) use wanted::REQUESTS;
+pub use wanted::{Operands, OutputItem, Request, RequestKind};
 
 use std::sync::Arc;
 
-use super::forces::{Element, Force, Gravity, Mass, Reaction, Torque};
+use super::forces::{Element, Force, Gravity, Mass, Torque};
 use super::formula::{Expression, Name};
 use super::scope::{Expansion, Spellings};
 use crate::diagnostic::{Attachment, Span};
@@ -79,12 +80,6 @@ pub enum Statement {
     Equation(Equation),
     /// `curve rim(a) on cam = polar RADIUS;`
     Curve(Curve),
-    /// `output K, phi(1);`
-    Output(Output),
-    /// `transmission K, phi(1);`
-    Transmission(Transmission),
-    /// `sensitivity L2, L3;`
-    Sensitivity(Sensitivity),
     /// `mass crank = 2kg;`
     Mass(Mass),
     /// `gravity = (0, -9.81);`
@@ -95,10 +90,8 @@ pub enum Statement {
     Force(Force),
     /// `torque on 1 = VALUE;`
     Torque(Torque),
-    /// `reaction P;`
-    Reaction(Reaction),
-    /// `monitor;`, `unguarded;`, `effort;`, `reactions;`, `least_norm;`, `energy;`
-    Directive(Directive),
+    /// `output K, phi(1);`, `sensitivity L2;`, `reaction P;`, `monitor;`
+    Request(Request),
     /// `units mm, deg;`
     Units(Units),
     /// `motion NAME { statements }`
@@ -118,6 +111,14 @@ impl MechanismItem {
 }
 
 impl Statement {
+    /// Returns the request of this kind; `None` for other statements.
+    pub fn request(&self, kind: RequestKind) -> Option<&Request> {
+        match self {
+            Statement::Request(request) if request.kind == kind => Some(request),
+            _ => None,
+        }
+    }
+
     /// Returns the location from the first word to the semicolon or the closing brace.
     pub fn span(&self) -> Span {
         match self {
@@ -133,16 +134,12 @@ impl Statement {
             Statement::Free(statement) => statement.drive.span,
             Statement::Equation(statement) => statement.span,
             Statement::Curve(statement) => statement.span,
-            Statement::Output(statement) => statement.span,
-            Statement::Transmission(statement) => statement.span,
-            Statement::Sensitivity(statement) => statement.span,
             Statement::Mass(statement) => statement.span,
             Statement::Gravity(statement) => statement.span,
             Statement::Element(statement) => statement.span,
             Statement::Force(statement) => statement.span,
             Statement::Torque(statement) => statement.span,
-            Statement::Reaction(statement) => statement.span,
-            Statement::Directive(statement) => statement.span,
+            Statement::Request(statement) => statement.span,
             Statement::Units(statement) => statement.span,
             Statement::Motion(statement) => statement.span,
         }

@@ -27,43 +27,7 @@ const char *linkwright_status_text(linkwright_status status)
     case LINKWRIGHT_OK:
         text = "solved";
         break;
-    case LINKWRIGHT_SINGULAR:
-        text = "singular Jacobian";
-        break;
-    case LINKWRIGHT_DIVERGED:
-        text = "Newton-Raphson diverges";
-        break;
-    case LINKWRIGHT_CYCLING:
-        text = "Newton-Raphson cycles";
-        break;
-    case LINKWRIGHT_STALLED:
-        text = "Newton-Raphson stalls";
-        break;
-    case LINKWRIGHT_ITERATION_LIMIT:
-        text = "Newton-Raphson does not converge";
-        break;
-    case LINKWRIGHT_OUT_OF_REACH:
-        text = "out of reach";
-        break;
-    case LINKWRIGHT_WRONG_BRANCH:
-        text = "only another assembly mode is found";
-        break;
-    case LINKWRIGHT_STEP_TOO_LARGE:
-        text = "the step is too large for the motion to be followed";
-        break;
-    case LINKWRIGHT_UNDECIDED:
-        text = "two assembly modes meet, and the motion does not tell them apart";
-        break;
-    case LINKWRIGHT_NOT_POSITIVE:
-        text = "not positive";
-        break;
-    case LINKWRIGHT_NOT_FINITE:
-        text = "a number is not finite";
-        break;
-    case LINKWRIGHT_LOAD_NOT_FINITE:
-        text = "a load is not finite";
-        break;
-    default:
+$status_texts    default:
         break;
     }
     return text;

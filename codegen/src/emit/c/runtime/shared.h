@@ -38,36 +38,7 @@ extern "C" {
 /* Status: LINKWRIGHT_OK, or the reason for a call without a frame. */
 typedef enum linkwright_status {
     LINKWRIGHT_OK = 0,
-    /* The Jacobian is singular, or so close to singular that no digit of a solution can be trusted. The failure's
-       value is the pivot ratio, its column the coordinate at which elimination stopped. */
-    LINKWRIGHT_SINGULAR = 1,
-    /* The iterates of Newton-Raphson diverge. */
-    LINKWRIGHT_DIVERGED = 2,
-    /* The iterates of Newton-Raphson cycle. */
-    LINKWRIGHT_CYCLING = 3,
-    /* A step was shorter than rounding, and the residual still exceeds the tolerance. */
-    LINKWRIGHT_STALLED = 4,
-    /* None of the other failures occurred within the steps that the settings allow. */
-    LINKWRIGHT_ITERATION_LIMIT = 5,
-    /* The links of a closed-form block do not span the distance between their far pins. The value is the missing
-       distance in m. */
-    LINKWRIGHT_OUT_OF_REACH = 6,
-    /* The computed pose belongs to another assembly mode. */
-    LINKWRIGHT_WRONG_BRANCH = 7,
-    /* The motion could not be followed to the requested time in as many steps as the settings allow. */
-    LINKWRIGHT_STEP_TOO_LARGE = 8,
-    /* A quantity that must be positive is not, because of parameters, inputs or t. The value is that quantity, the
-       block its index among those that must be positive. */
-    LINKWRIGHT_NOT_POSITIVE = 9,
-    /* A number is infinite or NaN. For an input, the failure's column is its index, counted from 1. */
-    LINKWRIGHT_NOT_FINITE = 10,
-    /* The motion comes to a change point, and nothing tells in which mode it continues: it rests there, or is equally
-       smooth in both. A shorter step does not help. */
-    LINKWRIGHT_UNDECIDED = 11,
-    /* A load, such as an applied force or a spring, is infinite or NaN; the pose that it follows from is finite. The
-       failure's column is the index of the load in the table LOADS of the mechanism. */
-    LINKWRIGHT_LOAD_NOT_FINITE = 12
-} linkwright_status;
+$statuses} linkwright_status;
 
 /* Words for a status. */
 const char *linkwright_status_text(linkwright_status status);
