@@ -12,7 +12,8 @@ use crate::program::{Function, Statement};
 /// Functions of some arguments.
 #[derive(Clone, Debug)]
 pub struct Enclosed {
-    operations: Vec<Operation>,
+    /// Operations that the results need, each with its register, in order.
+    operations: Vec<(usize, Operation)>,
     results: Vec<Place>,
 }
 
@@ -60,10 +61,13 @@ pub struct Enclosing<'a> {
 impl Enclosed {
     /// Returns the bounds of all results; `registers` is workspace.
     pub fn at(&self, arguments: &[Interval], registers: &mut Vec<Interval>) -> Vec<Interval> {
-        registers.clear();
-        for operation in &self.operations {
-            let value = operation.value(arguments, registers);
-            registers.push(value);
+        let count = self
+            .operations
+            .last()
+            .map_or(0, |(register, _)| register + 1);
+        registers.resize(count, Interval::EMPTY);
+        for (register, operation) in &self.operations {
+            registers[*register] = operation.value(arguments, registers);
         }
         let results = self.results.iter();
         results
@@ -247,10 +251,25 @@ impl<'a> Enclosing<'a> {
         results.map(|result| self.value(result.expr)).collect()
     }
 
-    /// Returns these results as functions of the arguments.
+    /// Returns these results as functions of the arguments, without the operations that no result needs.
     pub fn finish(self, results: Vec<Place>) -> Enclosed {
+        let mut is_needed = vec![false; self.operations.len()];
+        let need = |place: Place, is_needed: &mut [bool]| {
+            if let Place::Found(register) = place {
+                is_needed[register] = true;
+            }
+        };
+        results.iter().for_each(|&it| need(it, &mut is_needed));
+        let mut operations = Vec::new();
+        for (register, operation) in self.operations.into_iter().enumerate().rev() {
+            if is_needed[register] {
+                operation.each_operand(|it| need(it, &mut is_needed));
+                operations.push((register, operation));
+            }
+        }
+        operations.reverse();
         Enclosed {
-            operations: self.operations,
+            operations,
             results,
         }
     }

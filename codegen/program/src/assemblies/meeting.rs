@@ -4,7 +4,7 @@
 //! drivers may have any value of their laws, and modes either sign. Angles that parameters or inputs change range over a turn,
 //! other such values are unbounded, and nothing is proven of these.
 
-use std::collections::HashSet;
+use std::collections::{HashSet, VecDeque};
 use std::f64::consts::TAU;
 
 use super::enclosed::{Enclosed, Enclosing, Place};
@@ -22,8 +22,11 @@ const LEAST_CHORD: f64 = 1e-4;
 /// Largest number of modes of earlier blocks that may have either sign.
 const MOST_SIGNS: usize = 4;
 
-/// Largest number of examined boxes of arguments.
-const BOXES: usize = 1024;
+/// Largest number of examined boxes of arguments for a block, over all modes of earlier blocks.
+const BOXES: usize = 2048;
+
+/// Number of boxes, of each choice of modes, whose middles are examined as well. Whatever refutes later boxes lies between these.
+const MIDDLES: usize = 64;
 
 /// Traversal of the blocks of a program.
 struct Walk<'a> {
@@ -149,6 +152,7 @@ impl<'a> Walk<'a> {
             return false;
         }
         let enclosed = self.enclosing.clone().finish(chords.concat());
+        let mut boxes = BOXES;
         (0..1_u32 << before.len()).all(|modes| {
             let mut arguments = vec![Interval::point(1.0); self.signs.len()];
             for (bit, &at) in before.iter().enumerate() {
@@ -161,40 +165,56 @@ impl<'a> Walk<'a> {
                 let is_used = place < self.at_chord;
                 arguments.push(Interval::new(low, if is_used { high } else { low }));
             }
-            is_apart(&enclosed, arguments)
+            is_apart(&enclosed, arguments, &mut boxes)
         })
     }
 }
 
 /// True if all half chords stay above the smallest one; bisects boxes of arguments.
-fn is_apart(enclosed: &Enclosed, whole: Vec<Interval>) -> bool {
+///
+/// Bounds at the middle of a box refute the whole box: no smaller box that contains this point has narrower bounds. Large boxes come
+/// first, so that their middles cover the ranges early.
+fn is_apart(enclosed: &Enclosed, whole: Vec<Interval>, boxes: &mut usize) -> bool {
     let mut registers = Vec::new();
-    let mut open = vec![whole];
-    let mut looked_at = 0;
-    while let Some(arguments) = open.pop() {
-        looked_at += 1;
-        if looked_at > BOXES {
+    let mut open = VecDeque::from([whole]);
+    let mut middles = MIDDLES;
+    let mut are_apart = |arguments: &[Interval]| {
+        let bounds = enclosed.at(arguments, &mut registers);
+        bounds
+            .chunks_exact(2)
+            .all(|it| it[0].defined && it[1].defined && it[0].low > LEAST_CHORD * it[1].high)
+    };
+    while let Some(mut arguments) = open.pop_front() {
+        if *boxes == 0 {
             return false;
         }
-        let bounds = enclosed.at(&arguments, &mut registers);
-        let mut chords = bounds.chunks_exact(2);
-        if chords.all(|it| it[0].defined && it[1].defined && it[0].low > LEAST_CHORD * it[1].high) {
+        *boxes -= 1;
+        if are_apart(&arguments) {
             continue;
+        }
+        if middles > 0 {
+            middles -= 1;
+            let middle: Vec<Interval> = arguments
+                .iter()
+                .map(|it| Interval::point(it.middle()))
+                .collect();
+            if !are_apart(&middle) {
+                return false;
+            }
         }
         let widths = arguments.iter().map(|it| it.high - it.low);
         let widest = widths
             .enumerate()
             .max_by(|one, other| one.1.total_cmp(&other.1));
-        let Some((widest, width)) = widest.filter(|it| it.1 > 0.0) else {
+        let Some((widest, _)) = widest.filter(|it| it.1 > 0.0) else {
             return false;
         };
         let Interval { low, high, .. } = arguments[widest];
-        let middle = low + 0.5 * width;
-        for [low, high] in [[low, middle], [middle, high]] {
-            let mut half = arguments.clone();
-            half[widest] = Interval::new(low, high);
-            open.push(half);
-        }
+        let middle = arguments[widest].middle();
+        let mut other = arguments.clone();
+        other[widest] = Interval::new(middle, high);
+        arguments[widest] = Interval::new(low, middle);
+        open.extend([arguments, other]);
     }
     true
 }
