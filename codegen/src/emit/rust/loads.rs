@@ -64,7 +64,7 @@ pub(super) fn blamed(failure: &str, module: &Module<'_>) -> String {
     }
 }
 
-/// Returns the end of the call of a block that can fail: `?`, after the call that ascribes a failure to a load, if loads may cause it.
+/// Returns the end of the call of a block that can fail: `?`. If loads may cause the failure, it is first ascribed to a load.
 pub(super) fn handed_on(block: &Block, module: &Module<'_>) -> String {
     let loads = module.program.loads.as_ref();
     let loaded = loads.and_then(|loads| module.program.blocks.get(usize::from(loads.block)));

@@ -39,7 +39,7 @@ impl Module<'_> {
         identifier(self.own_field(symbol))
     }
 
-    /// Writes the items of the module. Elementary functions are those of the runtime, or of the module at the path `math`.
+    /// Writes the items of the module. Its elementary functions are the runtime's, or those of the module at the path `math`.
     pub(super) fn items(&self, math: Option<&str>, code: &mut Code) {
         let parts: [fn(&Module<'_>, &mut Code); 15] = [
             coordinates::coordinates,
