@@ -19,7 +19,7 @@ use crate::solved::Solved;
 /// Instructions and terms in the head of each header.
 const TERMS: [&str; 2] = [
     "Compile this file with linkwright.c of the same folder, as C99 and without -ffast-math; linkwright.h explains the options for identical bits.",
-    "This file is the output of a generator. Anyone who generates it may use, change and distribute it for any purpose and under any licence, without a notice. There is no warranty.",
+    "This file is the output of a generator. Anyone who generates it may use, change and distribute it for any purpose and under any licence, without a notice. Warranties are excluded.",
 ];
 
 /// Returns the source and the header of a mechanism, named `stem`, and those of the runtime.
