@@ -68,13 +68,13 @@ pub(crate) fn read_for(
         return Err(diagnostics);
     };
     let read = resolved(&document, source, language, along, diagnostics);
-    let said = |found: Diagnostics| found.respelled(&document.spellings);
+    let respelled = |findings: Diagnostics| findings.respelled(&document.spellings);
     match read {
         Ok(Read { motions, warnings }) => Ok(Read {
             motions,
-            warnings: said(warnings),
+            warnings: respelled(warnings),
         }),
-        Err(found) => Err(said(found)),
+        Err(errors) => Err(respelled(errors)),
     }
 }
 
@@ -97,11 +97,11 @@ fn resolved(
         return Err(diagnostics);
     };
     for (_, mechanism) in along.and(Some(&mut resolved)).into_iter().flatten() {
-        let own = |name: &&str| mechanism.parameters.iter().position(|it| it.name == *name);
-        let mut wanted: Vec<usize> = along.into_iter().flatten().filter_map(own).collect();
-        wanted.sort_unstable();
-        wanted.dedup();
-        mechanism.sensitivities = wanted;
+        let index = |name: &&str| mechanism.parameters.iter().position(|it| it.name == *name);
+        let mut requested: Vec<usize> = along.into_iter().flatten().filter_map(index).collect();
+        requested.sort_unstable();
+        requested.dedup();
+        mechanism.sensitivities = requested;
     }
     let released = |(mut pool, mechanism): (Pool, model::Mechanism)| {
         let _work = internal::work_at(mechanism.place());
@@ -109,10 +109,10 @@ fn resolved(
         Derived { pool, system }
     };
     let motions: Vec<Derived> = resolved.into_iter().map(released).collect();
-    let found = of_motions(&motions, |derived| {
+    let not_finite = of_motions(&motions, |derived| {
         finiteness::of_system(&derived.pool, &derived.system)
     });
-    diagnostics.extend(found);
+    diagnostics.extend(not_finite);
     if diagnostics.has_errors() {
         return Err(diagnostics);
     }

@@ -48,7 +48,7 @@ pub trait Real:
     /// Distance from 1 to the next larger number.
     const EPSILON: Self;
     /// Smallest positive normal number.
-    const SMALLEST: Self;
+    const MIN_POSITIVE: Self;
 
     /// Returns the scalar nearest to `value`.
     fn from_f64(value: f64) -> Self;
@@ -101,7 +101,7 @@ macro_rules! implement_real {
             const ONE: Self = 1.0;
             const HALF: Self = 0.5;
             const EPSILON: Self = $scalar::EPSILON;
-            const SMALLEST: Self = $scalar::MIN_POSITIVE;
+            const MIN_POSITIVE: Self = $scalar::MIN_POSITIVE;
 
             #[inline]
             fn from_f64(value: f64) -> Self {

@@ -33,7 +33,7 @@ use crate::words::Phrase;
 use page::Writer;
 use spelling::Spelling;
 
-/// Functions of all blocks with nothing left out, for any page.
+/// Functions of all blocks without omissions, for pages of any format.
 pub struct Derivation<'a> {
     pool: Draft,
     system: &'a System,
@@ -56,7 +56,7 @@ impl<'a> Derivation<'a> {
         }
     }
 
-    /// Expressions, with those of the derivation.
+    /// Expressions, including those of the derivation.
     pub fn pool(&self) -> &Pool {
         &self.pool
     }
@@ -71,48 +71,48 @@ impl<'a> Derivation<'a> {
         &self.blocks
     }
 
-    /// The assembly modes.
+    /// Assembly modes.
     pub fn branches(&self) -> &[Branch] {
         &self.branches
     }
 
-    /// As plain text.
+    /// Returns the derivation as plain text.
     pub fn text(mut self, notation: Notation) -> String {
         text_page::page(&Writer::new(&mut self, Script::Text(notation)).document())
     }
 
-    /// As a LaTeX document, which needs amsmath only.
+    /// Returns the derivation as a LaTeX document, which needs only amsmath.
     pub fn latex(mut self) -> String {
         latex_page::page(&Writer::new(&mut self, Script::Latex).document())
     }
 
-    /// As LaTeX for a document that has a preamble.
+    /// Returns the derivation as LaTeX for a document with its own preamble.
     pub fn latex_fragment(mut self) -> String {
         latex_page::fragment(&Writer::new(&mut self, Script::Latex).document())
     }
 
-    /// As parts of a page with MathML.
+    /// Returns the derivation as parts of a page with MathML.
     pub fn html(mut self) -> HtmlDerivation {
         html_page::page(&Writer::new(&mut self, Script::Html).document())
     }
 }
 
-/// The derivation as plain text.
+/// Returns the derivation as plain text.
 pub fn text(pool: &Pool, system: &System, plan: &SolvedPlan, notation: Notation) -> String {
     Derivation::new(pool, system, plan).text(notation)
 }
 
-/// The derivation as a LaTeX document, which needs amsmath only.
+/// Returns the derivation as a LaTeX document, which needs only amsmath.
 pub fn latex(pool: &Pool, system: &System, plan: &SolvedPlan) -> String {
     Derivation::new(pool, system, plan).latex()
 }
 
-/// The derivation as parts of a page with MathML.
+/// Returns the derivation as parts of a page with MathML.
 pub fn html(pool: &Pool, system: &System, plan: &SolvedPlan) -> HtmlDerivation {
     Derivation::new(pool, system, plan).html()
 }
 
-/// Table at the head of the derivation alone: unknowns, method and joints of each block in solve order.
+/// Returns only the table at the head of the derivation: unknowns, method and joints of each block in solve order.
 pub fn outline(pool: &Pool, system: &System, plan: &SolvedPlan, notation: Notation) -> String {
     let forms = crate::program::forms_of(&mut pool.draft(), system, plan);
     let lines = outline::outline(pool, system, plan, &forms, Script::Text(notation));
@@ -151,7 +151,7 @@ pub fn constraints_in_html(pool: &Pool, system: &System) -> Vec<String> {
 pub struct PlainWords<'a> {
     system: &'a System,
     script: Script,
-    /// Formulas in words extend it.
+    /// Draft of the pool, which formulas in words extend.
     draft: RefCell<Draft>,
 }
 

@@ -209,11 +209,11 @@ fn where_paths_cross_the_branch_ends() {
 }
 
 #[test]
-fn times_that_are_no_numbers_are_refused() {
+fn times_that_are_not_finite_are_refused() {
     let (frame, branch) = started(1.0, 0.0);
     for t in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         let failure = follow(&Turning, &frame, branch, t, &Settings::default())
-            .expect_err("there is no such time");
+            .expect_err("a time must be finite");
         assert_eq!(failure.kind, FailureKind::NotFinite, "{failure}");
     }
 }

@@ -49,7 +49,7 @@ pub fn run(bytes: &[u8]) -> String {
         let generated = generated.expect("what is checked can be generated");
         assert!(
             !generated.code().contains("NAN"),
-            "a value that is no number"
+            "a value that is not a number"
         );
         if let Err(error) = syn::parse_file(generated.code()) {
             panic!("the module is not Rust: {error}");

@@ -55,4 +55,4 @@ pub use rational::Rational;
 pub use recorder::Recorder;
 pub use spline::{Spline, SplineId};
 pub use tape::{Tape, evaluate_by};
-pub use written::SHORT;
+pub use written::MAX_EXACT_LENGTH;

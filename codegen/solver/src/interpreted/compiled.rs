@@ -123,8 +123,8 @@ impl Compiled {
         let layout = Layout::new(system, &program.fields);
         let mut writer = Writer::new(pool, system, &program);
         let time = writer.found(system.mechanism.time);
-        let given = layout.symbols()[layout.given()].iter();
-        let given = given.map(|&symbol| writer.found(symbol)).collect();
+        let conditions = layout.symbols()[layout.given()].iter();
+        let conditions = conditions.map(|&symbol| writer.found(symbol)).collect();
         let signs = program.branches.iter();
         let signs = signs.map(|it| writer.found(it.symbol)).collect();
         writer.last(system.mechanism.time);
@@ -154,7 +154,7 @@ impl Compiled {
             code,
             blocks,
             time,
-            given,
+            given: conditions,
             signs,
             kept,
             plan,
@@ -180,8 +180,8 @@ impl Compiled {
             .0
             .iter()
             .flat_map(|it| [it.value, it.rate, it.acceleration]);
-        let given = parameters.0.iter().copied().chain(signals);
-        for (register, value) in self.given.iter().zip(given) {
+        let values = parameters.0.iter().copied().chain(signals);
+        for (register, value) in self.given.iter().zip(values) {
             registers[register.index()] = value;
         }
     }

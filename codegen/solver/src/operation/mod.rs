@@ -122,10 +122,10 @@ pub(crate) fn run(
             let entries = jacobian.iter().map(|it| registers[it.index()]);
             let matrix = DMatrix::from_row_iterator(forces.len(), forces.len(), entries);
             let forces = forces.iter().map(|it| registers[it.index()]);
-            let mut found = DVector::from_iterator(targets.len(), forces);
-            multipliers::solve(&matrix, &mut found)
+            let mut solution = DVector::from_iterator(targets.len(), forces);
+            multipliers::solve(&matrix, &mut solution)
                 .map_err(|kind| linkwright::generated::failed(kind, t, block))?;
-            for (target, value) in targets.iter().zip(found.iter()) {
+            for (target, value) in targets.iter().zip(solution.iter()) {
                 if let Some(target) = target {
                     registers[target.index()] = *value;
                 }

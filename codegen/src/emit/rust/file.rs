@@ -1,4 +1,4 @@
-//! The module of a mechanism, or one module for each of its motions, as source.
+//! Writes the file: the module of a mechanism, or one module for each of its motions.
 
 use super::lints;
 use super::names::{WORDS, identifier};
@@ -43,7 +43,7 @@ pub fn file(motions: &[Solved], scalar: Scalar, math: Option<&str>) -> String {
     code.finish(Lists::Apart)
 }
 
-/// Writes the module of one motion. Who drives the mechanism in one way need not use the other ways.
+/// Writes the module of one motion. Users may leave modules of other motions unused.
 fn motion(module: &Module<'_>, math: Option<&str>, code: &mut Code) {
     let Some(motion) = &module.system.mechanism.motion else {
         return;

@@ -1,16 +1,16 @@
-//! The path of a module with elementary functions → the imports that put them in place of the runtime's.
+//! Imports elementary functions from a module of the user in place of those of the runtime.
 
 use std::collections::HashSet;
 
 use super::names::is_word;
 
-/// Names that a module may import from elsewhere, with their imports.
+/// Names of the runtime that the user's module can replace, with their imports.
 const IMPORTS: [(&str, &str); 2] = [("math", "self as math"), ("angle_near", "angle_near")];
 
-/// `use crate::plain::{self as math, angle_near};`, as far as the code mentions these names. An import by name goes before the one
-/// of all names that every module begins with.
+/// Returns `use crate::plain::{self as math, angle_near};` with the names that the code mentions; `None` if it mentions none. An import
+/// by name takes precedence over the glob import at the head of every module.
 ///
-/// What is no path becomes an error where the code is compiled, as a path does that leads nowhere.
+/// An invalid path becomes an error of the compiler, like a path to a missing module.
 pub(super) fn functions(path: &str, mentioned: &HashSet<&str>) -> Option<String> {
     // A macro gives a path with spaces between its parts.
     let names: Vec<&str> = path.split("::").map(str::trim).collect();

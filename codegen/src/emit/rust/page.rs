@@ -1,9 +1,7 @@
-//! Motions of a mechanism → the page that `rustdoc` shows with its module: the drawing, what the joints ask for, how the motion is
-//! found.
+//! Writes the page that `rustdoc` adds to a module: drawing, equations of the joints and solution.
 //!
-//! The page is one block of HTML in Markdown: it holds no empty line, so nothing in it is read as Markdown, as a link, or as a test.
-//! Words of a description are escaped. The page refers to nothing outside, and takes its colors from the theme that the reader has
-//! chosen.
+//! The page is one block of HTML without empty lines, so `rustdoc` does not read it as Markdown, links or tests. Words of a description
+//! are escaped. The page has no external references, and follows the theme of the reader.
 
 use std::fmt::Write as _;
 
@@ -30,7 +28,7 @@ const STYLE: &str = "\
 .linkwright-page summary { cursor: pointer; margin: 0.4em 0; }
 ";
 
-/// The page of all motions, which are not planned yet.
+/// Returns the page of all motions, whose equations are not planned yet.
 pub fn page(motions: &[Derived]) -> String {
     let mut text = format!("<div class=\"linkwright-page\">\n<style>\n{STYLE}</style>\n");
     for derived in motions {
