@@ -19,9 +19,9 @@
 //! An error of a description is an error of the build, at its line. [`build_with`] takes [`Options`]: single precision,
 //! other elementary functions.
 //!
-//! Other programs call the steps: [`read`] derives the equations, [`check`] says if they determine the motion,
-//! [`generate`] returns the code in a [`Language`], [`format()`] lays a description out. Errors are
-//! [`Diagnostics`] with places in the source.
+//! Other programs call the steps: [`read`] derives the equations, [`Read::check`] verifies that they determine the
+//! motion, [`generate`] returns the code in a [`Language`], [`format()`] lays a description out. Errors are
+//! [`Diagnostics`] with places in the [`Source`].
 //!
 //! # Generated code
 //!
@@ -42,16 +42,19 @@ mod read;
 pub mod stages;
 
 pub use cargo::{build, build_with, write_module};
-pub use checks::check;
 pub use emit::{Language, OutputFile, Scalar};
-#[doc(inline)]
+#[doc(hidden)]
 pub use linkwright_description::diagnostic;
 #[doc(inline)]
+pub use linkwright_description::diagnostic::{Code, Diagnostic, Diagnostics, Position, Source};
+#[doc(inline)]
 pub use linkwright_description::format::format;
-pub use read::{Read, read, read_along};
+pub use read::{Read, read};
+#[doc(inline)]
+pub use system::Derived;
 
 use checks::check_all;
-use diagnostic::{Diagnostics, Source, internal};
+use diagnostic::internal;
 use linkwright_description::{
     columns, consequences, expr, force, joint, model, pool, syntax, units,
 };
@@ -62,7 +65,6 @@ use program::Kept;
 use read::read_for;
 use solved::Solved;
 use structure::Shift;
-use system::Derived;
 
 /// Choices about the generated code.
 ///
@@ -132,6 +134,7 @@ impl Generated {
     }
 
     /// Page that `rustdoc` shows with the module. Its derivation is computed by this call.
+    #[doc(hidden)]
     pub fn page(&self) -> Page {
         let first = self.motions.first();
         Page {
@@ -144,6 +147,7 @@ impl Generated {
 }
 
 /// Page that `rustdoc` shows with a module.
+#[doc(hidden)]
 #[derive(Clone, Debug)]
 pub struct Page {
     /// Documentation of the mechanism in the description: lines of Markdown, of which nothing is compiled, run or
@@ -156,8 +160,7 @@ pub struct Page {
 /// Generates the code of a description.
 ///
 /// ```
-/// use linkwright_codegen::diagnostic::Source;
-/// use linkwright_codegen::{Options, generate};
+/// use linkwright_codegen::{Options, Source, generate};
 ///
 /// let text = "
 ///     mechanism crank {

@@ -2,7 +2,7 @@
 //!
 //! A build script needs nothing of it. What is here may change with every release.
 
-pub use crate::checks::{check_all, findings, findings_of_derivation, report};
+pub use crate::checks::{check, check_all, findings, findings_of_derivation, report};
 
 /// Expressions: the graph, its evaluation, and straight-line code that evaluates several at once.
 pub mod expr {

@@ -36,6 +36,7 @@ pub struct Assembly {
     /// Assembly modes.
     pub modes: Modes,
     /// Pose of each block without a closed form, in the order of the blocks.
+    #[doc(hidden)]
     pub poses: Vec<Pose>,
     /// True if all modes and poses are those of the design configuration.
     pub drawn: bool,
@@ -67,6 +68,7 @@ pub struct Assemblies {
     /// too close to singular.
     pub proven: bool,
     /// Ranges in which existence of poses is undecided.
+    #[doc(hidden)]
     pub undecided: Vec<Undecided>,
     /// Part of the candidate volume in which existence is decided, at most 1: the smallest of all blocks; 0 without a proof.
     pub decided: f64,

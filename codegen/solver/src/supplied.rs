@@ -41,6 +41,7 @@ pub struct ModeName {
 
 impl Numbers {
     /// Returns the nominal parameters of a description.
+    #[doc(hidden)]
     pub fn nominal_parameters(pool: &Pool, system: &System) -> ParameterValues {
         let mechanism = &system.mechanism;
         let nominal = |symbol| pool.graph.nominal(symbol).unwrap_or(f64::NAN);
@@ -51,6 +52,7 @@ impl Numbers {
 
 impl InputSignals {
     /// Returns the initial inputs of the description, at rest.
+    #[doc(hidden)]
     pub fn initial(pool: &Pool, system: &System) -> InputSignals {
         let mechanism = &system.mechanism;
         let value = |expr| pool.graph.constant_value(expr).unwrap_or(f64::NAN);
@@ -121,6 +123,7 @@ pub struct InputLaws {
 
 impl InputLaws {
     /// Returns the laws of the inputs of a system.
+    #[doc(hidden)]
     pub fn of(pool: &Pool, system: &System) -> InputLaws {
         let mechanism = &system.mechanism;
         let mut symbols = vec![0.0; pool.graph.symbol_count()];

@@ -58,6 +58,7 @@ impl Language {
     pub const ALL: [Language; 2] = [Language::Rust, Language::C];
 
     /// Names and files of the language.
+    #[doc(hidden)]
     pub fn conventions(self) -> &'static Conventions {
         match self {
             Language::Rust => &rust::CONVENTIONS,

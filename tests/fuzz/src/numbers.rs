@@ -112,7 +112,7 @@ fn attempt(input: &mut Unstructured<'_>) -> Result<String> {
     let Some(derived) = read.only() else {
         return Ok("without a motion".to_string());
     };
-    if let Err(findings) = linkwright_codegen::check(&derived) {
+    if let Err(findings) = linkwright_codegen::stages::check(&derived) {
         assert!(!findings.render(&source).is_empty());
         return Ok(with_codes("not solvable", &findings));
     }

@@ -99,7 +99,7 @@ pub fn judged(text: &str) -> (Verdict, Option<String>) {
         Err(errors) => return refused(&first_line(errors.render(&source))),
     };
     let derived = read.only().expect("one motion");
-    if let Err(errors) = linkwright_codegen::check(&derived) {
+    if let Err(errors) = linkwright_codegen::stages::check(&derived) {
         return refused(&first_line(errors.render(&source)));
     }
     let truth = Truth::new(&derived);

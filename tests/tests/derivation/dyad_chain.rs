@@ -17,7 +17,7 @@ fn chains_of_one_to_twenty_dyads_assemble_and_move() {
             read.warnings.render(&source)
         );
         let derived = read.only().expect("one motion");
-        if let Err(errors) = linkwright_codegen::check(&derived) {
+        if let Err(errors) = linkwright_codegen::stages::check(&derived) {
             panic!("{}", errors.render(&source));
         }
         let chain = TextbookEquations::new(&derived.pool, &derived.system);

@@ -39,7 +39,7 @@ const ALL: BlockName<'static> = BlockName {
 };
 
 impl Dense {
-    /// Creates the equations of `system`, which must have as many rows as coordinates; `linkwright_codegen::check` verifies that.
+    /// Creates the equations of `system`, which must have as many rows as coordinates; `linkwright_codegen::Read::check` verifies that.
     ///
     /// # Panics
     /// If the system is not square.
