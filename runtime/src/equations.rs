@@ -21,7 +21,7 @@ use crate::math::Real;
 ///
 /// ```
 /// use linkwright::nalgebra::{Const, SMatrix, SVector};
-/// use linkwright::{Equations, Settings, advance, assemble, math};
+/// use linkwright::{Equations, Frame, Settings, math};
 ///
 /// struct Slider;
 ///
@@ -53,11 +53,11 @@ use crate::math::Real;
 ///
 /// # fn main() -> Result<(), linkwright::Failure> {
 /// let settings = Settings::default();
-/// let mut frame = assemble(&Slider, &SVector::<f64, 1>::new(2.5), 0.0, &settings)?;
+/// let mut frame = Frame::assemble(&Slider, &SVector::<f64, 1>::new(2.5), 0.0, &settings)?;
 /// assert!((frame.q[0] - 3.0).abs() < 1e-14);
 /// for step in 1..=100 {
 ///     // On failure `frame` would still be the last valid one.
-///     frame = advance(&Slider, &frame, 0.01 * f64::from(step), &settings)?;
+///     frame = frame.advance(&Slider, 0.01 * f64::from(step), &settings)?;
 /// }
 /// let exact = math::cos(1.0) + math::sqrt(4.0 - math::sin(1.0_f64) * math::sin(1.0));
 /// assert!((frame.q[0] - exact).abs() < 1e-14);

@@ -5,7 +5,7 @@
 //! Newton-Raphson finds from the design configuration and from random poses; there may be more. Afterwards every assembly satisfies the
 //! textbook equations: Newton-Raphson on Φ confirms it from the pose of the blocks.
 
-use linkwright::{Blocks, Branch, Equations, Settings, assemble};
+use linkwright::{Blocks, Branch, Equations, Frame, Settings};
 use linkwright_codegen::stages::assemblies::counts_turns;
 use nalgebra::DVector;
 
@@ -194,7 +194,7 @@ impl Search<'_> {
     fn confirm(&mut self, modes: &Modes, poses: &[Pose], state: &State) {
         let mut instant = self.interpreted.instant(state);
         let q = DVector::from_column_slice(instant.q());
-        let Ok(frame) = assemble(self.textbook, &q, state.t, &Settings::default()) else {
+        let Ok(frame) = Frame::assemble(self.textbook, &q, state.t, &Settings::default()) else {
             self.proven = false;
             return;
         };

@@ -2,7 +2,7 @@
 //! meet, as computed here from the numbers themselves.
 
 use arbitrary::{Result, Unstructured};
-use linkwright::{Settings, assemble_from_rough_estimate};
+use linkwright::{Frame, Settings};
 use linkwright_codegen::diagnostic::Source;
 use linkwright_solver::textbook::TextbookEquations;
 
@@ -119,7 +119,7 @@ fn attempt(input: &mut Unstructured<'_>) -> Result<String> {
     let equations = TextbookEquations::new(&derived.pool, &derived.system);
     let settings = Settings::default();
     let assembled =
-        assemble_from_rough_estimate(&equations, equations.estimate(), None, 0.0, &settings);
+        Frame::assemble_from_rough_estimate(&equations, equations.estimate(), None, 0.0, &settings);
     let frame = match assembled {
         Ok(frame) => frame,
         Err(failure) => {

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use linkwright::{Settings, assemble};
+use linkwright::{Frame, Settings};
 use linkwright_codegen::diagnostic::Source;
 use linkwright_solver::textbook::TextbookEquations;
 use nalgebra::DVector;
@@ -126,7 +126,7 @@ pub fn judged(text: &str) -> (Verdict, Option<String>) {
     };
     let solve = |sample: &Sample| {
         let start = DVector::from_column_slice(&sample.estimate);
-        let solved = assemble(&interpreter, &start, 0.0, &Settings::default());
+        let solved = Frame::assemble(&interpreter, &start, 0.0, &Settings::default());
         let levels = solved
             .map(|frame| [&frame.q, &frame.qd, &frame.qdd].map(|it| it.iter().copied().collect()));
         vec![levels.map_err(|failure| named(failure.kind).to_string())]

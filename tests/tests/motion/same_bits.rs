@@ -1,7 +1,7 @@
 //! The interpreter computes the values of generated code, bit by bit: every motion of every description that is
 //! compiled, along its path, with other parameters and inputs, back and forth and to its limits.
 
-use linkwright::{Blocks, Failure, Mechanism, Settings, Shell, Signals, math};
+use linkwright::{Blocks, Failure, Mechanism, Settings, Shell, Values, math};
 use linkwright_codegen::stages::system::Derived;
 use linkwright_solver::{InputSignals, Interpreted, View};
 use linkwright_tests::description;
@@ -186,7 +186,7 @@ fn supplied<B: Blocks<Scalar = f64>>(blocks: &B, inputs: &InputSignals) -> B::In
     let mut supplied = blocks.initial_inputs();
     assert_eq!(supplied.count(), inputs.count());
     for place in 0..inputs.count() {
-        supplied.set(place, inputs.signal(place).expect("an input"));
+        supplied.set(place, inputs.value(place).expect("an input"));
     }
     supplied
 }

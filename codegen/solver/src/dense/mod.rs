@@ -98,7 +98,7 @@ impl Blocks for Dense {
     type Inputs = InputSignals;
     type PathEnclosures = ();
 
-    /// False, since each step verifies its path itself, as [`linkwright::follow`] does.
+    /// False, since each step verifies its path itself, as [`linkwright::Frame::follow`] does.
     fn is_guarded(&self) -> bool {
         false
     }
