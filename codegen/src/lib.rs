@@ -80,12 +80,13 @@ use structure::Shift;
 /// # Elementary functions
 ///
 /// A processor may have its own way to compute some of them, or a program may prefer those of the standard library. It
-/// then names a module with functions of the same names, which takes over all others from `linkwright::math`:
+/// then names a type that implements `linkwright::math::Functions` with these functions; all others stay those of the
+/// runtime:
 /// ```ignore
-/// mod plain {
-///     pub use linkwright::math::*;
+/// pub struct Plain;
 ///
-///     pub fn sin_cos(angle: f64) -> (f64, f64) {
+/// impl linkwright::math::Functions<f64> for Plain {
+///     fn sin_cos(angle: f64) -> (f64, f64) {
 ///         angle.sin_cos()
 ///     }
 /// }
@@ -94,19 +95,17 @@ use structure::Shift;
 /// ```no_run
 /// use linkwright_codegen::Options;
 ///
-/// let options = Options { math: Some("crate::plain".to_string()), ..Options::default() };
+/// let options = Options { math: Some("crate::Plain".to_string()), ..Options::default() };
 /// linkwright_codegen::build_with("descriptions", &options);
 /// ```
-/// The bits of a frame are then those of these functions, and so are its errors. `angle_near` of `linkwright::math` does
-/// not call `atan2`. A module that replaces the arctangent replaces both, `angle_near` by
-/// `nearest_turn(atan2(sine, cosine), near)`.
+/// The bits of a frame are then those of these functions, and so are its errors.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Options {
     /// Language of the code. A build script includes only Rust.
     pub language: Language,
     /// Scalar: f64, or f32 where the hardware has nothing else.
     pub scalar: Scalar,
-    /// Path of the module whose functions Rust code calls instead of those of `linkwright::math`: `crate::plain`; `None`
+    /// Path of the type whose functions Rust code calls instead of those of `linkwright::math`: `crate::Plain`; `None`
     /// for `linkwright::math`. The compiler resolves it where the code is included. Values that the runtime computes
     /// for itself, such as scales, do not use it.
     pub math: Option<String>,

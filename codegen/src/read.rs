@@ -23,8 +23,8 @@ use crate::system::Derived;
 ///         revolute O(ground, arm);
 ///     }";
 /// let source = Source::new("crank.mech", text);
-/// let found = read(&source).and_then(|read| read.check()).expect_err("no driver");
-/// let error = found.iter().next().expect("an error");
+/// let errors = read(&source).and_then(|read| read.check()).expect_err("no driver");
+/// let error = errors.iter().next().expect("an error");
 /// assert_eq!((error.code.name(), error.range(&source)[0].line), ("K32", 4));
 /// ```
 #[derive(Clone, Debug)]
@@ -51,15 +51,15 @@ impl Read {
     /// # Errors
     /// Too few or too many equations, with their bodies and joints; numbers that become infinite or undefined.
     pub fn check(&self) -> Result<Diagnostics, Diagnostics> {
-        let found = self.motions.iter().map(|derived| {
+        let findings = self.motions.iter().map(|derived| {
             let motion = derived.system.mechanism.motion.as_ref();
             let name = motion.map_or("", |motion| motion.name.as_str());
             (name, None, check(derived).unwrap_or_else(|errors| errors))
         });
-        let found = diagnostic::merged(found.collect());
-        match found.has_errors() {
-            true => Err(found),
-            false => Ok(found),
+        let findings = diagnostic::merged(findings.collect());
+        match findings.has_errors() {
+            true => Err(findings),
+            false => Ok(findings),
         }
     }
 

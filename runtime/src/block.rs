@@ -35,7 +35,7 @@ pub enum Start {
 /// advances in this mode.
 ///
 /// # Errors
-/// Returns those of [`assemble_from_rough_estimate`], or those of [`advance`](crate::advance) and
+/// Returns those of [`Frame::assemble_from_rough_estimate`], or those of [`Frame::advance`] and
 /// [`WrongBranch`](crate::FailureKind::WrongBranch).
 ///
 /// # Work

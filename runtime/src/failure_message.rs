@@ -6,7 +6,7 @@
 use core::fmt;
 
 use crate::failure::{Failure, FailureKind};
-use crate::math::{Real, abs};
+use crate::math::Real;
 
 /// Name of a block of a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -138,7 +138,7 @@ struct Figure<T>(T);
 
 impl<T: Real> fmt::Display for Figure<T> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut size = abs(self.0);
+        let mut size = self.0.abs();
         if size == T::ZERO {
             return formatter.write_str("0");
         }

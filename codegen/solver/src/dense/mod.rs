@@ -84,6 +84,7 @@ impl Dense {
     }
 
     /// Equations.
+    #[doc(hidden)]
     pub fn equations(&self) -> &TextbookEquations {
         &self.equations
     }
