@@ -27,6 +27,28 @@ impl<'a> BlockName<'a> {
 }
 
 /// Failure in a mechanism's own terms; its `Display` is one sentence.
+///
+/// ```
+/// linkwright_macros::mechanism! {
+///     mechanism arm {
+///         input angle = 0;
+///         point O = (0, 0);
+///         body boom at O { O, P: (2, 0) }
+///         revolute O(ground, boom);
+///         drive phi(boom) = angle;
+///     }
+/// }
+/// use arm::{Arm, Inputs};
+/// use linkwright::Signal;
+///
+/// let mut arm = Arm::assemble(0.0, &Inputs::INITIAL)?;
+/// let inputs = Inputs { angle: Signal::constant(f64::NAN) };
+/// let failure = arm.advance(0.01, &inputs).expect_err("not a number");
+/// let message = arm::describe(&failure);
+/// assert_eq!(message.block.map(|block| block.name), Some("angle"));
+/// assert!(message.to_string().contains("angle"), "{message}");
+/// # Ok::<(), linkwright::Failure>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FailureMessage<'a, T = f64> {
     /// Failure to describe.

@@ -17,13 +17,13 @@ use crate::supplied::{InputLaws, InputSignals, ModeName, Modes, ParameterValues,
 /// use linkwright_codegen::{Source, read};
 /// use linkwright_solver::{Dense, Interpreted, View};
 ///
-/// /// x (m) of the first point at t = 0.5 s.
+/// /// x (m) of the second point at t = 0.5 s.
 /// fn x_of<V: View>(view: V) -> Result<f64, linkwright::Failure> {
 ///     let (parameters, laws) = (view.nominal_parameters(), view.input_laws());
 ///     let (pose, modes) = (view.drawn_pose(&parameters), view.drawn_branches());
 ///     let mut shell = Shell::assemble(view, &parameters, &pose, modes, 0.0, &laws.at(0.0), Settings::default())?;
 ///     shell.advance(0.5, &laws.at(0.5))?;
-///     Ok(shell.blocks().points(shell.frame())[0].position[0])
+///     Ok(shell.blocks().points(shell.frame())[1].position[0])
 /// }
 ///
 /// let text = "
