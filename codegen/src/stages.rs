@@ -2,7 +2,7 @@
 //!
 //! Build scripts need none of these items, which may change in every release.
 
-pub use crate::checks::{check_all, findings, findings_of_derivation, report};
+pub use crate::checks::{check, check_all, findings, findings_of_derivation, report};
 
 /// Expressions: the graph, its evaluation, and straight-line code for several expressions.
 pub mod expr {

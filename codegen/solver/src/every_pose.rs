@@ -2,7 +2,7 @@
 //!
 //! Intervals isolate the poses; the block is then assembled from each of them as from any other estimate.
 
-use linkwright::math::nearest_turn;
+use linkwright::math::Real as _;
 use linkwright_codegen::stages::assemblies::{Interval, poses};
 use linkwright_codegen::stages::expr::SymbolId;
 use nalgebra::DVector;
@@ -64,7 +64,7 @@ impl Interpreted {
         for pose in all.found {
             let places = pose.unknowns.iter().enumerate();
             let near = places.map(|(place, &value)| match newton.is_angle[place] {
-                true => nearest_turn(value, last[place]),
+                true => value.nearest_turn(last[place]),
                 false => value,
             });
             let pose = DVector::from_vec(near.collect());

@@ -106,6 +106,7 @@ impl Instant {
     }
 
     /// All values, by `Layout::slot`.
+    #[doc(hidden)]
     pub fn values(&self) -> &[f64] {
         &self.values
     }

@@ -30,7 +30,7 @@ pub struct End {
 /// use std::convert::Infallible;
 ///
 /// use linkwright::{Blocks, Settings, Shell};
-/// use linkwright_codegen::diagnostic::Source;
+/// use linkwright_codegen::Source;
 /// use linkwright_solver::{Interpreted, Schedule, View, follow};
 ///
 /// let text = "

@@ -1,8 +1,6 @@
 //! Motion of a mechanism in both formulations, with a bound on the rounding of each value.
 
-use linkwright::{
-    Blocks, Failure, Frame, Settings, advance, assemble, assemble_from_rough_estimate,
-};
+use linkwright::{Blocks, Failure, Frame, Settings};
 use linkwright_codegen::stages::program::forms_of;
 use linkwright_codegen::stages::structure::{self, Shift};
 use linkwright_codegen::stages::system::Derived;
@@ -136,8 +134,8 @@ fn textbook(derived: &Derived, judge: &Judge) -> Vec<(&'static str, Moved)> {
     let mut last: Option<Frame<f64, Dyn>> = None;
     for t in TIMES {
         let solved = match &last {
-            None => assemble(&interpreter, estimate, t, &settings),
-            Some(frame) => advance(&interpreter, frame, t, &settings),
+            None => Frame::assemble(&interpreter, estimate, t, &settings),
+            Some(frame) => frame.advance(&interpreter, t, &settings),
         };
         match instant(solved) {
             Ok((instant, frame)) => {
@@ -150,7 +148,8 @@ fn textbook(derived: &Derived, judge: &Judge) -> Vec<(&'static str, Moved)> {
             }
         }
     }
-    let afar = assemble_from_rough_estimate(&interpreter, estimate, None, TIMES[0], &settings);
+    let afar =
+        Frame::assemble_from_rough_estimate(&interpreter, estimate, None, TIMES[0], &settings);
     vec![
         ("textbook", moved),
         (FROM_AFAR, vec![instant(afar).map(|it| it.0)]),

@@ -172,7 +172,7 @@ impl State<'_> {
                 let unknown = unknowns.position(|it| it.position == *target);
                 let near = unknown.and_then(|unknown| exact.levels[0].get(unknown));
                 let angle = wound(&arctangent(&y, &x), near);
-                // The promise of `linkwright::math::angle_near`: 2 ε of the angle, or of π/4 where that is larger.
+                // The promise of `linkwright::math::Real::angle_near`: 2 ε of the angle, or of π/4 where that is larger.
                 let rounding =
                     2.0 * epsilon * angle.to_f64().abs().max(std::f64::consts::FRAC_PI_4);
                 self.set(*target, angle, moved.plus(Margin::even(rounding)));

@@ -1,6 +1,6 @@
 //! Equations of a description: closed forms, their order among joints, and their scales.
 
-use linkwright_codegen::check;
+use linkwright_codegen::stages::check;
 use linkwright_codegen::stages::emit::{Notation, text};
 use linkwright_codegen::stages::model::Role;
 use linkwright_codegen::stages::program::forms_of;

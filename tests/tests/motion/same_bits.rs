@@ -1,7 +1,8 @@
 //! The interpreter computes the values of generated code, bit by bit: every motion of every description that is
 //! compiled, along its path, with other parameters and inputs, back and forth and to its limits.
 
-use linkwright::{Blocks, Failure, Mechanism, Settings, Shell, Signals, math};
+use linkwright::math::Real;
+use linkwright::{Blocks, Failure, Mechanism, Settings, Shell, Values};
 use linkwright_codegen::stages::system::Derived;
 use linkwright_solver::{InputSignals, Interpreted, View};
 use linkwright_tests::description;
@@ -186,7 +187,7 @@ fn supplied<B: Blocks<Scalar = f64>>(blocks: &B, inputs: &InputSignals) -> B::In
     let mut supplied = blocks.initial_inputs();
     assert_eq!(supplied.count(), inputs.count());
     for place in 0..inputs.count() {
-        supplied.set(place, inputs.signal(place).expect("an input"));
+        supplied.set(place, inputs.value(place).expect("an input"));
     }
     supplied
 }
@@ -293,19 +294,19 @@ fn interpreted_powers_and_logarithms_are_those_of_generated_code() {
     type Written = fn(f64) -> f64;
     let laws: [(&str, Written); 7] = [
         ("(1 + t^2)^(1/3)", |t| {
-            math::powf(1.0 + t * t, 0.3333333333333333)
+            Real::powf(1.0 + t * t, 0.3333333333333333)
         }),
         ("(1 + t^2)^(-1/3)", |t| {
-            1.0 / math::powf(1.0 + t * t, 0.3333333333333333)
+            1.0 / Real::powf(1.0 + t * t, 0.3333333333333333)
         }),
         ("(1 + t^2)^(5/2)", |t| {
-            (1.0 + t * t) * (1.0 + t * t) * math::sqrt(1.0 + t * t)
+            (1.0 + t * t) * (1.0 + t * t) * Real::sqrt(1.0 + t * t)
         }),
         ("2*t/(1 + t^2)^(5/2)", |t| {
-            2.0 * t / ((1.0 + t * t) * (1.0 + t * t) * math::sqrt(1.0 + t * t))
+            2.0 * t / ((1.0 + t * t) * (1.0 + t * t) * Real::sqrt(1.0 + t * t))
         }),
-        ("ln(2 + t)", |t| math::ln(2.0 + t)),
-        ("exp(t)", math::exp),
+        ("ln(2 + t)", |t| Real::ln(2.0 + t)),
+        ("exp(t)", Real::exp),
         ("-0.3*t^3", |t| -0.3 * t * t * t),
     ];
     for (law, written) in laws {

@@ -2,12 +2,13 @@
 
 use linkwright::Shell;
 use linkwright_codegen::stages::system::System;
+use linkwright_solver::condition::Condition;
 use linkwright_solver::condition::{dimensionless, jacobian};
 use linkwright_solver::measures::MeasuredPart;
 use linkwright_solver::pressure::PressureCheck;
 use linkwright_solver::residuals::ResidualCheck;
 use linkwright_solver::textbook::TextbookEquations;
-use linkwright_solver::{Condition, Instant, Modes, Numbers, View};
+use linkwright_solver::{Instant, Modes, Numbers, View};
 use nalgebra::DVector;
 
 use super::{Course, Rows, Simulated, Wanted};

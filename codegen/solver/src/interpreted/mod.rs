@@ -39,7 +39,7 @@ use path::InterpretedPath;
 ///
 /// ```
 /// use linkwright::{Blocks, Settings, Shell};
-/// use linkwright_codegen::diagnostic::Source;
+/// use linkwright_codegen::Source;
 /// use linkwright_solver::{Interpreted, View};
 ///
 /// let text = "
@@ -181,11 +181,13 @@ impl Interpreted {
     }
 
     /// Plan of the solution.
+    #[doc(hidden)]
     pub fn plan(&self) -> &SolvedPlan {
         &self.compiled.plan
     }
 
     /// Functions that are run.
+    #[doc(hidden)]
     pub fn program(&self) -> &Program {
         &self.compiled.program
     }

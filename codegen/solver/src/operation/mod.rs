@@ -9,7 +9,7 @@ use std::ops::Range;
 use linkwright::generated::{
     exceeds_rounding, multipliers, not_positive, out_of_reach, singular_divisor,
 };
-use linkwright::math::angle_near;
+use linkwright::math::Real as _;
 use linkwright::{Failure, FailureKind};
 use linkwright_codegen::stages::expr::{Code, Register};
 
@@ -88,7 +88,7 @@ pub(crate) fn run(
             last,
         } => {
             let [sine, cosine, last] = [sine, cosine, last].map(|it| registers[it.index()]);
-            registers[target.index()] = angle_near(sine, cosine, last);
+            registers[target.index()] = sine.angle_near(cosine, last);
         }
         Operation::Reach {
             excess,

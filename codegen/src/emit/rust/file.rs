@@ -9,7 +9,7 @@ use crate::emit::scalar::Scalar;
 use crate::solved::Solved;
 
 /// The source of the generated file, with a header of comments. A mechanism with motions becomes one module for each.
-/// Its elementary functions are the runtime's, or those of the module at the path `math`.
+/// Its elementary functions are the runtime's, or those of the type at the path `math`.
 pub fn file(motions: &[Solved], scalar: Scalar, math: Option<&str>) -> String {
     let motions = motions.iter();
     let modules = motions.map(|solved| Module::new(solved, scalar, WORDS));

@@ -39,7 +39,7 @@ impl Module<'_> {
         identifier(self.own_field(symbol))
     }
 
-    /// Writes the items of the module. Its elementary functions are the runtime's, or those of the module at the path `math`.
+    /// Writes the items of the module. Its elementary functions are the runtime's, or those of the type at the path `math`.
     pub(super) fn items(&self, math: Option<&str>, code: &mut Code) {
         let parts: [fn(&Module<'_>, &mut Code); 15] = [
             coordinates::coordinates,
@@ -67,8 +67,8 @@ impl Module<'_> {
             Scalar::F32 => "single",
         };
         code.line(format!("use ::linkwright::generated::{precision}::*;"));
-        let functions = math.and_then(|path| functions(path, &mentioned));
-        functions.into_iter().for_each(|it| code.line(it));
+        let functions = math.map(|path| functions(path, &mentioned));
+        functions.into_iter().flatten().for_each(|it| code.line(it));
         self.constants(&mentioned, code);
         tables::tables(self, &mentioned, code);
         code.gap();
