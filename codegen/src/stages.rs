@@ -2,7 +2,8 @@
 //!
 //! A build script needs nothing of it. What is here may change with every release.
 
-pub use crate::checks::{check_all, findings, findings_of_derivation, report};
+pub use crate::checks::{check_all, findings, findings_of};
+pub use crate::finiteness::of_unplanned;
 
 /// Expressions: the graph, its evaluation, and straight-line code that evaluates several at once.
 pub mod expr {
@@ -68,8 +69,7 @@ pub mod program {
     pub use crate::program::{
         Arithmetic, Block, Branch, Choice, EVALUATIONS, Effort, Elementary, Energy, Evaluation,
         Forces, Found, Function, Kept, Lengths, Level, NewtonBlock, Operations, Output, Program,
-        Reaction, Reduced, Report, Requirements, STEPS, Statement, Tearing, Work, forms_of, lower,
-        unpruned, work,
+        Reaction, Reduced, Report, Requirements, STEPS, Statement, Tearing, Work, lower, work,
     };
 }
 
