@@ -101,9 +101,8 @@ fn equations(derived: &Derived, notation: Notation) -> String {
         }
     }
     let script = Script::Text(notation);
-    // The plan of the motion differs only if the values of drivers are shifted.
-    let mut directions = system.directions.iter();
-    let poses = match directions.all(|it| it.is_parameter()) {
+    let is_same = Shift::Directions.applies(system) == Shift::Efforts.applies(system);
+    let poses = match is_same {
         true => poses_of(&solved, script),
         false => poses(derived, script),
     };
