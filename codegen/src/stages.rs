@@ -3,7 +3,6 @@
 //! A build script needs nothing of it. What is here may change with every release.
 
 pub use crate::checks::{check_all, findings, findings_of};
-pub use crate::finiteness::of_unplanned;
 
 /// Expressions: the graph, its evaluation, and straight-line code that evaluates several at once.
 pub mod expr {
@@ -77,6 +76,12 @@ pub mod program {
 pub mod solved {
     #[doc(inline)]
     pub use crate::solved::Solved;
+}
+
+/// Findings about motions without a solution.
+pub mod finiteness {
+    #[doc(inline)]
+    pub use crate::finiteness::of_unplanned;
 }
 
 /// Every pose of a block that Newton-Raphson solves.

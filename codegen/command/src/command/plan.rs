@@ -3,7 +3,7 @@
 use linkwright_codegen::stages::emit::Notation;
 use linkwright_codegen::stages::emit::derivation::Derivation;
 use linkwright_codegen::stages::structure::Shift;
-use linkwright_codegen::stages::{findings_of, of_unplanned};
+use linkwright_codegen::stages::{findings_of, finiteness};
 
 use super::description::{determined, no_order, rendered, source, warn};
 use super::inspect::no_fragment;
@@ -22,7 +22,7 @@ pub fn run(arguments: &Plan) -> Result<Outcome, Problem> {
     let source = source(&arguments.described.file)?;
     let derived = determined(&source, arguments.described.motion.as_deref())?;
     let derivation = Derivation::of(derived, Shift::Efforts).map_err(|unplanned| {
-        let found = of_unplanned(unplanned);
+        let found = finiteness::of_unplanned(unplanned);
         match found.has_errors() {
             true => rendered(&found, &source),
             false => no_order(&arguments.described.file),
