@@ -26,8 +26,7 @@ impl Solved {
         Ok(Solved::of_plan(derived, plan, kept))
     }
 
-    /// Lowers a plan that exists: a motion with one program needs another one of the same plan. The pool holds the plan's
-    /// expressions.
+    /// Lowers an existing plan, for a motion that needs a second program of it. The pool holds the plan's expressions.
     pub fn of_plan(mut derived: Derived, plan: SolvedPlan, kept: Kept) -> Solved {
         let program = lower(&mut derived.pool, &derived.system, &plan, kept);
         Solved {
