@@ -4,10 +4,9 @@
 //! without a list of names.
 
 use linkwright_codegen::stages::emit::rust::type_name;
-use linkwright_codegen::stages::program::Kept;
-use linkwright_codegen::stages::program::{Output, Program, Reaction, lower};
+use linkwright_codegen::stages::program::{Kept, Output, Program, Reaction};
+use linkwright_codegen::stages::solved::Solved;
 use linkwright_codegen::stages::structure::Shift;
-use linkwright_codegen::stages::structure::plan;
 use linkwright_codegen::stages::system::Component;
 
 use crate::described::motions_in_folder;
@@ -28,16 +27,16 @@ pub fn write(own: &str, others: &str) {
                     "pub mod {name} {{\n    linkwright::include_mechanism!({name});\n}}\n"
                 ));
             }
-            for (place, mut derived) in motions.into_iter().enumerate() {
+            for (place, derived) in motions.into_iter().enumerate() {
                 let motion = derived.system.mechanism.motion.as_ref();
                 let path = motion.map_or(module.clone(), |it| format!("{module}::{}", it.name));
                 let mechanism_type = type_name(&name);
-                let Ok(plan) = plan(&mut derived.pool, &derived.system, Shift::Directions) else {
+                let Ok(solved) = Solved::of(derived, Shift::Directions, Kept::Requested) else {
                     continue;
                 };
-                let program = lower(&mut derived.pool, &derived.system, &plan, Kept::Requested);
-                let (outputs, forces) = (outputs(&program), forces(&program));
-                let derivatives = derivatives(&program);
+                let program = solved.program();
+                let (outputs, forces) = (outputs(program), forces(program));
+                let derivatives = derivatives(program);
                 list.push_str(&format!(
                     "    Compared {{\n        name: {name:?},\n        motion: {place},\n        compare: |derived| compare::<{path}::{mechanism_type}>(\n            derived,\n            |it| {{ {} }},\n            |it| {{ {} }},\n            |it| {{ {} }},\n        ),\n    }},\n",
                     collected(&outputs),

@@ -4,11 +4,11 @@
 //! Warns if the design configuration does not decide every assembly mode.
 
 use crate::diagnostic::{self, Diagnostics};
-use crate::emit::derivation::Derivation;
 use crate::finiteness;
 use crate::modes;
 use crate::pool::Pool;
-use crate::program::{Kept, Program, Report, lower};
+use crate::program::{Kept, Program};
+use crate::solved::Solved;
 use crate::structure::{self, Shift};
 use crate::system::{Derived, System};
 
@@ -39,11 +39,24 @@ pub fn check(derived: &Derived) -> Result<Diagnostics, Diagnostics> {
     if diagnostics.has_errors() {
         return Err(diagnostics);
     }
-    let mut pool = pool.clone();
-    let plan = structure::plan(&mut pool, system, Shift::Directions);
-    let program = plan.map(|plan| lower(&mut pool, system, &plan, Kept::Requested));
-    diagnostics.extend(findings(&pool, system, program.ok().as_ref())?);
+    match Solved::of(derived.clone(), Shift::Directions, Kept::Requested) {
+        Ok(solved) => diagnostics.extend(findings_of(&solved)?),
+        Err(unplanned) => {
+            let exceeded = finiteness::of_unplanned(unplanned);
+            if exceeded.has_errors() {
+                return Err(exceeded);
+            }
+        }
+    }
     Ok(diagnostics)
+}
+
+/// Checks that the numbers of a motion's program are finite. Returns warnings.
+///
+/// # Errors
+/// Those of [`findings`].
+pub fn findings_of(solved: &Solved) -> Result<Diagnostics, Diagnostics> {
+    findings(solved.pool(), solved.system(), Some(solved.program()))
 }
 
 /// Checks that the numbers of a system's program are finite. Returns warnings. Without a program, only the bounds of
@@ -69,22 +82,6 @@ pub fn findings(
     Ok(found.respelled(spellings))
 }
 
-/// Checks that the numbers of a derivation are finite. Returns warnings.
-///
-/// # Errors
-/// Those of [`findings`].
-pub fn findings_of_derivation(derivation: &Derivation<'_>) -> Result<Diagnostics, Diagnostics> {
-    let (pool, system) = (derivation.pool(), derivation.system());
-    let blocks = derivation.blocks();
-    let spellings = &system.mechanism.spellings;
-    let mut found = finiteness::of_blocks(pool, system, blocks);
-    if found.has_errors() {
-        return Err(found.respelled(spellings));
-    }
-    found.extend(modes::undecided(system, blocks, derivation.branches()));
-    Ok(found.respelled(spellings))
-}
-
 /// Checks every motion; a finding of some motions alone names the motion.
 ///
 /// # Errors
@@ -98,14 +95,4 @@ pub fn check_all(motions: &[Derived]) -> Result<(), Diagnostics> {
     } else {
         Ok(())
     }
-}
-
-/// Report of the values that the solved formulation computes and leaves out, with counts of operations; `None` if the
-/// equations do not determine the motion, or exceed the bounds of work.
-pub fn report(derived: &Derived) -> Option<Report> {
-    let mut pool = derived.pool.clone();
-    let plan = structure::plan(&mut pool, &derived.system, Shift::Directions).ok()?;
-    let report = lower(&mut pool, &derived.system, &plan, Kept::Requested).report;
-    let is_whole = pool.graph.excess().is_none();
-    is_whole.then_some(report)
 }

@@ -189,28 +189,22 @@ pub fn generate(source: &Source, options: &Options) -> Result<Generated, Diagnos
     };
     let (mut lowered, mut found) = (Vec::new(), Vec::new());
     for derived in &motions {
-        let Derived { mut pool, system } = derived.clone();
-        let _work = internal::work_at(system.mechanism.place());
-        let plan = structure::plan(&mut pool, &system, Shift::Directions).ok();
-        let program = plan
-            .as_ref()
-            .map(|plan| program::lower(&mut pool, &system, plan, Kept::Requested));
-        let motion = system.mechanism.motion.as_ref();
+        let mechanism = &derived.system.mechanism;
+        let _work = internal::work_at(mechanism.place());
+        let solved = Solved::of(derived.clone(), Shift::Directions, Kept::Requested);
+        let motion = mechanism.motion.as_ref();
         let name = motion.map_or(String::new(), |motion| motion.name.clone());
-        let mut own = finiteness::of_program(&pool, &system, program.as_ref(), range);
-        own.extend(
-            program
-                .iter()
-                .flat_map(|it| modes::undecided(&system, &it.blocks, &it.branches)),
-        );
-        found.push((name, own.respelled(&system.mechanism.spellings)));
-        if let (Some(plan), Some(program)) = (plan, program) {
-            lowered.push(Solved {
-                derived: Derived { pool, system },
-                plan,
-                program,
-            });
-        }
+        let own = match &solved {
+            Ok(solved) => {
+                let (system, program) = (solved.system(), solved.program());
+                let mut own = finiteness::of_program(solved.pool(), system, Some(program), range);
+                own.extend(modes::undecided(system, &program.blocks, &program.branches));
+                own
+            }
+            Err(unplanned) => finiteness::of_unplanned(*unplanned),
+        };
+        found.push((name, own.respelled(&mechanism.spellings)));
+        lowered.extend(solved);
     }
     let found = found
         .iter()
@@ -222,7 +216,7 @@ pub fn generate(source: &Source, options: &Options) -> Result<Generated, Diagnos
     warnings.extend(found);
     let name = lowered
         .first()
-        .map(|solved| solved.derived.system.mechanism.name.clone());
+        .map(|solved| solved.system().mechanism.name.clone());
     let name = name.unwrap_or_default();
     let stem = options.stem.as_deref().unwrap_or(&name);
     let (language, math) = (options.language, options.math.as_deref());

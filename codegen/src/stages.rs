@@ -2,7 +2,7 @@
 //!
 //! Build scripts need none of these items, which may change in every release.
 
-pub use crate::checks::{check, check_all, findings, findings_of_derivation, report};
+pub use crate::checks::{check, check_all, findings, findings_of};
 
 /// Expressions: the graph, its evaluation, and straight-line code for several expressions.
 pub mod expr {
@@ -68,8 +68,7 @@ pub mod program {
     pub use crate::program::{
         Arithmetic, Block, Branch, Choice, EVALUATIONS, Effort, Elementary, Energy, Evaluation,
         Forces, Found, Function, Kept, Lengths, Level, NewtonBlock, Operations, Output, Program,
-        Reaction, Reduced, Report, Requirements, STEPS, Statement, Tearing, Work, forms_of, lower,
-        unpruned, work,
+        Reaction, Reduced, Report, Requirements, STEPS, Statement, Tearing, Work, lower, work,
     };
 }
 
@@ -77,6 +76,12 @@ pub mod program {
 pub mod solved {
     #[doc(inline)]
     pub use crate::solved::Solved;
+}
+
+/// Findings about motions without a solution.
+pub mod finiteness {
+    #[doc(inline)]
+    pub use crate::finiteness::of_unplanned;
 }
 
 /// All poses of a block that Newton-Raphson solves.

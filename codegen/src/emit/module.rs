@@ -24,7 +24,7 @@ use crate::pool::{Pool, SymbolRole};
 use crate::program::passes::names::LocalNames;
 use crate::program::{LARGEST_TEXTBOOK, Program};
 use crate::solved::Solved;
-use crate::system::{Derived, System};
+use crate::system::System;
 use crate::words::Phrase;
 
 /// Rules of a language for names of values.
@@ -71,11 +71,8 @@ pub(super) struct Component<'a> {
 
 impl<'a> Module<'a> {
     pub(super) fn new(solved: &'a Solved, scalar: Scalar, names: Words) -> Module<'a> {
-        let Solved {
-            derived: Derived { pool, system },
-            plan,
-            program,
-        } = solved;
+        let (pool, system) = (solved.pool(), solved.system());
+        let (plan, program) = (solved.plan(), solved.program());
         let kept = program.fields.iter().copied();
         let script = Script::Text(Notation::Unicode);
         let poses = derivation::singular_poses(pool, system, plan, &program.forms, script);

@@ -4,14 +4,13 @@ use linkwright::{Frame, Settings};
 use linkwright_codegen::stages::emit::derivation::Script;
 use linkwright_codegen::stages::emit::{Notation, derivation};
 use linkwright_codegen::stages::expr::ExprId;
-use linkwright_codegen::stages::program::forms_of;
-use linkwright_codegen::stages::structure::Shift;
 use linkwright_solver::condition::Condition;
 use linkwright_solver::condition::jacobian;
 use linkwright_solver::reader::Reader;
 use linkwright_solver::textbook::TextbookEquations;
 use linkwright_solver::{Interpreted, View};
 use linkwright_tests::description;
+use linkwright_tests::plan::solved;
 use linkwright_tests::random::Random;
 use linkwright_tests::values::assembled_from;
 use nalgebra::DMatrix;
@@ -115,19 +114,12 @@ fn the_exam_has_the_determinant_of_its_solution() {
             "{product} {whole}"
         );
     }
-    let mut derived = description::system("two_body");
-    let plan = linkwright_codegen::stages::structure::plan(
-        &mut derived.pool,
-        &derived.system,
-        Shift::Directions,
-    )
-    .expect("a plan");
-    let forms = forms_of(&mut derived.pool, &derived.system, &plan);
+    let solved = solved(description::system("two_body"));
     let poses = derivation::singular_poses(
-        &derived.pool,
-        &derived.system,
-        &plan,
-        &forms,
+        solved.pool(),
+        solved.system(),
+        solved.plan(),
+        &solved.program().forms,
         Script::Text(Notation::Unicode),
     );
     assert_eq!(poses.len(), 1);

@@ -1,4 +1,8 @@
 //! Resolves the statements of a document, in source order, into a mechanism.
+//!
+//! Methods of one `Resolver` resolve all kinds of statements, because operands contain formulas, and formulas contain points,
+//! distances and tables. So each kind may lead to any other. What is resolved so far lies in types of its own: declarations, formulas,
+//! linkage and forces. A name is declared before it is read, and each finding is reported once, in source order.
 
 use std::collections::HashMap;
 use std::sync::Arc;

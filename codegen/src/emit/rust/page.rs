@@ -5,11 +5,11 @@
 
 use std::fmt::Write as _;
 
-use crate::emit::derivation::{self, HtmlSection};
+use crate::emit::derivation::{self, Derivation, HtmlSection};
 use crate::emit::drawing::{self, Pose, Themes};
 use crate::emit::markup::escaped;
 use crate::program::LARGEST_TEXTBOOK;
-use crate::structure::{self, Shift};
+use crate::structure::Shift;
 use crate::system::Derived;
 
 /// Styles of the page.
@@ -28,7 +28,7 @@ const STYLE: &str = "\
 .linkwright-page summary { cursor: pointer; margin: 0.4em 0; }
 ";
 
-/// Returns the page of all motions, whose equations are not planned yet.
+/// Returns the page of all motions, which are planned anew: the derivation shows the motion without the shifts of drivers.
 pub fn page(motions: &[Derived]) -> String {
     let mut text = format!("<div class=\"linkwright-page\">\n<style>\n{STYLE}</style>\n");
     for derived in motions {
@@ -65,11 +65,10 @@ fn of_motion(derived: &Derived) -> String {
         let _ = writeln!(text, "<li>{sentence}</li>");
     }
     text += "</ul>\n</details>\n";
-    let mut draft = pool.draft();
-    let Ok(plan) = structure::plan(&mut draft, system, Shift::Efforts) else {
+    let Ok(derivation) = Derivation::of(derived.clone(), Shift::Efforts) else {
         return text;
     };
-    let derived = derivation::html(&draft, system, &plan);
+    let derived = derivation.html();
     let _ = writeln!(
         text,
         "<p>How its motion is found: {}.</p>\n<div class=\"wide\"><table><thead><tr><th>Block</th><th>Unknowns</th><th>Method</th><th>Joints</th></tr></thead><tbody>\n{}</tbody></table></div>",
