@@ -194,16 +194,17 @@ pub fn generate(source: &Source, options: &Options) -> Result<Generated, Diagnos
         let solved = Solved::of(derived.clone(), Shift::Directions, Kept::Requested);
         let motion = mechanism.motion.as_ref();
         let name = motion.map_or(String::new(), |motion| motion.name.clone());
-        let own = match &solved {
+        let findings = match &solved {
             Ok(solved) => {
                 let (system, program) = (solved.system(), solved.program());
-                let mut own = finiteness::of_program(solved.pool(), system, Some(program), range);
-                own.extend(modes::undecided(system, &program.blocks, &program.branches));
-                own
+                let mut findings =
+                    finiteness::of_program(solved.pool(), system, Some(program), range);
+                findings.extend(modes::undecided(system, &program.blocks, &program.branches));
+                findings
             }
             Err(unplanned) => finiteness::of_unplanned(*unplanned),
         };
-        found.push((name, own.respelled(&mechanism.spellings)));
+        found.push((name, findings.respelled(&mechanism.spellings)));
         lowered.extend(solved);
     }
     let found = found

@@ -9,7 +9,7 @@ use linkwright_codegen::stages::structure::Shift;
 use std::cell::RefCell;
 
 use linkwright_codegen::stages::expr::{ExprId, SymbolId};
-use linkwright_codegen::stages::program::{Block, Function, Kept, Level, NewtonBlock, Statement};
+use linkwright_codegen::stages::program::{Function, Kept, Level, NewtonBlock, Statement};
 use linkwright_codegen::stages::solved::Solved;
 use linkwright_codegen::stages::system::Derived;
 

@@ -150,18 +150,18 @@ fn no_system_is_changed_or_copied() {
 fn calls(text: &str) -> Vec<&'static str> {
     let tokens = tokens(text);
     let words: Vec<&str> = tokens.split(' ').collect();
-    let mut found = Vec::new();
+    let mut calls = Vec::new();
     for (place, pair) in words.windows(2).enumerate() {
         let before = place.checked_sub(1).map_or("", |it| words[it]);
         // A method of this name is another function, and so is a definition.
         let is_call = pair[1].starts_with('(') && before != "." && before != "fn";
-        found.extend(
+        calls.extend(
             CALLED_ONCE
                 .into_iter()
                 .filter(|&it| is_call && it == pair[0]),
         );
     }
-    found
+    calls
 }
 
 #[test]
@@ -170,12 +170,12 @@ fn one_module_plans_and_lowers() {
     for folder in FOLDERS {
         for path in files::below(&files::repository().join(folder), "rs", &[]) {
             let text = fs::read_to_string(&path).expect("a source file");
-            let found = calls(&text);
+            let calls = calls(&text);
             if path.ends_with(FREEZE) {
-                assert_eq!(found, CALLED_ONCE);
+                assert_eq!(calls, CALLED_ONCE);
             } else if !path.ends_with(MEASURING) {
-                let found = found.into_iter();
-                places.extend(found.map(|it| format!("{} calls `{it}`", path.display())));
+                let calls = calls.into_iter();
+                places.extend(calls.map(|it| format!("{} calls `{it}`", path.display())));
             }
         }
     }

@@ -22,9 +22,9 @@ pub fn run(arguments: &Plan) -> Result<Outcome, Problem> {
     let source = source(&arguments.described.file)?;
     let derived = determined(&source, arguments.described.motion.as_deref())?;
     let derivation = Derivation::of(derived, Shift::Efforts).map_err(|unplanned| {
-        let found = finiteness::of_unplanned(unplanned);
-        match found.has_errors() {
-            true => rendered(&found, &source),
+        let exceeded = finiteness::of_unplanned(unplanned);
+        match exceeded.has_errors() {
+            true => rendered(&exceeded, &source),
             false => no_order(&arguments.described.file),
         }
     })?;
