@@ -211,7 +211,30 @@ impl Resolver<'_> {
             pressure_angle,
             span: given.span,
         };
-        self.linkage.push_joint(joint, given.along.cloned());
+        let along = given.along.map(|along| self.on_bodies(along, &joint));
+        self.linkage.push_joint(joint, along);
+    }
+
+    /// Returns the line of a joint with the bodies of its ends, by which drivers may name them.
+    fn on_bodies(&self, along: &syntax::Direction, joint: &Joint) -> syntax::Direction {
+        let marks = &joint.operands.marks;
+        let owners = joint.kind.operands.line.owners();
+        let [from, to] = [(&along.from, owners[0]), (&along.to, owners[1])].map(|(end, owner)| {
+            let body = &self.linkage.bodies[marks[owner].frame.body.0];
+            let body = syntax::Name {
+                text: body.name.clone(),
+                span: end.span,
+            };
+            syntax::Reference {
+                body: end.body.clone().or(Some(body)),
+                ..end.clone()
+            }
+        });
+        syntax::Direction {
+            from,
+            to,
+            span: along.span,
+        }
     }
 }
 

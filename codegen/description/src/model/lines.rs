@@ -2,6 +2,7 @@
 //! body, and `(P, Q)` of an earlier joint.
 
 use super::Joint;
+use super::loads::written_reference;
 use super::operands::WrittenJoint;
 use super::resolve::Resolver;
 use crate::diagnostic::{Code, Diagnostic, Span};
@@ -184,6 +185,9 @@ impl Resolver<'_> {
                 .filter(|&at| joints[at].1.as_ref().is_some_and(fits))
                 .collect()
         };
+        for body in points.iter().filter_map(|point| point.body.as_ref()) {
+            self.body(body)?;
+        }
         let joints_along = matching(points[0], points[1], &self.linkage.joints);
         if let [only] = joints_along[..] {
             let operands = &self.linkage.joints[only].0.operands;
@@ -202,7 +206,7 @@ impl Resolver<'_> {
             return None;
         }
         let span = points[0].span.to(points[1].span);
-        let [p, q] = [&points[0].name.text, &points[1].name.text];
+        let [p, q] = points.map(written_reference);
         let diagnostic = if let Some(&first) = joints_along.first() {
             Diagnostic::error(
                 Code::WrongForm,
