@@ -56,6 +56,11 @@ pub fn read_along(source: &Source, parameters: &[&str]) -> Result<Read, Diagnost
     read_for(source, Language::default(), Some(parameters))
 }
 
+/// Returns the uses of names in a document, also in one with errors, each after the use or the declaration that it refers to.
+pub fn mentions(document: &syntax::Document) -> Vec<model::Mention> {
+    model::mentions(document, &Language::default().conventions().naming)
+}
+
 /// Derives the equations with names for a language, perhaps with sensitivities to other parameters.
 pub(crate) fn read_for(
     source: &Source,
