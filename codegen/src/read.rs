@@ -89,6 +89,11 @@ pub fn read(source: &Source) -> Result<Read, Diagnostics> {
     read_for(source, Language::default(), None)
 }
 
+/// Returns the uses of names in a document, also in one with errors, each after the use or the declaration that it refers to.
+pub fn mentions(document: &syntax::Document) -> Vec<model::Mention> {
+    model::mentions(document, &Language::default().conventions().naming)
+}
+
 /// Derives the equations with names for a language, perhaps with sensitivities to other parameters.
 pub(crate) fn read_for(
     source: &Source,

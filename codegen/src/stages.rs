@@ -25,9 +25,11 @@ pub mod joint {
 pub mod model {
     #[doc(inline)]
     pub use crate::model::{
-        Body, Dimension, ENDS_OF_TABLES, FUNCTIONS, Joint, LAWS, Mechanism, Requested, Role,
-        follow_points, set, unit,
+        Body, Dimension, ENDS_OF_TABLES, FUNCTIONS, Joint, LAWS, Mechanism, Mention, Requested,
+        Role, follow_points, set, unit,
     };
+    #[doc(inline)]
+    pub use crate::read::mentions;
     #[doc(inline)]
     pub use crate::units::UNITS;
 }
