@@ -43,7 +43,8 @@ pub trait View:
     /// Number of Newton-Raphson steps so far, and of solves.
     fn newton_steps(&self) -> [u64; 2];
 
-    /// Returns the motion of all points of the description, in its order.
+    /// Returns the motion of all points that instants offer, in the order of their names: those of the description, in its order, unless
+    /// single outputs limit them.
     fn points(&self, instant: &Instant) -> Vec<PointMotion>;
 
     /// Returns the requested transmissions and sensitivities, in the order of [`crate::derivatives::names`];

@@ -1,12 +1,14 @@
 //! Solves the blocks of a [`System`] without a compile step.
 //!
 //! [`Interpreted`] runs the statements of generated code, block by block, in the same [`Shell`]: modes, path, failures and their text are
-//! equal. Nothing is omitted: instants store every coordinate and every other unknown of the vector form, with rates and accelerations.
+//! equal. [`Interpreted::emitted`] runs the very program that is written out. [`Interpreted::new`] omits nothing: instants store every
+//! coordinate and every other unknown of the vector form, with rates and accelerations.
 
 mod blocks;
 mod compiled;
 mod loads;
 mod path;
+mod points;
 mod run;
 mod view;
 
@@ -20,18 +22,19 @@ use linkwright_codegen::diagnostic::{Code, Diagnostics};
 use linkwright_codegen::stages::findings;
 use linkwright_codegen::stages::program::{Kept, Program, lower};
 use linkwright_codegen::stages::structure::{self, Shift, SolvedPlan};
-use linkwright_codegen::stages::system::Derived;
+use linkwright_codegen::stages::system::{Derived, System};
 
 use crate::derivatives::{Derivative, of_program};
 use crate::forces;
 use crate::instant::Instant;
 use crate::measures::{Measures, measured};
-use crate::reader::{Formulas, Reader};
+use crate::reader::Reader;
 use crate::supplied::{InputSignals, Modes, Pose};
 use crate::view::View;
 use compiled::Compiled;
 use loads::LoadReader;
 use path::InterpretedPath;
+use points::Points;
 
 /// Mechanism that is solved block by block, in SI units: m, rad, s.
 ///
@@ -63,7 +66,7 @@ pub struct Interpreted {
     compiled: Arc<Compiled>,
     registers: RefCell<Vec<f64>>,
     path_registers: RefCell<[Vec<f64>; 2]>,
-    points: Reader,
+    points: Points,
     /// Evaluator of loads for failures; `None` if no load may become infinite.
     loads: Option<LoadReader>,
     derivatives: Vec<Derivative>,
@@ -81,12 +84,22 @@ pub(crate) struct State {
 }
 
 impl Interpreted {
-    /// Returns the blocks of a system; `None` if its equations do not determine the motion.
+    /// Returns the blocks of a system, of which none is omitted; `None` if its equations do not determine the motion.
     pub fn new(derived: &Derived) -> Option<Interpreted> {
-        let system = derived.system.in_full();
+        Interpreted::lowered(derived, derived.system.in_full(), Kept::Unknowns)
+    }
+
+    /// Returns the blocks of the generated module, bit by bit; `None` if the equations do not determine the motion.
+    ///
+    /// Under `output`, instants hold what the module's frames hold: no [`q`](Instant::q), and no other point.
+    pub fn emitted(derived: &Derived) -> Option<Interpreted> {
+        Interpreted::lowered(derived, derived.system.clone(), Kept::Requested)
+    }
+
+    fn lowered(derived: &Derived, system: System, kept: Kept) -> Option<Interpreted> {
         let mut pool = derived.pool.clone();
         let plan = structure::plan(&mut pool, &system, Shift::Directions).ok()?;
-        let program = lower(&mut pool, &system, &plan, Kept::Unknowns);
+        let program = lower(&mut pool, &system, &plan, kept);
         Some(Interpreted::of(Derived { pool, system }, plan, program))
     }
 
@@ -151,22 +164,9 @@ impl Interpreted {
     fn of(mut derived: Derived, plan: SolvedPlan, program: Program) -> Interpreted {
         let measured = measured(&mut derived.pool, &derived.system, &plan, &program);
         let compiled = Compiled::new(derived, plan, program, measured);
-        let Compiled {
-            derived,
-            program,
-            layout,
-            ..
-        } = &compiled;
-        let points = Formulas::new(
-            &program.points,
-            &derived.pool,
-            &derived.system,
-            program,
-            layout,
-        );
         let path = compiled.path.as_ref();
         Interpreted {
-            points: Reader::of(points),
+            points: Points::new(&compiled),
             loads: LoadReader::new(&compiled),
             derivatives: of_program(&compiled.program, &compiled.layout),
             forces: forces::of_program(&compiled.program, &compiled.layout),

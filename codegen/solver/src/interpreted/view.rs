@@ -46,13 +46,7 @@ impl View for Interpreted {
     }
 
     fn points(&self, instant: &Instant) -> Vec<PointMotion> {
-        let values = self.points.values(instant);
-        let motion = |it: &[f64]| PointMotion {
-            position: [it[0], it[1]],
-            velocity: [it[2], it[3]],
-            acceleration: [it[4], it[5]],
-        };
-        values.chunks_exact(6).map(motion).collect()
+        self.points.all(instant)
     }
 
     fn derivatives(&self, instant: &Instant) -> Option<Vec<f64>> {

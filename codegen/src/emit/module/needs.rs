@@ -2,11 +2,8 @@
 
 use super::Module;
 use super::scope::{Place, Scope};
-use crate::assemblies::never_meet;
-use crate::expr::{IdMap, IdSet, SymbolId};
-use crate::pool::Pool;
-use crate::program::{Block, Program, Statement};
-use crate::system::System;
+use crate::expr::SymbolId;
+use crate::program::{Block, Statement};
 
 /// What a block's function needs to be given.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -47,32 +44,6 @@ impl Needs {
             fails,
         }
     }
-}
-
-/// The blocks that have one mode only, by its symbol: beyond a pose at which its two modes meet such a block has the other. Blocks whose
-/// modes never meet are left out.
-pub(super) fn exchanged_by(
-    pool: &Pool,
-    system: &System,
-    program: &Program,
-) -> IdMap<SymbolId, usize> {
-    let graph = &pool.graph;
-    let blocks = program.blocks.iter().enumerate();
-    let apart = never_meet(pool, system, program);
-    let closed = blocks.filter(|(_, block)| block.newton.is_none());
-    // A mode belongs to the first block that reads it.
-    let mut met: IdSet<SymbolId> = IdSet::default();
-    let mut found = IdMap::default();
-    for (number, block) in closed {
-        let read = block.function.values().flat_map(|it| graph.symbols(it));
-        let read = read.filter(|&&symbol| program.branch_of(symbol).is_some());
-        let read: IdSet<SymbolId> = read.copied().collect();
-        let own = read.iter().filter(|&&symbol| met.insert(symbol)).count();
-        if own == 1 && read.len() == 1 && !apart[number] {
-            found.extend(read.into_iter().map(|symbol| (symbol, number)));
-        }
-    }
-    found
 }
 
 /// The numbers of a block that are looked at before the next one is solved: those of a frame of thousands of coordinates are not
