@@ -17,6 +17,19 @@ pub struct Instant {
     values: Vec<f64>,
     /// Index of the first coordinate, and number of coordinates.
     pose: [usize; 2],
+    /// Motion of points from the program that is written out; empty if it has the same formulas.
+    outputs: Vec<OutputMotion>,
+}
+
+/// Position, rate or acceleration of a point of `output`, as the program that is written out computes it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct OutputMotion {
+    /// Index of the point.
+    pub point: usize,
+    /// Order of the derivative.
+    pub level: usize,
+    /// Components in m, m/s or m/s².
+    pub components: [f64; 2],
 }
 
 /// Layout of the values of instants.
@@ -65,7 +78,7 @@ impl Layout {
         }
     }
 
-    /// True if instants hold all coordinates.
+    /// True if instants hold all coordinates of the system.
     pub(crate) fn holds_coordinates(&self, system: &System) -> bool {
         self.coordinates == system.coordinates.len()
     }
@@ -80,6 +93,7 @@ impl Layout {
         Instant {
             values: vec![0.0; self.symbols.len()],
             pose: [self.given().end, self.coordinates],
+            outputs: Vec::new(),
         }
     }
 
@@ -138,6 +152,15 @@ impl Instant {
         for (sum, (value, base)) in self.values.iter_mut().zip(values).skip(1) {
             *sum += multiple * (value - base);
         }
+    }
+
+    /// Motion of points from the program that is written out.
+    pub(crate) fn outputs(&self) -> &[OutputMotion] {
+        &self.outputs
+    }
+
+    pub(crate) fn set_outputs(&mut self, outputs: Vec<OutputMotion>) {
+        self.outputs = outputs;
     }
 
     pub(crate) fn values_mut(&mut self) -> &mut [f64] {

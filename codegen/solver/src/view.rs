@@ -6,6 +6,7 @@ use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::system::{Derived, System};
 
 use crate::instant::{Instant, Layout};
+use crate::interpreted::Emitted;
 use crate::measures::Measures;
 use crate::supplied::{InputLaws, InputSignals, ModeName, Modes, ParameterValues, Pose};
 
@@ -36,6 +37,11 @@ pub trait View:
 
     /// Layout of the values of instants.
     fn layout(&self) -> &Layout;
+
+    /// Program that is written out, if it omits some values of instants; `None` if these are its own.
+    fn emitted(&self) -> Option<&Emitted> {
+        None
+    }
 
     /// Names of the assembly modes that can be selected: first those of closed forms, then the others.
     fn mode_names(&self) -> Vec<ModeName>;

@@ -6,6 +6,7 @@
 
 mod blocks;
 mod compiled;
+mod emitted;
 mod loads;
 mod path;
 mod points;
@@ -35,6 +36,8 @@ use compiled::Compiled;
 use loads::LoadReader;
 use path::InterpretedPath;
 use points::Points;
+
+pub use emitted::Emitted;
 
 /// Mechanism that is solved block by block, in SI units: m, rad, s.
 ///
@@ -72,6 +75,8 @@ pub struct Interpreted {
     derivatives: Vec<Derivative>,
     /// Indices in instants of the requested forces.
     forces: Vec<Option<usize>>,
+    /// Program that is written out; `None` if it omits nothing that this one computes for reports.
+    emitted: Option<Box<Emitted>>,
     residuals: Cell<u64>,
     solves: Cell<u64>,
 }
@@ -86,7 +91,8 @@ pub(crate) struct State {
 impl Interpreted {
     /// Returns the blocks of a system, of which none is omitted; `None` if its equations do not determine the motion.
     pub fn new(derived: &Derived) -> Option<Interpreted> {
-        Interpreted::lowered(derived, derived.system.in_full(), Kept::Unknowns)
+        let fuller = Interpreted::lowered(derived, derived.system.in_full(), Kept::Unknowns)?;
+        Some(fuller.beside_emitted(derived))
     }
 
     /// Returns the blocks of the generated module, bit by bit; `None` if the equations do not determine the motion.
@@ -94,6 +100,15 @@ impl Interpreted {
     /// Under `output`, instants hold what the module's frames hold: no [`q`](Instant::q), and no other point.
     pub fn emitted(derived: &Derived) -> Option<Interpreted> {
         Interpreted::lowered(derived, derived.system.clone(), Kept::Requested)
+    }
+
+    /// Returns the blocks with the emitted ones beside them if single outputs are requested.
+    fn beside_emitted(mut self, derived: &Derived) -> Interpreted {
+        if !derived.system.mechanism.requests.is_empty() {
+            let emitted = Interpreted::emitted(derived);
+            self.emitted = emitted.map(|it| Box::new(Emitted::new(it, &self)));
+        }
+        self
     }
 
     fn lowered(derived: &Derived, system: System, kept: Kept) -> Option<Interpreted> {
@@ -116,10 +131,10 @@ impl Interpreted {
         };
         let program = lower(&mut pool, &system, &plan, Kept::Unknowns);
         match findings(&pool, &system, Some(&program)) {
-            Ok(warnings) => Ok((
-                Some(Interpreted::of(Derived { pool, system }, plan, program)),
-                warnings,
-            )),
+            Ok(warnings) => {
+                let fuller = Interpreted::of(Derived { pool, system }, plan, program);
+                Ok((Some(fuller.beside_emitted(derived)), warnings))
+            }
             Err(found) => {
                 let is_of_values = found.iter().all(|it| it.code == Code::NotFinite)
                     && !system.mechanism.parameters.is_empty();
@@ -170,6 +185,7 @@ impl Interpreted {
             loads: LoadReader::new(&compiled),
             derivatives: of_program(&compiled.program, &compiled.layout),
             forces: forces::of_program(&compiled.program, &compiled.layout),
+            emitted: None,
             registers: RefCell::new(compiled.code.registers().to_vec()),
             path_registers: RefCell::new(
                 path.map_or_else(Default::default, InterpretedPath::registers),

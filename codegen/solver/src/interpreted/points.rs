@@ -69,6 +69,20 @@ impl Points {
 
     /// Returns the motion of all points.
     pub fn all(&self, instant: &Instant) -> Vec<PointMotion> {
+        let mut motions = self.of_values(instant);
+        for output in instant.outputs() {
+            let motion = &mut motions[output.point];
+            let levels = [
+                &mut motion.position,
+                &mut motion.velocity,
+                &mut motion.acceleration,
+            ];
+            *levels[output.level] = output.components;
+        }
+        motions
+    }
+
+    fn of_values(&self, instant: &Instant) -> Vec<PointMotion> {
         match &self.source {
             Source::Computed(reader) => {
                 let values = reader.values(instant);

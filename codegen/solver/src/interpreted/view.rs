@@ -4,7 +4,7 @@ use linkwright::{Failure, PointMotion};
 use linkwright_codegen::stages::emit::derivation::SingularPose;
 use linkwright_codegen::stages::system::Derived;
 
-use super::Interpreted;
+use super::{Emitted, Interpreted};
 use crate::derivatives::Derivative;
 use crate::instant::{Instant, Layout};
 use crate::measures::Measures;
@@ -18,6 +18,10 @@ impl View for Interpreted {
 
     fn layout(&self) -> &Layout {
         &self.compiled.layout
+    }
+
+    fn emitted(&self) -> Option<&Emitted> {
+        self.emitted.as_deref()
     }
 
     fn mode_names(&self) -> Vec<ModeName> {

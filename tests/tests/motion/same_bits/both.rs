@@ -2,7 +2,7 @@
 
 use std::fmt::Debug;
 
-use linkwright::{Blocks, Failure, Mechanism, Settings, Shell, Signals};
+use linkwright::{Blocks, Failure, Mechanism, Settings, Shell, Signals, Values};
 use linkwright_codegen::stages::program::Output;
 use linkwright_solver::{InputSignals, Instant, Interpreted, View};
 use linkwright_tests::values::{filled, numbers};
@@ -22,6 +22,8 @@ pub struct Both<'a, M: Mechanism> {
     generated: Option<Shell<M::Blocks>>,
     interpreted: Option<Shell<Interpreted>>,
     view: &'a Interpreted,
+    /// True if the interpreter runs the very program that is compiled.
+    is_emitted: bool,
     outputs: fn(&Frame<M>) -> Outputs,
     forces: fn(&Frame<M>) -> Vec<f64>,
     derivatives: fn(&Frame<M>) -> Vec<f64>,
@@ -38,6 +40,7 @@ where
 {
     pub fn new(
         view: &'a Interpreted,
+        is_emitted: bool,
         outputs: fn(&Frame<M>) -> Outputs,
         forces: fn(&Frame<M>) -> Vec<f64>,
         derivatives: fn(&Frame<M>) -> Vec<f64>,
@@ -46,6 +49,7 @@ where
             generated: None,
             interpreted: None,
             view,
+            is_emitted,
             outputs,
             forces,
             derivatives,
@@ -201,18 +205,10 @@ where
                 *pair = [own, same.expect("columns")];
             }
         }
-        // Everything that the frame holds: what later blocks, the next frame and the path read, and the inside of torn blocks.
-        let parameters = numbers(interpreted.parameters());
-        let given = parameters.len() + 3 * view.initial_inputs().count();
-        let (t, rest) = instant.values().split_at(1);
-        let same = [t, &rest[given..]].concat();
-        let mut own = numbers_of(frame);
-        if own.len() > same.len() {
-            let coordinates = 1 + 3 * instant.q().len();
-            let kept = own.drain(coordinates..coordinates + parameters.len());
-            assert!(kept.eq(parameters));
+        if self.is_emitted {
+            pairs[4] = [numbers_of(frame), held(interpreted)];
+            drop_parameters(&mut pairs[4], interpreted);
         }
-        pairs[4] = [own, same];
         for (kind, [own, same]) in pairs.iter().enumerate() {
             self.numbers(kind, own, same);
         }
@@ -242,7 +238,7 @@ where
 }
 
 /// Inputs of a compiled mechanism.
-fn supplied<B: Blocks<Scalar = f64>>(blocks: &B, inputs: &InputSignals) -> B::Inputs {
+pub fn supplied<B: Blocks<Scalar = f64>>(blocks: &B, inputs: &InputSignals) -> B::Inputs {
     let mut supplied = blocks.initial_inputs();
     assert_eq!(supplied.count(), inputs.count());
     for place in 0..inputs.count() {
@@ -265,4 +261,21 @@ fn output(view: &Interpreted, instant: &Instant, name: &str, level: usize) -> Ve
     let slots = symbols.iter().map(|&it| view.layout().slot(it));
     let slots = slots.map(|slot| slot.expect("instants keep outputs"));
     slots.map(|slot| instant.values()[slot]).collect()
+}
+
+/// Everything that an instant holds: what later blocks, the next frame and the path read, and the inside of torn blocks.
+fn held(shell: &Shell<Interpreted>) -> Vec<f64> {
+    let given = shell.parameters().count() + 3 * shell.blocks().initial_inputs().count();
+    let (t, rest) = shell.frame().values().split_at(1);
+    [t, &rest[given..]].concat()
+}
+
+/// Removes the parameters of a frame that keeps them, behind its coordinates.
+fn drop_parameters([own, same]: &mut [Vec<f64>; 2], shell: &Shell<Interpreted>) {
+    if own.len() > same.len() {
+        let parameters = numbers(shell.parameters());
+        let coordinates = 1 + 3 * shell.frame().q().len();
+        let kept = own.drain(coordinates..coordinates + parameters.len());
+        assert!(kept.eq(parameters));
+    }
 }
