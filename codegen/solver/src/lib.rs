@@ -40,6 +40,7 @@
 #![doc(html_root_url = "https://docs.rs/linkwright-solver/0.1.0")]
 
 mod checked_part;
+mod emitted;
 mod explained;
 mod instant;
 mod interpreted;

@@ -4,8 +4,8 @@
 
 use linkwright::{Failure, Shell};
 
+use crate::emitted::Emitted;
 use crate::instant::Instant;
-use crate::interpreted::{Emitted, Interpreted};
 use crate::supplied::{InputSignals, Modes, Pose};
 use crate::trajectory::{End, Movable};
 use crate::view::View;
@@ -18,15 +18,15 @@ const UNAFFECTED: &str = "; generated code, which computes its outputs alone, go
 pub struct Moved<V: View> {
     fuller: Shell<V>,
     /// `None` if the fuller program is the only one.
-    emitted: Option<EmittedMotion>,
+    emitted: Option<EmittedMotion<V>>,
     first_failing: Option<Program>,
 }
 
 /// Program that is written out, in motion.
-#[derive(Clone, Debug)]
-struct EmittedMotion {
-    emitted: Emitted,
-    shell: Shell<Interpreted>,
+#[derive(Clone)]
+struct EmittedMotion<V: View> {
+    emitted: Emitted<V>,
+    shell: Shell<V>,
     /// Last instant of the fuller program with the values of the emitted one.
     joined: Instant,
 }
@@ -47,8 +47,8 @@ impl<V: View> Moved<V> {
         let laws = blocks.input_laws();
         let inputs = laws.at(t);
         let emitted = blocks.emitted().map(|emitted| {
-            let modes = emitted.modes(&blocks, &modes);
-            let shell = assembled(emitted.blocks().clone(), pose, modes, t, &inputs);
+            let modes = modes_of(&emitted.blocks, &blocks, &modes);
+            let shell = assembled(emitted.blocks.clone(), pose, modes, t, &inputs);
             (emitted.clone(), shell)
         });
         let fuller = assembled(blocks.clone(), pose, modes, t, &inputs);
@@ -62,7 +62,7 @@ impl<V: View> Moved<V> {
         let emitted = match emitted {
             None => None,
             Some((emitted, shell)) => {
-                let shell = shell.map_err(|failure| emitted.blocks().not_assembled(&failure))?;
+                let shell = shell.map_err(|failure| emitted.blocks.not_assembled(&failure))?;
                 Some(EmittedMotion {
                     joined: emitted.joined(fuller.frame(), shell.frame()),
                     emitted,
@@ -127,17 +127,32 @@ impl<V: View> Movable for Moved<V> {
     }
 }
 
+/// Returns the modes of emitted blocks among those of fuller ones.
+fn modes_of<V: View>(emitted: &V, fuller: &V, all: &Modes) -> Modes {
+    let names = fuller.mode_names();
+    let mut modes = emitted.drawn_branches();
+    for mode in emitted.mode_names() {
+        let mut names = names.iter();
+        let of_fuller = names.find(|it| it.name == mode.name && it.is_closed == mode.is_closed);
+        match of_fuller {
+            Some(of_fuller) if mode.is_closed => {
+                modes.closed[mode.place] = all.closed[of_fuller.place];
+            }
+            Some(of_fuller) => modes.iterated[mode.place] = all.iterated[of_fuller.place],
+            None => {}
+        }
+    }
+    modes
+}
+
 /// Assembles blocks with their nominal parameters.
-fn assembled<B>(
-    blocks: B,
+fn assembled<V: View>(
+    blocks: V,
     pose: &Pose,
     modes: Modes,
     t: f64,
     inputs: &InputSignals,
-) -> Result<Shell<B>, Failure>
-where
-    B: View,
-{
+) -> Result<Shell<V>, Failure> {
     let parameters = blocks.nominal_parameters();
     let settings = Default::default();
     Shell::assemble(blocks, &parameters, pose, modes, t, inputs, settings)

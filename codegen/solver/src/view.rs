@@ -5,8 +5,8 @@ use linkwright_codegen::stages::emit::derivation::SingularPose;
 use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::system::{Derived, System};
 
+use crate::emitted::Emitted;
 use crate::instant::{Instant, Layout};
-use crate::interpreted::Emitted;
 use crate::measures::Measures;
 use crate::supplied::{InputLaws, InputSignals, ModeName, Modes, ParameterValues, Pose};
 
@@ -39,7 +39,7 @@ pub trait View:
     fn layout(&self) -> &Layout;
 
     /// Program that is written out, if it omits some values of instants; `None` if these are its own.
-    fn emitted(&self) -> Option<&Emitted> {
+    fn emitted(&self) -> Option<&Emitted<Self>> {
         None
     }
 

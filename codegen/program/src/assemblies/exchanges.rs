@@ -19,8 +19,8 @@ pub fn exchanges(pool: &Pool, system: &System, program: &Program) -> IdMap<Symbo
         let read = block.function.values().flat_map(|it| graph.symbols(it));
         let read = read.filter(|&&symbol| program.branch_of(symbol).is_some());
         let read: IdSet<SymbolId> = read.copied().collect();
-        let own = read.iter().filter(|&&symbol| met.insert(symbol)).count();
-        if own == 1 && read.len() == 1 && !apart[number] {
+        let first_read = read.iter().filter(|&&symbol| met.insert(symbol)).count();
+        if first_read == 1 && read.len() == 1 && !apart[number] {
             exchanged.extend(read.into_iter().map(|symbol| (symbol, number)));
         }
     }

@@ -4,9 +4,9 @@
 //! equal. [`Interpreted::emitted`] runs the very program that is written out. [`Interpreted::new`] omits nothing: instants store every
 //! coordinate and every other unknown of the vector form, with rates and accelerations.
 
+mod beside;
 mod blocks;
 mod compiled;
-mod emitted;
 mod loads;
 mod path;
 mod points;
@@ -23,9 +23,10 @@ use linkwright_codegen::diagnostic::{Code, Diagnostics};
 use linkwright_codegen::stages::findings;
 use linkwright_codegen::stages::program::{Kept, Program, lower};
 use linkwright_codegen::stages::structure::{self, Shift, SolvedPlan};
-use linkwright_codegen::stages::system::{Derived, System};
+use linkwright_codegen::stages::system::Derived;
 
 use crate::derivatives::{Derivative, of_program};
+use crate::emitted::Emitted;
 use crate::forces;
 use crate::instant::Instant;
 use crate::measures::{Measures, measured};
@@ -36,8 +37,6 @@ use compiled::Compiled;
 use loads::LoadReader;
 use path::InterpretedPath;
 use points::Points;
-
-pub use emitted::Emitted;
 
 /// Mechanism that is solved block by block, in SI units: m, rad, s.
 ///
@@ -76,7 +75,7 @@ pub struct Interpreted {
     /// Indices in instants of the requested forces.
     forces: Vec<Option<usize>>,
     /// Program that is written out; `None` if it omits nothing that this one computes for reports.
-    emitted: Option<Box<Emitted>>,
+    emitted: Option<Box<Emitted<Interpreted>>>,
     residuals: Cell<u64>,
     solves: Cell<u64>,
 }
@@ -91,7 +90,11 @@ pub(crate) struct State {
 impl Interpreted {
     /// Returns the blocks of a system, of which none is omitted; `None` if its equations do not determine the motion.
     pub fn new(derived: &Derived) -> Option<Interpreted> {
-        let fuller = Interpreted::lowered(derived, derived.system.in_full(), Kept::Unknowns)?;
+        let full = Derived {
+            pool: derived.pool.clone(),
+            system: derived.system.in_full(),
+        };
+        let fuller = Interpreted::lowered(full, Kept::Unknowns)?;
         Some(fuller.beside_emitted(derived))
     }
 
@@ -99,23 +102,23 @@ impl Interpreted {
     ///
     /// Under `output`, instants hold what the module's frames hold: no [`q`](Instant::q), and no other point.
     pub fn emitted(derived: &Derived) -> Option<Interpreted> {
-        Interpreted::lowered(derived, derived.system.clone(), Kept::Requested)
+        Interpreted::lowered(derived.clone(), Kept::Requested)
     }
 
     /// Returns the blocks with the emitted ones beside them if single outputs are requested.
     fn beside_emitted(mut self, derived: &Derived) -> Interpreted {
         if !derived.system.mechanism.requests.is_empty() {
             let emitted = Interpreted::emitted(derived);
-            self.emitted = emitted.map(|it| Box::new(Emitted::new(it, &self)));
+            self.emitted = emitted.map(|it| Box::new(beside::beside(it, &self)));
         }
         self
     }
 
-    fn lowered(derived: &Derived, system: System, kept: Kept) -> Option<Interpreted> {
-        let mut pool = derived.pool.clone();
-        let plan = structure::plan(&mut pool, &system, Shift::Directions).ok()?;
-        let program = lower(&mut pool, &system, &plan, kept);
-        Some(Interpreted::of(Derived { pool, system }, plan, program))
+    fn lowered(mut derived: Derived, kept: Kept) -> Option<Interpreted> {
+        let Derived { pool, system } = &mut derived;
+        let plan = structure::plan(pool, system, Shift::Directions).ok()?;
+        let program = lower(pool, system, &plan, kept);
+        Some(Interpreted::of(derived, plan, program))
     }
 
     /// Returns the blocks as [`Interpreted::new`] does, with warnings about their solution.

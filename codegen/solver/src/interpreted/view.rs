@@ -4,8 +4,9 @@ use linkwright::{Failure, PointMotion};
 use linkwright_codegen::stages::emit::derivation::SingularPose;
 use linkwright_codegen::stages::system::Derived;
 
-use super::{Emitted, Interpreted};
+use super::Interpreted;
 use crate::derivatives::Derivative;
+use crate::emitted::Emitted;
 use crate::instant::{Instant, Layout};
 use crate::measures::Measures;
 use crate::supplied::ModeName;
@@ -20,7 +21,7 @@ impl View for Interpreted {
         &self.compiled.layout
     }
 
-    fn emitted(&self) -> Option<&Emitted> {
+    fn emitted(&self) -> Option<&Emitted<Interpreted>> {
         self.emitted.as_deref()
     }
 

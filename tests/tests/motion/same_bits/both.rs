@@ -220,12 +220,12 @@ where
             return;
         };
         let compiled = [&self.before, inputs].map(|it| supplied(generated.blocks(), it));
-        let own = Moved::new(generated, &last.0, [&compiled[0], &compiled[1]]);
-        let same = Moved::new(interpreted, &last.1, [&self.before, inputs]);
-        let mut both = [own.verified(), same.verified()];
+        let generated = Moved::new(generated, &last.0, [&compiled[0], &compiled[1]]);
+        let interpreted = Moved::new(interpreted, &last.1, [&self.before, inputs]);
+        let mut both = [generated.verified(), interpreted.verified()];
         if self.moves.is_multiple_of(SEARCHED) {
-            both[0].bounds.extend(own.largest());
-            both[1].bounds.extend(same.largest());
+            both[0].bounds.extend(generated.largest());
+            both[1].bounds.extend(interpreted.largest());
         }
         let [own, same] = both;
         for (own, same) in own.results.iter().zip(&same.results) {
@@ -265,9 +265,10 @@ fn output(view: &Interpreted, instant: &Instant, name: &str, level: usize) -> Ve
 
 /// Everything that an instant holds: what later blocks, the next frame and the path read, and the inside of torn blocks.
 fn held(shell: &Shell<Interpreted>) -> Vec<f64> {
-    let given = shell.parameters().count() + 3 * shell.blocks().initial_inputs().count();
+    let inputs = shell.blocks().initial_inputs().count();
+    let supplied = shell.parameters().count() + 3 * inputs;
     let (t, rest) = shell.frame().values().split_at(1);
-    [t, &rest[given..]].concat()
+    [t, &rest[supplied..]].concat()
 }
 
 /// Removes the parameters of a frame that keeps them, behind its coordinates.

@@ -11,7 +11,7 @@ use super::frame_numbers::numbers_of;
 const STEPS: [f64; 4] = [0.0, 1.0, 8.0, 200.0];
 
 /// Largest length of a window in steps.
-const MOST: f64 = 4096.0;
+const MAX_STEPS: f64 = 4096.0;
 
 /// Mechanism with its last two frames.
 pub struct Moved<'a, B: Blocks> {
@@ -123,7 +123,7 @@ impl<'a, B: Blocks<Scalar = f64, PathEnclosures: Debug>> Moved<'a, B> {
         if self.step() == 0.0 || !proves(1.0) {
             return 0.0;
         }
-        let (mut near, mut far) = (1.0, MOST);
+        let (mut near, mut far) = (1.0, MAX_STEPS);
         if proves(far) {
             return far;
         }

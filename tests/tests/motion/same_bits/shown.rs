@@ -59,12 +59,12 @@ where
             compare(&own, &same);
         }
         for place in (0..).take_while(|&place| blocks.point_name(place).is_some()) {
-            let own = blocks.point(frame, place).expect("a point");
+            let point = blocks.point(frame, place).expect("a point");
             let name = blocks.point_name(place).expect("a name");
             let same = points[place_of(view, name)];
-            compare(&own.position, &same.position);
-            compare(&own.velocity, &same.velocity);
-            compare(&own.acceleration, &same.acceleration);
+            compare(&point.position, &same.position);
+            compare(&point.velocity, &same.velocity);
+            compare(&point.acceleration, &same.acceleration);
         }
         Ok::<(), linkwright::Failure>(())
     });
