@@ -1,6 +1,6 @@
 //! Moves the program that is written out and, beside it, a fuller one that computes what reports show of the mechanism besides.
 //!
-//! Every value that generated code has comes from its own program, and so does the end of its motion.
+//! Coordinates, points and forces that generated code computes come from its own program, and so does the end of its motion.
 
 use linkwright::{Failure, Shell};
 
@@ -19,6 +19,7 @@ pub struct Moved<V: View> {
     fuller: Shell<V>,
     /// `None` if the fuller program is the only one.
     emitted: Option<EmittedMotion<V>>,
+    /// Program that failed first; `None` if none has failed.
     first_failing: Option<Program>,
 }
 
