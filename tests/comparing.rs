@@ -58,18 +58,25 @@ fn collected(values: &[String]) -> String {
     }
 }
 
-/// The coordinates that a frame offers where `output` limits it, with their levels.
+/// The coordinates and points that a frame offers where `output` limits it, with their levels.
 fn outputs(program: &Program) -> Vec<String> {
     let mut values = Vec::new();
     for output in program.outputs.iter().flatten() {
-        if let Output::Coordinate { name, fields, .. } = output {
-            let suffixes = ["", "_rate", "_acceleration"].iter().enumerate();
-            let levels = suffixes.take(fields.len());
-            values.extend(
-                levels.map(|(level, suffix)| {
-                    format!("vec![({name:?}, {level}, it.{name}{suffix}())]")
-                }),
-            );
+        match output {
+            Output::Coordinate { name, fields, .. } => {
+                let suffixes = ["", "_rate", "_acceleration"].iter().enumerate();
+                values.extend(suffixes.take(fields.len()).map(|(level, suffix)| {
+                    format!("vec![({name:?}, {level}, vec![it.{name}{suffix}()])]")
+                }));
+            }
+            // Points with all levels are compared as those of any frame.
+            Output::Point { fields, .. } if fields.len() == 3 => {}
+            Output::Point { name, fields } => {
+                let suffixes = ["position", "velocity"].iter().enumerate();
+                values.extend(suffixes.take(fields.len()).map(|(level, suffix)| {
+                    format!("vec![({name:?}, {level}, it.point_{name}_{suffix}().to_vec())]")
+                }));
+            }
         }
     }
     values

@@ -90,8 +90,8 @@ pub mod finiteness {
 pub mod assemblies {
     #[doc(inline)]
     pub use crate::assemblies::{
-        Enclosed, Enclosing, Interval, Place, Pose, Poses, counts_turns, never_meet, order, poses,
-        read,
+        Enclosed, Enclosing, Interval, Place, Pose, Poses, counts_turns, exchanges, never_meet,
+        order, poses, read,
     };
 }
 

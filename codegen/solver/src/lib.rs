@@ -29,6 +29,7 @@
 //! ```
 //!
 //! - [`View`] is what both formulations provide. [`Dense`] is the other one, the textbook formulation as one system.
+//! - [`Moved`] moves the program that is written out, and computes beside it what an `output` omits.
 //! - [`follow`] moves a mechanism over the times of a [`Schedule`] and finds the end of its motion.
 //! - [`Check`] looks for assemblies and singular poses over a schedule.
 //! - [`Simulation`] integrates the motion of free coordinates under forces.
@@ -38,11 +39,13 @@
 
 #![doc(html_root_url = "https://docs.rs/linkwright-solver/0.1.0")]
 
+mod emitted;
 mod explained;
 mod instant;
 mod interpreted;
 mod known_poses;
 mod mode_selection;
+mod moved;
 mod newton;
 mod operation;
 mod schedule;
@@ -119,10 +122,11 @@ pub use dense::Dense;
 pub use instant::Instant;
 pub use interpreted::Interpreted;
 pub use mode_selection::{ModeSelection, Unassembled};
+pub use moved::Moved;
 pub use observable::Observable;
 pub use schedule::{Leg, Schedule};
 pub use simulation::{Method, Simulation, SimulationOptions, Stop};
 pub use supplied::{InputLaws, InputSignals, Modes, Numbers};
 pub use tolerances::Tolerances;
-pub use trajectory::{End, follow};
+pub use trajectory::{End, Movable, follow};
 pub use view::View;

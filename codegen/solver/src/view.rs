@@ -5,6 +5,7 @@ use linkwright_codegen::stages::emit::derivation::SingularPose;
 use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::system::{Derived, System};
 
+use crate::emitted::Emitted;
 use crate::instant::{Instant, Layout};
 use crate::measures::Measures;
 use crate::supplied::{InputLaws, InputSignals, ModeName, Modes, ParameterValues, Pose};
@@ -72,6 +73,11 @@ pub trait View:
     #[doc(hidden)]
     fn layout(&self) -> &Layout;
 
+    /// Program that is written out, if it omits some values of instants; `None` if these are its own.
+    fn emitted(&self) -> Option<&Emitted<Self>> {
+        None
+    }
+
     /// Names of the assembly modes that can be selected: first those of closed forms, then the others.
     #[doc(hidden)]
     fn mode_names(&self) -> Vec<ModeName>;
@@ -79,7 +85,8 @@ pub trait View:
     /// Number of Newton-Raphson steps so far, and of solves.
     fn newton_steps(&self) -> [u64; 2];
 
-    /// Returns the motion of all points of the description, in its order.
+    /// Returns the motion of all points that instants offer, in the order of their names: those of the description, in its order, unless
+    /// single outputs limit them.
     fn points(&self, instant: &Instant) -> Vec<PointMotion>;
 
     /// Returns the requested transmissions and sensitivities, in the order of [`crate::derivatives::names`];

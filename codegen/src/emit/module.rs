@@ -18,7 +18,7 @@ pub(super) mod wrapped;
 use super::Notation;
 use super::derivation::{self, BlockWords, PlainWords, Script, SingularPose};
 use super::scalar::Scalar;
-use crate::assemblies::{StoredAssemblies, stored};
+use crate::assemblies::{StoredAssemblies, exchanges, stored};
 use crate::expr::{IdMap, IdSet, SymbolId};
 use crate::pool::{Pool, SymbolRole};
 use crate::program::passes::names::LocalNames;
@@ -84,7 +84,7 @@ impl<'a> Module<'a> {
             assemblies: stored(pool, system, program),
             comments: PlainWords::new(pool, system, Notation::Unicode),
             enclosures: path_enclosures::deviations_of_enclosures(program, system),
-            exchanged: needs::exchanged_by(pool, system, program),
+            exchanged: exchanges(pool, system, program),
             pool,
             system,
             program,

@@ -61,7 +61,7 @@ impl Blocks for Interpreted {
     ) -> Result<(), u16> {
         let path = self.compiled.path.as_ref();
         let [_, registers] = &mut *self.path_registers.borrow_mut();
-        path.map_or(Ok(()), |path| path.stay(pair, window, registers))
+        path.map_or(Err(0), |path| path.stay(pair, window, registers))
     }
 
     fn is_within(&self, at: &Instant, enclosures: &Vec<PathEnclosure>, steps: f64) -> bool {
@@ -104,15 +104,20 @@ impl Blocks for Interpreted {
     fn exchanged(&self, modes: &Modes, block: u16) -> Option<Modes> {
         let block = self.compiled.blocks.get(usize::from(block))?;
         let mut modes = modes.clone();
-        match (&block.newton, &block.closed[..]) {
+        match (&block.newton, block.exchanged) {
             (Some(_), _) => {
                 let mode = modes.iterated.get_mut(block.iterated)?;
                 *mode = Some((*mode)?.opposite());
             }
-            (None, &[place]) => modes.closed[place] = modes.closed[place].opposite(),
+            (None, Some(place)) => modes.closed[place] = modes.closed[place].opposite(),
             _ => return None,
         }
         Some(modes)
+    }
+
+    fn may_cross(&self) -> bool {
+        let mut blocks = self.compiled.blocks.iter();
+        blocks.any(|block| block.newton.is_some() || block.exchanged.is_some())
     }
 
     fn drawn_pose(&self, parameters: &ParameterValues) -> Pose {
@@ -215,15 +220,15 @@ impl Blocks for Interpreted {
     }
 
     fn holds_coordinates(&self) -> bool {
-        true
+        self.compiled.layout.holds_coordinates(self.system())
     }
 
     fn point_name(&self, index: usize) -> Option<&str> {
-        self.system().outputs.get(index).map(|it| it.name.as_str())
+        self.points.names().get(index).map(String::as_str)
     }
 
     fn point(&self, frame: &Instant, index: usize) -> Option<PointMotion<f64>> {
-        self.points(frame).get(index).copied()
+        self.points.all(frame).get(index).copied()
     }
 
     fn not_positive(&self, parameters: &ParameterValues) -> Option<(u16, f64)> {

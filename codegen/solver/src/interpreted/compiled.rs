@@ -4,6 +4,7 @@
 
 use std::collections::HashSet;
 
+use linkwright_codegen::stages::assemblies::exchanges;
 use linkwright_codegen::stages::emit::Notation;
 use linkwright_codegen::stages::emit::derivation::{
     BlockWords, Script, SingularPose, block_words, singular_poses,
@@ -58,6 +59,8 @@ pub(crate) struct InterpretedBlock {
     pub newton: Option<Newton>,
     /// The places in [`Modes::closed`] of its signs.
     pub closed: Vec<usize>,
+    /// Place in [`Modes::closed`] of the mode that is exchanged where it meets the other one; `None` if modes never meet in closed form.
+    pub exchanged: Option<usize>,
     /// Its place in [`Modes::iterated`], where it has a Newton-Raphson.
     pub iterated: usize,
 }
@@ -71,16 +74,19 @@ impl InterpretedBlock {
         writer: &mut Writer<'_>,
     ) -> Vec<InterpretedBlock> {
         let graph = &pool.graph;
+        let exchanged = exchanges(pool, system, program);
         let mut signs_left: Vec<usize> = (0..program.branches.len()).collect();
         let mut blocks: Vec<InterpretedBlock> = Vec::with_capacity(program.blocks.len());
-        for block in &program.blocks {
+        for (number, block) in program.blocks.iter().enumerate() {
             let read = block
                 .function
                 .values()
                 .flat_map(|value| graph.symbols(value));
             let read: HashSet<SymbolId> = read.copied().collect();
             let is_own = |place: &usize| read.contains(&program.branches[*place].symbol);
-            let (closed, others) = signs_left.into_iter().partition(is_own);
+            let (closed, others): (Vec<usize>, _) = signs_left.into_iter().partition(is_own);
+            let is_exchanged =
+                |place: &usize| exchanged.get(&program.branches[*place].symbol) == Some(&number);
             signs_left = others;
             let mut newton = None;
             let evaluation = writer.evaluation(&block.function);
@@ -94,6 +100,7 @@ impl InterpretedBlock {
                 operations: writer.take(),
                 iterated: blocks.iter().filter(|it| it.newton.is_some()).count(),
                 newton,
+                exchanged: closed.iter().copied().find(is_exchanged),
                 closed,
             });
         }
@@ -120,7 +127,7 @@ impl Compiled {
             &poses(Notation::Unicode),
         );
         let poses = poses(Notation::Ascii);
-        let layout = Layout::new(system, &program.fields);
+        let layout = Layout::of_program(system, &program);
         let mut writer = Writer::new(pool, system, &program);
         let time = writer.found(system.mechanism.time);
         let conditions = layout.symbols()[layout.given()].iter();
@@ -134,9 +141,13 @@ impl Compiled {
             .map(|&symbol| writer.assembler.symbol(symbol))
             .collect();
         let (code, last) = writer.finish();
-        let last = last
-            .into_iter()
-            .filter_map(|(symbol, register)| Some((register, layout.slot(symbol)?)));
+        let last = last.into_iter().map(|(symbol, register)| {
+            let slot = layout.slot(symbol);
+            (
+                register,
+                slot.expect("instants keep what the next one reads"),
+            )
+        });
         let last = last.collect();
         let formulas = |function| Formulas::new([function], pool, system, &program, &layout);
         let drawn = program.drawn.as_ref().map(formulas);

@@ -1,12 +1,15 @@
 //! Solves the blocks of a [`System`] without a compile step.
 //!
 //! [`Interpreted`] runs the statements of generated code, block by block, in the same [`Shell`]: modes, path, failures and their text are
-//! equal. Nothing is omitted: instants store every coordinate and every other unknown of the vector form, with rates and accelerations.
+//! equal. [`Interpreted::emitted`] runs the very program that is written out. [`Interpreted::new`] omits nothing: instants store every
+//! coordinate and every other unknown of the vector form, with rates and accelerations.
 
+mod beside;
 mod blocks;
 mod compiled;
 mod loads;
 mod path;
+mod points;
 mod run;
 mod view;
 
@@ -23,15 +26,17 @@ use linkwright_codegen::stages::structure::{self, Shift, SolvedPlan};
 use linkwright_codegen::stages::system::Derived;
 
 use crate::derivatives::{Derivative, of_program};
+use crate::emitted::Emitted;
 use crate::forces;
 use crate::instant::Instant;
 use crate::measures::{Measures, measured};
-use crate::reader::{Formulas, Reader};
+use crate::reader::Reader;
 use crate::supplied::{InputSignals, Modes, Pose};
 use crate::view::View;
 use compiled::Compiled;
 use loads::LoadReader;
 use path::InterpretedPath;
+use points::Points;
 
 /// Mechanism that is solved block by block, in SI units: m, rad, s.
 ///
@@ -63,12 +68,14 @@ pub struct Interpreted {
     compiled: Arc<Compiled>,
     registers: RefCell<Vec<f64>>,
     path_registers: RefCell<[Vec<f64>; 2]>,
-    points: Reader,
+    points: Points,
     /// Evaluator of loads for failures; `None` if no load may become infinite.
     loads: Option<LoadReader>,
     derivatives: Vec<Derivative>,
     /// Indices in instants of the requested forces.
     forces: Vec<Option<usize>>,
+    /// Program that is written out; `None` if it omits nothing that this one computes for reports.
+    emitted: Option<Box<Emitted<Interpreted>>>,
     residuals: Cell<u64>,
     solves: Cell<u64>,
 }
@@ -81,13 +88,37 @@ pub(crate) struct State {
 }
 
 impl Interpreted {
-    /// Returns the blocks of a system; `None` if its equations do not determine the motion.
+    /// Returns the blocks of a system, of which none is omitted; `None` if its equations do not determine the motion.
     pub fn new(derived: &Derived) -> Option<Interpreted> {
-        let system = derived.system.in_full();
-        let mut pool = derived.pool.clone();
-        let plan = structure::plan(&mut pool, &system, Shift::Directions).ok()?;
-        let program = lower(&mut pool, &system, &plan, Kept::Unknowns);
-        Some(Interpreted::of(Derived { pool, system }, plan, program))
+        let full = Derived {
+            pool: derived.pool.clone(),
+            system: derived.system.in_full(),
+        };
+        let fuller = Interpreted::lowered(full, Kept::Unknowns)?;
+        Some(fuller.beside_emitted(derived))
+    }
+
+    /// Returns the blocks of the generated module, bit by bit; `None` if the equations do not determine the motion.
+    ///
+    /// Under `output`, instants hold what the module's frames hold: no [`q`](Instant::q), and no other point.
+    pub fn emitted(derived: &Derived) -> Option<Interpreted> {
+        Interpreted::lowered(derived.clone(), Kept::Requested)
+    }
+
+    /// Returns the blocks with the emitted ones beside them if single outputs are requested.
+    fn beside_emitted(mut self, derived: &Derived) -> Interpreted {
+        if !derived.system.mechanism.requests.is_empty() {
+            let emitted = Interpreted::emitted(derived);
+            self.emitted = emitted.map(|it| Box::new(beside::beside(it, &self)));
+        }
+        self
+    }
+
+    fn lowered(mut derived: Derived, kept: Kept) -> Option<Interpreted> {
+        let Derived { pool, system } = &mut derived;
+        let plan = structure::plan(pool, system, Shift::Directions).ok()?;
+        let program = lower(pool, system, &plan, kept);
+        Some(Interpreted::of(derived, plan, program))
     }
 
     /// Returns the blocks as [`Interpreted::new`] does, with warnings about their solution.
@@ -103,10 +134,10 @@ impl Interpreted {
         };
         let program = lower(&mut pool, &system, &plan, Kept::Unknowns);
         match findings(&pool, &system, Some(&program)) {
-            Ok(warnings) => Ok((
-                Some(Interpreted::of(Derived { pool, system }, plan, program)),
-                warnings,
-            )),
+            Ok(warnings) => {
+                let fuller = Interpreted::of(Derived { pool, system }, plan, program);
+                Ok((Some(fuller.beside_emitted(derived)), warnings))
+            }
             Err(found) => {
                 let is_of_values = found.iter().all(|it| it.code == Code::NotFinite)
                     && !system.mechanism.parameters.is_empty();
@@ -151,25 +182,13 @@ impl Interpreted {
     fn of(mut derived: Derived, plan: SolvedPlan, program: Program) -> Interpreted {
         let measured = measured(&mut derived.pool, &derived.system, &plan, &program);
         let compiled = Compiled::new(derived, plan, program, measured);
-        let Compiled {
-            derived,
-            program,
-            layout,
-            ..
-        } = &compiled;
-        let points = Formulas::new(
-            &program.points,
-            &derived.pool,
-            &derived.system,
-            program,
-            layout,
-        );
         let path = compiled.path.as_ref();
         Interpreted {
-            points: Reader::of(points),
+            points: Points::new(&compiled),
             loads: LoadReader::new(&compiled),
             derivatives: of_program(&compiled.program, &compiled.layout),
             forces: forces::of_program(&compiled.program, &compiled.layout),
+            emitted: None,
             registers: RefCell::new(compiled.code.registers().to_vec()),
             path_registers: RefCell::new(
                 path.map_or_else(Default::default, InterpretedPath::registers),

@@ -2,11 +2,8 @@
 
 use super::Module;
 use super::scope::{Place, Scope};
-use crate::assemblies::never_meet;
-use crate::expr::{IdMap, IdSet, SymbolId};
-use crate::pool::Pool;
-use crate::program::{Block, Program, Statement};
-use crate::system::System;
+use crate::expr::SymbolId;
+use crate::program::{Block, Statement};
 
 /// Arguments and failures of a block's function.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -50,32 +47,6 @@ impl Needs {
             fails,
         }
     }
-}
-
-/// Returns the blocks that have a single mode, by its symbol. Beyond a change point such a block has the other mode. Blocks whose
-/// modes never meet are omitted.
-pub(super) fn exchanged_by(
-    pool: &Pool,
-    system: &System,
-    program: &Program,
-) -> IdMap<SymbolId, usize> {
-    let graph = &pool.graph;
-    let blocks = program.blocks.iter().enumerate();
-    let apart = never_meet(pool, system, program);
-    let closed = blocks.filter(|(_, block)| block.newton.is_none());
-    // A mode belongs to the first block that reads it.
-    let mut met: IdSet<SymbolId> = IdSet::default();
-    let mut exchanged = IdMap::default();
-    for (number, block) in closed {
-        let read = block.function.values().flat_map(|it| graph.symbols(it));
-        let read = read.filter(|&&symbol| program.branch_of(symbol).is_some());
-        let read: IdSet<SymbolId> = read.copied().collect();
-        let first_reads = read.iter().filter(|&&symbol| met.insert(symbol)).count();
-        if first_reads == 1 && read.len() == 1 && !apart[number] {
-            exchanged.extend(read.into_iter().map(|symbol| (symbol, number)));
-        }
-    }
-    exchanged
 }
 
 /// Returns the values of a block that a large mechanism checks before it solves the next block. One check of thousands of coordinates
