@@ -223,7 +223,7 @@ fn equations_are_rows_with_names_of_their_own() {
 /// The sine and the cosine of a body's angle are rotated local vectors, so that the textbook's closed forms apply.
 #[test]
 fn equations_in_sines_and_cosines_are_solved_in_closed_form() {
-    let mut derived = written(
+    let derived = written(
         "mechanism yoke {
             body crank at (0, 0, 30deg);
             body yoke at (0.8, 0);
