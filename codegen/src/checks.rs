@@ -6,25 +6,24 @@
 use crate::diagnostic::{self, Diagnostics};
 use crate::finiteness;
 use crate::modes;
-use crate::pool::Pool;
-use crate::program::{Kept, Program};
+use crate::program::Kept;
 use crate::solved::Solved;
 use crate::structure::{self, Shift};
-use crate::system::{Derived, System};
+use crate::system::Derived;
 
 /// Findings of all motions; a finding of some motions alone names the motion.
 pub(crate) fn of_motions(
     motions: &[Derived],
     find: impl Fn(&Derived) -> Diagnostics,
 ) -> Diagnostics {
-    let found = motions.iter().map(|derived| {
+    let findings = motions.iter().map(|derived| {
         let mechanism = &derived.system.mechanism;
         let motion = mechanism.motion.as_ref();
         let name = motion.map_or("", |motion| motion.name.as_str());
-        let found = find(derived).respelled(&mechanism.spellings);
-        (name, None, found)
+        let findings = find(derived).respelled(&mechanism.spellings);
+        (name, None, findings)
     });
-    diagnostic::merged(found.collect())
+    diagnostic::merged(findings.collect())
 }
 
 /// Checks that the equations determine every coordinate exactly once and that the numbers of their solution are
@@ -54,32 +53,16 @@ pub fn check(derived: &Derived) -> Result<Diagnostics, Diagnostics> {
 /// Checks that the numbers of a motion's program are finite. Returns warnings.
 ///
 /// # Errors
-/// Those of [`findings`].
-pub fn findings_of(solved: &Solved) -> Result<Diagnostics, Diagnostics> {
-    findings(solved.pool(), solved.system(), Some(solved.program()))
-}
-
-/// Checks that the numbers of a system's program are finite. Returns warnings. Without a program, only the bounds of
-/// work are checked.
-///
-/// # Errors
 /// Numbers that become infinite or undefined, and work beyond its bounds.
-pub fn findings(
-    pool: &Pool,
-    system: &System,
-    program: Option<&Program>,
-) -> Result<Diagnostics, Diagnostics> {
+pub fn findings_of(solved: &Solved) -> Result<Diagnostics, Diagnostics> {
+    let (pool, system, program) = (solved.pool(), solved.system(), solved.program());
     let spellings = &system.mechanism.spellings;
-    let mut found = finiteness::of_program(pool, system, program, finiteness::Range::F64);
-    if found.has_errors() {
-        return Err(found.respelled(spellings));
+    let mut findings = finiteness::of_program(pool, system, program, finiteness::Range::F64);
+    if findings.has_errors() {
+        return Err(findings.respelled(spellings));
     }
-    found.extend(
-        program
-            .iter()
-            .flat_map(|it| modes::undecided(system, &it.blocks, &it.branches)),
-    );
-    Ok(found.respelled(spellings))
+    findings.extend(modes::undecided(system, &program.blocks, &program.branches));
+    Ok(findings.respelled(spellings))
 }
 
 /// Checks every motion; a finding of some motions alone names the motion.
@@ -87,11 +70,11 @@ pub fn findings(
 /// # Errors
 /// Those of [`check`], each once.
 pub fn check_all(motions: &[Derived]) -> Result<(), Diagnostics> {
-    let found = of_motions(motions, |derived| {
+    let findings = of_motions(motions, |derived| {
         structure::analyze(&derived.pool, &derived.system)
     });
-    if found.has_errors() {
-        Err(found)
+    if findings.has_errors() {
+        Err(findings)
     } else {
         Ok(())
     }

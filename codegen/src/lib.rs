@@ -187,7 +187,7 @@ pub fn generate(source: &Source, options: &Options) -> Result<Generated, Diagnos
         Scalar::F64 => finiteness::Range::F64,
         Scalar::F32 => finiteness::Range::F32,
     };
-    let (mut lowered, mut found) = (Vec::new(), Vec::new());
+    let (mut lowered, mut by_motion) = (Vec::new(), Vec::new());
     for derived in &motions {
         let mechanism = &derived.system.mechanism;
         let _work = internal::work_at(mechanism.place());
@@ -197,24 +197,23 @@ pub fn generate(source: &Source, options: &Options) -> Result<Generated, Diagnos
         let findings = match &solved {
             Ok(solved) => {
                 let (system, program) = (solved.system(), solved.program());
-                let mut findings =
-                    finiteness::of_program(solved.pool(), system, Some(program), range);
+                let mut findings = finiteness::of_program(solved.pool(), system, program, range);
                 findings.extend(modes::undecided(system, &program.blocks, &program.branches));
                 findings
             }
             Err(unplanned) => finiteness::of_unplanned(*unplanned),
         };
-        found.push((name, findings.respelled(&mechanism.spellings)));
+        by_motion.push((name, findings.respelled(&mechanism.spellings)));
         lowered.extend(solved);
     }
-    let found = found
+    let by_motion = by_motion
         .iter()
-        .map(|(name, found)| (name.as_str(), None, found.clone()));
-    let found = diagnostic::merged(found.collect());
-    if found.has_errors() {
-        return Err(found);
+        .map(|(name, findings)| (name.as_str(), None, findings.clone()));
+    let findings = diagnostic::merged(by_motion.collect());
+    if findings.has_errors() {
+        return Err(findings);
     }
-    warnings.extend(found);
+    warnings.extend(findings);
     let name = lowered
         .first()
         .map(|solved| solved.system().mechanism.name.clone());

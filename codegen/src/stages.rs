@@ -2,7 +2,7 @@
 //!
 //! Build scripts need none of these items, which may change in every release.
 
-pub use crate::checks::{check, check_all, findings, findings_of};
+pub use crate::checks::{check, check_all, findings_of};
 
 /// Expressions: the graph, its evaluation, and straight-line code for several expressions.
 pub mod expr {
@@ -61,7 +61,7 @@ pub mod system {
 /// Order of solution: blocks and their subsystems.
 pub mod structure {
     #[doc(inline)]
-    pub use crate::structure::{Freedom, Shift, SolvedPlan, Unplanned, analyze, plan};
+    pub use crate::structure::{Freedom, Shift, SolvedPlan, Unplanned, analyze};
 }
 
 /// Computation of a motion, statement by statement.
@@ -70,7 +70,7 @@ pub mod program {
     pub use crate::program::{
         Arithmetic, Block, Branch, Choice, EVALUATIONS, Effort, Elementary, Energy, Evaluation,
         Forces, Found, Function, Kept, Lengths, Level, NewtonBlock, Operations, Output, Program,
-        Reaction, Reduced, Report, Requirements, STEPS, Statement, Tearing, Work, lower, work,
+        Reaction, Reduced, Report, Requirements, STEPS, Statement, Tearing, Work, work,
     };
 }
 

@@ -54,19 +54,9 @@ pub fn of_unplanned(unplanned: Unplanned) -> Diagnostics {
     findings
 }
 
-/// Finds infinite, undefined or unrepresentable values in the program of a system. Without a program, only an exceeded limit is
-/// reported.
-pub fn of_program(
-    pool: &Pool,
-    system: &System,
-    program: Option<&Program>,
-    range: Range,
-) -> Diagnostics {
+/// Finds infinite, undefined or unrepresentable values in the program of a system.
+pub fn of_program(pool: &Pool, system: &System, program: &Program, range: Range) -> Diagnostics {
     let mut findings = Diagnostics::new();
-    let Some(program) = program else {
-        findings.extend(passed(pool));
-        return findings;
-    };
     let open = closing::of_blocks(pool, system, &program.blocks);
     if passed(pool).is_none() && open.has_errors() {
         return open;

@@ -40,7 +40,7 @@ impl Interpreted {
     ) -> Option<EveryPose> {
         let compiled = self.compiled();
         let newton = compiled.blocks[index].newton.as_ref()?;
-        let functions = compiled.program.blocks[index].newton.as_ref()?;
+        let functions = compiled.solved.program().blocks[index].newton.as_ref()?;
         let known = |symbol: SymbolId| {
             let mut known = newton.known.iter();
             let (_, register) = known.find(|(own, _)| *own == symbol)?;
@@ -48,8 +48,8 @@ impl Interpreted {
         };
         let all = poses(
             functions,
-            &compiled.derived.pool,
-            &compiled.derived.system,
+            compiled.solved.pool(),
+            compiled.solved.system(),
             &known,
             MOST_PARTS,
         )?;

@@ -87,7 +87,7 @@ impl Unassembled {
                 are_all,
                 t,
             } => {
-                let name = &interpreted.compiled().program.blocks[block].name;
+                let name = &interpreted.compiled().solved.program().blocks[block].name;
                 let (t, least) = (time(t), if are_all { "" } else { "at least " });
                 let plural = if known == 1 { "" } else { "s" };
                 format!(

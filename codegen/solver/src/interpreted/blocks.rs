@@ -85,12 +85,13 @@ impl Blocks for Interpreted {
                 Branch::Negative
             }
         };
-        let newtons = self.compiled.program.blocks.iter();
+        let newtons = self.compiled.solved.program().blocks.iter();
         let newtons = newtons.filter_map(|block| block.newton.as_ref());
         Modes {
             closed: self
                 .compiled
-                .program
+                .solved
+                .program()
                 .branches
                 .iter()
                 .map(|it| drawn(it.is_positive()))
@@ -127,12 +128,10 @@ impl Blocks for Interpreted {
     }
 
     fn estimate(&self, pose: &Pose, parameters: &ParameterValues, t: f64) -> Instant {
-        let Compiled {
-            derived, layout, ..
-        } = &*self.compiled;
+        let Compiled { solved, layout, .. } = &*self.compiled;
         let mut instant = layout.empty();
         let drawn = self.compiled.drawn(parameters);
-        let unknowns = derived.system.vector_form.unknowns.iter().zip(drawn);
+        let unknowns = solved.system().vector_form.unknowns.iter().zip(drawn);
         let values = instant.values_mut();
         values[0] = t;
         values[1..=parameters.0.len()].copy_from_slice(&parameters.0);
@@ -215,7 +214,7 @@ impl Blocks for Interpreted {
     }
 
     fn is_iterated(&self) -> bool {
-        let mut blocks = self.compiled.program.blocks.iter();
+        let mut blocks = self.compiled.solved.program().blocks.iter();
         blocks.any(|block| block.newton.is_some())
     }
 
@@ -237,13 +236,13 @@ impl Blocks for Interpreted {
     }
 
     fn requirement_name(&self, index: usize) -> Option<BlockName<'_>> {
-        let requirements = self.compiled.program.requirements.as_ref()?;
+        let requirements = self.compiled.solved.program().requirements.as_ref()?;
         let (name, singular) = requirements.names.get(index)?;
         Some(BlockName { name, singular })
     }
 
     fn load_name(&self, index: usize) -> Option<&str> {
-        let loads = self.compiled.program.loads.as_ref()?;
+        let loads = self.compiled.solved.program().loads.as_ref()?;
         loads.labels.get(index).map(String::as_str)
     }
 

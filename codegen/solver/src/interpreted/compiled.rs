@@ -9,15 +9,14 @@ use linkwright_codegen::stages::emit::Notation;
 use linkwright_codegen::stages::emit::derivation::{
     BlockWords, Script, SingularPose, block_words, singular_poses,
 };
-use linkwright_codegen::stages::expr::{Code, ExprId, Register, SymbolId};
+use linkwright_codegen::stages::expr::{Code, Register, SymbolId};
 use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::program::{Program, Statement};
-use linkwright_codegen::stages::structure::SolvedPlan;
-use linkwright_codegen::stages::system::{Derived, System};
+use linkwright_codegen::stages::solved::Solved;
+use linkwright_codegen::stages::system::System;
 
 use super::path::InterpretedPath;
 use crate::instant::{Instant, Layout};
-use crate::measures::MeasuredPart;
 use crate::newton::Newton;
 use crate::operation::{Operation, Writer};
 use crate::reader::Formulas;
@@ -26,12 +25,8 @@ use crate::supplied::{InputSignals, Modes, ParameterValues};
 /// Compiled program, shared by all instants.
 #[derive(Debug)]
 pub(crate) struct Compiled {
-    pub derived: Derived,
-    pub plan: SolvedPlan,
-    pub program: Program,
+    pub solved: Solved,
     pub poses: Vec<SingularPose>,
-    /// Subsystems that can become singular, and the expressions of their measures.
-    pub measured: (Vec<MeasuredPart>, Vec<ExprId>),
     pub layout: Layout,
     pub code: Code,
     pub blocks: Vec<InterpretedBlock>,
@@ -110,32 +105,28 @@ impl InterpretedBlock {
 
 impl Compiled {
     /// The operations of a program, and what else is asked of it at every instant.
-    pub(super) fn new(
-        derived: Derived,
-        plan: SolvedPlan,
-        program: Program,
-        measured: (Vec<MeasuredPart>, Vec<ExprId>),
-    ) -> Compiled {
-        let Derived { pool, system } = &derived;
+    pub(super) fn new(solved: Solved) -> Compiled {
+        let (pool, system) = (solved.pool(), solved.system());
+        let (plan, program) = (solved.plan(), solved.program());
         let poses =
-            |notation| singular_poses(pool, system, &plan, &program.forms, Script::Text(notation));
+            |notation| singular_poses(pool, system, plan, &program.forms, Script::Text(notation));
         let words = block_words(
             &program.blocks,
             pool,
             system,
-            &plan,
+            plan,
             &poses(Notation::Unicode),
         );
         let poses = poses(Notation::Ascii);
-        let layout = Layout::of_program(system, &program);
-        let mut writer = Writer::new(pool, system, &program);
+        let layout = Layout::of_program(system, program);
+        let mut writer = Writer::new(pool, system, program);
         let time = writer.found(system.mechanism.time);
         let conditions = layout.symbols()[layout.given()].iter();
         let conditions = conditions.map(|&symbol| writer.found(symbol)).collect();
         let signs = program.branches.iter();
         let signs = signs.map(|it| writer.found(it.symbol)).collect();
         writer.last(system.mechanism.time);
-        let blocks = InterpretedBlock::all(&program, pool, system, &mut writer);
+        let blocks = InterpretedBlock::all(program, pool, system, &mut writer);
         let kept = layout.symbols()[layout.solved()].iter();
         let kept = kept
             .map(|&symbol| writer.assembler.symbol(symbol))
@@ -149,16 +140,15 @@ impl Compiled {
             )
         });
         let last = last.collect();
-        let formulas = |function| Formulas::new([function], pool, system, &program, &layout);
+        let formulas = |function| Formulas::new([function], pool, system, program, &layout);
         let drawn = program.drawn.as_ref().map(formulas);
         let required = program.requirements.as_ref();
         let required = required.map(|it| formulas(&it.function));
         Compiled {
             required,
-            path: InterpretedPath::new(pool, system, &program, &layout),
+            path: InterpretedPath::new(pool, system, program, &layout),
             last,
             drawn,
-            measured,
             words,
             poses,
             layout,
@@ -168,9 +158,7 @@ impl Compiled {
             given: conditions,
             signs,
             kept,
-            plan,
-            program,
-            derived,
+            solved,
         }
     }
 
@@ -221,9 +209,10 @@ impl Compiled {
         match &self.drawn {
             Some(drawn) => self.of_parameters(drawn, parameters),
             None => {
-                let unknowns = 0..self.derived.system.vector_form.unknowns.len();
+                let system = self.solved.system();
+                let unknowns = 0..system.vector_form.unknowns.len();
                 unknowns
-                    .map(|it| self.derived.system.drawn_unknown(it, &self.derived.pool))
+                    .map(|it| system.drawn_unknown(it, self.solved.pool()))
                     .collect()
             }
         }

@@ -27,17 +27,13 @@ enum Source {
 impl Points {
     /// Returns the points of a program: all of the description, or the outputs with position, velocity and acceleration.
     pub fn new(compiled: &Compiled) -> Points {
-        let Compiled {
-            derived,
-            program,
-            layout,
-            ..
-        } = compiled;
+        let Compiled { solved, layout, .. } = compiled;
+        let (pool, system) = (solved.pool(), solved.system());
+        let program = solved.program();
         if let Some(outputs) = &program.outputs {
             return Points::kept(outputs, layout);
         }
-        let names = derived.system.outputs.iter().map(|it| it.name.clone());
-        let (pool, system) = (&derived.pool, &derived.system);
+        let names = system.outputs.iter().map(|it| it.name.clone());
         let formulas = Formulas::new(&program.points, pool, system, program, layout);
         Points {
             names: names.collect(),

@@ -14,7 +14,7 @@ use crate::view::View;
 
 impl View for Interpreted {
     fn derived(&self) -> &Derived {
-        &self.compiled.derived
+        self.compiled.solved.derived()
     }
 
     fn layout(&self) -> &Layout {
@@ -26,7 +26,7 @@ impl View for Interpreted {
     }
 
     fn mode_names(&self) -> Vec<ModeName> {
-        let program = &self.compiled.program;
+        let program = self.compiled.solved.program();
         let closed = program
             .branches
             .iter()
