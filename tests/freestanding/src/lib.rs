@@ -68,12 +68,11 @@ fn run_far<T: Real, const N: usize>(
     settings: &Settings<T>,
 ) -> Solved<T, N> {
     let estimate = SVector::from([estimate]);
-    let frame = Frame::assemble_from_rough_estimate(equations, &estimate, None, start, settings).and_then(
-        |frame| {
+    let frame = Frame::assemble_from_rough_estimate(equations, &estimate, None, start, settings)
+        .and_then(|frame| {
             let branch = Frame::branch_of(equations, &frame.q, start, settings)?;
             frame.follow(equations, branch, end, settings)
-        },
-    );
+        });
     motion(frame.ok())
 }
 
