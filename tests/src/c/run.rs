@@ -76,12 +76,18 @@ struct Prepared<'a> {
     real: &'static str,
     /// Last optimization option of the C compiler, which counts. Bits must not depend on it.
     optimization: &'static str,
+    compiler: &'static str,
     /// Folder of the C files.
     place: PathBuf,
 }
 
 impl Prepared<'_> {
-    fn new<'a>(folder: &Path, case: &'a Case, scalar: (&'static str, Scalar)) -> Prepared<'a> {
+    fn new<'a>(
+        folder: &Path,
+        case: &'a Case,
+        scalar: (&'static str, Scalar),
+        compiler: &'static str,
+    ) -> Prepared<'a> {
         let module = format!("{}_{}", case.name, scalar.0);
         let c = case.files(Language::C, scalar.1);
         let rust = case.files(Language::Rust, scalar.1).swap_remove(0).text;
@@ -92,6 +98,7 @@ impl Prepared<'_> {
             c,
             real: if scalar.0 == "f64" { "double" } else { "float" },
             optimization: if scalar.0 == "f64" { "-O2" } else { "-O1" },
+            compiler,
             place: folder.join("c").join(&module),
             module,
         }
@@ -137,9 +144,17 @@ fn motions(
 pub fn differences(folder: &Path, repository: &Path, cases: &[Case]) -> io::Result<Vec<String>> {
     let answers = folder.join("answers");
     fs::create_dir_all(&answers)?;
-    let prepared: Vec<Prepared<'_>> = cases
-        .iter()
-        .flat_map(|case| SCALARS.map(|scalar| Prepared::new(folder, case, scalar)))
+    // Every compiler compiles every case, in one of both scalars.
+    let compilers = compilers();
+    let prepared: Vec<Prepared<'_>> = (0..)
+        .zip(cases)
+        .flat_map(|(number, case)| {
+            let places = [0, 1].map(|place| (number + place) % compilers.len());
+            let [first, second] = places.map(|place| compilers[place]);
+            let [one, other] = SCALARS;
+            [(one, first), (other, second)]
+                .map(|(scalar, compiler)| Prepared::new(folder, case, scalar, compiler))
+        })
         .collect();
     let source = folder.join("package/src");
     for it in &prepared {
@@ -193,58 +208,54 @@ fn build_package(folder: &Path, repository: &Path) -> io::Result<()> {
         .env("RUSTFLAGS", "-Awarnings"))
 }
 
-/// Compiles the C files of a case and its programs, one for each motion, with every compiler.
+/// Compiles the C files of a case and its programs, one for each motion.
 fn compile(folder: &Path, prepared: &Prepared<'_>) -> io::Result<()> {
-    let (place, name) = (&prepared.place, &prepared.case.name);
+    let (place, name, compiler) = (&prepared.place, &prepared.case.name, prepared.compiler);
     for file in &prepared.c {
         files::write_if_changed(&place.join(&file.name), &file.text)?;
     }
-    for compiler in compilers() {
-        let object = place.join(format!("{name}-{compiler}.o"));
+    let object = place.join(format!("{name}-{compiler}.o"));
+    run(Command::new(compiler)
+        .args(FLAGS)
+        .args([prepared.optimization, "-c"])
+        .arg(place.join(format!("{name}.c")))
+        .arg("-o")
+        .arg(&object))?;
+    for motion in &prepared.motions {
+        let program = format!("{}_main", motion.answers);
+        let main = place.join(format!("{program}.c"));
+        let header = format!("{name}.h");
+        let text = program_c::main(&header, &motion.declared, prepared.real);
+        files::write_if_changed(&main, &text)?;
         run(Command::new(compiler)
-            .args(FLAGS)
-            .args([prepared.optimization, "-c"])
-            .arg(place.join(format!("{name}.c")))
+            .args(["-std=c99", "-O1"])
+            .arg(&main)
+            .args([&object, &runtime_object(folder, compiler)])
+            .arg("-lm")
             .arg("-o")
-            .arg(&object))?;
-        for motion in &prepared.motions {
-            let program = format!("{}_main", motion.answers);
-            let main = place.join(format!("{program}.c"));
-            let header = format!("{name}.h");
-            let text = program_c::main(&header, &motion.declared, prepared.real);
-            files::write_if_changed(&main, &text)?;
-            run(Command::new(compiler)
-                .args(["-std=c99", "-O1"])
-                .arg(&main)
-                .args([&object, &runtime_object(folder, compiler)])
-                .arg("-lm")
-                .arg("-o")
-                .arg(place.join(format!("{program}-{compiler}"))))?;
-        }
+            .arg(place.join(format!("{program}-{compiler}"))))?;
     }
     Ok(())
 }
 
-/// Differences between the answers of the C programs of a case and those of its Rust module, with every compiler.
+/// Differences between the answers of the C programs of a case and those of its Rust module.
 fn in_c(answers: &Path, prepared: &Prepared<'_>) -> io::Result<Vec<String>> {
-    let mut differing = Vec::new();
+    let (mut differing, compiler) = (Vec::new(), prepared.compiler);
     for motion in &prepared.motions {
         let script = answers.join(format!("{}.script", motion.answers));
         let rust = fs::read_to_string(answers.join(format!("{}.rust", motion.answers)))?;
-        for compiler in compilers() {
-            let program = format!("{}_main-{compiler}", motion.answers);
-            let output = Command::new(prepared.place.join(program))
-                .arg(&script)
-                .output()?;
-            let c = String::from_utf8(output.stdout).map_err(io::Error::other)?;
-            if !output.status.success() || c.is_empty() {
-                differing.push(format!(
-                    "{} with {compiler}: {:?}",
-                    motion.answers, output.status
-                ));
-            }
-            differing.extend(compared(&motion.answers, compiler, &rust, &c));
+        let program = format!("{}_main-{compiler}", motion.answers);
+        let output = Command::new(prepared.place.join(program))
+            .arg(&script)
+            .output()?;
+        let c = String::from_utf8(output.stdout).map_err(io::Error::other)?;
+        if !output.status.success() || c.is_empty() {
+            differing.push(format!(
+                "{} with {compiler}: {:?}",
+                motion.answers, output.status
+            ));
         }
+        differing.extend(compared(&motion.answers, compiler, &rust, &c));
     }
     Ok(differing)
 }
