@@ -38,6 +38,7 @@
 
 #![doc(html_root_url = "https://docs.rs/linkwright-solver/0.1.0")]
 
+mod batch;
 mod checked_part;
 mod explained;
 mod instant;
@@ -112,6 +113,7 @@ pub mod tolerances;
 pub mod warnings;
 
 pub use assemblies::{Assemblies, Assembly};
+pub use batch::{Batch, Outcome, WrongLength};
 pub use check::Check;
 pub use checked_part::CheckedPart;
 pub use comparison::Comparison;
