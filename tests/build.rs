@@ -52,7 +52,7 @@ fn main() {
 /// A mechanism whose module calls elementary functions of the test that includes it.
 fn write_counted() {
     let options = Options {
-        math: Some("crate::math::counting".to_string()),
+        math: Some("crate::math::Counting".to_string()),
         ..Options::default()
     };
     let text = fs::read_to_string("../mechanisms/four_bar.mech").expect("the description");

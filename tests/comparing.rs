@@ -4,10 +4,9 @@
 //! without a list of names.
 
 use linkwright_codegen::stages::emit::rust::type_name;
-use linkwright_codegen::stages::program::Kept;
-use linkwright_codegen::stages::program::{Output, Program, Reaction, lower};
+use linkwright_codegen::stages::program::{Kept, Output, Program, Reaction};
+use linkwright_codegen::stages::solved::Solved;
 use linkwright_codegen::stages::structure::Shift;
-use linkwright_codegen::stages::structure::plan;
 use linkwright_codegen::stages::system::Component;
 
 use crate::described::motions_in_folder;
@@ -28,16 +27,16 @@ pub fn write(own: &str, others: &str) {
                     "pub mod {name} {{\n    linkwright::include_mechanism!({name});\n}}\n"
                 ));
             }
-            for (place, mut derived) in motions.into_iter().enumerate() {
+            for (place, derived) in motions.into_iter().enumerate() {
                 let motion = derived.system.mechanism.motion.as_ref();
                 let path = motion.map_or(module.clone(), |it| format!("{module}::{}", it.name));
                 let mechanism_type = type_name(&name);
-                let Ok(plan) = plan(&mut derived.pool, &derived.system, Shift::Directions) else {
+                let Ok(solved) = Solved::of(derived, Shift::Directions, Kept::Requested) else {
                     continue;
                 };
-                let program = lower(&mut derived.pool, &derived.system, &plan, Kept::Requested);
-                let (outputs, forces) = (outputs(&program), forces(&program));
-                let derivatives = derivatives(&program);
+                let program = solved.program();
+                let (outputs, forces) = (outputs(program), forces(program));
+                let derivatives = derivatives(program);
                 list.push_str(&format!(
                     "    Compared {{\n        name: {name:?},\n        motion: {place},\n        compare: |derived| compare::<{path}::{mechanism_type}>(\n            derived,\n            |it| {{ {} }},\n            |it| {{ {} }},\n            |it| {{ {} }},\n        ),\n    }},\n",
                     collected(&outputs),
@@ -59,18 +58,25 @@ fn collected(values: &[String]) -> String {
     }
 }
 
-/// The coordinates that a frame offers where `output` limits it, with their levels.
+/// The coordinates and points that a frame offers where `output` limits it, with their levels.
 fn outputs(program: &Program) -> Vec<String> {
     let mut values = Vec::new();
     for output in program.outputs.iter().flatten() {
-        if let Output::Coordinate { name, fields, .. } = output {
-            let suffixes = ["", "_rate", "_acceleration"].iter().enumerate();
-            let levels = suffixes.take(fields.len());
-            values.extend(
-                levels.map(|(level, suffix)| {
-                    format!("vec![({name:?}, {level}, it.{name}{suffix}())]")
-                }),
-            );
+        match output {
+            Output::Coordinate { name, fields, .. } => {
+                let suffixes = ["", "_rate", "_acceleration"].iter().enumerate();
+                values.extend(suffixes.take(fields.len()).map(|(level, suffix)| {
+                    format!("vec![({name:?}, {level}, vec![it.{name}{suffix}()])]")
+                }));
+            }
+            // Points with all levels are compared as those of any frame.
+            Output::Point { fields, .. } if fields.len() == 3 => {}
+            Output::Point { name, fields } => {
+                let suffixes = ["position", "velocity"].iter().enumerate();
+                values.extend(suffixes.take(fields.len()).map(|(level, suffix)| {
+                    format!("vec![({name:?}, {level}, it.point_{name}_{suffix}().to_vec())]")
+                }));
+            }
         }
     }
     values

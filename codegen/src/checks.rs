@@ -4,27 +4,26 @@
 //! Warns if the design configuration does not decide every assembly mode.
 
 use crate::diagnostic::{self, Diagnostics};
-use crate::emit::derivation::Derivation;
 use crate::finiteness;
 use crate::modes;
-use crate::pool::Pool;
-use crate::program::{Kept, Program, Report, lower};
+use crate::program::Kept;
+use crate::solved::Solved;
 use crate::structure::{self, Shift};
-use crate::system::{Derived, System};
+use crate::system::Derived;
 
 /// Findings of all motions; a finding of some motions alone names the motion.
 pub(crate) fn of_motions(
     motions: &[Derived],
     find: impl Fn(&Derived) -> Diagnostics,
 ) -> Diagnostics {
-    let found = motions.iter().map(|derived| {
+    let findings = motions.iter().map(|derived| {
         let mechanism = &derived.system.mechanism;
         let motion = mechanism.motion.as_ref();
         let name = motion.map_or("", |motion| motion.name.as_str());
-        let found = find(derived).respelled(&mechanism.spellings);
-        (name, None, found)
+        let findings = find(derived).respelled(&mechanism.spellings);
+        (name, None, findings)
     });
-    diagnostic::merged(found.collect())
+    diagnostic::merged(findings.collect())
 }
 
 /// Checks that the equations determine every coordinate exactly once and that the numbers of their solution are
@@ -39,50 +38,31 @@ pub fn check(derived: &Derived) -> Result<Diagnostics, Diagnostics> {
     if diagnostics.has_errors() {
         return Err(diagnostics);
     }
-    let mut pool = pool.clone();
-    let plan = structure::plan(&mut pool, system, Shift::Directions);
-    let program = plan.map(|plan| lower(&mut pool, system, &plan, Kept::Requested));
-    diagnostics.extend(findings(&pool, system, program.ok().as_ref())?);
+    match Solved::of(derived.clone(), Shift::Directions, Kept::Requested) {
+        Ok(solved) => diagnostics.extend(findings_of(&solved)?),
+        Err(unplanned) => {
+            let exceeded = finiteness::of_unplanned(unplanned);
+            if exceeded.has_errors() {
+                return Err(exceeded);
+            }
+        }
+    }
     Ok(diagnostics)
 }
 
-/// Checks that the numbers of a system's program are finite. Returns warnings. Without a program, only the bounds of
-/// work are checked.
+/// Checks that the numbers of a motion's program are finite. Returns warnings.
 ///
 /// # Errors
 /// Numbers that become infinite or undefined, and work beyond its bounds.
-pub fn findings(
-    pool: &Pool,
-    system: &System,
-    program: Option<&Program>,
-) -> Result<Diagnostics, Diagnostics> {
+pub fn findings_of(solved: &Solved) -> Result<Diagnostics, Diagnostics> {
+    let (pool, system, program) = (solved.pool(), solved.system(), solved.program());
     let spellings = &system.mechanism.spellings;
-    let mut found = finiteness::of_program(pool, system, program, finiteness::Range::F64);
-    if found.has_errors() {
-        return Err(found.respelled(spellings));
+    let mut findings = finiteness::of_program(pool, system, program, finiteness::Range::F64);
+    if findings.has_errors() {
+        return Err(findings.respelled(spellings));
     }
-    found.extend(
-        program
-            .iter()
-            .flat_map(|it| modes::undecided(system, &it.blocks, &it.branches)),
-    );
-    Ok(found.respelled(spellings))
-}
-
-/// Checks that the numbers of a derivation are finite. Returns warnings.
-///
-/// # Errors
-/// Those of [`findings`].
-pub fn findings_of_derivation(derivation: &Derivation<'_>) -> Result<Diagnostics, Diagnostics> {
-    let (pool, system) = (derivation.pool(), derivation.system());
-    let blocks = derivation.blocks();
-    let spellings = &system.mechanism.spellings;
-    let mut found = finiteness::of_blocks(pool, system, blocks);
-    if found.has_errors() {
-        return Err(found.respelled(spellings));
-    }
-    found.extend(modes::undecided(system, blocks, derivation.branches()));
-    Ok(found.respelled(spellings))
+    findings.extend(modes::undecided(system, &program.blocks, &program.branches));
+    Ok(findings.respelled(spellings))
 }
 
 /// Checks every motion; a finding of some motions alone names the motion.
@@ -90,22 +70,12 @@ pub fn findings_of_derivation(derivation: &Derivation<'_>) -> Result<Diagnostics
 /// # Errors
 /// Those of [`check`], each once.
 pub fn check_all(motions: &[Derived]) -> Result<(), Diagnostics> {
-    let found = of_motions(motions, |derived| {
+    let findings = of_motions(motions, |derived| {
         structure::analyze(&derived.pool, &derived.system)
     });
-    if found.has_errors() {
-        Err(found)
+    if findings.has_errors() {
+        Err(findings)
     } else {
         Ok(())
     }
-}
-
-/// Report of the values that the solved formulation computes and leaves out, with counts of operations; `None` if the
-/// equations do not determine the motion, or exceed the bounds of work.
-pub fn report(derived: &Derived) -> Option<Report> {
-    let mut pool = derived.pool.clone();
-    let plan = structure::plan(&mut pool, &derived.system, Shift::Directions).ok()?;
-    let report = lower(&mut pool, &derived.system, &plan, Kept::Requested).report;
-    let is_whole = pool.graph.excess().is_none();
-    is_whole.then_some(report)
 }

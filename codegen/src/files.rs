@@ -200,7 +200,7 @@ mod tests {
             "linkwright-1-0.partial",
         ];
         for name in kept {
-            fs::write(folder.0.join(name), "of somebody else").expect("it can be written");
+            fs::write(folder.0.join(name), "of another program").expect("it can be written");
         }
         let path = folder.0.join("a.rs");
         replace(&path, |output| {

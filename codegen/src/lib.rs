@@ -19,9 +19,9 @@
 //! An error of a description is an error of the build, at its line. [`build_with`] takes [`Options`]: single precision,
 //! other elementary functions.
 //!
-//! Other programs call the steps: [`read`] derives the equations, [`check`] says if they determine the motion,
-//! [`generate`] returns the code in a [`Language`], [`format()`] lays a description out. Errors are
-//! [`Diagnostics`] with places in the source.
+//! Other programs call the steps: [`read`] derives the equations, [`Read::check`] verifies that they determine the
+//! motion, [`generate`] returns the code in a [`Language`], [`format()`] lays a description out. Errors are
+//! [`Diagnostics`] with places in the [`Source`].
 //!
 //! # Generated code
 //!
@@ -42,16 +42,19 @@ mod read;
 pub mod stages;
 
 pub use cargo::{build, build_with, write_module};
-pub use checks::check;
 pub use emit::{Language, OutputFile, Scalar};
-#[doc(inline)]
+#[doc(hidden)]
 pub use linkwright_description::diagnostic;
 #[doc(inline)]
+pub use linkwright_description::diagnostic::{Code, Diagnostic, Diagnostics, Position, Source};
+#[doc(inline)]
 pub use linkwright_description::format::format;
-pub use read::{Read, read, read_along};
+pub use read::{Read, read};
+#[doc(inline)]
+pub use system::Derived;
 
 use checks::check_all;
-use diagnostic::{Diagnostics, Source, internal};
+use diagnostic::internal;
 use linkwright_description::{
     columns, consequences, expr, force, joint, model, pool, syntax, units,
 };
@@ -62,7 +65,6 @@ use program::Kept;
 use read::read_for;
 use solved::Solved;
 use structure::Shift;
-use system::Derived;
 
 /// Choices about the generated code.
 ///
@@ -78,12 +80,13 @@ use system::Derived;
 /// # Elementary functions
 ///
 /// A processor may have its own way to compute some of them, or a program may prefer those of the standard library. It
-/// then names a module with functions of the same names, which takes over all others from `linkwright::math`:
+/// then names a type that implements `linkwright::math::Functions` with these functions; all others stay those of the
+/// runtime:
 /// ```ignore
-/// mod plain {
-///     pub use linkwright::math::*;
+/// pub struct Plain;
 ///
-///     pub fn sin_cos(angle: f64) -> (f64, f64) {
+/// impl linkwright::math::Functions<f64> for Plain {
+///     fn sin_cos(angle: f64) -> (f64, f64) {
 ///         angle.sin_cos()
 ///     }
 /// }
@@ -92,19 +95,17 @@ use system::Derived;
 /// ```no_run
 /// use linkwright_codegen::Options;
 ///
-/// let options = Options { math: Some("crate::plain".to_string()), ..Options::default() };
+/// let options = Options { math: Some("crate::Plain".to_string()), ..Options::default() };
 /// linkwright_codegen::build_with("descriptions", &options);
 /// ```
-/// The bits of a frame are then those of these functions, and so are its errors. `angle_near` of `linkwright::math` does
-/// not call `atan2`. A module that replaces the arctangent replaces both, `angle_near` by
-/// `nearest_turn(atan2(sine, cosine), near)`.
+/// The bits of a frame are then those of these functions, and so are its errors.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Options {
     /// Language of the code. A build script includes only Rust.
     pub language: Language,
     /// Scalar: f64, or f32 where the hardware has nothing else.
     pub scalar: Scalar,
-    /// Path of the module whose functions Rust code calls instead of those of `linkwright::math`: `crate::plain`; `None`
+    /// Path of the type whose functions Rust code calls instead of those of `linkwright::math`: `crate::Plain`; `None`
     /// for `linkwright::math`. The compiler resolves it where the code is included. Values that the runtime computes
     /// for itself, such as scales, do not use it.
     pub math: Option<String>,
@@ -132,6 +133,7 @@ impl Generated {
     }
 
     /// Page that `rustdoc` shows with the module. Its derivation is computed by this call.
+    #[doc(hidden)]
     pub fn page(&self) -> Page {
         let first = self.motions.first();
         Page {
@@ -144,6 +146,7 @@ impl Generated {
 }
 
 /// Page that `rustdoc` shows with a module.
+#[doc(hidden)]
 #[derive(Clone, Debug)]
 pub struct Page {
     /// Documentation of the mechanism in the description: lines of Markdown, of which nothing is compiled, run or
@@ -156,8 +159,7 @@ pub struct Page {
 /// Generates the code of a description.
 ///
 /// ```
-/// use linkwright_codegen::diagnostic::Source;
-/// use linkwright_codegen::{Options, generate};
+/// use linkwright_codegen::{Options, Source, generate};
 ///
 /// let text = "
 ///     mechanism crank {
@@ -185,42 +187,36 @@ pub fn generate(source: &Source, options: &Options) -> Result<Generated, Diagnos
         Scalar::F64 => finiteness::Range::F64,
         Scalar::F32 => finiteness::Range::F32,
     };
-    let (mut lowered, mut found) = (Vec::new(), Vec::new());
+    let (mut lowered, mut by_motion) = (Vec::new(), Vec::new());
     for derived in &motions {
-        let Derived { mut pool, system } = derived.clone();
-        let _work = internal::work_at(system.mechanism.place());
-        let plan = structure::plan(&mut pool, &system, Shift::Directions).ok();
-        let program = plan
-            .as_ref()
-            .map(|plan| program::lower(&mut pool, &system, plan, Kept::Requested));
-        let motion = system.mechanism.motion.as_ref();
+        let mechanism = &derived.system.mechanism;
+        let _work = internal::work_at(mechanism.place());
+        let solved = Solved::of(derived.clone(), Shift::Directions, Kept::Requested);
+        let motion = mechanism.motion.as_ref();
         let name = motion.map_or(String::new(), |motion| motion.name.clone());
-        let mut own = finiteness::of_program(&pool, &system, program.as_ref(), range);
-        own.extend(
-            program
-                .iter()
-                .flat_map(|it| modes::undecided(&system, &it.blocks, &it.branches)),
-        );
-        found.push((name, own.respelled(&system.mechanism.spellings)));
-        if let (Some(plan), Some(program)) = (plan, program) {
-            lowered.push(Solved {
-                derived: Derived { pool, system },
-                plan,
-                program,
-            });
-        }
+        let findings = match &solved {
+            Ok(solved) => {
+                let (system, program) = (solved.system(), solved.program());
+                let mut findings = finiteness::of_program(solved.pool(), system, program, range);
+                findings.extend(modes::undecided(system, &program.blocks, &program.branches));
+                findings
+            }
+            Err(unplanned) => finiteness::of_unplanned(*unplanned),
+        };
+        by_motion.push((name, findings.respelled(&mechanism.spellings)));
+        lowered.extend(solved);
     }
-    let found = found
+    let by_motion = by_motion
         .iter()
-        .map(|(name, found)| (name.as_str(), None, found.clone()));
-    let found = diagnostic::merged(found.collect());
-    if found.has_errors() {
-        return Err(found);
+        .map(|(name, findings)| (name.as_str(), None, findings.clone()));
+    let findings = diagnostic::merged(by_motion.collect());
+    if findings.has_errors() {
+        return Err(findings);
     }
-    warnings.extend(found);
+    warnings.extend(findings);
     let name = lowered
         .first()
-        .map(|solved| solved.derived.system.mechanism.name.clone());
+        .map(|solved| solved.system().mechanism.name.clone());
     let name = name.unwrap_or_default();
     let stem = options.stem.as_deref().unwrap_or(&name);
     let (language, math) = (options.language, options.math.as_deref());

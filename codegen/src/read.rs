@@ -1,8 +1,8 @@
 //! Parses and resolves a description, and derives the equations of each motion.
 
-use crate::checks::of_motions;
+use crate::checks::{check, of_motions};
 use crate::consequences;
-use crate::diagnostic::{Diagnostics, Source, internal};
+use crate::diagnostic::{self, Diagnostics, Source, internal};
 use crate::emit::Language;
 use crate::finiteness;
 use crate::model;
@@ -12,6 +12,21 @@ use crate::syntax;
 use crate::system::Derived;
 
 /// Description with derived equations.
+///
+/// ```
+/// use linkwright_codegen::{Diagnostics, Source, read};
+///
+/// let text = "
+///     mechanism crank {
+///         point O = (0, 0);
+///         body arm at O { O, A: (40mm, 0) }
+///         revolute O(ground, arm);
+///     }";
+/// let source = Source::new("crank.mech", text);
+/// let errors = read(&source).and_then(|read| read.check()).expect_err("no driver");
+/// let error = errors.iter().next().expect("an error");
+/// assert_eq!((error.code.name(), error.range(&source)[0].line), ("K32", 4));
+/// ```
 #[derive(Clone, Debug)]
 pub struct Read {
     /// Equations of each motion in written order; those of the mechanism if it has no motions. Never empty.
@@ -21,6 +36,33 @@ pub struct Read {
 }
 
 impl Read {
+    /// Derives the equations with sensitivities to these parameters in place of the requested ones. Unknown names are
+    /// ignored.
+    ///
+    /// # Errors
+    /// Those of [`read`].
+    pub fn along(source: &Source, parameters: &[&str]) -> Result<Self, Diagnostics> {
+        read_for(source, Language::default(), Some(parameters))
+    }
+
+    /// Checks that the equations of each motion determine every coordinate exactly once, and that the numbers of their
+    /// solution are finite. Returns warnings, without those of [`Read::warnings`].
+    ///
+    /// # Errors
+    /// Too few or too many equations, with their bodies and joints; numbers that become infinite or undefined.
+    pub fn check(&self) -> Result<Diagnostics, Diagnostics> {
+        let findings = self.motions.iter().map(|derived| {
+            let motion = derived.system.mechanism.motion.as_ref();
+            let name = motion.map_or("", |motion| motion.name.as_str());
+            (name, None, check(derived).unwrap_or_else(|errors| errors))
+        });
+        let findings = diagnostic::merged(findings.collect());
+        match findings.has_errors() {
+            true => Err(findings),
+            false => Ok(findings),
+        }
+    }
+
     /// Equations; `None` if there are several motions.
     pub fn only(mut self) -> Option<Derived> {
         match self.motions.len() {
@@ -47,13 +89,9 @@ pub fn read(source: &Source) -> Result<Read, Diagnostics> {
     read_for(source, Language::default(), None)
 }
 
-/// Derives the equations with sensitivities to these parameters in place of the requested ones. Unknown names are
-/// ignored.
-///
-/// # Errors
-/// Those of [`read`].
-pub fn read_along(source: &Source, parameters: &[&str]) -> Result<Read, Diagnostics> {
-    read_for(source, Language::default(), Some(parameters))
+/// Returns the uses of names in a document, also in one with errors, each after the use or the declaration that it refers to.
+pub fn mentions(document: &syntax::Document) -> Vec<model::Mention> {
+    model::mentions(document, &Language::default().conventions().naming)
 }
 
 /// Derives the equations with names for a language, perhaps with sensitivities to other parameters.
@@ -68,13 +106,13 @@ pub(crate) fn read_for(
         return Err(diagnostics);
     };
     let read = resolved(&document, source, language, along, diagnostics);
-    let said = |found: Diagnostics| found.respelled(&document.spellings);
+    let respelled = |findings: Diagnostics| findings.respelled(&document.spellings);
     match read {
         Ok(Read { motions, warnings }) => Ok(Read {
             motions,
-            warnings: said(warnings),
+            warnings: respelled(warnings),
         }),
-        Err(found) => Err(said(found)),
+        Err(errors) => Err(respelled(errors)),
     }
 }
 
@@ -97,11 +135,11 @@ fn resolved(
         return Err(diagnostics);
     };
     for (_, mechanism) in along.and(Some(&mut resolved)).into_iter().flatten() {
-        let own = |name: &&str| mechanism.parameters.iter().position(|it| it.name == *name);
-        let mut wanted: Vec<usize> = along.into_iter().flatten().filter_map(own).collect();
-        wanted.sort_unstable();
-        wanted.dedup();
-        mechanism.sensitivities = wanted;
+        let index = |name: &&str| mechanism.parameters.iter().position(|it| it.name == *name);
+        let mut requested: Vec<usize> = along.into_iter().flatten().filter_map(index).collect();
+        requested.sort_unstable();
+        requested.dedup();
+        mechanism.sensitivities = requested;
     }
     let released = |(mut pool, mechanism): (Pool, model::Mechanism)| {
         let _work = internal::work_at(mechanism.place());
@@ -109,10 +147,10 @@ fn resolved(
         Derived { pool, system }
     };
     let motions: Vec<Derived> = resolved.into_iter().map(released).collect();
-    let found = of_motions(&motions, |derived| {
+    let not_finite = of_motions(&motions, |derived| {
         finiteness::of_system(&derived.pool, &derived.system)
     });
-    diagnostics.extend(found);
+    diagnostics.extend(not_finite);
     if diagnostics.has_errors() {
         return Err(diagnostics);
     }

@@ -1,10 +1,10 @@
-//! What stands between the stages of the pipeline, for tools that go on from one of them: the solver and the command line.
+//! Exposes the stages of the pipeline to the solver and the command line.
 //!
-//! A build script needs nothing of it. What is here may change with every release.
+//! Build scripts need none of these items, which may change in every release.
 
-pub use crate::checks::{check_all, findings, findings_of_derivation, report};
+pub use crate::checks::{check, check_all, findings_of};
 
-/// Expressions: the graph, its evaluation, and straight-line code that evaluates several at once.
+/// Expressions: the graph, its evaluation, and straight-line code for several expressions.
 pub mod expr {
     #[doc(inline)]
     pub use crate::expr::{
@@ -13,7 +13,7 @@ pub mod expr {
     };
 }
 
-/// The kinds of joints and drivers, what they measure and where their points are.
+/// Kinds of joints and drivers, with their measured quantities and points.
 pub mod joint {
     #[doc(inline)]
     pub use crate::joint::geometry;
@@ -21,13 +21,15 @@ pub mod joint {
     pub use crate::joint::{CONSTRAINTS, DRIVERS, Feature, Kind, Line, Quantity, Slot, Value};
 }
 
-/// Descriptions with their names resolved, and the words that have a meaning in formulas.
+/// Resolved descriptions, and the words with a meaning in formulas.
 pub mod model {
     #[doc(inline)]
     pub use crate::model::{
-        Body, Dimension, ENDS_OF_TABLES, FUNCTIONS, Joint, LAWS, Mechanism, Requested, Role,
-        follow_points, set, unit,
+        Body, Dimension, ENDS_OF_TABLES, FUNCTIONS, Joint, LAWS, Mechanism, Mention, Requested,
+        Role, follow_points, set, unit,
     };
+    #[doc(inline)]
+    pub use crate::read::mentions;
     #[doc(inline)]
     pub use crate::units::UNITS;
 }
@@ -38,57 +40,62 @@ pub mod units {
     pub use crate::units::{OutputUnit, OutputUnits, ReportUnits, Unit};
 }
 
-/// Descriptions as they are written.
+/// Syntax of descriptions.
 pub mod syntax {
     #[doc(inline)]
     pub use crate::syntax::*;
 }
 
-/// Expressions, and symbols with their roles, which grow behind the equations.
+/// Expressions, and symbols with their roles, to which later stages add.
 pub mod pool {
     #[doc(inline)]
     pub use crate::pool::{Arm, Draft, Pool, SymbolRole};
 }
 
-/// The equations of the textbook view.
+/// Equations of the textbook formulation.
 pub mod system {
     #[doc(inline)]
     pub use crate::system::{Carried, Cause, Component, Derived, Described, Passing, Row, System};
 }
 
-/// In which order the unknowns are found.
+/// Order of solution: blocks and their subsystems.
 pub mod structure {
     #[doc(inline)]
-    pub use crate::structure::{Freedom, Shift, SolvedPlan, Unplanned, analyze, plan};
+    pub use crate::structure::{Freedom, Shift, SolvedPlan, Unplanned, analyze};
 }
 
-/// What is computed, statement by statement.
+/// Computation of a motion, statement by statement.
 pub mod program {
     #[doc(inline)]
     pub use crate::program::{
         Arithmetic, Block, Branch, Choice, EVALUATIONS, Effort, Elementary, Energy, Evaluation,
         Forces, Found, Function, Kept, Lengths, Level, NewtonBlock, Operations, Output, Program,
-        Reaction, Reduced, Report, Requirements, STEPS, Statement, Tearing, Work, forms_of, lower,
-        unpruned, work,
+        Reaction, Reduced, Report, Requirements, STEPS, Statement, Tearing, Work, work,
     };
 }
 
-/// A motion with its solution.
+/// Motion with its solution.
 pub mod solved {
     #[doc(inline)]
     pub use crate::solved::Solved;
 }
 
-/// Every pose of a block that Newton-Raphson solves.
+/// Findings about motions without a solution.
+pub mod finiteness {
+    #[doc(inline)]
+    pub use crate::finiteness::of_unplanned;
+}
+
+/// All poses of a block that Newton-Raphson solves.
 pub mod assemblies {
     #[doc(inline)]
     pub use crate::assemblies::{
-        Enclosed, Enclosing, Interval, Place, Pose, Poses, counts_turns, never_meet, order, poses,
-        read,
+        Enclosed, Enclosing, Interval, Place, Pose, Poses, counts_turns, exchanges, never_meet,
+        order, poses, read,
     };
 }
 
-/// What is written of it.
+/// Printers of modules, formulas, pictures and documents.
 pub mod emit {
     pub use crate::emit::{
         Conventions, Notation, derivation, drawing, inspection, latex, markup, mathml, report, text,
@@ -100,14 +107,14 @@ pub mod emit {
     }
 }
 
-/// Files that are named in messages as a person names them.
+/// Access to files, with messages that name a file as the user does.
 pub mod files {
     pub use crate::files::{
         attach_files, folder_of, make_folder, may_write_in, noun, read, reason, replace, sweep,
     };
 }
 
-/// Tables as other programs export them.
+/// Tables in the formats that other programs export.
 pub mod columns {
     #[doc(inline)]
     pub use crate::columns::{

@@ -8,14 +8,12 @@
 use nalgebra::allocator::Allocator;
 use nalgebra::{DefaultAllocator, Dim, OVector};
 
-use crate::assembly::assemble_from_rough_estimate;
 use crate::closed_form::Branch;
 use crate::equations::Equations;
 use crate::failure::Failure;
 use crate::kinematics::{Frame, advance_watched, factorize};
 use crate::linear::Measure;
 use crate::math::Real;
-use crate::path::branch_of;
 use crate::scale::Scales;
 use crate::settings::Settings;
 use crate::vector::{zero_matrix, zero_vector};
@@ -37,7 +35,7 @@ pub enum Start {
 /// advances in this mode.
 ///
 /// # Errors
-/// Returns those of [`assemble_from_rough_estimate`], or those of [`advance`](crate::advance) and
+/// Returns those of [`Frame::assemble_from_rough_estimate`], or those of [`Frame::advance`] and
 /// [`WrongBranch`](crate::FailureKind::WrongBranch).
 ///
 /// # Work
@@ -132,10 +130,11 @@ fn assemble<T: Real, D: Dim, E: Equations<T, D>>(
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
-    let mut frame = assemble_from_rough_estimate(equations, &estimate.q, *branch, t, settings)?;
+    let mut frame =
+        Frame::assemble_from_rough_estimate(equations, &estimate.q, *branch, t, settings)?;
     unwind(equations, &mut frame.q, &estimate.q, t, settings);
     if branch.is_none() {
-        *branch = Some(branch_of(equations, &frame.q, t, settings)?);
+        *branch = Some(Frame::branch_of(equations, &frame.q, t, settings)?);
     }
     Ok(frame)
 }

@@ -29,7 +29,7 @@ pub trait Blocks {
     /// Numbers that the caller can change between instants; `()` without any.
     type Parameters: Values<Self::Scalar>;
     /// Signals besides the time that drive the mechanism; `()` without any.
-    type Inputs: Signals<Self::Scalar>;
+    type Inputs: Values<Signal<Self::Scalar>>;
     /// A [`PathEnclosure`](crate::time_window::PathEnclosure) for each unknown of Newton-Raphson.
     #[doc(hidden)]
     type PathEnclosures: Clone;
@@ -248,75 +248,54 @@ pub struct Conditions<'a, T, P, I> {
     pub settings: &'a Settings<T>,
 }
 
-/// Numbers with an order: coordinates, parameters.
-pub trait Values<T>: Clone {
+/// Values with an order: the numbers of coordinates and parameters, or the [`Signal`]s of inputs.
+///
+/// ```
+/// use linkwright::{Signal, Values};
+///
+/// linkwright_macros::mechanism! {
+///     mechanism arm {
+///         input angle = 0;
+///         point O = (0, 0);
+///         body boom at O { O, P: (2, 0) }
+///         revolute O(ground, boom);
+///         drive phi(boom) = angle;
+///     }
+/// }
+/// let mut inputs = arm::Inputs::INITIAL;
+/// inputs.set(0, Signal::constant(0.5));
+/// assert_eq!(inputs.angle.value, 0.5);
+/// assert_eq!((inputs.count(), inputs.value(1)), (1, None));
+/// ```
+pub trait Values<V>: Clone {
     /// Number of values.
     fn count(&self) -> usize;
 
     /// Value at `index`; `None` beyond the last one.
-    fn value(&self, index: usize) -> Option<T>;
+    fn value(&self, index: usize) -> Option<V>;
 
     /// Changes the value at `index`; does nothing beyond the last one.
-    fn set(&mut self, index: usize, value: T);
+    fn set(&mut self, index: usize, value: V);
 
-    /// True if every value is finite.
+    /// True if every number is finite.
     fn are_finite(&self) -> bool;
 }
 
-impl<T> Values<T> for () {
+impl<V> Values<V> for () {
     fn count(&self) -> usize {
         0
     }
 
-    fn value(&self, _index: usize) -> Option<T> {
+    fn value(&self, _index: usize) -> Option<V> {
         None
     }
 
-    fn set(&mut self, _index: usize, _value: T) {}
+    fn set(&mut self, _index: usize, _value: V) {}
 
     #[inline]
     fn are_finite(&self) -> bool {
         true
     }
-}
-
-/// Ordered signals that a caller supplies with their rates and accelerations.
-pub trait Signals<T>: Clone {
-    /// Number of signals.
-    fn count(&self) -> usize;
-
-    /// Signal at `index`; `None` beyond the last one.
-    fn signal(&self, index: usize) -> Option<Signal<T>>;
-
-    /// Changes the signal at `index`; does nothing beyond the last one.
-    fn set(&mut self, index: usize, signal: Signal<T>);
-
-    /// True if every number of the signals is finite.
-    fn are_finite(&self) -> bool;
-
-    /// Signals at a fraction of the time `h` (s) from these to `last`, on the smoothest path; see [`Signal::towards`].
-    #[must_use]
-    fn towards(&self, last: &Self, h: T, part: T) -> Self;
-}
-
-impl<T> Signals<T> for () {
-    fn count(&self) -> usize {
-        0
-    }
-
-    fn signal(&self, _index: usize) -> Option<Signal<T>> {
-        None
-    }
-
-    fn set(&mut self, _index: usize, _signal: Signal<T>) {}
-
-    #[inline]
-    fn are_finite(&self) -> bool {
-        true
-    }
-
-    #[inline]
-    fn towards(&self, _last: &(), _h: T, _part: T) {}
 }
 
 /// Index and value of the first value that is not positive; `None` if all are positive.

@@ -67,7 +67,7 @@ pub const UNDERFLOW: f64 = 8.0;
 /// True if the square of a half chord is a normal number and safely positive relative to `scale`. False for NaN.
 #[inline]
 pub fn exceeds_rounding<T: Real>(excess: T, scale: T) -> bool {
-    excess > T::from_f64(FOLD) * T::EPSILON * scale + T::from_f64(UNDERFLOW) * T::SMALLEST
+    excess > T::from_f64(FOLD) * T::EPSILON * scale + T::from_f64(UNDERFLOW) * T::MIN_POSITIVE
 }
 
 /// Failure of links in a closed-form block that do not span the distance (m) between their far pins; `longest` and

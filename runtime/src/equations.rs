@@ -21,7 +21,8 @@ use crate::math::Real;
 ///
 /// ```
 /// use linkwright::nalgebra::{Const, SMatrix, SVector};
-/// use linkwright::{Equations, Settings, advance, assemble, math};
+/// use linkwright::math::Real;
+/// use linkwright::{Equations, Frame, Settings};
 ///
 /// struct Slider;
 ///
@@ -30,17 +31,17 @@ use crate::math::Real;
 ///         Const
 ///     }
 ///     fn residual(&self, q: &SVector<f64, 1>, t: f64, phi: &mut SVector<f64, 1>) {
-///         let (sin, cos) = math::sin_cos(t);
+///         let (sin, cos) = Real::sin_cos(t);
 ///         phi[0] = (q[0] - cos) * (q[0] - cos) + sin * sin - 4.0;
 ///     }
 ///     fn jacobian(&self, q: &SVector<f64, 1>, t: f64, phi_q: &mut SMatrix<f64, 1, 1>) {
-///         phi_q[0] = 2.0 * (q[0] - math::cos(t));
+///         phi_q[0] = 2.0 * (q[0] - Real::cos(t));
 ///     }
 ///     fn time_derivative(&self, q: &SVector<f64, 1>, t: f64, phi_t: &mut SVector<f64, 1>) {
-///         phi_t[0] = 2.0 * q[0] * math::sin(t);
+///         phi_t[0] = 2.0 * q[0] * Real::sin(t);
 ///     }
 ///     fn gamma(&self, q: &SVector<f64, 1>, qd: &SVector<f64, 1>, t: f64, gamma: &mut SVector<f64, 1>) {
-///         let (sin, cos) = math::sin_cos(t);
+///         let (sin, cos) = Real::sin_cos(t);
 ///         gamma[0] = -(2.0 * qd[0] * qd[0] + 4.0 * qd[0] * sin + 2.0 * q[0] * cos);
 ///     }
 ///     fn row_scale(&self, _row: usize) -> f64 {
@@ -53,13 +54,13 @@ use crate::math::Real;
 ///
 /// # fn main() -> Result<(), linkwright::Failure> {
 /// let settings = Settings::default();
-/// let mut frame = assemble(&Slider, &SVector::<f64, 1>::new(2.5), 0.0, &settings)?;
+/// let mut frame = Frame::assemble(&Slider, &SVector::<f64, 1>::new(2.5), 0.0, &settings)?;
 /// assert!((frame.q[0] - 3.0).abs() < 1e-14);
 /// for step in 1..=100 {
 ///     // On failure `frame` would still be the last valid one.
-///     frame = advance(&Slider, &frame, 0.01 * f64::from(step), &settings)?;
+///     frame = frame.advance(&Slider, 0.01 * f64::from(step), &settings)?;
 /// }
-/// let exact = math::cos(1.0) + math::sqrt(4.0 - math::sin(1.0_f64) * math::sin(1.0));
+/// let exact = 1.0_f64.cos() + (4.0 - 1.0_f64.sin() * 1.0_f64.sin()).sqrt();
 /// assert!((frame.q[0] - exact).abs() < 1e-14);
 /// # Ok(())
 /// # }

@@ -6,7 +6,7 @@
 use core::fmt;
 
 use crate::failure::{Failure, FailureKind};
-use crate::math::{Real, abs};
+use crate::math::Real;
 
 /// Name of a block of a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,6 +27,28 @@ impl<'a> BlockName<'a> {
 }
 
 /// Failure in a mechanism's own terms; its `Display` is one sentence.
+///
+/// ```
+/// linkwright_macros::mechanism! {
+///     mechanism arm {
+///         input angle = 0;
+///         point O = (0, 0);
+///         body boom at O { O, P: (2, 0) }
+///         revolute O(ground, boom);
+///         drive phi(boom) = angle;
+///     }
+/// }
+/// use arm::{Arm, Inputs};
+/// use linkwright::Signal;
+///
+/// let mut arm = Arm::assemble(0.0, &Inputs::INITIAL)?;
+/// let inputs = Inputs { angle: Signal::constant(f64::NAN) };
+/// let failure = arm.advance(0.01, &inputs).expect_err("not a number");
+/// let message = arm::describe(&failure);
+/// assert_eq!(message.block.map(|block| block.name), Some("angle"));
+/// assert!(message.to_string().contains("angle"), "{message}");
+/// # Ok::<(), linkwright::Failure>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FailureMessage<'a, T = f64> {
     /// Failure to describe.
@@ -138,7 +160,7 @@ struct Figure<T>(T);
 
 impl<T: Real> fmt::Display for Figure<T> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut size = abs(self.0);
+        let mut size = self.0.abs();
         if size == T::ZERO {
             return formatter.write_str("0");
         }

@@ -5,7 +5,7 @@
 //! nearly all are for short steps, only has to lie in its enclosures.
 
 use crate::block::Start;
-use crate::blocks::{Blocks, Conditions, Signals};
+use crate::blocks::{Blocks, Conditions, Values};
 use crate::closed_form::failed;
 use crate::failure::{Failure, FailureKind};
 use crate::math::Real;
@@ -59,7 +59,7 @@ pub struct Pair<'a, B: Blocks> {
     pub conditions: &'a Conditions<'a, B::Scalar, B::Parameters, B::Inputs>,
 }
 
-impl<T: Real, I: Signals<T>, U: Clone> Guard<T, I, U> {
+impl<T: Real, I: Values<Signal<T>>, U: Clone> Guard<T, I, U> {
     /// Returns a guard without a verified window.
     pub fn new() -> Self {
         Self {
@@ -210,13 +210,13 @@ fn farthest<T: Real>(
     None
 }
 
-impl<T: Real, I: Signals<T>, U: Clone> Default for Guard<T, I, U> {
+impl<T: Real, I: Values<Signal<T>>, U: Clone> Default for Guard<T, I, U> {
     fn default() -> Self {
         Self::new()
     }
 }
 
-impl<T: Real, I: Signals<T>, U> Window<T, I, U> {
+impl<T: Real, I: Values<Signal<T>>, U> Window<T, I, U> {
     /// Returns the window about these frames.
     fn new<B>(pair: &Pair<'_, B>, window: TimeWindow<T>, enclosures: U) -> Self
     where
@@ -252,7 +252,7 @@ impl<T: Real, I: Signals<T>, U> Window<T, I, U> {
             return true;
         }
         let h = pair.conditions.t - B::time(pair.last);
-        let signal = |inputs: &I, index| inputs.signal(index).unwrap_or(Signal::constant(T::ZERO));
+        let signal = |inputs: &I, index| inputs.value(index).unwrap_or(Signal::constant(T::ZERO));
         let [before, now] = &self.inputs;
         (0..count).all(|index| {
             let line = [&signal(before, index), &signal(now, index)];

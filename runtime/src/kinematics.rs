@@ -42,31 +42,57 @@ where
 {
 }
 
-/// Assembles the mechanism at time `t`, starting from the `estimate` (n) of its pose.
-///
-/// [`crate::assemble_from_rough_estimate`] is for poor estimates, and for a given branch.
-///
-/// # Work
-/// That of [`advance`].
-///
-/// # Errors
-/// Returns every [`FailureKind`].
-///
-/// # Panics
-/// If a vector does not have the dimension of the equations, which only a dynamic dimension permits.
-pub fn assemble<T: Real, D: Dim, E: Equations<T, D>>(
-    equations: &E,
-    estimate: &OVector<T, D>,
-    t: T,
-    settings: &Settings<T>,
-) -> Result<Frame<T, D>, Failure<T>>
+impl<T: Real, D: Dim> Frame<T, D>
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
-    assemble_watched(equations, estimate, t, settings, Unwatched)
+    /// Assembles the mechanism at time `t`, starting from the `estimate` (n) of its pose.
+    ///
+    /// [`Frame::assemble_from_rough_estimate`] is for poor estimates, and for a given branch.
+    ///
+    /// # Work
+    /// That of [`Frame::advance`].
+    ///
+    /// # Errors
+    /// Returns every [`FailureKind`].
+    ///
+    /// # Panics
+    /// If a vector does not have the dimension of the equations, which only a dynamic dimension permits.
+    pub fn assemble<E: Equations<T, D>>(
+        equations: &E,
+        estimate: &OVector<T, D>,
+        t: T,
+        settings: &Settings<T>,
+    ) -> Result<Self, Failure<T>> {
+        assemble_watched(equations, estimate, t, settings, Unwatched)
+    }
+
+    /// Moves the mechanism from this frame to time `t`, which may lie before or after it.
+    ///
+    /// The estimate is the Taylor polynomial q + h q̇ + h²/2 q̈ with h = `t` - `self.t`. The number of Newton-Raphson
+    /// steps therefore grows with h. For large h the result may lie in another assembly mode. [`Frame::follow`] excludes
+    /// that, at the price of a check of every step.
+    ///
+    /// # Work
+    /// With N for [`Settings::iterations`] at most N + 3 evaluations of the residual, N + 5 of the Jacobian, and one each of Φ_t
+    /// and γ.
+    ///
+    /// # Errors
+    /// Returns every [`FailureKind`].
+    ///
+    /// # Panics
+    /// If a vector does not have the dimension of the equations, which only a dynamic dimension permits.
+    pub fn advance<E: Equations<T, D>>(
+        &self,
+        equations: &E,
+        t: T,
+        settings: &Settings<T>,
+    ) -> Result<Self, Failure<T>> {
+        advance_watched(equations, self, t, settings, Unwatched)
+    }
 }
 
-/// Calls the solver of [`assemble`], abandoned if `watch` requires it.
+/// Calls the solver of [`Frame::assemble`], abandoned if `watch` requires it.
 pub(crate) fn assemble_watched<T: Real, D: Dim, E: Equations<T, D>, W: Watch<T, D>>(
     equations: &E,
     estimate: &OVector<T, D>,
@@ -80,34 +106,7 @@ where
     complete(equations, estimate.clone(), t, settings, &mut watch)
 }
 
-/// Moves the mechanism from `frame` to time `t`, which may lie before or after it.
-///
-/// The estimate is the Taylor polynomial q + h q̇ + h²/2 q̈ with h = `t` - `frame.t`. The number of Newton-Raphson
-/// steps therefore grows with h. For large h the result may lie in another assembly mode. [`crate::follow`] excludes
-/// that, at the price of a check of every step.
-///
-/// # Work
-/// With N for [`Settings::iterations`] at most N + 3 evaluations of the residual, N + 5 of the Jacobian, and one each of Φ_t
-/// and γ.
-///
-/// # Errors
-/// Returns every [`FailureKind`].
-///
-/// # Panics
-/// If a vector does not have the dimension of the equations, which only a dynamic dimension permits.
-pub fn advance<T: Real, D: Dim, E: Equations<T, D>>(
-    equations: &E,
-    frame: &Frame<T, D>,
-    t: T,
-    settings: &Settings<T>,
-) -> Result<Frame<T, D>, Failure<T>>
-where
-    DefaultAllocator: Allocator<D> + Allocator<D, D>,
-{
-    advance_watched(equations, frame, t, settings, Unwatched)
-}
-
-/// Calls the solver of [`advance`], abandoned if `watch` requires it.
+/// Calls the solver of [`Frame::advance`], abandoned if `watch` requires it.
 pub(crate) fn advance_watched<T: Real, D: Dim, E: Equations<T, D>, W: Watch<T, D>>(
     equations: &E,
     frame: &Frame<T, D>,

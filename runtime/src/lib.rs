@@ -52,9 +52,9 @@
 //! # Equations written by hand
 //!
 //! [`Equations`] are Φ and its derivatives, as one dense system; the type `Textbook` of a generated module implements
-//! them. [`assemble`] finds a pose near a good estimate, [`assemble_from_rough_estimate`] from a poor one. [`advance`]
-//! takes the pose to which Newton-Raphson converges. [`follow`] takes only one that is on the same path and branch, and
-//! names the time at which a path ends.
+//! them. [`Frame::assemble`] finds a pose near a good estimate, [`Frame::assemble_from_rough_estimate`] from a poor one.
+//! [`Frame::advance`] takes the pose to which Newton-Raphson converges. [`Frame::follow`] takes only one that is on the
+//! same path and branch, and names the time at which a path ends.
 #![doc(html_root_url = "https://docs.rs/linkwright/0.1.0")]
 #![no_std]
 
@@ -108,17 +108,15 @@ mod way;
 
 pub use nalgebra;
 
-pub use assembly::assemble_from_rough_estimate;
-pub use blocks::{Blocks, Signals, Values};
+pub use blocks::{Blocks, Values};
 pub use closed_form::Branch;
 pub use equations::Equations;
 pub use failure::{Failure, FailureKind};
 pub use failure_message::{BlockName, FailureMessage};
-pub use kinematics::{Frame, advance, assemble};
+pub use kinematics::Frame;
 pub use motion::PointMotion;
 pub use newton::Step;
 pub use normalized_determinant::NormalizedDeterminant;
-pub use path::{branch_of, follow};
 pub use settings::Settings;
 pub use shell::{Mechanism, Shell};
 pub use signal::Signal;

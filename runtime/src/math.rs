@@ -1,9 +1,8 @@
 //! Scalar types and their elementary functions, those of `linkwright-math`: equal bits with and without the standard
 //! library, on every platform.
 //!
-//! Everything else in this crate, and all generated code, is written against [`Real`] or the free functions below.
-//! Generated code can also be written against a module of its user's that holds functions of these names; see the
-//! options of the generator. Such a module begins with `pub use linkwright::math::*;` and redefines other functions.
+//! Everything else in this crate, and all generated code, is written against [`Real`]. Generated code can also be
+//! written against a type that implements [`Functions`].
 //!
 //! Sines, cosines and angles are within 1 and 2 ulp, in f64 and in f32, and f32 does without f64; `linkwright-math`
 //! states the bounds. Arguments of `sin` and `cos` are in radians, all else is unitless.
@@ -20,7 +19,16 @@ mod sealed {
 
 /// Floating-point scalar of the runtime: `f32` or `f64`.
 ///
-/// The trait is sealed, because tolerances and rounding levels are chosen for these two.
+/// The trait is sealed, because tolerances and rounding levels are chosen for these two. `x.sin()` calls the standard
+/// library if there is one; `Real::sin(x)` always has the bits of generated code:
+///
+/// ```
+/// use linkwright::math::Real;
+///
+/// let (sine, cosine) = Real::sin_cos(0.5_f64);
+/// assert!((sine * sine + cosine * cosine - 1.0).abs() < 1e-15);
+/// assert_eq!(Real::angle_near(0.0, -1.0, 9.0_f64), 3.0 * core::f64::consts::PI);
+/// ```
 pub trait Real:
     sealed::Sealed
     + nalgebra::Scalar
@@ -48,7 +56,7 @@ pub trait Real:
     /// Distance from 1 to the next larger number.
     const EPSILON: Self;
     /// Smallest positive normal number.
-    const SMALLEST: Self;
+    const MIN_POSITIVE: Self;
 
     /// Returns the scalar nearest to `value`.
     fn from_f64(value: f64) -> Self;
@@ -101,7 +109,7 @@ macro_rules! implement_real {
             const ONE: Self = 1.0;
             const HALF: Self = 0.5;
             const EPSILON: Self = $scalar::EPSILON;
-            const SMALLEST: Self = $scalar::MIN_POSITIVE;
+            const MIN_POSITIVE: Self = $scalar::MIN_POSITIVE;
 
             #[inline]
             fn from_f64(value: f64) -> Self {
@@ -160,81 +168,101 @@ macro_rules! implement_reals {
 
 implement_reals!(f64: double; f32: single;);
 
-/// The magnitude.
-#[inline]
-pub fn abs<T: Real>(value: T) -> T {
-    value.abs()
+/// Elementary functions that generated code calls, each of which a program can replace.
+///
+/// A type implements the trait for its scalar, with the functions that differ; the others stay those of [`Real`]. The
+/// option `math` of the generator is the path of the type.
+///
+/// ```
+/// use linkwright::math::{Functions, Real};
+///
+/// /// Sines and cosines of the standard library.
+/// pub struct Plain;
+///
+/// impl Functions<f64> for Plain {
+///     fn sin_cos(angle: f64) -> (f64, f64) {
+///         angle.sin_cos()
+///     }
+/// }
+/// assert_eq!(Plain::sin_cos(0.5), 0.5_f64.sin_cos());
+/// assert_eq!(Plain::sqrt(2.0), Real::sqrt(2.0_f64));
+/// ```
+///
+/// The bits of a frame are then those of these functions, and so are its errors. [`Real::angle_near`] does not call
+/// `atan2`: a type that replaces the arctangent replaces both, [`Functions::angle_near`] by
+/// `Real::nearest_turn(Self::atan2(sine, cosine), near)`.
+pub trait Functions<T: Real> {
+    /// Magnitude.
+    #[inline]
+    fn abs(value: T) -> T {
+        value.abs()
+    }
+
+    /// Sine of an angle in radians.
+    #[inline]
+    fn sin(angle: T) -> T {
+        angle.sin()
+    }
+
+    /// Cosine of an angle in radians.
+    #[inline]
+    fn cos(angle: T) -> T {
+        angle.cos()
+    }
+
+    /// Sine and cosine of an angle in radians, in this order.
+    #[inline]
+    fn sin_cos(angle: T) -> (T, T) {
+        angle.sin_cos()
+    }
+
+    /// Square root; NaN for a negative argument.
+    #[inline]
+    fn sqrt(x: T) -> T {
+        x.sqrt()
+    }
+
+    /// Angle in (-π, π] of the vector (`abscissa`, `ordinate`).
+    #[inline]
+    fn atan2(ordinate: T, abscissa: T) -> T {
+        ordinate.atan2(abscissa)
+    }
+
+    /// Angle (rad) nearest to `near` with this sine and cosine, or a common positive multiple of them. NaN if both are
+    /// zero.
+    #[inline]
+    fn angle_near(sine: T, cosine: T, near: T) -> T {
+        sine.angle_near(cosine, near)
+    }
+
+    /// Exponential function.
+    #[inline]
+    fn exp(x: T) -> T {
+        x.exp()
+    }
+
+    /// Natural logarithm; NaN for a negative argument, -∞ for zero.
+    #[inline]
+    fn ln(x: T) -> T {
+        x.ln()
+    }
+
+    /// Power with a real exponent.
+    #[inline]
+    fn powf(base: T, exponent: T) -> T {
+        base.powf(exponent)
+    }
+
+    /// Largest whole number that is not greater.
+    #[inline]
+    fn floor(x: T) -> T {
+        x.floor()
+    }
 }
 
-/// The sine of an angle in radians.
-#[inline]
-pub fn sin<T: Real>(angle: T) -> T {
-    angle.sin()
-}
-
-/// The cosine of an angle in radians.
-#[inline]
-pub fn cos<T: Real>(angle: T) -> T {
-    angle.cos()
-}
-
-/// The sine and the cosine of an angle in radians, in this order.
-#[inline]
-pub fn sin_cos<T: Real>(angle: T) -> (T, T) {
-    angle.sin_cos()
-}
-
-/// The square root; NaN for a negative argument.
-#[inline]
-pub fn sqrt<T: Real>(x: T) -> T {
-    x.sqrt()
-}
-
-/// The angle in (-π, π] of the vector (`abscissa`, `ordinate`).
-#[inline]
-pub fn atan2<T: Real>(ordinate: T, abscissa: T) -> T {
-    ordinate.atan2(abscissa)
-}
-
-/// The angle (rad) with this sine and cosine, or a common positive multiple of them, that is nearest to `near`. NaN where both are
-/// zero.
+/// Angle nearest to `near` with this sine and cosine, for generated code.
+#[doc(hidden)]
 #[inline]
 pub fn angle_near<T: Real>(sine: T, cosine: T, near: T) -> T {
     sine.angle_near(cosine, near)
-}
-
-/// The angle that differs from `angle` by whole turns and is nearest to `near` (rad).
-#[inline]
-pub fn nearest_turn<T: Real>(angle: T, near: T) -> T {
-    angle.nearest_turn(near)
-}
-
-/// The exponential function.
-#[inline]
-pub fn exp<T: Real>(x: T) -> T {
-    x.exp()
-}
-
-/// The natural logarithm; NaN for a negative argument, -∞ for zero.
-#[inline]
-pub fn ln<T: Real>(x: T) -> T {
-    x.ln()
-}
-
-/// The power with a real exponent.
-#[inline]
-pub fn powf<T: Real>(base: T, exponent: T) -> T {
-    base.powf(exponent)
-}
-
-/// The length √(x² + y²) without intermediate overflow.
-#[inline]
-pub fn hypot<T: Real>(x: T, y: T) -> T {
-    x.hypot(y)
-}
-
-/// The largest whole number that is not greater.
-#[inline]
-pub fn floor<T: Real>(x: T) -> T {
-    x.floor()
 }

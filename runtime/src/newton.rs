@@ -131,8 +131,8 @@ where
 /// step reduces the error by the same part as the residual. So twice the length of the step times this part estimates
 /// the remaining error; the factor two allows for the older Jacobian. If the estimate exceeds the tolerance, in
 /// coordinate scales, and the steps are used up, the pose is not returned. Without the polishing step, and for an
-/// estimate with a residual at rounding level already, the residual alone decides; [`crate::assemble`] and
-/// [`crate::advance`] judge such poses by their Jacobian.
+/// estimate with a residual at rounding level already, the residual alone decides; [`crate::Frame::assemble`] and
+/// [`crate::Frame::advance`] judge such poses by their Jacobian.
 ///
 /// # Work
 /// With N for [`Settings::iterations`] at most N + 3 evaluations of the residual and N + 3 of the Jacobian.

@@ -1,11 +1,11 @@
 //! Follows the path of a frame to another time, or to the end of the path.
 //!
-//! [`advance`](crate::advance) takes the pose to which Newton-Raphson happens to converge. [`follow`] takes only poses
+//! [`Frame::advance`] takes the pose to which Newton-Raphson happens to converge. [`Frame::follow`] takes only poses
 //! that are certain to lie on the path. The determinant of the Jacobian must keep its sign from the estimate to the
 //! pose. Every Newton-Raphson step must be at most half the length of the one before; otherwise the estimate may lie in
 //! the basin of another root. The motion must also fit both ends. By Hermite's rule the change is h (q̇₀ + q̇₁) / 2 -
 //! h² (q̈₁ - q̈₀) / 12, up to an error of the fifth order in h; for an end on another path it is off by the distance of
-//! the two paths. If one of these conditions fails, [`follow`] takes intermediate times ([`crate::substeps`]).
+//! the two paths. If one of these conditions fails, [`Frame::follow`] takes intermediate times ([`crate::substeps`]).
 //!
 //! A path ends where its Jacobian becomes singular. Most of these poses are folds, dead points of the driver. With τ
 //! the remaining time, the distance to the singular pose and the determinant shrink like √τ, and the velocity grows
@@ -39,75 +39,75 @@ const AGREEMENT: f64 = 1.0 / 16.0;
 /// become 16 times shorter.
 const SHRUNK: f64 = 0.25;
 
-/// Branch of the pose `q` (n) at time `t`: the sign of the determinant of Φ_q.
-///
-/// # Errors
-/// Returns [`FailureKind::Singular`] or [`FailureKind::NotFinite`].
-///
-/// # Work
-/// One evaluation of the Jacobian.
-///
-/// # Panics
-/// If `q` does not have the dimension of the equations, which only a dynamic dimension permits.
-pub fn branch_of<T: Real, D: Dim, E: Equations<T, D>>(
-    equations: &E,
-    q: &OVector<T, D>,
-    t: T,
-    settings: &Settings<T>,
-) -> Result<Branch, Failure<T>>
+impl<T: Real, D: Dim> Frame<T, D>
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
-    let factorization = factorize(equations, q, t, settings).map_err(|kind| no_verdict(kind, t))?;
-    Ok(factorization.branch())
-}
+    /// Branch of the pose `q` (n) at time `t`: the sign of the determinant of Φ_q.
+    ///
+    /// # Errors
+    /// Returns [`FailureKind::Singular`] or [`FailureKind::NotFinite`].
+    ///
+    /// # Work
+    /// One evaluation of the Jacobian.
+    ///
+    /// # Panics
+    /// If `q` does not have the dimension of the equations, which only a dynamic dimension permits.
+    pub fn branch_of<E: Equations<T, D>>(
+        equations: &E,
+        q: &OVector<T, D>,
+        t: T,
+        settings: &Settings<T>,
+    ) -> Result<Branch, Failure<T>> {
+        let factorization =
+            factorize(equations, q, t, settings).map_err(|kind| no_verdict(kind, t))?;
+        Ok(factorization.branch())
+    }
 
-/// Moves the mechanism from `frame` to time `t`, before or after it, along the path and on the branch of `frame`, in as
-/// many steps as needed.
-///
-/// # Errors
-/// Returns a [`Failure`] of any [`FailureKind`]. The time of the failure is the end of the path, or the last
-/// time that could be followed:
-/// - [`FailureKind::Singular`] at a dead point, at the time at which the two estimates of the fold put it. Its pivot ratio
-///   is that of the last pose before it, and its column the coordinate that is fastest there.
-/// - [`FailureKind::WrongBranch`] if every attempt to continue ends with the other sign of the determinant: the path
-///   passes a singular pose, at which another path crosses it. The time lies behind the singular pose by less than the
-///   last step that was tried.
-/// - [`FailureKind::StepTooLarge`] if the budget [`Settings::substeps`] ended before any of this was clear.
-///
-/// # Work
-/// With S for [`Settings::substeps`] and N for [`Settings::iterations`] at most S (N + 3) evaluations of the residual,
-/// S (N + 5) + 3 of the Jacobian, S of Φ_t and S of γ.
-///
-/// # Panics
-/// If a vector does not have the dimension of the equations, which only a dynamic dimension permits.
-pub fn follow<T: Real, D: Dim, E: Equations<T, D>>(
-    equations: &E,
-    frame: &Frame<T, D>,
-    branch: Branch,
-    t: T,
-    settings: &Settings<T>,
-) -> Result<Frame<T, D>, Failure<T>>
-where
-    DefaultAllocator: Allocator<D> + Allocator<D, D>,
-{
-    let mut current = frame.clone();
-    // Frame before the last one, from which the end of the path is extrapolated.
-    let mut before = None;
-    let moved = in_steps(frame.t, t, settings.substeps, |target| {
-        let next = step(equations, &current, branch, target, settings)?;
-        before = Some(core::mem::replace(&mut current, next));
-        Ok(())
-    });
-    match moved {
-        Ok(_) => Ok(current),
-        Err(broken) => Err(match before {
-            Some(before) => {
-                let frames = [frame, &before, &current];
-                end_of_path(equations, frames, t, broken.failure, settings)
-            }
-            None => broken.failure,
-        }),
+    /// Moves the mechanism from this frame to time `t`, before or after it, along its path and on its `branch`, in as
+    /// many steps as needed.
+    ///
+    /// # Errors
+    /// Returns a [`Failure`] of any [`FailureKind`]. The time of the failure is the end of the path, or the last
+    /// time that could be followed:
+    /// - [`FailureKind::Singular`] at a dead point, at the time at which the two estimates of the fold put it. Its pivot ratio
+    ///   is that of the last pose before it, and its column the coordinate that is fastest there.
+    /// - [`FailureKind::WrongBranch`] if every attempt to continue ends with the other sign of the determinant: the path
+    ///   passes a singular pose, at which another path crosses it. The time lies behind the singular pose by less than the
+    ///   last step that was tried.
+    /// - [`FailureKind::StepTooLarge`] if the budget [`Settings::substeps`] ended before any of this was clear.
+    ///
+    /// # Work
+    /// With S for [`Settings::substeps`] and N for [`Settings::iterations`] at most S (N + 3) evaluations of the residual,
+    /// S (N + 5) + 3 of the Jacobian, S of Φ_t and S of γ.
+    ///
+    /// # Panics
+    /// If a vector does not have the dimension of the equations, which only a dynamic dimension permits.
+    pub fn follow<E: Equations<T, D>>(
+        &self,
+        equations: &E,
+        branch: Branch,
+        t: T,
+        settings: &Settings<T>,
+    ) -> Result<Self, Failure<T>> {
+        let mut current = self.clone();
+        // Frame before the last one, from which the end of the path is extrapolated.
+        let mut before = None;
+        let moved = in_steps(self.t, t, settings.substeps, |target| {
+            let next = step(equations, &current, branch, target, settings)?;
+            before = Some(core::mem::replace(&mut current, next));
+            Ok(())
+        });
+        match moved {
+            Ok(_) => Ok(current),
+            Err(broken) => Err(match before {
+                Some(before) => {
+                    let frames = [self, &before, &current];
+                    end_of_path(equations, frames, t, broken.failure, settings)
+                }
+                None => broken.failure,
+            }),
+        }
     }
 }
 
@@ -118,7 +118,7 @@ where
 /// frame, if any, may belong to another path.
 ///
 /// # Work
-/// That of [`advance`](crate::advance), and the comparison of the two frames.
+/// That of [`Frame::advance`], and the comparison of the two frames.
 ///
 /// # Panics
 /// If a vector does not have the dimension of the equations, which only a dynamic dimension permits.

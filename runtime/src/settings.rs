@@ -47,7 +47,8 @@ pub struct Settings<T = f64> {
     /// Convergence is quadratic, so one more step, with the newest factorization, usually removes all that the
     /// tolerance left.
     pub polish: bool,
-    /// Largest number of attempts of [`crate::follow`], and of [`crate::Shell::advance`], to advance; the least is one.
+    /// Largest number of attempts of [`crate::Frame::follow`], and of [`crate::Shell::advance`], to advance; the least is
+    /// one.
     ///
     /// An attempt that fails halves the step. Two attempts are worth about one bit of the time at which a path ends.
     pub substeps: u16,

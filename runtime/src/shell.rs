@@ -5,13 +5,14 @@
 //! [`crate::substeps`] describes.
 
 use crate::block::Start;
-use crate::blocks::{Blocks, Conditions, Signals, Values};
+use crate::blocks::{Blocks, Conditions, Values};
 use crate::clock::Clock;
 use crate::closed_form::failed;
 use crate::failure::{Failure, FailureKind, index};
 use crate::guard::{Guard, Pair};
 use crate::math::Real;
 use crate::settings::Settings;
+use crate::signal::Signal;
 use crate::way::Way;
 
 /// Mechanism in motion: its equations, its last frame, and the parameters, inputs and modes with which the next one is
@@ -396,11 +397,13 @@ pub(crate) fn solve<B: Blocks>(
 
 /// Failure of an instant whose parameters or inputs are not finite: it names the first such input.
 #[cold]
-fn not_finite<T: Real, P, I: Signals<T>>(conditions: &Conditions<'_, T, P, I>) -> Failure<T> {
+fn not_finite<T: Real, P, I: Values<Signal<T>>>(
+    conditions: &Conditions<'_, T, P, I>,
+) -> Failure<T> {
     let input = (0..conditions.inputs.count()).find(|&place| {
         conditions
             .inputs
-            .signal(place)
+            .value(place)
             .is_some_and(|signal| !signal.is_finite())
     });
     Failure {

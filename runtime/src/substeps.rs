@@ -6,7 +6,7 @@
 //! allows: about two attempts per bit. If links do not reach, the missing distance grows smoothly with time: two
 //! attempts predict its zero, and a few more locate it to rounding.
 //!
-//! [`crate::follow`] follows a single system of equations. A closure moves a mechanism of several blocks as a whole,
+//! [`crate::Frame::follow`] follows a single system of equations. A closure moves a mechanism of several blocks as a whole,
 //! because each block has its equations at one time only.
 
 use crate::failure::{Failure, FailureKind};

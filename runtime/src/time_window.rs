@@ -124,7 +124,7 @@ pub struct PathEnclosure<T = f64> {
 
 impl<T: Real> PathEnclosure<T> {
     /// Enclosure of a value that does not move.
-    pub const STILL: Self = Self {
+    pub const ZERO: Self = Self {
         value: T::ZERO,
         moved: T::ZERO,
         deviation: T::ZERO,

@@ -25,7 +25,7 @@ use crate::closed_form::Branch;
 use crate::equations::Equations;
 use crate::failure::Failure;
 use crate::kinematics::Frame;
-use crate::math::{Real, angle_near};
+use crate::math::Real;
 use crate::newton::ROUNDING;
 use crate::settings::Settings;
 use crate::vector::{all_finite, zero_vector};
@@ -305,7 +305,7 @@ where
         if let Some(which) = equations.tears().iter().position(|tear| *tear == place) {
             *value = tears[which];
         } else if equations.is_angle(place) {
-            *value = angle_near(*sine, *value, *near);
+            *value = sine.angle_near(*value, *near);
         }
     }
     // All equations must hold as well as a solve of all together would leave them; this does not depend on the method.

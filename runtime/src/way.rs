@@ -4,12 +4,13 @@
 //! mode ([`crate::crossing`]). If no time passes, only the inputs change, also in steps.
 
 use crate::block::Start;
-use crate::blocks::{Blocks, Conditions, Signals};
+use crate::blocks::{Blocks, Conditions, Values};
 use crate::failure::{Failure, FailureKind};
 use crate::guard::{Guard, Pair};
 use crate::math::Real;
 use crate::settings::Settings;
 use crate::shell::solve;
+use crate::signal::Signal;
 use crate::substeps::{Broken, in_steps};
 
 /// Maximum number of change points per path.
@@ -90,7 +91,7 @@ impl<B: Blocks> Way<'_, B> {
     /// True if an input differs between the ends.
     fn is_changed(&self) -> bool {
         let [first, last] = self.inputs;
-        (0..last.count()).any(|index| first.signal(index) != last.signal(index))
+        (0..last.count()).any(|index| first.value(index) != last.value(index))
     }
 
     /// Advances to the end of a path without duration, in steps of the inputs.
@@ -162,15 +163,12 @@ impl<B: Blocks> Way<'_, B> {
     /// Signals at a part of their change.
     fn changed_inputs(&self, part: B::Scalar) -> B::Inputs {
         let [first, last] = self.inputs;
-        let mut inputs = last.clone();
-        if part < B::Scalar::ONE {
-            for index in 0..inputs.count() {
-                if let (Some(first), Some(last)) = (first.signal(index), last.signal(index)) {
-                    inputs.set(index, first.straight_towards(&last, part));
-                }
-            }
+        match part < B::Scalar::ONE {
+            true => between(first, last, |first, last| {
+                first.straight_towards(last, part)
+            }),
+            false => last.clone(),
         }
-        inputs
     }
 
     fn step(
@@ -239,17 +237,34 @@ impl<B: Blocks> Way<'_, B> {
         } else if about.is_some() || part >= B::Scalar::ONE {
             gone_on(last, t - end)
         } else {
-            first.towards(last, end - from, part)
+            between(first, last, |first, last| {
+                first.towards(last, end - from, part)
+            })
         }
     }
 }
 
+/// Signals between these and `last`, each as `path` returns it.
+fn between<T: Real, I: Values<Signal<T>>>(
+    first: &I,
+    last: &I,
+    path: impl Fn(&Signal<T>, &Signal<T>) -> Signal<T>,
+) -> I {
+    let mut inputs = last.clone();
+    for index in 0..inputs.count() {
+        if let (Some(first), Some(last)) = (first.value(index), last.value(index)) {
+            inputs.set(index, path(&first, &last));
+        }
+    }
+    inputs
+}
+
 /// Signals after a time (s) with constant accelerations.
-fn gone_on<T: Real, I: Signals<T>>(inputs: &I, time: T) -> I {
+fn gone_on<T: Real, I: Values<Signal<T>>>(inputs: &I, time: T) -> I {
     let mut later = inputs.clone();
     if time != T::ZERO {
         for index in 0..inputs.count() {
-            if let Some(signal) = inputs.signal(index) {
+            if let Some(signal) = inputs.value(index) {
                 later.set(index, signal.after(time));
             }
         }

@@ -39,14 +39,15 @@ macro_rules! generated {
             };
             let equations = $module::Textbook;
             let drawn = SVector::from($module::Coordinates::DESIGN.to_array());
-            let start = linkwright::assemble(&equations, &drawn, 0.0, &settings);
+            let start = linkwright::Frame::assemble(&equations, &drawn, 0.0, &settings);
             let start = start.unwrap_or_else(|failure| panic!("{failure}"));
             sweep(
                 $criterion,
                 &format!("{}/{kind}", $label),
                 start,
                 |frame, t| {
-                    *frame = linkwright::advance(&equations, frame, t, &settings)
+                    *frame = frame
+                        .advance(&equations, t, &settings)
                         .unwrap_or_else(|failure| panic!("{failure}"));
                 },
             );
@@ -57,14 +58,15 @@ macro_rules! generated {
 fn interpreted(criterion: &mut Criterion, label: &str, name: &str) {
     let equations = Interpreted::new(name).equations;
     let settings = Settings::default();
-    let start = linkwright::assemble(&equations, equations.estimate(), 0.0, &settings);
+    let start = linkwright::Frame::assemble(&equations, equations.estimate(), 0.0, &settings);
     let start = start.unwrap_or_else(|failure| panic!("{failure}"));
     sweep(
         criterion,
         &format!("{label}/interpreted"),
         start,
         |frame, t| {
-            *frame = linkwright::advance(&equations, frame, t, &settings)
+            *frame = frame
+                .advance(&equations, t, &settings)
                 .unwrap_or_else(|failure| panic!("{failure}"));
         },
     );

@@ -8,8 +8,9 @@ use std::f64::consts::TAU;
 
 use linkwright_calibrate::{Calibrator, Column, Fit, Measurements, Unfit};
 use linkwright_codegen::diagnostic::Source;
+use linkwright_solver::Observable;
 use linkwright_solver::View as _;
-use linkwright_solver::observable::{Named, Observable, all};
+use linkwright_solver::observable::{Named, all};
 
 use crate::files;
 use crate::random::Random;
@@ -116,7 +117,7 @@ pub fn platform_text() -> String {
 /// If the description has errors.
 pub fn calibrator(text: &str, parameters: &[&str], step: f64) -> (Calibrator, Vec<Named>) {
     let source = Source::new("study.mech", text);
-    let read = linkwright_codegen::read_along(&source, parameters);
+    let read = linkwright_codegen::Read::along(&source, parameters);
     let read = read.unwrap_or_else(|found| panic!("{}", found.render(&source)));
     let derived = read.only().expect("one motion");
     let calibrator = Calibrator::new(&derived, step).expect("its blocks can be ordered");

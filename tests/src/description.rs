@@ -31,12 +31,18 @@ pub fn whole() -> Vec<String> {
     names
 }
 
-/// Names of the mechanisms that only tests need: those of the files `tests/descriptions/*.mech` with one motion,
-/// sorted.
-pub fn small() -> Vec<String> {
+/// Names of the mechanisms that only tests need, sorted: those of the files `tests/descriptions/*.mech`.
+pub fn of_tests() -> Vec<String> {
     let files = files::with_extension(&files::package("descriptions"), "mech");
     let names = files.iter().map(|path| files::stem(path).to_string());
-    names.filter(|name| motions(name).len() == 1).collect()
+    names.collect()
+}
+
+/// Names of the mechanisms with one motion that only tests need, sorted.
+pub fn small() -> Vec<String> {
+    let mut names = of_tests();
+    names.retain(|name| motions(name).len() == 1);
+    names
 }
 
 /// Text of a described mechanism, of the repository's or of those that only tests and the study of stability need.

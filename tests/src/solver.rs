@@ -120,7 +120,7 @@ impl Solver for Interpreted {
     }
 
     fn assemble(&mut self, t: f64) {
-        let solved = linkwright::assemble(
+        let solved = linkwright::Frame::assemble(
             &self.equations,
             self.equations.estimate(),
             t,
@@ -130,7 +130,9 @@ impl Solver for Interpreted {
     }
 
     fn advance(&mut self, t: f64) {
-        let solved = linkwright::advance(&self.equations, self.frame(), t, &Settings::default());
+        let solved = self
+            .frame()
+            .advance(&self.equations, t, &Settings::default());
         self.frame = Some(solved.unwrap_or_else(|failure| panic!("{failure}")));
     }
 

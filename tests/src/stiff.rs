@@ -3,7 +3,8 @@
 
 use linkwright_solver::dormand_prince::Step;
 use linkwright_solver::rates::Rates;
-use linkwright_solver::{Effort, Method, Simulation, SimulationOptions, Stop, Tolerances};
+use linkwright_solver::simulation::Effort;
+use linkwright_solver::{Method, Simulation, SimulationOptions, Stop, Tolerances};
 
 use crate::multipliers::larger;
 use crate::simulated::{coordinate, simulation};

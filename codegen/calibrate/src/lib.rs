@@ -5,8 +5,8 @@
 //!
 //! ```
 //! use linkwright_calibrate::{Calibrator, Column, Measurements};
-//! use linkwright_codegen::diagnostic::Source;
-//! use linkwright_solver::observable;
+//! use linkwright_codegen::Source;
+//! use linkwright_solver::Observable;
 //!
 //! let text = "mechanism crank {
 //!     param L = 40mm;
@@ -15,16 +15,15 @@
 //!     revolute A(ground, arm);
 //!     drive phi(arm) = t;
 //! }";
-//! let read = linkwright_codegen::read_along(&Source::new("crank.mech", text), &["L"]);
+//! let read = linkwright_codegen::Read::along(&Source::new("crank.mech", text), &["L"]);
 //! let derived = read.expect("no errors").only().expect("one motion");
 //! let calibrator = Calibrator::new(&derived, 0.1).expect("its equations can be ordered");
 //!
 //! // Measured positions of B, for a crank that is 42 mm long.
-//! let quantities = observable::all(&derived.pool, &derived.system);
-//! let x = quantities.iter().find(|it| it.name == "B_x").expect("a point");
+//! let observable = Observable::named(&derived, "B_x").expect("a point");
 //! let times: Vec<f64> = (0..20).map(|step| 0.1 * f64::from(step)).collect();
 //! let values = times.iter().map(|t| Some(0.042 * t.cos())).collect();
-//! let column = Column { observable: x.observable, values, deviation: None, rounding: None, group: 0 };
+//! let column = Column { observable, values, deviation: None, rounding: None, group: 0 };
 //! let measured = Measurements { times, columns: vec![column] };
 //!
 //! let fit = calibrator.fit(&measured, &calibrator.nominal()).expect("it moves so");
@@ -48,8 +47,7 @@ pub use identification::{Identification, Indistinct};
 pub use model::{Calibrator, NotDerived};
 
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
-use linkwright_solver::View as _;
-use linkwright_solver::observable::Observable;
+use linkwright_solver::{Observable, View as _};
 use nalgebra::storage::Owned;
 use nalgebra::{DMatrix, DVector, Dyn};
 

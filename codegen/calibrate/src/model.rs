@@ -9,8 +9,8 @@ use linkwright::{Blocks, Settings, Shell};
 use linkwright_codegen::stages::expr::{ExprId, SymbolId};
 use linkwright_codegen::stages::model::Dimension;
 use linkwright_codegen::stages::system::{Cause, Derived};
+use linkwright_solver::Observable;
 use linkwright_solver::comparison::difference;
-use linkwright_solver::observable::{Observable, values};
 use linkwright_solver::reader::Reader;
 use linkwright_solver::{Instant, Interpreted, Modes, Schedule, View, follow};
 
@@ -55,7 +55,7 @@ pub(crate) struct Sampled {
 
 impl Calibrator {
     /// Returns the calibrator of a system with the sensitivities to the parameters that are to be fitted, as
-    /// [`linkwright_codegen::read_along`] gives it. `step` is the largest time between frames (s). `None` if its blocks
+    /// [`linkwright_codegen::Read::along`] gives it. `step` is the largest time between frames (s). `None` if its blocks
     /// cannot be ordered.
     pub fn new(derived: &Derived, step: f64) -> Option<Calibrator> {
         Some(Calibrator::of(Interpreted::new(derived)?, step))
@@ -162,9 +162,10 @@ impl Calibrator {
     ) -> Result<Vec<Vec<f64>>, String> {
         let mut solved = vec![Vec::with_capacity(times.len()); observables.len()];
         self.follow(times, parameters, |instant| {
-            for (column, value) in solved
-                .iter_mut()
-                .zip(values(&self.view, observables, instant))
+            for (column, value) in
+                solved
+                    .iter_mut()
+                    .zip(Observable::values(&self.view, observables, instant))
             {
                 column.push(value);
             }
@@ -236,7 +237,7 @@ impl Calibrator {
             slopes: vec![Vec::with_capacity(rows * count); columns.len()],
         };
         self.follow(&measured.times, parameters, |instant| {
-            let solved = values(&self.view, &observables, instant);
+            let solved = Observable::values(&self.view, &observables, instant);
             let derivatives = self.view.derivatives(instant).unwrap_or_default();
             for (place, value) in solved.iter().enumerate() {
                 let row = sampled.residuals[place].len();

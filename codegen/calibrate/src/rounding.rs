@@ -145,7 +145,7 @@ fn noise_between_rows(found: f64, times: &[f64], phases: &[[Vec<Option<f64>>; 2]
 #[cfg(test)]
 mod tests {
     use super::*;
-    use linkwright_solver::observable::Observable;
+    use linkwright_solver::Observable;
 
     fn column(values: &[f64], deviation: Option<f64>) -> Column {
         Column {

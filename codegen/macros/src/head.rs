@@ -119,6 +119,6 @@ fn scalar(value: &Group) -> Result<Scalar, String> {
 }
 
 fn unknown() -> String {
-    "unknown option\nhelp: the options are `#![scalar(f32)]` and `#![math(crate::plain)]`"
+    "unknown option\nhelp: the options are `#![scalar(f32)]` and `#![math(crate::Plain)]`"
         .to_string()
 }

@@ -113,7 +113,8 @@ static EXPANDING: Mutex<()> = Mutex::new(());
 ///
 /// Options come first, and are those of `linkwright_codegen::Options`:
 /// - `#![scalar(f32)]` computes in single precision.
-/// - `#![math(crate::plain)]` calls the functions of a module of this path in place of those of `linkwright::math`.
+/// - `#![math(crate::Plain)]` calls the functions of a type of this path, which implements
+///   `linkwright::math::Functions`, in place of those of `linkwright::math`.
 ///
 /// # Tables in files
 ///

@@ -11,7 +11,7 @@ use crate::expr::ExprId;
 use crate::model::beyond_bounds;
 use crate::pool::{Bound, Exceeded, Pool};
 use crate::program::{Block, Found, Function, Program, Sensitivity};
-use crate::structure::LARGEST_TOGETHER;
+use crate::structure::{LARGEST_TOGETHER, Unplanned};
 use crate::system::System;
 
 /// Largest number of statements that a finding points at.
@@ -45,19 +45,18 @@ pub fn of_system(pool: &Pool, system: &System) -> Diagnostics {
     findings
 }
 
-/// Finds infinite, undefined or unrepresentable values in the program of a system. Without a program, only an exceeded limit is
-/// reported.
-pub fn of_program(
-    pool: &Pool,
-    system: &System,
-    program: Option<&Program>,
-    range: Range,
-) -> Diagnostics {
+/// Reports the limit for which a motion has no plan, if any.
+pub fn of_unplanned(unplanned: Unplanned) -> Diagnostics {
     let mut findings = Diagnostics::new();
-    let Some(program) = program else {
-        findings.extend(passed(pool));
-        return findings;
-    };
+    if let Unplanned::Exceeded(exceeded) = unplanned {
+        findings.push(beyond(exceeded));
+    }
+    findings
+}
+
+/// Finds infinite, undefined or unrepresentable values in the program of a system.
+pub fn of_program(pool: &Pool, system: &System, program: &Program, range: Range) -> Diagnostics {
+    let mut findings = Diagnostics::new();
     let open = closing::of_blocks(pool, system, &program.blocks);
     if passed(pool).is_none() && open.has_errors() {
         return open;
@@ -93,16 +92,6 @@ pub fn of_program(
         ));
     }
     findings
-}
-
-/// Finds infinite or undefined values in blocks alone.
-pub fn of_blocks(pool: &Pool, system: &System, blocks: &[Block]) -> Diagnostics {
-    let open = closing::of_blocks(pool, system, blocks);
-    if passed(pool).is_none() && open.has_errors() {
-        return open;
-    }
-    let parts = blocks.iter().map(|block| of_block(block, system));
-    of_parts(&parts.collect::<Vec<_>>(), pool, system).1
 }
 
 /// True if no limit is exceeded, with the exceeded limit or else the undefined values in parts of a program.
@@ -163,8 +152,13 @@ impl Range {
 
 /// Reports the limit that the equations or their plan exceeded.
 fn passed(pool: &Pool) -> Option<Diagnostic> {
-    let Exceeded { at, bound } = pool.exceeded()?;
-    Some(match bound {
+    pool.exceeded().map(beyond)
+}
+
+/// Reports an exceeded limit.
+fn beyond(exceeded: Exceeded) -> Diagnostic {
+    let Exceeded { at, bound } = exceeded;
+    match bound {
         Bound::Graph(excess) => beyond_bounds(excess, at),
         Bound::Together(unknowns) => Diagnostic::error(
             Code::TooMuchWork,
@@ -175,7 +169,7 @@ fn passed(pool: &Pool) -> Option<Diagnostic> {
         )
         .label("one of the interdependent joints")
         .help("drive more of the bodies, or describe the mechanism in parts"),
-    })
+    }
 }
 
 /// Returns the equations of every joint, the design pose of every body and the motion of every point.

@@ -5,7 +5,7 @@
 //! Newton-Raphson finds from the design configuration and from random poses; there may be more. Afterwards every assembly satisfies the
 //! textbook equations: Newton-Raphson on Φ confirms it from the pose of the blocks.
 
-use linkwright::{Blocks, Branch, Equations, Settings, assemble};
+use linkwright::{Blocks, Branch, Equations, Frame, Settings};
 use linkwright_codegen::stages::assemblies::counts_turns;
 use nalgebra::DVector;
 
@@ -36,6 +36,7 @@ pub struct Assembly {
     /// Assembly modes.
     pub modes: Modes,
     /// Pose of each block without a closed form, in the order of the blocks.
+    #[doc(hidden)]
     pub poses: Vec<Pose>,
     /// True if all modes and poses are those of the design configuration.
     pub drawn: bool,
@@ -67,6 +68,7 @@ pub struct Assemblies {
     /// too close to singular.
     pub proven: bool,
     /// Ranges in which existence of poses is undecided.
+    #[doc(hidden)]
     pub undecided: Vec<Undecided>,
     /// Part of the candidate volume in which existence is decided, at most 1: the smallest of all blocks; 0 without a proof.
     pub decided: f64,
@@ -192,7 +194,7 @@ impl Search<'_> {
     fn confirm(&mut self, modes: &Modes, poses: &[Pose], state: &State) {
         let mut instant = self.interpreted.instant(state);
         let q = DVector::from_column_slice(instant.q());
-        let Ok(frame) = assemble(self.textbook, &q, state.t, &Settings::default()) else {
+        let Ok(frame) = Frame::assemble(self.textbook, &q, state.t, &Settings::default()) else {
             self.proven = false;
             return;
         };

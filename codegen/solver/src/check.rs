@@ -25,7 +25,7 @@ pub(crate) const WARNING_MEASURE: f64 = 0.01;
 /// Results of all checks.
 ///
 /// ```
-/// use linkwright_codegen::diagnostic::Source;
+/// use linkwright_codegen::Source;
 /// use linkwright_solver::{Check, Interpreted, Schedule};
 ///
 /// let text = "
@@ -48,6 +48,9 @@ pub(crate) const WARNING_MEASURE: f64 = 0.01;
 /// assert_eq!(check.range, Some([0.0, 2.0]));
 /// // Coupler and rocker meet at either side of the diagonal BD.
 /// assert_eq!(check.assemblies.found.len(), 2);
+/// // They are closest to collinear while the crank points to D: BD = 60 mm, and the law of cosines gives 0.8958.
+/// let sine = check.smallest_measure().expect("a loop");
+/// assert!((sine - (1.0 - (0.0172_f64 / 0.0192).powi(2)).sqrt()).abs() < 1e-6);
 /// ```
 #[derive(Clone, Debug)]
 pub struct Check {
@@ -58,6 +61,7 @@ pub struct Check {
     /// NDOF: KDOF minus number of driver equations.
     pub net_freedom: i64,
     /// Subsystems in solve order.
+    #[doc(hidden)]
     pub parts: Vec<CheckedPart>,
     /// Time of the assembly (s).
     pub start: f64,
@@ -144,18 +148,28 @@ impl Check {
     }
 
     /// Proves the motion over the checked schedule, with bounds of the positions of these outputs.
+    #[doc(hidden)]
     pub fn prove(&self, schedule: &Schedule, points: &[usize]) -> Proof {
         Proof::new(&self.interpreted, schedule, &self.parts, points)
     }
 
     /// Unknowns of a subsystem in words; empty if it is never singular.
+    #[doc(hidden)]
     pub fn unknowns_of(&self, block: usize, part: usize) -> &str {
         let mut poses = self.parts.iter().map(|it| &it.pose);
         let singular_pose = poses.find(|it| (it.block, it.part) == (block, part));
         singular_pose.map_or("", |it| &it.unknowns)
     }
 
+    /// Measure of the closest approach to a singular pose over the motion: 0 at a singular pose, 1 at most. It is the sine
+    /// of the angle between two links, or of more directions their normalized determinant. `None` if no subsystem is
+    /// ever singular.
+    pub fn smallest_measure(&self) -> Option<f64> {
+        Some(self.closest()?.approach.as_ref()?.measure)
+    }
+
     /// Returns the subsystem that comes closest to singular; `None` if none is ever singular.
+    #[doc(hidden)]
     pub fn closest(&self) -> Option<&CheckedPart> {
         let measured = self.parts.iter().filter(|it| it.approach.is_some());
         let measure = |it: &CheckedPart| it.approach.as_ref().map_or(1.0, |it| it.measure);

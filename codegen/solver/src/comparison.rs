@@ -2,7 +2,17 @@
 
 use std::f64::consts::TAU;
 
-/// Differences of a column from the motion.
+/// Differences of measured values from the motion, in the unit of the values.
+///
+/// ```
+/// use linkwright_solver::Comparison;
+///
+/// // Pairs of a time (s) and of the measured minus the solved value.
+/// let differences = [(0.0, 3.0), (0.5, -4.0)];
+/// let comparison = Comparison::of(differences.into_iter()).expect("two pairs");
+/// assert_eq!((comparison.largest, comparison.at), (-4.0, 0.5));
+/// assert!((comparison.rms - 12.5_f64.sqrt()).abs() < 1e-15);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Comparison {
     /// Number of compared values.

@@ -2,7 +2,7 @@
 //!
 //! Intervals isolate the poses; the block is then assembled from each of them as from any other estimate.
 
-use linkwright::math::nearest_turn;
+use linkwright::math::Real as _;
 use linkwright_codegen::stages::assemblies::{Interval, poses};
 use linkwright_codegen::stages::expr::SymbolId;
 use nalgebra::DVector;
@@ -40,7 +40,7 @@ impl Interpreted {
     ) -> Option<EveryPose> {
         let compiled = self.compiled();
         let newton = compiled.blocks[index].newton.as_ref()?;
-        let functions = compiled.program.blocks[index].newton.as_ref()?;
+        let functions = compiled.solved.program().blocks[index].newton.as_ref()?;
         let known = |symbol: SymbolId| {
             let mut known = newton.known.iter();
             let (_, register) = known.find(|(own, _)| *own == symbol)?;
@@ -48,8 +48,8 @@ impl Interpreted {
         };
         let all = poses(
             functions,
-            &compiled.derived.pool,
-            &compiled.derived.system,
+            compiled.solved.pool(),
+            compiled.solved.system(),
             &known,
             MOST_PARTS,
         )?;
@@ -64,7 +64,7 @@ impl Interpreted {
         for pose in all.found {
             let places = pose.unknowns.iter().enumerate();
             let near = places.map(|(place, &value)| match newton.is_angle[place] {
-                true => nearest_turn(value, last[place]),
+                true => value.nearest_turn(last[place]),
                 false => value,
             });
             let pose = DVector::from_vec(near.collect());

@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use linkwright::{Frame, Signal};
 use linkwright_codegen::stages::expr::SymbolId;
+use linkwright_codegen::stages::program::Program;
 use linkwright_codegen::stages::system::System;
 use nalgebra::{DVector, Dyn};
 
@@ -16,6 +17,19 @@ pub struct Instant {
     values: Vec<f64>,
     /// Index of the first coordinate, and number of coordinates.
     pose: [usize; 2],
+    /// Motion of points from the program that is written out; empty if it has the same formulas.
+    outputs: Vec<OutputMotion>,
+}
+
+/// Position, rate or acceleration of a point of `output`, as the program that is written out computes it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct OutputMotion {
+    /// Index of the point.
+    pub point: usize,
+    /// Order of the derivative.
+    pub level: usize,
+    /// Components in m, m/s or m/s².
+    pub components: [f64; 2],
 }
 
 /// Layout of the values of instants.
@@ -29,23 +43,44 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// Creates the layout of a system's instants, with these further values.
+    /// Creates the layout of a system's instants with all coordinates and these further values.
     pub(crate) fn new(system: &System, fields: &[SymbolId]) -> Layout {
+        Layout::with(system, system.coordinates.len(), fields)
+    }
+
+    /// Creates the layout of a program's instants. If single outputs are requested, the coordinates that the program computes are among
+    /// its fields, and `q` is empty.
+    pub(crate) fn of_program(system: &System, program: &Program) -> Layout {
+        let coordinates = match program.outputs {
+            None => system.coordinates.len(),
+            Some(_) => 0,
+        };
+        Layout::with(system, coordinates, &program.fields)
+    }
+
+    /// Creates the layout with this number of coordinates: all or none.
+    fn with(system: &System, count: usize, fields: &[SymbolId]) -> Layout {
         let mechanism = &system.mechanism;
+        let coordinates = &system.coordinates[..count];
         let mut symbols = vec![mechanism.time];
         symbols.extend(mechanism.parameters.iter().map(|it| it.symbol));
         symbols.extend(mechanism.inputs.iter().flat_map(|it| it.symbols));
-        symbols.extend(system.coordinates.iter().map(|it| it.position));
-        symbols.extend(system.coordinates.iter().map(|it| it.rate));
-        symbols.extend(system.coordinates.iter().map(|it| it.acceleration));
+        symbols.extend(coordinates.iter().map(|it| it.position));
+        symbols.extend(coordinates.iter().map(|it| it.rate));
+        symbols.extend(coordinates.iter().map(|it| it.acceleration));
         symbols.extend(fields);
         Layout {
             slots: symbols.iter().copied().zip(0..).collect(),
             symbols,
             parameters: mechanism.parameters.len(),
             inputs: 3 * mechanism.inputs.len(),
-            coordinates: system.coordinates.len(),
+            coordinates: count,
         }
+    }
+
+    /// True if instants hold all coordinates of the system.
+    pub(crate) fn holds_coordinates(&self, system: &System) -> bool {
+        self.coordinates == system.coordinates.len()
     }
 
     /// Returns the index of a symbol's value; `None` if instants do not store the symbol.
@@ -58,6 +93,7 @@ impl Layout {
         Instant {
             values: vec![0.0; self.symbols.len()],
             pose: [self.given().end, self.coordinates],
+            outputs: Vec::new(),
         }
     }
 
@@ -90,22 +126,23 @@ impl Instant {
         self.values[0]
     }
 
-    /// Coordinates q.
+    /// Coordinates q; empty if single outputs limit what instants hold.
     pub fn q(&self) -> &[f64] {
         self.level(0)
     }
 
-    /// Rates q̇.
+    /// Rates q̇, as many as coordinates.
     pub fn qd(&self) -> &[f64] {
         self.level(1)
     }
 
-    /// Accelerations q̈.
+    /// Accelerations q̈, as many as coordinates.
     pub fn qdd(&self) -> &[f64] {
         self.level(2)
     }
 
     /// All values, by `Layout::slot`.
+    #[doc(hidden)]
     pub fn values(&self) -> &[f64] {
         &self.values
     }
@@ -116,6 +153,15 @@ impl Instant {
         for (sum, (value, base)) in self.values.iter_mut().zip(values).skip(1) {
             *sum += multiple * (value - base);
         }
+    }
+
+    /// Motion of points from the program that is written out.
+    pub(crate) fn outputs(&self) -> &[OutputMotion] {
+        &self.outputs
+    }
+
+    pub(crate) fn set_outputs(&mut self, outputs: Vec<OutputMotion>) {
+        self.outputs = outputs;
     }
 
     pub(crate) fn values_mut(&mut self) -> &mut [f64] {
@@ -140,7 +186,7 @@ impl Instant {
         }
     }
 
-    /// Returns a coordinate with its rate and its acceleration; `None` if there is none of this index.
+    /// Returns a coordinate with its rate and its acceleration; `None` if the instant does not hold the coordinate.
     pub fn coordinate(&self, index: usize) -> Option<[f64; 3]> {
         Some([
             *self.q().get(index)?,

@@ -5,7 +5,7 @@
 //!
 //! ```
 //! use linkwright::{Blocks, Mechanism, Settings, Shell};
-//! use linkwright_codegen::diagnostic::Source;
+//! use linkwright_codegen::Source;
 //! use linkwright_solver::{Interpreted, View};
 //!
 //! let text = "
@@ -29,30 +29,30 @@
 //! ```
 //!
 //! - [`View`] is what both formulations provide. [`Dense`] is the other one, the textbook formulation as one system.
+//! - [`Moved`] moves the program that is written out, and computes beside it what an `output` omits.
 //! - [`follow`] moves a mechanism over the times of a [`Schedule`] and finds the end of its motion.
 //! - [`Check`] looks for assemblies and singular poses over a schedule.
 //! - [`Simulation`] integrates the motion of free coordinates under forces.
-//! - [`Observable`](observable::Observable) names a quantity of a frame, to be compared with measured values.
+//! - [`Observable`] names a quantity of a frame, and [`Comparison`] compares its values with measured ones.
 //!
 //! The package also builds for `wasm32-unknown-unknown`.
 
 #![doc(html_root_url = "https://docs.rs/linkwright-solver/0.1.0")]
 
 mod batch;
-mod checked_part;
+mod emitted;
 mod explained;
 mod instant;
 mod interpreted;
 mod known_poses;
 mod mode_selection;
+mod moved;
 mod newton;
 mod operation;
 mod schedule;
 mod supplied;
 mod trajectory;
 mod view;
-
-pub mod observable;
 
 // Items that the command, the fits and the tests of this repository call; they may change with every release.
 #[doc(hidden)]
@@ -61,6 +61,8 @@ pub mod approach;
 pub mod assemblies;
 #[doc(hidden)]
 pub mod check;
+#[doc(hidden)]
+pub mod checked_part;
 #[doc(hidden)]
 pub mod comparison;
 #[doc(hidden)]
@@ -85,6 +87,8 @@ pub mod measures;
 pub mod not_finite;
 #[doc(hidden)]
 pub mod number;
+#[doc(hidden)]
+pub mod observable;
 #[doc(hidden)]
 pub mod open_loop;
 #[doc(hidden)]
@@ -115,17 +119,16 @@ pub mod warnings;
 pub use assemblies::{Assemblies, Assembly};
 pub use batch::{Batch, Outcome, WrongLength};
 pub use check::Check;
-pub use checked_part::CheckedPart;
 pub use comparison::Comparison;
-pub use condition::Condition;
 pub use dense::Dense;
 pub use instant::Instant;
 pub use interpreted::Interpreted;
 pub use mode_selection::{ModeSelection, Unassembled};
-pub use residuals::Residuals;
-pub use schedule::{Leg, Schedule, Visit};
-pub use simulation::{Effort, Method, Simulation, SimulationOptions, Stop};
-pub use supplied::{InputLaws, InputSignals, Modes, Numbers, ParameterValues};
+pub use moved::Moved;
+pub use observable::Observable;
+pub use schedule::{Leg, Schedule};
+pub use simulation::{Method, Simulation, SimulationOptions, Stop};
+pub use supplied::{InputLaws, InputSignals, Modes, Numbers};
 pub use tolerances::Tolerances;
-pub use trajectory::{End, follow};
+pub use trajectory::{End, Movable, follow};
 pub use view::View;

@@ -12,6 +12,33 @@ use crate::supplied::{ModeName, Modes};
 use crate::view::View;
 
 /// Requested modes of some loops; the others have those of the design configuration.
+///
+/// ```
+/// use linkwright::Blocks;
+/// use linkwright_codegen::{Source, read};
+/// use linkwright_solver::{Interpreted, ModeSelection};
+///
+/// let text = "
+///     mechanism four_bar {
+///         point A = (0, 0), D = (100mm, 0);
+///         body crank   at (0, 0, 40deg)       { A: (0, 0), B: (40mm, 0) }
+///         body coupler at (30mm, 25mm, 20deg) { B: (0, 0), C: (120mm, 0) }
+///         body rocker  at (100mm, 0, 57deg)   { D: (0, 0), C: (80mm, 0) }
+///         revolute A(ground, crank);
+///         revolute B(crank, coupler);
+///         revolute C(coupler, rocker);
+///         revolute D(ground, rocker);
+///         drive phi(crank) = 40deg + 3*t;
+///     }";
+/// let read = read(&Source::new("four_bar.mech", text)).expect("no errors");
+/// let blocks = Interpreted::new(&read.motions[0]).expect("the equations determine the motion");
+/// let text = "phi_coupler_phi_rocker=other".to_string();
+/// let selection = ModeSelection::read(&blocks, &[text]).expect("a loop with two modes");
+/// let (instant, modes) = selection.assembled(&blocks, 0.0).expect("both modes exist");
+/// assert_eq!(modes.closed, blocks.drawn_branches().closed.iter().map(|it| it.opposite()).collect::<Vec<_>>());
+/// // C lies on the other side of BD: the rocker points down.
+/// assert!(instant.q()[8].sin() < 0.0);
+/// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ModeSelection(Vec<(ModeName, Wish)>);
 
@@ -60,7 +87,7 @@ impl Unassembled {
                 are_all,
                 t,
             } => {
-                let name = &interpreted.compiled().program.blocks[block].name;
+                let name = &interpreted.compiled().solved.program().blocks[block].name;
                 let (t, least) = (time(t), if are_all { "" } else { "at least " });
                 let plural = if known == 1 { "" } else { "s" };
                 format!(

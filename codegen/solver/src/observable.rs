@@ -7,12 +7,38 @@ use linkwright_codegen::stages::columns::Unit;
 use linkwright_codegen::stages::joint::Quantity;
 use linkwright_codegen::stages::model::Body;
 use linkwright_codegen::stages::pool::Pool;
-use linkwright_codegen::stages::system::System;
+use linkwright_codegen::stages::system::{Derived, System};
 
 use crate::instant::Instant;
 use crate::view::View;
 
-/// Quantity of a motion with a number at every instant.
+/// Quantity of a motion with a number at every instant, in SI units: m, s, kg, rad.
+///
+/// ```
+/// use linkwright::{Blocks, Settings, Shell};
+/// use linkwright_codegen::{Source, read};
+/// use linkwright_solver::{Interpreted, Observable, View};
+///
+/// let text = "
+///     mechanism crank {
+///         point O = (0, 0);
+///         body arm at O { O, A: (2, 0) }
+///         revolute O(ground, arm);
+///         drive phi(arm) = 3*t;
+///         output A;
+///     }";
+/// let read = read(&Source::new("crank.mech", text)).expect("no errors");
+/// let derived = &read.motions[0];
+/// // Velocity of A in y, and the angular acceleration of the arm.
+/// let quantities = ["A_vy", "phi_arm_dd"].map(|name| Observable::named(derived, name).expect("a quantity"));
+///
+/// let blocks = Interpreted::new(derived).expect("the equations determine the motion");
+/// let (parameters, laws) = (blocks.nominal_parameters(), blocks.input_laws());
+/// let (pose, modes) = (blocks.drawn_pose(&parameters), blocks.drawn_branches());
+/// let crank = Shell::assemble(blocks, &parameters, &pose, modes, 0.0, &laws.at(0.0), Settings::default())?;
+/// assert_eq!(Observable::values(crank.blocks(), &quantities, crank.frame()), [6.0, 0.0]);
+/// # Ok::<(), linkwright::Failure>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Observable {
     /// Coordinate (level 0), its rate (1) or its acceleration (2).
@@ -31,7 +57,7 @@ pub enum Observable {
         /// 0 for position, 1 for velocity, 2 for acceleration.
         level: usize,
     },
-    /// Requested force: index among [`crate::forces::names`].
+    /// Requested force: index among the columns of forces in tables of frames.
     Force(usize),
 }
 
@@ -111,7 +137,22 @@ pub fn all(pool: &Pool, system: &System) -> Vec<Named> {
 }
 
 impl Observable {
+    /// Returns the quantity of this name in tables of frames: `phi2`, `phi2_d`, `K_x`, `K_vx`, `effort_crank`. `None` if
+    /// there is none.
+    pub fn named(derived: &Derived, name: &str) -> Option<Observable> {
+        let all = all(&derived.pool, &derived.system).into_iter();
+        let mut named = all.filter(|it| it.name == name);
+        named.next().map(|it| it.observable)
+    }
+
+    /// Returns all quantities of a motion with their names, in the order of tables of frames.
+    pub fn all(derived: &Derived) -> Vec<(String, Observable)> {
+        let all = all(&derived.pool, &derived.system).into_iter();
+        all.map(|it| (it.name, it.observable)).collect()
+    }
+
     /// True for an angle, whose whole turns are indistinguishable.
+    #[doc(hidden)]
     pub fn is_angle(&self, system: &System) -> bool {
         match *self {
             Observable::Coordinate { place, level: 0 } => {
@@ -120,28 +161,30 @@ impl Observable {
             _ => false,
         }
     }
-}
 
-/// Returns the values of observables at an instant, in SI units; NaN for forces if the equations are singular.
-pub fn values<V: View>(view: &V, observables: &[Observable], instant: &Instant) -> Vec<f64> {
-    let has = |is: fn(&Observable) -> bool| observables.iter().any(is);
-    let points = match has(|it| matches!(it, Observable::Point { .. })) {
-        true => view.points(instant),
-        false => Vec::new(),
-    };
-    let forces = match has(|it| matches!(it, Observable::Force(_))) {
-        true => view.forces(instant).unwrap_or_default(),
-        false => Vec::new(),
-    };
-    let value = |observable: &Observable| match *observable {
-        Observable::Coordinate { place, level } => instant.coordinate(place).map(|it| it[level]),
-        Observable::Point { place, axis, level } => points
-            .get(place)
-            .map(|it| [it.position, it.velocity, it.acceleration][level][axis]),
-        Observable::Force(place) => forces.get(place).copied(),
-    };
-    let results = observables.iter().map(value);
-    results.map(|it| it.unwrap_or(f64::NAN)).collect()
+    /// Returns the values of observables at an instant, in SI units; NaN for forces if the equations are singular.
+    pub fn values<V: View>(view: &V, observables: &[Observable], instant: &Instant) -> Vec<f64> {
+        let has = |is: fn(&Observable) -> bool| observables.iter().any(is);
+        let points = match has(|it| matches!(it, Observable::Point { .. })) {
+            true => view.points(instant),
+            false => Vec::new(),
+        };
+        let forces = match has(|it| matches!(it, Observable::Force(_))) {
+            true => view.forces(instant).unwrap_or_default(),
+            false => Vec::new(),
+        };
+        let value = |observable: &Observable| match *observable {
+            Observable::Coordinate { place, level } => {
+                instant.coordinate(place).map(|it| it[level])
+            }
+            Observable::Point { place, axis, level } => points
+                .get(place)
+                .map(|it| [it.position, it.velocity, it.acceleration][level][axis]),
+            Observable::Force(place) => forces.get(place).copied(),
+        };
+        let results = observables.iter().map(value);
+        results.map(|it| it.unwrap_or(f64::NAN)).collect()
+    }
 }
 
 /// Component of a motion: axis and order of differentiation.

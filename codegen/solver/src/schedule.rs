@@ -25,6 +25,7 @@ pub struct Visit {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Schedule {
     /// Time of the assembly.
+    #[doc(hidden)]
     pub start: Visit,
     /// Earlier times, descending.
     pub backward: Leg,
@@ -170,6 +171,7 @@ impl Leg {
     }
 
     /// Returns the times in their order.
+    #[doc(hidden)]
     pub fn visits(&self) -> impl Iterator<Item = Visit> + '_ {
         let grid = (1..=self.count).map(|k| match self.end {
             Some(end) if k == self.count => end,

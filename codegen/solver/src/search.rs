@@ -6,7 +6,7 @@
 use std::f64::consts::PI;
 
 use linkwright::generated::{Start, failed};
-use linkwright::math::nearest_turn;
+use linkwright::math::Real as _;
 use linkwright::{Branch, Failure, FailureKind};
 use nalgebra::DVector;
 
@@ -124,7 +124,7 @@ impl Interpreted {
                 let mut pose = newton.pose(&reached.registers);
                 for (place, value) in pose.iter_mut().enumerate() {
                     if newton.is_angle[place] {
-                        *value = nearest_turn(*value, last[place]);
+                        *value = value.nearest_turn(last[place]);
                     }
                 }
                 if !distinct.iter().any(|other| is_same(newton, other, &pose)) {
@@ -182,7 +182,7 @@ impl Interpreted {
 fn is_same(newton: &Newton, one: &DVector<f64>, other: &DVector<f64>) -> bool {
     (0..one.len()).all(|place| {
         let other = match newton.is_angle[place] {
-            true => nearest_turn(other[place], one[place]),
+            true => other[place].nearest_turn(one[place]),
             false => other[place],
         };
         (one[place] - other).abs() <= POSE_TOLERANCE * newton.scale(place)

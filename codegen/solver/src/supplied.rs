@@ -1,6 +1,6 @@
 //! Holds the values that a caller supplies: pose, parameters, inputs and assembly modes, in the order of the description.
 
-use linkwright::{Branch, Signal, Signals, Values};
+use linkwright::{Branch, Signal, Values};
 use linkwright_codegen::stages::expr::Tape;
 use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::system::System;
@@ -41,6 +41,7 @@ pub struct ModeName {
 
 impl Numbers {
     /// Returns the nominal parameters of a description.
+    #[doc(hidden)]
     pub fn nominal_parameters(pool: &Pool, system: &System) -> ParameterValues {
         let mechanism = &system.mechanism;
         let nominal = |symbol| pool.graph.nominal(symbol).unwrap_or(f64::NAN);
@@ -51,6 +52,7 @@ impl Numbers {
 
 impl InputSignals {
     /// Returns the initial inputs of the description, at rest.
+    #[doc(hidden)]
     pub fn initial(pool: &Pool, system: &System) -> InputSignals {
         let mechanism = &system.mechanism;
         let value = |expr| pool.graph.constant_value(expr).unwrap_or(f64::NAN);
@@ -83,12 +85,12 @@ impl Values<f64> for Numbers {
     }
 }
 
-impl Signals<f64> for InputSignals {
+impl Values<Signal> for InputSignals {
     fn count(&self) -> usize {
         self.0.len()
     }
 
-    fn signal(&self, index: usize) -> Option<Signal> {
+    fn value(&self, index: usize) -> Option<Signal> {
         self.0.get(index).copied()
     }
 
@@ -101,11 +103,6 @@ impl Signals<f64> for InputSignals {
     fn are_finite(&self) -> bool {
         let numbers = |it: &Signal| [it.value, it.rate, it.acceleration];
         self.0.iter().flat_map(numbers).all(f64::is_finite)
-    }
-
-    fn towards(&self, last: &Self, h: f64, part: f64) -> Self {
-        let pairs = self.0.iter().zip(&last.0);
-        InputSignals(pairs.map(|(from, to)| from.towards(to, h, part)).collect())
     }
 }
 
@@ -121,6 +118,7 @@ pub struct InputLaws {
 
 impl InputLaws {
     /// Returns the laws of the inputs of a system.
+    #[doc(hidden)]
     pub fn of(pool: &Pool, system: &System) -> InputLaws {
         let mechanism = &system.mechanism;
         let mut symbols = vec![0.0; pool.graph.symbol_count()];

@@ -6,7 +6,7 @@ use linkwright::{Failure, Shell};
 
 use crate::instant::Instant;
 use crate::schedule::{Leg, Visit};
-use crate::supplied::InputLaws;
+use crate::supplied::{InputLaws, InputSignals};
 use crate::view::View;
 
 /// Precision of the end of a motion, relative to the larger of the time and one second.
@@ -21,6 +21,28 @@ pub struct End {
     pub last: Instant,
 }
 
+/// Mechanism that can be moved from its last instant to another time.
+pub trait Movable {
+    /// Last instant.
+    fn instant(&self) -> &Instant;
+
+    /// Moves the mechanism to the time `t` (s) with these inputs.
+    ///
+    /// # Errors
+    /// The motion ends before that time; the last instant stays.
+    fn move_to(&mut self, t: f64, inputs: &InputSignals) -> Result<(), Failure>;
+}
+
+impl<V: View> Movable for Shell<V> {
+    fn instant(&self) -> &Instant {
+        self.frame()
+    }
+
+    fn move_to(&mut self, t: f64, inputs: &InputSignals) -> Result<(), Failure> {
+        self.advance(t, inputs).map(|_| ())
+    }
+}
+
 /// Moves a mechanism to one time after another.
 ///
 /// `see` receives the mechanism at every instant, and true if the instant is requested. Returns the end of the motion if it is early,
@@ -30,7 +52,7 @@ pub struct End {
 /// use std::convert::Infallible;
 ///
 /// use linkwright::{Blocks, Settings, Shell};
-/// use linkwright_codegen::diagnostic::Source;
+/// use linkwright_codegen::Source;
 /// use linkwright_solver::{Interpreted, Schedule, View, follow};
 ///
 /// let text = "
@@ -59,17 +81,17 @@ pub struct End {
 ///
 /// # Errors
 /// Errors of `see`, which end the motion.
-pub fn follow<V: View, E>(
-    shell: &mut Shell<V>,
+pub fn follow<M: Movable, E>(
+    moved: &mut M,
     laws: &InputLaws,
     leg: &Leg,
-    mut see: impl FnMut(&Shell<V>, bool) -> Result<(), E>,
+    mut see: impl FnMut(&M, bool) -> Result<(), E>,
 ) -> Result<Option<Box<End>>, E> {
     for Visit { t, wanted } in leg.visits() {
-        match shell.advance(t, &laws.at(t)) {
-            Ok(_) => see(shell, wanted)?,
+        match moved.move_to(t, &laws.at(t)) {
+            Ok(()) => see(moved, wanted)?,
             Err(failure) => {
-                let last = last_before(shell, laws, failure.time);
+                let last = last_before(moved, laws, failure.time);
                 return Ok(Some(Box::new(End { failure, last })));
             }
         }
@@ -78,17 +100,17 @@ pub fn follow<V: View, E>(
 }
 
 /// Returns the last instant before a time that cannot be reached, by bisection.
-fn last_before<V: View>(shell: &mut Shell<V>, laws: &InputLaws, mut beyond: f64) -> Instant {
+fn last_before(moved: &mut impl Movable, laws: &InputLaws, mut beyond: f64) -> Instant {
     loop {
-        let t = shell.frame().t();
+        let t = moved.instant().t();
         let middle = t + 0.5 * (beyond - t);
         if (beyond - t).abs() <= END_PRECISION * beyond.abs().max(1.0)
             || middle == t
             || middle == beyond
         {
-            return shell.frame().clone();
+            return moved.instant().clone();
         }
-        if shell.advance(middle, &laws.at(middle)).is_err() {
+        if moved.move_to(middle, &laws.at(middle)).is_err() {
             beyond = middle;
         }
     }

@@ -25,98 +25,77 @@ use std::sync::Arc;
 
 use super::Notation;
 use crate::pool::{Draft, Pool};
+use crate::program::Kept;
 use crate::program::forms::Form;
-use crate::program::{Block, Branch, unpruned};
-use crate::structure::SolvedPlan;
-use crate::system::System;
+use crate::solved::Solved;
+use crate::structure::{Shift, SolvedPlan, Unplanned};
+use crate::system::{Derived, System};
 use crate::words::Phrase;
+use document::Document;
 use page::Writer;
 use spelling::Spelling;
 
-/// Functions of all blocks with nothing left out, for any page.
-pub struct Derivation<'a> {
-    pool: Draft,
-    system: &'a System,
-    plan: &'a SolvedPlan,
-    blocks: Vec<Block>,
-    branches: Vec<Branch>,
+/// Motion of which nothing is omitted, for any page.
+///
+/// Generated code has another program: a derivation also shows the values that no output needs, and states why each value is found.
+pub struct Derivation {
+    solved: Solved,
 }
 
-impl<'a> Derivation<'a> {
-    /// Derivation of a system and its plan.
-    pub fn new(pool: &Pool, system: &'a System, plan: &'a SolvedPlan) -> Derivation<'a> {
-        let mut pool = pool.draft();
-        let (blocks, branches) = unpruned(&mut pool, system, plan);
+impl Derivation {
+    /// Derivation of a motion.
+    ///
+    /// # Errors
+    /// The equations do not determine the motion, or a limit is exceeded.
+    pub fn of(derived: Derived, shift: Shift) -> Result<Derivation, Unplanned> {
+        let solved = Solved::of(derived, shift, Kept::Everything)?;
+        Ok(Derivation { solved })
+    }
+
+    /// Derivation of a plan that exists; the pool holds its expressions.
+    pub fn of_plan(derived: Derived, plan: SolvedPlan) -> Derivation {
         Derivation {
-            pool,
-            system,
-            plan,
-            blocks,
-            branches,
+            solved: Solved::of_plan(derived, plan, Kept::Everything),
         }
     }
 
-    /// Expressions, with those of the derivation.
-    pub fn pool(&self) -> &Pool {
-        &self.pool
+    /// Returns the motion with all blocks.
+    pub fn solved(&self) -> &Solved {
+        &self.solved
     }
 
-    /// Equations.
-    pub fn system(&self) -> &System {
-        self.system
+    /// Returns the derivation as plain text.
+    pub fn text(&self, notation: Notation) -> String {
+        text_page::page(&self.document(Script::Text(notation)))
     }
 
-    /// Blocks in solve order.
-    pub fn blocks(&self) -> &[Block] {
-        &self.blocks
+    /// Returns the derivation as a LaTeX document, which needs only amsmath.
+    pub fn latex(&self) -> String {
+        latex_page::page(&self.document(Script::Latex))
     }
 
-    /// The assembly modes.
-    pub fn branches(&self) -> &[Branch] {
-        &self.branches
+    /// Returns the derivation as LaTeX for a document with its own preamble.
+    pub fn latex_fragment(&self) -> String {
+        latex_page::fragment(&self.document(Script::Latex))
     }
 
-    /// As plain text.
-    pub fn text(mut self, notation: Notation) -> String {
-        text_page::page(&Writer::new(&mut self, Script::Text(notation)).document())
+    /// Returns the derivation as parts of a page with MathML.
+    pub fn html(&self) -> HtmlDerivation {
+        html_page::page(&self.document(Script::Html))
     }
 
-    /// As a LaTeX document, which needs amsmath only.
-    pub fn latex(mut self) -> String {
-        latex_page::page(&Writer::new(&mut self, Script::Latex).document())
+    /// Returns only the table at the head as plain text: unknowns, method and joints of each block in solve order.
+    pub fn outline(&self, notation: Notation) -> String {
+        let (pool, system, plan) = (self.solved.pool(), self.solved.system(), self.solved.plan());
+        let forms = &self.solved.program().forms;
+        let lines = outline::outline(pool, system, plan, forms, Script::Text(notation));
+        text_page::outline(&lines)
     }
 
-    /// As LaTeX for a document that has a preamble.
-    pub fn latex_fragment(mut self) -> String {
-        latex_page::fragment(&Writer::new(&mut self, Script::Latex).document())
+    fn document(&self, script: Script) -> Document {
+        let mut draft = self.solved.pool().draft();
+        Writer::new(&mut draft, &self.solved, script).document()
     }
-
-    /// As parts of a page with MathML.
-    pub fn html(mut self) -> HtmlDerivation {
-        html_page::page(&Writer::new(&mut self, Script::Html).document())
-    }
-}
-
-/// The derivation as plain text.
-pub fn text(pool: &Pool, system: &System, plan: &SolvedPlan, notation: Notation) -> String {
-    Derivation::new(pool, system, plan).text(notation)
-}
-
-/// The derivation as a LaTeX document, which needs amsmath only.
-pub fn latex(pool: &Pool, system: &System, plan: &SolvedPlan) -> String {
-    Derivation::new(pool, system, plan).latex()
-}
-
-/// The derivation as parts of a page with MathML.
-pub fn html(pool: &Pool, system: &System, plan: &SolvedPlan) -> HtmlDerivation {
-    Derivation::new(pool, system, plan).html()
-}
-
-/// Table at the head of the derivation alone: unknowns, method and joints of each block in solve order.
-pub fn outline(pool: &Pool, system: &System, plan: &SolvedPlan, notation: Notation) -> String {
-    let forms = crate::program::forms_of(&mut pool.draft(), system, plan);
-    let lines = outline::outline(pool, system, plan, &forms, Script::Text(notation));
-    text_page::outline(&lines)
 }
 
 /// Singular poses of each subsystem of the plan, in solve order; `forms` are its solution methods, block by block.
@@ -151,7 +130,7 @@ pub fn constraints_in_html(pool: &Pool, system: &System) -> Vec<String> {
 pub struct PlainWords<'a> {
     system: &'a System,
     script: Script,
-    /// Formulas in words extend it.
+    /// Draft of the pool, which formulas in words extend.
     draft: RefCell<Draft>,
 }
 

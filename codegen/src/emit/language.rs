@@ -58,6 +58,7 @@ impl Language {
     pub const ALL: [Language; 2] = [Language::Rust, Language::C];
 
     /// Names and files of the language.
+    #[doc(hidden)]
     pub fn conventions(self) -> &'static Conventions {
         match self {
             Language::Rust => &rust::CONVENTIONS,
@@ -75,7 +76,7 @@ impl Language {
     }
 
     /// Files of the motions of one mechanism, under the names of [`Language::file_names`]. `math` is the path of a
-    /// module with elementary functions, if the language has modules.
+    /// type with elementary functions, if the language has types with functions.
     pub(crate) fn files(
         self,
         motions: &[Solved],

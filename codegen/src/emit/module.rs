@@ -1,8 +1,7 @@
-//! System and Program of a motion → what its module is made of, whatever language it is written in.
+//! Prepares the module of a motion for any language.
 //!
-//! Here stand what values are called, where functions find what they read, the operations that an expression is computed by, which
-//! numbers are looked at last, and the sentences of the documentation, so that modules of different languages say and compute the same.
-//! A language comes with its [`Words`] and prints the rest. Deliberately unknown here: how anything is written.
+//! Names of values, locations of variables, order of operations, final checks and the sentences of the documentation are decided
+//! here, so that modules in all languages compute and document the same. A language brings its [`Words`] and prints.
 
 pub(super) mod accessors;
 pub(super) mod checks;
@@ -19,50 +18,50 @@ pub(super) mod wrapped;
 use super::Notation;
 use super::derivation::{self, BlockWords, PlainWords, Script, SingularPose};
 use super::scalar::Scalar;
-use crate::assemblies::{StoredAssemblies, stored};
+use crate::assemblies::{StoredAssemblies, exchanges, stored};
 use crate::expr::{IdMap, IdSet, SymbolId};
 use crate::pool::{Pool, SymbolRole};
 use crate::program::passes::names::LocalNames;
 use crate::program::{LARGEST_TEXTBOOK, Program};
 use crate::solved::Solved;
-use crate::system::{Derived, System};
+use crate::system::System;
 use crate::words::Phrase;
 
-/// What a language asks of names.
+/// Rules of a language for names of values.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Words {
-    /// A wish as a name: `bd_square` of `|BD|^2`.
+    /// Returns a requested quantity as a name: `bd_square` for `|BD|^2`.
     pub spelled: fn(&str) -> String,
-    /// What no local value of a function is called.
+    /// Names that no local value of a function may have.
     pub of_functions: &'static [&'static str],
-    /// What no field of a frame is called.
+    /// Names that no field of a frame may have.
     pub of_frames: &'static [&'static str],
 }
 
-/// A mechanism or one of its motions, as it is written.
+/// Mechanism, or one of its motions, with what every language needs to print it.
 pub(super) struct Module<'a> {
     pub pool: &'a Pool,
     pub system: &'a System,
     pub program: &'a Program,
     pub scalar: Scalar,
-    /// Where each part of the plan is singular.
+    /// Singular poses of the plan's subsystems.
     pub poses: Vec<SingularPose>,
-    /// The ways in which it can be assembled, where Newton-Raphson starts from one of them.
+    /// Stored assemblies from which Newton-Raphson can start; `None` without a stored list.
     pub assemblies: Option<StoredAssemblies>,
-    /// What each block of the program is called.
+    /// Names of the program's blocks.
     pub words: Vec<BlockWords>,
-    /// What the language asks of names.
+    /// Rules of the language.
     pub names: Words,
-    /// What the frame calls what it keeps beside the coordinates.
+    /// Names of the frame's fields that are not coordinates.
     fields: LocalNames,
     comments: PlainWords<'a>,
-    /// The deviations that enclosures are filled with.
+    /// Deviations in path enclosures.
     enclosures: IdSet<SymbolId>,
-    /// The blocks that exchange a mode where it meets the other one, by the mode's symbol.
+    /// Blocks that exchange a mode at a change point, by the symbol of the mode.
     pub exchanged: IdMap<SymbolId, usize>,
 }
 
-/// A coordinate, its rate or its acceleration in a structure of coordinates.
+/// Coordinate, rate or acceleration in a structure of coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Component<'a> {
     /// `q`, `qd` or `qdd`.
@@ -72,11 +71,8 @@ pub(super) struct Component<'a> {
 
 impl<'a> Module<'a> {
     pub(super) fn new(solved: &'a Solved, scalar: Scalar, names: Words) -> Module<'a> {
-        let Solved {
-            derived: Derived { pool, system },
-            plan,
-            program,
-        } = solved;
+        let (pool, system) = (solved.pool(), solved.system());
+        let (plan, program) = (solved.plan(), solved.program());
         let kept = program.fields.iter().copied();
         let script = Script::Text(Notation::Unicode);
         let poses = derivation::singular_poses(pool, system, plan, &program.forms, script);
@@ -88,7 +84,7 @@ impl<'a> Module<'a> {
             assemblies: stored(pool, system, program),
             comments: PlainWords::new(pool, system, Notation::Unicode),
             enclosures: path_enclosures::deviations_of_enclosures(program, system),
-            exchanged: needs::exchanged_by(pool, system, program),
+            exchanged: exchanges(pool, system, program),
             pool,
             system,
             program,
@@ -96,17 +92,17 @@ impl<'a> Module<'a> {
         }
     }
 
-    /// Whether frames hold all coordinates, and not only what is asked for.
+    /// True if frames hold all coordinates; false if they hold only the requested outputs.
     pub(super) fn holds_coordinates(&self) -> bool {
         self.program.outputs.is_none()
     }
 
-    /// Whether the mechanism is too large for functions that go through all coordinates at once.
+    /// True if the mechanism is too large for functions of all coordinates.
     pub(super) fn is_large(&self) -> bool {
         self.system.coordinates.len() > LARGEST_TEXTBOOK
     }
 
-    /// The place of a coordinate, its rate or its acceleration.
+    /// Returns the component of a symbol; `None` if the symbol is not a coordinate, rate or acceleration.
     pub(super) fn component(&self, symbol: SymbolId) -> Option<Component<'a>> {
         let (vector, unknown) = match self.pool.role(symbol) {
             SymbolRole::Position(unknown) => ("q", unknown),
@@ -118,19 +114,19 @@ impl<'a> Module<'a> {
         Some(Component { vector, name })
     }
 
-    /// Whether frames hold a value.
+    /// True if frames hold the value.
     pub(super) fn is_field(&self, symbol: SymbolId) -> bool {
         self.holds_coordinates() && self.system.is_coordinate(symbol, self.pool)
             || self.program.is_field(symbol)
     }
 
-    /// What a field is called that is none of the coordinates.
+    /// Returns the name of a field that is not a coordinate.
     pub(super) fn own_field(&self, symbol: SymbolId) -> &str {
         self.fields.name_of(symbol).unwrap_or_default()
     }
 
-    /// What a symbol is called that says what the window is like.
-    pub(super) fn span_part(&self, symbol: SymbolId) -> Option<&'static str> {
+    /// Returns the field of the time window that a symbol stands for; `None` if there is none.
+    pub(super) fn window_part(&self, symbol: SymbolId) -> Option<&'static str> {
         let window = &self.program.path.as_ref()?.window;
         let parts = [
             (window.time, "time"),
@@ -141,26 +137,26 @@ impl<'a> Module<'a> {
         ];
         parts
             .into_iter()
-            .find(|(own, _)| *own == symbol)
+            .find(|(part, _)| *part == symbol)
             .map(|(_, name)| name)
     }
 
-    /// Whether a deviation is that of a enclosure.
+    /// True if a path enclosure has the deviation.
     pub(super) fn has_enclosure(&self, deviation: SymbolId) -> bool {
         self.enclosures.contains(&deviation)
     }
 
-    /// Words as a comment says them.
-    pub(super) fn said(&self, words: &Phrase) -> String {
+    /// Returns a phrase as the text of a comment.
+    pub(super) fn comment(&self, words: &Phrase) -> String {
         self.comments.say(words)
     }
 
-    /// The number of a block as failures count it.
+    /// Returns the number by which failures name a block.
     pub(super) fn block_number(&self, place: usize) -> u16 {
         self.program.number_of(place)
     }
 
-    /// The place of a driven joint's length among what must be positive.
+    /// Returns the index of a driven joint's length among the quantities that must be positive.
     pub(super) fn requirement_place(&self, joint: usize) -> usize {
         let requirements = self.program.requirements.as_ref();
         requirements.map_or(0, |it| it.place_of(joint))

@@ -1,6 +1,6 @@
 //! Splits a term of a sum into the factors of a textbook fraction.
 
-use crate::expr::{ExprId, Factor, Graph, Node, Number, Rational, SHORT, Term};
+use crate::expr::{ExprId, Factor, Graph, MAX_EXACT_LENGTH, Node, Number, Rational, Term};
 use crate::program::ConstantPart;
 use crate::system::WrittenOrder;
 
@@ -71,7 +71,7 @@ pub(super) fn addends(
 ) -> Vec<Addend> {
     let is_constant = |term: &&Term| graph.is_constant(term.expr);
     let constants: Vec<Term> = terms.iter().filter(is_constant).copied().collect();
-    let mut together = (!graph.is_sum_within(&constants, SHORT))
+    let mut together = (!graph.is_sum_within(&constants, MAX_EXACT_LENGTH))
         .then(|| decimal_addend(&ConstantPart::Sum(constants), Fraction::default(), graph));
     let is_together = together.is_some();
     let mut addends = Vec::with_capacity(terms.len());
@@ -97,7 +97,7 @@ fn addend(
     };
     let is_constant = |factor: &&Factor| graph.is_constant(factor.base);
     let constants: Vec<Factor> = factors.iter().filter(is_constant).copied().collect();
-    if graph.is_product_within(term.coefficient, &constants, SHORT) {
+    if graph.is_product_within(term.coefficient, &constants, MAX_EXACT_LENGTH) {
         return Addend {
             negative: term.coefficient.is_negative(),
             fraction: match is_whole {

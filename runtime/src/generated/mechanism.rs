@@ -104,7 +104,7 @@ macro_rules! generated_mechanism {
             }
 
             fn enclosures(&self) -> PathEnclosures {
-                [PathEnclosure::STILL; 0 $(+ $enclosures)?]
+                [PathEnclosure::ZERO; 0 $(+ $enclosures)?]
             }
 
             fn verify_path(&self, _pair: &Pair<'_>, _span: &TimeWindow, _enclosures: &mut PathEnclosures) -> Result<(), u16> {

@@ -97,8 +97,9 @@ macro_rules! precision {
                 isolate_chain, kinematics, largest_length, load_not_finite, multipliers, newton, not_finite,
                 not_positive, out_of_reach, pressure_angle, required, singular_divisor, torn,
             };
-            pub use crate::math::angle_near;
-            pub use crate::{BlockName, Blocks, Branch, Mechanism, Shell, math, nalgebra::Const};
+            // A type in place of `math` has the functions by their trait.
+            pub use crate::math::{Functions, Real as math, angle_near};
+            pub use crate::{BlockName, Blocks, Branch, Mechanism, Shell, nalgebra::Const};
 
             /// Scalar of everything in this module.
             pub type Scalar = $scalar;

@@ -147,12 +147,12 @@ macro_rules! generated_inputs {
             }
         }
 
-        impl $crate::Signals<$scalar> for Inputs {
+        impl $crate::Values<$crate::Signal<$scalar>> for Inputs {
             fn count(&self) -> usize {
                 Self::NAMES.len()
             }
 
-            fn signal(&self, index: usize) -> Option<$crate::Signal<$scalar>> {
+            fn value(&self, index: usize) -> Option<$crate::Signal<$scalar>> {
                 [$(self.$field),*].get(index).copied()
             }
 
@@ -167,10 +167,6 @@ macro_rules! generated_inputs {
                 [$(self.$field),*].iter().all(|signal| {
                     $crate::generated::all_finite(&[signal.value, signal.rate, signal.acceleration])
                 })
-            }
-
-            fn towards(&self, last: &Self, h: $scalar, part: $scalar) -> Self {
-                Self { $($field: self.$field.towards(&last.$field, h, part),)* }
             }
         }
     };

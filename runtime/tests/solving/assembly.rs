@@ -11,9 +11,7 @@ use linkwright::generated::{
     newton,
 };
 use linkwright::nalgebra::SVector;
-use linkwright::{
-    Branch, Equations, FailureKind, Settings, assemble, assemble_from_rough_estimate, branch_of,
-};
+use linkwright::{Branch, Equations, FailureKind, Frame, Settings};
 
 /// A reproducible sequence of numbers in [-1, 1) (xorshift64*, Vigna 2016).
 struct Sequence(u64);
@@ -53,8 +51,9 @@ fn least_squares_and_all_together_reach_it_too() {
         assert!(approach(&arctangent(), &mut q, 0.0), "{start}: {}", q[0]);
         assert!(q[0].abs() <= 1e-4);
         let settings = Settings::default();
-        let frame = assemble_from_rough_estimate(&arctangent(), &estimate, None, 0.0, &settings)
-            .expect("near");
+        let frame =
+            Frame::assemble_from_rough_estimate(&arctangent(), &estimate, None, 0.0, &settings)
+                .expect("near");
         assert!(frame.q[0].abs() <= f64::EPSILON, "{start}: {}", frame.q[0]);
     }
 }
@@ -85,19 +84,21 @@ fn an_equation_without_solution_fails_and_leaves_the_pose() {
         assert!(stationary && failure.residual >= 1.0, "{start}: {failure}");
         let estimate = SVector::<f64, 1>::new(start);
         let branch = Some(Branch::Positive);
-        assert!(assemble_from_rough_estimate(&none, &estimate, branch, 0.25, &settings).is_err());
+        assert!(
+            Frame::assemble_from_rough_estimate(&none, &estimate, branch, 0.25, &settings).is_err()
+        );
     }
     // No method can start from a stationary point.
     let parabola = single(|x| x * x - 1.0, |x| 2.0 * x);
     let estimate = SVector::<f64, 1>::new(0.0);
-    let failure = assemble_from_rough_estimate(&parabola, &estimate, None, 0.0, &settings)
+    let failure = Frame::assemble_from_rough_estimate(&parabola, &estimate, None, 0.0, &settings)
         .expect_err("stationary");
     assert!(matches!(failure.kind, FailureKind::Singular { .. }));
     for start in [f64::NAN, f64::INFINITY] {
         let mut q = SVector::<f64, 1>::new(start);
         let failure = solve_damped(&parabola, &mut q, 0.0, &settings).expect_err("no number");
         assert_eq!(failure.kind, FailureKind::NotFinite);
-        let failure = assemble_from_rough_estimate(&parabola, &q, None, 0.0, &settings)
+        let failure = Frame::assemble_from_rough_estimate(&parabola, &q, None, 0.0, &settings)
             .expect_err("no number");
         assert_eq!(failure.kind, FailureKind::NotFinite);
     }
@@ -112,11 +113,13 @@ fn another_root_is_the_wrong_branch() {
         (-0.5, Branch::Negative, Branch::Positive),
     ] {
         let estimate = SVector::<f64, 1>::new(start);
-        let frame = assemble_from_rough_estimate(&parabola, &estimate, Some(near), 0.0, &settings)
-            .expect("the near root");
+        let frame =
+            Frame::assemble_from_rough_estimate(&parabola, &estimate, Some(near), 0.0, &settings)
+                .expect("the near root");
         assert_eq!(frame.q[0], near.sign::<f64>());
-        let failure = assemble_from_rough_estimate(&parabola, &estimate, Some(far), 0.0, &settings)
-            .expect_err("the far root");
+        let failure =
+            Frame::assemble_from_rough_estimate(&parabola, &estimate, Some(far), 0.0, &settings)
+                .expect_err("the far root");
         assert_eq!(failure.kind, FailureKind::WrongBranch);
         assert!(failure.residual <= 1e-12, "it is a root: {failure}");
     }
@@ -126,12 +129,12 @@ fn another_root_is_the_wrong_branch() {
 fn perturbed_starts(reach: f64) -> (u32, u32, u32) {
     let settings = Settings::default();
     let truth = closed_form(0.3, 1.0);
-    let branch = branch_of(&Turning, &truth, 0.3, &settings).expect("regular");
+    let branch = Frame::branch_of(&Turning, &truth, 0.3, &settings).expect("regular");
     let mut sequence = Sequence(99);
     let (mut from_rough_estimate, mut plain, mut other) = (0, 0, 0);
     for _ in 0..10_000 {
         let start = truth.map(|x| x + reach * sequence.next());
-        match assemble_from_rough_estimate(&Turning, &start, Some(branch), 0.3, &settings) {
+        match Frame::assemble_from_rough_estimate(&Turning, &start, Some(branch), 0.3, &settings) {
             Ok(frame) => {
                 // This branch has one pose, up to whole turns of the rod.
                 let mut difference = frame.q - truth;
@@ -144,7 +147,7 @@ fn perturbed_starts(reach: f64) -> (u32, u32, u32) {
                 other += 1;
             }
         }
-        let newton = assemble(&Turning, &start, 0.3, &settings);
+        let newton = Frame::assemble(&Turning, &start, 0.3, &settings);
         let right = newton.is_ok_and(|frame| frame.q[5].rem_euclid(TAU) < PI);
         plain += u32::from(right);
     }
@@ -174,8 +177,8 @@ fn single_precision_assembles_too() {
     let mut sequence = Sequence(7);
     for _ in 0..1000 {
         let start = truth.map(|x| (x + 0.5 * sequence.next()) as f32);
-        let frame =
-            assemble_from_rough_estimate(&Turning, &start, None, 0.3, &settings).expect("near");
+        let frame = Frame::assemble_from_rough_estimate(&Turning, &start, None, 0.3, &settings)
+            .expect("near");
         let error = (frame.q.map(f64::from) - truth).amax();
         assert!(error <= 4e-6, "{error:e}");
     }
@@ -204,7 +207,7 @@ fn work_is_bounded<E: Equations<f64, D>, D: linkwright::nalgebra::DimName>(
                 count.residuals <= n + 2 && count.jacobians <= n + 3,
                 "{count:?}"
             );
-            let _ = assemble(&equations, start, 0.3, &settings);
+            let _ = Frame::assemble(&equations, start, 0.3, &settings);
             let count = equations.take();
             assert!(
                 count.residuals <= n + 2 && count.jacobians <= n + 5,
@@ -229,7 +232,8 @@ fn work_is_bounded<E: Equations<f64, D>, D: linkwright::nalgebra::DimName>(
                 "{count:?}"
             );
             for branch in [None, Some(Branch::Positive), Some(Branch::Negative)] {
-                let _ = assemble_from_rough_estimate(&equations, start, branch, 0.3, &settings);
+                let _ =
+                    Frame::assemble_from_rough_estimate(&equations, start, branch, 0.3, &settings);
                 let count = equations.take();
                 assert!(count.residuals <= 13 * n + 74, "{count:?}");
                 assert!(count.jacobians <= 5 * n + 79, "{count:?}");

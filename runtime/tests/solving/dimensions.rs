@@ -3,7 +3,7 @@
 use crate::exam_equations::Exam;
 use linkwright::generated::newton;
 use linkwright::nalgebra::{Const, DMatrix, DVector, Dyn, OMatrix, OVector, SMatrix, SVector};
-use linkwright::{Equations, FailureKind, Settings, advance, assemble};
+use linkwright::{Equations, FailureKind, Frame, Settings};
 
 /// The exam's equations with lengths in a unit of 1 / `per_meter` meters, as an interpreter would present them.
 struct Interpreted {
@@ -86,13 +86,17 @@ fn dynamic_dimension_gives_the_bits_of_the_static_one() {
     let settings = Settings::default();
     let equations = Interpreted { per_meter: 1.0 };
     let fixed = SVector::<f64, 6>::from(ESTIMATE);
-    let mut fixed = assemble(&Exam, &fixed, 0.0, &settings).expect("assembles");
+    let mut fixed = Frame::assemble(&Exam, &fixed, 0.0, &settings).expect("assembles");
     let mut dynamic =
-        assemble(&equations, &estimate(&equations), 0.0, &settings).expect("assembles");
+        Frame::assemble(&equations, &estimate(&equations), 0.0, &settings).expect("assembles");
     for step in 1..=50 {
         let t = 0.02 * f64::from(step);
-        fixed = advance(&Exam, &fixed, t, &settings).expect("a regular motion");
-        dynamic = advance(&equations, &dynamic, t, &settings).expect("a regular motion");
+        fixed = fixed
+            .advance(&Exam, t, &settings)
+            .expect("a regular motion");
+        dynamic = dynamic
+            .advance(&equations, t, &settings)
+            .expect("a regular motion");
         assert_eq!(fixed.q.as_slice(), dynamic.q.as_slice());
         assert_eq!(fixed.qd.as_slice(), dynamic.qd.as_slice());
         assert_eq!(fixed.qdd.as_slice(), dynamic.qdd.as_slice());
@@ -139,7 +143,7 @@ fn unit_of_length_does_not_change_a_failure() {
 #[should_panic(expected = "a vector must have the dimension of the equations")]
 fn vector_of_another_dimension_is_a_mistake_of_the_caller() {
     let short = DVector::from_element(5, 0.5);
-    let _ = assemble(
+    let _ = Frame::assemble(
         &Interpreted { per_meter: 1.0 },
         &short,
         0.0,
@@ -174,6 +178,7 @@ fn equations_without_coordinates_are_solved() {
         }
     }
     let nowhere = OVector::<f64, Empty>::zeros();
-    let frame = assemble(&Nothing, &nowhere, 0.0, &Settings::default()).expect("nothing to solve");
+    let frame =
+        Frame::assemble(&Nothing, &nowhere, 0.0, &Settings::default()).expect("nothing to solve");
     assert_eq!(frame.q.len(), 0);
 }

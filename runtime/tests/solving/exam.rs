@@ -5,7 +5,7 @@ use core::f64::consts::{FRAC_PI_3, FRAC_PI_6};
 use crate::exam_equations::Exam;
 use linkwright::generated::{Factorization, Scales, newton};
 use linkwright::nalgebra::{SMatrix, SVector};
-use linkwright::{Equations, Frame, Settings, advance, assemble};
+use linkwright::{Equations, Frame, Settings};
 
 type Vector = SVector<f64, 6>;
 
@@ -14,7 +14,8 @@ fn estimate() -> Vector {
 }
 
 fn assembled(t: f64) -> Frame<f64, linkwright::nalgebra::Const<6>> {
-    assemble(&Exam, &estimate(), t, &Settings::default()).expect("the exam's mechanism assembles")
+    Frame::assemble(&Exam, &estimate(), t, &Settings::default())
+        .expect("the exam's mechanism assembles")
 }
 
 /// Pose, velocity and acceleration in closed form: the exam's rows solved by hand one after the other, then
@@ -117,7 +118,9 @@ fn every_frame_of_two_periods_is_the_closed_form() {
     let mut frame = assembled(0.0);
     for index in 1..=640 {
         let t = f64::from(index) * 0.01;
-        frame = advance(&Exam, &frame, t, &settings).expect("a regular motion");
+        frame = frame
+            .advance(&Exam, t, &settings)
+            .expect("a regular motion");
         let [q, qd, qdd] = exact(t);
         assert_close(&frame.q, &q, 1e-14);
         // Each derivative divides by √3 sin φ2, which goes down to 0.4, and squares the rates of up to 2.
@@ -130,10 +133,12 @@ fn every_frame_of_two_periods_is_the_closed_form() {
 fn single_precision_agrees_to_its_rounding() {
     let estimate = SVector::<f32, 6>::from([0.0, 0.0, 0.5, 1.7, 2.0, 1.0]);
     let settings = Settings::<f32>::default();
-    let mut frame = assemble(&Exam, &estimate, 0.0, &settings).expect("assembles");
+    let mut frame = Frame::assemble(&Exam, &estimate, 0.0, &settings).expect("assembles");
     for index in 1..=100_u8 {
         let t = f32::from(index) / 64.0;
-        frame = advance(&Exam, &frame, t, &settings).expect("a regular motion");
+        frame = frame
+            .advance(&Exam, t, &settings)
+            .expect("a regular motion");
         let error = (frame.q.map(f64::from) - exact_pose(f64::from(t))).amax();
         assert!(error <= 4e-6, "t = {t}: {error:e}");
     }
@@ -143,8 +148,12 @@ fn single_precision_agrees_to_its_rounding() {
 fn going_back_in_time_returns_to_the_start() {
     let settings = Settings::default();
     let start = assembled(0.0);
-    let there = advance(&Exam, &start, 0.2, &settings).expect("a regular motion");
-    let back = advance(&Exam, &there, 0.0, &settings).expect("a regular motion");
+    let there = start
+        .advance(&Exam, 0.2, &settings)
+        .expect("a regular motion");
+    let back = there
+        .advance(&Exam, 0.0, &settings)
+        .expect("a regular motion");
     assert_close(&back.q, &start.q, 2e-15);
 }
 
@@ -156,8 +165,16 @@ fn failed_advance_leaves_the_frame_as_it_was() {
         iterations: 0,
         ..Settings::default()
     };
-    assert!(advance(&Exam, &frame, 0.1, &settings).is_err());
-    assert!(advance(&Exam, &frame, f64::NAN, &Settings::default()).is_err());
-    assert!(advance(&Exam, &frame, f64::INFINITY, &Settings::default()).is_err());
+    assert!(frame.advance(&Exam, 0.1, &settings).is_err());
+    assert!(
+        frame
+            .advance(&Exam, f64::NAN, &Settings::default())
+            .is_err()
+    );
+    assert!(
+        frame
+            .advance(&Exam, f64::INFINITY, &Settings::default())
+            .is_err()
+    );
     assert_eq!(frame, before);
 }

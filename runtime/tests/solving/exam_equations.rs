@@ -4,7 +4,7 @@
 //! x1; y1; x1 + cos φ1 - x2 + √3 cos φ2; y1 + sin φ1 - y2 + √3 sin φ2; x2 - √3; φ1 - π/6 - sin 2t.
 
 use linkwright::Equations;
-use linkwright::math::{self, Real};
+use linkwright::math::Real;
 use linkwright::nalgebra::{Const, SMatrix, SVector};
 
 /// The exam's equations in either scalar.
@@ -18,26 +18,26 @@ impl<T: Real> Equations<T, Const<6>> for Exam {
     fn residual(&self, q: &SVector<T, 6>, t: T, phi: &mut SVector<T, 6>) {
         let [x1, y1, phi1, x2, y2, phi2] = q.data.0[0];
         let two = T::from_f64(2.0);
-        let root = math::sqrt(T::from_f64(3.0));
+        let root = Real::sqrt(T::from_f64(3.0));
         let sixth = T::from_f64(core::f64::consts::FRAC_PI_6);
-        let (sin1, cos1) = math::sin_cos(phi1);
-        let (sin2, cos2) = math::sin_cos(phi2);
+        let (sin1, cos1) = Real::sin_cos(phi1);
+        let (sin2, cos2) = Real::sin_cos(phi2);
         phi.data.0[0] = [
             x1,
             y1,
             x1 + cos1 - x2 + root * cos2,
             y1 + sin1 - y2 + root * sin2,
             x2 - root,
-            phi1 - sixth - math::sin(two * t),
+            phi1 - sixth - Real::sin(two * t),
         ];
     }
 
     fn jacobian(&self, q: &SVector<T, 6>, _t: T, phi_q: &mut SMatrix<T, 6, 6>) {
         let [_, _, phi1, _, _, phi2] = q.data.0[0];
         let (o, i) = (T::ZERO, T::ONE);
-        let root = math::sqrt(T::from_f64(3.0));
-        let (sin1, cos1) = math::sin_cos(phi1);
-        let (sin2, cos2) = math::sin_cos(phi2);
+        let root = Real::sqrt(T::from_f64(3.0));
+        let (sin1, cos1) = Real::sin_cos(phi1);
+        let (sin2, cos2) = Real::sin_cos(phi2);
         // One line per column, as nalgebra stores them.
         phi_q.data.0 = [
             [i, o, i, o, o, o],
@@ -52,7 +52,7 @@ impl<T: Real> Equations<T, Const<6>> for Exam {
     fn time_derivative(&self, _q: &SVector<T, 6>, t: T, phi_t: &mut SVector<T, 6>) {
         let two = T::from_f64(2.0);
         let o = T::ZERO;
-        phi_t.data.0[0] = [o, o, o, o, o, -two * math::cos(two * t)];
+        phi_t.data.0[0] = [o, o, o, o, o, -two * Real::cos(two * t)];
     }
 
     fn gamma(&self, q: &SVector<T, 6>, qd: &SVector<T, 6>, t: T, gamma: &mut SVector<T, 6>) {
@@ -60,9 +60,9 @@ impl<T: Real> Equations<T, Const<6>> for Exam {
         let [_, _, rate1, _, _, rate2] = qd.data.0[0];
         let two = T::from_f64(2.0);
         let o = T::ZERO;
-        let root = math::sqrt(T::from_f64(3.0));
-        let (sin1, cos1) = math::sin_cos(phi1);
-        let (sin2, cos2) = math::sin_cos(phi2);
+        let root = Real::sqrt(T::from_f64(3.0));
+        let (sin1, cos1) = Real::sin_cos(phi1);
+        let (sin2, cos2) = Real::sin_cos(phi2);
         let (square1, square2) = (rate1 * rate1, rate2 * rate2);
         gamma.data.0[0] = [
             o,
@@ -70,7 +70,7 @@ impl<T: Real> Equations<T, Const<6>> for Exam {
             square1 * cos1 + root * square2 * cos2,
             square1 * sin1 + root * square2 * sin2,
             o,
-            -two * two * math::sin(two * t),
+            -two * two * Real::sin(two * t),
         ];
     }
 

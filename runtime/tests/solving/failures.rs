@@ -3,7 +3,7 @@
 use crate::single::{Single, single};
 use linkwright::generated::newton::{self, Convergence};
 use linkwright::nalgebra::SVector;
-use linkwright::{Failure, FailureKind, Settings, assemble};
+use linkwright::{Failure, FailureKind, Frame, Settings};
 
 /// Solves from `start`; a failure must leave the pose unchanged, bit for bit.
 fn solve(
@@ -232,7 +232,7 @@ fn frame_with_an_undefined_velocity_or_acceleration_is_no_success() {
             ..single(|x| x - 2.0, |_| 1.0)
         };
         let failure =
-            assemble(&line, &estimate, 0.0, &Settings::default()).expect_err("no velocity");
+            Frame::assemble(&line, &estimate, 0.0, &Settings::default()).expect_err("no velocity");
         assert_eq!(
             (failure.kind, failure.iterations),
             (FailureKind::NotFinite, 1)
@@ -246,7 +246,8 @@ fn solved_pose_without_a_velocity_is_singular() {
     let parabola = single(|x| x * x, |x| 2.0 * x);
     let estimate = SVector::<f64, 1>::new(0.0);
     assert!(solve(&parabola, 0.0, &Settings::default()).is_ok());
-    let failure = assemble(&parabola, &estimate, 0.0, &Settings::default()).expect_err("singular");
+    let failure =
+        Frame::assemble(&parabola, &estimate, 0.0, &Settings::default()).expect_err("singular");
     assert!(matches!(
         failure.kind,
         FailureKind::Singular { column: 0, .. }

@@ -4,9 +4,7 @@ use crate::counted::Counted;
 use crate::exam_equations::Exam;
 use crate::turning::{DEAD_POINT, Turning, closed_form};
 use linkwright::nalgebra::{Const, SMatrix, SVector};
-use linkwright::{
-    Branch, Equations, FailureKind, Frame, Settings, advance, assemble, branch_of, follow,
-};
+use linkwright::{Branch, Equations, FailureKind, Frame, Settings};
 
 type Vector = SVector<f64, 6>;
 
@@ -19,8 +17,8 @@ fn with_substeps(substeps: u16) -> Settings {
 
 fn started(sign: f64, t: f64) -> (Frame<f64, Const<6>>, Branch) {
     let settings = Settings::default();
-    let frame = assemble(&Turning, &closed_form(t, sign), t, &settings).expect("assembles");
-    let branch = branch_of(&Turning, &frame.q, t, &settings).expect("regular");
+    let frame = Frame::assemble(&Turning, &closed_form(t, sign), t, &settings).expect("assembles");
+    let branch = Frame::branch_of(&Turning, &frame.q, t, &settings).expect("regular");
     (frame, branch)
 }
 
@@ -30,8 +28,10 @@ fn a_short_way_gives_the_bits_of_a_plain_advance() {
     let settings = Settings::default();
     for step in 1..=90 {
         let t = 0.01 * f64::from(step);
-        let plain = advance(&Turning, &frame, t, &settings).expect("regular");
-        frame = follow(&Turning, &frame, branch, t, &settings).expect("regular");
+        let plain = frame.advance(&Turning, t, &settings).expect("regular");
+        frame = frame
+            .follow(&Turning, branch, t, &settings)
+            .expect("regular");
         assert_eq!(frame, plain);
     }
 }
@@ -55,12 +55,13 @@ fn a_long_way_is_followed_where_a_plain_advance_changes_over() {
             let (frame, branch) = started(sign, start);
             let t = start + (last - start) * f64::from(parts) / 40.0;
             let expected = closed_form(t, sign);
-            let followed = follow(&Turning, &frame, branch, t, &with_substeps(64))
+            let followed = frame
+                .follow(&Turning, branch, t, &with_substeps(64))
                 .unwrap_or_else(|failure| panic!("from {start} to {t}: {failure}"));
             let condition = 1.0 / expected[5].abs();
             let error = (followed.q - expected).amax();
             assert!(error <= 1e-14 * condition, "from {start} to {t}: {error:e}");
-            if let Ok(plain) = advance(&Turning, &frame, t, &Settings::default()) {
+            if let Ok(plain) = frame.advance(&Turning, t, &Settings::default()) {
                 changed += i32::from((plain.q - expected).amax() > 1e-6);
             }
         }
@@ -82,7 +83,8 @@ fn the_dead_point_is_named_at_its_time() {
             for target in [1.1, 1.5, 3.0, 1e3] {
                 let (frame, branch) = started(sign, start);
                 let kept = frame;
-                let failure = follow(&Turning, &frame, branch, target, &with_substeps(budget))
+                let failure = frame
+                    .follow(&Turning, branch, target, &with_substeps(budget))
                     .expect_err("the crank cannot pass");
                 let error = (failure.time - DEAD_POINT).abs();
                 let case = format!("from {start} to {target} in {budget}: {failure}");
@@ -105,7 +107,7 @@ fn steps_of_a_loop_end_at_the_dead_point_too() {
     let mut step = 0;
     let failure = loop {
         step += 1;
-        match follow(&Turning, &frame, branch, 0.01 * f64::from(step), &settings) {
+        match frame.follow(&Turning, branch, 0.01 * f64::from(step), &settings) {
             Ok(next) => frame = next,
             Err(failure) => break failure,
         }
@@ -114,7 +116,9 @@ fn steps_of_a_loop_end_at_the_dead_point_too() {
     assert!((failure.time - DEAD_POINT).abs() <= 1e-14, "{failure}");
     assert!(matches!(failure.kind, FailureKind::Singular { .. }));
     // The path back is regular.
-    let back = follow(&Turning, &frame, branch, 0.0, &settings).expect("regular");
+    let back = frame
+        .follow(&Turning, branch, 0.0, &settings)
+        .expect("regular");
     assert!((back.q - closed_form(0.0, 1.0)).amax() <= 1e-14);
 }
 
@@ -122,8 +126,9 @@ fn steps_of_a_loop_end_at_the_dead_point_too() {
 fn backwards_the_other_dead_point_is_found() {
     // φ1 = -π/2 at t = -2π/3.
     let (frame, branch) = started(1.0, 0.0);
-    let failure =
-        follow(&Turning, &frame, branch, -9.0, &with_substeps(64)).expect_err("cannot pass");
+    let failure = frame
+        .follow(&Turning, branch, -9.0, &with_substeps(64))
+        .expect_err("cannot pass");
     assert!(
         (failure.time + 2.0 * DEAD_POINT).abs() <= 1e-14,
         "{failure}"
@@ -136,8 +141,9 @@ fn another_branch_than_that_of_the_frame_is_refused() {
     let (frame, branch) = started(1.0, 0.0);
     let settings = Settings::default();
     for t in [0.0, 0.1] {
-        let failure =
-            follow(&Turning, &frame, branch.opposite(), t, &settings).expect_err("other branch");
+        let failure = frame
+            .follow(&Turning, branch.opposite(), t, &settings)
+            .expect_err("other branch");
         assert_eq!(failure.kind, FailureKind::WrongBranch, "{failure}");
     }
 }
@@ -147,12 +153,16 @@ fn a_budget_that_is_too_small_says_so() {
     // The exam's driver turns the crank to and fro; its path is too long for two attempts.
     let settings = with_substeps(2);
     let estimate = Vector::from([0.0, 0.0, 0.5, 1.7, 2.0, 1.0]);
-    let frame = assemble(&Exam, &estimate, 0.0, &settings).expect("assembles");
-    let branch = branch_of(&Exam, &frame.q, 0.0, &settings).expect("regular");
-    let failure = follow(&Exam, &frame, branch, 40.0, &settings).expect_err("too far");
+    let frame = Frame::assemble(&Exam, &estimate, 0.0, &settings).expect("assembles");
+    let branch = Frame::branch_of(&Exam, &frame.q, 0.0, &settings).expect("regular");
+    let failure = frame
+        .follow(&Exam, branch, 40.0, &settings)
+        .expect_err("too far");
     assert_eq!(failure.kind, FailureKind::StepTooLarge, "{failure}");
     assert!(failure.time > 0.0 && failure.time <= 40.0);
-    let enough = follow(&Exam, &frame, branch, 40.0, &with_substeps(400)).expect("a long way");
+    let enough = frame
+        .follow(&Exam, branch, 40.0, &with_substeps(400))
+        .expect("a long way");
     let phi1 = std::f64::consts::FRAC_PI_6 + 80.0_f64.sin();
     assert!((enough.q[2] - phi1).abs() <= 1e-13);
     let phi2 = (1.0 - phi1.cos() / 3.0_f64.sqrt()).acos();
@@ -191,11 +201,12 @@ fn where_paths_cross_the_branch_ends() {
     let settings = with_substeps(64);
     for sign in [1.0, -1.0] {
         let start = SVector::<f64, 1>::new(-sign);
-        let frame = assemble(&Crossing, &start, -1.0, &settings).expect("regular");
-        let branch = branch_of(&Crossing, &frame.q, -1.0, &settings).expect("regular");
+        let frame = Frame::assemble(&Crossing, &start, -1.0, &settings).expect("regular");
+        let branch = Frame::branch_of(&Crossing, &frame.q, -1.0, &settings).expect("regular");
         for target in [0.75, 0.1, 2.0] {
-            let failure =
-                follow(&Crossing, &frame, branch, target, &settings).expect_err("branch ends");
+            let failure = frame
+                .follow(&Crossing, branch, target, &settings)
+                .expect_err("branch ends");
             let ends = matches!(
                 failure.kind,
                 FailureKind::WrongBranch | FailureKind::Singular { .. }
@@ -204,16 +215,17 @@ fn where_paths_cross_the_branch_ends() {
             assert!(failure.time.abs() <= 1e-6, "to {target}: {failure}");
         }
         // A plain advance takes no notice.
-        assert!(advance(&Crossing, &frame, 0.75, &settings).is_ok());
+        assert!(frame.advance(&Crossing, 0.75, &settings).is_ok());
     }
 }
 
 #[test]
-fn times_that_are_no_numbers_are_refused() {
+fn times_that_are_not_finite_are_refused() {
     let (frame, branch) = started(1.0, 0.0);
     for t in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        let failure = follow(&Turning, &frame, branch, t, &Settings::default())
-            .expect_err("there is no such time");
+        let failure = frame
+            .follow(&Turning, branch, t, &Settings::default())
+            .expect_err("a time must be finite");
         assert_eq!(failure.kind, FailureKind::NotFinite, "{failure}");
     }
 }
@@ -225,9 +237,11 @@ fn single_precision_finds_the_dead_point_to_its_rounding() {
         ..Settings::default()
     };
     let estimate = closed_form(0.0, 1.0).map(|x| x as f32);
-    let frame = assemble(&Turning, &estimate, 0.0, &settings).expect("assembles");
-    let branch = branch_of(&Turning, &frame.q, 0.0, &settings).expect("regular");
-    let failure = follow(&Turning, &frame, branch, 2.0, &settings).expect_err("cannot pass");
+    let frame = Frame::assemble(&Turning, &estimate, 0.0, &settings).expect("assembles");
+    let branch = Frame::branch_of(&Turning, &frame.q, 0.0, &settings).expect("regular");
+    let failure = frame
+        .follow(&Turning, branch, 2.0, &settings)
+        .expect_err("cannot pass");
     assert!(
         (f64::from(failure.time) - DEAD_POINT).abs() <= 1e-4,
         "{failure}"
@@ -247,7 +261,7 @@ fn work_is_bounded() {
         let (frame, branch) = started(1.0, 0.0);
         for t in [0.3, 1.0, 1.04, 2.0, 40.0, 1e6] {
             equations.take();
-            let _ = follow(&equations, &frame, branch, t, &settings);
+            let _ = frame.follow(&equations, branch, t, &settings);
             let count = equations.take();
             let s = u32::from(substeps.max(1));
             let n = u32::from(iterations);

@@ -4,7 +4,7 @@ use crate::single::single;
 use crate::turning::{DEAD_POINT, Turning, closed_form};
 use linkwright::generated::newton;
 use linkwright::nalgebra::SVector;
-use linkwright::{Failure, FailureKind, Frame, Settings, advance, assemble};
+use linkwright::{Failure, FailureKind, Frame, Settings};
 
 fn is_singular<T>(failure: &Failure<T>) -> bool {
     matches!(failure.kind, FailureKind::Singular { .. })
@@ -20,7 +20,8 @@ fn double_root_is_singular_from_wherever_it_is_approached() {
                 ..Settings::default()
             };
             let estimate = SVector::<f64, 1>::new(start);
-            let failure = assemble(&parabola, &estimate, 0.0, &settings).expect_err("no velocity");
+            let failure =
+                Frame::assemble(&parabola, &estimate, 0.0, &settings).expect_err("no velocity");
             assert!(is_singular(&failure), "from {start}: {failure}");
         }
     }
@@ -52,7 +53,7 @@ fn root_of_high_multiplicity_is_singular() {
             iterations,
             ..Settings::default()
         };
-        let failure = assemble(&flat, &estimate, 0.0, &settings).expect_err("not at a root");
+        let failure = Frame::assemble(&flat, &estimate, 0.0, &settings).expect_err("not at a root");
         assert!(is_singular(&failure), "{failure}");
     }
 }
@@ -84,7 +85,7 @@ fn pair_of_roots_is_told_apart_or_called_singular() {
                 continue;
             }
             let estimate = SVector::<f64, 1>::new(start);
-            match assemble(&equation, &estimate, 0.0, &Settings::default()) {
+            match Frame::assemble(&equation, &estimate, 0.0, &Settings::default()) {
                 Ok(frame) => {
                     let error = (frame.q[0].abs() - root).abs();
                     let bound = 4.0 * f64::EPSILON / (2.0 * root);
@@ -111,14 +112,14 @@ fn coarse_tolerance_does_not_pass_for_a_pose() {
     };
     for start in [1.0, 0.1, 0.034, 0.03] {
         let estimate = SVector::<f64, 1>::new(start);
-        let frame = assemble(&near, &estimate, 0.0, &settings).expect("regular");
+        let frame = Frame::assemble(&near, &estimate, 0.0, &settings).expect("regular");
         assert!((frame.q[0] - 0.02).abs() <= 1e-3, "{start}: {}", frame.q[0]);
     }
 }
 
 fn frame_at(time: f64) -> Result<Frame<f64, linkwright::nalgebra::Const<6>>, Failure> {
     let estimate = closed_form(time - 1e-3, 1.0);
-    assemble(&Turning, &estimate, time, &Settings::default())
+    Frame::assemble(&Turning, &estimate, time, &Settings::default())
 }
 
 #[test]
@@ -156,7 +157,7 @@ fn single_precision_is_refused_at_its_own_rounding() {
     let frame = |before: f64| {
         let estimate = closed_form(DEAD_POINT - before - 1e-2, 1.0).map(|x| x as f32);
         let time = (DEAD_POINT - before) as f32;
-        assemble(&Turning, &estimate, time, &settings).map(|frame| (frame.q[5], time))
+        Frame::assemble(&Turning, &estimate, time, &settings).map(|frame| (frame.q[5], time))
     };
     for before in [0.3, 0.1, 0.01, 1e-3, 1e-4] {
         let (angle, time) = frame(before).expect("regular");
@@ -174,10 +175,14 @@ fn refused_frame_leaves_the_last_one_and_the_way_back() {
     let settings = Settings::default();
     let frame = frame_at(DEAD_POINT - 1e-4).expect("regular");
     let kept = frame;
-    let failure = advance(&Turning, &frame, DEAD_POINT, &settings).expect_err("level");
+    let failure = frame
+        .advance(&Turning, DEAD_POINT, &settings)
+        .expect_err("level");
     assert!(is_singular(&failure), "{failure}");
     assert_eq!(frame, kept);
-    let back = advance(&Turning, &frame, DEAD_POINT - 2e-4, &settings).expect("regular");
+    let back = frame
+        .advance(&Turning, DEAD_POINT - 2e-4, &settings)
+        .expect("regular");
     let expected = closed_form(DEAD_POINT - 2e-4, 1.0);
     assert!((back.q - expected).amax() <= 1e-12);
 }

@@ -19,9 +19,7 @@ mod tables;
 
 use linkwright::math::Real;
 use linkwright::nalgebra::{Const, SVector};
-use linkwright::{
-    Equations, Frame, Settings, advance, assemble, assemble_from_rough_estimate, branch_of, follow,
-};
+use linkwright::{Equations, Frame, Settings};
 
 unsafe extern "C" {
     #[allow(non_snake_case, reason = "The name is what nm is searched for.")]
@@ -56,8 +54,8 @@ fn run<T: Real, const N: usize>(
     settings: &Settings<T>,
 ) -> Solved<T, N> {
     let estimate = SVector::from([estimate]);
-    let frame = assemble(equations, &estimate, start, settings)
-        .and_then(|frame| advance(equations, &frame, end, settings));
+    let frame = Frame::assemble(equations, &estimate, start, settings)
+        .and_then(|frame| frame.advance(equations, end, settings));
     motion(frame.ok())
 }
 
@@ -70,10 +68,10 @@ fn run_far<T: Real, const N: usize>(
     settings: &Settings<T>,
 ) -> Solved<T, N> {
     let estimate = SVector::from([estimate]);
-    let frame = assemble_from_rough_estimate(equations, &estimate, None, start, settings).and_then(
+    let frame = Frame::assemble_from_rough_estimate(equations, &estimate, None, start, settings).and_then(
         |frame| {
-            let branch = branch_of(equations, &frame.q, start, settings)?;
-            follow(equations, &frame, branch, end, settings)
+            let branch = Frame::branch_of(equations, &frame.q, start, settings)?;
+            frame.follow(equations, branch, end, settings)
         },
     );
     motion(frame.ok())

@@ -3,7 +3,7 @@
 //! It has the size of the excavator's textbook block and no closed form that a compiler could find.
 
 use linkwright::Equations;
-use linkwright::math::{self, Real};
+use linkwright::math::Real;
 use linkwright::nalgebra::{Const, SMatrix, SVector};
 
 /// The number of coordinates.
@@ -22,8 +22,8 @@ impl<T: Real> Equations<T, Const<SIZE>> for Ring {
         let mut phase = t;
         for ((row, coordinate), neighbor) in phi.iter_mut().zip(q.iter()).zip(neighbors) {
             *row = *coordinate
-                + math::sin(*neighbor) * T::from_f64(0.1)
-                + math::cos(phase) * T::from_f64(0.05);
+                + Real::sin(*neighbor) * T::from_f64(0.1)
+                + Real::cos(phase) * T::from_f64(0.05);
             phase += T::ONE;
         }
     }
@@ -35,7 +35,7 @@ impl<T: Real> Equations<T, Const<SIZE>> for Ring {
                 *entry = if i == j {
                     T::ONE
                 } else if i == coupled {
-                    math::cos(*coordinate) * T::from_f64(0.1)
+                    Real::cos(*coordinate) * T::from_f64(0.1)
                 } else {
                     T::ZERO
                 };
@@ -46,7 +46,7 @@ impl<T: Real> Equations<T, Const<SIZE>> for Ring {
     fn time_derivative(&self, _q: &SVector<T, SIZE>, t: T, phi_t: &mut SVector<T, SIZE>) {
         let mut phase = t;
         for row in phi_t.iter_mut() {
-            *row = -math::sin(phase) * T::from_f64(0.05);
+            *row = -Real::sin(phase) * T::from_f64(0.05);
             phase += T::ONE;
         }
     }
@@ -61,8 +61,8 @@ impl<T: Real> Equations<T, Const<SIZE>> for Ring {
         let neighbors = q.iter().zip(qd.iter()).cycle().skip(1);
         let mut phase = t;
         for (row, (angle, rate)) in gamma.iter_mut().zip(neighbors) {
-            *row = math::sin(*angle) * *rate * *rate * T::from_f64(0.1)
-                + math::cos(phase) * T::from_f64(0.05);
+            *row = Real::sin(*angle) * *rate * *rate * T::from_f64(0.1)
+                + Real::cos(phase) * T::from_f64(0.05);
             phase += T::ONE;
         }
     }

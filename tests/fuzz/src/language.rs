@@ -34,7 +34,7 @@ pub fn run(bytes: &[u8]) -> String {
     assert!(!read.motions.is_empty());
     printed(&read.warnings, &source);
     for motion in &read.motions {
-        if let Err(findings) = linkwright_codegen::check(motion) {
+        if let Err(findings) = linkwright_codegen::stages::check(motion) {
             assert!(findings.has_errors(), "refused without an error");
             printed(&findings, &source);
             return with_codes("not solvable", &findings);
@@ -49,7 +49,7 @@ pub fn run(bytes: &[u8]) -> String {
         let generated = generated.expect("what is checked can be generated");
         assert!(
             !generated.code().contains("NAN"),
-            "a value that is no number"
+            "a value that is not a number"
         );
         if let Err(error) = syn::parse_file(generated.code()) {
             panic!("the module is not Rust: {error}");

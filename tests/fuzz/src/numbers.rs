@@ -2,7 +2,7 @@
 //! meet, as computed here from the numbers themselves.
 
 use arbitrary::{Result, Unstructured};
-use linkwright::{Settings, assemble_from_rough_estimate};
+use linkwright::{Frame, Settings};
 use linkwright_codegen::diagnostic::Source;
 use linkwright_solver::textbook::TextbookEquations;
 
@@ -112,14 +112,14 @@ fn attempt(input: &mut Unstructured<'_>) -> Result<String> {
     let Some(derived) = read.only() else {
         return Ok("without a motion".to_string());
     };
-    if let Err(findings) = linkwright_codegen::check(&derived) {
+    if let Err(findings) = linkwright_codegen::stages::check(&derived) {
         assert!(!findings.render(&source).is_empty());
         return Ok(with_codes("not solvable", &findings));
     }
     let equations = TextbookEquations::new(&derived.pool, &derived.system);
     let settings = Settings::default();
     let assembled =
-        assemble_from_rough_estimate(&equations, equations.estimate(), None, 0.0, &settings);
+        Frame::assemble_from_rough_estimate(&equations, equations.estimate(), None, 0.0, &settings);
     let frame = match assembled {
         Ok(frame) => frame,
         Err(failure) => {

@@ -74,9 +74,9 @@ pub fn scaled<T: Real, P: Values<T>>(mut parameters: P, factor: T) -> P {
     parameters
 }
 
-pub fn moved<T: Real, I: linkwright::Signals<T>>(mut inputs: I, given: &[T]) -> I {
+pub fn moved<T: Real, I: Values<linkwright::Signal<T>>>(mut inputs: I, given: &[T]) -> I {
     for index in 0..inputs.count() {
-        let mut signal = inputs.signal(index).expect("a signal");
+        let mut signal = inputs.value(index).expect("a signal");
         signal.value += given[(3 * index) % GIVEN];
         signal.rate += given[(3 * index + 1) % GIVEN];
         signal.acceleration += given[(3 * index + 2) % GIVEN];

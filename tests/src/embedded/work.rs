@@ -11,8 +11,7 @@ use crate::description;
 /// # Panics
 /// If its description has errors.
 pub fn work_of(mechanism: &str) -> Work {
-    let report = linkwright_codegen::stages::report(&description::system(mechanism));
-    report.expect("a mechanism that is determined").work
+    crate::plan::report(&description::system(mechanism)).work
 }
 
 /// Largest number of instructions of a Cortex-M4F for these operations in f32, with the loads and stores of their

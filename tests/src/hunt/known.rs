@@ -133,7 +133,7 @@ pub fn known(mechanism: &Mechanism, seed: u64) -> Result<Known, Unused> {
     };
     let read = linkwright_codegen::read(&source).map_err(|errors| refused(&errors))?;
     let derived = hunted(read).expect("the hunted motion");
-    linkwright_codegen::check(&derived).map_err(|errors| refused(&errors))?;
+    linkwright_codegen::stages::check(&derived).map_err(|errors| refused(&errors))?;
     let interpreter = TextbookEquations::new(&derived.pool, &derived.system);
     let truth = Truth::new(&derived);
     let size = mechanism.size;

@@ -6,10 +6,7 @@
 use linkwright::math::Real;
 use linkwright::nalgebra::allocator::Allocator;
 use linkwright::nalgebra::{Const, DefaultAllocator, Dim, OVector};
-use linkwright::{
-    Blocks, Branch, Equations, Frame, Settings, advance, assemble, assemble_from_rough_estimate,
-    follow,
-};
+use linkwright::{Blocks, Branch, Equations, Frame, Settings};
 
 use crate::values::{Levels, assembled_from, levels};
 
@@ -168,14 +165,15 @@ where
     };
     for (instant, t) in task.times.iter().enumerate() {
         let t = T::from_f64(*t);
-        let pose = assemble(equations, &vector(&task.near[instant]), t, &settings);
+        let pose = Frame::assemble(equations, &vector(&task.near[instant]), t, &settings);
         answer(Call::Assemble, instant, &pose);
         let estimate = vector(&task.scattered[instant]);
-        let pose = assemble_from_rough_estimate(equations, &estimate, Some(branch), t, &settings);
+        let pose =
+            Frame::assemble_from_rough_estimate(equations, &estimate, Some(branch), t, &settings);
         answer(Call::Afar, instant, &pose);
     }
     let first = T::from_f64(task.times[0]);
-    let Ok(first) = assemble(equations, &vector(&task.start), first, &settings) else {
+    let Ok(first) = Frame::assemble(equations, &vector(&task.start), first, &settings) else {
         return answers;
     };
     for (call, steps, stride) in [
@@ -191,9 +189,9 @@ where
             for t in times.into_iter().map(T::from_f64) {
                 last = match call {
                     Call::Follow | Call::FollowLong => {
-                        follow(equations, &frame, branch, t, &settings)
+                        frame.follow(equations, branch, t, &settings)
                     }
-                    _ => advance(equations, &frame, t, &settings),
+                    _ => frame.advance(equations, t, &settings),
                 };
                 // After a failure the frame is the last valid one, and the next instant is tried from there.
                 if let Ok(moved) = &last {

@@ -1,10 +1,9 @@
 //! Motion of a mechanism in both formulations, with a bound on the rounding of each value.
 
-use linkwright::{
-    Blocks, Failure, Frame, Settings, advance, assemble, assemble_from_rough_estimate,
-};
-use linkwright_codegen::stages::program::forms_of;
-use linkwright_codegen::stages::structure::{self, Shift};
+use linkwright::{Blocks, Failure, Frame, Settings};
+use linkwright_codegen::stages::program::Kept;
+use linkwright_codegen::stages::solved::Solved;
+use linkwright_codegen::stages::structure::Shift;
 use linkwright_codegen::stages::system::Derived;
 use linkwright_solver::Interpreted;
 use linkwright_solver::textbook::TextbookEquations;
@@ -49,12 +48,11 @@ pub fn motions(derived: &Derived) -> Vec<(&'static str, Moved)> {
 /// a division of its own only if it is not a number. The number of tearing variables depends on the order in which
 /// sequences are tried. Neither changes the solution.
 pub fn plan(derived: &Derived) -> Vec<(String, usize)> {
-    let mut derived = derived.clone();
-    let Ok(plan) = structure::plan(&mut derived.pool, &derived.system, Shift::Efforts) else {
+    let Ok(solved) = Solved::of(derived.clone(), Shift::Efforts, Kept::Methods) else {
         return Vec::new();
     };
-    let forms = forms_of(&mut derived.pool, &derived.system, &plan);
-    let names = forms.iter().flatten().map(|form| match form.modes() {
+    let forms = solved.program().forms.iter();
+    let names = forms.flatten().map(|form| match form.modes() {
         Some(_) => form.name(),
         None => format!("Newton of {} unknowns", form.unknowns().len()),
     });
@@ -136,8 +134,8 @@ fn textbook(derived: &Derived, judge: &Judge) -> Vec<(&'static str, Moved)> {
     let mut last: Option<Frame<f64, Dyn>> = None;
     for t in TIMES {
         let solved = match &last {
-            None => assemble(&interpreter, estimate, t, &settings),
-            Some(frame) => advance(&interpreter, frame, t, &settings),
+            None => Frame::assemble(&interpreter, estimate, t, &settings),
+            Some(frame) => frame.advance(&interpreter, t, &settings),
         };
         match instant(solved) {
             Ok((instant, frame)) => {
@@ -150,7 +148,8 @@ fn textbook(derived: &Derived, judge: &Judge) -> Vec<(&'static str, Moved)> {
             }
         }
     }
-    let afar = assemble_from_rough_estimate(&interpreter, estimate, None, TIMES[0], &settings);
+    let afar =
+        Frame::assemble_from_rough_estimate(&interpreter, estimate, None, TIMES[0], &settings);
     vec![
         ("textbook", moved),
         (FROM_AFAR, vec![instant(afar).map(|it| it.0)]),

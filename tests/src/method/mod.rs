@@ -12,8 +12,9 @@ pub use dense::Dense;
 use linkwright::math::Real;
 use linkwright::nalgebra::Const;
 use linkwright::{Blocks, Equations, Mechanism, Settings};
+use linkwright_codegen::stages::program::Kept;
+use linkwright_codegen::stages::solved::Solved;
 use linkwright_codegen::stages::structure::Shift;
-use linkwright_codegen::stages::{program, structure};
 
 use crate::description;
 pub use crate::values::Levels;
@@ -89,11 +90,11 @@ pub fn methods(mechanism: &str) -> Vec<Box<dyn Method>> {
 
 /// True if a block of the mechanism's solved formulation has no closed form.
 fn iterates(mechanism: &str) -> bool {
-    let mut derived = description::system(mechanism);
-    let plan = structure::plan(&mut derived.pool, &derived.system, Shift::Directions);
-    let plan = plan.unwrap_or_else(|_| panic!("`{mechanism}` has no solved view"));
-    let forms = program::forms_of(&mut derived.pool, &derived.system, &plan);
-    forms.iter().flatten().any(|form| form.modes().is_none())
+    let derived = description::system(mechanism);
+    let solved = Solved::of(derived, Shift::Directions, Kept::Methods);
+    let solved = solved.unwrap_or_else(|_| panic!("`{mechanism}` has no solved view"));
+    let mut forms = solved.program().forms.iter().flatten();
+    forms.any(|form| form.modes().is_none())
 }
 
 /// Generated solvers of a mechanism, in double precision, then in single precision. The argument is true if one of

@@ -57,16 +57,16 @@ where
 {
     fn assembled(&self, t: f64) -> Frame<T, D> {
         let t = T::from_f64(t);
-        linkwright::assemble(&self.equations, &self.drawn, t, &self.settings)
+        linkwright::Frame::assemble(&self.equations, &self.drawn, t, &self.settings)
             .unwrap_or_else(|failure| panic!("{failure}"))
     }
 
     fn advance(&self, state: &mut Frame<T, D>, t: f64) {
         let t = T::from_f64(t);
         let next = if self.predicts {
-            linkwright::advance(&self.equations, state, t, &self.settings)
+            state.advance(&self.equations, t, &self.settings)
         } else {
-            linkwright::assemble(&self.equations, &state.q, t, &self.settings)
+            linkwright::Frame::assemble(&self.equations, &state.q, t, &self.settings)
         };
         *state = next.unwrap_or_else(|failure| panic!("{failure}"));
     }

@@ -9,10 +9,8 @@ use linkwright_codegen::stages::structure::Shift;
 use std::cell::RefCell;
 
 use linkwright_codegen::stages::expr::{ExprId, SymbolId};
-use linkwright_codegen::stages::program::{
-    Block, Branch, Function, Level, NewtonBlock, Statement, unpruned,
-};
-use linkwright_codegen::stages::structure;
+use linkwright_codegen::stages::program::{Function, Kept, Level, NewtonBlock, Statement};
+use linkwright_codegen::stages::solved::Solved;
 use linkwright_codegen::stages::system::Derived;
 
 use super::bounded::{Margin, errors};
@@ -24,9 +22,7 @@ use crate::magnitude::needed;
 
 /// Solved formulation of a mechanism.
 pub struct Blocks {
-    derived: Derived,
-    blocks: Vec<Block>,
-    branches: Vec<Branch>,
+    solved: Solved,
 }
 
 /// Values and errors of all symbols so far.
@@ -41,17 +37,12 @@ struct State<'a> {
 impl Blocks {
     /// Solved formulation with all values; `None` if the system has none.
     pub fn new(derived: &Derived) -> Option<Blocks> {
-        let mut derived = Derived {
+        let derived = Derived {
             pool: derived.pool.clone(),
             system: derived.system.without_directions(),
         };
-        let plan = structure::plan(&mut derived.pool, &derived.system, Shift::Efforts).ok()?;
-        let (blocks, branches) = unpruned(&mut derived.pool, &derived.system, &plan);
-        Some(Blocks {
-            derived,
-            blocks,
-            branches,
-        })
+        let solved = Solved::of(derived, Shift::Efforts, Kept::Everything).ok()?;
+        Some(Blocks { solved })
     }
 
     /// Bounds on the error of q, q̇ and q̈ in a scalar; `length` is the scale of residuals in m.
@@ -65,19 +56,19 @@ impl Blocks {
         length: f64,
         scalar: Scalar,
     ) -> Result<Levels<Margin>, String> {
-        let graph = &self.derived.pool.graph;
+        let graph = &self.solved.pool().graph;
         let mut state = State {
-            derived: &self.derived,
+            derived: self.solved.derived(),
             nodes: RefCell::new(Nodes::new(graph)),
-            symbols: given.symbols(&self.derived, Precise::from_f64),
+            symbols: given.symbols(self.solved.derived(), Precise::from_f64),
             margins: vec![Margin::NONE; graph.symbol_count()],
             scalar,
         };
-        for branch in &self.branches {
+        for branch in &self.solved.program().branches {
             let sign = if branch.is_positive() { 1.0 } else { -1.0 };
             state.symbols[branch.symbol.index()] = Precise::from_f64(sign);
         }
-        for block in &self.blocks {
+        for block in &self.solved.program().blocks {
             for statement in &block.function.statements {
                 if let Statement::Section(Level::Response(_) | Level::ResponseRate(_)) = statement {
                     break;
@@ -94,7 +85,7 @@ impl Blocks {
             }
         }
         state.compare(exact)?;
-        let coordinates = || self.derived.system.coordinates.iter();
+        let coordinates = || self.solved.system().coordinates.iter();
         let of = |symbol: SymbolId| state.margins[symbol.index()];
         Ok([
             coordinates().map(|it| of(it.position)).collect(),
@@ -172,7 +163,7 @@ impl State<'_> {
                 let unknown = unknowns.position(|it| it.position == *target);
                 let near = unknown.and_then(|unknown| exact.levels[0].get(unknown));
                 let angle = wound(&arctangent(&y, &x), near);
-                // The promise of `linkwright::math::angle_near`: 2 ε of the angle, or of π/4 where that is larger.
+                // The promise of `linkwright::math::Real::angle_near`: 2 ε of the angle, or of π/4 where that is larger.
                 let rounding =
                     2.0 * epsilon * angle.to_f64().abs().max(std::f64::consts::FRAC_PI_4);
                 self.set(*target, angle, moved.plus(Margin::even(rounding)));

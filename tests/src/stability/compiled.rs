@@ -2,9 +2,7 @@
 
 use linkwright::math::Real;
 use linkwright::nalgebra::{Const, SMatrix, SVector};
-use linkwright::{
-    Blocks, Branch, Equations, Failure, Frame, Settings, Shell, Signal, Signals, Values,
-};
+use linkwright::{Blocks, Branch, Equations, Failure, Frame, Settings, Shell, Signal, Values};
 
 use super::sample::{Outcomes, Sample, named};
 use super::verdict::Way;
@@ -125,7 +123,7 @@ where
             Way::Followed => self.textbook(
                 sample,
                 |equations, start, t, settings| {
-                    linkwright::assemble_from_rough_estimate(
+                    linkwright::Frame::assemble_from_rough_estimate(
                         equations,
                         start,
                         Some(branch),
@@ -133,14 +131,14 @@ where
                         settings,
                     )
                 },
-                |equations, frame, t, settings| {
-                    linkwright::follow(equations, frame, branch, t, settings)
-                },
+                |equations, frame, t, settings| frame.follow(equations, branch, t, settings),
             ),
             Way::Plain => self.textbook(
                 sample,
-                |equations, start, t, settings| linkwright::assemble(equations, start, t, settings),
-                |equations, frame, t, settings| linkwright::advance(equations, frame, t, settings),
+                |equations, start, t, settings| {
+                    linkwright::Frame::assemble(equations, start, t, settings)
+                },
+                |equations, frame, t, settings| frame.advance(equations, t, settings),
             ),
             Way::Solved => self.solved(sample),
         }

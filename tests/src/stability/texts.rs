@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use linkwright::{Settings, assemble};
+use linkwright::{Frame, Settings};
 use linkwright_codegen::diagnostic::Source;
 use linkwright_solver::textbook::TextbookEquations;
 use nalgebra::DVector;
@@ -99,7 +99,7 @@ pub fn judged(text: &str) -> (Verdict, Option<String>) {
         Err(errors) => return refused(&first_line(errors.render(&source))),
     };
     let derived = read.only().expect("one motion");
-    if let Err(errors) = linkwright_codegen::check(&derived) {
+    if let Err(errors) = linkwright_codegen::stages::check(&derived) {
         return refused(&first_line(errors.render(&source)));
     }
     let truth = Truth::new(&derived);
@@ -126,7 +126,7 @@ pub fn judged(text: &str) -> (Verdict, Option<String>) {
     };
     let solve = |sample: &Sample| {
         let start = DVector::from_column_slice(&sample.estimate);
-        let solved = assemble(&interpreter, &start, 0.0, &Settings::default());
+        let solved = Frame::assemble(&interpreter, &start, 0.0, &Settings::default());
         let levels = solved
             .map(|frame| [&frame.q, &frame.qd, &frame.qdd].map(|it| it.iter().copied().collect()));
         vec![levels.map_err(|failure| named(failure.kind).to_string())]

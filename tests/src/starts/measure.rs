@@ -8,9 +8,7 @@ use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-use linkwright::{
-    Equations, Failure, Frame, Settings, assemble, assemble_from_rough_estimate, branch_of,
-};
+use linkwright::{Equations, Failure, Frame, Settings};
 use linkwright_codegen::stages::joint::Quantity;
 use linkwright_codegen::stages::system::Derived;
 use linkwright_solver::textbook::TextbookEquations;
@@ -126,10 +124,10 @@ pub fn measure(derived: &Derived, starts: u32) -> Measured {
     let interpreter = TextbookEquations::new(&derived.pool, &derived.system);
     let settings = Settings::default();
     let drawn = interpreter.estimate();
-    let truth = assemble(&interpreter, drawn, 0.0, &settings)
+    let truth = Frame::assemble(&interpreter, drawn, 0.0, &settings)
         .unwrap_or_else(|failure| panic!("{name}: {failure}"))
         .q;
-    let branch = branch_of(&interpreter, &truth, 0.0, &settings)
+    let branch = Frame::branch_of(&interpreter, &truth, 0.0, &settings)
         .unwrap_or_else(|failure| panic!("{name}: {failure}"));
     let reach = reach(derived);
     let judge = Judge {
@@ -156,16 +154,17 @@ pub fn measure(derived: &Derived, starts: u32) -> Measured {
                 jacobians: Cell::new(0),
             };
             let assembled: Result<Frame<f64, Dyn>, _> = if from_rough_estimate {
-                assemble_from_rough_estimate(&counted, &start, Some(branch), 0.0, &settings)
+                Frame::assemble_from_rough_estimate(&counted, &start, Some(branch), 0.0, &settings)
             } else {
-                assemble(&counted, &start, 0.0, &settings)
+                Frame::assemble(&counted, &start, 0.0, &settings)
             };
             outcomes.starts += 1;
             outcomes.jacobians.push(counted.jacobians.get());
             outcomes.residuals.push(counted.residuals.get());
             match assembled {
                 Ok(frame) => {
-                    let is_branch = branch_of(&interpreter, &frame.q, 0.0, &settings) == Ok(branch);
+                    let is_branch =
+                        Frame::branch_of(&interpreter, &frame.q, 0.0, &settings) == Ok(branch);
                     judge.judge(&frame.q, is_branch, from_rough_estimate, outcomes);
                 }
                 Err(failure) => outcomes.fail(&failure),
@@ -176,7 +175,8 @@ pub fn measure(derived: &Derived, starts: u32) -> Measured {
             match (module.assemble_from)(start.as_slice(), 0.0) {
                 Ok(q) => {
                     let q = DVector::from_vec(q);
-                    let is_branch = branch_of(&interpreter, &q, 0.0, &settings) == Ok(branch);
+                    let is_branch =
+                        Frame::branch_of(&interpreter, &q, 0.0, &settings) == Ok(branch);
                     // Its branches are those of its blocks, so that the sign of the whole determinant adds nothing.
                     judge.judge(&q, is_branch, true, outcomes);
                 }

@@ -2,10 +2,8 @@
 
 use linkwright_codegen::stages::emit::derivation::Script;
 use linkwright_codegen::stages::emit::{Notation, derivation};
-use linkwright_codegen::stages::program::Kept;
-use linkwright_codegen::stages::structure::Shift;
-use linkwright_codegen::stages::{program, structure};
 use linkwright_tests::description;
+use linkwright_tests::plan::solved;
 
 /// `NAME: block NAME, singular WORDS`, a line for each block that can be singular.
 fn block_words() -> String {
@@ -29,28 +27,16 @@ fn block_words() -> String {
     ];
     let described = description::names();
     for name in names {
-        for mut derived in description::motions(&name) {
-            let plan = structure::plan(&mut derived.pool, &derived.system, Shift::Directions)
-                .expect("a plan");
-            let lowered =
-                program::lower(&mut derived.pool, &derived.system, &plan, Kept::Requested);
-            let poses = derivation::singular_poses(
-                &derived.pool,
-                &derived.system,
-                &plan,
-                &lowered.forms,
-                Script::Text(Notation::Ascii),
-            );
-            let words = derivation::block_words(
-                &lowered.blocks,
-                &derived.pool,
-                &derived.system,
-                &plan,
-                &poses,
-            );
+        for derived in description::motions(&name) {
+            let solved = solved(derived);
+            let (pool, system, plan) = (solved.pool(), solved.system(), solved.plan());
+            let program = solved.program();
+            let script = Script::Text(Notation::Ascii);
+            let poses = derivation::singular_poses(pool, system, plan, &program.forms, script);
+            let words = derivation::block_words(&program.blocks, pool, system, plan, &poses);
             let is_read = described.contains(&name) || read.contains(&name.as_str());
-            let mut own_text = format!("{}\n", derived.system.mechanism.title());
-            for (block, words) in lowered.blocks.iter().zip(&words) {
+            let mut own_text = format!("{}\n", system.mechanism.title());
+            for (block, words) in program.blocks.iter().zip(&words) {
                 let block_poses = poses.iter().filter(|pose| Some(pose.block) == block.place);
                 for said in block_poses.filter_map(|pose| pose.said.as_ref()) {
                     // Names of unknowns are those of the generated code, and must not reach the user.

@@ -1,10 +1,9 @@
 //! The order in which unknowns are defined by one another.
 
-use linkwright_codegen::stages::structure::Shift;
 use std::collections::BTreeSet;
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::stages::structure;
+use linkwright_tests::plan::solved;
 
 /// Bodies in a ring: the place of each follows from that of the next, by this share of it.
 fn ring(bodies: usize, share: &str) -> String {
@@ -30,15 +29,13 @@ fn no_definition_mentions_what_is_defined_after_it() {
             let source = Source::new("ring.mech", ring(bodies, share));
             let read = linkwright_codegen::read(&source);
             let read = read.unwrap_or_else(|errors| panic!("{}", errors.render(&source)));
-            let mut derived = read.only().expect("one motion");
-            let plan = structure::plan(&mut derived.pool, &derived.system, Shift::Directions)
-                .expect("a plan");
-            let form = &derived.system.vector_form;
+            let solved = solved(read.only().expect("one motion"));
+            let form = &solved.system().vector_form;
             let mut known = BTreeSet::new();
-            for block in &plan.blocks {
+            for block in &solved.plan().blocks {
                 known.extend(block.parts.iter().flat_map(|part| &part.unknowns).copied());
                 for definition in &block.definitions {
-                    let mentioned = derived.pool.mentioned(definition.value);
+                    let mentioned = solved.pool().mentioned(definition.value);
                     assert!(
                         mentioned.iter().all(|unknown| known.contains(unknown)),
                         "{share}, {bodies} bodies: {}",

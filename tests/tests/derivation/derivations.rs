@@ -2,16 +2,15 @@
 
 use std::collections::BTreeSet;
 
-use linkwright_codegen::stages::emit::{Notation, derivation};
+use linkwright_codegen::stages::emit::Notation;
 use linkwright_codegen::stages::expr::Tape;
-use linkwright_tests::plan::{form_names, forms, planned};
+use linkwright_tests::plan::{derivation, form_names, forms};
 use linkwright_tests::printed::{Values, value};
 use linkwright_tests::reference::{REFERENCES, reference, yardsticks};
 use linkwright_tests::{description, files};
 
 fn page(name: &str) -> String {
-    let (derived, plan) = planned(name);
-    derivation::text(&derived.pool, &derived.system, &plan, Notation::Ascii)
+    derivation(description::system(name)).text(Notation::Ascii)
 }
 
 fn snapshot(name: &str, printed: &str) {
@@ -48,13 +47,10 @@ fn pages_are_written_as_in_their_snapshots() {
 #[test]
 fn the_exam_and_a_crane_are_typeset_as_in_their_snapshots() {
     for name in TYPESET {
-        let (derived, plan) = planned(name);
-        let unicode = derivation::text(&derived.pool, &derived.system, &plan, Notation::Unicode);
+        let derivation = derivation(description::system(name));
+        let unicode = derivation.text(Notation::Unicode);
         snapshot(&format!("{name}.unicode"), &unicode);
-        snapshot(
-            &format!("{name}.latex"),
-            &derivation::latex(&derived.pool, &derived.system, &plan),
-        );
+        snapshot(&format!("{name}.latex"), &derivation.latex());
     }
 }
 
@@ -75,9 +71,7 @@ fn every_outline_is_as_in_the_snapshot() {
     let outlines: Vec<String> = description::whole()
         .iter()
         .map(|name| {
-            let (derived, plan) = planned(name);
-            let outline =
-                derivation::outline(&derived.pool, &derived.system, &plan, Notation::Ascii);
+            let outline = derivation(description::system(name)).outline(Notation::Ascii);
             format!("{name}\n{outline}")
         })
         .collect();
@@ -98,8 +92,7 @@ fn no_snapshot_is_orphaned() {
 
 /// Solution methods with the names of their unknowns, in solve order.
 fn named_forms(name: &str) -> Vec<(Vec<String>, String)> {
-    let (derived, plan) = planned(name);
-    forms(derived, &plan)
+    forms(description::system(name))
 }
 
 /// With pins instead of centers of mass as origins, equal angles are solved in the same order by the same methods.
@@ -288,11 +281,11 @@ fn the_other_forms_satisfy_the_textbook_equations() {
         ("rolling_pinion", "PRP or RPP dyad"),
         ("driven_coupler", "RRR dyad"),
     ] {
-        let (derived, plan) = planned(name);
-        let solved_forms = forms(derived.clone(), &plan);
+        let derived = description::system(name);
+        let solved_forms = forms(derived.clone());
         let methods: Vec<&str> = solved_forms.iter().map(|(_, form)| form.as_str()).collect();
         assert_eq!(methods, [method]);
-        let text = derivation::text(&derived.pool, &derived.system, &plan, Notation::Ascii);
+        let text = derivation(derived.clone()).text(Notation::Ascii);
         for t in [0.0, 0.4, 1.1, 2.7] {
             let solved_forms = calculated(&text, t, &Values::new()).values;
             let graph = &derived.pool.graph;

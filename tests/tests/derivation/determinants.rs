@@ -1,16 +1,16 @@
 //! Determinants of the blocks against that of the whole Φ_q, and the closed forms that are printed.
 
-use linkwright::{Settings, advance, assemble};
+use linkwright::{Frame, Settings};
 use linkwright_codegen::stages::emit::derivation::Script;
 use linkwright_codegen::stages::emit::{Notation, derivation};
 use linkwright_codegen::stages::expr::ExprId;
-use linkwright_codegen::stages::program::forms_of;
-use linkwright_codegen::stages::structure::Shift;
+use linkwright_solver::condition::Condition;
 use linkwright_solver::condition::jacobian;
 use linkwright_solver::reader::Reader;
 use linkwright_solver::textbook::TextbookEquations;
-use linkwright_solver::{Condition, Interpreted, View};
+use linkwright_solver::{Interpreted, View};
 use linkwright_tests::description;
+use linkwright_tests::plan::solved;
 use linkwright_tests::random::Random;
 use linkwright_tests::values::assembled_from;
 use nalgebra::DMatrix;
@@ -37,12 +37,13 @@ fn products(name: &str, times: &[f64]) -> Vec<(f64, f64)> {
     });
     let parts: Vec<(usize, Reader)> = parts.collect();
     let settings = Settings::default();
-    let mut frame = assemble(&textbook, textbook.estimate(), 0.0, &settings).expect("assembled");
+    let mut frame =
+        Frame::assemble(&textbook, textbook.estimate(), 0.0, &settings).expect("assembled");
     let mut pairs = Vec::new();
     for &t in times {
         while frame.t < t {
             let next = (frame.t + 0.01).min(t);
-            frame = advance(&textbook, &frame, next, &settings).expect("advanced");
+            frame = frame.advance(&textbook, next, &settings).expect("advanced");
         }
         let shell = assembled_from(solved.clone(), frame.q.as_slice(), t, settings)
             .unwrap_or_else(|_| panic!("{name} at {t}"));
@@ -113,19 +114,12 @@ fn the_exam_has_the_determinant_of_its_solution() {
             "{product} {whole}"
         );
     }
-    let mut derived = description::system("two_body");
-    let plan = linkwright_codegen::stages::structure::plan(
-        &mut derived.pool,
-        &derived.system,
-        Shift::Directions,
-    )
-    .expect("a plan");
-    let forms = forms_of(&mut derived.pool, &derived.system, &plan);
+    let solved = solved(description::system("two_body"));
     let poses = derivation::singular_poses(
-        &derived.pool,
-        &derived.system,
-        &plan,
-        &forms,
+        solved.pool(),
+        solved.system(),
+        solved.plan(),
+        &solved.program().forms,
         Script::Text(Notation::Unicode),
     );
     assert_eq!(poses.len(), 1);

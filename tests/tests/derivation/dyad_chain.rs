@@ -17,20 +17,21 @@ fn chains_of_one_to_twenty_dyads_assemble_and_move() {
             read.warnings.render(&source)
         );
         let derived = read.only().expect("one motion");
-        if let Err(errors) = linkwright_codegen::check(&derived) {
+        if let Err(errors) = linkwright_codegen::stages::check(&derived) {
             panic!("{}", errors.render(&source));
         }
         let chain = TextbookEquations::new(&derived.pool, &derived.system);
         assert_eq!(chain.estimate().len(), 3 + 6 * n);
         let settings = Settings::default();
-        let start = linkwright::assemble(&chain, chain.estimate(), 0.0, &settings);
+        let start = linkwright::Frame::assemble(&chain, chain.estimate(), 0.0, &settings);
         let mut frame = start.unwrap_or_else(|failure| panic!("{n}: {failure}"));
         // Assembled as drawn.
         assert!((&frame.q - chain.estimate()).amax() <= 1e-12, "{n}");
         // Both extremes of the driver, by coarse steps: the last is at t = 4.8, past 3/2 π.
         for step in 1..=24 {
             let t = 0.2 * f64::from(step);
-            frame = linkwright::advance(&chain, &frame, t, &settings)
+            frame = frame
+                .advance(&chain, t, &settings)
                 .unwrap_or_else(|failure| panic!("{n} at {t}: {failure}"));
             // Every second rocker repeats the crank.
             for k in (2..=n).step_by(2) {

@@ -2,23 +2,20 @@
 //! lengths.
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::stages::program::Kept;
-use linkwright_codegen::stages::structure::Shift;
-use linkwright_codegen::stages::{assemblies, program, structure};
+use linkwright_codegen::stages::assemblies;
 use linkwright_codegen::{Options, generate, read};
 use linkwright_tests::description;
+use linkwright_tests::plan::solved;
 use linkwright_tests::random::Random;
 
 /// True if a block of a description may have branches that meet.
 fn may_meet(text: &str) -> bool {
     let read = read(&Source::new("meeting.mech", text)).expect("no errors");
-    let mut derived = read.only().expect("one motion").clone();
-    let plan =
-        structure::plan(&mut derived.pool, &derived.system, Shift::Directions).expect("a plan");
-    let lowered = program::lower(&mut derived.pool, &derived.system, &plan, Kept::Requested);
-    let apart = assemblies::never_meet(&derived.pool, &derived.system, &lowered);
+    let solved = solved(read.only().expect("one motion"));
+    let program = solved.program();
+    let apart = assemblies::never_meet(solved.pool(), solved.system(), program);
     let closes = |name: &str| name.starts_with("loop");
-    let mut blocks = lowered.blocks.iter().zip(apart);
+    let mut blocks = program.blocks.iter().zip(apart);
     blocks.any(|(block, apart)| closes(&block.name) && !apart)
 }
 

@@ -1,11 +1,11 @@
 //! Long choices on the printed pages: written once under a name, and the page with its names equals the rows.
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_codegen::stages::emit::{Notation, derivation, latex, text};
+use linkwright_codegen::stages::emit::{Notation, latex, text};
 use linkwright_codegen::stages::expr::{ExprId, Tape};
-use linkwright_codegen::stages::structure::{self, Shift};
 use linkwright_codegen::stages::system::{Derived, Row};
 use linkwright_tests::files;
+use linkwright_tests::plan::{derivation, report};
 use linkwright_tests::printed::{Values, value};
 use linkwright_tests::random::Random;
 
@@ -125,11 +125,9 @@ fn the_printed_rows_with_their_names_are_the_rows() {
 #[test]
 fn a_long_choice_is_written_once() {
     for name in PAGES {
-        let mut derived = system(name);
+        let derived = system(name);
         let inspected = text::inspect(&derived, Notation::Ascii);
-        let plan =
-            structure::plan(&mut derived.pool, &derived.system, Shift::Directions).expect("a plan");
-        let derived = derivation::text(&derived.pool, &derived.system, &plan, Notation::Ascii);
+        let derived = derivation(derived).text(Notation::Ascii);
         for page in [inspected, derived] {
             let mut defined = Vec::new();
             for line in page.lines().map(str::trim) {
@@ -161,11 +159,9 @@ fn a_long_choice_is_written_once() {
 #[test]
 fn the_typeset_pages_are_balanced() {
     for name in PAGES {
-        let mut derived = system(name);
+        let derived = system(name);
         let inspected = latex::inspect(&[(&derived, Vec::new())]);
-        let plan =
-            structure::plan(&mut derived.pool, &derived.system, Shift::Directions).expect("a plan");
-        let derived = derivation::latex(&derived.pool, &derived.system, &plan);
+        let derived = derivation(derived).latex();
         for page in [inspected, derived] {
             assert!(page.contains("\\begin{cases}"), "{name} has no choice");
             let mut open: Vec<&str> = Vec::new();
@@ -219,7 +215,7 @@ fn a_sequence_asks_first_and_computes_one_sine() {
              drive phi(1) = 0; }}",
             pairs.join(", ")
         );
-        let report = linkwright_codegen::stages::report(&read("stations", text)).expect("a report");
+        let report = report(&read("stations", text));
         let sines: usize = report.operations.iter().map(|level| level.sines).sum();
         assert_eq!(sines, 2, "with {stations} stations");
     }

@@ -1,5 +1,8 @@
 //! Plans of every described mechanism are those of a textbook solution.
 
+use linkwright_codegen::stages::program::Kept;
+use linkwright_codegen::stages::solved::Solved;
+use linkwright_codegen::stages::structure::Shift;
 use linkwright_tests::description;
 use linkwright_tests::plan::form_names;
 
@@ -41,4 +44,28 @@ fn every_mechanism_is_solved_as_a_person_would() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// Both shifts give one plan exactly if they apply alike, so that nothing needs to be planned for each of them.
+#[test]
+fn shifts_that_apply_alike_give_one_plan() {
+    let mut counts = [0, 0];
+    let names = [description::names(), description::small()].concat();
+    for derived in names.iter().flat_map(|name| description::motions(name)) {
+        let shifts = [Shift::Directions, Shift::Efforts];
+        let [coded, printed] = shifts.map(|shift| {
+            let solved = Solved::of(derived.clone(), shift, Kept::Methods);
+            solved.expect("a plan").plan().clone()
+        });
+        let [for_code, for_print] = shifts.map(|shift| shift.applies(&derived.system));
+        let is_one = coded == printed;
+        assert_eq!(
+            is_one,
+            for_code == for_print,
+            "{}",
+            derived.system.mechanism.title()
+        );
+        counts[usize::from(is_one)] += 1;
+    }
+    assert!(counts.iter().all(|&count| count > 0), "{counts:?}");
 }

@@ -3,16 +3,17 @@
 //! Work is counted in the terms and factors that the stages build. Work without these is measured by the clock, as
 //! the ratio of two sizes on one machine one after the other.
 
-use linkwright_codegen::stages::program::Kept;
-use linkwright_codegen::stages::structure::Shift;
 use std::time::Instant;
 
 use linkwright_codegen::diagnostic::{Code, Diagnostics, Source};
 use linkwright_codegen::stages::columns::{Columns, Known};
-use linkwright_codegen::stages::emit::{Notation, derivation, latex, text};
-use linkwright_codegen::stages::{program, structure};
+use linkwright_codegen::stages::emit::{Notation, latex, text};
+use linkwright_codegen::stages::program::Kept;
+use linkwright_codegen::stages::solved::Solved;
+use linkwright_codegen::stages::structure::{self, Shift};
 use linkwright_codegen::{Options, generate, read};
 use linkwright_tests::large::{self, KINDS, Kind, MISTAKES, NESTS};
+use linkwright_tests::plan::{derivation, solved};
 
 fn source(text: String) -> Source {
     Source::new("large.mech", text)
@@ -23,11 +24,8 @@ fn work(kind: &Kind, n: usize) -> usize {
     let source = source((kind.text)(n));
     let read =
         read(&source).unwrap_or_else(|errors| panic!("{}: {}", kind.name, errors.render(&source)));
-    let mut derived = read.only().expect("one motion");
-    let plan =
-        structure::plan(&mut derived.pool, &derived.system, Shift::Directions).expect(kind.name);
-    program::lower(&mut derived.pool, &derived.system, &plan, Kept::Requested);
-    let graph = &derived.pool.graph;
+    let solved = solved(read.only().expect("one motion"));
+    let graph = &solved.pool().graph;
     assert_eq!(graph.excess(), None, "{}", kind.name);
     graph.work() + graph.store() + graph.node_count()
 }
@@ -63,11 +61,9 @@ fn printed(kind: &Kind, n: usize) -> [usize; 3] {
     let source = source((kind.text)(n));
     let read =
         read(&source).unwrap_or_else(|errors| panic!("{}: {}", kind.name, errors.render(&source)));
-    let mut derived = read.only().expect("one motion");
+    let derived = read.only().expect("one motion");
     let equations = text::inspect(&derived, Notation::Ascii);
-    let plan =
-        structure::plan(&mut derived.pool, &derived.system, Shift::Directions).expect(kind.name);
-    let derivation = derivation::text(&derived.pool, &derived.system, &plan, Notation::Ascii);
+    let derivation = derivation(derived).text(Notation::Ascii);
     let module = generate(&source, &Options::default())
         .unwrap_or_else(|errors| panic!("{}: {}", kind.name, errors.render(&source)));
     [equations, derivation, module.code().to_string()].map(|text| text.len())
@@ -100,13 +96,12 @@ fn nested_formulas_are_printed_as_graphs() {
                 let source = kind(n);
                 let read = read(&source)
                     .unwrap_or_else(|errors| panic!("{formula}: {}", errors.render(&source)));
-                let mut derived = read.only().expect("one motion");
+                let derived = read.only().expect("one motion");
                 let equations = text::inspect(&derived, Notation::Unicode);
-                let plan = structure::plan(&mut derived.pool, &derived.system, Shift::Directions)
-                    .expect(formula);
+                let derivation = derivation(derived.clone());
                 let formats = [
-                    derivation::text(&derived.pool, &derived.system, &plan, Notation::Ascii),
-                    derivation::latex(&derived.pool, &derived.system, &plan),
+                    derivation.text(Notation::Ascii),
+                    derivation.latex(),
                     latex::inspect(&[(&derived, Vec::new())]),
                 ];
                 let module = generate(&source, &Options::default())
@@ -147,10 +142,10 @@ fn seconds(kind: &Kind, n: usize) -> f64 {
     let start = Instant::now();
     match read(&source) {
         Ok(read) => {
-            let mut derived = read.only().expect("one motion");
+            let derived = read.only().expect("one motion");
             if !structure::analyze(&derived.pool, &derived.system).has_errors() {
                 // Refusals take time too.
-                let _ = structure::plan(&mut derived.pool, &derived.system, Shift::Directions);
+                let _ = Solved::of(derived, Shift::Directions, Kept::Methods);
             }
         }
         Err(found) => {
@@ -212,11 +207,8 @@ fn shared_expressions_stay_shared() {
     // Written out the formula has 3^25 terms.
     let source = source(large::nest("sin(@)*cos(@) + @", true, 25));
     let read = read(&source).unwrap_or_else(|errors| panic!("{}", errors.render(&source)));
-    let mut derived = read.only().expect("one motion");
-    let plan =
-        structure::plan(&mut derived.pool, &derived.system, Shift::Directions).expect("a plan");
-    program::lower(&mut derived.pool, &derived.system, &plan, Kept::Requested);
-    let nodes = derived.pool.graph.node_count();
+    let solved = solved(read.only().expect("one motion"));
+    let nodes = solved.pool().graph.node_count();
     assert!(nodes < 2000, "{nodes}");
 }
 
@@ -260,11 +252,8 @@ fn documented_sizes_are_not_refused() {
     for text in promised {
         let source = source(text);
         let read = read(&source).unwrap_or_else(|errors| panic!("{}", errors.render(&source)));
-        let mut derived = read.only().expect("one motion");
-        let plan =
-            structure::plan(&mut derived.pool, &derived.system, Shift::Directions).expect("a plan");
-        program::lower(&mut derived.pool, &derived.system, &plan, Kept::Requested);
-        assert_eq!(derived.pool.graph.excess(), None);
+        let solved = solved(read.only().expect("one motion"));
+        assert_eq!(solved.pool().graph.excess(), None);
     }
 }
 

@@ -6,8 +6,9 @@
 use std::fs;
 
 use linkwright_codegen::diagnostic::Source;
+use linkwright_codegen::stages::check;
 use linkwright_codegen::stages::emit;
-use linkwright_codegen::{Options, check, generate, read};
+use linkwright_codegen::{Options, generate, read};
 use linkwright_tests::{description, files};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};

@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 
 use linkwright::{Blocks, Failure, Settings, Shell};
-use linkwright_solver::observable::{self, Observable};
-use linkwright_solver::{Batch, InputSignals, Interpreted, Numbers, Outcome, View, WrongLength};
+use linkwright_solver::{
+    Batch, InputSignals, Interpreted, Numbers, Observable, Outcome, View, WrongLength,
+};
 use linkwright_tests::description;
 use linkwright_tests::random::Random;
 
@@ -70,7 +71,7 @@ fn alone(
         };
         match result {
             Ok(at) => {
-                let measured = observable::values(blocks, batch.observables, &at);
+                let measured = Observable::values(blocks, batch.observables, &at);
                 values[place * of_instant..][..of_instant].copy_from_slice(&measured);
                 outcome.solved += 1;
             }
@@ -110,8 +111,8 @@ fn sets_have_the_bits_of_their_own_shells_in_all_descriptions() {
             let Some(blocks) = Interpreted::new(&derived) else {
                 continue;
             };
-            let all = observable::all(blocks.pool(), blocks.system());
-            let observables: Vec<Observable> = all.iter().map(|it| it.observable).collect();
+            let all = Observable::all(blocks.derived()).into_iter();
+            let observables: Vec<Observable> = all.map(|(_, it)| it).collect();
             let parameters = parameters(&blocks, &mut random);
             let count = parameters.len() / SETS;
             let laws = blocks.input_laws();

@@ -275,7 +275,7 @@ fn derivatives_of_all_others_agree_with_differences() {
 }
 
 /// Each kind of joint and driver has one among them, most between two bodies that both move and turn. Those with
-/// tables have [tests of their own](../tables.rs), since the majorant of a spline is unknown here.
+/// tables have [tests of their own](../tables/mod.rs), since the majorant of a spline is unknown here.
 #[test]
 fn derivatives_of_the_small_mechanisms_agree_with_differences() {
     for name in description::small() {

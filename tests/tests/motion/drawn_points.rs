@@ -1,8 +1,9 @@
 //! A drawn point that no body carries, named alone, is the one that the ground carries: in every statement that takes a point.
 
 use linkwright_codegen::diagnostic::Source;
+use linkwright_codegen::read;
+use linkwright_codegen::stages::check;
 use linkwright_codegen::stages::emit::{Notation, text};
-use linkwright_codegen::{check, read};
 
 /// A crank with a statement about the drawn point S; `{S}` stands where the point is named.
 fn crank(statement: &str, point: &str) -> String {

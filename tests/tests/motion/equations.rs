@@ -1,13 +1,11 @@
 //! Equations of a description: closed forms, their order among joints, and their scales.
 
-use linkwright_codegen::check;
+use linkwright_codegen::stages::check;
 use linkwright_codegen::stages::emit::{Notation, text};
 use linkwright_codegen::stages::model::Role;
-use linkwright_codegen::stages::program::forms_of;
-use linkwright_codegen::stages::structure;
-use linkwright_codegen::stages::structure::Shift;
 use linkwright_codegen::stages::system::Derived;
 use linkwright_tests::description::written;
+use linkwright_tests::plan::forms;
 use linkwright_tests::random::Random;
 
 /// A rope over a peg.
@@ -225,7 +223,7 @@ fn equations_are_rows_with_names_of_their_own() {
 /// The sine and the cosine of a body's angle are rotated local vectors, so that the textbook's closed forms apply.
 #[test]
 fn equations_in_sines_and_cosines_are_solved_in_closed_form() {
-    let mut derived = written(
+    let derived = written(
         "mechanism yoke {
             body crank at (0, 0, 30deg);
             body yoke at (0.8, 0);
@@ -238,9 +236,6 @@ fn equations_in_sines_and_cosines_are_solved_in_closed_form() {
         }",
     );
     check(&derived).expect("determined");
-    let plan =
-        structure::plan(&mut derived.pool, &derived.system, Shift::Directions).expect("a plan");
-    let forms = forms_of(&mut derived.pool, &derived.system, &plan);
-    let names: Vec<String> = forms.iter().flatten().map(|form| form.name()).collect();
+    let names: Vec<String> = forms(derived).into_iter().map(|(_, name)| name).collect();
     assert_eq!(names, ["one angle"]);
 }

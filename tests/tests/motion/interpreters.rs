@@ -2,7 +2,7 @@
 //! velocity and acceleration. The first iterates on all rows, the second takes block after block by the statements of
 //! the generated code.
 
-use linkwright::{FailureKind, Settings, Shell, assemble, branch_of, follow};
+use linkwright::{FailureKind, Frame, Settings, Shell};
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::stages::system::Derived;
 use linkwright_solver::textbook::TextbookEquations;
@@ -25,7 +25,7 @@ fn difference(derived: &Derived) -> Option<[f64; 3]> {
     let laws = solved.input_laws();
     let settings = Settings::default();
     let mut shell: Option<Shell<Interpreted>> = None;
-    let mut last = None;
+    let mut last: Option<(Frame<f64, _>, _)> = None;
     let mut worst = [0.0_f64; 3];
     for step in 0..=FRAMES {
         let t = END * f64::from(step) / f64::from(FRAMES);
@@ -41,9 +41,9 @@ fn difference(derived: &Derived) -> Option<[f64; 3]> {
             Some(shell) => shell.advance(t, &laws.at(t)).cloned(),
         };
         let frame = match (&last, &solved_frame) {
-            (Some((frame, branch)), _) => follow(&textbook, frame, *branch, t, &settings),
+            (Some((frame, branch)), _) => frame.follow(&textbook, *branch, t, &settings),
             // A poor estimate may be nearer to another assembly than to the one with its branches.
-            (None, Ok(instant)) => assemble(&textbook, &instant.frame().q, t, &settings),
+            (None, Ok(instant)) => Frame::assemble(&textbook, &instant.frame().q, t, &settings),
             (None, Err(_)) => return None,
         };
         let (frame, solved_frame) = match (frame, solved_frame) {
@@ -64,7 +64,7 @@ fn difference(derived: &Derived) -> Option<[f64; 3]> {
             let size = one.amax().max(1.0);
             worst[level] = worst[level].max((one - other).amax() / size);
         }
-        let branch = branch_of(&textbook, &frame.q, t, &settings).expect("a regular pose");
+        let branch = Frame::branch_of(&textbook, &frame.q, t, &settings).expect("a regular pose");
         last = Some((frame, branch));
     }
     last.map(|_| worst)

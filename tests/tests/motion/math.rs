@@ -1,8 +1,8 @@
-//! Elementary functions: their errors, their special values, and a module with other functions.
+//! Elementary functions: their errors, their special values, and a type with other functions.
 
 use std::cell::Cell;
 
-use linkwright::math;
+use linkwright::math::{Functions, Real};
 use linkwright_math::{double, single};
 use linkwright_tests::elementary::{
     Angles, Worst, angle, followed, sine_and_cosine, single_angle, single_sine_and_cosine, vector,
@@ -157,47 +157,45 @@ fn the_runtime_has_these_functions() {
     let mut random = Random::new(5);
     for _ in 0..1000 {
         let [y, x] = vector(&mut random);
-        assert_eq!(math::sin_cos(x), double::sin_cos(x));
-        assert_eq!(math::atan2(y, x).to_bits(), double::atan2(y, x).to_bits());
+        assert_eq!(Real::sin_cos(x), double::sin_cos(x));
+        assert_eq!(Real::atan2(y, x).to_bits(), double::atan2(y, x).to_bits());
         let [y, x] = [y, x].map(|it| it as f32);
-        let angle = math::angle_near(y, x, 1.0);
+        let angle = Real::angle_near(y, x, 1.0);
         assert_eq!(angle.to_bits(), single::angle_near(y, x, 1.0).to_bits());
     }
 }
 
+thread_local! {
+    static CALLS: Cell<[u32; 3]> = const { Cell::new([0; 3]) };
+}
+
+fn count(place: usize) {
+    let mut calls = CALLS.get();
+    calls[place] += 1;
+    CALLS.set(calls);
+}
+
 /// Functions that count their calls.
-mod counting {
-    pub use linkwright::math::*;
+struct Counting;
 
-    use super::Cell;
-
-    thread_local! {
-        pub static CALLS: Cell<[u32; 3]> = const { Cell::new([0; 3]) };
-    }
-
-    fn count(place: usize) {
-        let mut calls = CALLS.get();
-        calls[place] += 1;
-        CALLS.set(calls);
-    }
-
-    pub fn sin_cos(angle: f64) -> (f64, f64) {
+impl Functions<f64> for Counting {
+    fn sin_cos(angle: f64) -> (f64, f64) {
         count(0);
         angle.sin_cos()
     }
 
-    pub fn sqrt(x: f64) -> f64 {
+    fn sqrt(x: f64) -> f64 {
         count(1);
         x.sqrt()
     }
 
-    pub fn angle_near(sine: f64, cosine: f64, near: f64) -> f64 {
+    fn angle_near(sine: f64, cosine: f64, near: f64) -> f64 {
         count(2);
-        nearest_turn(sine.atan2(cosine), near)
+        Real::nearest_turn(sine.atan2(cosine), near)
     }
 }
 
-/// `four_bar.mech` with `Options { math: Some("crate::math::counting"), .. }`.
+/// `four_bar.mech` with `Options { math: Some("crate::math::Counting"), .. }`.
 mod counted {
     include!(concat!(env!("OUT_DIR"), "/linkwright/counted_four_bar.rs"));
 }
@@ -207,7 +205,7 @@ fn a_module_calls_the_functions_that_its_options_name() {
     use linkwright_mechanisms::four_bar;
     let mut usual = four_bar::FourBar::assemble(0.0).expect("it assembles");
     let mut counted_mechanism = counted::FourBar::assemble(0.0).expect("it assembles");
-    counting::CALLS.set([0; 3]);
+    CALLS.set([0; 3]);
     for step in 1..=100 {
         let t = f64::from(step) / 100.0;
         let usual = usual.advance(t).expect("it moves").q.to_array();
@@ -219,7 +217,7 @@ fn a_module_calls_the_functions_that_its_options_name() {
             );
         }
     }
-    let [waves, roots, angles] = counting::CALLS.get();
+    let [waves, roots, angles] = CALLS.get();
     assert!(
         waves >= 100 && roots >= 100 && angles >= 200,
         "{waves} {roots} {angles}"

@@ -3,7 +3,7 @@
 
 use linkwright::generated::newton;
 use linkwright::nalgebra::SVector;
-use linkwright::{Failure, FailureKind, Settings, advance, assemble, branch_of, follow};
+use linkwright::{Failure, FailureKind, Frame, Settings};
 
 #[allow(dead_code)]
 mod cubic_slider {
@@ -40,14 +40,15 @@ fn one_attempt() -> Settings {
 fn the_textbook_view_cycles() {
     let settings = Settings::default();
     let equations = cubic_slider::Textbook;
-    let failure = assemble(&equations, &textbook_at(0.0), 0.0, &settings).expect_err("a cycle");
+    let failure =
+        Frame::assemble(&equations, &textbook_at(0.0), 0.0, &settings).expect_err("a cycle");
     assert_eq!(failure.kind, FailureKind::Cycling);
     assert_eq!(
         (failure.block, failure.time, failure.iterations),
         (0, 0.0, 3)
     );
     assert!(failure.residual >= 0.5, "{failure}");
-    assert!(assemble(&equations, &textbook_at(-1.7), 0.0, &settings).is_ok());
+    assert!(Frame::assemble(&equations, &textbook_at(-1.7), 0.0, &settings).is_ok());
 }
 
 /// Near the level tangent the first step is longer than a million times the mechanism.
@@ -55,15 +56,19 @@ fn the_textbook_view_cycles() {
 fn the_textbook_view_diverges() {
     let settings = Settings::default();
     let equations = square_slider::Textbook;
-    let start = assemble(&equations, &textbook_at(1.0), 0.0, &settings).expect("as drawn");
+    let start = Frame::assemble(&equations, &textbook_at(1.0), 0.0, &settings).expect("as drawn");
     let before = start;
     let t = predicted_at(1e-7);
-    let failure = advance(&equations, &start, t, &settings).expect_err("the step is too long");
+    let failure = start
+        .advance(&equations, t, &settings)
+        .expect_err("the step is too long");
     assert_eq!(failure.kind, FailureKind::Diverged);
     assert_eq!((failure.block, failure.time, failure.iterations), (0, t, 1));
     assert!(failure.residual > newton::LARGEST_GROWTH, "{failure}");
     assert_eq!(start, before, "the last frame is intact");
-    let next = advance(&equations, &start, 0.1, &settings).expect("a short step");
+    let next = start
+        .advance(&equations, 0.1, &settings)
+        .expect("a short step");
     assert!((next.q[0] - 1.1_f64.sqrt()).abs() < 1e-15);
 }
 
@@ -184,8 +189,8 @@ fn a_block_reports_its_iterations_and_its_residual() {
 #[test]
 fn the_textbook_view_goes_on_after_every_failure() {
     let (settings, equations) = (Settings::default(), square_slider::Textbook);
-    let start = assemble(&equations, &textbook_at(1.0), 0.0, &settings).expect("as drawn");
-    let branch = branch_of(&equations, &start.q, 0.0, &settings).expect("a regular pose");
+    let start = Frame::assemble(&equations, &textbook_at(1.0), 0.0, &settings).expect("as drawn");
+    let branch = Frame::branch_of(&equations, &start.q, 0.0, &settings).expect("a regular pose");
     let few = Settings {
         iterations: 1,
         ..settings
@@ -199,10 +204,9 @@ fn the_textbook_view_goes_on_after_every_failure() {
         pivot_ratio: 2.0,
         ..settings
     };
-    let moved = |settings: &Settings, t| advance(&equations, &start, t, settings).map(|_| ());
-    let followed = |branch, settings: &Settings, t| {
-        follow(&equations, &start, branch, t, settings).map(|_| ())
-    };
+    let moved = |settings: &Settings, t| start.advance(&equations, t, settings).map(|_| ());
+    let followed =
+        |branch, settings: &Settings, t| start.follow(&equations, branch, t, settings).map(|_| ());
     let end = predicted_at(0.1);
     let failures = [
         ("limit", moved(&few, 1.0)),
@@ -223,7 +227,9 @@ fn the_textbook_view_goes_on_after_every_failure() {
             _ => failure.kind == FailureKind::StepTooLarge && failure.time <= end,
         };
         assert!(as_said && failure.block == 0, "{what}: {failure:?}");
-        let next = advance(&equations, &start, 0.1, &settings).expect("a short step");
+        let next = start
+            .advance(&equations, 0.1, &settings)
+            .expect("a short step");
         assert!((next.q[0] - 1.1_f64.sqrt()).abs() < 1e-15);
     }
 }

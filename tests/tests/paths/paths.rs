@@ -1,7 +1,7 @@
 //! Long ways of described mechanisms: where they end is where many short steps lead, or the failure says that they are too long.
 
 use linkwright::nalgebra::SVector;
-use linkwright::{FailureKind, Settings, advance, assemble, branch_of, follow};
+use linkwright::{FailureKind, Frame, Settings};
 
 /// A reproducible sequence of places in 0 .. `count` (xorshift64*, Vigna 2016).
 struct Places(u64);
@@ -25,13 +25,13 @@ macro_rules! refused {
             ..Settings::default()
         };
         let drawn = SVector::from(Coordinates::DESIGN.to_array());
-        let first = assemble(&Textbook, &drawn, 0.0, &settings).expect("as drawn");
-        let branch = branch_of(&Textbook, &first.q, 0.0, &settings).expect("regular");
+        let first = Frame::assemble(&Textbook, &drawn, 0.0, &settings).expect("as drawn");
+        let branch = Frame::branch_of(&Textbook, &first.q, 0.0, &settings).expect("regular");
         let mut frames = vec![first];
         for step in 1..1000 {
             let last = frames[step - 1];
             let t = 0.01 * f64::from(u16::try_from(step).expect("small"));
-            frames.push(advance(&Textbook, &last, t, &settings).expect("a short step"));
+            frames.push(last.advance(&Textbook, t, &settings).expect("a short step"));
         }
         let mut places = Places(5);
         let (mut refused, mut astray) = (0, 0);
@@ -39,14 +39,14 @@ macro_rules! refused {
             let (from, to) = (places.next(1000), places.next(1000));
             let (start, end) = (&frames[from], &frames[to]);
             let differs = |q: &SVector<f64, _>| (q - end.q).amax() > 1e-9;
-            match follow(&Textbook, start, branch, end.t, &settings) {
+            match start.follow(&Textbook, branch, end.t, &settings) {
                 Ok(frame) => assert!(!differs(&frame.q), "from {} to {}", start.t, end.t),
                 Err(failure) => {
                     assert_eq!(failure.kind, FailureKind::StepTooLarge, "{failure}");
                     refused += 1;
                 }
             }
-            let plain = advance(&Textbook, start, end.t, &settings);
+            let plain = start.advance(&Textbook, end.t, &settings);
             astray += i32::from(plain.is_ok_and(|frame| differs(&frame.q)));
         }
         println!(

@@ -6,9 +6,7 @@
 use std::f64::consts::TAU;
 
 use linkwright::nalgebra::SVector;
-use linkwright::{
-    Failure, FailureKind, Frame, Settings, assemble, assemble_from_rough_estimate, branch_of,
-};
+use linkwright::{Failure, FailureKind, Frame, Settings};
 use linkwright_tests::description;
 use linkwright_tests::random::Random;
 use linkwright_tests::starts::measure::measure;
@@ -41,10 +39,10 @@ macro_rules! outcomes {
         use linkwright_mechanisms::$module::{Coordinates, Textbook};
         let settings = Settings::default();
         let drawn = SVector::from(Coordinates::DESIGN.to_array());
-        let truth = assemble(&Textbook, &drawn, 0.0, &settings)
+        let truth = Frame::assemble(&Textbook, &drawn, 0.0, &settings)
             .expect("as drawn")
             .q;
-        let branch = branch_of(&Textbook, &truth, 0.0, &settings).expect("regular");
+        let branch = Frame::branch_of(&Textbook, &truth, 0.0, &settings).expect("regular");
         let mut random = Random::new(99);
         let mut outcomes = Outcomes::default();
         for _ in 0..$starts {
@@ -52,11 +50,16 @@ macro_rules! outcomes {
                 let reach = if place % 3 == 2 { 0.5 } else { 0.5 * $link };
                 drawn[place] + $factor * reach * random.between(-1.0, 1.0)
             });
-            let assembled: Result<Frame<_, _>, Failure> =
-                assemble_from_rough_estimate(&Textbook, &start, Some(branch), 0.0, &settings);
+            let assembled: Result<Frame<_, _>, Failure> = Frame::assemble_from_rough_estimate(
+                &Textbook,
+                &start,
+                Some(branch),
+                0.0,
+                &settings,
+            );
             match assembled {
                 Ok(frame) => {
-                    let ends = branch_of(&Textbook, &frame.q, 0.0, &settings);
+                    let ends = Frame::branch_of(&Textbook, &frame.q, 0.0, &settings);
                     assert_eq!(ends, Ok(branch));
                     if coincide(&frame.q, &truth) {
                         outcomes.drawn += 1;

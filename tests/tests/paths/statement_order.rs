@@ -1,6 +1,6 @@
 //! The permitted step is the same in whatever order bodies, joints and drivers are written.
 
-use linkwright::{Blocks, Failure, Settings, Shell, Signal, Signals, Values};
+use linkwright::{Blocks, Failure, Settings, Shell, Signal, Values};
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
 use linkwright_codegen::stages::syntax::parse;
 use linkwright_codegen::stages::system::Derived;

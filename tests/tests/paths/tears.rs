@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use std::fmt::Write as _;
 
 use linkwright::generated::torn;
-use linkwright::{Settings, Shell, assemble, branch_of, follow};
+use linkwright::{Frame, Settings, Shell};
 use linkwright_codegen::stages::program::{EVALUATIONS, STEPS};
 use linkwright_solver::assemblies::assemblies;
 use linkwright_solver::textbook::TextbookEquations;
@@ -103,8 +103,9 @@ fn difference(text: &str, frames: u32) -> [f64; 3] {
     let (laws, settings) = (solved.input_laws(), Settings::default());
     let mut shell: Shell<Interpreted> =
         assembled_from(solved, &[], 0.0, settings).expect("as drawn");
-    let mut frame = assemble(&textbook, &shell.frame().frame().q, 0.0, &settings).expect("a pose");
-    let branch = branch_of(&textbook, &frame.q, 0.0, &settings).expect("a regular pose");
+    let mut frame =
+        Frame::assemble(&textbook, &shell.frame().frame().q, 0.0, &settings).expect("a pose");
+    let branch = Frame::branch_of(&textbook, &frame.q, 0.0, &settings).expect("a regular pose");
     let mut worst = [0.0_f64; 3];
     for step in 1..=frames {
         let t = 0.01 * f64::from(step);
@@ -112,7 +113,9 @@ fn difference(text: &str, frames: u32) -> [f64; 3] {
             .advance(t, &laws.at(t))
             .expect("a regular pose")
             .frame();
-        frame = follow(&textbook, &frame, branch, t, &settings).expect("a regular pose");
+        frame = frame
+            .follow(&textbook, branch, t, &settings)
+            .expect("a regular pose");
         let levels = [
             (&frame.q, &torn.q),
             (&frame.qd, &torn.qd),

@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 use std::fmt::Write as _;
 
 use linkwright::generated::{Conditions, Pair, Start, TimeWindow};
-use linkwright::{Blocks, Settings, Signal, Signals};
+use linkwright::{Blocks, Settings, Signal};
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::read;
 use linkwright_solver::{InputSignals, Instant, Interpreted, Modes};
@@ -127,7 +127,9 @@ fn is_smooth(
     for sample in 1..=SAMPLES {
         let time = t + way * f64::from(sample) / f64::from(SAMPLES);
         let part = (1.0 + (time - t) / h).clamp(0.0, 1.0);
-        let interpolated = inputs[0].towards(inputs[1], h, part);
+        let signals = inputs[0].0.iter().zip(&inputs[1].0);
+        let signals = signals.map(|(from, to)| from.towards(to, h, part));
+        let interpolated = InputSignals(signals.collect());
         let Some(at) = poses.at(time, &before, &interpolated) else {
             return false;
         };

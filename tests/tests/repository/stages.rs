@@ -1,4 +1,5 @@
-//! Checks values at stage boundaries: only the pool grows, and no stage copies a system in order to change the copy.
+//! Checks values at stage boundaries: only the pool grows, no stage copies a system in order to change the copy, and one module
+//! plans and lowers.
 
 use std::fs;
 
@@ -16,7 +17,7 @@ const FOLDERS: [&str; 6] = [
 ];
 
 /// The functions at the boundaries, each with its file.
-const STAGES: [(&str, &str); 5] = [
+const STAGES: [(&str, &str); 11] = [
     (
         "codegen/program/src/system/assemble.rs",
         "pub fn assemble(pool: &mut Pool, mechanism: Mechanism) -> System",
@@ -37,7 +38,38 @@ const STAGES: [(&str, &str); 5] = [
         "codegen/program/src/program/lower/mod.rs",
         "pub fn lower(pool: &mut Pool, system: &System, plan: &SolvedPlan, kept: Kept) -> Program",
     ),
+    (
+        FREEZE,
+        "pub fn of(mut derived: Derived, shift: Shift, kept: Kept) -> Result<Solved, Unplanned>",
+    ),
+    (
+        FREEZE,
+        "pub fn of_plan(mut derived: Derived, plan: SolvedPlan, kept: Kept) -> Solved",
+    ),
+    // Fields that others could write would let the parts differ.
+    (
+        FREEZE,
+        "pub struct Solved { derived: Derived, plan: SolvedPlan, program: Program, }",
+    ),
+    (
+        "codegen/src/checks.rs",
+        "pub fn findings_of(solved: &Solved) -> Result<Diagnostics, Diagnostics>",
+    ),
+    (
+        "codegen/src/emit/language.rs",
+        "fn(&[Solved], stem: &str, Scalar, math: Option<&str>) -> Vec<String>",
+    ),
+    (
+        "codegen/src/emit/derivation.rs",
+        "pub fn of(derived: Derived, shift: Shift) -> Result<Derivation, Unplanned>",
+    ),
 ];
+
+/// Module that plans and lowers, and freezes the result.
+const FREEZE: &str = "codegen/program/src/solved.rs";
+
+/// Functions of the stages that only one module calls.
+const CALLED_ONCE: [&str; 2] = ["plan", "lower"];
 
 /// Tokens that no code may contain: they change a system in place, or copy one.
 const FORBIDDEN: [&str; 4] = [
@@ -109,6 +141,56 @@ fn no_system_is_changed_or_copied() {
             );
         }
     }
+}
+
+/// Returns the functions of stages that a text calls, once for each call.
+fn calls(text: &str) -> Vec<&'static str> {
+    let tokens = tokens(text);
+    let words: Vec<&str> = tokens.split(' ').collect();
+    let mut calls = Vec::new();
+    for (place, pair) in words.windows(2).enumerate() {
+        let before = place.checked_sub(1).map_or("", |it| words[it]);
+        // A method of this name is another function, and so is a definition.
+        let is_call = pair[1].starts_with('(') && before != "." && before != "fn";
+        calls.extend(
+            CALLED_ONCE
+                .into_iter()
+                .filter(|&it| is_call && it == pair[0]),
+        );
+    }
+    calls
+}
+
+#[test]
+fn one_module_plans_and_lowers() {
+    let mut places = Vec::new();
+    for folder in FOLDERS {
+        for path in files::below(&files::repository().join(folder), "rs", &[]) {
+            let text = fs::read_to_string(&path).expect("a source file");
+            let calls = calls(&text);
+            if path.ends_with(FREEZE) {
+                assert_eq!(calls, CALLED_ONCE);
+            } else {
+                let calls = calls.into_iter();
+                places.extend(calls.map(|it| format!("{} calls `{it}`", path.display())));
+            }
+        }
+    }
+    assert!(places.is_empty(), "{places:#?}");
+}
+
+#[test]
+fn calls_of_stages_are_found() {
+    assert_eq!(
+        calls("fn f() { let it = structure::plan(&mut pool, system); }"),
+        ["plan"]
+    );
+    assert_eq!(
+        calls("fn f() { it.map(|plan| lower(pool, plan)).plan(); }"),
+        ["lower"]
+    );
+    assert!(calls("pub fn plan(pool: &mut Pool) {} // plan(pool)").is_empty());
+    assert!(calls("fn f(view: &View) { let plan = view.plan(); }").is_empty());
 }
 
 #[test]

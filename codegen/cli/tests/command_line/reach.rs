@@ -229,3 +229,33 @@ fn the_third_of_three_loops_is_named_by_its_joint() {
         "{first}"
     );
 }
+
+/// Four-bar whose coupler and rocker reach as far as |BD| = 1.9.
+const REACHING: &str = "mechanism reaching {
+    point A = (0, 0), D = (1.5, 0);
+    body crank   at (0, 0, 40deg)      { A: (0, 0), B: (1, 0) }
+    body coupler at (0.77, 0.64, 0deg) { B: (0, 0), C: (1, 0) }
+    body rocker  at (1.5, 0, 70deg)    { D: (0, 0), C: (0.9, 0) }
+    revolute A(ground, crank);
+    revolute B(crank, coupler);
+    revolute C(coupler, rocker);
+    revolute D(ground, rocker);
+    drive phi(crank) = 0.7 + t;
+";
+
+/// A message says that generated code goes on if only a loop that no output needs is out of reach.
+#[test]
+fn a_loop_that_no_output_needs_does_not_end_generated_code() {
+    let goes_on = "; generated code, which computes its outputs alone, goes on";
+    let cases = [("", ""), ("output position C;", ""), ("output B;", goes_on)];
+    for (output, addition) in cases {
+        let folder = Folder::new("reach_outputs", &format!("{REACHING}{output}\n}}\n"));
+        let ran = folder.run("solve a.mech --no-files --to 2");
+        let error = ran.exits_with(1).stderr;
+        // By the law of cosines: |BD|² = 1 + 1.5² − 3 cos φ.
+        let limit = (-0.12_f64).acos() - 0.7;
+        assert!((end_of(&error) - limit).abs() < 1e-8, "{error}");
+        let ending = format!("coupler and rocker are collinear{addition}\n");
+        assert!(error.contains(&ending), "{error}");
+    }
+}

@@ -9,6 +9,7 @@ mod editing;
 mod grammar;
 mod layout;
 mod lifecycle;
+mod meaning;
 mod names;
 mod renaming;
 mod repeated;

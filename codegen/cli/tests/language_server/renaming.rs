@@ -129,3 +129,26 @@ fn a_description_with_another_error_is_renamed() {
     assert_eq!(renamed(&mut client, text, "rod at", "arm"), Ok(expected));
     client.finish();
 }
+
+#[test]
+fn operands_of_a_joint_in_a_wrong_form_are_renamed() {
+    let text = "mechanism m {\n    body 1 at (0, 0) { P: (1, 0) }\n    body 2 at (1, 0) { Q: (1, 0) }\n    revolute P(1, 2, ground);\n    slider (2, 1.P);\n}\n";
+    let mut client = opened(text);
+    let expected = text.replace("2 at", "3 at").replace("1, 2,", "1, 3,");
+    let expected = expected.replace("(2, 1.P)", "(3, 1.P)");
+    assert_eq!(renamed(&mut client, text, "2 at", "3"), Ok(expected));
+    client.finish();
+}
+
+/// The generator reads no formula of a curve whose parameter has another meaning.
+#[test]
+fn a_name_that_a_statement_with_an_error_may_use_is_not_renamed() {
+    let text = "mechanism m {\n    const r = 1m;\n    body rod at (0, 0) { P: (r, 0) }\n    curve rim(t) on rod = (r*cos(t), 0);\n}\n";
+    let mut client = opened(text);
+    let refused = renamed(&mut client, text, "r = 1m", "radius").expect_err("it may be used");
+    let reason = "a statement with an error may use this name, correct it first: `t` has another meaning already";
+    assert!(refused.starts_with(reason), "{refused}");
+    let expected = text.replace("rod", "arm");
+    assert_eq!(renamed(&mut client, text, "rod at", "arm"), Ok(expected));
+    client.finish();
+}

@@ -2,8 +2,8 @@
 
 use std::io;
 
+use linkwright_solver::Observable;
 use linkwright_solver::comparison::difference;
-use linkwright_solver::observable::{Observable, values};
 use linkwright_solver::{Comparison, Interpreted, Schedule};
 
 use super::description::{chosen, determined, interpreted, outputs_besides, set_all, source};
@@ -146,8 +146,11 @@ impl Collected {
 impl Sink for Collected {
     fn take(&mut self, shown: &Shown<'_>) -> io::Result<()> {
         self.times.push(shown.instant.t());
-        self.values
-            .push(values(&self.view, &self.observables, shown.instant));
+        self.values.push(Observable::values(
+            &self.view,
+            &self.observables,
+            shown.instant,
+        ));
         Ok(())
     }
 }

@@ -3,8 +3,9 @@
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::stages::emit::derivation::{self, Script, SingularPose};
 use linkwright_codegen::stages::emit::{self, Notation};
-use linkwright_codegen::stages::program::{Kept, forms_of, lower};
-use linkwright_codegen::stages::structure::{self, Freedom, Shift};
+use linkwright_codegen::stages::program::Kept;
+use linkwright_codegen::stages::solved::Solved;
+use linkwright_codegen::stages::structure::{Freedom, Shift};
 use linkwright_codegen::stages::system::Derived;
 use linkwright_codegen::{Options, OutputFile};
 use linkwright_solver::number::counted;
@@ -87,25 +88,22 @@ fn equations(derived: &Derived, notation: Notation) -> String {
     // The counts by rank are below the counts by number.
     let (first, rest) = page.split_once('\n').unwrap_or((&page, ""));
     let mut text = format!("{first}\n{}\n{rest}", freedom(derived));
-    let mut pool = derived.pool.draft();
-    let Ok(plan) = structure::plan(&mut pool, system, Shift::Directions) else {
+    let Ok(solved) = Solved::of(derived.clone(), Shift::Directions, Kept::Requested) else {
         return text;
     };
-    let program = lower(&mut pool, system, &plan, Kept::Requested);
-    if pool.graph.excess().is_none() {
+    if let Some(report) = solved.report() {
         if !text.ends_with('\n') {
             text.push('\n');
         }
         text.push_str("\nwhat the generated code solves\n");
-        for line in emit::report::lines(&program.report) {
+        for line in emit::report::lines(report) {
             text.push_str(&format!("  {line}\n"));
         }
     }
     let script = Script::Text(notation);
-    // The plan of the motion differs only if the values of drivers are shifted.
-    let mut directions = system.directions.iter();
-    let poses = match directions.all(|it| it.is_parameter()) {
-        true => derivation::singular_poses(&pool, system, &plan, &program.forms, script),
+    let is_same = Shift::Directions.applies(system) == Shift::Efforts.applies(system);
+    let poses = match is_same {
+        true => poses_of(&solved, script),
         false => poses(derived, script),
     };
     text.push_str(&determinants(poses));
@@ -130,14 +128,16 @@ fn determinants(poses: Vec<SingularPose>) -> String {
 }
 
 /// Returns the singular poses of each block; empty if the equations do not determine the motion.
+///
+/// Solves the motion without the shifts of drivers, which would appear in the formulas. Nothing but solution methods is lowered.
 fn poses(derived: &Derived, script: Script) -> Vec<SingularPose> {
-    let system = &derived.system;
-    let mut pool = derived.pool.draft();
-    let Ok(plan) = structure::plan(&mut pool, system, Shift::Efforts) else {
-        return Vec::new();
-    };
-    let forms = forms_of(&mut pool, system, &plan);
-    derivation::singular_poses(&pool, system, &plan, &forms, script)
+    let solved = Solved::of(derived.clone(), Shift::Efforts, Kept::Methods);
+    solved.map_or_else(|_| Vec::new(), |solved| poses_of(&solved, script))
+}
+
+fn poses_of(solved: &Solved, script: Script) -> Vec<SingularPose> {
+    let (pool, system, plan) = (solved.pool(), solved.system(), solved.plan());
+    derivation::singular_poses(pool, system, plan, &solved.program().forms, script)
 }
 
 /// Describes the degrees of freedom by the rank of the equations.

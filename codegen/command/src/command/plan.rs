@@ -2,8 +2,8 @@
 
 use linkwright_codegen::stages::emit::Notation;
 use linkwright_codegen::stages::emit::derivation::Derivation;
-use linkwright_codegen::stages::structure::{self, Shift};
-use linkwright_codegen::stages::system::Derived;
+use linkwright_codegen::stages::structure::Shift;
+use linkwright_codegen::stages::{findings_of, finiteness};
 
 use super::description::{determined, no_order, rendered, source, warn};
 use super::inspect::no_fragment;
@@ -20,14 +20,15 @@ pub fn run(arguments: &Plan) -> Result<Outcome, Problem> {
         return Err(no_fragment());
     }
     let source = source(&arguments.described.file)?;
-    let Derived { mut pool, system } = determined(&source, arguments.described.motion.as_deref())?;
-    let Ok(plan) = structure::plan(&mut pool, &system, Shift::Efforts) else {
-        let passed = linkwright_codegen::stages::findings(&pool, &system, None);
-        passed.map_err(|found| rendered(&found, &source))?;
-        return Err(no_order(&arguments.described.file));
-    };
-    let derivation = Derivation::new(&pool, &system, &plan);
-    let warnings = linkwright_codegen::stages::findings_of_derivation(&derivation);
+    let derived = determined(&source, arguments.described.motion.as_deref())?;
+    let derivation = Derivation::of(derived, Shift::Efforts).map_err(|unplanned| {
+        let exceeded = finiteness::of_unplanned(unplanned);
+        match exceeded.has_errors() {
+            true => rendered(&exceeded, &source),
+            false => no_order(&arguments.described.file),
+        }
+    })?;
+    let warnings = findings_of(derivation.solved());
     let warnings = warnings.map_err(|found| rendered(&found, &source))?;
     warn(&warnings, &source);
     let text = match arguments.format {

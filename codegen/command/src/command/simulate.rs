@@ -2,7 +2,8 @@
 
 use linkwright_codegen::stages::model::Role;
 use linkwright_codegen::stages::system::System;
-use linkwright_solver::{Effort, Method, Schedule, SimulationOptions, Tolerances};
+use linkwright_solver::simulation::Effort;
+use linkwright_solver::{Method, Schedule, SimulationOptions, Tolerances};
 
 use super::description::{chosen, determined, interpreted, outputs, set_all, source};
 use super::report::{check_stdout, report};

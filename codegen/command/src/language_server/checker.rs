@@ -10,7 +10,8 @@ use std::thread;
 
 use linkwright_codegen::diagnostic::internal::caught;
 use linkwright_codegen::diagnostic::{Diagnostics, Source, merged};
-use linkwright_codegen::{Read, check, read};
+use linkwright_codegen::stages::check;
+use linkwright_codegen::{Read, read};
 
 use super::document::Equations;
 use super::session::Event;

@@ -1,9 +1,9 @@
 //! Reads a text without deriving equations: its tokens, statements and names.
 //!
-//! An incomplete description is read as well: statements with errors are left out, and the others keep their names.
+//! An incomplete description is read as well. A statement that cannot be read is left out, the others keep their names.
 
-use linkwright_codegen::diagnostic::{Diagnostics, Source};
-use linkwright_codegen::stages::syntax::{self, Document, Kind, Lexeme};
+use linkwright_codegen::diagnostic::{Diagnostics, Source, Span};
+use linkwright_codegen::stages::syntax::{self, Document, Kind, Lexeme, Statement};
 
 use super::names::Names;
 
@@ -35,6 +35,26 @@ impl Description {
             document,
             source,
         }
+    }
+
+    /// Returns all statements, each motion before its own.
+    pub fn statements(&self) -> impl Iterator<Item = &Statement> {
+        let document = self.document.as_ref();
+        let outer = document.map_or(&[][..], |it| &it.mechanism.statements);
+        outer.iter().flat_map(|statement| {
+            let inner = match statement {
+                Statement::Motion(motion) => &motion.statements[..],
+                _ => &[],
+            };
+            std::iter::once(statement).chain(inner)
+        })
+    }
+
+    /// Returns the innermost statement around a place; `None` if there is none.
+    pub fn statement_around(&self, place: Span) -> Option<Span> {
+        let spans = self.statements().map(Statement::span);
+        let around = spans.filter(|it| it.start <= place.start && place.end <= it.end);
+        around.min_by_key(|it| it.end - it.start)
     }
 
     /// Returns the lexeme that contains an offset or ends there; `None` if there is none.

@@ -113,7 +113,7 @@ impl About<'_> {
 
     /// Returns the statement of the joint that is named at a place; `None` if there is none.
     fn statement_named_at(&self, place: Span) -> Option<Span> {
-        let statement = self.statements().find(|statement| {
+        let statement = self.description.statements().find(|statement| {
             let Statement::Joint(joint) = statement else {
                 return false;
             };
@@ -121,18 +121,6 @@ impl About<'_> {
             name == Some(place.start)
         });
         statement.map(Statement::span)
-    }
-
-    fn statements(&self) -> impl Iterator<Item = &Statement> {
-        let document = self.description.document.as_ref();
-        let outer = document.map_or(&[][..], |it| &it.mechanism.statements);
-        outer.iter().flat_map(|statement| {
-            let inner = match statement {
-                Statement::Motion(motion) => &motion.statements[..],
-                _ => &[],
-            };
-            std::iter::once(statement).chain(inner)
-        })
     }
 
     fn equations(&self, statement: Span) -> Option<String> {
@@ -155,10 +143,7 @@ impl About<'_> {
 
     /// Describes a kind of joint or driver: its syntax, and the equations of this statement.
     fn kind(&self, word: &str, place: Span) -> Option<String> {
-        let lies_in = |it: &Span| it.start <= place.start && place.end <= it.end;
-        let spans = self.statements().map(Statement::span);
-        // A statement in a motion is preferred to the motion.
-        let statement = spans.filter(lies_in).min_by_key(|it| it.end - it.start);
+        let statement = self.description.statement_around(place);
         let equations = statement.and_then(|it| self.equations(it));
         let mut kinds = CONSTRAINTS.iter().chain(DRIVERS);
         let kind = kinds.find(|it| it.keyword == word);

@@ -6,8 +6,8 @@
 //! ```
 //!
 //! Texts and places of findings are those of the generator, the layout is that of `linkwright fmt`, formulas are those of `linkwright
-//! inspect`. [`names`] finds the meaning of names from the statements alone. Every answer is a function of the text and an offset in
-//! the text; only `session` holds several documents and their changes.
+//! inspect`, meanings of names are those that the generator records while it resolves them. Every answer is a function of the text and an
+//! offset in the text; only `session` holds several documents and their changes.
 
 mod capabilities;
 mod checker;

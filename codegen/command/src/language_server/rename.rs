@@ -6,7 +6,7 @@ use std::collections::HashMap;
 
 use linkwright_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Severity, Source, Span};
 use linkwright_codegen::read;
-use linkwright_codegen::stages::syntax::{Kind, lexemes, parse};
+use linkwright_codegen::stages::syntax::{Kind, Lexeme, lexemes, parse};
 use lsp_types::{PrepareRenameResponse, TextEdit, WorkspaceEdit};
 
 use super::description::Description;
@@ -71,6 +71,12 @@ pub fn rename(
         Some(_) => Vec::new(),
         None => errors(findings(source)),
     };
+    if let Some(finding) = hidden(description, &places, &before) {
+        return Err(Refusal::failed(format!(
+            "a statement with an error may use this name, correct it first: {}",
+            words(finding)
+        )));
+    }
     let after = errors(findings(&renamed));
     let mut known: Vec<(Code, String)> = before.iter().map(sentence).collect();
     let is_new = |it: &&Diagnostic| match known.iter().position(|old| *old == sentence(it)) {
@@ -103,6 +109,30 @@ pub fn rename(
     Ok(WorkspaceEdit {
         changes: Some(HashMap::from([(document.uri.clone(), edits.collect())])),
         ..WorkspaceEdit::default()
+    })
+}
+
+/// Returns the error of a statement that may use the name at these places without a mention: the generator resolves a statement only up
+/// to its error. `None` if there is none.
+fn hidden<'a>(
+    description: &Description,
+    places: &[Span],
+    errors: &'a [Diagnostic],
+) -> Option<&'a Diagnostic> {
+    let text = &description.source.text;
+    let name = &text[places.first()?.range()];
+    let is_hidden = |lexeme: &&Lexeme| {
+        let span = Span::new(lexeme.start, lexeme.end);
+        description.written(**lexeme) == name && !places.contains(&span)
+    };
+    let hidden: Vec<&Lexeme> = description.lexemes.iter().filter(is_hidden).collect();
+    // Of a text with too many errors, the last statements are not resolved.
+    let is_cut = errors.len() >= Diagnostics::MAX_FINDINGS
+        || errors.iter().any(|it| it.code == Code::TooMuchWork);
+    errors.iter().find(|error| {
+        let around = description.statement_around(error.primary.span);
+        let has = |it: &&Lexeme| around.is_some_and(|span| span.range().contains(&it.start));
+        hidden.iter().any(|it| is_cut || has(it))
     })
 }
 

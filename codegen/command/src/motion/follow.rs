@@ -7,7 +7,7 @@ use linkwright_solver::approach::Watch;
 use linkwright_solver::not_finite::load;
 use linkwright_solver::number::time;
 use linkwright_solver::warnings::warnings;
-use linkwright_solver::{Instant, Schedule, View, follow};
+use linkwright_solver::{Instant, Movable, Schedule, View, follow};
 
 use super::{Followed, Row, Shown, Sink, of_coordinate};
 
@@ -27,23 +27,25 @@ impl<V: View> Followed<V> {
         sinks: &mut [&mut dyn Sink],
         mut reached: impl FnMut(usize),
     ) -> io::Result<()> {
-        let Some(mut shell) = self.shell.take() else {
+        let Some(mut moved) = self.moved.take() else {
             return Ok(());
         };
         let laws = self.view.input_laws();
         let mut watch = self.view.measures().map(|it| Watch::new(it, laws.clone()));
-        let mut end = None;
+        let mut error = None;
         let mut approaches = Vec::new();
         let mut earlier: Vec<(Instant, Vec<f64>)> = Vec::new();
-        let start = shell.frame().clone();
+        let start = moved.instant().clone();
         if schedule.backward.length() > 0 {
-            let (mut shell, mut watch) = (shell.clone(), watch.clone());
+            let (mut moved, mut watch) = (moved.clone(), watch.clone());
             if let Some(watch) = &mut watch {
-                watch.see(&shell);
+                watch.see(moved.fuller());
             }
-            end = follow(&mut shell, &laws, &schedule.backward, |shell, wanted| {
-                let instant = shell.frame();
-                let sizes = watch.as_mut().map_or(Vec::new(), |watch| watch.see(shell));
+            let end = follow(&mut moved, &laws, &schedule.backward, |moved, wanted| {
+                let instant = moved.instant();
+                let sizes = watch
+                    .as_mut()
+                    .map_or(Vec::new(), |it| it.see(moved.fuller()));
                 if wanted {
                     earlier.push((instant.clone(), sizes));
                 }
@@ -51,19 +53,24 @@ impl<V: View> Followed<V> {
                 reached(self.visits);
                 Ok::<(), io::Error>(())
             })?;
-            approaches.extend(watch.map_or(Vec::new(), |watch| watch.finish(&shell)));
+            approaches.extend(watch.map_or(Vec::new(), |it| it.finish(moved.fuller())));
+            error = end.map(|end| moved.ended(&end));
         }
         for (instant, sizes) in earlier.iter().rev() {
             self.show(instant, sizes, sinks)?;
         }
-        let sizes = watch.as_mut().map_or(Vec::new(), |watch| watch.see(&shell));
+        let sizes = watch
+            .as_mut()
+            .map_or(Vec::new(), |it| it.see(moved.fuller()));
         if schedule.start.wanted {
             self.show(&start, &sizes, sinks)?;
         }
-        if end.is_none() {
-            end = follow(&mut shell, &laws, &schedule.forward, |shell, wanted| {
-                let instant = shell.frame();
-                let sizes = watch.as_mut().map_or(Vec::new(), |watch| watch.see(shell));
+        if error.is_none() {
+            let end = follow(&mut moved, &laws, &schedule.forward, |moved, wanted| {
+                let instant = moved.instant();
+                let sizes = watch
+                    .as_mut()
+                    .map_or(Vec::new(), |it| it.see(moved.fuller()));
                 self.visits += 1;
                 reached(self.visits);
                 match wanted {
@@ -71,12 +78,13 @@ impl<V: View> Followed<V> {
                     false => Ok(()),
                 }
             })?;
-            approaches.extend(watch.map_or(Vec::new(), |watch| watch.finish(&shell)));
+            approaches.extend(watch.map_or(Vec::new(), |it| it.finish(moved.fuller())));
+            error = end.map(|end| moved.ended(&end));
         }
         self.warnings = warnings(&approaches, self.view.singular_poses(), WARNING_LIMIT);
-        self.error = end.map(|end| self.view.ended(&end.failure, &end.last));
+        self.error = error;
         self.finish();
-        self.view = shell.blocks().clone();
+        self.view = moved.fuller().blocks().clone();
         Ok(())
     }
 

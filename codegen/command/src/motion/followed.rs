@@ -1,13 +1,13 @@
 //! Holds a motion from its start on: the source of all reports and pictures.
 
-use linkwright::Shell;
 use linkwright_codegen::stages::system::System;
+use linkwright_solver::condition::Condition;
 use linkwright_solver::condition::{dimensionless, jacobian};
 use linkwright_solver::measures::MeasuredPart;
 use linkwright_solver::pressure::PressureCheck;
 use linkwright_solver::residuals::ResidualCheck;
 use linkwright_solver::textbook::TextbookEquations;
-use linkwright_solver::{Condition, Instant, Modes, Numbers, View};
+use linkwright_solver::{Instant, Modes, Movable, Moved, Numbers, View};
 use nalgebra::DVector;
 
 use super::{Course, Rows, Simulated, Wanted};
@@ -60,7 +60,7 @@ pub struct Followed<V: View> {
     pub(super) infinite_load: Option<(String, f64)>,
     /// Last requested instant.
     pub(super) last: Option<Instant>,
-    pub(super) shell: Option<Shell<V>>,
+    pub(super) moved: Option<Moved<V>>,
     pub(super) measured: Vec<MeasuredPart>,
 }
 
@@ -73,24 +73,14 @@ impl<V: View> Followed<V> {
         chosen: Option<(Instant, Modes)>,
     ) -> Followed<V> {
         let system = view.system();
-        let (laws, parameters) = (view.input_laws(), view.nominal_parameters());
+        let parameters = view.nominal_parameters();
         let (pose, modes) = match chosen {
             Some((instant, modes)) => (Numbers(instant.q().to_vec()), modes),
             None => (view.drawn_pose(&parameters), view.drawn_branches()),
         };
-        let inputs = laws.at(start);
-        let blocks = view.clone();
-        let assembled = Shell::assemble(
-            blocks,
-            &parameters,
-            &pose,
-            modes,
-            start,
-            &inputs,
-            Default::default(),
-        );
+        let assembled = Moved::assemble(view.clone(), &pose, modes, start);
         let q = match &assembled {
-            Ok(shell) => DVector::from_column_slice(shell.frame().q()),
+            Ok(moved) => DVector::from_column_slice(moved.instant().q()),
             Err(_) => DVector::from_vec(pose.0),
         };
         let textbook = TextbookEquations::new(view.pool(), system);
@@ -106,17 +96,17 @@ impl<V: View> Followed<V> {
         let name =
             |part: &MeasuredPart| format!("normalized_determinant_{}", part.unknowns.join("_"));
         let monitored = measured.iter().filter(|_| wanted.monitor);
-        let (shell, error) = match assembled {
-            Ok(shell) => (Some(shell), None),
-            Err(failure) => (None, Some(view.not_assembled(&failure))),
+        let (moved, error) = match assembled {
+            Ok(moved) => (Some(moved), None),
+            Err(reason) => (None, Some(reason)),
         };
         Followed {
             condition: Condition::of(&matrix),
             dimensionless_condition: Condition::of(&dimensionless(&textbook, matrix)),
             start,
-            is_assembled: shell.is_some(),
+            is_assembled: moved.is_some(),
             count: 0,
-            visits: usize::from(shell.is_some()),
+            visits: usize::from(moved.is_some()),
             rows: Rows::default(),
             course,
             residuals: ResidualCheck::new(view.pool(), system, view.layout()),
@@ -133,7 +123,7 @@ impl<V: View> Followed<V> {
             last: None,
             measured,
             error,
-            shell,
+            moved,
             wanted,
             view,
         }
@@ -164,7 +154,7 @@ impl<V: View> Followed<V> {
             simulated: self.simulated,
             infinite_load: self.infinite_load,
             last: self.last,
-            shell: None,
+            moved: None,
             measured: self.measured,
             view,
         }

@@ -3,9 +3,9 @@
 use std::io;
 
 use linkwright_solver::number::time;
+use linkwright_solver::simulation::Effort;
 use linkwright_solver::{
-    Dense, Effort, Instant, Interpreted, Method, Modes, Schedule, Simulation, SimulationOptions,
-    Stop, View,
+    Dense, Instant, Interpreted, Method, Modes, Schedule, Simulation, SimulationOptions, Stop, View,
 };
 
 use super::{Followed, Sink, Wanted};

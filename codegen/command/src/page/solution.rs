@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use linkwright_codegen::stages::emit::derivation::{Script, html, singular_poses};
+use linkwright_codegen::stages::emit::derivation::{Derivation, Script, singular_poses};
 use linkwright_codegen::stages::emit::markup::escaped;
 use linkwright_solver::number::time;
 use linkwright_solver::{Check, View as _};
@@ -14,8 +14,8 @@ const ZERO_DETERMINANT: f64 = 1e-9;
 
 /// Returns the plan as a table and the derivation of each block.
 pub fn derivation(check: &Check) -> String {
-    let (system, plan) = (check.interpreted.system(), check.interpreted.plan());
-    let derived = html(check.interpreted.pool(), system, plan);
+    let (derived, plan) = (check.interpreted.derived(), check.interpreted.plan());
+    let derived = Derivation::of_plan(derived.clone(), plan.clone()).html();
     let mut text = format!(
         "<p>{}.</p>\n<div class=\"wide\"><table><thead><tr><th>Block</th><th>Unknowns</th><th>Method</th><th>Joints</th></tr></thead><tbody>\n{}</tbody></table></div>\n",
         derived.summary, derived.outline

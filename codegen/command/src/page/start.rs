@@ -8,8 +8,9 @@ use linkwright_codegen::stages::emit::mathml::symbol;
 use linkwright_codegen::stages::pool::{Pool, SymbolRole};
 use linkwright_codegen::stages::system::System;
 use linkwright_codegen::stages::units::OutputUnit;
+use linkwright_solver::condition::Condition;
 use linkwright_solver::first_step::{FirstStep, first_step as first_step_from};
-use linkwright_solver::{Condition, Instant, Interpreted, View as _};
+use linkwright_solver::{Instant, Interpreted, View as _};
 use nalgebra::{DMatrix, DVector};
 
 use super::number::{mathml, number};

@@ -4,11 +4,12 @@ use std::fmt::Write as _;
 
 use linkwright_codegen::stages::emit::drawing::{self, Gap, Options, Pose};
 use linkwright_codegen::stages::emit::markup::escaped;
+use linkwright_solver::condition::Condition;
 use linkwright_solver::condition::jacobian;
 use linkwright_solver::drawn::pose;
 use linkwright_solver::open_loop::open_loop;
 use linkwright_solver::textbook::TextbookEquations;
-use linkwright_solver::{Check, Condition, Instant, Modes, Schedule, View as _};
+use linkwright_solver::{Check, Instant, Modes, Schedule, View as _};
 use nalgebra::DVector;
 
 use super::number::number;

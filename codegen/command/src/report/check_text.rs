@@ -2,11 +2,12 @@
 
 use std::io::{self, Write};
 
+use linkwright_solver::checked_part::CheckedPart;
 use linkwright_solver::every_pose::Undecided;
 use linkwright_solver::number::{fixed, scientific, time};
 use linkwright_solver::search::STARTS;
 use linkwright_solver::warnings::times;
-use linkwright_solver::{Check, CheckedPart, View};
+use linkwright_solver::{Check, View};
 
 use super::assembly_table;
 use super::units::{enclosing, si_of};

@@ -24,9 +24,10 @@ use std::io::{self, Write};
 use linkwright::PointMotion;
 use linkwright_codegen::stages::model::Role;
 use linkwright_codegen::stages::units::OutputUnit;
+use linkwright_solver::View;
 use linkwright_solver::check::equation_count;
 use linkwright_solver::pressure::LargestPressureAngle;
-use linkwright_solver::{Residuals, View};
+use linkwright_solver::residuals::Residuals;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 

@@ -1,8 +1,8 @@
-//! The linkage keeps its lengths, and comes back after one turn.
+//! Checks that the links keep their lengths, and that one turn leads back.
 
 use {{module}}::four_bar::FourBar;
 
-/// What rounding may do to a length of a tenth of a meter, in m.
+/// Rounding error of a length of a tenth of a meter, in m.
 const ROUNDING: f64 = 1e-14;
 
 fn distance(from: [f64; 2], to: [f64; 2]) -> f64 {

@@ -54,14 +54,17 @@ pub struct Label {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Diagnostic {
     /// Severity; an error stops the pipeline.
+    #[doc(hidden)]
     pub severity: Severity,
     /// Class of the finding, printed as `K07`.
     pub code: Code,
     /// Fault in lower case, with names in backticks and without a full stop.
     pub message: String,
     /// Location of the cause, marked `^^^`.
+    #[doc(hidden)]
     pub primary: Label,
     /// Further locations that explain the cause, such as a first declaration or an opening bracket, marked `---`.
+    #[doc(hidden)]
     pub secondary: Vec<Label>,
     /// Remedies, one sentence each.
     pub help: Vec<String>,
@@ -71,11 +74,13 @@ pub struct Diagnostic {
 
 impl Diagnostic {
     /// Creates an error at `span`.
+    #[doc(hidden)]
     pub fn error(code: Code, span: Span, message: impl Into<String>) -> Self {
         Self::new(Severity::Error, code, span, message.into())
     }
 
     /// Creates a warning at `span`.
+    #[doc(hidden)]
     pub fn warning(code: Code, span: Span, message: impl Into<String>) -> Self {
         Self::new(Severity::Warning, code, span, message.into())
     }
@@ -97,12 +102,14 @@ impl Diagnostic {
     }
 
     /// Sets the text beside the marks of the primary location.
+    #[doc(hidden)]
     pub fn label(mut self, text: impl Into<String>) -> Self {
         self.primary.text = text.into();
         self
     }
 
     /// Marks a further location.
+    #[doc(hidden)]
     pub fn also(mut self, span: Span, text: impl Into<String>) -> Self {
         self.secondary.push(Label {
             span,
@@ -112,21 +119,36 @@ impl Diagnostic {
     }
 
     /// Adds a remedy.
+    #[doc(hidden)]
     pub fn help(mut self, text: impl Into<String>) -> Self {
         self.help.push(text.into());
         self
     }
 
     /// Replaces all remedies by this one.
+    #[doc(hidden)]
     pub fn instead(mut self, text: impl Into<String>) -> Self {
         self.help = vec![text.into()];
         self
     }
 
     /// Adds background.
+    #[doc(hidden)]
     pub fn note(mut self, text: impl Into<String>) -> Self {
         self.notes.push(text.into());
         self
+    }
+
+    /// True for an error, false for a warning.
+    pub fn is_error(&self) -> bool {
+        self.severity == Severity::Error
+    }
+
+    /// Returns the first position of the cause in the source, and the one behind its last character.
+    pub fn range(&self, source: &Source) -> [Position; 2] {
+        let span = self.primary.span.range();
+        let lines = source::Lines::of(source);
+        [span.start, span.end].map(|offset| lines.position(offset))
     }
 
     /// Renders the finding in the format of rustc, without color, ending in a line break.

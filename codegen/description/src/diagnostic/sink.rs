@@ -15,11 +15,13 @@ impl Diagnostics {
     pub const MAX_FINDINGS: usize = 100;
 
     /// Creates an empty sink.
+    #[doc(hidden)]
     pub fn new() -> Self {
         Self::default()
     }
 
     /// Adds a finding, unless [`Diagnostics::MAX_FINDINGS`] of its severity are kept already.
+    #[doc(hidden)]
     pub fn push(&mut self, diagnostic: Diagnostic) {
         let is_error = diagnostic.severity == Severity::Error;
         let others = if is_error {

@@ -67,8 +67,10 @@ pub struct Source {
     /// Whole text.
     pub text: String,
     /// Files that the text names.
+    #[doc(hidden)]
     pub attachments: Vec<Attachment>,
     /// Units of reported values, which override the text; `None` if the text decides.
+    #[doc(hidden)]
     pub units: Option<OutputUnits>,
 }
 
@@ -87,6 +89,7 @@ impl Source {
     }
 
     /// Returns the source with these units for reported values.
+    #[doc(hidden)]
     pub fn reported_in(mut self, units: Option<OutputUnits>) -> Source {
         self.units = units;
         self
@@ -148,6 +151,7 @@ impl Source {
     }
 
     /// Returns the line and column of a byte offset; an offset beyond the end is clamped.
+    #[doc(hidden)]
     pub fn position(&self, offset: u32) -> Position {
         Lines::of(self).position(offset as usize)
     }

@@ -111,7 +111,7 @@ impl<'a> Assembler<'a> {
     pub fn spline(&mut self, spline: SplineId) -> u32 {
         let splines = &mut self.code.splines;
         *self.splines.entry(spline).or_insert_with(|| {
-            splines.push(self.graph.splines[spline.index()].clone());
+            splines.push(self.graph.spline_table.spline(spline).clone());
             splines.len() as u32 - 1
         })
     }

@@ -3,21 +3,24 @@
 //! Operands have smaller ids than the expressions built from them. A node other than a number contains neither a non-finite
 //! number nor constants with a non-finite result: the constructors return the number NaN instead. Simplification is done
 //! elsewhere.
+//!
+//! All constructors are methods of one type, because each builds its canonical form with the others: a product calls sums and
+//! roots. Every new node gets its value, its set of symbols and its cost in one step, so that no constructor can omit one.
+//! Interner, symbol table, splines and ledger do not need this invariant, and are types of their own.
 
 use super::bounds::Ledger;
 use super::derivative::TermIndex;
-use super::hashing::{BuildExprHasher, ExprHasher};
+use super::hashing::BuildExprHasher;
+use super::interner::Interner;
 use super::node::{ExprId, Node, SymbolId};
 use super::number::Number;
 use super::rational::Rational;
-use super::spline::Spline;
+use super::spline::SplineTable;
+use super::symbol_table::SymbolTable;
 use super::symbols::SymbolSets;
 use super::values::Worth;
 use std::collections::{HashMap, HashSet};
-use std::hash::{Hash, Hasher};
-use std::sync::Arc;
 
-const VACANT: u32 = u32::MAX;
 const ZERO: ExprId = ExprId(0);
 const ONE: ExprId = ExprId(1);
 const PI: ExprId = ExprId(2);
@@ -25,10 +28,8 @@ const PI: ExprId = ExprId(2);
 /// A growing set of hash-consed expressions. Ids are valid only in their own graph.
 #[derive(Clone, Debug)]
 pub struct Graph {
-    nodes: Vec<Node>,
-    hashes: Vec<u64>,
-    /// Hash table with open addressing, at most half full; its length is a power of two.
-    slots: Vec<u32>,
+    interner: Interner,
+    pub(super) symbol_table: SymbolTable,
     pub(super) symbol_sets: SymbolSets,
     /// Values by node.
     pub(super) worths: Vec<Worth>,
@@ -38,14 +39,7 @@ pub struct Graph {
     pub(super) term_indices: HashMap<ExprId, TermIndex, BuildExprHasher>,
     /// Shorter forms of constants, as requested so far.
     pub(super) tidied: HashMap<ExprId, ExprId, BuildExprHasher>,
-    symbol_names: Vec<String>,
-    symbols_by_name: HashMap<String, SymbolId>,
-    /// Nominal values by symbol, up to the last symbol with one.
-    pub(super) nominal_values: Vec<Option<f64>>,
-    /// Splines without duplicates.
-    pub(super) splines: Vec<Arc<Spline>>,
-    /// Indices of splines by name; never iterated.
-    pub(super) splines_by_name: HashMap<String, Vec<usize>>,
+    pub(super) spline_table: SplineTable,
 }
 
 impl Default for Graph {
@@ -58,20 +52,15 @@ impl Graph {
     /// Creates a graph that contains the numbers 0, 1 and π.
     pub fn new() -> Graph {
         let mut graph = Graph {
-            nodes: Vec::new(),
-            hashes: Vec::new(),
-            slots: vec![VACANT; 64],
+            interner: Interner::new(),
+            symbol_table: SymbolTable::default(),
             symbol_sets: SymbolSets::new(),
             worths: Vec::new(),
             ledger: Ledger::new(),
             derivatives: HashMap::default(),
             term_indices: HashMap::default(),
             tidied: HashMap::default(),
-            symbol_names: Vec::new(),
-            symbols_by_name: HashMap::new(),
-            nominal_values: Vec::new(),
-            splines: Vec::new(),
-            splines_by_name: HashMap::new(),
+            spline_table: SplineTable::default(),
         };
         let zero = graph.intern(Node::Number(Number::ZERO));
         let one = graph.intern(Node::Number(Number::ONE));
@@ -117,43 +106,36 @@ impl Graph {
 
     /// Returns the top node of an expression.
     pub fn node(&self, id: ExprId) -> &Node {
-        &self.nodes[id.index()]
+        self.interner.node(id)
     }
 
     /// Returns the number of nodes.
     pub fn node_count(&self) -> usize {
-        self.nodes.len()
+        self.interner.len()
     }
 
     /// Returns the symbol of this name, and creates it on the first call.
     pub fn symbol(&mut self, name: &str) -> SymbolId {
-        if let Some(&symbol) = self.symbols_by_name.get(name) {
+        if let Some(symbol) = self.symbol_table.find(name) {
             return symbol;
         }
-        assert!(
-            self.symbol_names.len() < VACANT as usize,
-            "symbols are numbered with 32 bits"
-        );
         self.ledger.store(1);
-        let symbol = SymbolId(self.symbol_names.len() as u32);
-        self.symbol_names.push(name.to_owned());
-        self.symbols_by_name.insert(name.to_owned(), symbol);
-        symbol
+        self.symbol_table.add(name)
     }
 
     /// Returns the symbol of this name; `None` if it does not exist.
     pub fn find_symbol(&self, name: &str) -> Option<SymbolId> {
-        self.symbols_by_name.get(name).copied()
+        self.symbol_table.find(name)
     }
 
     /// Returns the name of a symbol.
     pub fn symbol_name(&self, symbol: SymbolId) -> &str {
-        &self.symbol_names[symbol.index()]
+        self.symbol_table.name(symbol)
     }
 
     /// Returns the number of symbols.
     pub fn symbol_count(&self) -> usize {
-        self.symbol_names.len()
+        self.symbol_table.len()
     }
 
     /// Returns the expression of a symbol.
@@ -233,18 +215,16 @@ impl Graph {
 
     /// Returns the id of a canonical node; `None` if it does not exist.
     pub fn find(&self, node: &Node) -> Option<ExprId> {
-        let slot_content = self.slots[self.slot(hash(node), node)];
-        (slot_content != VACANT).then_some(ExprId(slot_content))
+        self.interner.find(node).ok()
     }
 
     /// Returns the id of a canonical node, and stores the node if it is new. Returns the number NaN if a constant in the node
     /// is infinite or undefined, or if a bound is passed.
     pub(super) fn intern(&mut self, node: Node) -> ExprId {
-        let hash = hash(&node);
-        let slot = self.slot(hash, &node);
-        if self.slots[slot] != VACANT {
-            return ExprId(self.slots[slot]);
-        }
+        let vacancy = match self.interner.find(&node) {
+            Ok(id) => return id,
+            Err(vacancy) => vacancy,
+        };
         let Some(worth) = self.worth_of(&node) else {
             return self.not_a_number();
         };
@@ -254,56 +234,11 @@ impl Graph {
         } else if !self.ledger.admits(node.size(), depth) {
             return self.not_a_number();
         }
-        assert!(
-            self.nodes.len() < VACANT as usize,
-            "expressions are numbered with 32 bits"
-        );
-        let id = self.nodes.len() as u32;
-        self.slots[slot] = id;
         // A symbol in a set takes a twentieth of a term.
         let listed = self.symbol_sets.record(&node);
         self.ledger.store(listed / 20);
         self.ledger.record(depth);
         self.worths.push(worth);
-        self.nodes.push(node);
-        self.hashes.push(hash);
-        if self.nodes.len() * 2 > self.slots.len() {
-            self.widen();
-        }
-        ExprId(id)
+        self.interner.insert(node, vacancy)
     }
-
-    /// Returns the slot of the node, or the vacant slot for it.
-    fn slot(&self, hash: u64, node: &Node) -> usize {
-        let mask = self.slots.len() - 1;
-        let mut slot = hash as usize & mask;
-        loop {
-            let id = self.slots[slot];
-            if id == VACANT
-                || (self.hashes[id as usize] == hash && self.nodes[id as usize] == *node)
-            {
-                return slot;
-            }
-            slot = (slot + 1) & mask;
-        }
-    }
-
-    fn widen(&mut self) {
-        let length = self.slots.len() * 2;
-        self.slots.clear();
-        self.slots.resize(length, VACANT);
-        for (id, &hash) in self.hashes.iter().enumerate() {
-            let mut slot = hash as usize & (length - 1);
-            while self.slots[slot] != VACANT {
-                slot = (slot + 1) & (length - 1);
-            }
-            self.slots[slot] = id as u32;
-        }
-    }
-}
-
-fn hash(node: &Node) -> u64 {
-    let mut hasher = ExprHasher::default();
-    node.hash(&mut hasher);
-    hasher.finish()
 }

@@ -17,10 +17,7 @@ impl Graph {
             symbol.index() < self.symbol_count(),
             "a symbol belongs to the graph that named it"
         );
-        if self.nominal_values.len() <= symbol.index() {
-            self.nominal_values.resize(symbol.index() + 1, None);
-        }
-        self.nominal_values[symbol.index()] = Some(value);
+        self.symbol_table.set_nominal(symbol, value);
         if self.find(&Node::Symbol(symbol)).is_some() {
             self.revalue();
         }
@@ -28,12 +25,12 @@ impl Graph {
 
     /// Returns the nominal value of a symbol; `None` if it has none.
     pub fn nominal(&self, symbol: SymbolId) -> Option<f64> {
-        self.nominal_values.get(symbol.index()).copied().flatten()
+        self.symbol_table.nominal(symbol)
     }
 
     /// Writes the nominal values into a table of all symbols, and leaves the other entries unchanged.
     pub fn fill_nominal(&self, symbols: &mut [f64]) {
-        for (place, nominal) in symbols.iter_mut().zip(&self.nominal_values) {
+        for (place, nominal) in symbols.iter_mut().zip(self.symbol_table.nominal_values()) {
             if let Some(nominal) = nominal {
                 *place = *nominal;
             }

@@ -36,13 +36,13 @@ impl<'a> Recorder<'a> {
         self.assembler.unbound()
     }
 
-    /// The code that was recorded.
+    /// Returns the recorded code.
     pub fn finish(self) -> Code {
         self.assembler.finish()
     }
 
-    /// Records the sum of the absolute values of an expression's terms, by which a residual is scaled: of what is no sum its absolute
-    /// value.
+    /// Records the scale of a residual: the sum of the absolute values of an expression's terms. An expression that is not a sum has one
+    /// term.
     pub fn magnitude(&mut self, expr: ExprId) -> Register {
         let terms = match self.graph().node(expr) {
             Node::Sum(terms) => terms
@@ -64,7 +64,7 @@ impl<'a> Recorder<'a> {
         sum.unwrap_or_else(|| self.assembler.constant(0.0))
     }
 
-    /// Records an expression as far as it is not recorded yet.
+    /// Records the parts of an expression that are not recorded yet. Returns its register.
     pub fn value(&mut self, expr: ExprId) -> Register {
         if let Some(&register) = self.recorded.get(&expr) {
             return register;

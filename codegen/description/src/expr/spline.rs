@@ -3,6 +3,7 @@
 //! A spline is stored once per graph, with numbers as coefficients. The fourth derivative vanishes, so an expression names a
 //! spline and an order from 0 to 3. An argument without symbols is evaluated at once. Continuity of the pieces is not checked.
 
+use std::collections::HashMap;
 use std::sync::Arc;
 
 use super::graph::Graph;
@@ -90,6 +91,42 @@ impl Spline {
     }
 }
 
+/// Splines of one graph, without duplicates.
+#[derive(Clone, Debug, Default)]
+pub(super) struct SplineTable {
+    splines: Vec<Arc<Spline>>,
+    /// Indices of splines by name; never iterated.
+    by_name: HashMap<String, Vec<usize>>,
+}
+
+impl SplineTable {
+    /// Returns a spline.
+    pub fn spline(&self, id: SplineId) -> &Arc<Spline> {
+        &self.splines[id.index()]
+    }
+
+    /// Returns the id of a spline; `None` if it is not stored.
+    fn find(&self, spline: &Spline) -> Option<SplineId> {
+        let mut named = self.by_name.get(&spline.name)?.iter();
+        let place = named.find(|place| *self.splines[**place] == *spline)?;
+        Some(id(*place))
+    }
+
+    /// Stores a new spline.
+    fn add(&mut self, spline: Spline) -> SplineId {
+        let place = self.splines.len();
+        let named = self.by_name.entry(spline.name.clone()).or_default();
+        named.push(place);
+        self.splines.push(Arc::new(spline));
+        id(place)
+    }
+}
+
+fn id(place: usize) -> SplineId {
+    // A description contains far fewer than 2^32 statements.
+    SplineId(place as u32)
+}
+
 impl Graph {
     /// Returns the id of a spline; equal splines have equal ids.
     ///
@@ -100,26 +137,20 @@ impl Graph {
             spline.pieces.len() >= 2 && spline.pieces.len() == spline.starts.len(),
             "every piece has a start"
         );
-        let named = self.splines_by_name.entry(spline.name.clone()).or_default();
-        let known = named.iter().find(|place| *self.splines[**place] == spline);
-        let place = known.copied().unwrap_or_else(|| {
+        self.spline_table.find(&spline).unwrap_or_else(|| {
             self.ledger.store(spline.pieces.len() / 2);
-            named.push(self.splines.len());
-            self.splines.push(Arc::new(spline));
-            self.splines.len() - 1
-        });
-        // A description contains far fewer than 2^32 statements.
-        SplineId(place as u32)
+            self.spline_table.add(spline)
+        })
     }
 
     /// Returns the data of a spline.
     pub fn spline_of(&self, spline: SplineId) -> &Spline {
-        &self.splines[spline.index()]
+        self.spline_table.spline(spline)
     }
 
     /// Iterates over all splines with their ids, in order of declaration.
     pub fn splines(&self) -> impl Iterator<Item = (SplineId, &Spline)> {
-        let splines = (0u32..).zip(&self.splines);
+        let splines = (0u32..).zip(&self.spline_table.splines);
         splines.map(|(id, spline)| (SplineId(id), &**spline))
     }
 

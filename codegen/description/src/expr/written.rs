@@ -13,7 +13,7 @@ use std::cell::Cell;
 use std::collections::{HashMap, HashSet};
 
 /// Maximum length of a constant printed exactly, in characters: `sqrt(3)/2`, `0.125*sqrt(17)`, `pi/6 + atan2(3, 4)`.
-pub const SHORT: u64 = 32;
+pub const MAX_EXACT_LENGTH: u64 = 32;
 
 /// Length of a name, in characters.
 const NAME: u64 = 8;
@@ -40,7 +40,7 @@ impl Graph {
 
     /// True if an expression is printed exactly; a constant that is not short has a decimal value or a name.
     pub fn is_short(&self, expr: ExprId) -> bool {
-        self.is_written_within(expr, SHORT)
+        self.is_written_within(expr, MAX_EXACT_LENGTH)
     }
 
     /// True if the whole expression has at most so many characters. The search stops beyond them.

@@ -48,6 +48,16 @@ pub enum Line {
     Existing,
 }
 
+impl Line {
+    /// Returns the indices of the operands whose bodies have the ends of the line.
+    pub fn owners(self) -> [usize; 2] {
+        match self {
+            Line::On(owner) => [owner; 2],
+            Line::None | Line::Between | Line::Existing => [0, 1],
+        }
+    }
+}
+
 impl Operands {
     /// One body or angle: `absolute_angle(1)`.
     pub const ANGLE: Operands = Operands::of(&[Slot::Turning]);

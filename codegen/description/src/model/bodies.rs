@@ -192,7 +192,8 @@ impl Resolver<'_> {
                 })
             }
             syntax::Member::Carried { docs, name } => {
-                let Some(DrawnPoint { position, .. }) = self.declared.drawn.get(&name.text) else {
+                let global = self.declared.drawn.declaration(&name.text);
+                let Some((declared, &DrawnPoint { position, .. })) = global else {
                     let unknown = self.declared.drawn.unknown(&name.text, name.span);
                     self.diagnostics.push(unknown.help(format!(
                         "give its global position, `point {0} = (x, y);`, or in the body's frame, `{0}: (x, y)`",
@@ -200,7 +201,7 @@ impl Resolver<'_> {
                     )));
                     return None;
                 };
-                let position = *position;
+                self.note_use(name, declared.span);
                 let gap = subtract(position, drawn.origin, &mut self.graph);
                 let local = drawn.unrotate(gap, &mut self.graph);
                 Some(NamedMark {

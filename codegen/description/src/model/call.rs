@@ -31,7 +31,8 @@ impl Resolver<'_> {
         if LAWS.contains(&name) {
             return self.law(function, arguments, span);
         }
-        if self.declared.table_names.get(name).is_some() {
+        if let Some((declaration, _)) = self.declared.table_names.found(name) {
+            self.note_use(function, declaration);
             return self.look_up(function, arguments, span);
         }
         if !FUNCTIONS.contains(&name) {

@@ -23,13 +23,13 @@ const ESTIMATED_TO: f64 = 1e8;
 impl Resolver<'_> {
     /// Returns the curve of this name; `None` also if its statement has an error.
     pub(super) fn named_curve(&mut self, reference: &Reference) -> Option<DrawnCurve> {
-        if let (None, Some(&curve)) = (
-            &reference.body,
-            self.declared.curves.get(&reference.name.text),
-        ) {
+        let name = &reference.name;
+        if let (None, Some((declaration, curve))) =
+            (&reference.body, self.declared.curves.found(&name.text))
+        {
+            self.note_use(name, declaration);
             return curve;
         }
-        let name = &reference.name;
         let diagnostic = match &reference.body {
             Some(_) => Diagnostic::error(
                 Code::WrongForm,

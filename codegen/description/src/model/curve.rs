@@ -9,7 +9,7 @@ use crate::diagnostic::{Code, Diagnostic};
 use crate::expr::{ExprId, SymbolId};
 use crate::joint::Quantity;
 use crate::joint::geometry::{BodyId, Vector};
-use crate::syntax::{self, BUILT_IN};
+use crate::syntax::{self, BUILT_IN, Name};
 
 /// Square of the speed, relative to its maximum, below which a curve has a cusp.
 const STANDSTILL: f64 = 1e-10;
@@ -28,7 +28,7 @@ pub(super) struct DrawnCurve {
 /// Parameter of a curve whose formula is being resolved.
 #[derive(Clone, Debug)]
 pub(super) struct Parameter {
-    pub name: String,
+    pub name: Name,
     pub value: ExprId,
     pub dimension: Dimension,
 }
@@ -76,7 +76,7 @@ impl Resolver<'_> {
         let count = self.graph.symbol_count();
         let parameter = self.graph.symbol(&format!("{count} parameter"));
         self.formulas.parameter = Some(Parameter {
-            name: name.text.clone(),
+            name: name.clone(),
             value: self.graph.variable(parameter),
             dimension,
         });

@@ -95,6 +95,7 @@ impl Resolver<'_> {
             role,
             redundant: equation.redundant,
             name: name.map(|name| name.text.clone()),
+            name_span: name.map(|name| name.span),
             label,
             slug: self.linkage.unique_slug(&slug),
             docs: equation.docs.clone(),

@@ -163,16 +163,19 @@ impl Resolver<'_> {
         let name = &reference.name.text;
         if reference.body.is_none() {
             if let Some(parameter) = &self.formulas.parameter
-                && parameter.name == *name
+                && parameter.name.text == *name
             {
-                return Some((parameter.value, parameter.dimension));
+                let value = (parameter.value, parameter.dimension);
+                self.note_use(&reference.name, parameter.name.span);
+                return Some(value);
             }
             match name.as_str() {
                 "t" => return Some((self.graph.variable(self.formulas.time), Dimension::OfTime)),
                 "pi" => return Some((self.graph.pi(), Dimension::Number)),
                 _ => {}
             }
-            if let Some(&value) = self.declared.constants.get(name) {
+            if let Some((declaration, value)) = self.declared.constants.found(name) {
+                self.note_use(&reference.name, declaration);
                 self.mention(value.0);
                 return Some(value);
             }
@@ -359,7 +362,7 @@ impl Resolver<'_> {
         };
         let parameter = self.formulas.parameter.as_ref();
         let is_declared = BUILT_IN.contains(&name.text.as_str())
-            || parameter.is_some_and(|it| it.name == name.text)
+            || parameter.is_some_and(|it| it.name.text == name.text)
             || self.declared.constants.get(&name.text).is_some();
         if is_declared || !UNITS.contains(&name.text.as_str()) {
             return None;

@@ -22,12 +22,10 @@ impl Resolver<'_> {
         let joint = self.linkage.joints.len();
         // A finding about the signal refers to its initial value.
         let place = drive.value.span;
-        let mut name = written.name.clone();
-        name.span = place;
         let signal = Expression {
             kind: ExpressionKind::Reference(Reference {
                 body: None,
-                name,
+                name: written.name.clone(),
                 span: place,
             }),
             span: place,

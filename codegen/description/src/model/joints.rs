@@ -14,6 +14,7 @@ impl Resolver<'_> {
         let keyword = joint.kind.text.as_str();
         let Some(kind) = kind_named(keyword, CONSTRAINTS) else {
             self.linkage.broken_lines.extend(joint.along.clone());
+            self.note_operands(&joint.operands, joint.along.as_ref(), [0, 1]);
             let keywords: Vec<&str> = CONSTRAINTS.iter().map(|kind| kind.keyword).collect();
             let diagnostic = Diagnostic::error(
                 Code::UnknownStatement,
@@ -71,6 +72,7 @@ impl Resolver<'_> {
         self.diagnostics.extend(duplicate);
         let quantity = drive.quantity.text.as_str();
         let Some(kind) = kind_named(quantity, DRIVERS) else {
+            self.note_operands(&drive.operands, None, [0, 1]);
             let quantities: Vec<&str> = DRIVERS.iter().map(|kind| kind.keyword).collect();
             let help = match nearest(quantity, quantities.iter().copied()) {
                 Some(meant) => format!("did you mean `{meant}`?"),
@@ -135,7 +137,7 @@ impl Resolver<'_> {
             return Some(syntax::Reference {
                 body: Some(syntax::Name {
                     text: carrier.name.clone(),
-                    span: operand.span,
+                    span: carrier.span,
                 }),
                 ..operand.clone()
             });
@@ -204,6 +206,7 @@ impl Resolver<'_> {
             role: given.role,
             redundant,
             name: given.name.map(|name| name.text.clone()),
+            name_span: given.name.map(|name| name.span),
             label,
             slug,
             docs: docs.to_vec(),
@@ -211,7 +214,30 @@ impl Resolver<'_> {
             pressure_angle,
             span: given.span,
         };
-        self.linkage.push_joint(joint, given.along.cloned());
+        let along = given.along.map(|along| self.on_bodies(along, &joint));
+        self.linkage.push_joint(joint, along);
+    }
+
+    /// Returns the line of a joint with the bodies of its ends, by which drivers may name them.
+    fn on_bodies(&self, along: &syntax::Direction, joint: &Joint) -> syntax::Direction {
+        let marks = &joint.operands.marks;
+        let owners = joint.kind.operands.line.owners();
+        let [from, to] = [(&along.from, owners[0]), (&along.to, owners[1])].map(|(end, owner)| {
+            let body = &self.linkage.bodies[marks[owner].frame.body.0];
+            let body = syntax::Name {
+                text: body.name.clone(),
+                span: end.span,
+            };
+            syntax::Reference {
+                body: end.body.clone().or(Some(body)),
+                ..end.clone()
+            }
+        });
+        syntax::Direction {
+            from,
+            to,
+            span: along.span,
+        }
     }
 }
 

@@ -50,12 +50,12 @@ impl Resolver<'_> {
         }
         if self.declared.drawn.get(&name.text).is_some() {
             return match self.linkage.carriers.first_carrier(&name.text) {
-                Some(carried) => Some(self.carried(carried).mark),
+                Some(carried) => Some(self.carried_mark(name, carried)),
                 None => self.mark_on_ground(name),
             };
         }
         match self.linkage.carriers.carriers_of(&name.text)[..] {
-            [only] => Some(self.carried(only).mark),
+            [only] => Some(self.carried_mark(name, only)),
             [] if self.declared.body_ids.get(&name.text).is_some() => {
                 self.moving_body(name)?;
                 self.origin_mark(reference)

@@ -2,6 +2,7 @@
 //! body, and `(P, Q)` of an earlier joint.
 
 use super::Joint;
+use super::loads::written_reference;
 use super::operands::WrittenJoint;
 use super::resolve::Resolver;
 use crate::diagnostic::{Code, Diagnostic, Span};
@@ -184,25 +185,33 @@ impl Resolver<'_> {
                 .filter(|&at| joints[at].1.as_ref().is_some_and(fits))
                 .collect()
         };
+        for body in points.iter().filter_map(|point| point.body.as_ref()) {
+            self.body(body)?;
+        }
         let joints_along = matching(points[0], points[1], &self.linkage.joints);
         if let [only] = joints_along[..] {
-            let operands = &self.linkage.joints[only].0.operands;
-            return Some((
+            let (joint, along) = &self.linkage.joints[only];
+            let operands = &joint.operands;
+            let line = (
                 operands.marks.clone(),
                 operands.axis,
                 operands.auxiliaries.clone(),
-            ));
+            );
+            let ends = along.as_ref().map(ends_of);
+            self.note_ends(points, ends);
+            return Some(line);
         }
         // The missing joint is explained by an earlier error.
         let is_broken = |along: &Direction| {
             let fits = |from, to| same(from, &along.from) && same(to, &along.to);
             fits(points[0], points[1]) || fits(points[1], points[0])
         };
-        if self.linkage.broken_lines.iter().any(is_broken) {
+        if let Some(along) = self.linkage.broken_lines.iter().find(|it| is_broken(it)) {
+            self.note_ends(points, Some(ends_of(along)));
             return None;
         }
         let span = points[0].span.to(points[1].span);
-        let [p, q] = [&points[0].name.text, &points[1].name.text];
+        let [p, q] = points.map(written_reference);
         let diagnostic = if let Some(&first) = joints_along.first() {
             Diagnostic::error(
                 Code::WrongForm,
@@ -234,4 +243,16 @@ impl Resolver<'_> {
         self.diagnostics.push(diagnostic);
         None
     }
+
+    /// Records that points name the ends of an earlier line.
+    fn note_ends(&mut self, points: [&Reference; 2], ends: Option<[Span; 2]>) {
+        for (point, end) in points.into_iter().zip(ends.into_iter().flatten()) {
+            self.note_use(&point.name, end);
+        }
+    }
+}
+
+/// Returns the source locations of the points at the ends of a line.
+fn ends_of(along: &Direction) -> [Span; 2] {
+    [&along.from, &along.to].map(|end| end.name.span)
 }

@@ -1,5 +1,7 @@
 //! Resolves references to bodies and points into marks and into global positions.
 
+use super::NamedMark;
+use super::carriers::Carried;
 use super::declared::DrawnPoint;
 use super::operands::WrittenJoint;
 use super::resolve::Resolver;
@@ -10,7 +12,8 @@ use crate::syntax::{Name, Reference};
 impl Resolver<'_> {
     /// Returns the body of this name; `None` after an error.
     pub(super) fn body(&mut self, name: &Name) -> Option<BodyId> {
-        if let Some(&body) = self.declared.body_ids.get(&name.text) {
+        if let Some((declaration, body)) = self.declared.body_ids.found(&name.text) {
+            self.note_use(name, declaration);
             return Some(body);
         }
         let carriers = self.names_of_carriers(&name.text);
@@ -150,11 +153,12 @@ impl Resolver<'_> {
         }
         let carrier = &self.linkage.bodies[body.0];
         if let Some(at) = self.linkage.carriers.on_body(body, &name.text) {
-            return Some(carrier.marks[at].mark);
+            return Some(self.carried_mark(name, (body, at)));
         }
-        let drawn = self.declared.drawn.get(&name.text);
-        if let (BodyId::GROUND, Some(point)) = (body, drawn) {
-            let (frame, local) = (carrier.frame, point.position);
+        let drawn = self.declared.drawn.declaration(&name.text);
+        if let (BodyId::GROUND, Some((declared, point))) = (body, drawn) {
+            let (frame, local, declaration) = (carrier.frame, point.position, declared.span);
+            self.note_use(name, declaration);
             return Some(Mark::new(frame, local, &mut self.graph));
         }
         let carried_elsewhere = self.linkage.carriers.first_carrier(&name.text).is_some();
@@ -190,6 +194,13 @@ impl Resolver<'_> {
         };
         self.diagnostics.push(diagnostic);
         None
+    }
+
+    /// Returns a point of a body that is used by its name.
+    pub(super) fn carried_mark(&mut self, name: &Name, carried: Carried) -> Mark {
+        let &NamedMark { span, mark, .. } = self.carried(carried);
+        self.note_use(name, span);
+        mark
     }
 
     /// Resolves a global point that is on no body, including later bodies.
@@ -289,8 +300,11 @@ impl Resolver<'_> {
             let mark = self.point_mark(reference)?;
             return Some(self.drawn_mark(&mark));
         }
-        match self.declared.drawn.get(&reference.name.text) {
-            Some(DrawnPoint { position, .. }) => Some(*position),
+        match self.declared.drawn.declaration(&reference.name.text) {
+            Some((declared, &DrawnPoint { position, .. })) => {
+                self.note_use(&reference.name, declared.span);
+                Some(position)
+            }
             None => {
                 let name = &reference.name.text;
                 let carriers = self.names_of_carriers(name);

@@ -31,6 +31,7 @@ mod live_distance;
 mod live_name;
 mod loads;
 mod marks;
+mod mention;
 mod motions;
 mod namespace;
 mod naming;
@@ -58,7 +59,8 @@ pub use call::FUNCTIONS;
 pub use dimension::{Dimension, unit};
 pub use forces::{Forces, Mass};
 pub use law::LAWS;
-pub use motions::resolve;
+pub use mention::Mention;
+pub use motions::{mentions, resolve};
 pub use naming::Naming;
 pub use parameters::field_name;
 pub use setting::{follow_points, set};
@@ -272,6 +274,8 @@ pub struct Joint {
     pub redundant: Option<Span>,
     /// Name after the keyword; `None` if it has none.
     pub name: Option<String>,
+    /// Source location of the name; `None` if it has none.
+    pub name_span: Option<Span>,
     /// Label in messages: `revolute P(1, 2)`.
     pub label: String,
     /// Stem of its row names in generated code: `p`, `drive_phi_1`; unique.

@@ -5,6 +5,7 @@
 
 use super::Mechanism;
 use super::bounds::beyond_bounds;
+use super::mention::{Mention, Mentions};
 use super::namespace::Namespace;
 use super::naming::Naming;
 use super::parameters::unused;
@@ -24,6 +25,23 @@ pub fn resolve(
     naming: &'static Naming,
     diagnostics: &mut Diagnostics,
 ) -> Option<Vec<(Pool, Mechanism)>> {
+    resolve_recording(document, naming, &mut None, diagnostics)
+}
+
+/// Returns the uses of names in a document, also in one with errors, in the order in which they are resolved. Every motion repeats
+/// those of the statements outside all motions.
+pub fn mentions(document: &Document, naming: &'static Naming) -> Vec<Mention> {
+    let mut mentions = Some(Vec::new());
+    resolve_recording(document, naming, &mut mentions, &mut Diagnostics::new());
+    mentions.unwrap_or_default()
+}
+
+fn resolve_recording(
+    document: &Document,
+    naming: &'static Naming,
+    mentions: &mut Mentions,
+    diagnostics: &mut Diagnostics,
+) -> Option<Vec<(Pool, Mechanism)>> {
     let mut findings = Diagnostics::new();
     let item = &document.mechanism;
     let shared: Vec<&Statement> = item
@@ -39,8 +57,14 @@ pub fn resolve(
         let statements = motion.statements.iter();
         let statements: Vec<&Statement> = shared.iter().copied().chain(statements).collect();
         let mut part = Diagnostics::new();
-        let (pool, mechanism) =
-            resolve_statements(document, &statements, Some(motion), naming, &mut part);
+        let (pool, mechanism) = resolve_statements(
+            document,
+            &statements,
+            Some(motion),
+            naming,
+            mentions,
+            &mut part,
+        );
         size += statements.len() + pool.graph.node_count() + pool.graph.store();
         let is_beyond = size > MAX_TOTAL_SIZE && pool.graph.excess().is_none();
         if is_beyond {
@@ -58,6 +82,7 @@ pub fn resolve(
             &shared,
             None,
             naming,
+            mentions,
             &mut findings,
         ));
     }

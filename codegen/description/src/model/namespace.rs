@@ -61,6 +61,15 @@ impl<T> Namespace<T> {
         Some((name, value))
     }
 
+    /// Returns location and meaning of a name; `None` if it is not declared.
+    pub(super) fn found(&self, text: &str) -> Option<(Span, T)>
+    where
+        T: Copy,
+    {
+        self.declaration(text)
+            .map(|(name, &value)| (name.span, value))
+    }
+
     pub(super) fn iter(&self) -> impl Iterator<Item = (&Name, &T)> {
         self.declared.iter().map(|(name, value)| (name, value))
     }

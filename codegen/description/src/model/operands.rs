@@ -48,6 +48,7 @@ impl Resolver<'_> {
         let along_fits = given.along.is_some() == form.is_along();
         if !(form.fewest()..=form.slots.len()).contains(&count) || !along_fits || !value_fits(given)
         {
+            self.note_operands(given.operands, given.along, form.line.owners());
             self.report_form(given);
             return None;
         }

@@ -61,7 +61,27 @@ impl Resolver<'_> {
             }
         }
         self.reject_equal_lowercase(&points);
+        self.note_drawn_points();
         points
+    }
+
+    /// Records that a point of a body and the global point of its name are requested by one name.
+    fn note_drawn_points(&mut self) {
+        if self.mentions.is_none() {
+            return;
+        }
+        let marks = self.linkage.bodies.iter().flat_map(|body| &body.marks);
+        let drawn = marks.filter_map(|mark| {
+            let (name, _) = self.declared.drawn.declaration(&mark.name)?;
+            let written = Name {
+                text: mark.name.clone(),
+                span: mark.span,
+            };
+            Some((written, name.span))
+        });
+        for (name, declaration) in drawn.collect::<Vec<_>>() {
+            self.note_use(&name, declaration);
+        }
     }
 
     /// Returns a point of a body.

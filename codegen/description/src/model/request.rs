@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::resolve::Resolver;
-use super::{Point, Request, Requested};
+use super::{Body, Point, Request, Requested};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::joint::geometry::{BodyId, Mark, Vector};
 use crate::syntax::{self, AXES, LEVELS, Name, OutputItem, Reference};
@@ -71,11 +71,14 @@ impl Resolver<'_> {
             OutputItem::Point(reference) => {
                 let angle = self.angle_named(&reference.name.text);
                 let angle = angle.filter(|_| reference.body.is_none());
-                let coordinates = angle.map(|it| self.linkage.bodies[it.0].coordinates);
-                return match coordinates {
-                    Some([_, _, Some(angle)]) => Some(Requested::Coordinate(angle.place)),
-                    _ => self.requested_point(reference, points),
+                let Some(angle) = angle else {
+                    return self.requested_point(reference, points);
                 };
+                let Body {
+                    span, coordinates, ..
+                } = self.linkage.bodies[angle.0];
+                self.note_use(&reference.name, span);
+                return coordinates[2].map(|it| Requested::Coordinate(it.place));
             }
             OutputItem::Coordinate { axis, bodies, span } => (axis, bodies, *span),
         };
@@ -122,7 +125,11 @@ impl Resolver<'_> {
             let mark = self.point_mark(reference)?;
             points.of_body(&mark, &reference.name.text)
         } else {
-            points.by_name.get(reference.name.text.as_str()).copied()
+            let place = points.by_name.get(reference.name.text.as_str()).copied();
+            if let Some(place) = place {
+                self.note_use(&reference.name, points.points[place].span);
+            }
+            place
         };
         if place.is_none() && !self.names_of_carriers(&reference.name.text).is_empty() {
             self.report_without_body(&reference.name);

@@ -1,4 +1,8 @@
 //! Resolves the statements of a document, in source order, into a mechanism.
+//!
+//! Methods of one `Resolver` resolve all kinds of statements, because operands contain formulas, and formulas contain points,
+//! distances and tables. So each kind may lead to any other. What is resolved so far lies in types of its own: declarations, formulas,
+//! linkage and forces. A name is declared before it is read, and each finding is reported once, in source order.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -10,6 +14,7 @@ use super::expression::listed;
 use super::forces::Forces;
 use super::formulas::Formulas;
 use super::linkage::Linkage;
+use super::mention::Mentions;
 use super::naming::Naming;
 use super::request::Named;
 use super::units::chosen_units;
@@ -33,6 +38,7 @@ pub(super) struct Resolver<'a> {
     pub gravity: Option<(Vector, Span)>,
     /// True if a bound of the graph has been passed and reported.
     exceeded: bool,
+    pub mentions: Mentions,
     pub diagnostics: &'a mut Diagnostics,
 }
 
@@ -45,6 +51,7 @@ pub(super) fn resolve_statements<'a>(
     statements: &[&'a syntax::Statement],
     motion: Option<&syntax::Motion>,
     naming: &'static Naming,
+    mentions: &mut Mentions,
     diagnostics: &mut Diagnostics,
 ) -> (Pool, Mechanism) {
     let mut graph = Graph::new();
@@ -73,6 +80,7 @@ pub(super) fn resolve_statements<'a>(
     }
     let time = graph.symbol("t");
     let mut resolver = Resolver::new(graph, time, naming, diagnostics);
+    resolver.mentions = mentions.take();
     resolver.declared.attachments = &document.attachments;
     resolver.declared.carried = carried;
     // A missing name has been reported.
@@ -125,6 +133,7 @@ pub(super) fn resolve_statements<'a>(
         .linkage
         .characteristic_length(&loaded, &resolver.graph);
     let constants = resolver.constants(statements);
+    *mentions = resolver.mentions;
     let docs = document.docs.iter().chain(&item.docs).cloned().collect();
     let pool = Pool::new(resolver.graph, naming.apart);
     let mechanism = Mechanism {
@@ -179,6 +188,7 @@ impl<'a> Resolver<'a> {
             gravity: None,
             graph,
             exceeded: false,
+            mentions: None,
             diagnostics,
         }
     }

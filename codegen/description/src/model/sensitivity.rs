@@ -63,6 +63,9 @@ impl Resolver<'_> {
 
     /// Returns the parameter of this name; `None` after an error.
     fn parameter_named(&mut self, name: &Name, places: &HashMap<String, usize>) -> Option<usize> {
+        if let Some((declaration, _)) = self.declared.constants.found(&name.text) {
+            self.note_use(name, declaration);
+        }
         if let Some(&place) = places.get(&name.text) {
             return Some(place);
         }

@@ -114,6 +114,11 @@ impl Resolver<'_> {
                 if matching.is_empty() {
                     self.report_unknown_joint(name, &constraints);
                 }
+                for &place in &matching {
+                    if let Some(declaration) = self.linkage.joints[place].0.name_span {
+                        self.note_use(name, declaration);
+                    }
+                }
                 joints.extend(matching);
             }
         }

@@ -65,8 +65,8 @@ fn options_choose_scalar_and_functions() {
         uses("#![scalar(f32)]"),
         "use::linkwright::generated::single::*"
     );
-    let text = expanded("#![math(crate::plain)]", CRANK);
-    assert!(text.contains("use crate :: plain :: {"), "{text}");
+    let text = expanded("#![math(crate::Plain)]", CRANK);
+    assert!(text.contains("use crate :: Plain as math"), "{text}");
 }
 
 #[test]
@@ -76,7 +76,7 @@ fn options_that_do_not_exist_are_errors() {
         ("#![scalar]", "unknown option"),
         ("#![speed(f32)]", "unknown option"),
         ("#![scalar(f32)] #![scalar(f32)]", "`scalar` is given twice"),
-        ("#![math(1)]", "which is not the path of a module"),
+        ("#![math(1)]", "which is not the path of a type"),
     ] {
         let expansion = expanded(head, CRANK);
         assert!(expansion.contains("compile_error"), "{head}: {expansion}");

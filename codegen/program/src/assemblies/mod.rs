@@ -6,6 +6,7 @@
 mod boxes;
 mod elementary;
 mod enclosed;
+mod exchanges;
 mod interval;
 mod isolation;
 mod meeting;
@@ -15,6 +16,7 @@ mod stored;
 mod turns;
 
 pub use enclosed::{Enclosed, Enclosing, Place};
+pub use exchanges::exchanges;
 pub use interval::Interval;
 pub use meeting::never_meet;
 pub use poses::{Pose, Poses, order, poses};

@@ -39,7 +39,7 @@ pub use forms::{DrawnMode, sign_of};
 pub use function::{Function, Level, Statement};
 pub use lengths::Lengths;
 pub use loads::Loads;
-pub use lower::{Kept, forms_of, lower, unpruned};
+pub use lower::{Kept, lower};
 pub use outputs::Output;
 pub use passes::constants::{Constant, ConstantPart, Constants};
 pub use passes::costs::{LARGEST_PRODUCT, Operations};
@@ -57,8 +57,8 @@ use std::sync::Arc;
 use crate::expr::{IdMap, IdSet, SymbolId};
 use forms::Form;
 
-/// Everything that is emitted for a mechanism.
-#[derive(Clone, Debug)]
+/// Functions that solve a mechanism, and everything else that is emitted for it.
+#[derive(Clone, Debug, Default)]
 pub struct Program {
     /// Functions of the solved formulation, in solve order.
     pub blocks: Vec<Block>,

@@ -8,7 +8,7 @@ use super::shortening::{Addition, shorten};
 use super::{Incidence, components, maximum_matching};
 use crate::expr::{ExprId, Graph, SymbolId};
 use crate::pool::{Bound, Exceeded, Pool};
-use crate::system::{System, VectorForm, VectorRow};
+use crate::system::{Direction, System, VectorForm, VectorRow};
 
 /// Largest number of unknowns that Newton-Raphson solves simultaneously: their dense Jacobian has a million entries.
 pub const LARGEST_TOGETHER: usize = 1000;
@@ -55,6 +55,14 @@ pub enum Shift {
     Efforts,
 }
 
+impl Shift {
+    /// True if rows of a plan are shifted, so that the plan differs from that of the motion alone.
+    pub fn applies(self, system: &System) -> bool {
+        let is_requested = self == Shift::Directions || system.mechanism.forces.need_efforts();
+        is_requested && !system.directions.iter().all(Direction::is_parameter)
+    }
+}
+
 /// Reason that the equations have no plan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unplanned {
@@ -70,8 +78,7 @@ pub enum Unplanned {
 /// The equations do not determine the motion, or a limit is exceeded.
 pub fn plan(pool: &mut Pool, system: &System, shift: Shift) -> Result<SolvedPlan, Unplanned> {
     let form = &system.vector_form;
-    let is_shifted = shift == Shift::Directions || system.mechanism.forces.need_efforts();
-    let rows = match is_shifted {
+    let rows = match shift.applies(system) {
         true => system.shifted_rows(pool),
         false => form.rows.clone(),
     };

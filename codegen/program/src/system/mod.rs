@@ -69,8 +69,10 @@ pub struct System {
 #[derive(Clone, Debug)]
 pub struct Derived {
     /// Expressions and symbols of the equations.
+    #[doc(hidden)]
     pub pool: Pool,
     /// Equations.
+    #[doc(hidden)]
     pub system: System,
 }
 

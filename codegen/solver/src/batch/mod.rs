@@ -24,9 +24,8 @@ const PIECE: usize = 64;
 /// Instants and quantities that are computed for each set of parameters and inputs.
 ///
 /// ```
-/// use linkwright_codegen::diagnostic::Source;
-/// use linkwright_solver::observable::Observable;
-/// use linkwright_solver::{Batch, Interpreted};
+/// use linkwright_codegen::Source;
+/// use linkwright_solver::{Batch, Interpreted, Observable};
 ///
 /// let text = "
 ///     mechanism slider {
@@ -42,7 +41,7 @@ const PIECE: usize = 64;
 /// let read = linkwright_codegen::read(&Source::new("slider.mech", text)).expect("no errors");
 /// let blocks = Interpreted::new(&read.motions[0]).expect("the equations determine the motion");
 ///
-/// let place = Observable::Coordinate { place: 3, level: 0 };
+/// let place = Observable::named(&read.motions[0], "x_ram").expect("a coordinate");
 /// let mut batch = Batch::new(&blocks, &[0.0, 0.1], &[place]);
 /// batch.threads = 1;
 /// let mut places = [0.0; 6];

@@ -173,10 +173,9 @@ impl<'a> Worker<'a> {
                         place: point,
                         axis,
                         level,
-                    } => {
-                        let part = 2 * level + axis;
-                        self.registers.point(&self.blocks, place, point, part)
-                    }
+                    } => self
+                        .registers
+                        .point(&self.blocks, (place, at), point, [level, axis]),
                     Observable::Force(force) => self.blocks.force(at, force),
                 };
                 *value = measured.unwrap_or(f64::NAN);

@@ -39,7 +39,7 @@ const ALL: BlockName<'static> = BlockName {
 };
 
 impl Dense {
-    /// Creates the equations of `system`, which must have as many rows as coordinates; `linkwright_codegen::check` verifies that.
+    /// Creates the equations of `system`, which must have as many rows as coordinates; `linkwright_codegen::Read::check` verifies that.
     ///
     /// # Panics
     /// If the system is not square.
@@ -84,6 +84,7 @@ impl Dense {
     }
 
     /// Equations.
+    #[doc(hidden)]
     pub fn equations(&self) -> &TextbookEquations {
         &self.equations
     }
@@ -98,7 +99,7 @@ impl Blocks for Dense {
     type Inputs = InputSignals;
     type PathEnclosures = ();
 
-    /// False, since each step verifies its path itself, as [`linkwright::follow`] does.
+    /// False, since each step verifies its path itself, as [`linkwright::Frame::follow`] does.
     fn is_guarded(&self) -> bool {
         false
     }

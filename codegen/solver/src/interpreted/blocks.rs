@@ -62,7 +62,7 @@ impl Blocks for Interpreted {
     ) -> Result<(), u16> {
         let path = self.compiled.path.as_ref();
         let [_, registers] = &mut *self.path_registers.borrow_mut();
-        path.map_or(Ok(()), |path| path.stay(pair, window, registers))
+        path.map_or(Err(0), |path| path.stay(pair, window, registers))
     }
 
     fn is_within(&self, at: &Instant, enclosures: &Vec<PathEnclosure>, steps: f64) -> bool {
@@ -86,12 +86,13 @@ impl Blocks for Interpreted {
                 Branch::Negative
             }
         };
-        let newtons = self.compiled.program.blocks.iter();
+        let newtons = self.compiled.solved.program().blocks.iter();
         let newtons = newtons.filter_map(|block| block.newton.as_ref());
         Modes {
             closed: self
                 .compiled
-                .program
+                .solved
+                .program()
                 .branches
                 .iter()
                 .map(|it| drawn(it.is_positive()))
@@ -105,15 +106,20 @@ impl Blocks for Interpreted {
     fn exchanged(&self, modes: &Modes, block: u16) -> Option<Modes> {
         let block = self.compiled.blocks.get(usize::from(block))?;
         let mut modes = modes.clone();
-        match (&block.newton, &block.closed[..]) {
+        match (&block.newton, block.exchanged) {
             (Some(_), _) => {
                 let mode = modes.iterated.get_mut(block.iterated)?;
                 *mode = Some((*mode)?.opposite());
             }
-            (None, &[place]) => modes.closed[place] = modes.closed[place].opposite(),
+            (None, Some(place)) => modes.closed[place] = modes.closed[place].opposite(),
             _ => return None,
         }
         Some(modes)
+    }
+
+    fn may_cross(&self) -> bool {
+        let mut blocks = self.compiled.blocks.iter();
+        blocks.any(|block| block.newton.is_some() || block.exchanged.is_some())
     }
 
     fn drawn_pose(&self, parameters: &ParameterValues) -> Pose {
@@ -123,12 +129,10 @@ impl Blocks for Interpreted {
     }
 
     fn estimate(&self, pose: &Pose, parameters: &ParameterValues, t: f64) -> Instant {
-        let Compiled {
-            derived, layout, ..
-        } = &*self.compiled;
+        let Compiled { solved, layout, .. } = &*self.compiled;
         let mut instant = layout.empty();
         let drawn = self.compiled.drawn(parameters);
-        let unknowns = derived.system.vector_form.unknowns.iter().zip(drawn);
+        let unknowns = solved.system().vector_form.unknowns.iter().zip(drawn);
         let values = instant.values_mut();
         values[0] = t;
         values[1..=parameters.0.len()].copy_from_slice(&parameters.0);
@@ -213,20 +217,20 @@ impl Blocks for Interpreted {
     }
 
     fn is_iterated(&self) -> bool {
-        let mut blocks = self.compiled.program.blocks.iter();
+        let mut blocks = self.compiled.solved.program().blocks.iter();
         blocks.any(|block| block.newton.is_some())
     }
 
     fn holds_coordinates(&self) -> bool {
-        true
+        self.compiled.layout.holds_coordinates(self.system())
     }
 
     fn point_name(&self, index: usize) -> Option<&str> {
-        self.system().outputs.get(index).map(|it| it.name.as_str())
+        self.points.names().get(index).map(String::as_str)
     }
 
     fn point(&self, frame: &Instant, index: usize) -> Option<PointMotion<f64>> {
-        self.points(frame).get(index).copied()
+        self.points.all(frame).get(index).copied()
     }
 
     fn not_positive(&self, parameters: &ParameterValues) -> Option<(u16, f64)> {
@@ -235,13 +239,13 @@ impl Blocks for Interpreted {
     }
 
     fn requirement_name(&self, index: usize) -> Option<BlockName<'_>> {
-        let requirements = self.compiled.program.requirements.as_ref()?;
+        let requirements = self.compiled.solved.program().requirements.as_ref()?;
         let (name, singular) = requirements.names.get(index)?;
         Some(BlockName { name, singular })
     }
 
     fn load_name(&self, index: usize) -> Option<&str> {
-        let loads = self.compiled.program.loads.as_ref()?;
+        let loads = self.compiled.solved.program().loads.as_ref()?;
         loads.labels.get(index).map(String::as_str)
     }
 

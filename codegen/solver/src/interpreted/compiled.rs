@@ -4,19 +4,19 @@
 
 use std::collections::HashSet;
 
+use linkwright_codegen::stages::assemblies::exchanges;
 use linkwright_codegen::stages::emit::Notation;
 use linkwright_codegen::stages::emit::derivation::{
     BlockWords, Script, SingularPose, block_words, singular_poses,
 };
-use linkwright_codegen::stages::expr::{Code, ExprId, Register, SymbolId};
+use linkwright_codegen::stages::expr::{Code, Register, SymbolId};
 use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::program::{Program, Statement};
-use linkwright_codegen::stages::structure::SolvedPlan;
-use linkwright_codegen::stages::system::{Derived, System};
+use linkwright_codegen::stages::solved::Solved;
+use linkwright_codegen::stages::system::System;
 
 use super::path::InterpretedPath;
 use crate::instant::{Instant, Layout};
-use crate::measures::MeasuredPart;
 use crate::newton::Newton;
 use crate::operation::{Operation, Writer};
 use crate::reader::Formulas;
@@ -25,12 +25,8 @@ use crate::supplied::{InputSignals, Modes, ParameterValues};
 /// Compiled program, shared by all instants.
 #[derive(Debug)]
 pub(crate) struct Compiled {
-    pub derived: Derived,
-    pub plan: SolvedPlan,
-    pub program: Program,
+    pub solved: Solved,
     pub poses: Vec<SingularPose>,
-    /// Subsystems that can become singular, and the expressions of their measures.
-    pub measured: (Vec<MeasuredPart>, Vec<ExprId>),
     pub layout: Layout,
     pub code: Code,
     pub blocks: Vec<InterpretedBlock>,
@@ -58,6 +54,8 @@ pub(crate) struct InterpretedBlock {
     pub newton: Option<Newton>,
     /// The places in [`Modes::closed`] of its signs.
     pub closed: Vec<usize>,
+    /// Place in [`Modes::closed`] of the mode that is exchanged where it meets the other one; `None` if modes never meet in closed form.
+    pub exchanged: Option<usize>,
     /// Its place in [`Modes::iterated`], where it has a Newton-Raphson.
     pub iterated: usize,
 }
@@ -71,16 +69,19 @@ impl InterpretedBlock {
         writer: &mut Writer<'_>,
     ) -> Vec<InterpretedBlock> {
         let graph = &pool.graph;
+        let exchanged = exchanges(pool, system, program);
         let mut signs_left: Vec<usize> = (0..program.branches.len()).collect();
         let mut blocks: Vec<InterpretedBlock> = Vec::with_capacity(program.blocks.len());
-        for block in &program.blocks {
+        for (number, block) in program.blocks.iter().enumerate() {
             let read = block
                 .function
                 .values()
                 .flat_map(|value| graph.symbols(value));
             let read: HashSet<SymbolId> = read.copied().collect();
             let is_own = |place: &usize| read.contains(&program.branches[*place].symbol);
-            let (closed, others) = signs_left.into_iter().partition(is_own);
+            let (closed, others): (Vec<usize>, _) = signs_left.into_iter().partition(is_own);
+            let is_exchanged =
+                |place: &usize| exchanged.get(&program.branches[*place].symbol) == Some(&number);
             signs_left = others;
             let mut newton = None;
             let evaluation = writer.evaluation(&block.function);
@@ -94,6 +95,7 @@ impl InterpretedBlock {
                 operations: writer.take(),
                 iterated: blocks.iter().filter(|it| it.newton.is_some()).count(),
                 newton,
+                exchanged: closed.iter().copied().find(is_exchanged),
                 closed,
             });
         }
@@ -103,63 +105,60 @@ impl InterpretedBlock {
 
 impl Compiled {
     /// The operations of a program, and what else is asked of it at every instant.
-    pub(super) fn new(
-        derived: Derived,
-        plan: SolvedPlan,
-        program: Program,
-        measured: (Vec<MeasuredPart>, Vec<ExprId>),
-    ) -> Compiled {
-        let Derived { pool, system } = &derived;
+    pub(super) fn new(solved: Solved) -> Compiled {
+        let (pool, system) = (solved.pool(), solved.system());
+        let (plan, program) = (solved.plan(), solved.program());
         let poses =
-            |notation| singular_poses(pool, system, &plan, &program.forms, Script::Text(notation));
+            |notation| singular_poses(pool, system, plan, &program.forms, Script::Text(notation));
         let words = block_words(
             &program.blocks,
             pool,
             system,
-            &plan,
+            plan,
             &poses(Notation::Unicode),
         );
         let poses = poses(Notation::Ascii);
-        let layout = Layout::new(system, &program.fields);
-        let mut writer = Writer::new(pool, system, &program);
+        let layout = Layout::of_program(system, program);
+        let mut writer = Writer::new(pool, system, program);
         let time = writer.found(system.mechanism.time);
-        let given = layout.symbols()[layout.given()].iter();
-        let given = given.map(|&symbol| writer.found(symbol)).collect();
+        let conditions = layout.symbols()[layout.given()].iter();
+        let conditions = conditions.map(|&symbol| writer.found(symbol)).collect();
         let signs = program.branches.iter();
         let signs = signs.map(|it| writer.found(it.symbol)).collect();
         writer.last(system.mechanism.time);
-        let blocks = InterpretedBlock::all(&program, pool, system, &mut writer);
+        let blocks = InterpretedBlock::all(program, pool, system, &mut writer);
         let kept = layout.symbols()[layout.solved()].iter();
         let kept = kept
             .map(|&symbol| writer.assembler.symbol(symbol))
             .collect();
         let (code, last) = writer.finish();
-        let last = last
-            .into_iter()
-            .filter_map(|(symbol, register)| Some((register, layout.slot(symbol)?)));
+        let last = last.into_iter().map(|(symbol, register)| {
+            let slot = layout.slot(symbol);
+            (
+                register,
+                slot.expect("instants keep what the next one reads"),
+            )
+        });
         let last = last.collect();
-        let formulas = |function| Formulas::new([function], pool, system, &program, &layout);
+        let formulas = |function| Formulas::new([function], pool, system, program, &layout);
         let drawn = program.drawn.as_ref().map(formulas);
         let required = program.requirements.as_ref();
         let required = required.map(|it| formulas(&it.function));
         Compiled {
             required,
-            path: InterpretedPath::new(pool, system, &program, &layout),
+            path: InterpretedPath::new(pool, system, program, &layout),
             last,
             drawn,
-            measured,
             words,
             poses,
             layout,
             code,
             blocks,
             time,
-            given,
+            given: conditions,
             signs,
             kept,
-            plan,
-            program,
-            derived,
+            solved,
         }
     }
 
@@ -181,8 +180,8 @@ impl Compiled {
             .0
             .iter()
             .flat_map(|it| [it.value, it.rate, it.acceleration]);
-        let given = parameters.0.iter().copied().chain(signals);
-        for (&register, value) in self.given.iter().zip(given) {
+        let values = parameters.0.iter().copied().chain(signals);
+        for (&register, value) in self.given.iter().zip(values) {
             put(register, value);
         }
     }
@@ -213,9 +212,10 @@ impl Compiled {
         match &self.drawn {
             Some(drawn) => self.of_parameters(drawn, parameters),
             None => {
-                let unknowns = 0..self.derived.system.vector_form.unknowns.len();
+                let system = self.solved.system();
+                let unknowns = 0..system.vector_form.unknowns.len();
                 unknowns
-                    .map(|it| self.derived.system.drawn_unknown(it, &self.derived.pool))
+                    .map(|it| system.drawn_unknown(it, self.solved.pool()))
                     .collect()
             }
         }

@@ -10,6 +10,7 @@ use super::Interpreted;
 use super::compiled::Compiled;
 use crate::instant::Instant;
 use crate::operation::{LANES, failed, run_lanes};
+use crate::reader::Formulas;
 use crate::supplied::{InputSignals, Modes, ParameterValues};
 
 /// Registers of eight mechanisms.
@@ -27,7 +28,10 @@ impl InterpretedLanes {
         InterpretedLanes {
             level: Level::new(),
             registers: registers.map(|&it| Lanes([it; LANES])).collect(),
-            points: interpreted.points.formulas().lanes(),
+            points: interpreted
+                .points
+                .computed()
+                .map_or(Vec::new(), Formulas::lanes),
         }
     }
 
@@ -64,32 +68,36 @@ impl InterpretedLanes {
         interpreted.compiled.keep(t, at, take);
     }
 
-    /// Puts in the instant of one lane, for its points.
+    /// Puts in the instant of one lane, for points that are computed from coordinates.
     pub fn fill_points(&mut self, interpreted: &Interpreted, lane: usize, at: &Instant) {
-        let points = interpreted.points.formulas();
-        points.fill_lane(lane, at, &mut self.points);
+        if let Some(points) = interpreted.points.computed() {
+            points.fill_lane(lane, at, &mut self.points);
+        }
     }
 
     /// Evaluates the points of all lanes.
     pub fn run_points(&mut self, interpreted: &Interpreted) {
-        let points = interpreted.points.formulas();
-        let registers = &mut self.points[..];
-        dispatch!(self.level, simd => simd.vectorize(
-            #[inline(always)]
-            || points.run_lanes(registers)
-        ));
+        if let Some(points) = interpreted.points.computed() {
+            let registers = &mut self.points[..];
+            dispatch!(self.level, simd => simd.vectorize(
+                #[inline(always)]
+                || points.run_lanes(registers)
+            ));
+        }
     }
 
-    /// Returns a component of a point of one lane: level by level, x and y. `None` if there is no such point.
+    /// Returns a component of a point in one lane, at its instant; `None` if there is no such point.
     pub fn point(
         &self,
         interpreted: &Interpreted,
-        lane: usize,
+        (lane, at): (usize, &Instant),
         point: usize,
-        part: usize,
+        [level, axis]: [usize; 2],
     ) -> Option<f64> {
-        let points = interpreted.points.formulas();
-        points.lane_value(lane, 6 * point + part, &self.points)
+        match interpreted.points.computed() {
+            Some(points) => points.lane_value(lane, 6 * point + 2 * level + axis, &self.points),
+            None => interpreted.points.kept_value(at, point, level, axis),
+        }
     }
 }
 

@@ -19,19 +19,16 @@ pub(super) struct LoadReader {
 impl LoadReader {
     /// Creates the evaluator; `None` if no load of the program may become infinite.
     pub(super) fn new(compiled: &Compiled) -> Option<LoadReader> {
-        let Compiled {
-            derived,
-            program,
-            layout,
-            ..
-        } = compiled;
+        let Compiled { solved, layout, .. } = compiled;
+        let (pool, system) = (solved.pool(), solved.system());
+        let program = solved.program();
         let loads = program.loads.as_ref()?;
         let read = loads.read.iter();
         Some(LoadReader {
             loads: Reader::of(Formulas::new(
                 [&loads.function],
-                &derived.pool,
-                &derived.system,
+                pool,
+                system,
                 program,
                 layout,
             )),

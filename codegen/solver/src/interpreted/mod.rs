@@ -1,13 +1,16 @@
 //! Solves the blocks of a [`System`] without a compile step.
 //!
 //! [`Interpreted`] runs the statements of generated code, block by block, in the same [`Shell`]: modes, path, failures and their text are
-//! equal. Nothing is omitted: instants store every coordinate and every other unknown of the vector form, with rates and accelerations.
+//! equal. [`Interpreted::emitted`] runs the very program that is written out. [`Interpreted::new`] omits nothing: instants store every
+//! coordinate and every other unknown of the vector form, with rates and accelerations.
 
+mod beside;
 mod blocks;
 mod compiled;
 mod lanes;
 mod loads;
 mod path;
+mod points;
 mod run;
 mod view;
 
@@ -19,21 +22,25 @@ use linkwright::{Blocks, Failure, FailureKind, Shell};
 use linkwright_codegen::diagnostic::internal::work_at;
 use linkwright_codegen::diagnostic::{Code, Diagnostics};
 use linkwright_codegen::stages::expr::Register;
-use linkwright_codegen::stages::findings;
-use linkwright_codegen::stages::program::{Kept, Program, lower};
-use linkwright_codegen::stages::structure::{self, Shift, SolvedPlan};
+use linkwright_codegen::stages::findings_of;
+use linkwright_codegen::stages::finiteness::of_unplanned;
+use linkwright_codegen::stages::program::{Kept, Program};
+use linkwright_codegen::stages::solved::Solved;
+use linkwright_codegen::stages::structure::{Shift, SolvedPlan};
 use linkwright_codegen::stages::system::Derived;
 
 use crate::derivatives::{Derivative, of_program};
+use crate::emitted::Emitted;
 use crate::forces;
 use crate::instant::Instant;
 use crate::measures::{Measures, measured};
-use crate::reader::{Formulas, Reader};
+use crate::reader::Reader;
 use crate::supplied::{InputSignals, Modes, Pose};
 use crate::view::View;
 use compiled::Compiled;
 use loads::LoadReader;
 use path::InterpretedPath;
+use points::Points;
 
 pub(crate) use lanes::InterpretedLanes;
 
@@ -43,7 +50,7 @@ pub(crate) use lanes::InterpretedLanes;
 ///
 /// ```
 /// use linkwright::{Blocks, Settings, Shell};
-/// use linkwright_codegen::diagnostic::Source;
+/// use linkwright_codegen::Source;
 /// use linkwright_solver::{Interpreted, View};
 ///
 /// let text = "
@@ -67,12 +74,14 @@ pub struct Interpreted {
     compiled: Arc<Compiled>,
     registers: RefCell<Vec<f64>>,
     path_registers: RefCell<[Vec<f64>; 2]>,
-    points: Reader,
+    points: Points,
     /// Evaluator of loads for failures; `None` if no load may become infinite.
     loads: Option<LoadReader>,
     derivatives: Vec<Derivative>,
     /// Indices in instants of the requested forces.
     forces: Vec<Option<usize>>,
+    /// Program that is written out; `None` if it omits nothing that this one computes for reports.
+    emitted: Option<Box<Emitted<Interpreted>>>,
     residuals: Cell<u64>,
     solves: Cell<u64>,
 }
@@ -85,13 +94,27 @@ pub(crate) struct State {
 }
 
 impl Interpreted {
-    /// Returns the blocks of a system; `None` if its equations do not determine the motion.
+    /// Returns the blocks of a system, of which none is omitted; `None` if its equations do not determine the motion.
     pub fn new(derived: &Derived) -> Option<Interpreted> {
-        let system = derived.system.in_full();
-        let mut pool = derived.pool.clone();
-        let plan = structure::plan(&mut pool, &system, Shift::Directions).ok()?;
-        let program = lower(&mut pool, &system, &plan, Kept::Unknowns);
-        Some(Interpreted::of(Derived { pool, system }, plan, program))
+        let solved = Solved::of(in_full(derived), Shift::Directions, Kept::Unknowns).ok()?;
+        Some(Interpreted::of(solved).beside_emitted(derived))
+    }
+
+    /// Returns the blocks of the generated module, bit by bit; `None` if the equations do not determine the motion.
+    ///
+    /// Under `output`, instants hold what the module's frames hold: no [`q`](Instant::q), and no other point.
+    pub fn emitted(derived: &Derived) -> Option<Interpreted> {
+        let solved = Solved::of(derived.clone(), Shift::Directions, Kept::Requested).ok()?;
+        Some(Interpreted::of(solved))
+    }
+
+    /// Returns the blocks with the emitted ones beside them if single outputs are requested.
+    fn beside_emitted(mut self, derived: &Derived) -> Interpreted {
+        if !derived.system.mechanism.requests.is_empty() {
+            let emitted = Interpreted::emitted(derived);
+            self.emitted = emitted.map(|it| Box::new(beside::beside(it, &self)));
+        }
+        self
     }
 
     /// Returns the blocks as [`Interpreted::new`] does, with warnings about their solution.
@@ -99,23 +122,26 @@ impl Interpreted {
     /// # Errors
     /// Numbers in the blocks become infinite or undefined, or the work exceeds its bounds.
     pub fn checked(derived: &Derived) -> Result<(Option<Interpreted>, Diagnostics), Diagnostics> {
-        let system = derived.system.in_full();
-        let _work = work_at(system.mechanism.place());
-        let mut pool = derived.pool.clone();
-        let Ok(plan) = structure::plan(&mut pool, &system, Shift::Directions) else {
-            return Ok((None, findings(&pool, &system, None)?));
+        let _work = work_at(derived.system.mechanism.place());
+        let solved = match Solved::of(in_full(derived), Shift::Directions, Kept::Unknowns) {
+            Ok(solved) => solved,
+            Err(unplanned) => {
+                let exceeded = of_unplanned(unplanned);
+                return match exceeded.has_errors() {
+                    true => Err(exceeded.respelled(&derived.system.mechanism.spellings)),
+                    false => Ok((None, exceeded)),
+                };
+            }
         };
-        let program = lower(&mut pool, &system, &plan, Kept::Unknowns);
-        match findings(&pool, &system, Some(&program)) {
-            Ok(warnings) => Ok((
-                Some(Interpreted::of(Derived { pool, system }, plan, program)),
-                warnings,
-            )),
+        match findings_of(&solved) {
+            Ok(warnings) => {
+                let fuller = Interpreted::of(solved);
+                Ok((Some(fuller.beside_emitted(derived)), warnings))
+            }
             Err(found) => {
                 let is_of_values = found.iter().all(|it| it.code == Code::NotFinite)
-                    && !system.mechanism.parameters.is_empty();
-                let interpreted =
-                    is_of_values.then(|| Interpreted::of(Derived { pool, system }, plan, program));
+                    && !derived.system.mechanism.parameters.is_empty();
+                let interpreted = is_of_values.then(|| Interpreted::of(solved));
                 // A length that is rejected or out of reach explains more than a number that follows from it.
                 match interpreted.filter(Interpreted::is_refused_as_drawn) {
                     Some(interpreted) => Ok((Some(interpreted), Diagnostics::new())),
@@ -152,28 +178,15 @@ impl Interpreted {
         )
     }
 
-    fn of(mut derived: Derived, plan: SolvedPlan, program: Program) -> Interpreted {
-        let measured = measured(&mut derived.pool, &derived.system, &plan, &program);
-        let compiled = Compiled::new(derived, plan, program, measured);
-        let Compiled {
-            derived,
-            program,
-            layout,
-            ..
-        } = &compiled;
-        let points = Formulas::new(
-            &program.points,
-            &derived.pool,
-            &derived.system,
-            program,
-            layout,
-        );
+    fn of(solved: Solved) -> Interpreted {
+        let compiled = Compiled::new(solved);
         let path = compiled.path.as_ref();
         Interpreted {
-            points: Reader::of(points),
+            points: Points::new(&compiled),
             loads: LoadReader::new(&compiled),
-            derivatives: of_program(&compiled.program, &compiled.layout),
-            forces: forces::of_program(&compiled.program, &compiled.layout),
+            derivatives: of_program(compiled.solved.program(), &compiled.layout),
+            forces: forces::of_program(compiled.solved.program(), &compiled.layout),
+            emitted: None,
             registers: RefCell::new(compiled.code.registers().to_vec()),
             path_registers: RefCell::new(
                 path.map_or_else(Default::default, InterpretedPath::registers),
@@ -185,27 +198,25 @@ impl Interpreted {
     }
 
     /// Plan of the solution.
+    #[doc(hidden)]
     pub fn plan(&self) -> &SolvedPlan {
-        &self.compiled.plan
+        self.compiled.solved.plan()
     }
 
     /// Functions that are run.
+    #[doc(hidden)]
     pub fn program(&self) -> &Program {
-        &self.compiled.program
+        self.compiled.solved.program()
     }
 
     /// Returns the measures of all subsystems that can be singular.
     pub(crate) fn measured(&self) -> Measures {
-        let Compiled {
-            derived,
-            measured: (parts, values),
-            layout,
-            ..
-        } = &*self.compiled;
-        Measures::new(
-            parts.clone(),
-            Reader::new(&derived.pool.graph, layout, values),
-        )
+        let solved = &self.compiled.solved;
+        let mut draft = solved.pool().draft();
+        let (system, plan, program) = (solved.system(), solved.plan(), solved.program());
+        let (parts, values) = measured(&mut draft, system, plan, program);
+        let reader = Reader::new(&draft.graph, &self.compiled.layout, &values);
+        Measures::new(parts, reader)
     }
 
     pub(crate) fn compiled(&self) -> &Compiled {
@@ -253,5 +264,13 @@ impl Interpreted {
             registers[register.index()] = value;
         });
         self.run_block(index, registers, *t, start, modes, &Default::default())
+    }
+}
+
+/// Returns the motion with everything that `output` would omit.
+fn in_full(derived: &Derived) -> Derived {
+    Derived {
+        pool: derived.pool.clone(),
+        system: derived.system.in_full(),
     }
 }

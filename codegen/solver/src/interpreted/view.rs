@@ -6,6 +6,7 @@ use linkwright_codegen::stages::system::Derived;
 
 use super::Interpreted;
 use crate::derivatives::Derivative;
+use crate::emitted::Emitted;
 use crate::instant::{Instant, Layout};
 use crate::measures::Measures;
 use crate::supplied::ModeName;
@@ -13,15 +14,19 @@ use crate::view::View;
 
 impl View for Interpreted {
     fn derived(&self) -> &Derived {
-        &self.compiled.derived
+        self.compiled.solved.derived()
     }
 
     fn layout(&self) -> &Layout {
         &self.compiled.layout
     }
 
+    fn emitted(&self) -> Option<&Emitted<Interpreted>> {
+        self.emitted.as_deref()
+    }
+
     fn mode_names(&self) -> Vec<ModeName> {
-        let program = &self.compiled.program;
+        let program = self.compiled.solved.program();
         let closed = program
             .branches
             .iter()
@@ -46,13 +51,7 @@ impl View for Interpreted {
     }
 
     fn points(&self, instant: &Instant) -> Vec<PointMotion> {
-        let values = self.points.values(instant);
-        let motion = |it: &[f64]| PointMotion {
-            position: [it[0], it[1]],
-            velocity: [it[2], it[3]],
-            acceleration: [it[4], it[5]],
-        };
-        values.chunks_exact(6).map(motion).collect()
+        self.points.all(instant)
     }
 
     fn derivatives(&self, instant: &Instant) -> Option<Vec<f64>> {

@@ -10,7 +10,7 @@ use std::ops::Range;
 use linkwright::generated::{
     exceeds_rounding, multipliers, not_positive, out_of_reach, singular_divisor,
 };
-use linkwright::math::angle_near;
+use linkwright::math::Real as _;
 use linkwright::{Failure, FailureKind};
 use linkwright_codegen::stages::expr::{Code, Register};
 
@@ -90,7 +90,7 @@ pub(crate) fn run(
             last,
         } => {
             let [sine, cosine, last] = [sine, cosine, last].map(|it| registers[it.index()]);
-            registers[target.index()] = angle_near(sine, cosine, last);
+            registers[target.index()] = sine.angle_near(cosine, last);
         }
         Operation::Reach {
             excess,
@@ -124,10 +124,10 @@ pub(crate) fn run(
             let entries = jacobian.iter().map(|it| registers[it.index()]);
             let matrix = DMatrix::from_row_iterator(forces.len(), forces.len(), entries);
             let forces = forces.iter().map(|it| registers[it.index()]);
-            let mut found = DVector::from_iterator(targets.len(), forces);
-            multipliers::solve(&matrix, &mut found)
+            let mut solution = DVector::from_iterator(targets.len(), forces);
+            multipliers::solve(&matrix, &mut solution)
                 .map_err(|kind| linkwright::generated::failed(kind, t, block))?;
-            for (target, value) in targets.iter().zip(found.iter()) {
+            for (target, value) in targets.iter().zip(solution.iter()) {
                 if let Some(target) = target {
                     registers[target.index()] = *value;
                 }

@@ -254,7 +254,7 @@ impl<'a> Writer<'a> {
                         .map(|(place, entry)| (*place, self.value(*entry, evaluation)))
                         .collect()
                 });
-                let found = found.iter().map(|&symbol| self.found(symbol)).collect();
+                let deviations = found.iter().map(|&symbol| self.found(symbol)).collect();
                 let (variation, variations) = self.function(variation);
                 Operation::Isolate(Isolation {
                     is_chain: *is_chain,
@@ -266,7 +266,7 @@ impl<'a> Writer<'a> {
                     jacobian,
                     turns: turns.clone(),
                     turning,
-                    found,
+                    found: deviations,
                     variation,
                     varied: varied.iter().copied().zip(variations).collect(),
                 })

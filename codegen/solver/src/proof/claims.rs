@@ -1,6 +1,7 @@
 //! Bounds determinants, coordinates and points in each window of a motion, and limits the width of these bounds.
 
 use linkwright_codegen::stages::assemblies::Interval;
+use linkwright_codegen::stages::expr::ExprId;
 use linkwright_codegen::stages::joint::Quantity;
 use linkwright_codegen::stages::system::System;
 
@@ -50,11 +51,11 @@ pub(super) struct Claims {
 impl Claims {
     pub fn new(
         interpreted: &Interpreted,
+        (measured, values): (Vec<MeasuredPart>, Vec<ExprId>),
         parts: &[CheckedPart],
         points: &[usize],
         writing: &mut Writing<'_>,
     ) -> Claims {
-        let (measured, values) = &interpreted.compiled().measured;
         let mut rest = values.as_slice();
         let (mut measures, mut located) = (Vec::new(), Vec::new());
         for part in measured {
@@ -62,12 +63,12 @@ impl Claims {
             let (own, others) = rest.split_at(2 * count);
             rest = others;
             let approaches = parts.iter().filter_map(|it| it.approach.as_ref());
-            let mut approaches = approaches.filter(|it| it.part == *part);
+            let mut approaches = approaches.filter(|it| it.part == part);
             let Some(approach) = approaches.next() else {
                 continue;
             };
             located.push([approach.measure, approach.size]);
-            measures.push((part.clone(), writing.functions(&own[..count])));
+            measures.push((part, writing.functions(&own[..count])));
         }
         let system = interpreted.system();
         let functions = |&point: &usize| {

@@ -11,6 +11,7 @@ use super::{Proof, Unproven};
 use crate::checked_part::CheckedPart;
 use crate::instant::Instant;
 use crate::interpreted::Interpreted;
+use crate::measures::measured;
 use crate::supplied::{InputLaws, Modes};
 use crate::view::View;
 
@@ -73,10 +74,13 @@ impl<'a> Prover<'a> {
         );
         let shell = shell.map_err(|failure| nowhere(interpreted.not_assembled(&failure)))?;
         let system = interpreted.system();
-        let mut writing = Writing::new(interpreted.pool().draft(), system);
+        let mut draft = interpreted.pool().draft();
+        let (plan, program) = (interpreted.plan(), interpreted.program());
+        let measured = measured(&mut draft, system, plan, program);
+        let mut writing = Writing::new(draft, system);
         let cells = cells(interpreted.plan(), &mut writing)
             .ok_or_else(|| nowhere("its equations are not solved one after another".to_string()))?;
-        let claims = Claims::new(interpreted, parts, points, &mut writing);
+        let claims = Claims::new(interpreted, measured, parts, points, &mut writing);
         let unknowns = system.vector_form.unknowns.iter();
         let slots = unknowns.map(|it| interpreted.layout().slot(it.position));
         let slots: Option<Vec<usize>> = slots.collect();

@@ -77,7 +77,7 @@ enum Segment {
 /// Mechanism that forces move.
 ///
 /// ```
-/// use linkwright_codegen::diagnostic::Source;
+/// use linkwright_codegen::Source;
 /// use linkwright_solver::{Interpreted, Method, Simulation, SimulationOptions, Tolerances};
 ///
 /// // A point mass on a rod of 2 m, released at a small angle from its lowest position: T = 2π √(l / g).
@@ -296,6 +296,7 @@ impl Simulation {
     }
 
     /// Cost so far.
+    #[doc(hidden)]
     pub fn effort(&self) -> Effort {
         Effort {
             evaluations: self.right_side.evaluations,

@@ -71,7 +71,7 @@ struct Scratch {
 }
 
 impl TextbookEquations {
-    /// Creates the functions of `system`, which must have as many rows as coordinates; `linkwright_codegen::check` verifies that.
+    /// Creates the functions of `system`, which must have as many rows as coordinates; `linkwright_codegen::Read::check` verifies that.
     ///
     /// # Panics
     /// If the system is not square.

@@ -1,4 +1,4 @@
-//! Functions of a frame that return what it keeps.
+//! Writes functions that return stored fields of a frame.
 
 use super::points::Offered;
 use super::printer::Printer;
@@ -8,7 +8,7 @@ use crate::emit::module::accessors::{Accessor, Shape};
 use crate::program::Found;
 
 impl Printer<'_> {
-    /// The function with its declaration.
+    /// Returns the function of an accessor.
     pub(super) fn accessor(&self, accessor: Accessor) -> Offered {
         let shape = accessor.shape;
         let value = |found: &Found| match found {

@@ -7,7 +7,7 @@ use super::words::identifier;
 use crate::emit::code::Code;
 use crate::emit::module::path_enclosures::enclosure_count;
 
-/// Where everything of a mechanism is, as the runtime sees it.
+/// Writes the function that gives the runtime pointers to the parts of a mechanism, and `advance_in_steps`.
 pub(super) fn parts(printer: &Printer<'_>, text: &mut Code) {
     let (mechanism, declared) = (printer.runtime("mechanism"), printer.declared());
     text.gap();
@@ -56,7 +56,7 @@ pub(super) fn parts(printer: &Printer<'_>, text: &mut Code) {
     in_steps(printer, text);
 }
 
-/// What needs the most room, apart from what is called often.
+/// Writes `advance_in_steps` as a function of its own, whose large workspace is then not on the stack of every step.
 fn in_steps(printer: &Printer<'_>, text: &mut Code) {
     let (mechanism, workspace, real) = (
         printer.runtime("mechanism"),
@@ -96,8 +96,8 @@ fn in_steps(printer: &Printer<'_>, text: &mut Code) {
     text.close("}");
 }
 
-/// What is passed to a function of the interface beside what it is always given.
-pub(super) struct Given {
+/// Optional arguments of an API function: empty or `NULL` if the mechanism has no parameters or inputs.
+pub(super) struct OptionalArguments {
     pub parameters: String,
     pub inputs: String,
     pub passed_parameters: &'static str,
@@ -105,14 +105,14 @@ pub(super) struct Given {
     any_inputs: &'static str,
 }
 
-impl Given {
-    pub(super) fn of(printer: &Printer<'_>) -> Given {
+impl OptionalArguments {
+    pub(super) fn of(printer: &Printer<'_>) -> OptionalArguments {
         let declared = printer.declared();
         let argument = |is_there: bool, kind: &str, name: &str| match is_there {
             true => format!("const {} *{name}", printer.type_of(kind)),
             false => String::new(),
         };
-        Given {
+        OptionalArguments {
             parameters: argument(declared.parameters, "Parameters", "parameters"),
             inputs: argument(declared.inputs, "Inputs", "inputs"),
             passed_parameters: if declared.parameters {
@@ -126,13 +126,13 @@ impl Given {
     }
 }
 
-/// Arguments without those that do not exist.
+/// Returns the arguments that are not empty, as a list.
 pub(super) fn listed(arguments: &[&str]) -> String {
-    let given = arguments.iter().filter(|it| !it.is_empty()).copied();
-    given.collect::<Vec<_>>().join(", ")
+    let present = arguments.iter().filter(|it| !it.is_empty()).copied();
+    present.collect::<Vec<_>>().join(", ")
 }
 
-/// The functions that assemble and move the mechanism.
+/// Functions that assemble and move the mechanism.
 pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
     let mut offered = assembly::offered(printer);
     offered.extend(motion(printer));
@@ -142,7 +142,7 @@ pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
     offered
 }
 
-/// A function that can fail, without its body.
+/// Returns a function that can fail, with an empty body.
 pub(super) fn function(
     printer: &Printer<'_>,
     lines: &[&str],
@@ -158,11 +158,15 @@ pub(super) fn function(
 }
 
 fn motion(printer: &Printer<'_>) -> Vec<Offered> {
-    let (given, real, frame) = (Given::of(printer), printer.real(), printer.type_of("Frame"));
+    let (optional, real, frame) = (
+        OptionalArguments::of(printer),
+        printer.real(),
+        printer.type_of("Frame"),
+    );
     let mechanism = format!("{} *mechanism", printer.type_prefix);
     let time = format!("{real} t");
     let (parts, own) = (printer.runtime("mechanism"), printer.own("parts_of"));
-    let inputs = given.any_inputs;
+    let inputs = optional.any_inputs;
     let mut advance = function(
         printer,
         &[
@@ -170,7 +174,7 @@ fn motion(printer: &Printer<'_>) -> Vec<Offered> {
             "shorter steps follow; the time of a failure is the end of the motion, or of the path that was verified.",
         ],
         "advance",
-        &[&mechanism, &time, &given.inputs],
+        &[&mechanism, &time, &optional.inputs],
     );
     let body = &mut advance.body;
     body.line(format!("const {parts} parts = {own}(mechanism);"));
@@ -192,7 +196,12 @@ fn motion(printer: &Printer<'_>) -> Vec<Offered> {
             "mechanism does not move.",
         ],
         "frame_at",
-        &[&mechanism, &time, &given.inputs, &format!("{frame} *found")],
+        &[
+            &mechanism,
+            &time,
+            &optional.inputs,
+            &format!("{frame} *found"),
+        ],
     );
     at.body
         .line(format!("const {parts} parts = {own}(mechanism);"));
@@ -223,7 +232,7 @@ fn motion(printer: &Printer<'_>) -> Vec<Offered> {
 }
 
 fn advance_by(printer: &Printer<'_>) -> Offered {
-    let (given, real) = (Given::of(printer), printer.real());
+    let (optional, real) = (OptionalArguments::of(printer), printer.real());
     let mechanism = format!("{} *mechanism", printer.type_prefix);
     let mut offered = function(
         printer,
@@ -232,10 +241,10 @@ fn advance_by(printer: &Printer<'_>) -> Offered {
             "sum; a failure does not advance the time.",
         ],
         "advance_by",
-        &[&mechanism, &format!("{real} duration"), &given.inputs],
+        &[&mechanism, &format!("{real} duration"), &optional.inputs],
     );
     let (parts, own) = (printer.runtime("mechanism"), printer.own("parts_of"));
-    let arguments = listed(&["mechanism", "t", given.passed_inputs]);
+    let arguments = listed(&["mechanism", "t", optional.passed_inputs]);
     let body = &mut offered.body;
     body.line(format!("const {parts} parts = {own}(mechanism);"));
     body.line(format!("{real} rest;"));
@@ -256,7 +265,7 @@ fn advance_by(printer: &Printer<'_>) -> Offered {
 }
 
 fn recover(printer: &Printer<'_>) -> Offered {
-    let given = Given::of(printer);
+    let optional = OptionalArguments::of(printer);
     let holds_coordinates = printer.module.holds_coordinates();
     let jump = match holds_coordinates {
         true => format!("{} *jump", printer.type_of("Coordinates")),
@@ -276,7 +285,7 @@ fn recover(printer: &Printer<'_>) -> Offered {
         &[
             &format!("{} *mechanism", printer.type_prefix),
             &format!("{} t", printer.real()),
-            &given.inputs,
+            &optional.inputs,
             &jump,
         ],
     );
@@ -287,7 +296,7 @@ fn recover(printer: &Printer<'_>) -> Offered {
     let call = format!(
         "{}(&parts, t, {}, &branches)",
         printer.runtime("recover"),
-        given.any_inputs
+        optional.any_inputs
     );
     if !holds_coordinates {
         body.line(format!("return {call};"));
@@ -323,7 +332,7 @@ fn set_parameters(printer: &Printer<'_>) -> Offered {
             "parameters then stay as they are.",
         ],
         "set_parameters",
-        &[&mechanism, &Given::of(printer).parameters],
+        &[&mechanism, &OptionalArguments::of(printer).parameters],
     );
     let (parts, own) = (printer.runtime("mechanism"), printer.own("parts_of"));
     let body = &mut offered.body;

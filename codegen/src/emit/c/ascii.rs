@@ -1,6 +1,6 @@
-//! Letters of formulas and of languages → ASCII, which compilers read in every encoding.
+//! Spells text in ASCII, which compilers read in every encoding.
 
-/// How letters beyond ASCII are written, in the order of their code points.
+/// Spellings of letters beyond ASCII, ordered by code point.
 const LETTERS: [(char, &str); 58] = [
     ('\u{a0}', " "),
     ('§', "section "),
@@ -63,24 +63,24 @@ const LETTERS: [(char, &str); 58] = [
     ('≥', ">="),
 ];
 
-/// Returns a text in ASCII. A letter without a spelling of its own becomes its number, `U+1F600`.
+/// Returns a text in ASCII. A letter without a spelling becomes its code point: `U+1F600`.
 pub(super) fn ascii(text: &str) -> String {
-    let mut found = String::with_capacity(text.len());
+    let mut spelled = String::with_capacity(text.len());
     for letter in text.chars() {
         let known = LETTERS.binary_search_by_key(&letter, |(known, _)| *known);
         let code = u32::from(letter);
         // Subscript digits follow each other.
         let digit = code.checked_sub(u32::from('₀')).filter(|it| *it < 10);
         match known {
-            _ if letter.is_ascii() => found.push(letter),
-            Ok(place) => found += LETTERS[place].1,
+            _ if letter.is_ascii() => spelled.push(letter),
+            Ok(place) => spelled += LETTERS[place].1,
             Err(_) => match digit {
-                Some(digit) => found += &digit.to_string(),
-                None => found += &format!("U+{code:04X}"),
+                Some(digit) => spelled += &digit.to_string(),
+                None => spelled += &format!("U+{code:04X}"),
             },
         }
     }
-    found
+    spelled
 }
 
 #[cfg(test)]

@@ -1,19 +1,19 @@
-//! The assemblies that are stored.
+//! Writes the stored assemblies.
 
 use super::printer::Printer;
 use crate::assemblies::{StoredAssemblies, StoredAssembly};
 use crate::emit::code::Code;
 use crate::emit::module::documentation;
 
-/// The constants, as others see them.
+/// Declares the constants in the header.
 pub(super) fn declarations(printer: &Printer<'_>, text: &mut Code) {
     let Some(StoredAssemblies { all, .. }) = &printer.module.assemblies else {
         return;
     };
     let listed = all.iter().enumerate();
     let listed = listed.map(|(number, assembly)| {
-        let said = documentation::of_assembly(assembly, printer.module);
-        format!("{number}: {}", said.replace('`', ""))
+        let label = documentation::of_assembly(assembly, printer.module);
+        format!("{number}: {}", label.replace('`', ""))
     });
     let lines = documentation::ASSEMBLIES.map(str::to_string).into_iter();
     text.gap();
@@ -26,7 +26,7 @@ pub(super) fn declarations(printer: &Printer<'_>, text: &mut Code) {
     ));
 }
 
-/// The modes of each of them.
+/// Defines the modes of each assembly.
 pub(super) fn constants(printer: &Printer<'_>, text: &mut Code) {
     let Some(StoredAssemblies { all, .. }) = &printer.module.assemblies else {
         return;
@@ -49,15 +49,16 @@ pub(super) fn constants(printer: &Printer<'_>, text: &mut Code) {
             false => "LINKWRIGHT_NEGATIVE",
         };
         let closed = signs.iter().map(|&it| sign(it).to_string());
-        let found = determinants.iter();
-        let found = found.map(|it| it.map_or("LINKWRIGHT_NEAREST", sign).to_string());
-        let modes: Vec<String> = closed.chain(found).collect();
+        let iterated = determinants
+            .iter()
+            .map(|it| it.map_or("LINKWRIGHT_NEAREST", sign).to_string());
+        let modes: Vec<String> = closed.chain(iterated).collect();
         text.line(format!("{{{}, {}U}},", modes.join(", "), number + 1));
     }
     text.close("};");
 }
 
-/// `begin`: puts the frame before the first one near the assembly that is wanted.
+/// Writes `begin`, which sets the estimate of the first frame to the requested assembly.
 pub(super) fn begin(printer: &Printer<'_>, text: &mut Code) {
     let Some(StoredAssemblies { unknowns, all }) = &printer.module.assemblies else {
         return;
@@ -97,7 +98,7 @@ pub(super) fn begin(printer: &Printer<'_>, text: &mut Code) {
     text.close("}");
 }
 
-/// How many there are: `PLATFORM_ASSEMBLY_COUNT`.
+/// Name of the constant with their number: `PLATFORM_ASSEMBLY_COUNT`.
 fn count(printer: &Printer<'_>) -> String {
     printer.constant("ASSEMBLY_COUNT")
 }

@@ -1,14 +1,14 @@
-//! The functions that assemble a mechanism.
+//! Writes the functions that assemble a mechanism.
 
-use super::api::{Given, function, listed};
+use super::api::{OptionalArguments, function, listed};
 use super::points::Offered;
 use super::printer::Printer;
 use super::words::identifier;
 use crate::emit::code::Code;
 
-/// The functions that assemble the mechanism, each by the most general one.
+/// Functions that assemble the mechanism; all call the most general one.
 pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
-    let (given, real) = (Given::of(printer), printer.real());
+    let (optional, real) = (OptionalArguments::of(printer), printer.real());
     let mechanism = format!("{} *mechanism", printer.type_prefix);
     let coordinates = format!("const {} *estimate", printer.type_of("Coordinates"));
     let branches = format!("const {} *branches", printer.type_of("Branches"));
@@ -16,7 +16,7 @@ pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
     let time = format!("{real} t");
     let default = format!("&LINKWRIGHT{}_SETTINGS", printer.suffix().to_uppercase());
     let drawn_branches = format!("&{}", printer.constant("DESIGN_BRANCHES"));
-    let nominal = match given.parameters.is_empty() {
+    let nominal = match optional.parameters.is_empty() {
         true => String::new(),
         false => format!("&{}", printer.constant("NOMINAL")),
     };
@@ -27,7 +27,7 @@ pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
         printer,
         &["Assembles the mechanism at time t (s) in the design configuration."],
         "assemble",
-        &[&mechanism, &time, &given.inputs],
+        &[&mechanism, &time, &optional.inputs],
     );
     let pose = drawn(printer, &nominal, &mut assemble.body);
     assemble.body.line(call(&[
@@ -36,14 +36,14 @@ pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
         &pose,
         &drawn_branches,
         "t",
-        given.passed_inputs,
+        optional.passed_inputs,
         &default,
     ]));
     let mut on = function(
         printer,
         &["Assembles the mechanism at time t (s) in these assembly modes."],
         "assemble_on",
-        &[&mechanism, &branches, &time, &given.inputs],
+        &[&mechanism, &branches, &time, &optional.inputs],
     );
     let pose = drawn(printer, &nominal, &mut on.body);
     on.body.line(call(&[
@@ -52,7 +52,7 @@ pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
         &pose,
         "branches",
         "t",
-        given.passed_inputs,
+        optional.passed_inputs,
         &default,
     ]));
     let mut from = function(
@@ -61,7 +61,7 @@ pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
             "Assembles the mechanism in the design modes, with angles near those of an estimate, such as a measured pose.",
         ],
         "assemble_from",
-        &[&mechanism, &coordinates, &time, &given.inputs, &settings],
+        &[&mechanism, &coordinates, &time, &optional.inputs, &settings],
     );
     from.body.line(call(&[
         "mechanism",
@@ -69,14 +69,14 @@ pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
         "estimate",
         &drawn_branches,
         "t",
-        given.passed_inputs,
+        optional.passed_inputs,
         "settings",
     ]));
     let mut all = vec![assemble, on, from];
-    if !given.parameters.is_empty() {
+    if !optional.parameters.is_empty() {
         all.push(assemble_for(
             printer,
-            &given,
+            &optional,
             &mechanism,
             &time,
             &drawn_branches,
@@ -85,16 +85,16 @@ pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
     }
     all.push(assemble_with(
         printer,
-        &given,
+        &optional,
         [&mechanism, &coordinates, &branches, &time, &settings],
     ));
     all
 }
 
-/// Assembles the drawing of other parameters.
+/// Returns the function that assembles the design configuration of other parameters.
 fn assemble_for(
     printer: &Printer<'_>,
-    given: &Given,
+    optional: &OptionalArguments,
     mechanism: &str,
     time: &str,
     branches: &str,
@@ -106,7 +106,7 @@ fn assemble_for(
             "Assembles the mechanism with these parameters at time t (s) in the design configuration.",
         ],
         "assemble_for",
-        &[mechanism, &given.parameters, time, &given.inputs],
+        &[mechanism, &optional.parameters, time, &optional.inputs],
     );
     let with = printer.function("assemble_with");
     let pose = drawn(printer, "parameters", &mut offered.body);
@@ -116,14 +116,14 @@ fn assemble_for(
         &pose,
         branches,
         "t",
-        given.passed_inputs,
+        optional.passed_inputs,
         settings,
     ]);
     offered.body.line(format!("return {with}({arguments});"));
     offered
 }
 
-/// The pose in the drawing of parameters: where they change it, one that is computed here.
+/// Returns the argument for the design pose, which `body` computes if parameters change it.
 fn drawn(printer: &Printer<'_>, parameters: &str, body: &mut Code) -> String {
     match printer.module.program.drawn.is_some() {
         true => {
@@ -135,8 +135,12 @@ fn drawn(printer: &Printer<'_>, parameters: &str, body: &mut Code) -> String {
     }
 }
 
-/// Assembles with everything given.
-fn assemble_with(printer: &Printer<'_>, given: &Given, arguments: [&str; 5]) -> Offered {
+/// Returns the most general function, with all arguments.
+fn assemble_with(
+    printer: &Printer<'_>,
+    optional: &OptionalArguments,
+    arguments: [&str; 5],
+) -> Offered {
     let [mechanism, coordinates, branches, time, settings] = arguments;
     let mut offered = function(
         printer,
@@ -147,11 +151,11 @@ fn assemble_with(printer: &Printer<'_>, given: &Given, arguments: [&str; 5]) -> 
         "assemble_with",
         &[
             mechanism,
-            &given.parameters,
+            &optional.parameters,
             coordinates,
             branches,
             time,
-            &given.inputs,
+            &optional.inputs,
             settings,
         ],
     );
@@ -164,7 +168,7 @@ fn assemble_with(printer: &Printer<'_>, given: &Given, arguments: [&str; 5]) -> 
     body.line("mechanism->state.settings = *settings;");
     body.line("mechanism->state.is_assembled = false;");
     body.line("mechanism->branches = *branches;");
-    for name in [given.passed_parameters, given.passed_inputs] {
+    for name in [optional.passed_parameters, optional.passed_inputs] {
         if !name.is_empty() {
             body.line(format!("mechanism->{name} = *{name};"));
         }
@@ -174,7 +178,7 @@ fn assemble_with(printer: &Printer<'_>, given: &Given, arguments: [&str; 5]) -> 
     let passed = listed(&[
         "&mechanism->frames[1]",
         "estimate",
-        given.passed_parameters,
+        optional.passed_parameters,
         "t",
     ]);
     body.line(format!("{}({passed});", printer.own("set_estimate")));
@@ -190,7 +194,7 @@ fn assemble_with(printer: &Printer<'_>, given: &Given, arguments: [&str; 5]) -> 
     offered
 }
 
-/// The pose in the drawing of given parameters, where they change it.
+/// Returns the function of the design pose, if parameters change it.
 pub(super) fn drawn_pose(printer: &Printer<'_>) -> Option<Offered> {
     let function = printer.module.program.drawn.as_ref()?;
     let coordinates = printer.type_of("Coordinates");

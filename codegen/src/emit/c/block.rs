@@ -1,4 +1,4 @@
-//! One function per block, and the modes of all of them.
+//! Writes one function per block, and the modes of all blocks.
 
 use super::loads;
 use super::newton;
@@ -10,7 +10,7 @@ use crate::emit::module::needs::{Needs, checked_at_once};
 use crate::emit::module::scope::{Place, Scope};
 use crate::program::Block;
 
-/// The arguments of a block's function as they are declared, and as they are passed.
+/// Arguments of a block's function, as declared and as passed.
 fn arguments(needs: Needs, printer: &Printer<'_>) -> [String; 2] {
     let constant = if needs.finds_branch { "" } else { "const " };
     let (frame, branches) = (printer.type_of("Frame"), printer.type_of("Branches"));
@@ -40,7 +40,7 @@ fn name(block: &Block, printer: &Printer<'_>) -> String {
     printer.own(&format!("solve_{}", block.name))
 }
 
-/// The call of a block's function; `is_last` where nothing follows that could fail.
+/// Writes the call of a block's function; its failure ends the caller.
 pub(super) fn call(block: &Block, printer: &Printer<'_>, text: &mut Code) {
     let needs = Needs::of(block, printer.module);
     let [_, passed] = arguments(needs, printer);
@@ -57,7 +57,7 @@ pub(super) fn call(block: &Block, printer: &Printer<'_>, text: &mut Code) {
     }
 }
 
-/// The functions of all blocks.
+/// Writes the functions of all blocks.
 pub(super) fn functions(printer: &Printer<'_>, text: &mut Code) {
     let module = printer.module;
     for (index, block) in module.program.blocks.iter().enumerate() {
@@ -112,7 +112,7 @@ pub(super) fn functions(printer: &Printer<'_>, text: &mut Code) {
     }
 }
 
-/// Fails where a coordinate, a rate or an acceleration of the block is not finite.
+/// Writes checks that the block's coordinates, rates and accelerations are finite.
 fn own_check(
     index: usize,
     block: &Block,
@@ -132,17 +132,17 @@ fn own_check(
 
 /// One assembly mode.
 pub(super) struct Mode {
-    /// Its field.
+    /// Field of the structure.
     pub name: String,
-    /// What its sign tells apart.
+    /// Meaning of its sign.
     pub text: String,
-    /// What it is in the drawing.
+    /// Sign in the design configuration.
     pub drawn: &'static str,
-    /// The block that can exchange it.
+    /// Block that can exchange the mode; `None` if none can.
     pub block: Option<usize>,
 }
 
-/// The modes of all loops: first those of closed forms.
+/// Modes of all loops; those of closed forms come first.
 pub(super) fn modes(printer: &Printer<'_>) -> Vec<Mode> {
     let module = printer.module;
     let sign = |is_positive: bool| match is_positive {
@@ -158,11 +158,11 @@ pub(super) fn modes(printer: &Printer<'_>) -> Vec<Mode> {
     let blocks = module.program.blocks.iter().enumerate();
     let iterated = blocks.filter_map(|(number, block)| {
         let newton = block.newton.as_ref()?;
-        let found = documentation::found_by(newton, module.system);
+        let unknowns = documentation::found_by(newton, module.system);
         Some(Mode {
             name: identifier(&block.name),
             text: format!(
-                "Sign of the determinant of `{}`, which finds {found}; LINKWRIGHT_NEAREST if the estimate decides.",
+                "Sign of the determinant of `{}`, which finds {unknowns}; LINKWRIGHT_NEAREST if the estimate decides.",
                 block.name
             ),
             drawn: newton.drawn.sign().map_or("LINKWRIGHT_NEAREST", sign),
@@ -177,7 +177,7 @@ pub(super) fn may_cross(printer: &Printer<'_>) -> bool {
     modes(printer).iter().any(|mode| mode.block.is_some())
 }
 
-/// The structure with the modes of all loops.
+/// Writes the structure with the modes of all loops.
 pub(super) fn branches(printer: &Printer<'_>, text: &mut Code) {
     let (name, modes) = (printer.type_of("Branches"), modes(printer));
     text.gap();
@@ -198,7 +198,7 @@ pub(super) fn branches(printer: &Printer<'_>, text: &mut Code) {
     text.close(format!("}} {name};"));
 }
 
-/// The modes of the drawing.
+/// Defines the modes of the design configuration.
 pub(super) fn drawn_branches(printer: &Printer<'_>, text: &mut Code) {
     let modes = modes(printer);
     let mut drawn: Vec<&str> = match modes.is_empty() {
@@ -219,7 +219,7 @@ pub(super) fn drawn_branches(printer: &Printer<'_>, text: &mut Code) {
     ));
 }
 
-/// `exchanged`: the modes beyond a pose at which those of a block meet.
+/// Writes `exchanged`, which finds the modes beyond a change point.
 pub(super) fn exchanged(printer: &Printer<'_>, text: &mut Code) {
     let (function, name, modes) = (
         printer.own("exchanged"),

@@ -1,4 +1,4 @@
-//! What the blocks are called and where they are singular, for those who read of a failure.
+//! Writes tables of names for messages about failures: blocks with their singular poses, requirements, loads and drivers.
 
 use super::comment::quoted;
 use super::loads;
@@ -8,7 +8,7 @@ use super::transmission::drivers;
 use crate::emit::code::Code;
 use crate::emit::module::documentation;
 
-/// The names as others see them.
+/// Declares the tables in the header.
 pub(super) fn declarations(printer: &Printer<'_>, text: &mut Code) {
     let count = printer.module.program.blocks.len();
     text.gap();
@@ -43,7 +43,7 @@ pub(super) fn declarations(printer: &Printer<'_>, text: &mut Code) {
     }
 }
 
-/// The names.
+/// Defines the tables.
 pub(super) fn definitions(printer: &Printer<'_>, text: &mut Code) {
     let names = printer.module.words.iter();
     let names: Vec<[String; 2]> = names

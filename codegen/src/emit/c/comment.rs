@@ -1,18 +1,18 @@
-//! Lines of prose, ours and those of a description → comments of C.
+//! Writes prose as comments and literals of C, from which no text of a description can break out.
 
 use super::ascii::ascii;
 use crate::emit::code::Code;
 use crate::emit::module::wrapped::wrapped;
 
-/// A text in ASCII without what would begin or end a comment, hide a line break, or turn the direction of what follows.
+/// Returns the text in ASCII without comment marks, trigraphs, line continuations and changes of writing direction.
 pub(super) fn inert(text: &str) -> String {
-    let is_shown = |it: &char| {
+    let is_visible = |it: &char| {
         !it.is_control() && !matches!(it, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
     };
     let text = text.replace('\t', "    ");
-    let shown: String = ascii(&text.chars().filter(is_shown).collect::<String>());
-    let mut inert = String::with_capacity(shown.len());
-    for letter in shown.chars() {
+    let visible: String = ascii(&text.chars().filter(is_visible).collect::<String>());
+    let mut inert = String::with_capacity(visible.len());
+    for letter in visible.chars() {
         let joins = matches!(
             (inert.chars().next_back(), letter),
             (Some('*'), '/') | (Some('/'), '*') | (Some('?'), '?')
@@ -26,7 +26,7 @@ pub(super) fn inert(text: &str) -> String {
 }
 
 impl Code {
-    /// A comment before what it is about: the lines as they are, except for those that are too long.
+    /// Writes a comment; only lines that are too long are wrapped.
     pub(super) fn comment<S: AsRef<str>>(&mut self, lines: impl IntoIterator<Item = S>) {
         let lines: Vec<String> = lines.into_iter().map(|it| inert(it.as_ref())).collect();
         let mut broken = wrapped(lines);
@@ -43,7 +43,7 @@ impl Code {
     }
 }
 
-/// A text as a literal of C.
+/// Returns a text as a string literal.
 pub(super) fn quoted(text: &str) -> String {
     let mut literal = String::from("\"");
     for letter in inert(text).chars() {

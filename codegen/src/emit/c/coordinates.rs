@@ -1,11 +1,11 @@
-//! The named coordinates.
+//! Writes the named coordinates.
 
 use super::printer::Printer;
 use super::words::identifier;
 use crate::emit::code::Code;
 use crate::emit::module::documentation;
 
-/// The structure with the coordinates.
+/// Writes the structure with the coordinates.
 pub(super) fn structure(printer: &Printer<'_>, text: &mut Code) {
     let (system, name) = (printer.module.system, printer.type_of("Coordinates"));
     text.gap();
@@ -28,7 +28,7 @@ pub(super) fn structure(printer: &Printer<'_>, text: &mut Code) {
     text.close(format!("}} {name};"));
 }
 
-/// The pose in the drawing.
+/// Defines the design pose.
 pub(super) fn drawn(printer: &Printer<'_>, text: &mut Code) {
     let system = printer.module.system;
     let values = system.coordinates.iter().map(|coordinate| {

@@ -1,4 +1,4 @@
-//! The equations of blocks without a closed form → functions that the runtime calls.
+//! Writes the equations of blocks without a closed form as functions that the runtime calls.
 
 use super::printer::Printer;
 use super::textbook::length_function;
@@ -11,7 +11,7 @@ use crate::joint::Quantity;
 use crate::program::{Block, Function, NewtonBlock};
 use crate::system::Unknown;
 
-/// The unknowns of a block.
+/// Returns the unknowns of a block.
 pub(super) fn unknowns<'a>(newton: &NewtonBlock, printer: &Printer<'a>) -> Vec<&'a Unknown> {
     let unknowns = newton.unknowns.iter();
     unknowns
@@ -19,12 +19,12 @@ pub(super) fn unknowns<'a>(newton: &NewtonBlock, printer: &Printer<'a>) -> Vec<&
         .collect()
 }
 
-/// Whether something is scaled by a length.
+/// True if one of the quantities is scaled by a length.
 pub(super) fn has_length(quantities: &[Quantity]) -> bool {
     quantities.iter().any(|it| it.power_of_length() != 0)
 }
 
-/// What the equations of all blocks are evaluated with; nothing where every block has a closed form.
+/// Writes the structure that equations of blocks read; writes nothing if every block has a closed form.
 pub(super) fn given(printer: &Printer<'_>, text: &mut Code) {
     let mut blocks = printer.module.program.blocks.iter();
     if !blocks.any(|block| block.newton.is_some()) {
@@ -40,7 +40,7 @@ pub(super) fn given(printer: &Printer<'_>, text: &mut Code) {
     text.close(format!("}} {name};"));
 }
 
-/// The equations of every block without a closed form.
+/// Writes the equations of every block without a closed form.
 pub(super) fn equations(printer: &Printer<'_>, text: &mut Code) {
     for block in &printer.module.program.blocks {
         if let Some(newton) = &block.newton {
@@ -52,19 +52,19 @@ pub(super) fn equations(printer: &Printer<'_>, text: &mut Code) {
     }
 }
 
-/// A function of vectors and of the time, as the runtime calls it.
+/// Function of vectors and time that the runtime calls.
 pub(super) struct Equation<'a> {
     pub scope: &'a Scope<'a>,
     pub comment: String,
     pub name: String,
-    /// The arguments, and what each of them consists of.
+    /// Vector arguments with the symbols of their entries.
     pub vectors: Vec<(&'static str, Vec<SymbolId>)>,
-    /// The type that it returns, and the statement that returns.
+    /// Return type, and the `return` statement; `None` if it is `void`.
     pub returns: (&'static str, Option<&'static str>),
 }
 
 impl Equation<'_> {
-    /// Writes the function, which gives the numbers that the second part of its code finds.
+    /// Writes the function; `ends` writes the assignments of its results.
     pub(super) fn write(
         self,
         ends: impl Fn(&[String], &mut Code),
@@ -147,7 +147,7 @@ impl Equation<'_> {
     }
 }
 
-/// Writes numbers one after another.
+/// Writes the results into `found`, in order.
 pub(super) fn in_order(results: &[String], code: &mut Code) {
     for (place, result) in results.iter().enumerate() {
         code.line(format!("found[{place}] = {result};"));
@@ -156,7 +156,7 @@ pub(super) fn in_order(results: &[String], code: &mut Code) {
 
 fn of_block(block: &Block, newton: &NewtonBlock, printer: &Printer<'_>, text: &mut Code) {
     let (name, order) = (printer.own(&block.name), newton.unknowns.len());
-    let (found, real) = (
+    let (names, real) = (
         documentation::found_by(newton, printer.module.system),
         printer.real(),
     );
@@ -181,7 +181,7 @@ fn of_block(block: &Block, newton: &NewtonBlock, printer: &Printer<'_>, text: &m
         let scope = Scope::with_tears(printer.module, function, Place::Tears, local);
         let equation = Equation {
             scope: &scope,
-            comment: format!("{what} of `{}`, which finds {found}.", block.name),
+            comment: format!("{what} of `{}`, which finds {names}.", block.name),
             name: format!("{name}_{part}"),
             vectors,
             returns: ("void", None),

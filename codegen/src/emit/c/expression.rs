@@ -1,4 +1,4 @@
-//! What computes a number → an expression of C.
+//! Writes expressions in C.
 
 use super::printer::Printer;
 use super::tables::table_name;
@@ -7,12 +7,12 @@ use crate::expr::ExprId;
 use crate::program::{Arithmetic, Choice, Elementary};
 
 impl Printer<'_> {
-    /// An expression.
+    /// Returns an expression as text.
     pub(super) fn expression(&self, expr: ExprId, scope: &Scope<'_>) -> String {
         self.written(&scope.evaluation().value(expr), scope)
     }
 
-    /// The results of a function, each with its terms in the order of its row.
+    /// Returns the results of a function, with the terms of each in the order of its row.
     pub(super) fn results(&self, scope: &Scope<'_>) -> Vec<String> {
         let results = scope.function.results.iter();
         results
@@ -20,7 +20,7 @@ impl Printer<'_> {
             .collect()
     }
 
-    /// What computes a number.
+    /// Returns arithmetic as text.
     pub(super) fn written(&self, arithmetic: &Arithmetic, scope: &Scope<'_>) -> String {
         match arithmetic {
             Arithmetic::Number(value) => self.number(*value),
@@ -96,7 +96,7 @@ impl Printer<'_> {
         factors.collect::<Vec<_>>().join(" * ")
     }
 
-    /// What stands beside a multiplication sign.
+    /// Returns a factor: sums, products, quotients and choices in parentheses.
     pub(super) fn operand(&self, arithmetic: &Arithmetic, scope: &Scope<'_>) -> String {
         let written = self.written(arithmetic, scope);
         match arithmetic {
@@ -108,7 +108,7 @@ impl Printer<'_> {
         }
     }
 
-    /// What an elementary function is called.
+    /// Returns the name of an elementary function.
     fn called(&self, function: Elementary) -> String {
         let suffix = self.suffix();
         match function {

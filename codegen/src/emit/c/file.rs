@@ -1,4 +1,4 @@
-//! The header and the source of a mechanism, or of all its motions, and the runtime's.
+//! Writes the header and the source of a mechanism with all its motions, and those of the runtime.
 
 use super::printer::Printer;
 use super::words::WORDS;
@@ -16,13 +16,13 @@ use crate::emit::scalar::Scalar;
 use crate::emit::text;
 use crate::solved::Solved;
 
-/// What is said of the output itself.
+/// Instructions and terms in the head of each header.
 const TERMS: [&str; 2] = [
     "Compile this file with linkwright.c of the same folder, as C99 and without -ffast-math; linkwright.h explains the options for identical bits.",
-    "This file is the output of a generator. Anyone who generates it may use, change and distribute it for any purpose and under any licence, without a notice. There is no warranty.",
+    "This file is the output of a generator. Anyone who generates it may use, change and distribute it for any purpose and under any licence, without a notice. Warranties are excluded.",
 ];
 
-/// The source and the header of the motions of a mechanism, which are called `stem`, and those of the runtime.
+/// Returns the source and the header of a mechanism, named `stem`, and those of the runtime.
 pub fn texts(motions: &[Solved], stem: &str, scalar: Scalar) -> Vec<String> {
     let modules = motions.iter();
     let modules: Vec<Module<'_>> = modules
@@ -40,7 +40,7 @@ pub fn texts(motions: &[Solved], stem: &str, scalar: Scalar) -> Vec<String> {
     ]
 }
 
-/// The functions that a user may call, in the order in which they are declared.
+/// Public functions in order of declaration.
 fn offered(printer: &Printer<'_>) -> Vec<points::Offered> {
     let mut all = api::offered(printer);
     all.extend(assembly::drawn_pose(printer));
@@ -112,7 +112,7 @@ fn header(first: &Printer<'_>, printers: &[Printer<'_>]) -> String {
     text.finish(Lists::Filled)
 }
 
-/// The structures, constants and functions of one motion, as others see them.
+/// Writes the public structures, constants and functions of one motion.
 fn declarations(printer: &Printer<'_>, text: &mut Code) {
     parameters::parameters(printer, text);
     coordinates::structure(printer, text);
@@ -171,7 +171,7 @@ fn source(first: &Printer<'_>, printers: &[Printer<'_>], stem: &str) -> String {
     text.finish(Lists::Filled)
 }
 
-/// The constants and functions of one motion.
+/// Writes the constants and functions of one motion.
 fn definitions(printer: &Printer<'_>, text: &mut Code) {
     let mut code = Code::default();
     equations::given(printer, &mut code);
@@ -204,7 +204,7 @@ fn definitions(printer: &Printer<'_>, text: &mut Code) {
     text.append(code);
 }
 
-/// The named constants that the code mentions.
+/// Writes the named constants that the code mentions.
 fn constants(printer: &Printer<'_>, code: &Code, text: &mut Code) {
     let list = printer.module.program.constants.list().iter();
     let used = list.filter(|constant| code.mentions(&printer.own_constant(&constant.name)));

@@ -1,11 +1,11 @@
-//! The frame: one solved instant.
+//! Writes the frame: one solved instant.
 
 use super::printer::Printer;
 use super::words::identifier;
 use crate::emit::code::Code;
 use crate::emit::module::drawing::{Estimate, estimates, frame_keeps_parameters};
 
-/// The structure of a frame.
+/// Writes the structure of a frame.
 pub(super) fn structure(printer: &Printer<'_>, text: &mut Code) {
     let (module, real, name) = (printer.module, printer.real(), printer.type_of("Frame"));
     let holds_coordinates = module.holds_coordinates();
@@ -41,7 +41,7 @@ pub(super) fn structure(printer: &Printer<'_>, text: &mut Code) {
     text.close(format!("}} {name};"));
 }
 
-/// `estimate`: the frame before the first one, a pose at rest.
+/// Writes `set_estimate`, which sets the frame before the first one to a pose at rest.
 pub(super) fn estimate(printer: &Printer<'_>, text: &mut Code) {
     let module = printer.module;
     let (real, frame, coordinates) = (

@@ -1,4 +1,4 @@
-//! The question whether unknowns stay on their path → lines of C that ask the runtime.
+//! Writes the proof that unknowns stay on their path, in calls of the runtime.
 
 use super::printer::Printer;
 use crate::emit::code::Code;
@@ -9,7 +9,7 @@ use crate::program::Function;
 /// An entry of a matrix, with its row and its column.
 pub(super) type Entry = ([usize; 2], String);
 
-/// Unknowns that are to be shown to stay on their path, with the expressions written.
+/// Unknowns that must stay on their path, with the printed expressions of the proof.
 pub(super) struct Isolated<'a> {
     pub is_chain: bool,
     pub blocks: &'a [usize],
@@ -22,7 +22,7 @@ pub(super) struct Isolated<'a> {
 }
 
 impl Printer<'_> {
-    /// Finds the deviations of unknowns about the line that they should run along.
+    /// Writes the calls that bound the deviations of unknowns from the chord.
     pub(super) fn isolation(&self, isolated: &Isolated<'_>, scope: &Scope<'_>, text: &mut Code) {
         let Isolated {
             is_chain,
@@ -112,7 +112,7 @@ impl Printer<'_> {
         text.close("}");
     }
 
-    /// Says how far the entries of the Jacobian may change, as often as it is asked.
+    /// Writes the loop that bounds the variation of the Jacobian as often as the runtime needs it.
     fn variation(
         &self,
         named: &[Deviation],
@@ -144,11 +144,12 @@ impl Printer<'_> {
     }
 }
 
-/// How far an unknown may be from its line.
+/// Bound on the deviation of an unknown from the chord.
 struct Deviation {
     place: usize,
     name: String,
-    /// Whether the variation reads it, and whether somebody reads what is found.
+    /// True if the variation of the Jacobian reads the bound.
     is_varied: bool,
+    /// True if later statements read the bound.
     is_wanted: bool,
 }

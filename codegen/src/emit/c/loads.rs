@@ -1,4 +1,4 @@
-//! The loads that a failure names: their labels, and the function that finds the first which is not finite.
+//! Writes the labels of loads, and the function that finds the first load that is not finite.
 
 use super::comment::quoted;
 use super::printer::Printer;
@@ -16,7 +16,7 @@ fn table(printer: &Printer<'_>, loads: &Loads) -> String {
     format!("const char *const {constant}[{count}]")
 }
 
-/// Writes the labels as others see them.
+/// Declares the labels in the header.
 pub(super) fn declaration(printer: &Printer<'_>, text: &mut Code) {
     if let Some(loads) = loads(printer) {
         text.comment([documentation::LOADS]);
@@ -92,11 +92,11 @@ pub(super) fn function(printer: &Printer<'_>, text: &mut Code) {
     text.close("}");
 }
 
-/// Writes what ascribes the failure of a block to a load, if loads may be its cause.
+/// Writes the call that ascribes the failure of a block to a load, if loads may be its cause.
 pub(super) fn blame(block: &Block, printer: &Printer<'_>, text: &mut Code) {
-    let own =
+    let loaded =
         loads(printer).and_then(|it| printer.module.program.blocks.get(usize::from(it.block)));
-    if own.is_some_and(|own| std::ptr::eq(own, block)) {
+    if loaded.is_some_and(|it| std::ptr::eq(it, block)) {
         text.open("if (status == LINKWRIGHT_NOT_FINITE) {");
         text.line(format!("status = {};", call(printer)));
         text.close("}");

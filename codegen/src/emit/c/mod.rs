@@ -1,8 +1,7 @@
-//! System and Program of each motion → a header and a source of C99, and the runtime that they are compiled with.
+//! Writes a mechanism as C99: its header, its source and the runtime.
 //!
-//! The mechanism's files need `linkwright.h` and `linkwright.c`, which are written beside them, and the C library's <math.h>. They are
-//! the same bytes on every run, allocate nothing, hold no state and call nothing by recursion; the header can be included from C++.
-//! What is computed, and in which order, is what the Rust module computes.
+//! The files need `linkwright.h` and `linkwright.c`, which are written beside them, and `<math.h>`. They allocate nothing, have no
+//! static state and no recursion; C++ can include the header. Operations and their order are those of the Rust module.
 
 mod accessors;
 mod api;

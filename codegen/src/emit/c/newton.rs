@@ -1,4 +1,4 @@
-//! The calls that solve blocks without a closed form.
+//! Writes the calls that solve blocks without a closed form.
 
 use super::equations::{has_length, unknowns};
 use super::printer::Printer;
@@ -12,10 +12,10 @@ use crate::joint::Quantity;
 use crate::program::{Block, NewtonBlock, Statement, TornFields};
 use crate::system::Unknown;
 
-/// A level of the motion of an unknown, and the vector that it is handed over in.
+/// Position, rate or acceleration of an unknown, and the vector that passes it to the runtime.
 type Level = (fn(&Unknown) -> SymbolId, &'static str);
 
-/// A statement of a block that concerns its Newton-Raphson.
+/// Writes a statement of a block's Newton-Raphson.
 pub(super) fn statement(
     statement: &Statement,
     index: usize,
@@ -29,8 +29,8 @@ pub(super) fn statement(
     };
     match statement {
         Statement::Newton { measure, torn, .. } => {
-            let found = (*measure, torn.as_ref());
-            solve(index, block, newton, found, scope, printer, text);
+            let fields = (*measure, torn.as_ref());
+            solve(index, block, newton, fields, scope, printer, text);
         }
         Statement::Factorize => factorize(newton, printer, text),
         Statement::Solve {
@@ -53,14 +53,14 @@ pub(super) fn statement(
     }
 }
 
-/// What fails where the runtime has.
+/// Writes the return of a failure of the runtime.
 fn pass_on(text: &mut Code) {
     text.open("if (status != LINKWRIGHT_OK) {");
     text.line("return status;");
     text.close("}");
 }
 
-/// The call of the runtime that finds the tears with their rates.
+/// Writes the call of the runtime that finds the unknowns with their rates and accelerations.
 fn solve(
     index: usize,
     block: &Block,
@@ -168,7 +168,7 @@ fn solve(
     }
 }
 
-/// The Jacobian at the tears that were found, factorized once more for what responds to drivers and parameters.
+/// Writes the factorization of the Jacobian at the solution, which transmissions and sensitivities need.
 fn factorize(newton: &NewtonBlock, printer: &Printer<'_>, text: &mut Code) {
     let (real, order) = (printer.real(), newton.unknowns.len());
     text.line(format!(

@@ -1,18 +1,18 @@
-//! How close the mechanism is to a singular pose, as functions of the frame.
+//! Writes the functions of a frame that return normalized determinants.
 
 use super::points::Offered;
 use super::printer::Printer;
 use crate::emit::code::Code;
 use crate::program::Measured;
 
-/// How many loops are measured; nothing where the description does not ask.
+/// Returns the number of measured loops; `None` if the description has no `monitor`.
 pub(super) fn count(printer: &Printer<'_>) -> Option<usize> {
     let blocks = printer.module.program.blocks.iter();
     let monitors = printer.module.system.mechanism.monitor;
     monitors.then(|| blocks.map(|block| block.measured.len()).sum())
 }
 
-/// The functions that say it.
+/// Functions for all loops and for the smallest value.
 pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
     let Some(number) = count(printer) else {
         return Vec::new();

@@ -1,4 +1,4 @@
-//! Parameters and inputs: their structures, and what follows from them.
+//! Writes parameters and inputs: structures, defaults, accessors and checks.
 
 use super::comment::quoted;
 use super::printer::Printer;
@@ -9,18 +9,19 @@ use crate::emit::module::scope::{Place, Scope};
 use crate::expr::ExprId;
 use crate::model::{Dimension, field_name};
 
-/// What a mechanism declares beside pose and time.
+/// Arguments that functions of the mechanism have beside pose and time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Declared {
+    /// True if the mechanism has parameters.
     pub parameters: bool,
+    /// True if the mechanism has inputs.
     pub inputs: bool,
 }
 
-/// One declared number: its name, what it is measured in, what is said of it, and its default.
+/// Declared number: name, dimension, documentation and default.
 type Number<'a> = (&'a str, Dimension, &'a Vec<String>, ExprId);
 
 impl Printer<'_> {
-    /// What the mechanism declares.
     pub(super) fn declared(&self) -> Declared {
         Declared {
             parameters: !self.module.system.mechanism.parameters.is_empty(),
@@ -29,14 +30,16 @@ impl Printer<'_> {
     }
 
     fn parameters(&self) -> Vec<Number<'_>> {
-        let own = self.module.system.mechanism.parameters.iter();
-        own.map(|it| (it.name.as_str(), it.dimension, &it.docs, it.nominal))
+        let parameters = self.module.system.mechanism.parameters.iter();
+        parameters
+            .map(|it| (it.name.as_str(), it.dimension, &it.docs, it.nominal))
             .collect()
     }
 
     fn inputs(&self) -> Vec<Number<'_>> {
-        let own = self.module.system.mechanism.inputs.iter();
-        own.map(|it| (it.name.as_str(), it.dimension, &it.docs, it.initial))
+        let inputs = self.module.system.mechanism.inputs.iter();
+        inputs
+            .map(|it| (it.name.as_str(), it.dimension, &it.docs, it.initial))
             .collect()
     }
 
@@ -47,7 +50,7 @@ impl Printer<'_> {
     }
 }
 
-/// The structure with the parameters, and the constant with their defaults, as others see them.
+/// Declares the structure of the parameters and the constant with their defaults.
 pub(super) fn parameters(printer: &Printer<'_>, text: &mut Code) {
     if printer.declared().parameters {
         let fields = printer.parameters();
@@ -111,7 +114,7 @@ fn structure(
     text.close(format!("}} {structure};"));
 }
 
-/// The defaults of the parameters.
+/// Defines the defaults of the parameters.
 pub(super) fn nominal(printer: &Printer<'_>, text: &mut Code) {
     if !printer.declared().parameters {
         return;
@@ -127,7 +130,7 @@ pub(super) fn nominal(printer: &Printer<'_>, text: &mut Code) {
     ));
 }
 
-/// The initial inputs.
+/// Defines the initial inputs.
 pub(super) fn initial(printer: &Printer<'_>, text: &mut Code) {
     let zero = printer.number(0.0);
     let values = printer.inputs().into_iter().map(|(.., value)| {
@@ -143,7 +146,7 @@ pub(super) fn initial(printer: &Printer<'_>, text: &mut Code) {
     ));
 }
 
-/// How the runtime looks at parameters and inputs.
+/// Writes the functions by which the runtime reads inputs and checks that parameters and inputs are finite.
 pub(super) fn accessors(printer: &Printer<'_>, text: &mut Code) {
     let declared = printer.declared();
     let (real, finite) = (printer.real(), printer.runtime("all_finite"));
@@ -229,7 +232,7 @@ pub(super) fn accessors(printer: &Printer<'_>, text: &mut Code) {
     }
 }
 
-/// What parameters must leave positive, and what it is called.
+/// Writes the check of quantities that must stay positive for all parameters.
 pub(super) fn requirements(printer: &Printer<'_>, text: &mut Code) {
     let Some(requirements) = &printer.module.program.requirements else {
         return;
@@ -262,7 +265,7 @@ pub(super) fn requirements(printer: &Printer<'_>, text: &mut Code) {
     text.close("}");
 }
 
-/// The names of what must be positive.
+/// Names of the quantities that must be positive; `None` without requirements.
 pub(super) fn requirement_names(printer: &Printer<'_>) -> Option<Vec<[String; 2]>> {
     let requirements = printer.module.program.requirements.as_ref()?;
     let names = requirements.names.iter();
@@ -273,7 +276,7 @@ pub(super) fn requirement_names(printer: &Printer<'_>) -> Option<Vec<[String; 2]
     )
 }
 
-/// The drawing of given parameters: a value per unknown, coordinates first.
+/// Writes the function that computes the design configuration from the parameters: a value per unknown, coordinates first.
 pub(super) fn drawn(printer: &Printer<'_>, text: &mut Code) {
     let Some(function) = &printer.module.program.drawn else {
         return;

@@ -23,7 +23,7 @@ pub(super) fn declarations(printer: &Printer<'_>, text: &mut Code) {
     }
 }
 
-/// `verify_path`, `is_within` if Newton-Raphson finds values, and `verify_nonsingular` if all blocks are closed forms.
+/// Writes `verify_path`, `is_within` if blocks need Newton-Raphson, and `verify_nonsingular` if all blocks are closed forms.
 pub(super) fn path(printer: &Printer<'_>, text: &mut Code) {
     let Some(path) = &printer.module.program.path else {
         return;
@@ -116,13 +116,13 @@ fn shown(printer: &Printer<'_>, name: &str, has_enclosures: bool, body: Code, te
             reads_pair = true;
         }
     }
-    let given = [
+    let arguments = [
         ("pair", reads_pair),
         ("window", body.mentions("window")),
         ("enclosures", !has_enclosures || body.mentions("enclosures")),
         ("block", body.mentions("block")),
     ];
-    for (name, _) in given.into_iter().filter(|(_, is_read)| !is_read) {
+    for (name, _) in arguments.into_iter().filter(|(_, is_read)| !is_read) {
         text.line(format!("(void){name};"));
     }
     text.append(body);

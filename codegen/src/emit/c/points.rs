@@ -1,4 +1,4 @@
-//! What a frame offers: the motion of points, pressure angles, and the outputs that are asked for.
+//! Writes functions of a frame: motion of points, pressure angles and requested outputs.
 
 use super::printer::Printer;
 use crate::emit::code::Code;
@@ -6,7 +6,7 @@ use crate::emit::module::scope::{Place, Scope};
 use crate::emit::module::{accessors, documentation};
 use crate::program::{Function, Output};
 
-/// A function that others may call: its documentation, its declaration, and its body.
+/// Public function: documentation, declaration and body.
 pub(super) struct Offered {
     pub lines: Vec<String>,
     pub declaration: String,
@@ -34,7 +34,7 @@ pub(super) fn define(offered: Vec<Offered>, text: &mut Code) {
 }
 
 impl Printer<'_> {
-    /// A function of a frame: `point_k`, with the type that it returns.
+    /// Returns the declaration of a function of a frame, such as `point_k`.
     pub(super) fn of_frame(&self, returned: &str, name: &str) -> String {
         let separator = if returned.ends_with('*') { "" } else { " " };
         format!(
@@ -45,7 +45,7 @@ impl Printer<'_> {
     }
 }
 
-/// One function for each point and each contact, or for each output.
+/// Functions of points and pressure angles; of the outputs if the description requests some.
 pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
     let module = printer.module;
     if let Some(outputs) = &module.program.outputs {
@@ -102,7 +102,7 @@ pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
     points.chain(contacts).collect()
 }
 
-/// The functions of the points whose motion frames offer, in order.
+/// Names of the functions that return the motion of a point, in order.
 pub(super) fn point_functions(printer: &Printer<'_>) -> Vec<String> {
     let name = |name: &str| printer.function(&format!("point_{}", name.to_lowercase()));
     match &printer.module.program.outputs {
@@ -123,12 +123,12 @@ pub(super) fn point_functions(printer: &Printer<'_>) -> Vec<String> {
     }
 }
 
-/// The functions of one output.
+/// Functions of one output.
 fn of_output(output: &Output, printer: &Printer<'_>) -> Vec<Offered> {
     let functions = accessors::of_output(output).into_iter().map(|mut it| {
         match output {
             Output::Point { .. } => it.name = it.name.to_lowercase(),
-            // The functions of the textbook view have names like this.
+            // The functions of the textbook formulation have these names.
             Output::Coordinate { name, .. } if ["phi_q", "phi_t"].contains(&name.as_str()) => {
                 it.name.insert(name.len(), '_');
             }
@@ -139,7 +139,7 @@ fn of_output(output: &Output, printer: &Printer<'_>) -> Vec<Offered> {
     functions.collect()
 }
 
-/// The statements of a function of a frame, and its results.
+/// Returns the statements of a function of a frame, and its results.
 fn computed(printer: &Printer<'_>, function: &Function) -> (Code, Vec<String>) {
     let scope = Scope::new(printer.module, function, Place::Coordinates);
     let (reads, mut body) = (scope.reads(), Code::default());

@@ -1,4 +1,4 @@
-//! What everything of a mechanism is called in C, and how its numbers and values are written.
+//! Names everything of a mechanism in C, and prints its numbers and variables.
 
 use super::comment::inert;
 use super::words::identifier;
@@ -8,14 +8,14 @@ use crate::emit::rust::type_name;
 use crate::emit::scalar::Scalar;
 use crate::expr::SymbolId;
 
-/// A module that is written in C.
+/// Module with its prefixes of names in C.
 pub(super) struct Printer<'a> {
     pub module: &'a Module<'a>,
-    /// What functions begin with: `four_bar`, or `excavator_motions_dig`.
+    /// Prefix of functions: `four_bar` or `excavator_motions_dig`.
     pub prefix: String,
-    /// What types begin with: `FourBar`, or `ExcavatorMotionsDig`.
+    /// Prefix of types: `FourBar` or `ExcavatorMotionsDig`.
     pub type_prefix: String,
-    /// What functions of this file alone begin with: nothing, or the motion and an underscore.
+    /// Prefix of static functions: the motion with an underscore; empty for a mechanism without motions.
     pub own: String,
 }
 
@@ -46,7 +46,7 @@ impl<'a> Printer<'a> {
         }
     }
 
-    /// What names of functions and literals end in: nothing, or `f`.
+    /// Suffix of literals and function names: empty or `f`.
     pub(super) fn suffix(&self) -> &'static str {
         match self.module.scalar {
             Scalar::F64 => "",
@@ -54,50 +54,50 @@ impl<'a> Printer<'a> {
         }
     }
 
-    /// Something of the runtime: `linkwright_exceeds_rounding`, or `linkwrightf_exceeds_rounding`.
+    /// Name in the runtime: `linkwright_exceeds_rounding` or `linkwrightf_exceeds_rounding`.
     pub(super) fn runtime(&self, name: &str) -> String {
         format!("linkwright{}_{name}", self.suffix())
     }
 
-    /// A type of the mechanism: `FourBarFrame`.
+    /// Type of the mechanism: `FourBarFrame`.
     pub(super) fn type_of(&self, name: &str) -> String {
         format!("{}{name}", self.type_prefix)
     }
 
-    /// A function or a constant of the mechanism: `four_bar_advance`.
+    /// Public function of the mechanism: `four_bar_advance`.
     pub(super) fn function(&self, name: &str) -> String {
         format!("{}_{name}", self.prefix)
     }
 
-    /// A constant that other files see: `FOUR_BAR_DESIGN`.
+    /// Public constant: `FOUR_BAR_DESIGN`.
     pub(super) fn constant(&self, name: &str) -> String {
         format!("{}_{name}", self.prefix.to_uppercase())
     }
 
-    /// A function of this file alone: `solve_loop_c`.
+    /// Static function: `solve_loop_c`.
     pub(super) fn own(&self, name: &str) -> String {
         identifier(&format!("{}{name}", self.own))
     }
 
-    /// A constant of this file alone: `RATIO_25_OVER_3`.
+    /// Static constant: `RATIO_25_OVER_3`.
     pub(super) fn own_constant(&self, name: &str) -> String {
         format!("{}{name}", self.own.to_uppercase())
     }
 
-    /// A number as a literal.
+    /// Returns a number as a literal.
     pub(super) fn number(&self, value: f64) -> String {
         let digits = self.module.scalar.digits(value);
         let sign = if value < 0.0 { "-" } else { "" };
         format!("{sign}{digits}{}", self.suffix())
     }
 
-    /// Declaration of a constant array of these numbers.
+    /// Declaration of a constant array with these values.
     pub(super) fn array(&self, name: &str, values: &[String]) -> String {
         let (real, count) = (self.real(), values.len());
         format!("const {real} {name}[{count}] = {{{}}};", values.join(", "))
     }
 
-    /// A field of a frame.
+    /// Returns the access to a field of a frame.
     pub(super) fn field(&self, symbol: SymbolId, frame: &str) -> String {
         let component = self.module.component(symbol);
         match component.filter(|_| self.module.holds_coordinates()) {
@@ -109,12 +109,12 @@ impl<'a> Printer<'a> {
         }
     }
 
-    /// The name of a field that is none of the coordinates.
+    /// Name of a field that is not a coordinate.
     pub(super) fn field_name(&self, symbol: SymbolId) -> String {
         identifier(self.module.own_field(symbol))
     }
 
-    /// How a variable is read.
+    /// Returns the access to a variable in a function.
     pub(super) fn symbol(&self, symbol: SymbolId, scope: &Scope<'_>) -> String {
         match scope.locate(symbol) {
             Location::Local(name) => identifier(&name),
@@ -140,7 +140,7 @@ impl<'a> Printer<'a> {
         }
     }
 
-    /// A label in a comment beside code.
+    /// Returns a remark as a comment at the end of a line.
     pub(super) fn beside(&self, text: &str) -> String {
         format!("/* {} */", inert(text))
     }

@@ -1,10 +1,10 @@
-//! Structures that sensitivities are returned in.
+//! Writes the structures in which sensitivities are returned.
 
 use super::printer::Printer;
 use crate::emit::code::Code;
 use crate::program::SensitiveQuantity;
 
-/// The structures that sensitivities are returned in, as far as something returns them.
+/// Writes the structures that some function returns.
 pub(super) fn structures(printer: &Printer<'_>, text: &mut Code) {
     let sensitivities = &printer.module.program.sensitivities;
     let real = printer.real();
@@ -39,7 +39,7 @@ pub(super) fn structures(printer: &Printer<'_>, text: &mut Code) {
     }
 }
 
-/// Whether a quantity is a point with position and velocity.
+/// True if the quantity is a point with position and velocity.
 fn returns_pair(quantity: &SensitiveQuantity) -> bool {
     quantity.components.len() == 2 && quantity.levels.len() == 2
 }

@@ -1,4 +1,4 @@
-//! The structure that a user holds, and what the runtime is told of a mechanism.
+//! Writes the structure of a mechanism, its solve function and its descriptor for the runtime.
 
 use super::block;
 use super::loads;
@@ -12,7 +12,7 @@ use crate::emit::module::needs::Needs;
 use crate::emit::module::path_enclosures::enclosure_count;
 use crate::program::Requirements;
 
-/// The structure that a user holds.
+/// Writes the structure of a mechanism.
 pub(super) fn structure(printer: &Printer<'_>, text: &mut Code) {
     let (module, declared) = (printer.module, printer.declared());
     let name = &printer.type_prefix;
@@ -60,7 +60,7 @@ pub(super) fn structure(printer: &Printer<'_>, text: &mut Code) {
     text.close(format!("}} {name};"));
 }
 
-/// Solves all blocks at one time.
+/// Writes the function that solves all blocks at one time.
 pub(super) fn solve(printer: &Printer<'_>, text: &mut Code) {
     let module = printer.module;
     let (frame, branches) = (printer.type_of("Frame"), printer.type_of("Branches"));
@@ -139,7 +139,7 @@ pub(super) fn solve(printer: &Printer<'_>, text: &mut Code) {
     text.close("}");
 }
 
-/// The time of a frame, and the values by which poses are compared.
+/// Writes functions that return the time of a frame and the values by which poses are compared. Returns the number of values.
 pub(super) fn values(printer: &Printer<'_>, text: &mut Code) -> usize {
     let module = printer.module;
     let (frame, real) = (printer.type_of("Frame"), printer.real());
@@ -191,7 +191,7 @@ pub(super) fn values(printer: &Printer<'_>, text: &mut Code) -> usize {
     2 * points.len()
 }
 
-/// Mechanism descriptor.
+/// Writes the descriptor of the mechanism.
 pub(super) fn blocks(printer: &Printer<'_>, values: usize, text: &mut Code) {
     let (module, declared) = (printer.module, printer.declared());
     let is_guarded = module.program.path.is_some();

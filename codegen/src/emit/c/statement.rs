@@ -1,4 +1,4 @@
-//! The statements of a function → lines of C.
+//! Writes the statements of a function.
 
 use super::isolation::Isolated;
 use super::printer::Printer;
@@ -11,16 +11,16 @@ use crate::expr::{ExprId, SymbolId};
 use crate::model::field_name;
 use crate::program::Statement;
 
-/// What writes the statements of a block that concern its Newton-Raphson.
+/// Writer for the statements of Newton-Raphson, which need their block.
 pub(super) type Iterated<'a> = &'a dyn Fn(&Statement, &mut Code);
 
 impl Printer<'_> {
-    /// The statements of a function without Newton-Raphson.
+    /// Writes the statements of a function without Newton-Raphson.
     pub(super) fn plain_statements(&self, scope: &Scope<'_>, text: &mut Code) {
         self.statements(scope, 0, &|_, _| {}, text);
     }
 
-    /// The statements of a function, which is that of the block of this number.
+    /// Writes the statements of a function of block number `block`.
     pub(super) fn statements(
         &self,
         scope: &Scope<'_>,
@@ -47,8 +47,8 @@ impl Printer<'_> {
             | Statement::Heading(_)
             | Statement::Note(_)
             | Statement::Shown { .. } => {
-                if let Some(said) = documentation::of_statement(statement, self.module) {
-                    text.comment([said]);
+                if let Some(comment) = documentation::of_statement(statement, self.module) {
+                    text.comment([comment]);
                 }
             }
             Statement::Let { target, value, .. } => {
@@ -71,7 +71,7 @@ impl Printer<'_> {
                 spline,
                 argument,
             } => {
-                // Of its own for every lookup, since several may stand in one function.
+                // Each lookup has its own array, since a function may have several.
                 let first = targets.iter().copied().flatten().next();
                 let first = first.map_or(String::new(), |it| self.symbol(it, scope));
                 let first = first
@@ -213,7 +213,7 @@ impl Printer<'_> {
         }
     }
 
-    /// `const double name = value;`, or an assignment to a field.
+    /// Writes `const double name = value;`, or an assignment to a field.
     pub(super) fn assign(&self, target: SymbolId, value: &str, scope: &Scope<'_>, text: &mut Code) {
         let name = self.symbol(target, scope);
         match scope.is_field(target) {
@@ -222,7 +222,7 @@ impl Printer<'_> {
         }
     }
 
-    /// What the runtime writes a value to: a field, or a local value that is declared here.
+    /// Returns the place that the runtime writes a value to; declares it if it is a local value.
     fn declare(&self, target: SymbolId, scope: &Scope<'_>, text: &mut Code) -> String {
         let name = self.symbol(target, scope);
         if !scope.is_field(target) {
@@ -231,7 +231,7 @@ impl Printer<'_> {
         name
     }
 
-    /// The multipliers of a part without a closed form, in arrays of their own: several parts may stand in one function.
+    /// Writes the call that finds the multipliers of a subsystem. Each has its own arrays, since a function may have several.
     fn multipliers(
         &self,
         targets: &[Option<SymbolId>],
@@ -264,7 +264,7 @@ impl Printer<'_> {
         }
     }
 
-    /// How far an input goes between the frames and beyond.
+    /// Writes the bounds on the change of an input in the window and on its deviation from the chord.
     fn signal(&self, input: usize, found: &[SymbolId; 2], scope: &Scope<'_>, text: &mut Code) {
         let name = &self.module.system.mechanism.inputs[input].name;
         let field = identifier(&field_name(name));

@@ -1,17 +1,17 @@
-//! Splines → constants of the runtime's table.
+//! Writes splines as constant tables of the runtime.
 
 use super::printer::Printer;
 use crate::emit::code::Code;
 use crate::emit::module::tables::{docs_of, spacing};
 use crate::expr::SplineId;
 
-/// The constant that holds a table. No other constant begins like this.
+/// Constant that holds a table. No other constant has this prefix.
 pub(super) fn table_name(printer: &Printer<'_>, spline: SplineId) -> String {
     let name = &printer.module.pool.graph.spline_of(spline).name;
     printer.own_constant(&format!("TABLE_{}", name.to_uppercase()))
 }
 
-/// The tables that the code mentions.
+/// Writes the tables that the code mentions.
 pub(super) fn tables(printer: &Printer<'_>, code: &Code, text: &mut Code) {
     let system = printer.module.system;
     let (real, zero) = (printer.real(), printer.number(0.0));

@@ -1,4 +1,4 @@
-//! Φ, Φ_q, Φ_t and γ as functions.
+//! Writes Φ, Φ_q, Φ_t and γ as functions.
 
 use super::points::Offered;
 use super::printer::Printer;
@@ -10,7 +10,7 @@ use crate::joint::Quantity;
 use crate::program::{Function, Lengths};
 use crate::system::Row;
 
-/// The functions of the textbook view, and what is monitored besides.
+/// Functions of the textbook formulation, and of the residuals that are only monitored.
 pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
     let Some(textbook) = &printer.module.program.textbook else {
         return Vec::new();
@@ -49,11 +49,11 @@ pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
     offered
 }
 
-/// A function with its arguments; what it does not read is said to be unread.
+/// Returns a function with its arguments; those that the code does not read are cast to `void`.
 fn function(
     printer: &Printer<'_>,
     name: &str,
-    found: &str,
+    result: &str,
     scope: &Scope<'_>,
     lines: Vec<String>,
     code: Code,
@@ -84,16 +84,16 @@ fn function(
         ),
         (true, reads.time, format!("{real} t"), "t"),
     ];
-    let given = arguments.into_iter().filter(|(is_given, ..)| *is_given);
+    let present = arguments.into_iter().filter(|(is_present, ..)| *is_present);
     let mut body = Code::default();
     let mut list = Vec::new();
-    for (_, is_read, declared, name) in given {
+    for (_, is_read, declared, name) in present {
         if !is_read {
             body.line(format!("(void){name};"));
         }
         list.push(declared);
     }
-    list.push(format!("{real} {found}"));
+    list.push(format!("{real} {result}"));
     body.append(code);
     Offered {
         lines,
@@ -114,20 +114,20 @@ fn vector(
     let mut code = Code::default();
     printer.plain_statements(&scope, &mut code);
     let zero = printer.module.pool.graph.zero();
-    let is_shown = |row: &Row| of(row) != zero;
+    let is_nonzero = |row: &Row| of(row) != zero;
     for (index, (row, value)) in system.rows.iter().zip(printer.results(&scope)).enumerate() {
         if let Some(label) = documentation::before_row(system, index, |_| true) {
             code.comment([label]);
         }
-        let value = if is_shown(row) {
+        let value = if is_nonzero(row) {
             value
         } else {
             printer.number(0.0)
         };
         code.line(format!("{name}[{index}] = {value};"));
     }
-    let found = format!("{name}[{}]", system.rows.len());
-    function(printer, name, &found, &scope, lines, code)
+    let result = format!("{name}[{}]", system.rows.len());
+    function(printer, name, &result, &scope, lines, code)
 }
 
 fn matrix(printer: &Printer<'_>, function_of: &Function) -> Offered {
@@ -149,12 +149,12 @@ fn matrix(printer: &Printer<'_>, function_of: &Function) -> Offered {
             code.line(format!("phi_q[{index}][{}] = {value};", entry.coordinate));
         }
     }
-    let found = format!("phi_q[{size}][{}]", system.coordinates.len());
+    let result = format!("phi_q[{size}][{}]", system.coordinates.len());
     let lines = documentation::of_jacobian(system);
-    function(printer, "phi_q", &found, &scope, lines, code)
+    function(printer, "phi_q", &result, &scope, lines, code)
 }
 
-/// The residuals of the rows that are not solved.
+/// Returns the function of the residuals of rows that are not solved.
 fn monitored(printer: &Printer<'_>, function_of: &Function) -> Offered {
     let system = printer.module.system;
     let scope = Scope::new(printer.module, function_of, Place::Coordinates);
@@ -169,11 +169,11 @@ fn monitored(printer: &Printer<'_>, function_of: &Function) -> Offered {
         system,
         &system.monitored,
     ));
-    let found = format!("monitored[{}]", system.monitored.len());
-    function(printer, "monitored", &found, &scope, lines, code)
+    let result = format!("monitored[{}]", system.monitored.len());
+    function(printer, "monitored", &result, &scope, lines, code)
 }
 
-/// A function that gives the largest of some lengths, where parameters change them.
+/// Writes the function that returns the scale of lengths, if parameters change it.
 pub(super) fn length_function(
     name: &str,
     lengths: &Lengths,
@@ -211,7 +211,7 @@ pub(super) fn length_function(
     text.close("}");
 }
 
-/// What values of a quantity are scaled by.
+/// Returns the scale of a quantity.
 pub(super) fn scale(quantity: Quantity, length: &str, printer: &Printer<'_>) -> String {
     let power = quantity.power_of_length();
     let one = printer.number(1.0);

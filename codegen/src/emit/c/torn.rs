@@ -1,4 +1,4 @@
-//! A torn block → the functions that the runtime calls, and the call that solves it.
+//! Writes a torn block: the functions that the runtime calls, and the call that solves it.
 
 use super::equations::{Equation, in_order};
 use super::printer::Printer;
@@ -8,13 +8,13 @@ use crate::emit::module::scope::{Place, Scope};
 use crate::expr::SymbolId;
 use crate::program::{Block, NewtonBlock, Tearing, TornFields};
 
-/// The positions of some of a block's unknowns.
+/// Returns the positions of unknowns.
 fn positions(unknowns: impl Iterator<Item = usize>, printer: &Printer<'_>) -> Vec<SymbolId> {
-    let own = &printer.module.system.vector_form.unknowns;
-    unknowns.map(|unknown| own[unknown].position).collect()
+    let all = &printer.module.system.vector_form.unknowns;
+    unknowns.map(|unknown| all[unknown].position).collect()
 }
 
-/// The functions of the tears, and of what they are scaled by.
+/// Writes the functions that evaluate and complete a block from its tearing variables, find its signs, and scale its residuals.
 pub(super) fn functions(
     block: &Block,
     newton: &NewtonBlock,
@@ -25,10 +25,10 @@ pub(super) fn functions(
     let (module, name) = (printer.module, printer.own(&block.name));
     let tears = tearing.tears.iter().map(|&place| newton.unknowns[place]);
     let tears = positions(tears, printer);
-    let found = documentation::found_by(newton, module.system);
+    let unknown_names = documentation::found_by(newton, module.system);
     let all = tearing.named();
     let whole = Scope::with_tears(module, &all, Place::Tears, tears.clone());
-    let given = [("tears", tears), ("signs", tearing.signs.clone())];
+    let arguments = [("tears", tears), ("signs", tearing.signs.clone())];
 
     let scope = whole.part(&tearing.evaluate);
     let evaluate = Equation {
@@ -38,7 +38,7 @@ pub(super) fn functions(
             block.name
         ),
         name: format!("{name}_evaluate"),
-        vectors: given.to_vec(),
+        vectors: arguments.to_vec(),
         returns: ("bool", Some("return true;")),
     };
     let carried = tearing.carried.iter().map(|&it| printer.symbol(it, &scope));
@@ -48,12 +48,12 @@ pub(super) fn functions(
     evaluate.write(with_carried, printer, text);
 
     let scope = whole.part(&tearing.complete);
-    let mut vectors = given.to_vec();
+    let mut vectors = arguments.to_vec();
     vectors.push(("carried", tearing.carried.clone()));
     let complete = Equation {
         scope: &scope,
         comment: format!(
-            "Solves `{}` for given tearing variables: {found}.",
+            "Solves `{}` for given tearing variables: {unknown_names}.",
             block.name
         ),
         name: format!("{name}_complete"),
@@ -98,13 +98,13 @@ pub(super) fn functions(
     }
 }
 
-/// Whether the residuals are not scaled like rows of the block.
+/// True if a residual is not scaled like its row of the block.
 fn has_factors(tearing: &Tearing, printer: &Printer<'_>) -> bool {
     let one = printer.module.pool.graph.one();
     tearing.scales.results.iter().any(|it| it.expr != one)
 }
 
-/// The call of the runtime that finds the unknowns with their rates, by way of the tears where it can.
+/// Writes the call of the runtime that solves a torn block.
 pub(super) fn solve(
     block: &Block,
     newton: &NewtonBlock,
@@ -172,7 +172,7 @@ pub(super) fn solve(
     ));
 }
 
-/// Keeps what the next frame is found with, and takes the directions of angles that are read.
+/// Stores the memory that the next frame starts from, and reads the requested sines and cosines.
 pub(super) fn found(
     newton: &NewtonBlock,
     torn: &TornFields,

@@ -1,4 +1,4 @@
-//! What the drivers transmit, as functions of the frame.
+//! Writes transmissions as functions of a frame.
 
 use super::comment::quoted;
 use super::points::Offered;
@@ -7,7 +7,7 @@ use crate::emit::code::Code;
 use crate::emit::module::documentation;
 use crate::program::Transmission;
 
-/// The names of the drivers, one for each column of a transmission; nothing where nothing is asked for.
+/// Names of the drivers, one per column of a transmission; empty if none is requested.
 pub(super) fn drivers(printer: &Printer<'_>) -> Vec<String> {
     let module = printer.module;
     if module.program.transmissions.is_empty() {
@@ -20,7 +20,7 @@ pub(super) fn drivers(printer: &Printer<'_>) -> Vec<String> {
         .collect()
 }
 
-/// The functions of all transmissions.
+/// Functions of all transmissions.
 pub(super) fn offered(printer: &Printer<'_>) -> Vec<Offered> {
     let transmissions = printer.module.program.transmissions.iter();
     transmissions

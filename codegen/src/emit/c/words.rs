@@ -1,27 +1,27 @@
-//! Which names a C file has of its own, and what names of a description become beside them.
+//! Turns names of a description into identifiers of C.
 //!
-//! A mechanism's types, functions and constants begin with its name. What is left are fields of structures and local values, which
-//! must be no word of C or C++, no macro and no function that is called; such a name gets an underscore.
+//! A mechanism's types, functions and constants begin with its name, and cannot collide. A field or local value gets an underscore if
+//! its name is a keyword of C or C++, a macro or a function that the code calls.
 
 use crate::emit::module::Words;
 use crate::emit::rust;
 use crate::model::Naming;
 
-/// What C asks of the names of a description.
+/// Rules for names of a description in C.
 pub const NAMING: Naming = Naming {
     mechanism: |name| rust::not_a_type(name, TYPES, "C"),
     motion: rust::NAMING.motion,
     apart,
 };
 
-/// What C asks of values.
+/// Rules for names of values in C.
 pub(super) const WORDS: Words = Words {
     spelled,
     of_functions: LOCAL_VALUES,
     of_frames: &["t", "q", "qd", "qdd", "parameters"],
 };
 
-/// Words of C up to C23 and of C++ up to C++23.
+/// Keywords of C up to C23 and of C++ up to C++23.
 const KEYWORDS: &[&str] = &[
     "alignas",
     "alignof",
@@ -120,7 +120,7 @@ const KEYWORDS: &[&str] = &[
     "xor_eq",
 ];
 
-/// Macros of the standard headers and of compilers, in lower case or short, that stand without parentheses behind them.
+/// Macros of the standard headers and of compilers that a value could be named like.
 const MACROS: &[&str] = &[
     "I",
     "NULL",
@@ -157,12 +157,12 @@ const FUNCTIONS: &[&str] = &[
     "powf", "memcpy", "memset",
 ];
 
-/// Names of types that a mechanism would share with the standard headers.
+/// Names in the standard headers that a mechanism's type could have.
 const TYPES: &[&str] = &[
     "I", "NULL", "EOF", "NAN", "INFINITY", "FILE", "DIR", "BUFSIZ", "RAND",
 ];
 
-/// What functions are given, and what they call the runtime's answers: no local value has one of these names.
+/// Arguments and local values of generated functions, whose names no value of a description gets.
 const LOCAL_VALUES: &[&str] = &[
     "angles",
     "at",
@@ -241,7 +241,7 @@ const LOCAL_VALUES: &[&str] = &[
     // Functions and macros, which a value of the same name would hide.
 ];
 
-/// What names of rows and blocks must not be, since the generated functions have it in scope.
+/// Functions in scope of generated code, whose names no row or block gets.
 const ITEMS: &[&str] = &[
     "phi",
     "phi_q",
@@ -252,7 +252,7 @@ const ITEMS: &[&str] = &[
     "requirements",
 ];
 
-/// What the names of local values begin with: `sin_phi1`, `shared_1`. Words up to the first `_`.
+/// Prefixes of local values up to the first `_`: `sin_phi1`, `shared_1`.
 const PREFIXES: &[&str] = &[
     "sin",
     "cos",
@@ -277,7 +277,7 @@ fn apart(name: &str, prefix: &str) -> String {
     }
 }
 
-/// Whether a name is of letters that C knows, and begins with one.
+/// True if the name consists of ASCII letters, digits and `_`, and does not begin with a digit.
 fn is_plain(name: &str) -> bool {
     let is_letter = |it: char| it.is_ascii_alphanumeric() || it == '_';
     name.chars().all(is_letter) && !name.starts_with(|it: char| it.is_ascii_digit())
@@ -287,8 +287,8 @@ fn is_word(name: &str) -> bool {
     KEYWORDS.contains(&name) || MACROS.contains(&name)
 }
 
-/// A name as an identifier: a word of C, or what such a word became already, gets an underscore; what C does not know becomes its
-/// number.
+/// Returns a name as an identifier. A keyword, with or without underscores behind it, gets one more; other letters become their code
+/// point.
 pub(super) fn identifier(name: &str) -> String {
     let mut plain = String::with_capacity(name.len());
     for letter in name.chars() {
@@ -303,7 +303,7 @@ pub(super) fn identifier(name: &str) -> String {
     }
 }
 
-/// A wish as a name of C: `bd_square` of `|BD|^2`.
+/// Returns a requested quantity as a name of C: `bd_square` for `|BD|^2`.
 fn spelled(wish: &str) -> String {
     let name = (rust::WORDS.spelled)(wish);
     identifier(&name)

@@ -25,10 +25,10 @@ pub fn block_words(
     poses: &[SingularPose],
 ) -> Vec<BlockWords> {
     let words = |block: &Block| {
-        let own = poses.iter().filter(|pose| Some(pose.block) == block.place);
-        let own: Vec<&SingularPose> = own.collect();
-        let said = own.iter().filter_map(|pose| pose.said.as_deref());
-        let pins = match own.as_slice() {
+        let poses = poses.iter().filter(|pose| Some(pose.block) == block.place);
+        let poses: Vec<&SingularPose> = poses.collect();
+        let conditions = poses.iter().filter_map(|pose| pose.said.as_deref());
+        let pins = match poses.as_slice() {
             [only] => only.pins.as_ref(),
             _ => None,
         };
@@ -39,7 +39,7 @@ pub fn block_words(
                 (None, _) => block.title.trim_end_matches('.').to_lowercase(),
             },
             singular: match block.place {
-                Some(_) => said.collect::<Vec<_>>().join(", or "),
+                Some(_) => conditions.collect::<Vec<_>>().join(", or "),
                 None => without_forces(block, system),
             },
         }
@@ -57,12 +57,12 @@ fn without_forces(block: &Block, system: &System) -> String {
     let sprung: Vec<&str> = sprung.collect();
     let mut statements = block.function.statements.iter();
     let is_solved = statements.any(|it| matches!(it, Statement::Multipliers { .. }));
-    let mut said = Vec::new();
+    let mut causes = Vec::new();
     if !sprung.is_empty() {
-        said.push(format!("{} has no length", sprung.join(" or ")));
+        causes.push(format!("{} has no length", sprung.join(" or ")));
     }
     if is_solved {
-        said.push("the pose does not determine what joints carry".to_string());
+        causes.push("the pose does not determine what joints carry".to_string());
     }
-    said.join(", or ")
+    causes.join(", or ")
 }

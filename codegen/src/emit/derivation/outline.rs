@@ -80,20 +80,20 @@ pub(super) fn outline(
     };
     let mut lines = Vec::new();
     for (number, (block, forms)) in plan.blocks.iter().zip(forms).enumerate() {
-        let mut found: Vec<(String, String)> = forms
+        let mut methods: Vec<(String, String)> = forms
             .iter()
             .map(|form| (names(&form.unknowns()), form.name()))
             .collect();
         if !block.definitions.is_empty() {
             let defined: Vec<usize> = block.definitions.iter().map(|it| it.unknown).collect();
-            found.push((names(&defined), "explicit".to_string()));
+            methods.push((names(&defined), "explicit".to_string()));
         }
         let joints = block
             .joints
             .iter()
             .map(|&it| joint_name(system, it, script));
         let joints: Vec<String> = joints.collect();
-        for (place, (unknowns, method)) in found.into_iter().enumerate() {
+        for (place, (unknowns, method)) in methods.into_iter().enumerate() {
             let first = |text: String| if place == 0 { text } else { String::new() };
             lines.push(OutlineLine {
                 block: first((number + 1).to_string()),
@@ -106,7 +106,7 @@ pub(super) fn outline(
     lines
 }
 
-/// A pin by its point, any other joint by its statement.
+/// Returns the name of a joint: a pin by its point, any other joint by its statement.
 fn joint_name(system: &System, joint: usize, script: Script) -> String {
     let joint = &system.mechanism.joints[joint];
     let pin = match joint.operands.marks[..] {

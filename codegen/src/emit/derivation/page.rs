@@ -1,18 +1,16 @@
 //! Writes the sections of a derivation from the functions of all blocks.
 
 use std::collections::HashSet;
-use std::sync::Arc;
 
-use super::Derivation;
 use super::document::{DisplayedEquation, Document, Item, Section};
 use super::outline::{outline, summary};
 use super::script::Script;
 use super::singular::singular_poses;
 use super::spelling::Spelling;
 use crate::expr::{ExprId, SymbolId};
-use crate::pool::SymbolRole;
-use crate::program::forms::Form;
-use crate::program::{Block, Branch, Level, PageName, Statement};
+use crate::pool::{Draft, SymbolRole};
+use crate::program::{Block, Level, PageName, Program, Statement};
+use crate::solved::Solved;
 use crate::structure::{SolvedBlock, SolvedPlan};
 use crate::words::{Phrase, Piece, not_carried};
 
@@ -22,48 +20,35 @@ pub(super) const FEW: usize = 3;
 /// A derivation in the making.
 pub(super) struct Writer<'a> {
     plan: &'a SolvedPlan,
-    blocks: Vec<Block>,
-    branches: Vec<Branch>,
+    program: &'a Program,
     spelling: Spelling<'a>,
     items: Vec<Item>,
 }
 
 impl<'a> Writer<'a> {
-    pub(super) fn new(derivation: &'a mut Derivation<'_>, script: Script) -> Writer<'a> {
-        let Derivation {
-            pool,
-            system,
-            plan,
-            blocks,
-            branches,
-        } = derivation;
+    /// Writer about a motion of which nothing is omitted; formulas extend the draft of its pool.
+    pub(super) fn new(draft: &'a mut Draft, solved: &'a Solved, script: Script) -> Writer<'a> {
         Writer {
-            plan,
-            blocks: std::mem::take(blocks),
-            branches: std::mem::take(branches),
-            spelling: Spelling::new(pool, system, script),
+            plan: solved.plan(),
+            program: solved.program(),
+            spelling: Spelling::new(draft, solved.system(), script),
             items: Vec::new(),
         }
     }
 
     /// The whole derivation.
     pub(super) fn document(mut self) -> Document {
-        let blocks = std::mem::take(&mut self.blocks);
-        let forms: Vec<Vec<Arc<dyn Form>>> = blocks.iter().map(|it| it.forms.clone()).collect();
+        let (plan, program) = (self.plan, self.program);
         let script = self.spelling.script;
-        let summary = summary(
-            self.spelling.system,
-            self.plan,
-            &forms[..self.plan.blocks.len()],
-        );
+        let summary = summary(self.spelling.system, plan, &program.forms);
         let outline = outline(
             self.spelling.pool,
             self.spelling.system,
-            self.plan,
-            &forms[..self.plan.blocks.len()],
+            plan,
+            &program.forms,
             script,
         );
-        for branch in std::mem::take(&mut self.branches) {
+        for branch in &program.branches {
             let graph = self.spelling.graph();
             let one = graph.one();
             let sign = if branch.is_positive() {
@@ -86,9 +71,8 @@ impl<'a> Writer<'a> {
         for shift in shifts {
             self.spelling.replace(shift, zero);
         }
-        let plan = self.plan;
         let mut sections: Vec<Section> = Vec::new();
-        for (block, solved) in blocks.iter().zip(&plan.blocks) {
+        for (block, solved) in program.blocks.iter().zip(&plan.blocks) {
             let heading = self.block(block, solved);
             let heading = format!("Block {}. {heading}", sections.len() + 1);
             let items = std::mem::take(&mut self.items);
@@ -99,13 +83,13 @@ impl<'a> Writer<'a> {
             parts: Vec::new(),
             definitions: Vec::new(),
         };
-        for block in blocks.iter().skip(plan.blocks.len()) {
+        for block in program.blocks.iter().skip(plan.blocks.len()) {
             let heading = format!("Forces: {}", self.block(block, &nothing));
             let items = std::mem::take(&mut self.items);
             sections.push(Section { heading, items });
         }
         sections.extend(self.not_carried_section());
-        sections.extend(self.singular_section(&forms[..plan.blocks.len()]));
+        sections.extend(self.singular_section());
         let title = self.spelling.system.mechanism.title();
         Document {
             name: script.word(&title),
@@ -297,12 +281,12 @@ impl<'a> Writer<'a> {
         })
     }
 
-    fn singular_section(&mut self, forms: &[Vec<Arc<dyn Form>>]) -> Option<Section> {
+    fn singular_section(&mut self) -> Option<Section> {
         // A determinant stands alone: only names that the page has defined already may occur.
         let mut draft = self.spelling.pool.clone();
         let mut spelling = Spelling::new(&mut draft, self.spelling.system, self.spelling.script);
         spelling.parts = self.spelling.parts.settled();
-        let poses = singular_poses(&mut spelling, self.plan, forms);
+        let poses = singular_poses(&mut spelling, self.plan, &self.program.forms);
         let items = poses.iter().map(|pose| {
             let sentence = pose.sentence();
             Item::Paragraph(format!(

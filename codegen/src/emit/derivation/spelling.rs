@@ -41,25 +41,25 @@ impl<'a> Spelling<'a> {
         &mut self.pool.graph
     }
 
-    /// Writes an expression, which holds no other replaced symbol, wherever a symbol stands.
+    /// Replaces a symbol by an expression without other replaced symbols.
     pub(super) fn replace(&mut self, symbol: SymbolId, value: ExprId) {
         self.replacements.insert(symbol, value);
     }
 
-    /// An expression as the page writes it.
+    /// Returns an expression with all replacements.
     pub(super) fn written(&mut self, expr: ExprId) -> ExprId {
         let symbols = self.pool.graph.symbols(expr).to_vec();
-        let mut found = Vec::new();
+        let mut replaced = Vec::new();
         for symbol in symbols {
             if let Some(&value) = self.replacements.get(&symbol) {
-                found.push((symbol, value));
+                replaced.push((symbol, value));
             } else if let SymbolRole::Arm(place) = self.pool.role(symbol) {
-                found.push((symbol, self.written_arm(place, symbol)));
+                replaced.push((symbol, self.written_arm(place, symbol)));
             }
         }
-        match found.is_empty() {
+        match replaced.is_empty() {
             true => expr,
-            false => self.graph().substitute(expr, &found),
+            false => self.graph().substitute(expr, &replaced),
         }
     }
 

@@ -6,15 +6,15 @@ use super::spelling::{Latex, escaped};
 use crate::emit::derivation::SingularPose;
 use crate::system::{Derived, System};
 
-/// A Jacobian of more columns than these is listed by its entries that are not zero.
+/// Number of columns up to which a Jacobian is a matrix; of a larger one the entries that are not zero are listed.
 const LARGEST_MATRIX: usize = 12;
 
-/// The coordinates, Φ, Φ_q, Φ_t and γ of each system, its points, and the singular poses of its blocks, with formulas in LaTeX.
+/// Returns a document with coordinates, Φ, Φ_q, Φ_t, γ, points and singular poses of each system.
 pub fn inspect(systems: &[(&Derived, Vec<SingularPose>)]) -> String {
     lines::document(&pages(systems).join("\\clearpage\n"))
 }
 
-/// Equations for a document that has a preamble.
+/// Returns the equations for a document with its own preamble.
 pub fn inspect_fragment(systems: &[(&Derived, Vec<SingularPose>)]) -> String {
     lines::fragment(&pages(systems).join("\n"))
 }
@@ -24,7 +24,7 @@ fn pages(systems: &[(&Derived, Vec<SingularPose>)]) -> Vec<String> {
     pages.map(|(derived, poses)| page(derived, poses)).collect()
 }
 
-/// What the document says of one system.
+/// Page of one system.
 fn page(derived: &Derived, poses: &[SingularPose]) -> String {
     let system = &derived.system;
     let inspection = Inspection::of(derived, Latex);
@@ -56,7 +56,7 @@ fn subsection(heading: &str) -> String {
     format!("\n\\subsection*{{{heading}}}\n")
 }
 
-/// A quantity with its heading and its remarks.
+/// Returns a quantity with its heading and its remarks.
 fn section_text(system: &System, section: &Section, names: &[&str]) -> String {
     let of_parameter;
     let (heading, symbol) = match &section.quantity {

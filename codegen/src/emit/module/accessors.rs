@@ -1,4 +1,4 @@
-//! Lists the functions of a frame that return what it keeps.
+//! Lists the functions that return stored fields of a frame.
 //!
 //! Every language offers the same functions under the same names; a language decides how several numbers are returned.
 
@@ -7,7 +7,7 @@ use super::documentation::{of_quantity, of_sensitivity, units};
 use crate::expr::SymbolId;
 use crate::program::{Found, Output, Sensitivity};
 
-/// Function of a frame that returns what it keeps.
+/// Function that returns stored fields of a frame.
 #[derive(Clone, Debug)]
 pub(in crate::emit) struct Accessor {
     /// Name, such as `effort_crank`.
@@ -18,7 +18,7 @@ pub(in crate::emit) struct Accessor {
     pub levels: Vec<Vec<Found>>,
 }
 
-/// Shape of what a function returns.
+/// Shape of a returned value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::emit) enum Shape {
     Number,

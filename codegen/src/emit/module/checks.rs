@@ -1,11 +1,11 @@
-//! The values of a frame → those that are looked at last: whether they are finite.
+//! Selects the values of a frame whose finiteness proves that the whole frame is finite.
 
 use super::Module;
 use crate::expr::{IdSet, SymbolId};
 use crate::program::{Block, Function, Statement};
 
-/// The numbers of a frame that nothing else depends on. What is not finite before them would show in them: nothing that is
-/// computed of it is finite.
+/// Returns the values of a frame that no other value depends on. If any value is not finite, one of these is not finite either, since
+/// infinities and NaN propagate.
 pub(in crate::emit) fn checked(module: &Module<'_>) -> Vec<SymbolId> {
     let graph = &module.pool.graph;
     let blocks = &module.program.blocks;
@@ -21,12 +21,13 @@ pub(in crate::emit) fn checked(module: &Module<'_>) -> Vec<SymbolId> {
     for statement in blocks.iter().flat_map(|block| &block.function.statements) {
         let moves = match statement {
             Statement::Let { value, .. } => !graph.is_constant(*value),
-            // The runtime has looked at what it found.
+            // The runtime checks its solutions.
             Statement::Newton { .. } => false,
             _ => true,
         };
-        let found = statement.targets().into_iter().filter(|_| moves);
-        checked.extend(found.filter(|&symbol| module.is_field(symbol) && !read.contains(&symbol)));
+        let targets = statement.targets().into_iter().filter(|_| moves);
+        checked
+            .extend(targets.filter(|&symbol| module.is_field(symbol) && !read.contains(&symbol)));
     }
     checked
 }

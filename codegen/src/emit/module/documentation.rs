@@ -1,4 +1,4 @@
-//! What a module offers → the sentences of its documentation, as lines of prose that no language has marked up yet.
+//! Writes the documentation of generated modules, as lines without the markup of a language.
 
 mod assemblies;
 mod loads;
@@ -20,31 +20,34 @@ use crate::pool::Pool;
 use crate::program::{Block, Level, NewtonBlock, Requirements, Statement};
 use crate::system::{Cause, Described, Pressure, Row, System, Unknown};
 
-/// The longest line of documentation that is not broken, in characters.
+/// Length at which a line of documentation is broken, in characters.
 const WIDTH: usize = 100;
 
-/// The longest determinant that is documented.
-const LONGEST: usize = 160;
+/// Length of a determinant up to which it is documented, in characters.
+const MAX_DETERMINANT_LENGTH: usize = 160;
 
-/// Of a structure of coordinates.
+/// Documentation of the structure of coordinates.
 pub(in crate::emit) const COORDINATES: [&str; 2] = [
     "Coordinates of all bodies: position of the origin in m, angle in rad. Also their rates (m/s, rad/s) and",
     "accelerations (m/s², rad/s²).",
 ];
 
-/// Of Φ, Φ_q, Φ_t and γ.
+/// Documentation of Φ.
 pub(in crate::emit) const PHI: &str =
     "Φ(q, t): residuals of all joints and drivers, zero if the mechanism is assembled.";
+/// Documentation of Φ_q.
 pub(in crate::emit) const PHI_Q: &str = "Φ_q(q, t): Jacobian, one row per equation and one column per coordinate. Entries that are not assigned are zero.";
+/// Documentation of Φ_t.
 pub(in crate::emit) const PHI_T: &str =
     "Φ_t(q, t): partial derivatives of the residuals in t. The rates solve Φ_q q̇ = −Φ_t.";
+/// Documentation of γ.
 pub(in crate::emit) const GAMMA: &str =
     "γ(q, q̇, t) = −((Φ_q q̇)_q q̇ + 2 Φ_qt q̇ + Φ_tt). The accelerations solve Φ_q q̈ = γ.";
 
-/// Of the residuals that are monitored.
+/// Documentation of the monitored residuals.
 pub(in crate::emit) const MONITORED: &str = "Residuals of the redundant equations, in m or rad. They follow from the solved equations: if Φ is zero, they are zero except for rounding.";
 
-/// A paragraph, and what a description says besides.
+/// Returns a paragraph, followed by the documentation in the description.
 fn with_docs(what: String, docs: &[String]) -> Vec<String> {
     let mut lines = vec![what];
     if !docs.is_empty() {
@@ -54,7 +57,7 @@ fn with_docs(what: String, docs: &[String]) -> Vec<String> {
     lines
 }
 
-/// What the mechanism is.
+/// Documentation of the mechanism.
 pub(in crate::emit) fn of_mechanism(system: &System) -> Vec<String> {
     match system.mechanism.docs.as_slice() {
         [] => vec![format!("The mechanism `{}`.", system.mechanism.name)],
@@ -62,7 +65,7 @@ pub(in crate::emit) fn of_mechanism(system: &System) -> Vec<String> {
     }
 }
 
-/// What the motion is, where there are several.
+/// Documentation of the motion; empty for a mechanism without motions.
 pub(in crate::emit) fn of_motion(system: &System) -> Vec<String> {
     match &system.mechanism.motion {
         Some(motion) if !motion.docs.is_empty() => motion.docs.clone(),
@@ -74,7 +77,7 @@ pub(in crate::emit) fn of_motion(system: &System) -> Vec<String> {
     }
 }
 
-/// What a coordinate is; the first of a body also carries what the description says of the body.
+/// Documentation of a coordinate; the first coordinate of a body has the documentation of the body.
 pub(in crate::emit) fn of_coordinate(coordinate: &Unknown, system: &System) -> Vec<String> {
     let (body, axis) = match coordinate.describes {
         Described::Pose { body, axis } => (&system.mechanism.bodies[body], axis),
@@ -99,7 +102,7 @@ pub(in crate::emit) fn of_coordinate(coordinate: &Unknown, system: &System) -> V
     }
 }
 
-/// The units of a coordinate, its rate and its acceleration; nothing for 1.
+/// Units of a coordinate, its rate and its acceleration; empty for 1.
 pub(super) fn units(quantity: Quantity) -> [&'static str; 3] {
     match quantity {
         Quantity::Length => ["m", "m/s", "m/s²"],
@@ -108,7 +111,7 @@ pub(super) fn units(quantity: Quantity) -> [&'static str; 3] {
     }
 }
 
-/// What a parameter or an input is; `default` says when it has its value.
+/// Documentation of a parameter or an input; `default` is the condition for its value.
 pub(in crate::emit) fn of_number(
     name: &str,
     dimension: Dimension,
@@ -120,7 +123,7 @@ pub(in crate::emit) fn of_number(
     with_docs(format!("`{name}`, in {unit}: {value:?} {default}."), docs)
 }
 
-/// What the motion of a point is, where frames hold all coordinates.
+/// Documentation of the motion of a point, if frames hold all coordinates.
 pub(in crate::emit) fn of_point(index: usize, system: &System) -> Vec<String> {
     let point = &system.mechanism.points[index];
     let body = &system.mechanism.bodies[point.mark.frame.body.0].name;
@@ -135,7 +138,7 @@ pub(in crate::emit) fn of_point(index: usize, system: &System) -> Vec<String> {
     )
 }
 
-/// What the pressure angle of a joint is.
+/// Documentation of a pressure angle; the language adds the last line.
 pub(in crate::emit) fn of_pressure(pressure: &Pressure, system: &System) -> Vec<String> {
     let joint = &system.mechanism.joints[pressure.joint];
     vec![
@@ -146,7 +149,7 @@ pub(in crate::emit) fn of_pressure(pressure: &Pressure, system: &System) -> Vec<
     ]
 }
 
-/// What tells the assembly modes of a block apart that is solved in closed form.
+/// Documentation of the assembly mode of a closed form.
 pub(in crate::emit) fn of_branch(meaning: &str) -> String {
     let mut characters = meaning.chars();
     let first = characters.next().map(char::to_uppercase);
@@ -155,7 +158,7 @@ pub(in crate::emit) fn of_branch(meaning: &str) -> String {
     })
 }
 
-/// The table of what must be positive.
+/// Documentation of the table of values that must be positive.
 pub(in crate::emit) fn of_requirements(requirements: &Requirements) -> &'static str {
     match requirements.limit_parameters() {
         true => "Values that must be positive for all parameters: the joint, and the value.",
@@ -163,7 +166,7 @@ pub(in crate::emit) fn of_requirements(requirements: &Requirements) -> &'static 
     }
 }
 
-/// What the modes of all loops are.
+/// Documentation of the structure of all modes.
 pub(in crate::emit) fn of_branches(module: &Module<'_>) -> &'static str {
     match module.program.blocks.iter().any(|it| it.newton.is_some()) {
         false => "Assembly mode of each loop that is solved in closed form.",
@@ -171,21 +174,21 @@ pub(in crate::emit) fn of_branches(module: &Module<'_>) -> &'static str {
     }
 }
 
-/// The unknowns that a block finds: `` `phi2`, `l1` ``.
+/// Returns the unknowns of a block: `` `phi2`, `l1` ``.
 pub(in crate::emit) fn found_by(newton: &NewtonBlock, system: &System) -> String {
     let names = newton.unknowns.iter();
     let names = names.map(|&unknown| format!("`{}`", system.unknown_name(unknown)));
     names.collect::<Vec<_>>().join(", ")
 }
 
-/// What a block does.
+/// Documentation of a block: title and singular poses.
 pub(in crate::emit) fn of_block(block: &Block, module: &Module<'_>) -> Vec<String> {
     let mut lines = vec![block.title.clone()];
     lines.extend(determinants(block, module));
     lines
 }
 
-/// The parts of a block.
+/// Returns the singular poses of a block.
 fn parts_of<'a>(block: &Block, module: &'a Module<'_>) -> impl Iterator<Item = &'a SingularPose> {
     let place = block.place;
     module
@@ -194,11 +197,11 @@ fn parts_of<'a>(block: &Block, module: &'a Module<'_>) -> impl Iterator<Item = &
         .filter(move |pose| place == Some(pose.block))
 }
 
-/// What is said of the determinants of a block: `det = √3·sin φ₂: zero where …`.
+/// Sentences about the determinants of a block: `det = √3·sin φ₂: zero where …`.
 fn determinants(block: &Block, module: &Module<'_>) -> Vec<String> {
     let mut lines = Vec::new();
     for pose in parts_of(block, module) {
-        let short = |formula: &&String| formula.chars().count() <= LONGEST;
+        let short = |formula: &&String| formula.chars().count() <= MAX_DETERMINANT_LENGTH;
         let text = match (pose.determinant.as_ref().filter(short), &pose.meaning) {
             (Some(formula), Some(meaning)) => {
                 format!("det = {formula} up to the sign: zero where {meaning}.")
@@ -215,7 +218,7 @@ fn determinants(block: &Block, module: &Module<'_>) -> Vec<String> {
     lines
 }
 
-/// A text as lines of [`WIDTH`], broken between words.
+/// Returns lines of at most [`WIDTH`] characters, broken between words.
 fn broken(text: &str) -> Vec<String> {
     let mut lines = vec![String::new()];
     for word in text.split(' ') {
@@ -232,12 +235,12 @@ fn broken(text: &str) -> Vec<String> {
     lines
 }
 
-/// What stands before the statements of a function; nothing of those that compute.
+/// Returns the comment that a statement stands for; `None` if the statement computes.
 pub(in crate::emit) fn of_statement(statement: &Statement, module: &Module<'_>) -> Option<String> {
     let system = module.system;
     let level = match statement {
         Statement::Section(level) => *level,
-        Statement::Heading(words) | Statement::Note(words) => return Some(module.said(words)),
+        Statement::Heading(words) | Statement::Note(words) => return Some(module.comment(words)),
         _ => return None,
     };
     Some(match level {
@@ -260,7 +263,7 @@ pub(in crate::emit) fn of_statement(statement: &Statement, module: &Module<'_>) 
     })
 }
 
-/// Each row with its joint and its residual as a person writes it.
+/// Returns a line for each row, with its joint and its readable residual.
 pub(in crate::emit) fn of_rows(pool: &Pool, system: &System, rows: &[Row]) -> Vec<String> {
     let line = |(index, row): (usize, &Row)| {
         let formula = text::readable(pool, system, &row.bodies, Notation::Ascii, row.residual);
@@ -271,21 +274,21 @@ pub(in crate::emit) fn of_rows(pool: &Pool, system: &System, rows: &[Row]) -> Ve
     rows.iter().enumerate().map(line).collect()
 }
 
-/// What a row belongs to, before the first one of its joint that is `shown`.
+/// Returns the joint of a row if the row is the first printed one of the joint; otherwise `None`.
 pub(in crate::emit) fn before_row(
     system: &System,
     index: usize,
-    shown: impl Fn(&Row) -> bool,
+    is_printed: impl Fn(&Row) -> bool,
 ) -> Option<&str> {
     let joint = system.rows[index].joint;
     let mut before = system.rows[..index].iter().rev();
     let is_first = before
-        .find(|row| shown(row))
+        .find(|row| is_printed(row))
         .is_none_or(|row| row.joint != joint);
     is_first.then(|| system.mechanism.joints[joint].label.as_str())
 }
 
-/// The columns and the rows of the Jacobian.
+/// Documentation of the Jacobian, with its columns and rows.
 pub(in crate::emit) fn of_jacobian(system: &System) -> Vec<String> {
     let columns = numbered(
         system
@@ -303,7 +306,7 @@ pub(in crate::emit) fn of_jacobian(system: &System) -> Vec<String> {
     ]
 }
 
-/// `0 x1, 1 y1, …`
+/// Returns a numbered list of names: `0 x1, 1 y1, …`.
 fn numbered<'a>(names: impl Iterator<Item = &'a str>) -> String {
     let names = names.enumerate();
     let names: Vec<String> = names

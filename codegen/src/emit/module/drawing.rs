@@ -1,4 +1,4 @@
-//! The drawing → what stands in the frame before the first one.
+//! Initializes the frame before the first one from the design configuration.
 
 use super::Module;
 use super::scope::{Place, Scope};
@@ -6,28 +6,28 @@ use crate::expr::SymbolId;
 use crate::pool::SymbolRole;
 use crate::program::Function;
 
-/// What a field is before the first frame.
+/// Value of a field before the first frame.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::emit) enum Estimate<'a> {
-    /// The coordinate of this name in the pose that is given.
+    /// Coordinate of this name in the pose that the caller passes.
     Coordinate(&'a str),
-    /// The result of this place of the drawing, which parameters change.
+    /// Result with this index of the design configuration as a function of the parameters.
     Drawn(usize),
-    /// A number.
+    /// Constant.
     Number(f64),
 }
 
-/// The fields in which the frame before the first one differs from one at rest in the origin.
+/// Returns the fields of the frame before the first one that are not zero.
 pub(in crate::emit) fn estimates<'a>(module: &Module<'a>) -> Vec<(SymbolId, Estimate<'a>)> {
     let system = module.system;
-    let given = module.program.drawn.as_ref();
+    let design = module.program.drawn.as_ref();
     let fields = module.program.fields.iter().filter_map(|&symbol| {
         let SymbolRole::Position(unknown) = module.pool.role(symbol) else {
             return None;
         };
         let estimate = if let Some(coordinate) = system.coordinates.get(unknown) {
             Estimate::Coordinate(&coordinate.name)
-        } else if given.is_some_and(|function| is_given(function, unknown, module)) {
+        } else if design.is_some_and(|function| is_variable(function, unknown, module)) {
             Estimate::Drawn(unknown)
         } else {
             Estimate::Number(system.drawn_unknown(unknown, module.pool))
@@ -37,8 +37,8 @@ pub(in crate::emit) fn estimates<'a>(module: &Module<'a>) -> Vec<(SymbolId, Esti
     fields.collect()
 }
 
-/// Whether parameters change the estimate of an unknown.
-fn is_given(function: &Function, place: usize, module: &Module<'_>) -> bool {
+/// True if parameters change the estimate of an unknown.
+fn is_variable(function: &Function, place: usize, module: &Module<'_>) -> bool {
     let graph = &module.pool.graph;
     function
         .results
@@ -46,7 +46,7 @@ fn is_given(function: &Function, place: usize, module: &Module<'_>) -> bool {
         .is_some_and(|result| !graph.is_constant(result.expr))
 }
 
-/// Whether a frame keeps the parameters that its points are found with.
+/// True if functions of a frame read parameters, so that the frame stores them.
 pub(in crate::emit) fn frame_keeps_parameters(module: &Module<'_>) -> bool {
     let mut functions = module
         .program

@@ -1,4 +1,4 @@
-//! The forces that are asked for → the functions of a frame that give them.
+//! Lists the functions of a frame that return requested forces.
 
 use super::Module;
 use super::accessors::Accessor;
@@ -6,8 +6,8 @@ use crate::joint::Quantity;
 use crate::program::{Effort, Energy, FreeCoordinate, Reaction, Reduced};
 use crate::system::Component;
 
-/// All of them: of each driver the effort and its power, of each joint what it carries, then the energies, and what moves the free
-/// coordinates.
+/// Returns all functions, in this order: efforts and powers of drivers, reactions of joints, energies, reduced masses and forces of the
+/// free coordinates.
 pub(in crate::emit) fn force_functions(module: &Module<'_>) -> Vec<Accessor> {
     let forces = &module.program.forces;
     let efforts = forces.efforts.iter().flat_map(|it| of_effort(it, module));
@@ -67,7 +67,7 @@ fn of_reaction(reaction: &Reaction, module: &Module<'_>) -> Vec<Accessor> {
             (Component::Moment, Some(_)) => format!(
                 "Moment (N·m) of the teeth of `{label}` on the second wheel, about its axis."
             ),
-            _ => said(*component, label),
+            _ => component_line(*component, label),
         };
         let name = format!("reaction_{}_{}", reaction.name, component.suffix());
         functions.push(Accessor::of_fields(name, &[*field], line));
@@ -75,8 +75,8 @@ fn of_reaction(reaction: &Reaction, module: &Module<'_>) -> Vec<Accessor> {
     functions
 }
 
-/// What a component is.
-fn said(component: Component, label: &str) -> String {
+/// Documentation of a component of a reaction.
+fn component_line(component: Component, label: &str) -> String {
     match component {
         Component::X => format!("Force (N) of `{label}` on its second body along x."),
         Component::Y => format!("Force (N) of `{label}` on its second body along y."),
@@ -143,7 +143,7 @@ fn of_reduced(reduced: &Reduced, module: &Module<'_>) -> Vec<Accessor> {
     functions
 }
 
-/// What a mass along two quantities is measured in.
+/// Unit of the reduced mass of two quantities.
 fn unit_of_mass(quantities: [Quantity; 2]) -> &'static str {
     let angles = quantities.iter().filter(|it| **it == Quantity::Angle);
     match angles.count() {

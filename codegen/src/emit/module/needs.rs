@@ -1,24 +1,24 @@
-//! A block → what its function must be given, and whether it can fail.
+//! Decides the arguments of a block's function, and whether the function can fail.
 
 use super::Module;
 use super::scope::{Place, Scope};
-use crate::assemblies::never_meet;
-use crate::expr::{IdMap, IdSet, SymbolId};
-use crate::pool::Pool;
-use crate::program::{Block, Program, Statement};
-use crate::system::System;
+use crate::expr::SymbolId;
+use crate::program::{Block, Statement};
 
-/// What a block's function needs to be given.
+/// Arguments and failures of a block's function.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(in crate::emit) struct Needs {
+    /// True if the function takes the last frame.
     pub last: bool,
+    /// True if the function takes the modes.
     pub branches: bool,
-    /// Whether it finds its own mode.
+    /// True if the function sets its own mode.
     pub finds_branch: bool,
-    /// Time, parameters, inputs, settings and what the last frame is.
+    /// True if the function takes time, parameters, inputs, settings and the kind of the last frame.
     pub conditions: bool,
-    /// Whether a failure says the time.
+    /// True if the function reads the time, or a failure reports it.
     pub time: bool,
+    /// True if the function can fail.
     pub fails: bool,
 }
 
@@ -27,7 +27,7 @@ impl Needs {
         let scope = Scope::new(module, &block.function, Place::Frame);
         let reads = scope.reads();
         let newton = block.newton.is_some();
-        let has = |wanted: fn(&Statement) -> bool| block.function.statements.iter().any(wanted);
+        let has = |test: fn(&Statement) -> bool| block.function.statements.iter().any(test);
         let checks = has(|it| {
             matches!(
                 it,
@@ -49,35 +49,9 @@ impl Needs {
     }
 }
 
-/// The blocks that have one mode only, by its symbol: beyond a pose at which its two modes meet such a block has the other. Blocks whose
-/// modes never meet are left out.
-pub(super) fn exchanged_by(
-    pool: &Pool,
-    system: &System,
-    program: &Program,
-) -> IdMap<SymbolId, usize> {
-    let graph = &pool.graph;
-    let blocks = program.blocks.iter().enumerate();
-    let apart = never_meet(pool, system, program);
-    let closed = blocks.filter(|(_, block)| block.newton.is_none());
-    // A mode belongs to the first block that reads it.
-    let mut met: IdSet<SymbolId> = IdSet::default();
-    let mut found = IdMap::default();
-    for (number, block) in closed {
-        let read = block.function.values().flat_map(|it| graph.symbols(it));
-        let read = read.filter(|&&symbol| program.branch_of(symbol).is_some());
-        let read: IdSet<SymbolId> = read.copied().collect();
-        let own = read.iter().filter(|&&symbol| met.insert(symbol)).count();
-        if own == 1 && read.len() == 1 && !apart[number] {
-            found.extend(read.into_iter().map(|symbol| (symbol, number)));
-        }
-    }
-    found
-}
-
-/// The numbers of a block that are looked at before the next one is solved: those of a frame of thousands of coordinates are not
-/// looked through at once, because the compiler would turn it into as many local values.
+/// Returns the values of a block that a large mechanism checks before it solves the next block. One check of thousands of coordinates
+/// would become as many local values in the compiler.
 pub(in crate::emit) fn checked_at_once(block: &Block, scope: &Scope<'_>) -> Vec<SymbolId> {
-    let found = block.function.targets();
-    found.filter(|&symbol| scope.is_field(symbol)).collect()
+    let targets = block.function.targets();
+    targets.filter(|&symbol| scope.is_field(symbol)).collect()
 }

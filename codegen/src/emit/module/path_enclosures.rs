@@ -27,7 +27,7 @@ pub(in crate::emit) fn enclosure_count(module: &Module<'_>) -> usize {
         .sum()
 }
 
-/// The deviations of enclosures.
+/// Returns the deviations in path enclosures.
 pub(super) fn deviations_of_enclosures(program: &Program, system: &System) -> IdSet<SymbolId> {
     let path = program.path.iter();
     path.flat_map(|path| iterated(program, system, path))

@@ -1,4 +1,4 @@
-//! A function → what its values are called, and where it finds what it does not compute.
+//! Names the values of a function, and locates those that the function only reads.
 
 use std::cell::OnceCell;
 use std::rc::Rc;
@@ -10,69 +10,69 @@ use crate::pool::SymbolRole;
 use crate::program::passes::names::LocalNames;
 use crate::program::{Evaluation, Function, Statement};
 
-/// Where a function finds what it does not compute.
+/// Source of the values that a function does not compute.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::emit) enum Place {
-    /// In the frame `at`, which it fills.
+    /// Frame `at`, which the function fills.
     Frame,
-    /// In the structures `q`, `qd` and `qdd`.
+    /// Structures `q`, `qd` and `qdd`.
     Coordinates,
-    /// In the frame `at`, but for the tears, which are local.
+    /// Frame `at`, except for the tearing variables, which are local.
     Tears,
-    /// In the frames `at` and `last`.
+    /// Frames `at` and `last`.
     Path,
 }
 
-/// Where a value stands.
+/// Location of a value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(in crate::emit) enum Location<'a> {
-    /// In a local value or an argument of this name.
+    /// Local value or argument of this name.
     Local(String),
-    /// Where the assembly mode of this name is, whose sign it is.
+    /// Sign of the assembly mode of this name.
     Sign(&'a str),
-    /// In a part of the window.
+    /// Field of the time window.
     TimeWindow(&'static str),
-    /// In a field of the frame `at`.
+    /// Field of the frame `at`.
     Field(SymbolId),
-    /// In a field of the frame `last`.
+    /// Field of the frame `last`.
     Last(SymbolId),
-    /// In the time of the frame `last`.
+    /// Time of the frame `last`.
     LastTime,
-    /// In a structure of coordinates.
+    /// Component of a structure of coordinates.
     Coordinate(Component<'a>),
-    /// In the parameter of this name.
+    /// Parameter of this name.
     Parameter(String),
-    /// In the signal of this name: `value`, `rate` or `acceleration`.
+    /// `value`, `rate` or `acceleration` of the signal of this name.
     Input {
         name: String,
         level: &'static str,
-        /// Whether it is that of the frame `last`.
+        /// True if the signal is that of the frame `last`.
         before: bool,
     },
 }
 
-/// The names of one function.
+/// Names and locations of one function.
 pub(in crate::emit) struct Scope<'a> {
     pub module: &'a Module<'a>,
     pub function: &'a Function,
     place: Place,
-    /// Unknowns and rates that are local although frames hold them.
+    /// Unknowns and rates that are local, although frames hold them.
     tears: Vec<SymbolId>,
     locals: Rc<LocalNames>,
-    /// The symbols in the values of its statements and results, once somebody asks for them.
+    /// Symbols that statements and results read, collected on first use.
     read: OnceCell<IdSet<SymbolId>>,
-    /// The sines and cosines that nobody reads, once that is known.
+    /// Sines and cosines that no statement reads, once known.
     unnamed: OnceCell<Vec<SymbolId>>,
 }
 
-/// What a function reads of what it is given.
+/// Arguments that a function reads.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(in crate::emit) struct Reads {
-    /// Anything of the last frame.
+    /// True if the function reads the last frame.
     pub last: bool,
-    /// Anything of the inputs in the last frame.
+    /// True if the function reads inputs of the last frame.
     pub before: bool,
-    /// Anything of the window.
+    /// True if the function reads the time window.
     pub window: bool,
     pub position: bool,
     pub rate: bool,
@@ -81,7 +81,7 @@ pub(in crate::emit) struct Reads {
     pub parameters: bool,
     pub inputs: bool,
     pub branches: bool,
-    /// Anything of the frame.
+    /// True if the function reads fields of the frame `at`.
     pub frame: bool,
 }
 
@@ -124,7 +124,7 @@ impl<'a> Scope<'a> {
         }
     }
 
-    /// The names of a function inside this one.
+    /// Returns the scope of a function inside this one.
     pub(in crate::emit) fn inner(&self, function: &'a Function) -> Scope<'a> {
         Scope {
             module: self.module,
@@ -137,7 +137,7 @@ impl<'a> Scope<'a> {
         }
     }
 
-    /// The names of a function that is a part of this one.
+    /// Returns the scope of a part of this function, with its tearing variables.
     pub(in crate::emit) fn part(&self, function: &'a Function) -> Scope<'a> {
         Scope {
             tears: self.tears.clone(),
@@ -145,12 +145,12 @@ impl<'a> Scope<'a> {
         }
     }
 
-    /// Whether a closed form is one of those inside a torn block, which may be out of reach.
+    /// True inside a torn block, where a closed form out of reach is not yet a failure.
     pub(in crate::emit) fn is_inside(&self) -> bool {
         self.place == Place::Tears
     }
 
-    /// Whether a symbol is a field of the frame here.
+    /// True if the symbol is a field of the frame in this function.
     pub(in crate::emit) fn is_field(&self, symbol: SymbolId) -> bool {
         self.place != Place::Coordinates
             && self.locals.name_of(symbol).is_none()
@@ -158,7 +158,7 @@ impl<'a> Scope<'a> {
             && self.module.is_field(symbol)
     }
 
-    /// The order of the function's arithmetic.
+    /// Returns the order of the function's arithmetic.
     pub(in crate::emit) fn evaluation(&self) -> Evaluation<'a> {
         let constants = &self.module.program.constants;
         Evaluation::new(
@@ -169,7 +169,7 @@ impl<'a> Scope<'a> {
         )
     }
 
-    /// Where a variable stands.
+    /// Returns the location of a variable.
     pub(in crate::emit) fn locate(&self, symbol: SymbolId) -> Location<'a> {
         let system = self.module.system;
         if let Some(local) = self.locals.name_of(symbol) {
@@ -178,7 +178,7 @@ impl<'a> Scope<'a> {
         if let Some(branch) = self.module.program.branch_of(symbol) {
             return Location::Sign(&branch.name);
         }
-        if let Some(part) = self.module.span_part(symbol) {
+        if let Some(part) = self.module.window_part(symbol) {
             return Location::TimeWindow(part);
         }
         match self.module.pool.role(symbol) {
@@ -200,7 +200,7 @@ impl<'a> Scope<'a> {
         }
     }
 
-    /// Where the value of the last frame stands.
+    /// Returns the location of a symbol's value in the last frame.
     fn locate_last(&self, symbol: SymbolId) -> Location<'a> {
         match self.module.pool.role(symbol) {
             SymbolRole::Time => Location::LastTime,
@@ -217,7 +217,7 @@ impl<'a> Scope<'a> {
         }
     }
 
-    /// Whether a statement or a result of the function reads a symbol.
+    /// True if a statement or a result of the function reads the symbol.
     pub(in crate::emit) fn is_read(&self, symbol: SymbolId) -> bool {
         let graph = &self.module.pool.graph;
         let read = || {
@@ -230,7 +230,7 @@ impl<'a> Scope<'a> {
         self.read.get_or_init(read).contains(&symbol)
     }
 
-    /// The sines and cosines that its statements find.
+    /// Returns the sines and cosines that statements compute.
     pub(in crate::emit) fn sines_and_cosines(&self) -> impl Iterator<Item = SymbolId> {
         let statements = self.function.statements.iter();
         let pairs = statements.filter_map(|statement| match statement {
@@ -240,22 +240,22 @@ impl<'a> Scope<'a> {
         pairs.flatten()
     }
 
-    /// Says which of them nobody reads.
+    /// Records the sines and cosines that no statement reads.
     pub(in crate::emit) fn leave_unnamed(&self, symbols: Vec<SymbolId>) {
         self.unnamed.get_or_init(|| symbols);
     }
 
-    /// Whether nobody reads a sine or a cosine.
+    /// True if the symbol is a sine or cosine that no statement reads.
     pub(in crate::emit) fn is_unnamed(&self, symbol: SymbolId) -> bool {
         self.unnamed.get().is_some_and(|it| it.contains(&symbol))
     }
 
-    /// Whether somebody reads what a statement of a path finds.
+    /// True if an enclosure or a later statement reads the bound of a path.
     pub(in crate::emit) fn is_wanted(&self, symbol: SymbolId) -> bool {
         self.module.has_enclosure(symbol) || self.is_read(symbol)
     }
 
-    /// What the function reads.
+    /// Returns the arguments that the function reads.
     pub(in crate::emit) fn reads(&self) -> Reads {
         let mut reads = Reads::default();
         let graph = &self.module.pool.graph;
@@ -267,7 +267,7 @@ impl<'a> Scope<'a> {
             if self.locals.name_of(symbol).is_some() {
                 continue;
             }
-            if self.module.span_part(symbol).is_some() {
+            if self.module.window_part(symbol).is_some() {
                 reads.window = true;
                 continue;
             }

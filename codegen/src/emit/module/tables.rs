@@ -1,26 +1,26 @@
-//! Splines → how their places are found, and what is said of them.
+//! Finds the spacing and the documentation of spline tables.
 
 use crate::expr::SplineId;
 use crate::pool::Pool;
 use crate::system::System;
 
-/// By how much of their distance starts may be off where they are called equally spaced.
+/// Relative deviation up to which starts count as equally spaced.
 const EVEN: f64 = 1e-6;
 
-/// What a table is.
+/// Documentation of a table.
 pub(in crate::emit) fn docs_of(id: SplineId, pool: &Pool, system: &System) -> Vec<String> {
     let declared = system.mechanism.tables.iter();
-    let own = declared
+    let docs = declared
         .filter(|table| table.spline == id)
         .flat_map(|table| table.docs.clone());
-    let lines: Vec<String> = own.collect();
+    let lines: Vec<String> = docs.collect();
     match lines.is_empty() {
         true => vec![format!("Table `{}`.", pool.graph.spline_of(id).name)],
         false => lines,
     }
 }
 
-/// The distance between starts that are equally spaced, but for rounding.
+/// Returns the distance between starts; `None` if they are not equally spaced except for rounding.
 pub(in crate::emit) fn spacing(starts: &[f64]) -> Option<f64> {
     let (first, last) = (*starts.first()?, *starts.last()?);
     let spacing = (last - first) / (starts.len() - 1) as f64;
@@ -28,6 +28,6 @@ pub(in crate::emit) fn spacing(starts: &[f64]) -> Option<f64> {
         let expected = first + spacing * place as f64;
         (start - expected).abs() <= EVEN * spacing
     });
-    // Two starts are found without it.
+    // Two starts need no index computation.
     (even && starts.len() > 2).then_some(spacing)
 }

@@ -1,4 +1,4 @@
-//! Functions of a frame that return what it keeps.
+//! Writes methods that return stored fields of a frame.
 
 use super::names::identifier;
 use crate::emit::code::Code;
@@ -7,7 +7,7 @@ use crate::emit::module::accessors::{Accessor, Shape};
 use crate::program::Found;
 
 impl Code {
-    /// Adds a function each.
+    /// Adds a method for each accessor.
     pub(super) fn accessors(
         &mut self,
         all: impl IntoIterator<Item = Accessor>,
@@ -61,7 +61,7 @@ impl Code {
         self.function(accessor.docs, [], &head, statements);
     }
 
-    /// Adds a structure of position, velocity and acceleration, as far as they are given.
+    /// Adds a structure with the levels that exist of position, velocity and acceleration.
     pub(super) fn record(&mut self, kind: &str, levels: impl IntoIterator<Item = String>) {
         self.open(format!("{kind} {{"));
         for (name, value) in ["position", "velocity", "acceleration"].iter().zip(levels) {

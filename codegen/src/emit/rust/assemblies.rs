@@ -1,13 +1,13 @@
-//! The assemblies that are stored.
+//! Writes the stored assemblies.
 
 use super::names::identifier;
 use crate::emit::code::Code;
 use crate::emit::module::{Module, documentation};
 
-/// The longest line on which all modes of an assembly stand, in characters.
-const LONGEST: usize = 100;
+/// Length up to which all modes of an assembly are on one line, in characters.
+const MAX_LINE_LENGTH: usize = 100;
 
-/// Writes `Branches::ASSEMBLIES`, and where Newton-Raphson starts from for each of them.
+/// Writes `Branches::ASSEMBLIES`, with the start values of Newton-Raphson for each assembly.
 pub(super) fn assemblies(module: &Module<'_>, code: &mut Code) {
     let Some(stored) = &module.assemblies else {
         return;
@@ -37,16 +37,16 @@ pub(super) fn assemblies(module: &Module<'_>, code: &mut Code) {
         let closed = closed.map(|(branch, &is_positive)| {
             format!("{}: {}", identifier(&branch.name), sign(is_positive))
         });
-        let found = iterated.clone().zip(&assembly.determinants);
-        let found = found.map(|(block, determinant)| {
+        let determinants = iterated.clone().zip(&assembly.determinants);
+        let determinants = determinants.map(|(block, determinant)| {
             let mode = determinant.map_or("None".to_string(), |it| format!("Some({})", sign(it)));
             format!("{}: {mode}", identifier(&block.name))
         });
-        let modes: Vec<String> = closed.chain(found).collect();
+        let modes: Vec<String> = closed.chain(determinants).collect();
         code.remark(&documentation::of_assembly(assembly, module).replace('`', ""));
         let (label, all) = (&assembly.label, modes.join(", "));
         let line = format!("{number}, {label:?} {{ {all} }} at [");
-        if line.len() <= LONGEST {
+        if line.len() <= MAX_LINE_LENGTH {
             code.open(line);
         } else {
             code.open(format!("{number}, {label:?} {{"));

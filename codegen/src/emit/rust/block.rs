@@ -1,4 +1,4 @@
-//! One function per block.
+//! Writes one function per block, and the structure of modes.
 
 use super::code::taken_apart;
 use super::equation::idle;
@@ -12,11 +12,11 @@ use crate::emit::module::scope::{Place, Scope};
 use crate::emit::module::{Module, documentation};
 use crate::program::{Block, Statement};
 
-/// Up to so many blocks become one function.
+/// Number of blocks up to which the compiler may inline their functions.
 const MOST_INLINED: usize = 16;
 
 impl Needs {
-    /// The arguments as they are declared, and as they are passed.
+    /// Returns the arguments as declared and as passed.
     fn arguments(self) -> (String, String) {
         let branches = match self.finds_branch {
             true => "branches: &mut Branches",
@@ -36,7 +36,7 @@ impl Needs {
     }
 }
 
-/// The call of a block's function.
+/// Returns the call of a block's function.
 pub(super) fn call(block: &Block, module: &Module<'_>) -> String {
     let needs = Needs::of(block, module);
     let (name, (_, arguments)) = (identifier(&block.name), needs.arguments());
@@ -97,17 +97,16 @@ fn function(index: usize, block: &Block, module: &Module<'_>, code: &mut Code) {
     code.function(title, allow, &head, inside);
 }
 
-/// Fails where a coordinate, a rate or an acceleration of the block is not finite. A frame of thousands of coordinates is not
-/// looked through at once: the compiler would turn it into as many local values.
+/// Writes the check that the block's coordinates, rates and accelerations are finite.
 fn own_check(index: usize, block: &Block, scope: &Scope<'_>, code: &mut Code) {
-    let found = checked_at_once(block, scope).into_iter();
-    let fields: Vec<String> = found.map(|symbol| scope.read(symbol)).collect();
+    let symbols = checked_at_once(block, scope).into_iter();
+    let fields: Vec<String> = symbols.map(|symbol| scope.read(symbol)).collect();
     code.open(format!("if !all_finite(&[{}]) {{", fields.join(", ")));
     code.line(format!("return Err(not_finite(t, {index}));"));
     code.close("}");
 }
 
-/// Writes `struct Branches` with the drawing's choice.
+/// Writes `struct Branches` with the modes of the design configuration.
 pub(super) fn branches(module: &Module<'_>, code: &mut Code) {
     let drawn = |positive: bool| match positive {
         true => "Branch::Positive",

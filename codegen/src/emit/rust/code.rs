@@ -1,4 +1,4 @@
-//! Items of Rust, in lines.
+//! Writes items of Rust.
 
 use super::docs::doc_lines;
 use super::lints;
@@ -90,14 +90,14 @@ impl Code {
     }
 }
 
-/// The statement that takes a value apart into these fields, as far as they are read; `None` if none is.
+/// Returns the statement that destructures a value into the fields that are read; `None` if none is.
 pub(super) fn taken_apart(kind: &str, value: &str, fields: &[(bool, &str)]) -> Option<String> {
     let read = fields.iter().filter(|(is_read, _)| *is_read);
     let names: String = read.map(|(_, name)| format!("{name}, ")).collect();
     (!names.is_empty()).then(|| format!("let {kind} {{ {names}.. }} = {value};"))
 }
 
-/// The name of an argument, which begins with an underscore if it is not read.
+/// Returns the name of an argument, with an underscore before it if the argument is not read.
 pub(super) fn argument(name: &str, is_read: bool) -> String {
     match is_read {
         true => name.to_string(),
@@ -105,7 +105,7 @@ pub(super) fn argument(name: &str, is_read: bool) -> String {
     }
 }
 
-/// An array of these elements, which are written once if all are the same.
+/// Returns an array of these elements; equal elements are written once.
 pub(super) fn array(elements: &[String]) -> String {
     match elements {
         [first, others @ ..] if !others.is_empty() && others.iter().all(|it| it == first) => {

@@ -1,11 +1,11 @@
-//! The named coordinates.
+//! Writes the named coordinates.
 
 use super::module::derives;
 use super::names::identifier;
 use crate::emit::code::Code;
 use crate::emit::module::{Module, documentation};
 
-/// Writes `struct Coordinates` with its names and the drawn pose.
+/// Writes `struct Coordinates` with its names and the design pose.
 pub(super) fn coordinates(module: &Module<'_>, code: &mut Code) {
     let system = module.system;
     code.gap();

@@ -1,4 +1,4 @@
-//! A function that the runtime calls with vectors and the time → what it takes out of them, its statements and its results.
+//! Prints the body of a function that the runtime calls with vectors and the time.
 
 use std::collections::{HashMap, HashSet};
 
@@ -7,7 +7,7 @@ use crate::emit::code::Code;
 use crate::emit::module::scope::Scope;
 use crate::expr::SymbolId;
 
-/// The statements of a function, after what it reads of its type.
+/// Statements and results of a function; the statements begin with the fields of `self` that they read.
 pub(super) struct Equation {
     pub statements: Code,
     pub results: Vec<String>,
@@ -17,20 +17,20 @@ pub(super) struct Equation {
 impl Equation {
     pub fn new(scope: &Scope<'_>) -> Equation {
         let reads = scope.reads();
-        let own = ["at", "parameters", "inputs"];
-        let own = own
+        let fields = ["at", "parameters", "inputs"];
+        let fields = fields
             .into_iter()
             .zip([reads.frame, reads.parameters, reads.inputs]);
         let mut statements = Code::default();
-        for (name, _) in own.filter(|(_, is_read)| *is_read) {
+        for (name, _) in fields.filter(|(_, is_read)| *is_read) {
             statements.line(format!("let {name} = self.{name};"));
         }
-        let (found, results) = (scope.plain_statements(), scope.results());
-        let mut whole = found.clone();
+        let (named, results) = (scope.plain_statements(), scope.results());
+        let mut whole = named.clone();
         results.iter().for_each(|it| whole.line(it));
         let idle = idle(scope, &whole);
         statements.append(match idle.is_empty() {
-            true => found,
+            true => named,
             false => {
                 scope.leave_unnamed(idle);
                 scope.plain_statements()
@@ -43,7 +43,7 @@ impl Equation {
         }
     }
 
-    /// An argument that is taken apart into values, as far as they are read.
+    /// Returns the pattern of a vector argument, with names only for the components that are read.
     pub fn pattern(&self, symbols: &[SymbolId], whole: &str, scope: &Scope<'_>) -> String {
         let names = symbols.iter().map(|&it| scope.read(it));
         let names = names.map(|name| match self.mentioned.contains(&name) {
@@ -62,10 +62,10 @@ impl Equation {
     }
 }
 
-/// Sines and cosines that are local to a function and are mentioned nowhere but where they are found.
+/// Returns the local sines and cosines that the code mentions only where it computes them.
 pub(super) fn idle(scope: &Scope<'_>, code: &Code) -> Vec<SymbolId> {
-    let mut found = scope.sines_and_cosines().peekable();
-    if found.peek().is_none() {
+    let mut symbols = scope.sines_and_cosines().peekable();
+    if symbols.peek().is_none() {
         return Vec::new();
     }
     let mut counts: HashMap<&str, usize> = HashMap::new();
@@ -73,5 +73,5 @@ pub(super) fn idle(scope: &Scope<'_>, code: &Code) -> Vec<SymbolId> {
         *counts.entry(word).or_default() += 1;
     }
     let is_idle = |symbol: &SymbolId| counts.get(scope.read(*symbol).as_str()) == Some(&1);
-    found.filter(is_idle).collect()
+    symbols.filter(is_idle).collect()
 }

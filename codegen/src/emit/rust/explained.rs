@@ -18,7 +18,7 @@ pub(super) fn block_names(module: &Module<'_>, code: &mut Code) {
     ));
 }
 
-/// A name and what it stands for.
+/// Returns the literal of a name with its explanation.
 pub(super) fn block_name(name: &str, singular: &str) -> String {
     format!("BlockName::new({name:?}, {singular:?})")
 }

@@ -1,4 +1,4 @@
-//! Expressions → Rust.
+//! Prints expressions in Rust.
 
 use super::names::identifier;
 use super::tables::table_name;
@@ -7,7 +7,7 @@ use crate::expr::{ExprId, SplineId};
 use crate::program::{Arithmetic, Choice, Elementary};
 
 impl Scope<'_> {
-    /// The results in order, each with its terms in the order of its row.
+    /// Returns the results in order, with the terms of each in the order of its row.
     pub(super) fn results(&self) -> Vec<String> {
         let results = self.function.results.iter();
         results
@@ -15,18 +15,18 @@ impl Scope<'_> {
             .collect()
     }
 
-    /// An expression.
+    /// Returns an expression as text.
     pub(super) fn value(&self, expr: ExprId) -> String {
         self.written(&self.evaluation().value(expr))
     }
 
-    /// Expressions with commas between them.
+    /// Returns expressions, separated by commas.
     pub(super) fn values(&self, all: &[ExprId]) -> String {
         let all: Vec<String> = all.iter().map(|expr| self.value(*expr)).collect();
         all.join(", ")
     }
 
-    /// Returns the expression of a number.
+    /// Returns arithmetic as text.
     pub(super) fn written(&self, arithmetic: &Arithmetic) -> String {
         match arithmetic {
             Arithmetic::Number(value) => self.module.number(*value),
@@ -104,7 +104,7 @@ impl Scope<'_> {
         chained(factors.collect())
     }
 
-    /// Returns an expression as it stands beside a multiplication sign.
+    /// Returns a factor: sums, products, quotients and choices in parentheses.
     pub(super) fn operand(&self, arithmetic: &Arithmetic) -> String {
         let written = self.written(arithmetic);
         match arithmetic {
@@ -132,10 +132,10 @@ fn called(function: Elementary) -> &'static str {
     }
 }
 
-/// So many operations of one chain nest in the syntax of Rust, which compilers and formatters walk by recursion.
+/// Number of operations in one expression, which compilers and formatters walk by recursion.
 const LONGEST_CHAIN: usize = 500;
 
-/// Operations one after the other; a long chain in steps, in the same order.
+/// Returns a chain of operations; a long chain has partial results, in the same order.
 fn chained(parts: Vec<String>) -> String {
     let mut chunks = parts.chunks(LONGEST_CHAIN);
     let first = chunks.next().unwrap_or_default().concat();

@@ -1,4 +1,4 @@
-//! The module of a mechanism, or one module for each of its motions, as source.
+//! Writes the file: the module of a mechanism, or one module for each of its motions.
 
 use super::lints;
 use super::names::{WORDS, identifier};
@@ -9,7 +9,7 @@ use crate::emit::scalar::Scalar;
 use crate::solved::Solved;
 
 /// The source of the generated file, with a header of comments. A mechanism with motions becomes one module for each.
-/// Its elementary functions are the runtime's, or those of the module at the path `math`.
+/// Its elementary functions are the runtime's, or those of the type at the path `math`.
 pub fn file(motions: &[Solved], scalar: Scalar, math: Option<&str>) -> String {
     let motions = motions.iter();
     let modules = motions.map(|solved| Module::new(solved, scalar, WORDS));
@@ -43,7 +43,7 @@ pub fn file(motions: &[Solved], scalar: Scalar, math: Option<&str>) -> String {
     code.finish(Lists::Apart)
 }
 
-/// Writes the module of one motion. Who drives the mechanism in one way need not use the other ways.
+/// Writes the module of one motion. Users may leave modules of other motions unused.
 fn motion(module: &Module<'_>, math: Option<&str>, code: &mut Code) {
     let Some(motion) = &module.system.mechanism.motion else {
         return;

@@ -1,4 +1,4 @@
-//! The frame: one solved instant, and what it offers.
+//! Writes the frame: the structure of one solved instant, and its methods.
 
 use super::lints;
 use super::module::derives;
@@ -12,7 +12,7 @@ use crate::emit::module::drawing::{Estimate, estimates, frame_keeps_parameters};
 use crate::emit::module::forces::force_functions;
 use crate::emit::module::{Module, accessors};
 
-/// Writes `struct Frame`, with methods for everything that it offers.
+/// Writes `struct Frame` with its methods.
 pub(super) fn frame(module: &Module<'_>, code: &mut Code) {
     structure(module, code);
     let mut methods = Code::default();
@@ -34,10 +34,10 @@ pub(super) fn frame(module: &Module<'_>, code: &mut Code) {
     points::table(module, code);
 }
 
-/// Writes what a frame holds.
+/// Writes the fields of the frame, and their values before the first frame.
 fn structure(module: &Module<'_>, code: &mut Code) {
-    let own = module.program.fields.iter();
-    let names: Vec<String> = own.map(|&symbol| module.field_name(symbol)).collect();
+    let fields = module.program.fields.iter();
+    let names: Vec<String> = fields.map(|&symbol| module.field_name(symbol)).collect();
     let (title, held, numbers) = match (module.holds_coordinates(), frame_keeps_parameters(module))
     {
         (true, true) => (
@@ -68,7 +68,7 @@ fn structure(module: &Module<'_>, code: &mut Code) {
     code.close("}");
 }
 
-/// The fields in which the frame before the first one differs from one at rest in the origin.
+/// Returns the fields of the frame before the first one that are not zero, with their values.
 fn drawn(module: &Module<'_>) -> Vec<String> {
     let fields = estimates(module).into_iter().map(|(symbol, estimate)| {
         let name = module.field_name(symbol);

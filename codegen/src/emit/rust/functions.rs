@@ -1,17 +1,23 @@
-//! The path of a module with elementary functions → the imports that put them in place of the runtime's.
+//! Puts the elementary functions of a type in place of the runtime's.
 
 use std::collections::HashSet;
 
 use super::names::is_word;
 
-/// Names that a module may import from elsewhere, with their imports.
-const IMPORTS: [(&str, &str); 2] = [("math", "self as math"), ("angle_near", "angle_near")];
+/// Function in place of the one that every module imports by its name.
+const ANGLE_NEAR: [&str; 5] = [
+    "",
+    "#[inline]",
+    "fn angle_near(sine: Scalar, cosine: Scalar, near: Scalar) -> Scalar {",
+    "    math::angle_near(sine, cosine, near)",
+    "}",
+];
 
-/// `use crate::plain::{self as math, angle_near};`, as far as the code mentions these names. An import by name goes before the one
-/// of all names that every module begins with.
+/// Lines that put the type at `path` in place of `math`, as far as the code mentions its functions:
+/// `use crate::Plain as math;`. An import by name goes before the one of all names that every module begins with.
 ///
-/// What is no path becomes an error where the code is compiled, as a path does that leads nowhere.
-pub(super) fn functions(path: &str, mentioned: &HashSet<&str>) -> Option<String> {
+/// Text that is not a path becomes an error where the code is compiled, as does a path that leads nowhere.
+pub(super) fn functions(path: &str, mentioned: &HashSet<&str>) -> Vec<String> {
     // A macro gives a path with spaces between its parts.
     let names: Vec<&str> = path.split("::").map(str::trim).collect();
     let below = match &names[..] {
@@ -22,17 +28,18 @@ pub(super) fn functions(path: &str, mentioned: &HashSet<&str>) -> Option<String>
         is_word(name.trim_start_matches("r#")) || matches!(*name, "crate" | "self" | "super")
     };
     if below.is_empty() || !below.iter().all(is_name) {
-        let problem = format!("the option `math` is `{path}`, which is not the path of a module");
-        return Some(format!("compile_error!({problem:?});"));
+        let problem = format!("the option `math` is `{path}`, which is not the path of a type");
+        return vec![format!("compile_error!({problem:?});")];
     }
-    let path = names.join("::");
-    let used = IMPORTS.iter().filter(|(name, _)| mentioned.contains(name));
-    let used: Vec<&str> = used.map(|(_, import)| *import).collect();
-    match &used[..] {
-        [] => None,
-        ["angle_near"] => Some(format!("use {path}::angle_near;")),
-        used => Some(format!("use {path}::{{{}}};", used.join(", "))),
+    let has_angles = mentioned.contains("angle_near");
+    let mut lines = Vec::new();
+    if has_angles || mentioned.contains("math") {
+        lines.push(format!("use {} as math;", names.join("::")));
     }
+    if has_angles {
+        lines.extend(ANGLE_NEAR.map(str::to_string));
+    }
+    lines
 }
 
 #[cfg(test)]
@@ -42,28 +49,22 @@ mod tests {
     use super::functions;
 
     #[test]
-    fn imports_are_what_the_code_mentions() {
-        let both = HashSet::from(["math", "angle_near"]);
-        for path in ["crate::plain", "crate :: plain"] {
-            let import = functions(path, &both);
-            assert_eq!(
-                import.as_deref(),
-                Some("use crate::plain::{self as math, angle_near};")
-            );
+    fn functions_are_those_that_the_code_mentions() {
+        for path in ["crate::Plain", "crate :: Plain"] {
+            let lines = functions(path, &HashSet::from(["math"]));
+            assert_eq!(lines, ["use crate::Plain as math;"]);
         }
-        let import = functions("::other::plain", &HashSet::from(["angle_near"]));
-        assert_eq!(import.as_deref(), Some("use ::other::plain::angle_near;"));
-        assert_eq!(functions("plain", &HashSet::new()), None);
+        let lines = functions("::other::Plain", &HashSet::from(["angle_near"]));
+        assert_eq!(lines[0], "use ::other::Plain as math;");
+        assert!(lines[3].starts_with("fn angle_near("), "{lines:?}");
+        assert!(functions("Plain", &HashSet::new()).is_empty());
     }
 
     #[test]
     fn invalid_paths_are_errors_of_the_compiler() {
         for path in ["", "1", "crate::", "a b", "a; use b", "crate::fn", "::"] {
             let import = functions(path, &HashSet::from(["math"]));
-            assert!(
-                import.is_some_and(|it| it.starts_with("compile_error!(\"")),
-                "{path}"
-            );
+            assert!(import[0].starts_with("compile_error!(\""), "{path}");
         }
     }
 }

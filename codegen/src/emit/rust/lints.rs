@@ -4,9 +4,9 @@ use crate::emit::code::Code;
 use std::f64::consts;
 
 /// Relative distance of a literal from a constant of the standard library up to which clippy objects.
-const CLOSE: f64 = 1e-3;
+const APPROXIMATION_TOLERANCE: f64 = 1e-3;
 
-/// The constants of the standard library that clippy looks for among literals.
+/// Constants of the standard library that clippy looks for among literals.
 const KNOWN: [f64; 19] = [
     consts::E,
     consts::FRAC_1_PI,
@@ -62,19 +62,19 @@ fn both(code: &Code) -> [Option<&'static str>; 2] {
     ]
 }
 
-/// True for a literal that is close to a known constant.
+/// True if the literal is close to a known constant.
 fn is_close(literal: &str) -> bool {
     let is_number = literal.as_bytes().first().is_some_and(u8::is_ascii_digit);
     is_number
         && literal.parse::<f64>().is_ok_and(|value| {
             KNOWN
                 .iter()
-                .any(|known| (value - known).abs() < CLOSE * known)
+                .any(|known| (value - known).abs() < APPROXIMATION_TOLERANCE * known)
         })
 }
 
-/// True for a name of a value or a function that is made of one in the description and keeps its capitals or its double underscores.
-/// Types and constants have no capitals and small letters around an underscore.
+/// True if the name of a value or function has capitals or double underscores from the description. Names of types and constants do not
+/// mix capitals and small letters around an underscore.
 fn has_capitals(name: &str) -> bool {
     let name = name.trim_matches('_');
     let has = |is_so: fn(&u8) -> bool| name.bytes().any(|byte| is_so(&byte));

@@ -1,4 +1,4 @@
-//! The loads that a failure names: their labels, and the function that finds the first which is not finite.
+//! Writes the labels of loads, and the function that finds the first load that is not finite.
 
 use super::code::{argument, taken_apart};
 use crate::emit::code::Code;
@@ -64,12 +64,12 @@ pub(super) fn blamed(failure: &str, module: &Module<'_>) -> String {
     }
 }
 
-/// Returns the end of the call of a block that fails: `?`, or what ascribes its failure to a load first.
+/// Returns the end of the call of a block that can fail: `?`. If loads may cause the failure, it is first ascribed to a load.
 pub(super) fn handed_on(block: &Block, module: &Module<'_>) -> String {
     let loads = module.program.loads.as_ref();
-    let own = loads.and_then(|loads| module.program.blocks.get(usize::from(loads.block)));
-    match own {
-        Some(own) if std::ptr::eq(own, block) => {
+    let loaded = loads.and_then(|loads| module.program.blocks.get(usize::from(loads.block)));
+    match loaded {
+        Some(loaded) if std::ptr::eq(loaded, block) => {
             format!(".map_err(|failure| {FUNCTION}(failure, at, conditions))?")
         }
         _ => "?".to_string(),

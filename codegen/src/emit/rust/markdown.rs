@@ -1,94 +1,93 @@
-//! *Lines of prose, ours and those of a description → Markdown of which `rustdoc` compiles, resolves and warns of nothing.*
+//! Escapes prose as Markdown in which `rustdoc` finds no test, item or tag.
 //!
-//! What `rustdoc` takes for Rust is a test that `cargo test` runs, so no block of code is left that could be: neither fenced,
-//! as ```` ```rust ````, nor indented, nor inside lists and quotes. A block that stands by itself stays one, of plain text. Brackets
-//! name no items, `<T>` is no tag, and an address is a link. Paragraphs, lists, quotes, emphasis, code within a line and links to
-//! the web are what they were.
+//! `cargo test` would run a block of code as a test. So blocks that stand alone become plain text, and all others, in lists and quotes,
+//! become paragraphs. Brackets and tags such as `<T>` are escaped; an address becomes a link. Paragraphs, lists, quotes, emphasis, code
+//! within a line and links to the web are kept.
 //!
-//! A line is judged by itself: code within a line ends in that line. So whatever stands around it, nothing that was left open can
-//! swallow an escape. The rules are those of CommonMark 0.31.2 (<https://spec.commonmark.org/0.31.2/>).
+//! Each line is escaped alone, since code within a line ends in that line. Nothing left open in another line can swallow an escape. The
+//! rules are those of CommonMark 0.31.2 (<https://spec.commonmark.org/0.31.2/>).
 
-/// Indented further than this, a line is a block of code.
-const DEEPEST: usize = 3;
+/// Maximum indentation of a line that is not a block of code.
+const MAX_INDENT: usize = 3;
 
-/// The same lines as Markdown.
+/// Returns the lines as Markdown.
 pub(super) fn inert<S: AsRef<str>>(lines: impl IntoIterator<Item = S>) -> Vec<String> {
     let lines: Vec<String> = lines.into_iter().map(|it| printable(it.as_ref())).collect();
-    let mut found = Vec::with_capacity(lines.len());
+    let mut escaped = Vec::with_capacity(lines.len());
     let (mut at, mut after_blank, mut in_list) = (0, true, false);
     while at < lines.len() {
         let (depth, content) = parts(&lines[at]);
         if content.is_empty() {
-            found.push(String::new());
+            escaped.push(String::new());
             (at, after_blank) = (at + 1, true);
             continue;
         }
         if let Some(end) = end_of_fence(&lines, at) {
-            block(&lines[at + 1..end], depth, &mut found);
+            block(&lines[at + 1..end], depth, &mut escaped);
             (at, after_blank, in_list) = (end + 1, false, false);
             continue;
         }
-        if depth > DEEPEST && after_blank && !in_list {
+        if depth > MAX_INDENT && after_blank && !in_list {
             let end = end_of_indented(&lines, at);
-            block(&lines[at..end], DEEPEST + 1, &mut found);
+            block(&lines[at..end], MAX_INDENT + 1, &mut escaped);
             (at, after_blank) = (end, false);
             continue;
         }
         let marked = marker(content).is_some_and(|(mark, _)| mark != ">");
         in_list = marked || in_list && (depth > 0 || !after_blank);
-        let indent = " ".repeat(depth.min(DEEPEST));
-        found.push(format!("{indent}{}", line(content)));
+        let indent = " ".repeat(depth.min(MAX_INDENT));
+        escaped.push(format!("{indent}{}", line(content)));
         (at, after_blank) = (at + 1, false);
     }
-    while found.last().is_some_and(String::is_empty) {
-        found.pop();
+    while escaped.last().is_some_and(String::is_empty) {
+        escaped.pop();
     }
-    found
+    escaped
 }
 
-/// Without what cannot stand in a comment, or turns the direction of what follows.
+/// Returns the line without control characters and changes of writing direction.
 fn printable(line: &str) -> String {
-    let is_shown = |it: &char| {
+    let is_visible = |it: &char| {
         !it.is_control() && !matches!(it, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
     };
     let line = line.trim_end().replace('\t', "    ");
-    line.chars().filter(is_shown).collect()
+    line.chars().filter(is_visible).collect()
 }
 
-/// By how much a line is indented, and the rest of it.
+/// Returns the indentation and the content of a line.
 fn parts(line: &str) -> (usize, &str) {
     let content = line.trim();
     (line.len() - line.trim_start().len(), content)
 }
 
-/// Where the fence ends that begins in this line; `None` where none does, or none ends.
+/// Returns the line that ends the fence beginning in line `start`; `None` if no fence begins or the fence is not closed.
 fn end_of_fence(lines: &[String], start: usize) -> Option<usize> {
     let (depth, opening) = parts(&lines[start]);
     let (fence, length) = run(opening)?;
-    let is_fence = matches!(fence, '`' | '~') && length >= 3 && depth <= DEEPEST;
+    let is_fence = matches!(fence, '`' | '~') && length >= 3 && depth <= MAX_INDENT;
     if !is_fence || (fence == '`' && opening[length..].contains('`')) {
         return None;
     }
     let closes = |line: &String| {
         let (depth, closing) = parts(line);
         let closing = run(closing).filter(|(_, count)| *count == closing.len());
-        depth <= DEEPEST && closing.is_some_and(|(it, count)| it == fence && count >= length)
+        depth <= MAX_INDENT && closing.is_some_and(|(it, count)| it == fence && count >= length)
     };
     let inside = lines[start + 1..].iter().position(closes)?;
     Some(start + 1 + inside)
 }
 
-/// The character that a text begins with, of ASCII, and how often it stands there.
+/// Returns the first character of a text, if it is ASCII, and its number of repetitions.
 fn run(text: &str) -> Option<(char, usize)> {
     let first = text.chars().next().filter(char::is_ascii)?;
     Some((first, text.len() - text.trim_start_matches(first).len()))
 }
 
-/// Where the lines end that are indented as a block of code.
+/// Returns the end of the lines indented as a block of code.
 fn end_of_indented(lines: &[String], start: usize) -> usize {
     let is_inside = |line: &&String| {
         let (depth, content) = parts(line);
-        depth > DEEPEST || content.is_empty()
+        depth > MAX_INDENT || content.is_empty()
     };
     let mut end = start + lines[start..].iter().take_while(is_inside).count();
     while lines[end - 1].trim().is_empty() {
@@ -97,23 +96,23 @@ fn end_of_indented(lines: &[String], start: usize) -> usize {
     end
 }
 
-/// A block of plain text, less indented by `depth`.
-fn block(lines: &[String], depth: usize, found: &mut Vec<String>) {
+/// Writes a block of plain text, with the indentation reduced by `depth`.
+fn block(lines: &[String], depth: usize, escaped: &mut Vec<String>) {
     let longest = lines.iter().flat_map(|line| {
         line.split(|it| it != '`')
             .map(str::len)
             .filter(|length| *length > 0)
     });
     let fence = "`".repeat(longest.max().map_or(3, |longest| longest.max(2) + 1));
-    found.push(format!("{fence}text"));
+    escaped.push(format!("{fence}text"));
     for line in lines {
         let cut = parts(line).0.min(depth);
-        found.push(line.get(cut..).unwrap_or_default().to_string());
+        escaped.push(line.get(cut..).unwrap_or_default().to_string());
     }
-    found.push(fence);
+    escaped.push(fence);
 }
 
-/// The mark of a list or a quote at the beginning of a text, and what follows the blanks behind it.
+/// Returns the mark of a list or a quote at the beginning of a text, and the text behind it.
 fn marker(text: &str) -> Option<(&str, &str)> {
     let digits = text.len()
         - text
@@ -129,7 +128,7 @@ fn marker(text: &str) -> Option<(&str, &str)> {
     is_mark.then(|| (mark, rest.trim_start()))
 }
 
-/// One line: behind the marks of lists and quotes a single blank, so that no code is indented there either.
+/// Returns one escaped line, with a single blank behind marks of lists and quotes, so that no code is indented there.
 fn line(mut content: &str) -> String {
     let mut text = String::new();
     while let Some((mark, rest)) = marker(content) {
@@ -140,7 +139,7 @@ fn line(mut content: &str) -> String {
         content = rest;
     }
     let mut rest = content;
-    // The cells of a table are told apart before code within a line is.
+    // Markdown splits the cells of a table before it reads code within a line.
     let is_cut = spans(content).any(|span| span.contains('|'));
     while let Some(next) = rest.chars().next() {
         let taken = match next {
@@ -149,7 +148,7 @@ fn line(mut content: &str) -> String {
                 _ => escape(rest, '`', &mut text),
             },
             '~' if rest.starts_with("~~~") => escape(rest, '~', &mut text),
-            // Alone it would take the meaning from what is put before an address.
+            // Otherwise the backslash would escape the mark that is put before an address.
             '\\' if escaped(rest) == "\\" && rest != "\\" => escape(&rest[..1], '\\', &mut text),
             '\\' => keep(escaped(rest), &mut text),
             '[' => match link(rest).filter(|_| !text.ends_with('!')) {
@@ -179,7 +178,7 @@ fn keep(part: &str, text: &mut String) -> usize {
     part.len()
 }
 
-/// Escapes a character as often as it is repeated.
+/// Escapes all repetitions of a character. Returns their number.
 fn escape(rest: &str, character: char, text: &mut String) -> usize {
     let length = rest.len() - rest.trim_start_matches(character).len();
     for _ in 0..length {
@@ -189,46 +188,46 @@ fn escape(rest: &str, character: char, text: &mut String) -> usize {
     length
 }
 
-/// Code within a line, with its backticks: it ends at as many as it begins with.
+/// Returns the code within a line at the beginning of a text, with its equally many backticks on both sides.
 fn span(text: &str) -> Option<&str> {
     let (_, length) = run(text).filter(|(it, _)| *it == '`')?;
     let mut at = length;
     loop {
         at += text[at..].find('`')?;
-        let (_, found) = run(&text[at..])?;
-        at += found;
-        if found == length {
+        let (_, count) = run(&text[at..])?;
+        at += count;
+        if count == length {
             return Some(&text[..at]);
         }
     }
 }
 
-/// All code within a line.
+/// Returns all code within a line.
 fn spans(mut text: &str) -> impl Iterator<Item = &str> {
     std::iter::from_fn(move || {
         loop {
             let at = text.find(['`', '\\'])?;
             text = &text[at..];
-            let found = span(text);
-            let length = match found {
+            let code = span(text);
+            let length = match code {
                 Some(code) => code.len(),
                 None if text.starts_with('\\') => escaped(text).len(),
                 None => run(text)?.1,
             };
             text = &text[length..];
-            if found.is_some() {
-                return found;
+            if code.is_some() {
+                return code;
             }
         }
     })
 }
 
-/// Whether a text holds what would mean something outside of code.
+/// True if the text would need escapes outside of code.
 fn has_live(code: &str) -> bool {
     code.contains(['[', '<']) || code.contains("://") || code.contains("~~~")
 }
 
-/// A backslash with the mark that it takes the meaning from.
+/// Returns a backslash with the mark that it escapes, if any.
 fn escaped(text: &str) -> &str {
     let mark = text[1..].starts_with(|it: char| it.is_ascii_punctuation());
     &text[..if mark { 2 } else { 1 }]
@@ -261,7 +260,7 @@ fn begins_tag(text: &str) -> bool {
     text[1..].starts_with(|it: char| it.is_ascii_alphabetic() || matches!(it, '/' | '!' | '?'))
 }
 
-/// The address of a page at the beginning of a text, without the marks of the sentence around it; empty where there is none.
+/// Returns the address at the beginning of a text, without punctuation behind it; empty if there is none.
 fn address(text: &str) -> &str {
     let Some(scheme) = SCHEMES.iter().find(|it| text.starts_with(**it)) else {
         return "";
@@ -318,7 +317,7 @@ mod tests {
     }
 
     #[test]
-    fn what_only_looks_like_a_block_is_a_line() {
+    fn a_line_that_only_resembles_a_block_is_escaped() {
         for (text, expected) in [
             // Open to the end, in a list, in a quote, deeper than a fence may be.
             ("```rust\n[Q]", "\\`\\`\\`rust\n\\[Q]"),

@@ -1,6 +1,6 @@
-//! System and Program of each motion → a Rust file.
+//! Writes a mechanism as a Rust file.
 //!
-//! The file needs `linkwright` and nothing else, neither allocates nor panics, and is the same bytes on every run.
+//! The file depends only on `linkwright`, neither allocates nor panics, and has the same bytes on every run.
 
 mod accessors;
 mod assemblies;

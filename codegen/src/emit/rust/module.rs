@@ -1,4 +1,4 @@
-//! The parts of the module in their order, and what all of them are written with.
+//! Writes the items of the module in their order, with its numbers and fields.
 
 use std::collections::HashSet;
 
@@ -17,13 +17,13 @@ use crate::expr::SymbolId;
 use crate::program::LARGEST_TEXTBOOK;
 
 impl Module<'_> {
-    /// A finite number in the fewest digits that give it back, without a type suffix.
+    /// Returns a finite number in the fewest digits that round-trip, without a type suffix.
     pub(super) fn number(&self, value: f64) -> String {
         let sign = if value < 0.0 { "-" } else { "" };
         format!("{sign}{}", self.scalar.digits(value))
     }
 
-    /// A field of a frame.
+    /// Returns the access to a field of a frame.
     pub(super) fn field(&self, symbol: SymbolId, frame: &str) -> String {
         match self.component(symbol).filter(|_| self.holds_coordinates()) {
             Some(component) => {
@@ -34,12 +34,12 @@ impl Module<'_> {
         }
     }
 
-    /// The name of a field that is none of the coordinates.
+    /// Returns the name of a field that is not a coordinate.
     pub(super) fn field_name(&self, symbol: SymbolId) -> String {
         identifier(self.own_field(symbol))
     }
 
-    /// Writes the items of the module. Its elementary functions are the runtime's, or those of the module at the path `math`.
+    /// Writes the items of the module. Its elementary functions are the runtime's, or those of the type at the path `math`.
     pub(super) fn items(&self, math: Option<&str>, code: &mut Code) {
         let parts: [fn(&Module<'_>, &mut Code); 15] = [
             coordinates::coordinates,
@@ -67,8 +67,8 @@ impl Module<'_> {
             Scalar::F32 => "single",
         };
         code.line(format!("use ::linkwright::generated::{precision}::*;"));
-        let functions = math.and_then(|path| functions(path, &mentioned));
-        functions.into_iter().for_each(|it| code.line(it));
+        let functions = math.map(|path| functions(path, &mentioned));
+        functions.into_iter().flatten().for_each(|it| code.line(it));
         self.constants(&mentioned, code);
         tables::tables(self, &mentioned, code);
         code.gap();
@@ -98,8 +98,8 @@ impl Module<'_> {
     }
 }
 
-/// Attribute with the traits that a structure of so many numbers derives. Comparing and printing thousands of fields one by one is code that no compiler
-/// digests.
+/// Attribute with the traits that a structure of so many numbers derives. Derived comparison and printing of thousands of fields would
+/// overload the compiler.
 pub(super) fn derives(fields: usize) -> &'static str {
     match fields <= LARGEST_TEXTBOOK {
         true => "#[derive(Clone, Copy, Debug, PartialEq)]",

@@ -1,6 +1,6 @@
 //! Keeps names of descriptions apart from names that every module has.
 //!
-//! This is the only place that knows: whoever resolves a description is handed [`NAMING`].
+//! All rules are here; the resolver of descriptions takes them as [`NAMING`].
 
 use crate::diagnostic::{Code, Diagnostic};
 use crate::emit::module::Words;
@@ -14,7 +14,7 @@ pub const NAMING: Naming = Naming {
     apart,
 };
 
-/// Names that no mechanism's type has: generated items, types of the runtime, and words of Rust.
+/// Names that the type of a mechanism cannot have: generated items, types of the runtime, and words of Rust.
 const TYPES: &[&str] = &[
     "Branches",
     "Coordinates",
@@ -66,7 +66,7 @@ const TYPES: &[&str] = &[
     "Some",
 ];
 
-/// Names that no row or block has, since generated functions have them in scope: arguments, modules, functions.
+/// Names in scope of generated functions, which no row or block gets: arguments, modules, functions.
 const ITEMS: &[&str] = &[
     "q",
     "qd",
@@ -124,7 +124,7 @@ const PREFIXES: &[&str] = &[
     "logarithm",
 ];
 
-/// Arguments of functions and results of the runtime: no local value has one of these names.
+/// Arguments and local values of generated functions, whose names no value of a description gets.
 const LOCAL_VALUES: &[&str] = &[
     "balance",
     "at",
@@ -176,7 +176,7 @@ const RESERVED: &[&str] = &[
     "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
 ];
 
-/// The name of the type that a mechanism becomes: `TwoBody` of `two_body`.
+/// Returns the type of a mechanism: `TwoBody` for `two_body`.
 pub fn type_name(mechanism: &str) -> String {
     let words = mechanism.split('_').filter(|word| !word.is_empty());
     words
@@ -189,7 +189,7 @@ pub fn type_name(mechanism: &str) -> String {
         .collect()
 }
 
-/// The error of a mechanism whose type has no name, or one of these names, which `owner` has already.
+/// Returns the error of a mechanism without a valid name for its type, or with one of `types`, which `owner` has already.
 pub(in crate::emit) fn not_a_type(name: &Name, types: &[&str], owner: &str) -> Option<Diagnostic> {
     let (text, type_name) = (&name.text, type_name(&name.text));
     let problem = if !type_name.starts_with(|first: char| first.is_ascii_alphabetic()) {
@@ -238,7 +238,7 @@ fn apart(name: &str, prefix: &str) -> String {
     }
 }
 
-/// A name as an identifier; words that Rust reserves get an underscore.
+/// Returns a name as an identifier; words that Rust reserves get an underscore.
 pub(super) fn identifier(name: &str) -> String {
     match is_word(name) && name != "gen" {
         true => name.to_string(),
@@ -246,7 +246,7 @@ pub(super) fn identifier(name: &str) -> String {
     }
 }
 
-/// True for an identifier that Rust does not reserve.
+/// True if the name is an identifier that Rust does not reserve.
 pub(super) fn is_word(name: &str) -> bool {
     let is_letter = |letter: char| letter.is_alphabetic() || letter == '_';
     name.starts_with(is_letter)
@@ -254,7 +254,7 @@ pub(super) fn is_word(name: &str) -> bool {
         && !RESERVED.contains(&name)
 }
 
-/// A wish as a name of Rust: `bd_square` of `|BD|^2`.
+/// Returns a requested quantity as a name of Rust: `bd_square` for `|BD|^2`.
 fn spelled(wish: &str) -> String {
     let plain = wish.replace('|', "").replace("^2", "_square");
     let spelled = plain.to_lowercase();

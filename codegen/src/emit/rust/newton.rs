@@ -1,4 +1,4 @@
-//! The equations of blocks without a closed form, as the runtime sees them, and the calls that solve them.
+//! Writes the equations of blocks without a closed form for the runtime, and the calls that solve them.
 
 use super::code::array;
 use super::equation::Equation;
@@ -23,7 +23,7 @@ pub(super) fn equations(module: &Module<'_>, code: &mut Code) {
     }
 }
 
-/// The unknowns of a block.
+/// Returns the unknowns of a block.
 fn tears<'a>(newton: &NewtonBlock, module: &'a Module<'_>) -> Vec<&'a Unknown> {
     let unknowns = newton.unknowns.iter();
     unknowns
@@ -31,12 +31,12 @@ fn tears<'a>(newton: &NewtonBlock, module: &'a Module<'_>) -> Vec<&'a Unknown> {
         .collect()
 }
 
-/// `LoopPQR` of the block `loop_p_q_r`.
+/// Returns the type of a block's equations: `LoopPQR` for `loop_p_q_r`.
 fn type_name(block: &Block) -> String {
     super::names::type_name(&block.name)
 }
 
-/// Reads of all equations of a block.
+/// Returns the arguments that any equation of a block reads.
 fn reads(newton: &NewtonBlock, module: &Module<'_>) -> Reads {
     let mut all = Reads::default();
     let equations = newton.equations().into_iter();
@@ -51,7 +51,7 @@ fn reads(newton: &NewtonBlock, module: &Module<'_>) -> Reads {
     all
 }
 
-/// The names of one of the functions; `with_rates` where it is given the rates of the tears.
+/// Returns the scope of one of the functions; `with_rates` if rates are an argument.
 fn scope<'a>(
     newton: &NewtonBlock,
     function: &'a Function,
@@ -83,7 +83,7 @@ fn scales_follow(newton: &NewtonBlock, module: &Module<'_>) -> bool {
         .any(follow)
 }
 
-/// The fields of a block's type: what it is called, its type, and what it is given.
+/// Returns the fields of a block's type: name, type and value.
 fn fields(newton: &NewtonBlock, module: &Module<'_>) -> Vec<[&'static str; 3]> {
     let reads = reads(newton, module);
     let reads_parameters = reads.parameters || scales_follow(newton, module);
@@ -102,9 +102,9 @@ fn fields(newton: &NewtonBlock, module: &Module<'_>) -> Vec<[&'static str; 3]> {
 fn structure(block: &Block, newton: &NewtonBlock, module: &Module<'_>, code: &mut Code) {
     let (name, size) = (type_name(block), newton.unknowns.len());
     let fields = fields(newton, module);
-    let found = documentation::found_by(newton, module.system);
+    let unknowns = documentation::found_by(newton, module.system);
     code.gap();
-    code.docs([format!("Equations of `{}` for {found}.", block.name)]);
+    code.docs([format!("Equations of `{}` for {unknowns}.", block.name)]);
     let (lifetime, borrowed) = match fields[..] {
         [] => ("", ""),
         _ => ("<'_>", "'_, "),
@@ -155,7 +155,7 @@ fn structure(block: &Block, newton: &NewtonBlock, module: &Module<'_>, code: &mu
     torn::implementation(&format!("{name}{lifetime}"), newton, module, code);
 }
 
-/// Writes a function of the tears and the time; γ is given the rates, too.
+/// Writes a function of the unknowns and the time; γ takes the rates as well.
 fn equation(
     (name, function): (&str, &Function),
     newton: &NewtonBlock,
@@ -212,7 +212,7 @@ pub(super) fn statement(
     }
 }
 
-/// The equations with what they read.
+/// Returns the value of a block's type, with its fields.
 pub(super) fn instance(block: &Block, newton: &NewtonBlock, module: &Module<'_>) -> String {
     let name = type_name(block);
     let fields = fields(newton, module).into_iter();
@@ -225,7 +225,7 @@ pub(super) fn instance(block: &Block, newton: &NewtonBlock, module: &Module<'_>)
     }
 }
 
-/// Writes the call of the runtime that finds the tears with their rates.
+/// Writes the call of the runtime that finds the unknowns with their rates and accelerations.
 fn solve(
     index: usize,
     block: &Block,
@@ -286,7 +286,7 @@ pub(super) fn fallible(name: &str, call: &str, block: usize, code: &mut Code) {
     ));
 }
 
-/// Writes the factorization of the Jacobian at the tears that were found, for what responds to drivers and parameters.
+/// Writes the factorization of the Jacobian at the solution, which transmissions and sensitivities need.
 fn factorize(
     index: usize,
     block: &Block,

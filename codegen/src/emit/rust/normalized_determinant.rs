@@ -1,10 +1,10 @@
-//! Writes the normalized determinants of the loops as functions of the frame.
+//! Writes the methods of a frame that return normalized determinants.
 
 use crate::emit::code::Code;
 use crate::emit::module::Module;
 use crate::program::Measured;
 
-/// Writes the functions that say it; nothing if the description does not ask.
+/// Writes the methods if the description has `monitor`.
 pub(super) fn smallest_determinant(module: &Module<'_>, code: &mut Code) {
     if !module.system.mechanism.monitor {
         return;
@@ -32,12 +32,12 @@ pub(super) fn smallest_determinant(module: &Module<'_>, code: &mut Code) {
 }
 
 fn measure(measured: &Measured, module: &Module<'_>) -> String {
-    let own = |symbol| module.field(symbol, "self");
+    let field = |symbol| module.field(symbol, "self");
     match measured {
-        Measured::Sine(sine) => format!("Measure::sine({})", own(*sine)),
-        Measured::Slope(slope) => format!("Measure::slope({})", own(*slope)),
+        Measured::Sine(sine) => format!("Measure::sine({})", field(*sine)),
+        Measured::Slope(slope) => format!("Measure::slope({})", field(*slope)),
         Measured::Block(both) => {
-            let [determinant, condition] = both.map(own);
+            let [determinant, condition] = both.map(field);
             format!("Measure {{ determinant: {determinant}, reciprocal_condition: {condition} }}")
         }
     }

@@ -1,17 +1,15 @@
-//! Motions of a mechanism → the page that `rustdoc` shows with its module: the drawing, what the joints ask for, how the motion is
-//! found.
+//! Writes the page that `rustdoc` adds to a module: drawing, equations of the joints and solution.
 //!
-//! The page is one block of HTML in Markdown: it holds no empty line, so nothing in it is read as Markdown, as a link, or as a test.
-//! Words of a description are escaped. The page refers to nothing outside, and takes its colors from the theme that the reader has
-//! chosen.
+//! The page is one block of HTML without empty lines, so `rustdoc` does not read it as Markdown, links or tests. Words of a description
+//! are escaped. The page has no external references, and follows the theme of the reader.
 
 use std::fmt::Write as _;
 
-use crate::emit::derivation::{self, HtmlSection};
+use crate::emit::derivation::{self, Derivation, HtmlSection};
 use crate::emit::drawing::{self, Pose, Themes};
 use crate::emit::markup::escaped;
 use crate::program::LARGEST_TEXTBOOK;
-use crate::structure::{self, Shift};
+use crate::structure::Shift;
 use crate::system::Derived;
 
 /// Styles of the page.
@@ -30,7 +28,7 @@ const STYLE: &str = "\
 .linkwright-page summary { cursor: pointer; margin: 0.4em 0; }
 ";
 
-/// The page of all motions, which are not planned yet.
+/// Returns the page of all motions, which are planned anew: the derivation shows the motion without the shifts of drivers.
 pub fn page(motions: &[Derived]) -> String {
     let mut text = format!("<div class=\"linkwright-page\">\n<style>\n{STYLE}</style>\n");
     for derived in motions {
@@ -67,11 +65,10 @@ fn of_motion(derived: &Derived) -> String {
         let _ = writeln!(text, "<li>{sentence}</li>");
     }
     text += "</ul>\n</details>\n";
-    let mut draft = pool.draft();
-    let Ok(plan) = structure::plan(&mut draft, system, Shift::Efforts) else {
+    let Ok(derivation) = Derivation::of(derived.clone(), Shift::Efforts) else {
         return text;
     };
-    let derived = derivation::html(&draft, system, &plan);
+    let derived = derivation.html();
     let _ = writeln!(
         text,
         "<p>How its motion is found: {}.</p>\n<div class=\"wide\"><table><thead><tr><th>Block</th><th>Unknowns</th><th>Method</th><th>Joints</th></tr></thead><tbody>\n{}</tbody></table></div>",

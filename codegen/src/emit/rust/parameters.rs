@@ -1,4 +1,4 @@
-//! Parameters and inputs: their structures, and what follows from them.
+//! Writes parameters and inputs: structures, requirements and the design configuration.
 //!
 //! A mechanism without them has neither structures nor arguments for them.
 
@@ -12,15 +12,16 @@ use crate::expr::ExprId;
 use crate::model::{Dimension, field_name};
 use crate::program::Function;
 
-/// Arguments of functions beside pose and time.
+/// Arguments that functions of the mechanism have beside pose and time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Declared {
+    /// True if the mechanism has parameters.
     pub parameters: bool,
+    /// True if the mechanism has inputs.
     pub inputs: bool,
 }
 
 impl Module<'_> {
-    /// Returns the declarations of the mechanism.
     pub(super) fn declared(&self) -> Declared {
         Declared {
             parameters: !self.system.mechanism.parameters.is_empty(),
@@ -30,7 +31,7 @@ impl Module<'_> {
 }
 
 impl Declared {
-    /// Returns the lines that macros of the runtime take.
+    /// Returns the arguments of the runtime's macros.
     pub(super) fn lines(self) -> [String; 2] {
         let line = |what: &str, is_declared: bool| match is_declared {
             true => format!("{}: {what};", what.to_lowercase()),
@@ -42,7 +43,7 @@ impl Declared {
         ]
     }
 
-    /// `parameters: &Parameters` and `inputs: &Inputs`; what is not read begins with an underscore.
+    /// Returns `parameters: &Parameters` and `inputs: &Inputs`, with an underscore before a name that is not read.
     pub(super) fn arguments(self, reads_parameters: bool, reads_inputs: bool) -> Vec<String> {
         let all = [
             (
@@ -60,19 +61,19 @@ impl Declared {
     }
 }
 
-/// Writes `struct Parameters` and `struct Inputs` with their defaults, and the drawn pose.
+/// Writes `struct Parameters` and `struct Inputs` with their defaults, and the design configuration.
 pub(super) fn structures(module: &Module<'_>, code: &mut Code) {
     let mechanism = &module.system.mechanism;
-    let own = mechanism.parameters.iter();
-    let own = own.map(|it| (it.name.as_str(), it.dimension, &it.docs, it.nominal));
-    structure(module, "parameters", "unless it is set", own, code);
-    let own = mechanism.inputs.iter();
-    let own = own.map(|it| (it.name.as_str(), it.dimension, &it.docs, it.initial));
+    let parameters = mechanism.parameters.iter();
+    let parameters = parameters.map(|it| (it.name.as_str(), it.dimension, &it.docs, it.nominal));
+    structure(module, "parameters", "unless it is set", parameters, code);
+    let inputs = mechanism.inputs.iter();
+    let inputs = inputs.map(|it| (it.name.as_str(), it.dimension, &it.docs, it.initial));
     structure(
         module,
         "inputs",
         "and at rest unless it is supplied",
-        own,
+        inputs,
         code,
     );
     drawn(module, code);
@@ -83,16 +84,16 @@ fn structure<'a>(
     module: &Module<'_>,
     kind: &str,
     default: &str,
-    own: impl ExactSizeIterator<Item = (&'a str, Dimension, &'a Vec<String>, ExprId)>,
+    declared: impl ExactSizeIterator<Item = (&'a str, Dimension, &'a Vec<String>, ExprId)>,
     code: &mut Code,
 ) {
-    if own.len() == 0 {
+    if declared.len() == 0 {
         return;
     }
     code.gap();
     code.open(format!("::linkwright::generated::{kind}! {{"));
     code.open("Scalar {");
-    for (name, dimension, docs, value) in own {
+    for (name, dimension, docs, value) in declared {
         // Defaults were found to be finite constants when they were read.
         let value = module.pool.graph.constant_value(value).unwrap_or(0.0);
         code.docs(documentation::of_number(
@@ -105,7 +106,7 @@ fn structure<'a>(
     code.close("}");
 }
 
-/// Writes what parameters must leave positive, and what it is called.
+/// Writes the quantities that must be positive, with their names.
 pub(super) fn requirements(module: &Module<'_>, code: &mut Code) {
     let Some(requirements) = &module.program.requirements else {
         return;
@@ -125,7 +126,7 @@ pub(super) fn requirements(module: &Module<'_>, code: &mut Code) {
     }
 }
 
-/// Writes the drawing of given parameters: a value per unknown, coordinates first.
+/// Writes the design configuration as a function of the parameters: a value per unknown, coordinates first.
 fn drawn(module: &Module<'_>, code: &mut Code) {
     if let Some(function) = &module.program.drawn {
         let (head, body) = of_parameters("drawn", function, module);
@@ -134,7 +135,7 @@ fn drawn(module: &Module<'_>, code: &mut Code) {
     }
 }
 
-/// The head and the statements of a function of the parameters.
+/// Returns the head and the statements of a function of the parameters.
 fn of_parameters(name: &str, function: &Function, module: &Module<'_>) -> (String, Code) {
     let scope = Scope::new(module, function, Place::Coordinates);
     let (mut body, results) = (scope.plain_statements(), scope.results());

@@ -9,8 +9,8 @@ use crate::emit::module::scope::{Place, Scope};
 use crate::emit::module::{Module, documentation};
 use crate::program::{Function, Path, Statement};
 
-/// Writes the module `path_verification`: `verify_path`, `is_within` if Newton-Raphson finds values, and `verify_nonsingular` if
-/// all blocks are closed forms.
+/// Writes the module `path_verification`: `verify_path`, `is_within` if blocks need Newton-Raphson, and `verify_nonsingular` if all
+/// blocks are closed forms.
 pub(super) fn path(module: &Module<'_>, code: &mut Code) {
     let Some(path) = &module.program.path else {
         return;
@@ -22,12 +22,12 @@ pub(super) fn path(module: &Module<'_>, code: &mut Code) {
     inside.gap();
     inside.line("use super::*;");
     let mut names = vec!["verify_path"];
-    let keeps = Shown {
+    let verify_path = Verification {
         name: "verify_path",
         docs: &documentation::VERIFY_PATH,
         enclosures: Some(enclosures(module, path, &mut within)),
     };
-    shown(module, &path.function, keeps, &mut inside);
+    verification(module, &path.function, verify_path, &mut inside);
     if !within.is_empty() {
         names.push("is_within");
         inside.gap();
@@ -35,12 +35,12 @@ pub(super) fn path(module: &Module<'_>, code: &mut Code) {
     inside.append(within);
     if let Some(function) = &path.closed {
         names.push("verify_nonsingular");
-        let stays = Shown {
+        let verify_nonsingular = Verification {
             name: "verify_nonsingular",
             docs: &documentation::VERIFY_NONSINGULAR,
             enclosures: None,
         };
-        shown(module, function, stays, &mut inside);
+        verification(module, function, verify_nonsingular, &mut inside);
     }
     names.sort_unstable();
     code.gap();
@@ -52,24 +52,31 @@ pub(super) fn path(module: &Module<'_>, code: &mut Code) {
     code.block("mod path_verification", inside);
 }
 
-/// A function that shows something of a window.
-struct Shown<'a> {
+/// Function that verifies a property of a time window.
+struct Verification<'a> {
     name: &'a str,
     docs: &'a [&'a str],
     /// Statements that fill the enclosures; `None` if the function takes none.
     enclosures: Option<Code>,
 }
 
-fn shown(module: &Module<'_>, function: &Function, shown: Shown<'_>, code: &mut Code) {
+fn verification(
+    module: &Module<'_>,
+    function: &Function,
+    verification: Verification<'_>,
+    code: &mut Code,
+) {
     let scope = Scope::new(module, function, Place::Path);
-    let found = scope.plain_statements();
+    let bounds = scope.plain_statements();
     let reads = scope.reads();
-    let mut own = function.statements.iter();
-    let signals = own.any(|it| matches!(it, Statement::Signal { .. }));
-    let mut own = function.statements.iter();
-    let isolates = own.any(|it| matches!(it, Statement::Isolate { .. }));
+    let has = |test: fn(&Statement) -> bool| function.statements.iter().any(test);
+    let signals = has(|it| matches!(it, Statement::Signal { .. }));
+    let isolates = has(|it| matches!(it, Statement::Isolate { .. }));
     let (inputs, before) = (reads.inputs || signals, reads.before || signals);
-    let fills = shown.enclosures.as_ref().is_some_and(|it| !it.is_empty());
+    let fills = verification
+        .enclosures
+        .as_ref()
+        .is_some_and(|it| !it.is_empty());
     let conditions = [
         (reads.time, "t"),
         (reads.parameters, "parameters"),
@@ -84,13 +91,13 @@ fn shown(module: &Module<'_>, function: &Function, shown: Shown<'_>, code: &mut 
     ];
     let both = taken_apart("&Pair", "pair", &both);
     let has_pair = both.is_some();
-    let has_enclosures = shown.enclosures.is_some();
+    let has_enclosures = verification.enclosures.is_some();
     let mut statements = Code::default();
     both.iter()
         .chain(&conditions)
         .for_each(|taken| statements.line(taken));
-    statements.append(found);
-    statements.append(shown.enclosures.unwrap_or_default());
+    statements.append(bounds);
+    statements.append(verification.enclosures.unwrap_or_default());
     statements.line("Ok(())");
     let (pair, window) = (
         argument("pair", has_pair),
@@ -102,13 +109,13 @@ fn shown(module: &Module<'_>, function: &Function, shown: Shown<'_>, code: &mut 
     };
     let head = format!(
         "pub(super) fn {}({pair}: &Pair<'_>, {window}: &TimeWindow{enclosures}) -> Result<(), u16>",
-        shown.name
+        verification.name
     );
     let allow = lints::of_code(&statements);
-    code.function(shown.docs, allow, &head, statements);
+    code.function(verification.docs, allow, &head, statements);
 }
 
-/// Writes whether what Newton-Raphson finds is in its enclosures, and returns what fills them.
+/// Writes `is_within`, and returns the statements that fill the enclosures.
 fn enclosures(module: &Module<'_>, path: &Path, code: &mut Code) -> Code {
     let iterated = iterated(module.program, module.system, path);
     let mut filled = Code::default();
@@ -116,18 +123,18 @@ fn enclosures(module: &Module<'_>, path: &Path, code: &mut Code) -> Code {
         return filled;
     }
     let scope = Scope::new(module, &path.function, Place::Path);
-    let mut found = Vec::with_capacity(iterated.len());
+    let mut values = Vec::with_capacity(iterated.len());
     for (place, (symbol, deviation)) in iterated.iter().enumerate() {
         let [now, before] = ["at", "last"].map(|frame| module.field(*symbol, frame));
         let deviation = deviation.map_or("0.0".to_string(), |deviation| scope.read(deviation));
         filled.line(format!(
             "enclosures[{place}] = PathEnclosure::new({now}, {before}, {deviation});"
         ));
-        found.push(now);
+        values.push(now);
     }
     let mut statements = Code::default();
-    let (count, found) = (found.len(), found.join(", "));
-    statements.line(format!("let found: [Scalar; {count}] = [{found}];"));
+    let (count, values) = (values.len(), values.join(", "));
+    statements.line(format!("let found: [Scalar; {count}] = [{values}];"));
     statements.line(
         "enclosures.iter().zip(found).all(|(enclosure, value)| enclosure.holds(value, steps))",
     );

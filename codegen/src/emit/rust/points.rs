@@ -1,4 +1,4 @@
-//! The motion of points, and pressure angles, as functions of a frame that holds all coordinates.
+//! Writes the motion of points and pressure angles as methods of a frame with all coordinates.
 
 use super::code::taken_apart;
 use super::names::identifier;
@@ -8,7 +8,7 @@ use crate::emit::module::{Module, documentation};
 use crate::program::{Function, Output};
 use crate::system::Pressure;
 
-/// Writes one function for each point and each contact.
+/// Writes one method for each point and each contact.
 pub(super) fn methods(module: &Module<'_>, code: &mut Code) {
     let system = module.system;
     let points = system
@@ -34,7 +34,7 @@ pub(super) fn methods(module: &Module<'_>, code: &mut Code) {
     }
 }
 
-/// Writes the points by name, for code that is written for any mechanism.
+/// Writes the list of points by name, for code that works with any mechanism.
 pub(super) fn table(module: &Module<'_>, code: &mut Code) {
     let all = module.system.outputs.iter().map(|it| &it.name);
     let names: Vec<&String> = match &module.program.outputs {
@@ -61,7 +61,7 @@ pub(super) fn table(module: &Module<'_>, code: &mut Code) {
     ));
 }
 
-/// `fn pressure_angle_NAME`.
+/// Writes `fn pressure_angle_NAME`.
 fn pressure_angle(module: &Module<'_>, pressure: &Pressure, function: &Function, code: &mut Code) {
     let joint = &module.system.mechanism.joints[pressure.joint];
     let name = identifier(&format!("pressure_angle_{}", joint.slug));
@@ -73,7 +73,7 @@ fn pressure_angle(module: &Module<'_>, pressure: &Pressure, function: &Function,
     code.function(lines, [], &head, statements);
 }
 
-/// The statements of a method of the frame, and its results.
+/// Returns the statements of a method of the frame, and its results.
 fn computed(module: &Module<'_>, function: &Function) -> (Code, Vec<String>) {
     let scope = Scope::new(module, function, Place::Coordinates);
     let (statements, results, reads) = (scope.plain_statements(), scope.results(), scope.reads());

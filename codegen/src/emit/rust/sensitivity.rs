@@ -1,11 +1,11 @@
-//! Structures that sensitivities are returned in.
+//! Writes the structures in which sensitivities are returned.
 
 use super::module::derives;
 use crate::emit::code::Code;
 use crate::emit::module::Module;
 use crate::program::SensitiveQuantity;
 
-/// Writes `struct Sensitivity` and `struct PointSensitivity`, as far as something returns them.
+/// Writes `struct Sensitivity` and `struct PointSensitivity` if some method returns them.
 pub(super) fn structures(module: &Module<'_>, code: &mut Code) {
     let sensitivities = &module.program.sensitivities;
     let mut coordinates = sensitivities
@@ -36,7 +36,7 @@ pub(super) fn structures(module: &Module<'_>, code: &mut Code) {
     }
 }
 
-/// True if a quantity is a point with position and velocity.
+/// True if the quantity is a point with position and velocity.
 fn returns_pair(quantity: &SensitiveQuantity) -> bool {
     quantity.components.len() == 2 && quantity.levels.len() == 2
 }

@@ -1,4 +1,4 @@
-//! The type that a user holds, and the function that calls all blocks.
+//! Writes the type of the mechanism, and the function that solves all blocks.
 
 use std::collections::HashSet;
 
@@ -14,7 +14,7 @@ use crate::emit::module::drawing::frame_keeps_parameters;
 use crate::emit::module::path_enclosures::enclosure_count;
 use crate::emit::module::{Module, documentation};
 
-/// Writes the function that solves one instant, and the mechanism's own type.
+/// Writes the function that solves one instant, and the type of the mechanism.
 pub(super) fn mechanism(module: &Module<'_>, code: &mut Code) {
     solve(module, code);
     parameters::requirements(module, code);

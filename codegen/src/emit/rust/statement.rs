@@ -1,4 +1,4 @@
-//! Functions → statements of Rust.
+//! Prints the statements of functions.
 
 use std::collections::HashSet;
 
@@ -15,7 +15,7 @@ use crate::program::{Arithmetic, Function, Statement};
 pub(super) type Iterated<'a> = &'a dyn Fn(&Statement, &mut Code);
 
 impl Scope<'_> {
-    /// The statements of the function; those of Newton-Raphson by `iterated`.
+    /// Returns the statements of the function; `iterated` writes those of Newton-Raphson.
     pub(super) fn statements(&self, block: usize, iterated: Iterated<'_>) -> Code {
         let mut code = Code::default();
         for statement in &self.function.statements {
@@ -24,7 +24,7 @@ impl Scope<'_> {
         code
     }
 
-    /// Those of a function without Newton-Raphson.
+    /// Returns the statements of a function without Newton-Raphson.
     pub(super) fn plain_statements(&self) -> Code {
         self.statements(0, &|_, _| {})
     }
@@ -42,8 +42,8 @@ impl Scope<'_> {
             | Statement::Heading(_)
             | Statement::Note(_)
             | Statement::Shown { .. } => {
-                if let Some(said) = documentation::of_statement(statement, self.module) {
-                    code.remark(&said);
+                if let Some(comment) = documentation::of_statement(statement, self.module) {
+                    code.remark(&comment);
                 }
             }
             Statement::Let { target, value, .. } => {
@@ -226,7 +226,7 @@ impl Scope<'_> {
         }
     }
 
-    /// Leaves the function if a condition does not hold.
+    /// Writes the return of a failure if a condition is false.
     fn unless(&self, condition: &str, failure: &str, code: &mut Code) {
         code.open(format!("if !{condition} {{"));
         code.line(match self.is_inside() {
@@ -236,7 +236,7 @@ impl Scope<'_> {
         code.close("}");
     }
 
-    /// Gives targets the elements of a vector.
+    /// Assigns the elements of a vector to targets.
     fn distribute(&self, targets: &[Option<SymbolId>], vector: &str, code: &mut Code) {
         for (place, target) in targets.iter().enumerate() {
             if let Some(target) = target {
@@ -245,7 +245,7 @@ impl Scope<'_> {
         }
     }
 
-    /// Writes a matrix of zeros except for these entries, if there are any.
+    /// Writes a matrix with these entries, and zeros elsewhere; nothing without entries.
     fn matrix(&self, name: &str, entries: &[([usize; 2], ExprId)], code: &mut Code) {
         if !entries.is_empty() {
             code.line(format!("let mut {name} = Matrix::zeros();"));
@@ -258,7 +258,7 @@ impl Scope<'_> {
         }
     }
 
-    /// Writes how equations vary with the deviations of unknowns about the line that they should run along.
+    /// Writes the closure that bounds the variation of the Jacobian for deviations of the unknowns from the chord.
     fn variation(
         &self,
         found: &[SymbolId],
@@ -266,7 +266,7 @@ impl Scope<'_> {
         variation: &Function,
         code: &mut Code,
     ) {
-        // What is linear does not vary, and what turns is known.
+        // Linear entries do not vary, and those that rotate have their own bound.
         if varied.is_empty() {
             code.line("|_, _| {},");
             return;
@@ -292,7 +292,7 @@ impl Scope<'_> {
         code.close("},");
     }
 
-    /// The name of what a statement of a path finds, or else `_` where nobody reads it.
+    /// Returns the name of a bound of the path; `_` if nothing reads the bound.
     fn found(&self, symbol: SymbolId) -> String {
         match self.is_wanted(symbol) {
             true => self.read(symbol),

@@ -1,4 +1,4 @@
-//! Splines → constants of the runtime's type `Table`.
+//! Writes splines as constants of the runtime's type `Table`.
 
 use std::collections::HashSet;
 
@@ -8,7 +8,7 @@ use crate::emit::module::Module;
 use crate::emit::module::tables::{docs_of, spacing};
 use crate::expr::Spline;
 
-/// The constant that holds a table. No other constant begins like this.
+/// Constant that holds a table. No other constant has this prefix.
 pub(super) fn table_name(table: &str) -> String {
     format!("TABLE_{}", table.to_uppercase())
 }

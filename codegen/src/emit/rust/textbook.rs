@@ -1,4 +1,4 @@
-//! Φ, Φ_q, Φ_t and γ as functions, and all equations as one dense system.
+//! Writes Φ, Φ_q, Φ_t and γ as functions, and all equations as one dense system.
 
 use super::code::{argument, array};
 use super::names::{identifier, type_name};
@@ -10,7 +10,7 @@ use crate::joint::Quantity;
 use crate::program::{Function, Lengths};
 use crate::system::Row;
 
-/// Writes the functions of the textbook view, and what is monitored besides.
+/// Writes the functions of the textbook formulation, and of the residuals that are only monitored.
 pub(super) fn functions(module: &Module<'_>, code: &mut Code) {
     let Some(textbook) = &module.program.textbook else {
         return;
@@ -41,7 +41,7 @@ pub(super) fn functions(module: &Module<'_>, code: &mut Code) {
     }
 }
 
-/// The arguments of a function; one that is not read begins with an underscore.
+/// Returns the arguments of a function, with an underscore before those that are not read.
 fn arguments(module: &Module<'_>, reads: Reads, with_rates: bool) -> String {
     let mut all = vec![format!("{}: &Coordinates", argument("q", reads.position))];
     if with_rates {
@@ -124,7 +124,7 @@ fn matrix(module: &Module<'_>, function: &Function, code: &mut Code) {
     code.unused_function(documentation::of_jacobian(system), &head, statements);
 }
 
-/// Writes `struct Textbook`: the dense system as the runtime solves it.
+/// Writes `struct Textbook`, the dense system for the runtime.
 pub(super) fn dense(module: &Module<'_>, code: &mut Code) {
     let Some(textbook) = &module.program.textbook else {
         return;
@@ -150,7 +150,7 @@ pub(super) fn dense(module: &Module<'_>, code: &mut Code) {
     code.close("}");
 }
 
-/// Writes `fn characteristic_length`: the largest length, if parameters change one.
+/// Writes `fn characteristic_length`, which returns the largest length, if parameters change lengths.
 pub(super) fn characteristic_length(module: &Module<'_>, code: &mut Code) {
     let textbook = module.program.textbook.as_ref();
     let Some((lengths, function)) = textbook.and_then(|it| {
@@ -165,7 +165,7 @@ pub(super) fn characteristic_length(module: &Module<'_>, code: &mut Code) {
     code.unused_function(["Returns the scale of lengths."], head, statements);
 }
 
-/// Statements that find the largest of some lengths, and its value.
+/// Returns the statements that compute lengths, and the expression of the largest.
 fn largest(module: &Module<'_>, lengths: &Lengths, function: &Function) -> (Code, String) {
     let scope = Scope::new(module, function, Place::Coordinates);
     let (statements, results) = (scope.plain_statements(), scope.results());
@@ -174,13 +174,13 @@ fn largest(module: &Module<'_>, lengths: &Lengths, function: &Function) -> (Code
     (statements, largest)
 }
 
-/// By what lengths are scaled: statements that find it, and what it is called then.
+/// Scale of lengths: statements that compute it, and its name.
 pub(super) struct Length {
     pub statements: Code,
     pub name: String,
 }
 
-/// The largest of some lengths, or a number where no parameter changes them.
+/// Returns the scale of lengths: a number if parameters do not change them.
 pub(super) fn length(module: &Module<'_>, lengths: &Lengths) -> Length {
     let mut statements = Code::default();
     let mut name = module.number(lengths.nominal);
@@ -194,12 +194,12 @@ pub(super) fn length(module: &Module<'_>, lengths: &Lengths) -> Length {
     Length { statements, name }
 }
 
-/// By what rows or columns with these quantities are scaled.
+/// Returns the scales of rows or columns with these quantities.
 pub(super) fn scales(quantities: &[Quantity], length: &str) -> Vec<String> {
     quantities.iter().map(|it| scale(*it, length)).collect()
 }
 
-/// Scale of a quantity.
+/// Returns the scale of a quantity.
 fn scale(quantity: Quantity, length: &str) -> String {
     let power = quantity.power_of_length();
     let product = vec![length; power.unsigned_abs() as usize].join(" * ");

@@ -1,4 +1,4 @@
-//! A torn block, as the runtime sees it, and the call that solves it.
+//! Writes a torn block for the runtime, and the call that solves it.
 
 use super::code::argument;
 use super::equation::Equation;
@@ -10,7 +10,7 @@ use crate::emit::module::scope::{Place, Reads, Scope};
 use crate::expr::SymbolId;
 use crate::program::{NewtonBlock, Tearing, TornFields};
 
-/// Writes the tearing of a block's equations, for the type that states them.
+/// Writes the tearing of a block for the type of its equations.
 pub(super) fn implementation(
     name: &str,
     newton: &NewtonBlock,
@@ -54,7 +54,7 @@ fn list(name: &str, kind: &str, values: &[String], code: &mut Code) {
     );
 }
 
-/// Reads of each function. Values that one function carries for another are read from nothing else.
+/// Returns the arguments that each function reads. Values that one function passes to another are not among them.
 pub(super) fn reads(newton: &NewtonBlock, tearing: &Tearing, module: &Module<'_>) -> [Reads; 4] {
     let all = tearing.named();
     let whole = Scope::with_tears(module, &all, Place::Tears, tears(newton, tearing, module));
@@ -67,10 +67,10 @@ pub(super) fn reads(newton: &NewtonBlock, tearing: &Tearing, module: &Module<'_>
     ]
 }
 
-/// The positions of unknowns.
+/// Returns the positions of unknowns.
 fn positions(unknowns: impl Iterator<Item = usize>, module: &Module<'_>) -> Vec<SymbolId> {
-    let own = &module.system.vector_form.unknowns;
-    unknowns.map(|unknown| own[unknown].position).collect()
+    let all = &module.system.vector_form.unknowns;
+    unknowns.map(|unknown| all[unknown].position).collect()
 }
 
 fn tears(newton: &NewtonBlock, tearing: &Tearing, module: &Module<'_>) -> Vec<SymbolId> {
@@ -124,7 +124,7 @@ fn evaluate(newton: &NewtonBlock, tearing: &Tearing, module: &Module<'_>, code: 
     statements.open("Some(torn::Evaluation {");
     statements.line(format!("residual: [{}],", residual.join(", ")));
     statements.line(format!("inverse: [{}],", inverse.join(", ")));
-    // What has the name of its field already is written once.
+    // Rust's shorthand for a value with the name of its field.
     statements.line(match determinant.concat() {
         name if name == "determinant" => format!("{name},"),
         value => format!("determinant: {value},"),
@@ -190,7 +190,7 @@ fn signs(newton: &NewtonBlock, tearing: &Tearing, module: &Module<'_>, code: &mu
     code.function([""; 0], [], &head, statements);
 }
 
-/// Writes the call of the runtime that finds the unknowns with their rates, by way of the tears where it can.
+/// Writes the call of the runtime that solves a torn block.
 pub(super) fn solve(
     number: usize,
     mode: &str,

@@ -1,4 +1,4 @@
-//! Writes the transmissions of the drivers as functions of the frame.
+//! Writes transmissions as methods of a frame.
 
 use super::names::identifier;
 use crate::emit::code::Code;
@@ -6,7 +6,7 @@ use crate::emit::module::{Module, documentation};
 use crate::expr::SymbolId;
 use crate::program::Transmission;
 
-/// Writes the functions of all transmissions, and the list of the drivers; nothing if there are none.
+/// Writes the methods of all transmissions, and the list of drivers; nothing if none is requested.
 pub(super) fn transmissions(module: &Module<'_>, code: &mut Code) {
     let (system, program) = (module.system, module.program);
     if program.transmissions.is_empty() {
@@ -38,8 +38,9 @@ fn functions(transmission: &Transmission, module: &Module<'_>, code: &mut Code) 
     } = transmission;
     let (height, number) = (rows.len(), columns.len());
     let [about_rates, about_forces] = documentation::of_transmission(transmission, module.system);
-    let own = |column: &Vec<SymbolId>| column.iter().map(|&it| module.field(it, "self")).collect();
-    let fields: Vec<Vec<String>> = columns.iter().map(own).collect();
+    let fields_of =
+        |column: &Vec<SymbolId>| column.iter().map(|&it| module.field(it, "self")).collect();
+    let fields: Vec<Vec<String>> = columns.iter().map(fields_of).collect();
     let matrix = fields
         .iter()
         .map(|column| format!("[{}]", column.join(", ")));
@@ -50,15 +51,15 @@ fn functions(transmission: &Transmission, module: &Module<'_>, code: &mut Code) 
         &format!("Matrix<{height}, {number}>"),
         format!("Matrix::from([{}])", matrix.join(", ")),
     );
-    let (argument, pull): (_, &[&str]) = match height {
+    let (argument, load): (_, &[&str]) = match height {
         2 => ("force: [Scalar; 2]", &["force[0]", "force[1]"]),
         _ => ("load: Scalar", &["load"]),
     };
     let forces = fields.iter().map(|column| {
         let products = column
             .iter()
-            .zip(pull)
-            .map(|(rate, pull)| format!("{rate} * {pull}"));
+            .zip(load)
+            .map(|(rate, load)| format!("{rate} * {load}"));
         products.collect::<Vec<_>>().join(" + ")
     });
     let forces: Vec<String> = forces.collect();

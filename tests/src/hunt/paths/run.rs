@@ -58,7 +58,7 @@ pub fn read(text: &str) -> Result<Derived, String> {
     };
     let read = linkwright_codegen::read(&source).map_err(|errors| codes(&errors))?;
     let derived = hunted(read).ok_or("several motions")?;
-    linkwright_codegen::check(&derived).map_err(|errors| codes(&errors))?;
+    linkwright_codegen::stages::check(&derived).map_err(|errors| codes(&errors))?;
     Ok(derived)
 }
 

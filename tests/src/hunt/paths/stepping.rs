@@ -4,7 +4,7 @@
 //! the generated ones in a package of their own.
 
 use linkwright::math::Real;
-use linkwright::{Blocks, FailureKind, Settings, Shell, Signal, Signals, Values};
+use linkwright::{Blocks, FailureKind, Settings, Shell, Signal, Values};
 
 /// Number of substeps to a target after a refusal.
 pub const SMALLER: u32 = 32;
@@ -69,21 +69,28 @@ fn inputs<B: Blocks>(blocks: &B, given: &[Given]) -> B::Inputs {
     inputs
 }
 
-/// Inputs at a fraction of the chord between two of them, at constant time.
-fn straight<T: Real, I: Signals<T>>(first: &I, last: &I, part: T) -> I {
+/// Inputs between two of them, each on this path.
+fn between<T: Real, I: Values<Signal<T>>>(
+    [first, last]: [&I; 2],
+    path: impl Fn(Signal<T>, Signal<T>) -> Signal<T>,
+) -> I {
     let mut between = first.clone();
     for index in 0..first.count() {
-        if let (Some(from), Some(to)) = (first.signal(index), last.signal(index)) {
-            let at = |from: T, to: T| from + part * (to - from);
-            let signal = Signal::new(
-                at(from.value, to.value),
-                at(from.rate, to.rate),
-                at(from.acceleration, to.acceleration),
-            );
-            between.set(index, signal);
+        if let (Some(from), Some(to)) = (first.value(index), last.value(index)) {
+            between.set(index, path(from, to));
         }
     }
     between
+}
+
+/// Signal at a fraction of the chord between two of them, at constant time.
+fn straight<T: Real>(from: Signal<T>, to: Signal<T>, part: T) -> Signal<T> {
+    let at = |from: T, to: T| from + part * (to - from);
+    Signal::new(
+        at(from.value, to.value),
+        at(from.rate, to.rate),
+        at(from.acceleration, to.acceleration),
+    )
 }
 
 /// Name of a failure's kind.
@@ -173,16 +180,19 @@ where
                 from + h * fraction
             };
             let fraction = B::Scalar::from_f64(fraction);
-            let between = match part {
+            let ends = [&before, &goal];
+            let inputs = match part {
                 SMALLER => goal.clone(),
-                _ if h == 0.0 => straight(&before, &goal, fraction),
-                _ => before.towards(&goal, B::Scalar::from_f64(h), fraction),
+                _ if h == 0.0 => between(ends, |from, to| straight(from, to, fraction)),
+                _ => between(ends, |from, to| {
+                    from.towards(&to, B::Scalar::from_f64(h), fraction)
+                }),
             };
-            if !go(&mut shell, t, &between, part) {
+            if !go(&mut shell, t, &inputs, part) {
                 broken += 1;
                 break;
             }
-            last = (t, between);
+            last = (t, inputs);
         }
     }
     all

@@ -11,7 +11,7 @@ use linkwright_tests::hunt::mechanism;
 use linkwright_tests::pantograph::Pantograph;
 use linkwright_tests::{description, files};
 
-use super::{SMALL, compile, folder, run_as_cpp, write_double};
+use super::{compile, folder, run_as_cpp, write_double};
 
 /// Number of random mechanisms, largest number of bodies, and first seed.
 const RANDOM: usize = 8;
@@ -21,8 +21,8 @@ const SEED: u64 = 14;
 #[test]
 fn frames_and_failures_have_the_bits_of_rust() {
     let named = |name: &str| Case::new(name, description::source(name), 2.0);
-    let names = description::names();
-    let names = names.iter().map(String::as_str).chain(SMALL);
+    let names = [description::names(), description::of_tests()].concat();
+    let names = names.iter().map(String::as_str);
     // Some have too many joints.
     let random = (0..)
         .map(|number| Source::new("found.mech", mechanism(SEED, number, MAX_BODIES).text()))
@@ -34,7 +34,7 @@ fn frames_and_failures_have_the_bits_of_rust() {
     let chain = Pantograph::new(9, 0.875).text("");
     let chain = Case::new("chain", Source::new("chain.mech", chain), 2.0);
     let cases: Vec<Case> = names.map(named).chain(random).chain([chain]).collect();
-    assert!(cases.len() > 45 && !compilers().is_empty());
+    assert!(cases.len() > 110 && !compilers().is_empty());
     let folder = folder("bits");
     let differing = differences(&folder, &files::repository(), &cases);
     let differing = differing.unwrap_or_else(|error| panic!("{error}"));

@@ -78,12 +78,13 @@ fn generated_code_agrees_with_the_interpreter() {
     let mut generated = rocking_cams::RockingCams::assemble(0.0).expect("the drawing assembles");
     let start = equations.estimate().clone();
     let settings = linkwright::Settings::default();
-    let mut interpreted =
-        linkwright::assemble(&equations, &start, 0.0, &settings).expect("the drawing assembles");
+    let mut interpreted = linkwright::Frame::assemble(&equations, &start, 0.0, &settings)
+        .expect("the drawing assembles");
     for step in 1..=300 {
         let t = f64::from(step) / 50.0;
-        interpreted =
-            linkwright::advance(&equations, &interpreted, t, &settings).expect("a turn of the cam");
+        interpreted = interpreted
+            .advance(&equations, t, &settings)
+            .expect("a turn of the cam");
         let frame = generated.advance(t).expect("a turn of the cam");
         let pairs = [
             (frame.q, &interpreted.q),

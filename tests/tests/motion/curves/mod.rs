@@ -222,8 +222,8 @@ fn a_roller_runs_inside_where_it_is_drawn_inside() {
     let read = linkwright_codegen::read(&Source::new("ring.mech", text)).expect("no errors");
     let equations = TextbookEquations::new(&read.motions[0].pool, &read.motions[0].system);
     let settings = linkwright::Settings::default();
-    let pose =
-        linkwright::assemble(&equations, equations.estimate(), 0.5, &settings).expect("a pose");
+    let pose = linkwright::Frame::assemble(&equations, equations.estimate(), 0.5, &settings)
+        .expect("a pose");
     let place = |name: &str| {
         let names = read.motions[0].system.coordinates.iter();
         names.map(|it| it.name.as_str()).position(|it| it == name)

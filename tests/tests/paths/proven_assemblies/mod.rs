@@ -6,7 +6,7 @@ mod chain;
 
 use std::f64::consts::{PI, TAU};
 
-use linkwright::{Equations, Settings, assemble};
+use linkwright::{Equations, Frame, Settings};
 use linkwright_codegen::stages::joint::Quantity;
 use linkwright_solver::assemblies::assemblies;
 use linkwright_solver::textbook::TextbookEquations;
@@ -176,7 +176,7 @@ fn no_start_at_random_finds_another_assembly_of_rocking_cams() {
             true => random.between(-PI, PI),
             false => known[0][at] + textbook.coordinate_scale(at) * random.between(-1.0, 1.0),
         });
-        let Ok(frame) = assemble(&textbook, &start, 0.0, &Settings::default()) else {
+        let Ok(frame) = Frame::assemble(&textbook, &start, 0.0, &Settings::default()) else {
             continue;
         };
         let is_there = |pose: &DVector<f64>| {
@@ -280,7 +280,8 @@ fn a_gear_after_a_block_counts_the_turns_of_its_angles() {
     let mut start = drawn.clone();
     start[rocker] += TAU;
     start[wheel] -= PI;
-    let other = assemble(&textbook, &start, 0.0, &Settings::default()).expect("another pose");
+    let other =
+        Frame::assemble(&textbook, &start, 0.0, &Settings::default()).expect("another pose");
     let mut residual = DVector::zeros(start.len());
     textbook.residual(&other.q, 0.0, &mut residual);
     assert!(residual.amax() < 1e-12);

@@ -164,7 +164,7 @@ pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
 /// Returns the equations with the sensitivities to the fitted parameters.
 fn along(source: &Source, arguments: &Calibrate) -> Result<Derived, Problem> {
     let names: Vec<&str> = arguments.param.iter().map(|it| it.trim()).collect();
-    let read = linkwright_codegen::read_along(source, &names);
+    let read = linkwright_codegen::Read::along(source, &names);
     let read = read.map_err(|found| rendered(&found, source))?;
     let derived = match &arguments.described.motion {
         Some(name) => read.motion(name).cloned(),

@@ -1,29 +1,43 @@
-//! Walks over a document for declarations, before mentions are sought.
+//! Walks over a document for declarations.
+
+use std::collections::HashSet;
 
 use linkwright_codegen::diagnostic::Span;
+use linkwright_codegen::stages::model;
 use linkwright_codegen::stages::syntax::{
-    Document, ExpandedSort, Expansion, Member, Name, Statement,
+    Body, Document, ExpandedSort, Expansion, Member, Name, Statement,
 };
 
-use super::scope::{Scopes, Space};
+use super::collector::Collector;
 use super::{Sort, Symbol, SymbolId};
 
-impl Scopes {
-    /// Declares all names. Points that bodies carry come last, since they may be drawn below.
-    pub(super) fn declare_all(&mut self, document: &Document) {
+/// Places and names of uses; only looked up.
+type Used<'a> = HashSet<(Span, &'a str)>;
+
+impl Collector {
+    /// Declares all names, then records their uses.
+    pub(super) fn add_all(&mut self, document: &Document) {
         let item = &document.mechanism;
         if !item.name.text.is_empty() {
             self.plain(Sort::Mechanism, &item.name, item.span, &item.docs);
         }
-        self.statements(&item.statements);
-        for statement in &item.statements {
-            self.declare_members(statement);
+        let uses = model::mentions(document);
+        let used = uses.iter().map(|it| (it.span, it.name.as_str()));
+        self.statements(&item.statements, &used.collect());
+        for used in &uses {
+            self.add_use(used);
         }
+        for statement in &item.statements {
+            if let Statement::Body(own) = statement {
+                self.carry_all(own);
+            }
+        }
+        self.expanded(&document.expansion);
     }
 
-    fn statements(&mut self, statements: &[Statement]) {
+    fn statements(&mut self, statements: &[Statement], used: &Used<'_>) {
         for statement in statements {
-            self.declare_statement(statement);
+            self.declare_statement(statement, used);
         }
     }
 
@@ -45,7 +59,7 @@ impl Scopes {
     }
 
     /// Adds indices, parts and mechanisms that are parts, which the parser has resolved, with their mentions.
-    pub(super) fn add_expanded(&mut self, expansion: &Expansion) {
+    fn expanded(&mut self, expansion: &Expansion) {
         for own in &expansion.declared {
             let sort = match own.sort {
                 ExpandedSort::Index => Sort::Index,
@@ -56,14 +70,12 @@ impl Scopes {
                 self.plain(sort, &own.name, own.span, &[]);
             }
         }
-        for &[span, declaration] in &expansion.mentions {
-            if let Some(symbol) = self.declared_at(declaration) {
-                self.mention(span, symbol);
-            }
+        for &[place, declaration] in &expansion.mentions {
+            self.add_expanded(place, declaration);
         }
     }
 
-    fn declare_statement(&mut self, statement: &Statement) {
+    fn declare_statement(&mut self, statement: &Statement, used: &Used<'_>) {
         let span = statement.span();
         match statement {
             Statement::Constant(own) => {
@@ -96,7 +108,8 @@ impl Scopes {
                 }
             }
             Statement::Body(own) => {
-                self.plain(Sort::Body, &own.name, span, &own.docs);
+                let body = self.plain(Sort::Body, &own.name, span, &own.docs);
+                self.declare_members(body, own, used);
             }
             Statement::Angle(own) => {
                 self.plain(Sort::Angle, &own.name, span, &own.docs);
@@ -104,6 +117,13 @@ impl Scopes {
             Statement::Curve(own) => {
                 self.plain(Sort::Curve, &own.name, span, &own.docs);
                 self.plain(Sort::CurveParameter, &own.parameter, span, &[]);
+            }
+            // A joint may use the name of a point of its bodies.
+            Statement::Joint(own) => {
+                let name = own.name.as_ref();
+                if let Some(name) = name.filter(|it| !used.contains(&(it.span, &it.text))) {
+                    self.plain(Sort::Joint, name, span, &own.docs);
+                }
             }
             Statement::Drive(own) => {
                 if let Some(name) = &own.name {
@@ -128,12 +148,10 @@ impl Scopes {
                     self.plain(Sort::Motion, &own.name, span, &own.docs);
                 }
                 self.motion = Some(span);
-                self.statements(&own.statements);
+                self.statements(&own.statements, used);
                 self.motion = None;
             }
-            // The name of a joint may be that of a point: operands are considered together with it.
-            Statement::Joint(_)
-            | Statement::Request(_)
+            Statement::Request(_)
             | Statement::Mass(_)
             | Statement::Gravity(_)
             | Statement::Force(_)
@@ -142,14 +160,8 @@ impl Scopes {
         }
     }
 
-    /// Declares the points that a body lists.
-    fn declare_members(&mut self, statement: &Statement) {
-        let Statement::Body(own) = statement else {
-            return;
-        };
-        let Some(body) = self.find(Space::Bodies, &own.name.text) else {
-            return;
-        };
+    /// Declares the points that a body lists, except for global points, which a list only names.
+    fn declare_members(&mut self, body: SymbolId, own: &Body, used: &Used<'_>) {
         for member in &own.members {
             let (docs, name, written) = match member {
                 Member::Local {
@@ -157,16 +169,10 @@ impl Scopes {
                     name,
                     position,
                 } => (docs, name, name.span.to(position.span)),
-                Member::Carried { docs, name } => {
-                    if let Some(drawn) = self.find(Space::Drawn, &name.text) {
-                        self.mention(name.span, drawn);
-                        self.carry(body, drawn);
-                        continue;
-                    }
-                    (docs, name, name.span)
-                }
+                Member::Carried { name, .. } if used.contains(&(name.span, &name.text)) => continue,
+                Member::Carried { docs, name } => (docs, name, name.span),
             };
-            let point = self.declare(Symbol {
+            self.declare(Symbol {
                 sort: Sort::BodyPoint,
                 name: name.text.clone(),
                 spelled: name.text.clone(),
@@ -179,11 +185,13 @@ impl Scopes {
                 body: Some(body),
                 motion: None,
             });
-            self.carry(body, point);
-            // A point that is drawn under the name of a body's point is declared where it is drawn.
-            if let Some(drawn) = self.find(Space::Drawn, &name.text) {
-                self.unite(drawn, point);
-            }
+        }
+    }
+
+    fn carry_all(&mut self, own: &Body) {
+        for member in &own.members {
+            let (Member::Local { name, .. } | Member::Carried { name, .. }) = member;
+            self.carry(&own.name, name);
         }
     }
 }

@@ -1,21 +1,17 @@
-//! Finds the meaning, the declaration and the mentions of names from statements.
+//! Joins the declarations of a document with the uses that the generator records.
 //!
-//! Scopes are those of the generator. Points belong to the bodies that carry them, and a joint's name is that of its point. The names of
-//! a motion are visible in that motion only. Afterwards every mention belongs to one symbol. Symbols of one point are known as equal: the
-//! joint `P(1, 2)` makes the points P of both bodies one. Values of names are not computed, and an undeclared name is not a mention. A
-//! repeated statement, or one in a part, has one name for each place in the text.
+//! The generator decides which declaration a name refers to. Every mention belongs to one symbol, and an undeclared name is not a mention.
+//! Symbols of one point are known as equal: the joint `P(1, 2)` makes the points P of both bodies one. A repeated statement, or one in a
+//! part, has one name for each place in the text.
 
+mod collector;
 mod declare;
-mod formula;
-mod mention;
-mod operand;
-mod scope;
 mod written;
 
 use linkwright_codegen::diagnostic::Span;
 use linkwright_codegen::stages::syntax::Document;
 
-use scope::Scopes;
+use collector::Collector;
 pub use written::{Whole, mechanisms};
 
 /// Meaning of a name.
@@ -143,11 +139,9 @@ pub struct Names {
 impl Names {
     /// Returns the names of a document with this text.
     pub fn of(document: &Document, text: &str) -> Names {
-        let mut scopes = Scopes::default();
-        scopes.declare_all(document);
-        scopes.mention_all(document);
-        scopes.add_expanded(&document.expansion);
-        scopes.into_names(document, text)
+        let mut collector = Collector::default();
+        collector.add_all(document);
+        collector.into_names(document, text)
     }
 
     /// Returns the mention that contains an offset or ends there; `None` if there is none.

@@ -1,4 +1,8 @@
 //! Builds the statements of blocks for all solution methods.
+//!
+//! A block and the verification of paths have one type of builder, and each file of methods states one kind of values. The files
+//! call each other in both directions: closed forms note the links that a path needs, and a path rotates vectors as blocks do.
+//! All append to one list of statements, in which every value is defined before it is read, and a rotated vector once.
 
 mod angles;
 mod checks;

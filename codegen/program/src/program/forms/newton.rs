@@ -187,14 +187,14 @@ impl Newton {
         ]);
         builder.say(|_| match (&names[..], &loops_counted) {
             ([only], None) => phrase![
-                "There is no closed form here: the equation is linear neither in ",
+                "No closed form is known here: the equation is linear neither in ",
                 only,
                 " nor in its cosine and sine. Newton-Raphson finds it, starting from the last pose."
             ],
             (_, made_of) => {
                 let made_of = made_of.as_ref().map(|it| format!(", the components of {it},"));
                 phrase![
-                    format!("There is no closed form here: {equations}{} hold ", made_of.unwrap_or_default()),
+                    format!("No closed form is known here: {equations}{} hold ", made_of.unwrap_or_default()),
                     enumerated(&names),
                     " together. No part of the equations holds only as many unknowns as it has equations, so they cannot be \
                      solved one loop after the other, and the whole is not one of the pairs of circles and lines whose \

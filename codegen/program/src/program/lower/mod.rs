@@ -4,11 +4,9 @@ mod needed;
 mod reported;
 mod stated;
 
-use std::sync::Arc;
-
 use super::block::{Block, Branch, Lowering};
 use super::forces::forces;
-use super::forms::{Form, recognize};
+use super::forms::recognize;
 use super::function::Function;
 use super::loads::loads;
 use super::passes::fields::fields;
@@ -27,18 +25,24 @@ use needed::Needed;
 use reported::reported;
 use stated::Stated;
 
-/// Unknowns that frames keep beside what the description requests.
+/// Values that a program keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kept {
-    /// None.
+    /// None: the program has only the solution methods of the plan.
+    Methods,
+    /// Values that the description requests.
     Requested,
-    /// Every unknown of the vector form, with rate and acceleration.
+    /// Requested values, and every unknown of the vector form with rate and acceleration.
     Unknowns,
+    /// All values, with remarks: the program has only blocks, as a derivation prints them.
+    Everything,
 }
 
-/// Returns all functions of a mechanism. Intermediate values are added to the pool.
+/// Returns the functions of a mechanism. Intermediate values are added to the pool.
 pub fn lower(pool: &mut Pool, system: &System, plan: &SolvedPlan, kept: Kept) -> Program {
     let kept = match kept {
+        Kept::Methods => return methods(pool, system, plan),
+        Kept::Everything => return unpruned(pool, system, plan),
         Kept::Requested => IdSet::default(),
         Kept::Unknowns => {
             let unknowns = system.vector_form.unknowns.iter();
@@ -118,15 +122,15 @@ fn share_blocks(blocks: &mut [Block], pool: &mut Pool, system: &System) {
     }
 }
 
-/// Returns the functions of all blocks without omissions and with derivations, for printing or interpretation. Unneeded values
-/// are computed too, so that every unknown of the vector form has its position and rate. If forces are requested, their block
-/// comes last.
-pub fn unpruned(pool: &mut Pool, system: &System, plan: &SolvedPlan) -> (Vec<Block>, Vec<Branch>) {
+/// Returns the functions of all blocks without omissions and with derivations. Unneeded values are computed too, so that every
+/// unknown of the vector form has its position and rate. If forces are requested, their block comes last.
+fn unpruned(pool: &mut Pool, system: &System, plan: &SolvedPlan) -> Program {
     let mut lowering = Lowering::new(pool, system, plan, true);
     let blocks = plan.blocks.iter().enumerate();
     let mut blocks: Vec<Block> = blocks
         .map(|(place, block)| lowering.block(place, block))
         .collect();
+    let forms = blocks.iter().map(|block| block.forms.clone()).collect();
     let transposed: Vec<_> = blocks.iter().map(|it| it.transposed.clone()).collect();
     let (forces, exerting) = forces(&mut lowering, plan, &transposed).unzip();
     let branches = lowering.branches;
@@ -138,18 +142,25 @@ pub fn unpruned(pool: &mut Pool, system: &System, plan: &SolvedPlan) -> (Vec<Blo
         let only_block = std::slice::from_mut(block);
         prune(only_block, &|symbol| fields.contains(&symbol), &pool.graph);
     }
-    (blocks, branches)
+    Program {
+        blocks,
+        forms,
+        branches,
+        ..Program::default()
+    }
 }
 
 /// Returns the solution methods of the subsystems of each block of a plan.
-pub fn forms_of(pool: &mut Pool, system: &System, plan: &SolvedPlan) -> Vec<Vec<Arc<dyn Form>>> {
+fn methods(pool: &mut Pool, system: &System, plan: &SolvedPlan) -> Program {
     let blocks = plan.blocks.iter();
-    blocks
-        .map(|block| {
-            let parts = block.parts.iter();
-            parts.map(|part| recognize(part, pool, system)).collect()
-        })
-        .collect()
+    let forms = blocks.map(|block| {
+        let parts = block.parts.iter();
+        parts.map(|part| recognize(part, pool, system)).collect()
+    });
+    Program {
+        forms: forms.collect(),
+        ..Program::default()
+    }
 }
 
 impl Program {

@@ -15,7 +15,7 @@
  * may differ from those of another build. -ffast-math is refused.
  *
  * This file is part of the output of the generator. Anyone who generates it may use, change and distribute it and
- * everything generated beside it for any purpose and under any licence, without a notice. There is no warranty. */
+ * everything generated beside it for any purpose and under any licence, without a notice. Warranties are excluded. */
 #ifndef LINKWRIGHT_H
 #define LINKWRIGHT_H
 

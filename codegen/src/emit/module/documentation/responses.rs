@@ -1,11 +1,11 @@
-//! What responds to drivers and parameters → the sentences of its documentation.
+//! Writes the documentation of transmissions and sensitivities.
 
 use crate::emit::module::Module;
 use crate::joint::Quantity;
 use crate::program::{SensitiveQuantity, Sensitivity, Transmission};
 use crate::system::System;
 
-/// What a transmission is: its rates, and its forces.
+/// Documentation of a transmission: of its rates and of its forces.
 pub(in crate::emit) fn of_transmission(
     transmission: &Transmission,
     system: &System,
@@ -43,7 +43,7 @@ pub(in crate::emit) fn of_transmission(
     [rates, forces]
 }
 
-/// What the sensitivity of all coordinates is.
+/// Documentation of the sensitivity of all coordinates.
 pub(in crate::emit) fn of_sensitivity(
     sensitivity: &Sensitivity,
     module: &Module<'_>,
@@ -57,7 +57,7 @@ pub(in crate::emit) fn of_sensitivity(
     ]
 }
 
-/// One function of the sensitivity of a point or a coordinate: its name, and what it is.
+/// Returns the functions for the sensitivity of a point or a coordinate: names and documentation.
 pub(in crate::emit) fn of_quantity(
     sensitivity: &Sensitivity,
     quantity: &SensitiveQuantity,
@@ -65,17 +65,17 @@ pub(in crate::emit) fn of_quantity(
 ) -> Vec<(String, String)> {
     let [parameter, unit] = parameter(sensitivity, module);
     let SensitiveQuantity { name, what, .. } = quantity;
-    let own = &sensitivity.name;
+    let label = &sensitivity.name;
     if quantity.components.len() == 2 {
         return vec![match quantity.levels.len() {
             2 => (
-                format!("point_{name}_sensitivity_{own}"),
+                format!("point_{name}_sensitivity_{label}"),
                 format!(
                     "Derivatives of position and velocity of {what} with respect to the parameter {parameter} (in {unit})."
                 ),
             ),
             _ => (
-                format!("point_{name}_position_sensitivity_{own}"),
+                format!("point_{name}_position_sensitivity_{label}"),
                 format!(
                     "Derivative of the position of {what} with respect to the parameter {parameter} (in {unit}), in m per unit."
                 ),
@@ -94,7 +94,7 @@ pub(in crate::emit) fn of_quantity(
     levels
         .map(|(suffix, what, per_second)| {
             (
-                format!("{name}{suffix}_sensitivity_{own}"),
+                format!("{name}{suffix}_sensitivity_{label}"),
                 format!(
                     "Derivative of the {what} {name} with respect to the parameter {parameter} (in {unit}), in {measured}{per_second} per unit."
                 ),
@@ -103,8 +103,8 @@ pub(in crate::emit) fn of_quantity(
         .collect()
 }
 
-/// `L2` and `m`, as texts name them.
+/// Returns the name and the unit of the parameter, such as `L2` and `m`.
 fn parameter(sensitivity: &Sensitivity, module: &Module<'_>) -> [String; 2] {
-    let own = &module.system.mechanism.parameters[sensitivity.parameter];
-    [own.name.clone(), own.dimension.unit()]
+    let parameter = &module.system.mechanism.parameters[sensitivity.parameter];
+    [parameter.name.clone(), parameter.dimension.unit()]
 }

@@ -156,7 +156,7 @@ impl Torn {
         let count = self.sequence.tears.len();
         builder.say(|_| {
             phrase![
-                "There is no closed form for all of them. Guess ",
+                "No closed form is known for all of them. Guess ",
                 tears.clone(),
                 format!(
                     ", starting from the last pose; then everything else follows step by step, and {} to be met:",
