@@ -98,7 +98,7 @@ macro_rules! precision {
                 not_positive, out_of_reach, pressure_angle, required, singular_divisor, torn,
             };
             // A type in place of `math` has the functions by their trait.
-            pub use crate::math::{Functions, Real as math, angle_near};
+            pub use crate::math::{Functions as _, Real as math, angle_near};
             pub use crate::{BlockName, Blocks, Branch, Mechanism, Shell, nalgebra::Const};
 
             /// Scalar of everything in this module.

@@ -138,7 +138,12 @@ fn imported() -> BTreeSet<String> {
         match aliased.and_then(|rest| rest.split(['<', ' ']).next()) {
             Some(name) => vec![name.to_string()],
             None => {
-                let words = item.split(|it: char| !it.is_alphanumeric() && it != '_');
+                // An item with another name hides only that one.
+                let paths = item.split(',');
+                let paths =
+                    paths.map(|path| path.split_once(" as ").map_or(path, |(_, name)| name));
+                let words = paths
+                    .flat_map(|path| path.split(|it: char| !it.is_alphanumeric() && it != '_'));
                 words.map(str::to_string).collect()
             }
         }

@@ -249,7 +249,7 @@ fn a_loop_that_no_output_needs_does_not_end_generated_code() {
     let goes_on = "; generated code, which computes its outputs alone, goes on";
     let cases = [("", ""), ("output position C;", ""), ("output B;", goes_on)];
     for (output, addition) in cases {
-        let folder = Folder::new("reach_outputs", &format!("{REACHING}{output}\n}}\n"));
+        let folder = Folder::new("reach_outputs", format!("{REACHING}{output}\n}}\n"));
         let ran = folder.run("solve a.mech --no-files --to 2");
         let error = ran.exits_with(1).stderr;
         // By the law of cosines: |BD|² = 1 + 1.5² − 3 cos φ.
