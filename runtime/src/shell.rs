@@ -339,6 +339,12 @@ impl<B: Blocks> Shell<B> {
         &self.blocks
     }
 
+    /// Returns the equations of a mechanism that is no longer needed.
+    #[doc(hidden)]
+    pub fn into_blocks(self) -> B {
+        self.blocks
+    }
+
     /// Assembly modes of the mechanism.
     pub fn branches(&self) -> &B::Branches {
         &self.branches

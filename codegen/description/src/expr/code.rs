@@ -95,6 +95,8 @@ pub struct Lanes(pub [f64; 8]);
 trait Numbers<const N: usize>: Copy {
     fn numbers(self) -> [f64; N];
     fn of(numbers: [f64; N]) -> Self;
+    fn sines_cosines(angles: [f64; N]) -> [[f64; N]; 2];
+    fn arctangents(y: [f64; N], x: [f64; N]) -> [f64; N];
 }
 
 impl Numbers<1> for f64 {
@@ -107,6 +109,17 @@ impl Numbers<1> for f64 {
     fn of([number]: [f64; 1]) -> f64 {
         number
     }
+
+    #[inline(always)]
+    fn sines_cosines([angle]: [f64; 1]) -> [[f64; 1]; 2] {
+        let (sine, cosine) = double::sin_cos(angle);
+        [[sine], [cosine]]
+    }
+
+    #[inline(always)]
+    fn arctangents([y]: [f64; 1], [x]: [f64; 1]) -> [f64; 1] {
+        [double::atan2(y, x)]
+    }
 }
 
 impl Numbers<8> for Lanes {
@@ -118,6 +131,16 @@ impl Numbers<8> for Lanes {
     #[inline(always)]
     fn of(numbers: [f64; 8]) -> Lanes {
         Lanes(numbers)
+    }
+
+    #[inline(always)]
+    fn sines_cosines(angles: [f64; 8]) -> [[f64; 8]; 2] {
+        double::sines_cosines(angles)
+    }
+
+    #[inline(always)]
+    fn arctangents(y: [f64; 8], x: [f64; 8]) -> [f64; 8] {
+        double::arctangents(y, x)
     }
 }
 
@@ -180,20 +203,20 @@ impl Code {
             Computation::SquareRoot(a) => registers[target] = each(of(a), f64::sqrt),
             Computation::Magnitude(a) => registers[target] = each(of(a), f64::abs),
             Computation::Sine(angle) => {
-                let [sines, _] = double::sines_cosines(of(angle));
+                let [sines, _] = R::sines_cosines(of(angle));
                 registers[target] = R::of(sines);
             }
             Computation::Cosine(angle) => {
-                let [_, cosines] = double::sines_cosines(of(angle));
+                let [_, cosines] = R::sines_cosines(of(angle));
                 registers[target] = R::of(cosines);
             }
             Computation::SineCosine { cosine, angle } => {
-                let [sines, cosines] = double::sines_cosines(of(angle));
+                let [sines, cosines] = R::sines_cosines(of(angle));
                 registers[cosine.index()] = R::of(cosines);
                 registers[target] = R::of(sines);
             }
             Computation::Arctangent([y, x]) => {
-                registers[target] = R::of(double::arctangents(of(y), of(x)));
+                registers[target] = R::of(R::arctangents(of(y), of(x)));
             }
             Computation::Exponential(a) => registers[target] = each(of(a), double::exp),
             Computation::Logarithm(a) => registers[target] = each(of(a), double::ln),

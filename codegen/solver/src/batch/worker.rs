@@ -14,6 +14,8 @@ pub(super) struct Worker<'a> {
     task: Task<'a>,
     blocks: Interpreted,
     lanes: [Option<Lane>; LANES],
+    /// Blocks of ended sets, whose memory the next ones take.
+    spare: Vec<Interpreted>,
     registers: InterpretedLanes,
     /// False if the program has Newton-Raphson, so that shells solve all instants.
     has_lanes: bool,
@@ -35,6 +37,7 @@ impl<'a> Worker<'a> {
         Worker {
             task,
             lanes: Default::default(),
+            spare: Vec::new(),
             registers: InterpretedLanes::new(&blocks),
             has_lanes: blocks.has_lanes(),
             has_points: task.observables.iter().any(is_point),
@@ -63,7 +66,8 @@ impl<'a> Worker<'a> {
         for lane in 0..LANES {
             while self.lanes[lane].is_none() && *next < piece.outcomes.len() {
                 let set = piece.first + *next;
-                match Lane::assemble(&self.task, self.blocks.clone(), set, piece.supplied) {
+                let blocks = self.spare.pop().unwrap_or_else(|| self.blocks.clone());
+                match Lane::assemble(&self.task, blocks, set, piece.supplied) {
                     Ok(assembled) => {
                         self.lanes[lane] = Some(assembled);
                         began |= 1 << lane;
@@ -84,13 +88,10 @@ impl<'a> Worker<'a> {
             ..
         } = self.task;
         for place in 0..LANES {
-            self.lanes[place].take_if(|lane| {
-                let is_over = lane.next == times.len();
-                if is_over {
-                    piece.outcomes[lane.set - piece.first] = lane.outcome;
-                }
-                is_over
-            });
+            if let Some(lane) = self.lanes[place].take_if(|it| it.next == times.len()) {
+                piece.outcomes[lane.set - piece.first] = lane.outcome;
+                self.spare.push(lane.shell.into_blocks());
+            }
             let Some(lane) = self.lanes[place].as_ref().filter(|_| self.has_lanes) else {
                 continue;
             };
