@@ -126,20 +126,62 @@ impl<B: Blocks> Shell<B> {
             inputs,
             settings: &self.settings,
         };
-        let solved =
-            solve(&self.blocks, at, last, &mut self.branches, &conditions).and_then(|()| {
-                let pair = Pair {
-                    at,
-                    last,
-                    before: &self.inputs,
-                    conditions: &conditions,
-                };
-                self.guard.admit(&self.blocks, pair, false)
-            });
-        if let Err(failure) = solved {
+        let solved = solve(&self.blocks, at, last, &mut self.branches, &conditions);
+        self.admit(solved, t, inputs)
+    }
+
+    /// Moves the mechanism to a frame that is solved elsewhere, with the bits that [`Blocks::solve`] would find in these
+    /// conditions. `write` overwrites an older frame with it.
+    ///
+    /// # Errors
+    /// Returns those of [`Shell::advance`], of the path to the frame.
+    #[doc(hidden)]
+    #[inline]
+    pub fn advance_solved(
+        &mut self,
+        t: B::Scalar,
+        inputs: &B::Inputs,
+        write: impl FnOnce(&mut B::Frame),
+    ) -> Result<&B::Frame, Failure<B::Scalar>> {
+        let [first, second] = &mut self.frames;
+        write(match self.second_is_last {
+            true => first,
+            false => second,
+        });
+        self.admit(Ok(()), t, inputs)
+    }
+
+    /// Makes the frame that was solved the last one if it continues the path; otherwise moves in several steps.
+    #[inline]
+    fn admit(
+        &mut self,
+        solved: Result<(), Failure<B::Scalar>>,
+        t: B::Scalar,
+        inputs: &B::Inputs,
+    ) -> Result<&B::Frame, Failure<B::Scalar>> {
+        let [first, second] = &self.frames;
+        let (last, at) = match self.second_is_last {
+            true => (second, first),
+            false => (first, second),
+        };
+        let conditions = Conditions {
+            t,
+            start: self.start,
+            parameters: &self.parameters,
+            inputs,
+            settings: &self.settings,
+        };
+        let pair = Pair {
+            at,
+            last,
+            before: &self.inputs,
+            conditions: &conditions,
+        };
+        let admitted = solved.and_then(|()| self.guard.admit(&self.blocks, pair, false));
+        if let Err(failure) = admitted {
             self.advance_in_steps(failure, t, inputs)?;
         }
-        self.inputs = inputs.clone();
+        self.inputs.clone_from(inputs);
         self.start = Start::LastFrame;
         self.second_is_last = !self.second_is_last;
         Ok(self.frame())
@@ -295,6 +337,12 @@ impl<B: Blocks> Shell<B> {
     /// Equations of the mechanism.
     pub fn blocks(&self) -> &B {
         &self.blocks
+    }
+
+    /// Returns the equations of a mechanism that is no longer needed.
+    #[doc(hidden)]
+    pub fn into_blocks(self) -> B {
+        self.blocks
     }
 
     /// Assembly modes of the mechanism.

@@ -31,6 +31,7 @@
 //! - [`View`] is what both formulations provide. [`Dense`] is the other one, the textbook formulation as one system.
 //! - [`Moved`] moves the program that is written out, and computes beside it what an `output` omits.
 //! - [`follow`] moves a mechanism over the times of a [`Schedule`] and finds the end of its motion.
+//! - [`Batch`] solves many sets of parameters at once, in eight lanes and on several threads.
 //! - [`Check`] looks for assemblies and singular poses over a schedule.
 //! - [`Simulation`] integrates the motion of free coordinates under forces.
 //! - [`Observable`] names a quantity of a frame, and [`Comparison`] compares its values with measured ones.
@@ -39,6 +40,7 @@
 
 #![doc(html_root_url = "https://docs.rs/linkwright-solver/0.1.0")]
 
+mod batch;
 mod emitted;
 mod explained;
 mod instant;
@@ -116,6 +118,7 @@ pub mod tolerances;
 pub mod warnings;
 
 pub use assemblies::{Assemblies, Assembly};
+pub use batch::{Batch, Outcome, WrongLength};
 pub use check::Check;
 pub use comparison::Comparison;
 pub use dense::Dense;

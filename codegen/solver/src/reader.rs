@@ -2,13 +2,13 @@
 
 use std::cell::RefCell;
 
-use linkwright_codegen::stages::expr::{Code, ExprId, Graph, Recorder, Register, SymbolId};
+use linkwright_codegen::stages::expr::{Code, ExprId, Graph, Lanes, Recorder, Register, SymbolId};
 use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::program::{Function, Program};
 use linkwright_codegen::stages::system::System;
 
 use crate::instant::{Instant, Layout};
-use crate::operation::Writer;
+use crate::operation::{LANES, Writer};
 
 /// Evaluator of expressions of values that instants keep.
 #[derive(Clone, Debug)]
@@ -63,6 +63,10 @@ impl Reader {
         }
     }
 
+    pub(crate) fn formulas(&self) -> &Formulas {
+        &self.formulas
+    }
+
     /// Writes the values in their order over `values`.
     pub fn read(&self, instant: &Instant, values: &mut Vec<f64>) {
         values.clear();
@@ -100,6 +104,31 @@ impl Formulas {
             read,
             results,
         }
+    }
+
+    /// Registers of all lanes before the first evaluation.
+    pub fn lanes(&self) -> Vec<Lanes> {
+        let registers = self.code.registers().iter();
+        registers.map(|&it| Lanes([it; LANES])).collect()
+    }
+
+    /// Puts in what one lane reads of its instant.
+    pub fn fill_lane(&self, lane: usize, instant: &Instant, registers: &mut [Lanes]) {
+        for &(register, slot) in &self.read {
+            registers[register.index()].0[lane] = instant.values()[slot];
+        }
+    }
+
+    /// Evaluates all lanes.
+    #[inline(always)]
+    pub fn run_lanes(&self, registers: &mut [Lanes]) {
+        self.code.run_lanes(0..self.code.length(), registers);
+    }
+
+    /// Returns a value of one lane; `None` if there is none of this index.
+    pub fn lane_value(&self, lane: usize, index: usize, registers: &[Lanes]) -> Option<f64> {
+        let register = self.results.get(index)?;
+        Some(registers[register.index()].0[lane])
     }
 
     /// The values in their order.

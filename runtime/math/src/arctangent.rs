@@ -11,7 +11,7 @@
 
 macro_rules! arctangents {
     (
-        $name:ident, $scalar:ident;
+        $name:ident, $scalar:ident, $bits:ident;
         rounder: $rounder:literal, quarter_rest: $quarter_rest:literal,
         ordinary: $smallest:literal to $largest:literal,
         bend: $coefficients:expr, |$square:ident, $c:pat_param| $bend:expr,
@@ -65,6 +65,25 @@ macro_rules! arctangents {
                 } else {
                     extreme(y, x)
                 }
+            }
+
+            /// Returns the angles of several vectors, with the bits of [`atan2`]. Compilers vectorize it.
+            #[inline(always)]
+            pub fn arctangents<const N: usize>(y: [$scalar; N], x: [$scalar; N]) -> [$scalar; N] {
+                let mut angles = [0.0; N];
+                let mut rare = 0;
+                for lane in 0..N {
+                    let (across, along) = (y[lane].abs(), x[lane].abs());
+                    let high = if across > along { across } else { along };
+                    rare |= $bits::from(!((high >= $smallest) & (high <= $largest)));
+                    angles[lane] = angle(y[lane], x[lane]);
+                }
+                if rare != 0 {
+                    for lane in 0..N {
+                        angles[lane] = atan2(y[lane], x[lane]);
+                    }
+                }
+                angles
             }
 
             /// Returns the angle if the larger component neither overflows nor is subnormal when it is doubled or
@@ -141,6 +160,17 @@ macro_rules! arctangents {
             /// size, that is nearest to `near`. NaN if one of them is NaN or both are zero.
             #[inline]
             pub fn angle_near(sine: $scalar, cosine: $scalar, near: $scalar) -> $scalar {
+                let (angle, is_near) = angle_within(sine, cosine, near);
+                if is_near {
+                    angle
+                } else {
+                    angle_afar(sine, cosine, near)
+                }
+            }
+
+            /// Returns the angle nearest to `near`, and true if `near` determines its octant.
+            #[inline(always)]
+            fn angle_within(sine: $scalar, cosine: $scalar, near: $scalar) -> ($scalar, bool) {
                 let shifted = near * (4.0 / PI) + ROUNDER;
                 let octants = shifted - ROUNDER;
                 // Only the last three bits are used, which are right for any number of octants.
@@ -149,11 +179,31 @@ macro_rules! arctangents {
                 let high = cosine * along + sine * across;
                 let low = sine * along - cosine * across;
                 let x = low / high;
-                if high > 0.0 && x.abs() <= 0.4375 {
-                    octants * FRAC_PI_4 + (octants * QUARTER_REST + (x - slight_bend(x)))
-                } else {
-                    angle_afar(sine, cosine, near)
+                let angle = octants * FRAC_PI_4 + (octants * QUARTER_REST + (x - slight_bend(x)));
+                (angle, (high > 0.0) & (x.abs() <= 0.4375))
+            }
+
+            /// Returns the angles of several pairs of sine and cosine, with the bits of [`angle_near`]. Compilers vectorize
+            /// it.
+            #[inline(always)]
+            pub fn angles_near<const N: usize>(
+                sines: [$scalar; N],
+                cosines: [$scalar; N],
+                near: [$scalar; N],
+            ) -> [$scalar; N] {
+                let mut angles = [0.0; N];
+                let mut rare = 0;
+                for lane in 0..N {
+                    let (angle, is_near) = angle_within(sines[lane], cosines[lane], near[lane]);
+                    angles[lane] = angle;
+                    rare |= $bits::from(!is_near);
                 }
+                if rare != 0 {
+                    for lane in 0..N {
+                        angles[lane] = angle_near(sines[lane], cosines[lane], near[lane]);
+                    }
+                }
+                angles
             }
 
             /// Returns the angle nearest to a `near` that does not determine the octant.
@@ -179,7 +229,7 @@ macro_rules! arctangents {
 }
 
 arctangents!(
-    double, f64;
+    double, f64, u64;
     rounder: 6_755_399_441_055_744.0, quarter_rest: 3.061616997868383e-17,
     ordinary: 1e-290 to 1e307,
     bend: [
@@ -228,7 +278,7 @@ arctangents!(
 );
 
 arctangents!(
-    single, f32;
+    single, f32, u32;
     rounder: 12_582_912.0, quarter_rest: -2.1855695e-8,
     ordinary: 1e-28 to 1e38,
     bend: [0.33333233, -0.19994168, 0.14174205, -0.10155718, 0.05125411],

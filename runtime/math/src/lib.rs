@@ -13,6 +13,9 @@
 //! One ulp is the distance of the two numbers between which the exact result lies. The bounds hold for all finite
 //! arguments, including subnormal ones; the tests cover all arguments in f32, and dense samples in f64.
 //!
+//! `sines_cosines`, `arctangents` and `angles_near` do the same for arrays, without branches for ordinary arguments, so
+//! that compilers vectorize them. Each number of an array has the bits of the function of one number.
+//!
 //! The functions of the first three rows are implemented here. They add, subtract, multiply, divide and read bits:
 //! operations that no platform, standard library or optimizer may do in another way. A debug build, a microcontroller
 //! with or without a floating-point unit and a WebAssembly module therefore agree to the last bit. In f32 they never
@@ -101,5 +104,69 @@ mod tests {
     #[test]
     fn the_bits_are_those_of_every_other_platform() {
         assert_eq!(digest(), 0xe142_8d95_b9b7_8851);
+    }
+
+    /// Numbers of all sizes, also subnormal, infinite and NaN, and multiples of π/4 with neighbors.
+    fn numbers(sequence: &mut Sequence) -> f64 {
+        let word = sequence.word();
+        let near = core::f64::consts::FRAC_PI_4 * ((word >> 20) % 64) as f64;
+        let specials = [
+            0.0,
+            -0.0,
+            f64::INFINITY,
+            f64::NAN,
+            f64::MIN_POSITIVE / 4.0,
+            1e300,
+            near,
+            near.next_up(),
+        ];
+        match word % 4 {
+            0 => specials[(word >> 8) as usize % specials.len()],
+            1 => f64::from_bits(sequence.word()),
+            _ => (word >> 11) as f64 / (1_u64 << 50) as f64 - 4.0,
+        }
+    }
+
+    /// Compares functions of arrays with those of their numbers, for arrays of this length.
+    macro_rules! compare_arrays {
+        ($name:ident, $scalar:ident, $count:literal) => {
+            let mut sequence = Sequence(35);
+            for _ in 0..100_000 {
+                let [a, b, near]: [[$scalar; $count]; 3] = core::array::from_fn(|_| {
+                    core::array::from_fn(|_| numbers(&mut sequence) as $scalar)
+                });
+                let [sines, cosines] = $name::sines_cosines(a);
+                let arctangents = $name::arctangents(a, b);
+                let angles = $name::angles_near(a, b, near);
+                for lane in 0..$count {
+                    let (sine, cosine) = $name::sin_cos(a[lane]);
+                    let arctangent = $name::atan2(a[lane], b[lane]);
+                    let angle = $name::angle_near(a[lane], b[lane], near[lane]);
+                    let pairs = [
+                        (sines[lane], sine),
+                        (cosines[lane], cosine),
+                        (arctangents[lane], arctangent),
+                        (angles[lane], angle),
+                    ];
+                    for (one, other) in pairs {
+                        let is_equal = one.to_bits() == other.to_bits();
+                        assert!(
+                            is_equal || one.is_nan() && other.is_nan(),
+                            "{:?} {:?} {:?}: {one:?} {other:?}",
+                            a[lane],
+                            b[lane],
+                            near[lane]
+                        );
+                    }
+                }
+            }
+        };
+    }
+
+    #[test]
+    fn arrays_have_the_bits_of_their_numbers() {
+        compare_arrays!(double, f64, 8);
+        compare_arrays!(single, f32, 16);
+        compare_arrays!(double, f64, 1);
     }
 }

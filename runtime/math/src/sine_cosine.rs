@@ -81,6 +81,13 @@ pub mod double {
             }
         }
 
+        let (sine, cosine) = of_remainder(y, tail);
+        turned!(f64, u64, angle, sine, cosine, quadrant)
+    }
+
+    /// Returns sine and cosine of the remainder `y` + `tail`.
+    #[inline(always)]
+    fn of_remainder(y: f64, tail: f64) -> (f64, f64) {
         let z = y * y;
         let [s0, s1, s2, s3, s4, s5] = SINE;
         let [c0, c1, c2, c3, c4, c5] = COSINE;
@@ -94,7 +101,37 @@ pub mod double {
         let parabola = 1.0 - half;
         let sine = y + ((cube * (s0 + z * s1) + tail * parabola) + cube * bend);
         let cosine = parabola + (((1.0 - parabola) - half) + (fourth * rise - y * tail));
-        turned!(f64, u64, angle, sine, cosine, quadrant)
+        (sine, cosine)
+    }
+
+    /// Returns sines and cosines of several angles, with the bits of [`sin_cos`]. Compilers vectorize it.
+    #[inline(always)]
+    pub fn sines_cosines<const N: usize>(angles: [f64; N]) -> [[f64; N]; 2] {
+        let (mut sines, mut cosines) = ([0.0; N], [0.0; N]);
+        let mut rare = 0;
+        for lane in 0..N {
+            let angle = angles[lane];
+            let size = angle.abs();
+            // Angles below π/4 have quadrant 0 and are their own remainder.
+            let shifted = size * FRAC_2_PI + ROUNDER;
+            let quadrants = shifted - ROUNDER;
+            let above = size - quadrants * HALF_PI;
+            let below = quadrants * HALF_PI_REST;
+            let y = above - below;
+            let tail = (above - y) - below;
+            let is_far = (size.to_bits() > MAX_ANGLE.to_bits())
+                | ((y.abs() < MIN_REMAINDER) & (quadrants != 0.0));
+            rare |= u64::from(is_far);
+            let (sine, cosine) = of_remainder(y, tail);
+            let quadrant = shifted.to_bits();
+            (sines[lane], cosines[lane]) = turned!(f64, u64, angle, sine, cosine, quadrant);
+        }
+        if rare != 0 {
+            for lane in 0..N {
+                (sines[lane], cosines[lane]) = sin_cos(angles[lane]);
+            }
+        }
+        [sines, cosines]
     }
 
     /// Returns the sine of an angle in radians, that of [`sin_cos`].
@@ -150,6 +187,13 @@ pub mod single {
             }
         }
 
+        let (sine, cosine) = of_remainder(y, tail);
+        turned!(f32, u32, angle, sine, cosine, quadrant)
+    }
+
+    /// Returns sine and cosine of the remainder `y` + `tail`.
+    #[inline(always)]
+    fn of_remainder(y: f32, tail: f32) -> (f32, f32) {
         let z = y * y;
         let [s0, s1, s2] = SINE;
         let [c0, c1, c2] = COSINE;
@@ -159,7 +203,36 @@ pub mod single {
         let parabola = 1.0 - half;
         let sine = y + ((y * z) * bend + tail * parabola);
         let cosine = parabola + (((1.0 - parabola) - half) + ((z * z) * rise - y * tail));
-        turned!(f32, u32, angle, sine, cosine, quadrant)
+        (sine, cosine)
+    }
+
+    /// Returns sines and cosines of several angles, with the bits of [`sin_cos`]. Compilers vectorize it.
+    #[inline(always)]
+    pub fn sines_cosines<const N: usize>(angles: [f32; N]) -> [[f32; N]; 2] {
+        let (mut sines, mut cosines) = ([0.0; N], [0.0; N]);
+        let mut rare = 0;
+        for lane in 0..N {
+            let angle = angles[lane];
+            let size = angle.abs();
+            // Angles below π/4 have quadrant 0 and are their own remainder.
+            let shifted = size * FRAC_2_PI + ROUNDER;
+            let quadrants = shifted - ROUNDER;
+            let above = (size - quadrants * HALF_PI) - quadrants * HALF_PI_MIDDLE;
+            let below = quadrants * HALF_PI_REST;
+            let y = above - below;
+            let tail = (above - y) - below;
+            let is_near = (size <= MAX_ANGLE) & (y.abs() >= quadrants * MIN_REMAINDER);
+            rare |= u32::from(!is_near);
+            let (sine, cosine) = of_remainder(y, tail);
+            let quadrant = shifted.to_bits();
+            (sines[lane], cosines[lane]) = turned!(f32, u32, angle, sine, cosine, quadrant);
+        }
+        if rare != 0 {
+            for lane in 0..N {
+                (sines[lane], cosines[lane]) = sin_cos(angles[lane]);
+            }
+        }
+        [sines, cosines]
     }
 
     /// Returns the sine of an angle in radians, that of [`sin_cos`].

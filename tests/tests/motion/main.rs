@@ -2,6 +2,7 @@
 
 mod angles;
 mod arm;
+mod batch;
 mod curves;
 mod derivatives;
 mod drawn_points;

@@ -86,6 +86,64 @@ pub enum Computation {
     Spline(Register, u32, u8),
 }
 
+/// Contents of a register in eight lanes: of eight mechanisms that are solved in step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C, align(64))]
+pub struct Lanes(pub [f64; 8]);
+
+/// Contents of a register, one number for each lane.
+trait Numbers<const N: usize>: Copy {
+    fn numbers(self) -> [f64; N];
+    fn of(numbers: [f64; N]) -> Self;
+    fn sines_cosines(angles: [f64; N]) -> [[f64; N]; 2];
+    fn arctangents(y: [f64; N], x: [f64; N]) -> [f64; N];
+}
+
+impl Numbers<1> for f64 {
+    #[inline(always)]
+    fn numbers(self) -> [f64; 1] {
+        [self]
+    }
+
+    #[inline(always)]
+    fn of([number]: [f64; 1]) -> f64 {
+        number
+    }
+
+    #[inline(always)]
+    fn sines_cosines([angle]: [f64; 1]) -> [[f64; 1]; 2] {
+        let (sine, cosine) = double::sin_cos(angle);
+        [[sine], [cosine]]
+    }
+
+    #[inline(always)]
+    fn arctangents([y]: [f64; 1], [x]: [f64; 1]) -> [f64; 1] {
+        [double::atan2(y, x)]
+    }
+}
+
+impl Numbers<8> for Lanes {
+    #[inline(always)]
+    fn numbers(self) -> [f64; 8] {
+        self.0
+    }
+
+    #[inline(always)]
+    fn of(numbers: [f64; 8]) -> Lanes {
+        Lanes(numbers)
+    }
+
+    #[inline(always)]
+    fn sines_cosines(angles: [f64; 8]) -> [[f64; 8]; 2] {
+        double::sines_cosines(angles)
+    }
+
+    #[inline(always)]
+    fn arctangents(y: [f64; 8], x: [f64; 8]) -> [f64; 8] {
+        double::arctangents(y, x)
+    }
+}
+
 impl Code {
     /// All registers as they are before the first instruction.
     pub fn registers(&self) -> &[f64] {
@@ -108,49 +166,96 @@ impl Code {
         }
     }
 
-    #[inline]
-    fn execute(&self, instruction: Instruction, registers: &mut [f64]) {
-        let of = |register: Register| registers[register.index()];
-        let value = match instruction.computation {
-            Computation::Add([a, b]) => of(a) + of(b),
-            Computation::Subtract([a, b]) => of(a) - of(b),
-            Computation::Multiply([a, b]) => of(a) * of(b),
-            Computation::Divide([a, b]) => of(a) / of(b),
-            Computation::Power([base, exponent]) => double::powf(of(base), of(exponent)),
+    /// Runs instructions in eight lanes at once, each with the bits of [`Code::run`].
+    ///
+    /// It is inlined: code compiled for wider vectors has to contain it.
+    ///
+    /// # Panics
+    /// Panics as [`Code::run`] does.
+    #[inline(always)]
+    pub fn run_lanes(&self, range: Range<usize>, registers: &mut [Lanes]) {
+        for &instruction in &self.instructions[range] {
+            self.execute(instruction, registers);
+        }
+    }
+
+    #[inline(always)]
+    fn execute<const N: usize, R: Numbers<N>>(
+        &self,
+        instruction: Instruction,
+        registers: &mut [R],
+    ) {
+        let of = |register: Register| registers[register.index()].numbers();
+        let target = instruction.target.index();
+        // Each arm writes its result, which then stays in a vector register.
+        match instruction.computation {
+            Computation::Add([a, b]) => registers[target] = both(of(a), of(b), |a, b| a + b),
+            Computation::Subtract([a, b]) => registers[target] = both(of(a), of(b), |a, b| a - b),
+            Computation::Multiply([a, b]) => registers[target] = both(of(a), of(b), |a, b| a * b),
+            Computation::Divide([a, b]) => registers[target] = both(of(a), of(b), |a, b| a / b),
+            Computation::Power([base, exponent]) => {
+                registers[target] = both(of(base), of(exponent), double::powf);
+            }
             Computation::RationalPower(base, exponent) => {
-                float_power(of(base), self.exponents[exponent as usize])
+                let exponent = self.exponents[exponent as usize];
+                registers[target] = each(of(base), |base| float_power(base, exponent));
             }
-            Computation::SquareRoot(a) => of(a).sqrt(),
-            Computation::Magnitude(a) => of(a).abs(),
-            Computation::Sine(angle) => double::sin(of(angle)),
-            Computation::Cosine(angle) => double::cos(of(angle)),
+            Computation::SquareRoot(a) => registers[target] = each(of(a), f64::sqrt),
+            Computation::Magnitude(a) => registers[target] = each(of(a), f64::abs),
+            Computation::Sine(angle) => {
+                let [sines, _] = R::sines_cosines(of(angle));
+                registers[target] = R::of(sines);
+            }
+            Computation::Cosine(angle) => {
+                let [_, cosines] = R::sines_cosines(of(angle));
+                registers[target] = R::of(cosines);
+            }
             Computation::SineCosine { cosine, angle } => {
-                let (s, c) = double::sin_cos(of(angle));
-                registers[cosine.index()] = c;
-                s
+                let [sines, cosines] = R::sines_cosines(of(angle));
+                registers[cosine.index()] = R::of(cosines);
+                registers[target] = R::of(sines);
             }
-            Computation::Arctangent([y, x]) => double::atan2(of(y), of(x)),
-            Computation::Exponential(a) => double::exp(of(a)),
-            Computation::Logarithm(a) => double::ln(of(a)),
-            Computation::Floor(a) => of(a).floor(),
+            Computation::Arctangent([y, x]) => {
+                registers[target] = R::of(R::arctangents(of(y), of(x)));
+            }
+            Computation::Exponential(a) => registers[target] = each(of(a), double::exp),
+            Computation::Logarithm(a) => registers[target] = each(of(a), double::ln),
+            Computation::Floor(a) => registers[target] = each(of(a), f64::floor),
             Computation::Less([a, b]) => {
-                if of(a) < of(b) {
-                    -1.0
-                } else {
-                    0.0
-                }
+                let less = |a, b| if a < b { -1.0 } else { 0.0 };
+                registers[target] = both(of(a), of(b), less);
             }
             Computation::Choose([condition, below, otherwise]) => {
-                if of(condition) < 0.0 {
-                    of(below)
-                } else {
-                    of(otherwise)
-                }
+                let [condition, below, otherwise] = [condition, below, otherwise].map(of);
+                registers[target] =
+                    R::of(std::array::from_fn(|lane| match condition[lane] < 0.0 {
+                        true => below[lane],
+                        false => otherwise[lane],
+                    }));
             }
             Computation::Spline(argument, spline, order) => {
-                self.splines[spline as usize].at(of(argument))[usize::from(order)]
+                let spline = &self.splines[spline as usize];
+                let order = usize::from(order);
+                registers[target] = each(of(argument), |argument| spline.at(argument)[order]);
             }
-        };
-        registers[instruction.target.index()] = value;
+        }
     }
+}
+
+/// Applies a function in each lane.
+#[inline(always)]
+fn each<const N: usize, R: Numbers<N>>(numbers: [f64; N], function: impl Fn(f64) -> f64) -> R {
+    R::of(numbers.map(function))
+}
+
+/// Applies a function of two numbers in each lane.
+#[inline(always)]
+fn both<const N: usize, R: Numbers<N>>(
+    first: [f64; N],
+    second: [f64; N],
+    function: impl Fn(f64, f64) -> f64,
+) -> R {
+    R::of(std::array::from_fn(|lane| {
+        function(first[lane], second[lane])
+    }))
 }

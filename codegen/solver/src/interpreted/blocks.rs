@@ -6,6 +6,7 @@ use linkwright::generated::{
 };
 use linkwright::{BlockName, Blocks, Branch, Failure, FailureKind, PointMotion, Values};
 use linkwright_codegen::stages::emit::derivation::BlockWords;
+use linkwright_codegen::stages::expr::Register;
 
 use super::Interpreted;
 use super::compiled::Compiled;
@@ -170,12 +171,14 @@ impl Blocks for Interpreted {
             inputs,
             settings,
         } = *conditions;
-        self.compiled.fill(registers, last, t, parameters, inputs);
-        self.compiled.set_signs(registers, modes);
+        let put = |register: Register, value| registers[register.index()] = value;
+        self.compiled.fill(last, t, parameters, inputs, put);
+        let put = |register: Register, value| registers[register.index()] = value;
+        self.compiled.set_signs(modes, put);
         let mut blocks = 0..self.compiled.blocks.len();
         let solved =
             blocks.try_for_each(|it| self.run_block(it, registers, t, start, modes, settings));
-        self.compiled.keep(registers, t, at);
+        self.compiled.keep(t, at, |it| registers[it.index()]);
         let failure = match solved {
             Err(failure) => failure,
             Ok(()) if at.values().iter().all(|value| value.is_finite()) => return Ok(()),

@@ -162,45 +162,48 @@ impl Compiled {
         }
     }
 
-    /// Puts in what an instant starts from: the last one, the time, parameters and inputs.
+    /// Calls `put` with what an instant starts from: the last one, the time, parameters and inputs.
+    #[inline]
     pub(super) fn fill(
         &self,
-        registers: &mut [f64],
         last: &Instant,
         t: f64,
         parameters: &ParameterValues,
         inputs: &InputSignals,
+        mut put: impl FnMut(Register, f64),
     ) {
         for &(register, slot) in &self.last {
-            registers[register.index()] = last.values()[slot];
+            put(register, last.values()[slot]);
         }
-        registers[self.time.index()] = t;
+        put(self.time, t);
         let signals = inputs
             .0
             .iter()
             .flat_map(|it| [it.value, it.rate, it.acceleration]);
         let values = parameters.0.iter().copied().chain(signals);
-        for (register, value) in self.given.iter().zip(values) {
-            registers[register.index()] = value;
+        for (&register, value) in self.given.iter().zip(values) {
+            put(register, value);
         }
     }
 
-    /// Puts in the assembly modes of closed forms.
-    pub(super) fn set_signs(&self, registers: &mut [f64], modes: &Modes) {
-        for (register, branch) in self.signs.iter().zip(&modes.closed) {
-            registers[register.index()] = branch.sign();
+    /// Calls `put` with the assembly modes of closed forms.
+    #[inline]
+    pub(super) fn set_signs(&self, modes: &Modes, mut put: impl FnMut(Register, f64)) {
+        for (&register, branch) in self.signs.iter().zip(&modes.closed) {
+            put(register, branch.sign());
         }
     }
 
     /// Takes out what an instant keeps.
-    pub(super) fn keep(&self, registers: &[f64], t: f64, at: &mut Instant) {
+    #[inline]
+    pub(super) fn keep(&self, t: f64, at: &mut Instant, take: impl Fn(Register) -> f64) {
         let values = at.values_mut();
         values[0] = t;
         for (value, register) in values[1..]
             .iter_mut()
             .zip(self.given.iter().chain(&self.kept))
         {
-            *value = registers[register.index()];
+            *value = take(*register);
         }
     }
 

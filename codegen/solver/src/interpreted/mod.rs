@@ -7,6 +7,7 @@
 mod beside;
 mod blocks;
 mod compiled;
+mod lanes;
 mod loads;
 mod path;
 mod points;
@@ -20,6 +21,7 @@ use linkwright::generated::Start;
 use linkwright::{Blocks, Failure, FailureKind, Shell};
 use linkwright_codegen::diagnostic::internal::work_at;
 use linkwright_codegen::diagnostic::{Code, Diagnostics};
+use linkwright_codegen::stages::expr::Register;
 use linkwright_codegen::stages::findings_of;
 use linkwright_codegen::stages::finiteness::of_unplanned;
 use linkwright_codegen::stages::program::{Kept, Program};
@@ -39,6 +41,8 @@ use compiled::Compiled;
 use loads::LoadReader;
 use path::InterpretedPath;
 use points::Points;
+
+pub(crate) use lanes::InterpretedLanes;
 
 /// Mechanism that is solved block by block, in SI units: m, rad, s.
 ///
@@ -233,14 +237,17 @@ impl Interpreted {
         let last = self.estimate(pose, &parameters, t);
         let mut registers = self.compiled.code.registers().to_vec();
         let compiled = &self.compiled;
-        compiled.fill(&mut registers, &last, t, &parameters, inputs);
+        compiled.fill(&last, t, &parameters, inputs, |register, value| {
+            registers[register.index()] = value;
+        });
         State { t, registers }
     }
 
     /// Returns the solved instant.
     pub(crate) fn instant(&self, state: &State) -> Instant {
         let mut instant = self.compiled.layout.empty();
-        self.compiled.keep(&state.registers, state.t, &mut instant);
+        let take = |it: Register| state.registers[it.index()];
+        self.compiled.keep(state.t, &mut instant, take);
         instant
     }
 
@@ -253,7 +260,9 @@ impl Interpreted {
         modes: &mut Modes,
     ) -> Result<(), Failure> {
         let State { t, registers } = state;
-        self.compiled.set_signs(registers, modes);
+        self.compiled.set_signs(modes, |register, value| {
+            registers[register.index()] = value;
+        });
         self.run_block(index, registers, *t, start, modes, &Default::default())
     }
 }

@@ -78,6 +78,22 @@ impl Points {
         motions
     }
 
+    /// Returns the functions of the coordinates that give six numbers for each point; `None` if instants keep the points.
+    pub fn computed(&self) -> Option<&Formulas> {
+        match &self.source {
+            Source::Computed(reader) => Some(reader.formulas()),
+            Source::Kept(_) => None,
+        }
+    }
+
+    /// Returns a component of a point that instants keep; `None` for other points.
+    pub fn kept_value(&self, at: &Instant, point: usize, level: usize, axis: usize) -> Option<f64> {
+        match &self.source {
+            Source::Computed(_) => None,
+            Source::Kept(slots) => Some(at.values()[slots.get(point)?[level][axis]]),
+        }
+    }
+
     fn of_values(&self, instant: &Instant) -> Vec<PointMotion> {
         match &self.source {
             Source::Computed(reader) => {

@@ -2,6 +2,7 @@
 
 mod arithmetic;
 mod isolation;
+mod lanes;
 mod writer;
 
 use std::ops::Range;
@@ -16,6 +17,7 @@ use linkwright_codegen::stages::expr::{Code, Register};
 use nalgebra::{DMatrix, DVector};
 
 pub(crate) use isolation::Isolation;
+pub(crate) use lanes::{LANES, failed, run_lanes};
 pub(crate) use writer::Writer;
 
 /// Operation of a block.

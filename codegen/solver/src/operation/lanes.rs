@@ -1,0 +1,91 @@
+//! Executes operations of closed forms in eight lanes at once.
+//!
+//! A lane that does not fail has the bits of [`run`](super::run). Checks return the lanes that fail; their registers then hold
+//! arbitrary numbers.
+
+use linkwright::generated::{exceeds_rounding, multipliers};
+use linkwright_codegen::stages::expr::{Code, Lanes, Register};
+use linkwright_math::double;
+use nalgebra::{DMatrix, DVector};
+
+use super::Operation;
+
+/// Number of lanes.
+pub(crate) const LANES: usize = 8;
+
+/// Runs an operation; returns the failed lanes as bits, all of them for an operation of Newton-Raphson.
+#[inline(always)]
+pub(crate) fn run_lanes(operation: &Operation, code: &Code, registers: &mut [Lanes]) -> u8 {
+    let of = |register: Register| registers[register.index()].0;
+    match *operation {
+        Operation::Run(ref range) => {
+            code.run_lanes(range.clone(), registers);
+            0
+        }
+        Operation::Angle {
+            target,
+            sine,
+            cosine,
+            last,
+        } => {
+            let angles = double::angles_near(of(sine), of(cosine), of(last));
+            registers[target.index()] = Lanes(angles);
+            0
+        }
+        Operation::Reach { excess, scale, .. } => {
+            let [excess, scale] = [excess, scale].map(of);
+            failed(|lane| !exceeds_rounding(excess[lane], scale[lane]))
+        }
+        Operation::Nonzero { value, scale } => {
+            let [value, scale] = [value, scale].map(of);
+            failed(|lane| {
+                let [value, scale] = [value[lane], scale[lane]];
+                !exceeds_rounding(value * value, scale * scale)
+            })
+        }
+        Operation::Positive { length, .. } => {
+            let length = of(length);
+            failed(|lane| length[lane] <= 0.0)
+        }
+        Operation::Multipliers {
+            ref targets,
+            ref jacobian,
+            ref forces,
+        } => failed(|lane| !solve_multipliers(targets, jacobian, forces, lane, registers)),
+        Operation::Newton
+        | Operation::Factorize
+        | Operation::Solve { .. }
+        | Operation::Signal { .. }
+        | Operation::Require(..)
+        | Operation::Isolate(_) => u8::MAX,
+    }
+}
+
+/// Returns the lanes that fail as bits.
+#[inline(always)]
+pub(crate) fn failed(mut fails: impl FnMut(usize) -> bool) -> u8 {
+    (0..LANES).fold(0, |mask, lane| mask | u8::from(fails(lane)) << lane)
+}
+
+/// Solves Jᵀ λ = f in one lane; false if the matrix is singular.
+#[inline(never)]
+fn solve_multipliers(
+    targets: &[Option<Register>],
+    jacobian: &[Register],
+    forces: &[Register],
+    lane: usize,
+    registers: &mut [Lanes],
+) -> bool {
+    let of = |register: &Register| registers[register.index()].0[lane];
+    let matrix = DMatrix::from_row_iterator(forces.len(), forces.len(), jacobian.iter().map(of));
+    let mut solution = DVector::from_iterator(targets.len(), forces.iter().map(of));
+    if multipliers::solve(&matrix, &mut solution).is_err() {
+        return false;
+    }
+    for (target, value) in targets.iter().zip(solution.iter()) {
+        if let Some(target) = target {
+            registers[target.index()].0[lane] = *value;
+        }
+    }
+    true
+}
