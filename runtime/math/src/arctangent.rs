@@ -75,7 +75,7 @@ macro_rules! arctangents {
                 for lane in 0..N {
                     let (across, along) = (y[lane].abs(), x[lane].abs());
                     let high = if across > along { across } else { along };
-                    rare |= $bits::from(!((high >= $smallest) & (high <= $largest)));
+                    rare |= $bits::from(!($smallest..=$largest).contains(&high));
                     angles[lane] = angle(y[lane], x[lane]);
                 }
                 if rare != 0 {

@@ -124,20 +124,21 @@ fn sets_have_the_bits_of_their_own_shells_in_all_descriptions() {
                 let mut values = vec![0.0; SETS * of_set];
                 let outcomes = batch.solve(&parameters, &[], &mut values).expect("lengths");
                 for (set, outcome) in outcomes.iter().enumerate() {
-                    let own = &parameters[set * count..][..count];
-                    let (expected, expected_outcome) = alone(&batch, own, |t| laws.at(t));
+                    let own_parameters = &parameters[set * count..][..count];
+                    let (expected, expected_outcome) =
+                        alone(&batch, own_parameters, |t| laws.at(t));
                     assert_eq!(
                         format!("{outcome:?}"),
                         format!("{expected_outcome:?}"),
                         "{name}, set {set}, {follows_path}"
                     );
-                    let found = &values[set * of_set..][..of_set];
-                    let wrong = found
+                    let row = &values[set * of_set..][..of_set];
+                    let wrong = row
                         .iter()
                         .zip(&expected)
                         .position(|(it, other)| !are_equal(it, other));
                     assert_eq!(wrong, None, "{name}, set {set}, {follows_path}");
-                    compared += found.len();
+                    compared += row.len();
                     if let Some(failure) = &outcome.failure {
                         ended += 1;
                         *kinds.entry(kind(failure)).or_default() += 1;
@@ -180,10 +181,10 @@ fn sets_may_have_inputs_of_their_own() {
     let outcomes = batch.solve(&[], &inputs, &mut values).expect("lengths");
     for (set, outcome) in outcomes.iter().enumerate() {
         let expected = 0.1 * set as f64;
-        let found = &values[2 * set..][..2];
+        let row = &values[2 * set..][..2];
         match set {
-            4 => assert!(outcome.failure.is_some() && found.iter().all(|it| it.is_nan())),
-            _ => assert_eq!((found, outcome.failure), (&[expected; 2][..], None)),
+            4 => assert!(outcome.failure.is_some() && row.iter().all(|it| it.is_nan())),
+            _ => assert_eq!((row, outcome.failure), (&[expected; 2][..], None)),
         }
     }
     let mut values = [0.0; 3];

@@ -77,6 +77,7 @@ const SOLVER: (&str, &[&str]) = (
         "interpreted",
         "not_finite",
         "observable",
+        "batch",
         "open_loop",
         "proof",
         "search",
@@ -104,7 +105,10 @@ const PACKAGES: [(&str, &[&str]); 11] = [
         &["linkwright-description", "linkwright-math"],
     ),
     ("codegen", &["linkwright-description", "linkwright-program"]),
-    ("codegen/solver", &["linkwright", "linkwright-codegen"]),
+    (
+        "codegen/solver",
+        &["linkwright", "linkwright-codegen", "linkwright-math"],
+    ),
     (
         "codegen/calibrate",
         &["linkwright", "linkwright-codegen", "linkwright-solver"],

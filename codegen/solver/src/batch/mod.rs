@@ -31,18 +31,21 @@ const PIECE: usize = 64;
 ///     mechanism slider {
 ///         param rod = 0.5;
 ///         point O = (0, 0);
-///         body crank at (0, 0, 0) { O: (0, 0), A: (0.2, 0) }
+///         body crank at O { O, A: (0.2, 0) }
+///         body link at (0.2, 0, 0) { A: (0, 0), B: (rod, 0) }
 ///         body ram at (0.7, 0, 0) { B: (0, 0) }
 ///         revolute O(ground, crank);
-///         distance(crank.A, ram.B) = rod;
-///         prismatic rail(ground, ram) along (1, 0);
+///         revolute A(crank, link);
+///         revolute B(link, ram);
+///         absolute_y(ram) = 0;
+///         absolute_angle(ram) = 0;
 ///         drive phi(crank) = 2*t;
 ///     }";
 /// let read = linkwright_codegen::read(&Source::new("slider.mech", text)).expect("no errors");
 /// let blocks = Interpreted::new(&read.motions[0]).expect("the equations determine the motion");
 ///
-/// let place = Observable::named(&read.motions[0], "x_ram").expect("a coordinate");
-/// let mut batch = Batch::new(&blocks, &[0.0, 0.1], &[place]);
+/// let observables = [Observable::named(&read.motions[0], "x_ram").expect("a coordinate")];
+/// let mut batch = Batch::new(&blocks, &[0.0, 0.1], &observables);
 /// batch.threads = 1;
 /// let mut places = [0.0; 6];
 /// let outcomes = batch.solve(&[0.4, 0.5, 0.6], &[], &mut places)?;
@@ -171,11 +174,11 @@ impl Batch<'_> {
         };
         thread::scope(|scope| {
             let mut workers: Vec<Worker<'_>> = workers.collect();
-            let own = workers.pop();
+            let last = workers.pop();
             for worker in workers {
                 scope.spawn(|| work(worker));
             }
-            own.into_iter().for_each(work);
+            last.into_iter().for_each(work);
         });
         Ok(outcomes)
     }
@@ -188,22 +191,26 @@ impl Batch<'_> {
         values: &[f64],
     ) -> Result<usize, WrongLength> {
         let of_set = self.times.len() * self.observables.len();
-        let found = values.len();
-        if of_set == 0 || found % of_set != 0 {
-            return match found {
+        let length = values.len();
+        if of_set == 0 || !length.is_multiple_of(of_set) {
+            return match length {
                 0 => Ok(0),
-                _ => Err(WrongLength::Values { of_set, found }),
+                found => Err(WrongLength::Values { of_set, found }),
             };
         }
-        let count = found / of_set;
+        let count = length / of_set;
         let expected = count * self.blocks.nominal_parameters().count();
         if parameters.len() != expected {
-            let found = parameters.len();
-            return Err(WrongLength::Parameters { expected, found });
+            return Err(WrongLength::Parameters {
+                expected,
+                found: parameters.len(),
+            });
         }
         if !(inputs.is_empty() || inputs.len() == count) {
-            let (expected, found) = (count, inputs.len());
-            return Err(WrongLength::Inputs { expected, found });
+            return Err(WrongLength::Inputs {
+                expected: count,
+                found: inputs.len(),
+            });
         }
         Ok(count)
     }

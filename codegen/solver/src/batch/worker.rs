@@ -96,10 +96,10 @@ impl<'a> Worker<'a> {
                 continue;
             };
             let inputs = piece.supplied.inputs(lane.set, lane.next);
-            let given = (lane.shell.parameters(), inputs);
+            let supplied = (lane.shell.parameters(), inputs);
             let (t, modes) = (times[lane.next], lane.shell.branches());
             self.registers
-                .fill(&self.blocks, place, lane.shell.frame(), t, modes, given);
+                .fill(&self.blocks, place, lane.shell.frame(), t, modes, supplied);
         }
         let failed = match self.has_lanes {
             true => self.registers.solve(&self.blocks),

@@ -86,7 +86,7 @@ impl InterpretedLanes {
         }
     }
 
-    /// Returns a component of a point in one lane, at its instant; `None` if there is no such point.
+    /// Returns a component of a point in one lane, at its instant; `None` for an unknown point.
     pub fn point(
         &self,
         interpreted: &Interpreted,
