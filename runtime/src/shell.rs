@@ -126,8 +126,23 @@ impl<B: Blocks> Shell<B> {
             inputs,
             settings: &self.settings,
         };
-        let solved = solve(&self.blocks, at, last, &mut self.branches, &conditions);
-        self.admit(solved, t, inputs)
+        let solved =
+            solve(&self.blocks, at, last, &mut self.branches, &conditions).and_then(|()| {
+                let pair = Pair {
+                    at,
+                    last,
+                    before: &self.inputs,
+                    conditions: &conditions,
+                };
+                self.guard.admit(&self.blocks, pair, false)
+            });
+        if let Err(failure) = solved {
+            self.advance_in_steps(failure, t, inputs)?;
+        }
+        self.inputs = inputs.clone();
+        self.start = Start::LastFrame;
+        self.second_is_last = !self.second_is_last;
+        Ok(self.frame())
     }
 
     /// Moves the mechanism to a frame that is solved elsewhere, with the bits that [`Blocks::solve`] would find in these
@@ -144,26 +159,11 @@ impl<B: Blocks> Shell<B> {
         write: impl FnOnce(&mut B::Frame),
     ) -> Result<&B::Frame, Failure<B::Scalar>> {
         let [first, second] = &mut self.frames;
-        write(match self.second_is_last {
-            true => first,
-            false => second,
-        });
-        self.admit(Ok(()), t, inputs)
-    }
-
-    /// Makes the frame that was solved the last one if it continues the path; otherwise moves in several steps.
-    #[inline]
-    fn admit(
-        &mut self,
-        solved: Result<(), Failure<B::Scalar>>,
-        t: B::Scalar,
-        inputs: &B::Inputs,
-    ) -> Result<&B::Frame, Failure<B::Scalar>> {
-        let [first, second] = &self.frames;
         let (last, at) = match self.second_is_last {
-            true => (second, first),
-            false => (first, second),
+            true => (&*second, first),
+            false => (&*first, second),
         };
+        write(at);
         let conditions = Conditions {
             t,
             start: self.start,
@@ -177,8 +177,7 @@ impl<B: Blocks> Shell<B> {
             before: &self.inputs,
             conditions: &conditions,
         };
-        let admitted = solved.and_then(|()| self.guard.admit(&self.blocks, pair, false));
-        if let Err(failure) = admitted {
+        if let Err(failure) = self.guard.admit(&self.blocks, pair, false) {
             self.advance_in_steps(failure, t, inputs)?;
         }
         self.inputs.clone_from(inputs);

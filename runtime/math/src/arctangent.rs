@@ -160,17 +160,6 @@ macro_rules! arctangents {
             /// size, that is nearest to `near`. NaN if one of them is NaN or both are zero.
             #[inline]
             pub fn angle_near(sine: $scalar, cosine: $scalar, near: $scalar) -> $scalar {
-                let (angle, is_near) = angle_within(sine, cosine, near);
-                if is_near {
-                    angle
-                } else {
-                    angle_afar(sine, cosine, near)
-                }
-            }
-
-            /// Returns the angle nearest to `near`, and true if `near` determines its octant.
-            #[inline(always)]
-            fn angle_within(sine: $scalar, cosine: $scalar, near: $scalar) -> ($scalar, bool) {
                 let shifted = near * (4.0 / PI) + ROUNDER;
                 let octants = shifted - ROUNDER;
                 // Only the last three bits are used, which are right for any number of octants.
@@ -179,8 +168,11 @@ macro_rules! arctangents {
                 let high = cosine * along + sine * across;
                 let low = sine * along - cosine * across;
                 let x = low / high;
-                let angle = octants * FRAC_PI_4 + (octants * QUARTER_REST + (x - slight_bend(x)));
-                (angle, (high > 0.0) & (x.abs() <= 0.4375))
+                if high > 0.0 && x.abs() <= 0.4375 {
+                    octants * FRAC_PI_4 + (octants * QUARTER_REST + (x - slight_bend(x)))
+                } else {
+                    angle_afar(sine, cosine, near)
+                }
             }
 
             /// Returns the angles of several pairs of sine and cosine, with the bits of [`angle_near`]. Compilers vectorize
@@ -194,9 +186,17 @@ macro_rules! arctangents {
                 let mut angles = [0.0; N];
                 let mut rare = 0;
                 for lane in 0..N {
-                    let (angle, is_near) = angle_within(sines[lane], cosines[lane], near[lane]);
-                    angles[lane] = angle;
-                    rare |= $bits::from(!is_near);
+                    // As in `angle_near`.
+                    let shifted = near[lane] * (4.0 / PI) + ROUNDER;
+                    let octants = shifted - ROUNDER;
+                    let place = (shifted.to_bits() & 7) as usize;
+                    let (along, across) = (COSINES[place], COSINES[(place + 6) & 7]);
+                    let high = cosines[lane] * along + sines[lane] * across;
+                    let low = sines[lane] * along - cosines[lane] * across;
+                    let x = low / high;
+                    angles[lane] =
+                        octants * FRAC_PI_4 + (octants * QUARTER_REST + (x - slight_bend(x)));
+                    rare |= $bits::from(!((high > 0.0) & (x.abs() <= 0.4375)));
                 }
                 if rare != 0 {
                     for lane in 0..N {

@@ -61,6 +61,26 @@ pub mod double {
         -1.1358617758465667e-11,
     ];
 
+    /// Sine and cosine of the remainder `y` + `tail`.
+    macro_rules! of_remainder {
+        ($y:ident, $tail:ident) => {{
+            let z = $y * $y;
+            let [s0, s1, s2, s3, s4, s5] = SINE;
+            let [c0, c1, c2, c3, c4, c5] = COSINE;
+            // In independent pairs.
+            let fourth = z * z;
+            let eighth = fourth * fourth;
+            let cube = $y * z;
+            let bend = fourth * (s2 + z * s3) + eighth * (s4 + z * s5);
+            let rise = (c0 + z * c1) + fourth * (c2 + z * c3) + eighth * (c4 + z * c5);
+            let half = 0.5 * z;
+            let parabola = 1.0 - half;
+            let sine = $y + ((cube * (s0 + z * s1) + $tail * parabola) + cube * bend);
+            let cosine = parabola + (((1.0 - parabola) - half) + (fourth * rise - $y * $tail));
+            (sine, cosine)
+        }};
+    }
+
     /// Returns the sine and the cosine of an angle in radians, in this order, each within 1 ulp; NaN for infinite
     /// angles.
     #[inline]
@@ -81,27 +101,8 @@ pub mod double {
             }
         }
 
-        let (sine, cosine) = of_remainder(y, tail);
+        let (sine, cosine) = of_remainder!(y, tail);
         turned!(f64, u64, angle, sine, cosine, quadrant)
-    }
-
-    /// Returns sine and cosine of the remainder `y` + `tail`.
-    #[inline(always)]
-    fn of_remainder(y: f64, tail: f64) -> (f64, f64) {
-        let z = y * y;
-        let [s0, s1, s2, s3, s4, s5] = SINE;
-        let [c0, c1, c2, c3, c4, c5] = COSINE;
-        // In independent pairs.
-        let fourth = z * z;
-        let eighth = fourth * fourth;
-        let cube = y * z;
-        let bend = fourth * (s2 + z * s3) + eighth * (s4 + z * s5);
-        let rise = (c0 + z * c1) + fourth * (c2 + z * c3) + eighth * (c4 + z * c5);
-        let half = 0.5 * z;
-        let parabola = 1.0 - half;
-        let sine = y + ((cube * (s0 + z * s1) + tail * parabola) + cube * bend);
-        let cosine = parabola + (((1.0 - parabola) - half) + (fourth * rise - y * tail));
-        (sine, cosine)
     }
 
     /// Returns sines and cosines of several angles, with the bits of [`sin_cos`]. Compilers vectorize it.
@@ -122,7 +123,7 @@ pub mod double {
             let is_far = (size.to_bits() > MAX_ANGLE.to_bits())
                 | ((y.abs() < MIN_REMAINDER) & (quadrants != 0.0));
             rare |= u64::from(is_far);
-            let (sine, cosine) = of_remainder(y, tail);
+            let (sine, cosine) = of_remainder!(y, tail);
             let quadrant = shifted.to_bits();
             (sines[lane], cosines[lane]) = turned!(f64, u64, angle, sine, cosine, quadrant);
         }
@@ -168,6 +169,22 @@ pub mod single {
 
     const COSINE: [f32; 3] = [0.041666646, -0.001388731, 2.4432327e-5];
 
+    /// Sine and cosine of the remainder `y` + `tail`.
+    macro_rules! of_remainder {
+        ($y:ident, $tail:ident) => {{
+            let z = $y * $y;
+            let [s0, s1, s2] = SINE;
+            let [c0, c1, c2] = COSINE;
+            let bend = s0 + z * (s1 + z * s2);
+            let rise = c0 + z * (c1 + z * c2);
+            let half = 0.5 * z;
+            let parabola = 1.0 - half;
+            let sine = $y + (($y * z) * bend + $tail * parabola);
+            let cosine = parabola + (((1.0 - parabola) - half) + ((z * z) * rise - $y * $tail));
+            (sine, cosine)
+        }};
+    }
+
     /// Returns the sine and the cosine of an angle in radians, in this order, each within 1 ulp; NaN for infinite
     /// angles.
     #[inline]
@@ -187,23 +204,8 @@ pub mod single {
             }
         }
 
-        let (sine, cosine) = of_remainder(y, tail);
+        let (sine, cosine) = of_remainder!(y, tail);
         turned!(f32, u32, angle, sine, cosine, quadrant)
-    }
-
-    /// Returns sine and cosine of the remainder `y` + `tail`.
-    #[inline(always)]
-    fn of_remainder(y: f32, tail: f32) -> (f32, f32) {
-        let z = y * y;
-        let [s0, s1, s2] = SINE;
-        let [c0, c1, c2] = COSINE;
-        let bend = s0 + z * (s1 + z * s2);
-        let rise = c0 + z * (c1 + z * c2);
-        let half = 0.5 * z;
-        let parabola = 1.0 - half;
-        let sine = y + ((y * z) * bend + tail * parabola);
-        let cosine = parabola + (((1.0 - parabola) - half) + ((z * z) * rise - y * tail));
-        (sine, cosine)
     }
 
     /// Returns sines and cosines of several angles, with the bits of [`sin_cos`]. Compilers vectorize it.
@@ -223,7 +225,7 @@ pub mod single {
             let tail = (above - y) - below;
             let is_near = (size <= MAX_ANGLE) & (y.abs() >= quadrants * MIN_REMAINDER);
             rare |= u32::from(!is_near);
-            let (sine, cosine) = of_remainder(y, tail);
+            let (sine, cosine) = of_remainder!(y, tail);
             let quadrant = shifted.to_bits();
             (sines[lane], cosines[lane]) = turned!(f32, u32, angle, sine, cosine, quadrant);
         }
