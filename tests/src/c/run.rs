@@ -144,16 +144,17 @@ fn motions(
 pub fn differences(folder: &Path, repository: &Path, cases: &[Case]) -> io::Result<Vec<String>> {
     let answers = folder.join("answers");
     fs::create_dir_all(&answers)?;
-    // Every compiler compiles every case, in one of both scalars.
-    let compilers = compilers();
+    // Every case in f64 and every second one in f32, with each compiler in turn.
+    let compilers = &compilers();
     let prepared: Vec<Prepared<'_>> = (0..)
         .zip(cases)
         .flat_map(|(number, case)| {
-            let places = [0, 1].map(|place| (number + place) % compilers.len());
-            let [first, second] = places.map(|place| compilers[place]);
-            let [one, other] = SCALARS;
-            [(one, first), (other, second)]
-                .map(|(scalar, compiler)| Prepared::new(folder, case, scalar, compiler))
+            let compiler = move |place: usize| compilers[(number / 2 + place) % compilers.len()];
+            let scalars = if number % 2 == 0 { 2 } else { 1 };
+            let scalars = SCALARS.into_iter().enumerate().take(scalars);
+            scalars
+                .map(|(place, scalar)| Prepared::new(folder, case, scalar, compiler(place)))
+                .collect::<Vec<_>>()
         })
         .collect();
     let source = folder.join("package/src");
