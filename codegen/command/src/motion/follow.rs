@@ -4,6 +4,7 @@ use std::io;
 
 use linkwright::PointMotion;
 use linkwright_solver::approach::Watch;
+use linkwright_solver::measures::Measures;
 use linkwright_solver::not_finite::load;
 use linkwright_solver::number::time;
 use linkwright_solver::warnings::warnings;
@@ -31,7 +32,7 @@ impl<V: View> Followed<V> {
             return Ok(());
         };
         let laws = self.view.input_laws();
-        let mut watch = self.view.measures().map(|it| Watch::new(it, laws.clone()));
+        let mut watch = self.measures.clone().map(|it| Watch::new(it, laws.clone()));
         let mut error = None;
         let mut approaches = Vec::new();
         let mut earlier: Vec<(Instant, Vec<f64>)> = Vec::new();
@@ -123,7 +124,7 @@ impl<V: View> Followed<V> {
         let measures: Vec<f64> = match self.wanted.monitor {
             true => sizes
                 .iter()
-                .zip(&self.measured)
+                .zip(self.measures.iter().flat_map(Measures::parts))
                 .map(|(size, part)| part.bounded(*size))
                 .collect(),
             false => Vec::new(),

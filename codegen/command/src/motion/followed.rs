@@ -3,7 +3,7 @@
 use linkwright_codegen::stages::system::System;
 use linkwright_solver::condition::Condition;
 use linkwright_solver::condition::{dimensionless, jacobian};
-use linkwright_solver::measures::MeasuredPart;
+use linkwright_solver::measures::{MeasuredPart, Measures};
 use linkwright_solver::pressure::PressureCheck;
 use linkwright_solver::residuals::ResidualCheck;
 use linkwright_solver::textbook::TextbookEquations;
@@ -61,7 +61,7 @@ pub struct Followed<V: View> {
     /// Last requested instant.
     pub(super) last: Option<Instant>,
     pub(super) moved: Option<Moved<V>>,
-    pub(super) measured: Vec<MeasuredPart>,
+    pub(super) measures: Option<Measures>,
 }
 
 impl<V: View> Followed<V> {
@@ -90,12 +90,10 @@ impl<V: View> Followed<V> {
             .curves
             .then(|| Course::of(&wanted, force_names.len()));
         let measures = view.measures();
-        let measured = measures
-            .as_ref()
-            .map_or(Vec::new(), |it| it.parts().to_vec());
         let name =
             |part: &MeasuredPart| format!("normalized_determinant_{}", part.unknowns.join("_"));
-        let monitored = measured.iter().filter(|_| wanted.monitor);
+        let measured = measures.iter().flat_map(Measures::parts);
+        let monitored = measured.filter(|_| wanted.monitor);
         let (moved, error) = match assembled {
             Ok(moved) => (Some(moved), None),
             Err(reason) => (None, Some(reason)),
@@ -121,7 +119,7 @@ impl<V: View> Followed<V> {
             simulated: None,
             infinite_load: None,
             last: None,
-            measured,
+            measures,
             error,
             moved,
             wanted,
@@ -155,7 +153,7 @@ impl<V: View> Followed<V> {
             infinite_load: self.infinite_load,
             last: self.last,
             moved: None,
-            measured: self.measured,
+            measures: view.measures(),
             view,
         }
     }
