@@ -60,10 +60,15 @@ impl<'a> Worker<'a> {
         }
     }
 
-    /// Assembles the next sets in idle lanes; returns these lanes as bits.
+    /// Takes ended sets out of their lanes and assembles the next sets there; returns these lanes as bits.
     fn begin(&mut self, next: &mut usize, piece: &mut Piece<'_>) -> u8 {
         let mut began = 0;
         for lane in 0..LANES {
+            let times = self.task.times.len();
+            if let Some(ended) = self.lanes[lane].take_if(|it| it.next == times) {
+                piece.outcomes[ended.set - piece.first] = ended.outcome;
+                self.spare.push(ended.shell.into_blocks());
+            }
             while self.lanes[lane].is_none() && *next < piece.outcomes.len() {
                 let set = piece.first + *next;
                 let blocks = self.spare.pop().unwrap_or_else(|| self.blocks.clone());
@@ -80,7 +85,7 @@ impl<'a> Worker<'a> {
         began
     }
 
-    /// Advances all lanes to their next instants; returns the lanes with a solution as bits. Lanes without further instants become idle.
+    /// Advances all lanes to their next instants; returns the lanes with a solution as bits.
     fn step(&mut self, piece: &mut Piece<'_>) -> u8 {
         let Task {
             times,
@@ -88,11 +93,8 @@ impl<'a> Worker<'a> {
             ..
         } = self.task;
         for place in 0..LANES {
-            if let Some(lane) = self.lanes[place].take_if(|it| it.next == times.len()) {
-                piece.outcomes[lane.set - piece.first] = lane.outcome;
-                self.spare.push(lane.shell.into_blocks());
-            }
-            let Some(lane) = self.lanes[place].as_ref().filter(|_| self.has_lanes) else {
+            let lane = self.lanes[place].as_ref().filter(|_| self.has_lanes);
+            let Some(lane) = lane.filter(|it| it.next < times.len()) else {
                 continue;
             };
             let inputs = piece.supplied.inputs(lane.set, lane.next);
@@ -107,7 +109,8 @@ impl<'a> Worker<'a> {
         };
         let mut solved = 0;
         for place in 0..LANES {
-            let Some(lane) = &mut self.lanes[place] else {
+            let lane = self.lanes[place].as_mut();
+            let Some(lane) = lane.filter(|it| it.next < times.len()) else {
                 continue;
             };
             let t = times[lane.next];
