@@ -28,6 +28,37 @@ macro_rules! turned {
     }};
 }
 
+/// Defines the function of several angles, from the remainder of an angle in two parts, and true if only `sin_cos` reduces it.
+macro_rules! array_function {
+    ($scalar:ident, $bits:ident, |$size:ident, $quadrants:ident| $remainder:block) => {
+        /// Returns sines and cosines of several angles, with the bits of [`sin_cos`]. Compilers vectorize it.
+        #[inline(always)]
+        pub fn sines_cosines<const N: usize>(angles: [$scalar; N]) -> [[$scalar; N]; 2] {
+            let (mut sines, mut cosines) = ([0.0; N], [0.0; N]);
+            let mut rare = 0;
+            for lane in 0..N {
+                let angle = angles[lane];
+                let $size = angle.abs();
+                // Angles below π/4 have quadrant 0 and are their own remainder.
+                let shifted = $size * FRAC_2_PI + ROUNDER;
+                let $quadrants = shifted - ROUNDER;
+                let (y, tail, is_far) = $remainder;
+                rare |= $bits::from(is_far);
+                let (sine, cosine) = of_remainder!(y, tail);
+                let quadrant = shifted.to_bits();
+                (sines[lane], cosines[lane]) =
+                    turned!($scalar, $bits, angle, sine, cosine, quadrant);
+            }
+            if rare != 0 {
+                for lane in 0..N {
+                    (sines[lane], cosines[lane]) = sin_cos(angles[lane]);
+                }
+            }
+            [sines, cosines]
+        }
+    };
+}
+
 pub mod double {
     use core::f64::consts::{FRAC_2_PI, FRAC_PI_4};
 
@@ -105,35 +136,14 @@ pub mod double {
         turned!(f64, u64, angle, sine, cosine, quadrant)
     }
 
-    /// Returns sines and cosines of several angles, with the bits of [`sin_cos`]. Compilers vectorize it.
-    #[inline(always)]
-    pub fn sines_cosines<const N: usize>(angles: [f64; N]) -> [[f64; N]; 2] {
-        let (mut sines, mut cosines) = ([0.0; N], [0.0; N]);
-        let mut rare = 0;
-        for lane in 0..N {
-            let angle = angles[lane];
-            let size = angle.abs();
-            // Angles below π/4 have quadrant 0 and are their own remainder.
-            let shifted = size * FRAC_2_PI + ROUNDER;
-            let quadrants = shifted - ROUNDER;
-            let above = size - quadrants * HALF_PI;
-            let below = quadrants * HALF_PI_REST;
-            let y = above - below;
-            let tail = (above - y) - below;
-            let is_far = (size.to_bits() > MAX_ANGLE.to_bits())
-                | ((y.abs() < MIN_REMAINDER) & (quadrants != 0.0));
-            rare |= u64::from(is_far);
-            let (sine, cosine) = of_remainder!(y, tail);
-            let quadrant = shifted.to_bits();
-            (sines[lane], cosines[lane]) = turned!(f64, u64, angle, sine, cosine, quadrant);
-        }
-        if rare != 0 {
-            for lane in 0..N {
-                (sines[lane], cosines[lane]) = sin_cos(angles[lane]);
-            }
-        }
-        [sines, cosines]
-    }
+    array_function!(f64, u64, |size, quadrants| {
+        let above = size - quadrants * HALF_PI;
+        let below = quadrants * HALF_PI_REST;
+        let y = above - below;
+        let is_far = (size.to_bits() > MAX_ANGLE.to_bits())
+            | ((y.abs() < MIN_REMAINDER) & (quadrants != 0.0));
+        (y, (above - y) - below, is_far)
+    });
 
     /// Returns the sine of an angle in radians, that of [`sin_cos`].
     #[inline]
@@ -208,34 +218,13 @@ pub mod single {
         turned!(f32, u32, angle, sine, cosine, quadrant)
     }
 
-    /// Returns sines and cosines of several angles, with the bits of [`sin_cos`]. Compilers vectorize it.
-    #[inline(always)]
-    pub fn sines_cosines<const N: usize>(angles: [f32; N]) -> [[f32; N]; 2] {
-        let (mut sines, mut cosines) = ([0.0; N], [0.0; N]);
-        let mut rare = 0;
-        for lane in 0..N {
-            let angle = angles[lane];
-            let size = angle.abs();
-            // Angles below π/4 have quadrant 0 and are their own remainder.
-            let shifted = size * FRAC_2_PI + ROUNDER;
-            let quadrants = shifted - ROUNDER;
-            let above = (size - quadrants * HALF_PI) - quadrants * HALF_PI_MIDDLE;
-            let below = quadrants * HALF_PI_REST;
-            let y = above - below;
-            let tail = (above - y) - below;
-            let is_near = (size <= MAX_ANGLE) & (y.abs() >= quadrants * MIN_REMAINDER);
-            rare |= u32::from(!is_near);
-            let (sine, cosine) = of_remainder!(y, tail);
-            let quadrant = shifted.to_bits();
-            (sines[lane], cosines[lane]) = turned!(f32, u32, angle, sine, cosine, quadrant);
-        }
-        if rare != 0 {
-            for lane in 0..N {
-                (sines[lane], cosines[lane]) = sin_cos(angles[lane]);
-            }
-        }
-        [sines, cosines]
-    }
+    array_function!(f32, u32, |size, quadrants| {
+        let above = (size - quadrants * HALF_PI) - quadrants * HALF_PI_MIDDLE;
+        let below = quadrants * HALF_PI_REST;
+        let y = above - below;
+        let is_near = (size <= MAX_ANGLE) & (y.abs() >= quadrants * MIN_REMAINDER);
+        (y, (above - y) - below, !is_near)
+    });
 
     /// Returns the sine of an angle in radians, that of [`sin_cos`].
     #[inline]
