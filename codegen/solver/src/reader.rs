@@ -8,7 +8,7 @@ use linkwright_codegen::stages::program::{Function, Program};
 use linkwright_codegen::stages::system::System;
 
 use crate::instant::{Instant, Layout};
-use crate::operation::{LANES, Writer};
+use crate::operation::Writer;
 
 /// Evaluator of expressions of values that instants keep.
 #[derive(Clone, Debug)]
@@ -108,8 +108,7 @@ impl Formulas {
 
     /// Registers of all lanes before the first evaluation.
     pub fn lanes(&self) -> Vec<Lanes> {
-        let registers = self.code.registers().iter();
-        registers.map(|&it| Lanes([it; LANES])).collect()
+        self.code.lanes()
     }
 
     /// Puts in what one lane reads of its instant.

@@ -150,6 +150,11 @@ impl Code {
         &self.initial
     }
 
+    /// All registers in eight lanes, as they are before the first instruction.
+    pub fn lanes(&self) -> Vec<Lanes> {
+        self.initial.iter().map(|&it| Lanes([it; 8])).collect()
+    }
+
     /// Number of instructions.
     pub fn length(&self) -> usize {
         self.instructions.len()

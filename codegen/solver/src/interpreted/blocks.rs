@@ -171,9 +171,8 @@ impl Blocks for Interpreted {
             inputs,
             settings,
         } = *conditions;
-        let put = |register: Register, value| registers[register.index()] = value;
-        self.compiled.fill(last, t, parameters, inputs, put);
-        let put = |register: Register, value| registers[register.index()] = value;
+        let mut put = |register: Register, value| registers[register.index()] = value;
+        self.compiled.fill(last, t, parameters, inputs, &mut put);
         self.compiled.set_signs(modes, put);
         let mut blocks = 0..self.compiled.blocks.len();
         let solved =

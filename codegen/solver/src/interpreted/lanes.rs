@@ -24,10 +24,9 @@ pub(crate) struct InterpretedLanes {
 impl InterpretedLanes {
     /// Returns the registers for a program.
     pub fn new(interpreted: &Interpreted) -> InterpretedLanes {
-        let registers = interpreted.compiled.code.registers().iter();
         InterpretedLanes {
             level: Level::new(),
-            registers: registers.map(|&it| Lanes([it; LANES])).collect(),
+            registers: interpreted.compiled.code.lanes(),
             points: interpreted
                 .points
                 .computed()
