@@ -189,8 +189,9 @@ macro_rules! arctangents {
                     // As in `angle_near`.
                     let shifted = near[lane] * (4.0 / PI) + ROUNDER;
                     let octants = shifted - ROUNDER;
-                    let place = (shifted.to_bits() & 7) as usize;
-                    let (along, across) = (COSINES[place], COSINES[(place + 6) & 7]);
+                    let place = shifted.to_bits();
+                    let (along, across) =
+                        (eighth_cosine(place), eighth_cosine(place.wrapping_add(6)));
                     let high = cosines[lane] * along + sines[lane] * across;
                     let low = sines[lane] * along - cosines[lane] * across;
                     let x = low / high;
@@ -204,6 +205,19 @@ macro_rules! arctangents {
                     }
                 }
                 angles
+            }
+
+            /// Returns the entry of [`COSINES`] for the last three bits of a number, without reading memory.
+            #[inline(always)]
+            fn eighth_cosine(place: $bits) -> $scalar {
+                const SIGN: $bits = 1 << ($bits::BITS - 1);
+                let is_odd = (place & 1).wrapping_neg();
+                // Neither π/2 nor 3π/2.
+                let is_not_zero = is_odd | ((place >> 1) & 1).wrapping_sub(1);
+                let one = (1.0 as $scalar).to_bits();
+                let size = one ^ (is_odd & (one ^ FRAC_1_SQRT_2.to_bits()));
+                let sign = (place.wrapping_add(1) << ($bits::BITS - 3)) & SIGN;
+                $scalar::from_bits((size | sign) & is_not_zero)
             }
 
             /// Returns the angle nearest to a `near` that does not determine the octant.
