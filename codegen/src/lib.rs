@@ -37,6 +37,7 @@ mod cargo;
 mod checks;
 mod emit;
 mod files;
+mod lanes;
 mod read;
 #[doc(hidden)]
 pub mod stages;
@@ -54,6 +55,7 @@ pub use read::{Read, read};
 pub use system::Derived;
 
 use checks::check_all;
+use emit::Form;
 use diagnostic::internal;
 use linkwright_description::{
     columns, consequences, expr, force, joint, model, pool, syntax, units,
@@ -109,6 +111,9 @@ pub struct Options {
     /// for `linkwright::math`. The compiler resolves it where the code is included. Values that the runtime computes
     /// for itself, such as scales, do not use it.
     pub math: Option<String>,
+    /// True if a Rust module gets a module `lanes`, which solves 8 mechanisms at once, or 16 in f32. All blocks must have closed
+    /// forms, and `math` must be that of the runtime.
+    pub lanes: bool,
     /// Name of the files without extension, by which a source of C includes its header; `None` for the mechanism's name.
     pub stem: Option<String>,
 }
@@ -199,6 +204,9 @@ pub fn generate(source: &Source, options: &Options) -> Result<Generated, Diagnos
                 let (system, program) = (solved.system(), solved.program());
                 let mut findings = finiteness::of_program(solved.pool(), system, program, range);
                 findings.extend(modes::undecided(system, &program.blocks, &program.branches));
+                if options.lanes {
+                    findings.extend(lanes::refused(solved, options));
+                }
                 findings
             }
             Err(unplanned) => finiteness::of_unplanned(*unplanned),
@@ -219,9 +227,14 @@ pub fn generate(source: &Source, options: &Options) -> Result<Generated, Diagnos
         .map(|solved| solved.system().mechanism.name.clone());
     let name = name.unwrap_or_default();
     let stem = options.stem.as_deref().unwrap_or(&name);
-    let (language, math) = (options.language, options.math.as_deref());
+    let language = options.language;
+    let form = Form {
+        scalar: options.scalar,
+        math: options.math.as_deref(),
+        has_lanes: options.lanes,
+    };
     Ok(Generated {
-        files: language.files(&lowered, stem, options.scalar, math),
+        files: language.files(&lowered, stem, form),
         name,
         warnings,
         motions,

@@ -74,6 +74,19 @@ impl<T: Real, I: Values<Signal<T>>, U: Clone> Guard<T, I, U> {
         self.window = None;
     }
 
+    /// Middle and half length (s) of the verified window; `None` if there is none.
+    pub(crate) fn verified(&self) -> Option<[T; 2]> {
+        let window = self.window.as_ref()?;
+        Some([window.t, window.window.time])
+    }
+
+    /// True if inputs that change between two times stay in the verified window.
+    #[inline]
+    pub(crate) fn continues(&self, inputs: [&I; 2], times: [T; 2]) -> bool {
+        let window = self.window.as_ref();
+        window.is_some_and(|window| window.holds_signals(inputs, times))
+    }
+
     /// Requires that a frame lies on the path of the last one; the first frame of a path does. A nearly singular frame
     /// is refused unless it `may_be_weak`.
     ///
@@ -238,28 +251,25 @@ impl<T: Real, I: Values<Signal<T>>, U> Window<T, I, U> {
     {
         let since = pair.conditions.t - self.t;
         since.abs() <= self.window.time
-            && self.holds_signals(pair, since)
+            && self.holds_signals(
+                [pair.before, pair.conditions.inputs],
+                [B::time(pair.last), pair.conditions.t],
+            )
             && blocks.is_within(pair.at, &self.enclosures, since / self.window.step)
     }
 
     #[inline]
-    fn holds_signals<B>(&self, pair: &Pair<'_, B>, since: T) -> bool
-    where
-        B: Blocks<Scalar = T, Inputs = I>,
-    {
-        let count = pair.before.count();
+    fn holds_signals(&self, [last, next]: [&I; 2], [before, t]: [T; 2]) -> bool {
+        let count = last.count();
         if count == 0 {
             return true;
         }
-        let h = pair.conditions.t - B::time(pair.last);
+        let (h, since) = (t - before, t - self.t);
         let signal = |inputs: &I, index| inputs.value(index).unwrap_or(Signal::constant(T::ZERO));
         let [before, now] = &self.inputs;
         (0..count).all(|index| {
             let line = [&signal(before, index), &signal(now, index)];
-            let way = [
-                &signal(pair.before, index),
-                &signal(pair.conditions.inputs, index),
-            ];
+            let way = [&signal(last, index), &signal(next, index)];
             self.window.holds_signal(line, way, h, since)
         })
     }

@@ -81,6 +81,7 @@ mod guard;
 mod inverse;
 mod isolation;
 mod kinematics;
+pub mod lanes;
 mod least_squares;
 mod linear;
 pub mod math;

@@ -333,6 +333,37 @@ impl<B: Blocks> Shell<B> {
         self.guard.forget();
     }
 
+    /// Overwrites the last frame with the bits of a solution with the current parameters, modes and inputs.
+    pub(crate) fn overwrite(&mut self, write: impl FnOnce(&mut B::Frame)) {
+        let [first, second] = &mut self.frames;
+        match self.second_is_last {
+            true => write(second),
+            false => write(first),
+        }
+    }
+
+    /// Middle and half length (s) of the window of time in which the path is verified as far as time decides; `None` if
+    /// there is none.
+    pub(crate) fn verified(&self) -> Option<[B::Scalar; 2]> {
+        match self.blocks.is_guarded() {
+            true => self.guard.verified(),
+            // No time is further away.
+            false => Some([B::Scalar::ZERO, B::Scalar::ONE / B::Scalar::MIN_POSITIVE]),
+        }
+    }
+
+    /// True if the path between two times (s) to these inputs is in the verified window as far as inputs decide. They are
+    /// the last ones then.
+    #[inline]
+    pub(crate) fn continues(&mut self, times: [B::Scalar; 2], inputs: &B::Inputs) -> bool {
+        let continues = inputs.are_finite()
+            && (!self.blocks.is_guarded() || self.guard.continues([&self.inputs, inputs], times));
+        if continues {
+            self.inputs.clone_from(inputs);
+        }
+        continues
+    }
+
     /// Equations of the mechanism.
     pub fn blocks(&self) -> &B {
         &self.blocks

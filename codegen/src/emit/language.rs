@@ -41,7 +41,17 @@ pub struct Conventions {
     /// Rules for names of a description.
     pub(crate) naming: Naming,
     /// Returns the texts of all files, with the arguments of [`Language::files`].
-    pub(crate) texts: fn(&[Solved], stem: &str, Scalar, math: Option<&str>) -> Vec<String>,
+    pub(crate) texts: fn(&[Solved], stem: &str, Form<'_>) -> Vec<String>,
+}
+
+/// Numbers and functions of a module.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Form<'a> {
+    pub scalar: Scalar,
+    /// Path of a type with elementary functions, in languages that have types with functions; `None` for those of the runtime.
+    pub math: Option<&'a str>,
+    /// True if the module solves several mechanisms at once as well.
+    pub has_lanes: bool,
 }
 
 /// File to be written.
@@ -75,16 +85,14 @@ impl Language {
         names.chain(shared).collect()
     }
 
-    /// Files of the motions of one mechanism, under the names of [`Language::file_names`]. `math` is the path of a
-    /// type with elementary functions, if the language has types with functions.
+    /// Files of the motions of one mechanism, under the names of [`Language::file_names`].
     pub(crate) fn files(
         self,
         motions: &[Solved],
         stem: &str,
-        scalar: Scalar,
-        math: Option<&str>,
+        form: Form<'_>,
     ) -> Vec<OutputFile> {
-        let texts = (self.conventions().texts)(motions, stem, scalar, math);
+        let texts = (self.conventions().texts)(motions, stem, form);
         let names = self.file_names(stem).into_iter();
         let files = names.zip(texts);
         files

@@ -28,6 +28,7 @@ mod scalar;
 pub mod text;
 mod typeset;
 
+pub(crate) use language::Form;
 pub use language::{Conventions, Language, OutputFile};
 pub use notation::Notation;
 pub use scalar::Scalar;

@@ -8,6 +8,8 @@ mod assemblies;
 mod branches;
 mod equations;
 mod frame;
+#[path = "lanes.rs"]
+mod lane_structures;
 mod mechanism;
 mod numbers;
 mod textbook;
@@ -17,10 +19,11 @@ pub use crate::{
     generated_assemblies as assemblies, generated_branches as branches,
     generated_constants as constants, generated_coordinates as coordinates,
     generated_drawing as drawing, generated_equations as equations, generated_frame as frame,
-    generated_inputs as inputs, generated_mechanism as mechanism, generated_only as only,
-    generated_or_drawn as or_drawn, generated_or_unit as or_unit,
-    generated_parameters as parameters, generated_parametric as parametric, generated_path as path,
-    generated_textbook as textbook, generated_values as values,
+    generated_held as held, generated_inputs as inputs, generated_lane_values as lane_values,
+    generated_mechanism as mechanism, generated_only as only, generated_or_drawn as or_drawn,
+    generated_or_unit as or_unit, generated_parameters as parameters,
+    generated_parametric as parametric, generated_path as path, generated_textbook as textbook,
+    generated_values as values,
 };
 
 pub use crate::block::Start;
@@ -55,6 +58,54 @@ pub mod damped {
 /// Frames of one block, and the factorization of its Jacobian.
 pub mod kinematics {
     pub use crate::kinematics::{Frame, factorize};
+}
+
+/// Equations of several mechanisms.
+pub mod lanes {
+    pub use crate::generated_lanes as structures;
+    pub use crate::lanes::{Conditions, LaneValues};
+
+    macro_rules! precision {
+        ($(#[$docs:meta])* $name:ident, $scalar:ident, $count:literal) => {
+            $(#[$docs])*
+            pub mod $name {
+                pub use crate::Blocks;
+                pub use crate::generated::lanes::LaneValues as _;
+                pub use crate::lanes::elementary::$name::{angle_near, math};
+                pub use crate::lanes::elementary::{
+                    choose, exceeds_rounding, less, lookup, multipliers, not_finite, not_positive,
+                };
+
+                /// Number of lanes.
+                pub const COUNT: usize = $count;
+                /// Numbers of all lanes.
+                pub type Lanes = crate::lanes::Lanes<$scalar, COUNT>;
+                /// Set of lanes.
+                pub type Mask = crate::lanes::Mask<COUNT>;
+                /// Signals of all lanes.
+                pub type Signals = crate::Signal<Lanes>;
+
+                /// Returns the same number in all lanes.
+                #[inline(always)]
+                pub const fn lanes(value: $scalar) -> Lanes {
+                    Lanes::splat(value)
+                }
+            }
+        };
+    }
+
+    precision!(
+        /// Types and functions of lanes of f64.
+        double,
+        f64,
+        8
+    );
+    precision!(
+        /// Types and functions of lanes of f32.
+        single,
+        f32,
+        16
+    );
 }
 
 /// Damped least squares, for rough estimates.

@@ -234,6 +234,7 @@ Examples:
   linkwright generate mechanisms/two_body.mech -o src/two_body.rs    written only if it changes
   linkwright generate mechanisms/two_body.mech -o src/two_body.rs --check
   linkwright generate mechanisms/two_body.mech --scalar f32          in single precision
+  linkwright generate mechanisms/two_body.mech --lanes 8             eight at once as well
   linkwright generate --lang c mechanisms/two_body.mech -o two_body.c
 
 The module holds two formulations of the mechanism: the solved one, which its type runs, with one function for each block,
@@ -258,6 +259,9 @@ pub struct Generate {
     /// Number type of the module
     #[arg(long, value_enum, default_value_t = Precision::F64)]
     pub scalar: Precision,
+    /// Add a module that solves COUNT mechanisms at once: 8, or 16 in f32. All blocks must have closed forms
+    #[arg(long, value_name = "COUNT")]
+    pub lanes: Option<usize>,
 }
 
 /// Parser of a language by its name.

@@ -21,6 +21,7 @@ use crate::output::{Beginning, Record, Signature};
 /// # Errors
 /// The description has errors, or a file cannot be written.
 pub fn run(arguments: &Generate) -> Result<Outcome, Problem> {
+    check_lanes(arguments)?;
     let conventions = arguments.lang.conventions();
     let extension = conventions.extensions[0];
     let source = source(&arguments.file)?;
@@ -67,6 +68,20 @@ pub fn run(arguments: &Generate) -> Result<Outcome, Problem> {
         }
     }
     Ok(Outcome::Done)
+}
+
+/// Rejects another number of lanes than that of the scalar.
+fn check_lanes(arguments: &Generate) -> Result<(), Problem> {
+    let (scalar, count) = match arguments.scalar {
+        Precision::F64 => ("f64", 8),
+        Precision::F32 => ("f32", 16),
+    };
+    match arguments.lanes {
+        Some(lanes) if lanes != count => Err(Problem(format!(
+            "error: {scalar} has {count} lanes, found `--lanes {lanes}`\n  = help: write `--lanes {count}`"
+        ))),
+        _ => Ok(()),
+    }
 }
 
 /// Rejects a file with an extension of another language.
@@ -187,12 +202,16 @@ fn compared(
         Precision::F64 => "",
         Precision::F32 => " --scalar f32",
     };
+    let lanes = match arguments.lanes {
+        Some(count) => format!(" --lanes {count}"),
+        None => String::new(),
+    };
     let lang = match arguments.lang {
         it if it == Language::default() => String::new(),
         other => format!(" --lang {}", other.conventions().option),
     };
     say(&format!(
-        "error: `{}` is not what `{description}` generates\n  = help: run `linkwright generate{lang} {description} -o {path}{scalar}`",
+        "error: `{}` is not what `{description}` generates\n  = help: run `linkwright generate{lang} {description} -o {path}{scalar}{lanes}`",
         different.display()
     ));
     Outcome::Failed
@@ -206,6 +225,7 @@ fn options(arguments: &Generate) -> Options {
             Precision::F64 => Scalar::F64,
             Precision::F32 => Scalar::F32,
         },
+        lanes: arguments.lanes.is_some(),
         ..Options::default()
     }
 }

@@ -107,6 +107,8 @@ codes! {
     UndecidedMode = "K38";
     /// Links of constant lengths that do not reach their ends, so that no pose exists.
     OutOfReach = "K39";
+    /// Lanes of a mechanism that cannot be solved in lanes.
+    NoLanes = "K40";
     /// An error of Linkwright itself.
     InternalError = "K90";
 }

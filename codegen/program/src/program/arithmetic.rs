@@ -64,6 +64,30 @@ pub enum Arithmetic {
     Choice(Box<Choice>),
 }
 
+impl Arithmetic {
+    /// True if the value depends on a variable.
+    pub fn varies(&self) -> bool {
+        match self {
+            Arithmetic::Number(_) | Arithmetic::Constant(_) => false,
+            Arithmetic::Variable(_) => true,
+            Arithmetic::Sum(terms) => terms.iter().any(|(_, term)| term.varies()),
+            Arithmetic::Product(all) | Arithmetic::Call(_, all) => all.iter().any(Self::varies),
+            Arithmetic::Quotient(both) => both.iter().any(Self::varies),
+            Arithmetic::Lookup { place, .. } => place.varies(),
+            Arithmetic::Choice(choice) => {
+                let Choice {
+                    left,
+                    right,
+                    below,
+                    otherwise,
+                    ..
+                } = &**choice;
+                [left, right, below, otherwise].into_iter().any(Self::varies)
+            }
+        }
+    }
+}
+
 /// One of two arms: the first where the left side is less than the right one, or greater.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Choice {

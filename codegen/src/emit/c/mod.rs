@@ -52,7 +52,7 @@ pub const CONVENTIONS: Conventions = Conventions {
     beside: Some("its header and the runtime"),
     objection,
     naming: words::NAMING,
-    texts: |motions, stem, scalar, _| file::texts(motions, stem, scalar),
+    texts: |motions, stem, form| file::texts(motions, stem, form.scalar),
 };
 
 /// Returns the objection to a source and a header of this name.

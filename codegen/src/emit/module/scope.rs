@@ -15,6 +15,8 @@ use crate::program::{Evaluation, Function, Statement};
 pub(in crate::emit) enum Place {
     /// Frame `at`, which the function fills.
     Frame,
+    /// Frames `at` of several mechanisms, which the function fills.
+    Lanes,
     /// Structures `q`, `qd` and `qdd`.
     Coordinates,
     /// Frame `at`, except for the tearing variables, which are local.
@@ -101,7 +103,7 @@ impl<'a> Scope<'a> {
         tears: Vec<SymbolId>,
     ) -> Scope<'a> {
         let kept = |symbol: SymbolId| match place {
-            Place::Frame => module.is_field(symbol),
+            Place::Frame | Place::Lanes => module.is_field(symbol),
             _ => tears.contains(&symbol),
         };
         let names = module.names;
@@ -148,6 +150,11 @@ impl<'a> Scope<'a> {
     /// True inside a torn block, where a closed form out of reach is not yet a failure.
     pub(in crate::emit) fn is_inside(&self) -> bool {
         self.place == Place::Tears
+    }
+
+    /// True in a function that solves several mechanisms, whose checks return the lanes that fail.
+    pub(in crate::emit) fn is_in_lanes(&self) -> bool {
+        self.place == Place::Lanes
     }
 
     /// True if the symbol is a field of the frame in this function.

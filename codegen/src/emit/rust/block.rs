@@ -17,7 +17,7 @@ const MOST_INLINED: usize = 16;
 
 impl Needs {
     /// Returns the arguments as declared and as passed.
-    fn arguments(self) -> (String, String) {
+    pub(super) fn arguments(self) -> (String, String) {
         let branches = match self.finds_branch {
             true => "branches: &mut Branches",
             false => "branches: &Branches",

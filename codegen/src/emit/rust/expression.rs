@@ -17,7 +17,16 @@ impl Scope<'_> {
 
     /// Returns an expression as text.
     pub(super) fn value(&self, expr: ExprId) -> String {
-        self.written(&self.evaluation().value(expr))
+        self.whole(&self.evaluation().value(expr))
+    }
+
+    /// Returns arithmetic as text; in lanes, a constant becomes a number for all of them.
+    pub(super) fn whole(&self, arithmetic: &Arithmetic) -> String {
+        let written = self.written(arithmetic);
+        match self.is_in_lanes() && !arithmetic.varies() {
+            true => format!("lanes({written})"),
+            false => written,
+        }
     }
 
     /// Returns expressions, separated by commas.
@@ -59,7 +68,7 @@ impl Scope<'_> {
                 format!("{numerator} / {}", self.operand(denominator))
             }
             Arithmetic::Call(function, arguments) => {
-                let arguments = arguments.iter().map(|argument| self.written(argument));
+                let arguments = arguments.iter().map(|argument| self.whole(argument));
                 let arguments: Vec<String> = arguments.collect();
                 format!("math::{}({})", called(*function), arguments.join(", "))
             }
@@ -74,6 +83,15 @@ impl Scope<'_> {
 
     /// `if x < 2.0 { … } else { … }`; a second arm that is another choice continues with `else if`.
     fn choice(&self, choice: &Choice) -> String {
+        if self.is_in_lanes() {
+            let [left, right] = [&choice.left, &choice.right].map(|side| self.whole(side));
+            let [below, otherwise] = [&choice.below, &choice.otherwise].map(|arm| self.whole(arm));
+            let (one, other) = match choice.is_less {
+                true => (left, right),
+                false => (right, left),
+            };
+            return format!("choose(less({one}, {other}), {below}, {otherwise})");
+        }
         let [left, right] = [&choice.left, &choice.right].map(|side| match side {
             Arithmetic::Choice(_) => self.operand(side),
             _ => self.written(side),
@@ -90,7 +108,10 @@ impl Scope<'_> {
     /// `TABLE_LIFT.at(x)`: the value and three derivatives.
     pub(super) fn lookup(&self, spline: SplineId, place: &Arithmetic) -> String {
         let table = table_name(&self.module.pool.graph.spline_of(spline).name);
-        format!("{table}.at({})", self.written(place))
+        match self.is_in_lanes() {
+            true => format!("lookup(&{table}, {})", self.whole(place)),
+            false => format!("{table}.at({})", self.written(place)),
+        }
     }
 
     fn product(&self, factors: &[Arithmetic]) -> String {

@@ -5,14 +5,13 @@ use super::names::{WORDS, identifier};
 use crate::emit::code::Code;
 use crate::emit::layout::Lists;
 use crate::emit::module::{Module, documentation, facts};
-use crate::emit::scalar::Scalar;
+use crate::emit::language::Form;
 use crate::solved::Solved;
 
 /// The source of the generated file, with a header of comments. A mechanism with motions becomes one module for each.
-/// Its elementary functions are the runtime's, or those of the type at the path `math`.
-pub fn file(motions: &[Solved], scalar: Scalar, math: Option<&str>) -> String {
+pub fn file(motions: &[Solved], form: Form<'_>) -> String {
     let motions = motions.iter();
-    let modules = motions.map(|solved| Module::new(solved, scalar, WORDS));
+    let modules = motions.map(|solved| Module::new(solved, form.scalar, WORDS));
     let modules: Vec<Module<'_>> = modules.collect();
     let Some(first) = modules.first() else {
         return String::new();
@@ -27,7 +26,7 @@ pub fn file(motions: &[Solved], scalar: Scalar, math: Option<&str>) -> String {
                 .iter()
                 .for_each(|line| code.header(line));
             code.gap();
-            first.items(math, &mut code);
+            first.items(form, &mut code);
         }
         Some(_) => {
             let names = modules
@@ -36,7 +35,7 @@ pub fn file(motions: &[Solved], scalar: Scalar, math: Option<&str>) -> String {
             let names: Vec<String> = names.map(|motion| format!("`{}`", motion.name)).collect();
             code.header(&format!("A module for each motion: {}.", names.join(", ")));
             for module in &modules {
-                motion(module, math, &mut code);
+                motion(module, form, &mut code);
             }
         }
     }
@@ -44,7 +43,7 @@ pub fn file(motions: &[Solved], scalar: Scalar, math: Option<&str>) -> String {
 }
 
 /// Writes the module of one motion. Users may leave modules of other motions unused.
-fn motion(module: &Module<'_>, math: Option<&str>, code: &mut Code) {
+fn motion(module: &Module<'_>, form: Form<'_>, code: &mut Code) {
     let Some(motion) = &module.system.mechanism.motion else {
         return;
     };
@@ -52,7 +51,7 @@ fn motion(module: &Module<'_>, math: Option<&str>, code: &mut Code) {
     facts::facts(module)
         .iter()
         .for_each(|line| inside.remark(line));
-    module.items(math, &mut inside);
+    module.items(form, &mut inside);
     let mut item = Code::default();
     item.block(&format!("pub mod {}", identifier(&motion.name)), inside);
     let allow = lints::of_module(&motion.name).into_iter();

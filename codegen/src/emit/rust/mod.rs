@@ -14,6 +14,7 @@ mod expression;
 mod file;
 mod frame;
 mod functions;
+mod lanes;
 mod lints;
 mod loads;
 mod markdown;
@@ -56,5 +57,5 @@ pub const CONVENTIONS: Conventions = Conventions {
     beside: None,
     objection: |_| None,
     naming: NAMING,
-    texts: |motions, _, scalar, math| vec![file::file(motions, scalar, math)],
+    texts: |motions, _, form| vec![file::file(motions, form)],
 };

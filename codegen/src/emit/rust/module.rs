@@ -5,10 +5,11 @@ use std::collections::HashSet;
 use super::functions::functions;
 use super::names::identifier;
 use super::{
-    assemblies, block, coordinates, explained, frame, loads, newton, parameters, path, shell,
+    assemblies, block, coordinates, explained, frame, lanes, loads, newton, parameters, path, shell,
     tables, textbook,
 };
 use crate::emit::code::Code;
+use crate::emit::language::Form;
 use crate::emit::lines::WIDTH;
 use crate::emit::module::Module;
 use crate::emit::scalar::Scalar;
@@ -39,8 +40,8 @@ impl Module<'_> {
         identifier(self.own_field(symbol))
     }
 
-    /// Writes the items of the module. Its elementary functions are the runtime's, or those of the type at the path `math`.
-    pub(super) fn items(&self, math: Option<&str>, code: &mut Code) {
+    /// Writes the items of the module.
+    pub(super) fn items(&self, form: Form<'_>, code: &mut Code) {
         let parts: [fn(&Module<'_>, &mut Code); 15] = [
             coordinates::coordinates,
             parameters::structures,
@@ -60,19 +61,27 @@ impl Module<'_> {
         ];
         let mut rest = Code::default();
         parts.iter().for_each(|part| part(self, &mut rest));
+        if form.has_lanes {
+            lanes::lanes(self, &mut rest);
+        }
         // What of the solved view is left out may have been all that needed a constant or a table.
         let mentioned: HashSet<&str> = rest.names().collect();
-        let precision = match self.scalar {
-            Scalar::F64 => "double",
-            Scalar::F32 => "single",
-        };
+        let precision = self.precision();
         code.line(format!("use ::linkwright::generated::{precision}::*;"));
-        let functions = math.map(|path| functions(path, &mentioned));
+        let functions = form.math.map(|path| functions(path, &mentioned));
         functions.into_iter().flatten().for_each(|it| code.line(it));
         self.constants(&mentioned, code);
         tables::tables(self, &mentioned, code);
         code.gap();
         code.append(rest);
+    }
+
+    /// Returns the name of the runtime's modules for the scalar.
+    pub(super) fn precision(&self) -> &'static str {
+        match self.scalar {
+            Scalar::F64 => "double",
+            Scalar::F32 => "single",
+        }
     }
 
     /// Writes the named constants that the code mentions.

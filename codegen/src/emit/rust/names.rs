@@ -111,6 +111,10 @@ const ITEMS: &[&str] = &[
     "verify_nonsingular",
     "parameters",
     "inputs",
+    "lanes",
+    "choose",
+    "less",
+    "lookup",
 ];
 
 /// First words of local values, up to the first `_`: `sin_phi1`, `shared_1`.
@@ -127,6 +131,12 @@ const PREFIXES: &[&str] = &[
 /// Arguments and local values of generated functions, whose names no value of a description gets.
 const LOCAL_VALUES: &[&str] = &[
     "balance",
+    "singular",
+    "failed",
+    "lanes",
+    "choose",
+    "less",
+    "lookup",
     "at",
     "last",
     "branches",

@@ -10,7 +10,8 @@ impl Scope<'_> {
         match self.locate(symbol) {
             Location::Local(name) => identifier(&name),
             Location::Sign(branch) => {
-                format!("branches.{}.sign::<Scalar>()", identifier(branch))
+                let sign = if self.is_in_lanes() { "" } else { ".sign::<Scalar>()" };
+                format!("branches.{}{sign}", identifier(branch))
             }
             Location::TimeWindow(part) => format!("window.{}", identifier(part)),
             Location::Field(symbol) => self.module.field(symbol, "at"),

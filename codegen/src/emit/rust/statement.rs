@@ -47,7 +47,7 @@ impl Scope<'_> {
                 }
             }
             Statement::Let { target, value, .. } => {
-                let value = self.written(&self.evaluation().assigned(*target, *value));
+                let value = self.whole(&self.evaluation().assigned(*target, *value));
                 self.assign(*target, &value, code);
             }
             Statement::SineCosine {
@@ -77,6 +77,10 @@ impl Scope<'_> {
             }
             Statement::Positive { length, joint } => {
                 let (place, length) = (self.module.requirement_place(*joint), write(length));
+                if self.is_in_lanes() {
+                    code.line(format!("failed |= not_positive({length});"));
+                    return;
+                }
                 code.open(format!("if {length} <= 0.0 {{"));
                 code.line(format!("return Err(not_positive({length}, t, {place}));"));
                 code.close("}");
@@ -99,7 +103,10 @@ impl Scope<'_> {
             Statement::Nonzero { value, scale } => {
                 let [value, scale] = [value, scale].map(|expr| self.evaluation().value(*expr));
                 let square = |of: &Arithmetic| {
-                    let factor = self.operand(of);
+                    let factor = match self.is_in_lanes() && !of.varies() {
+                        true => self.whole(of),
+                        false => self.operand(of),
+                    };
                     format!("{factor} * {factor}")
                 };
                 self.unless(
@@ -205,11 +212,13 @@ impl Scope<'_> {
             } => {
                 let rows = jacobian.chunks(forces.len());
                 let rows: Vec<String> = rows.map(|row| format!("[{}]", self.values(row))).collect();
-                code.line(format!(
-                    "let balance = multipliers([{}], [{}], t, {block})?;",
-                    rows.join(", "),
-                    self.values(forces)
-                ));
+                let (rows, forces) = (rows.join(", "), self.values(forces));
+                if self.is_in_lanes() {
+                    code.line(format!("let (balance, singular) = multipliers([{rows}], [{forces}]);"));
+                    code.line("failed |= singular;");
+                } else {
+                    code.line(format!("let balance = multipliers([{rows}], [{forces}], t, {block})?;"));
+                }
                 self.distribute(targets, "balance", code);
             }
             Statement::Solve {
@@ -226,8 +235,12 @@ impl Scope<'_> {
         }
     }
 
-    /// Writes the return of a failure if a condition is false.
+    /// Writes the return of a failure if a condition is false; in lanes, those that fail are collected.
     fn unless(&self, condition: &str, failure: &str, code: &mut Code) {
+        if self.is_in_lanes() {
+            code.line(format!("failed |= !{condition};"));
+            return;
+        }
         code.open(format!("if !{condition} {{"));
         code.line(match self.is_inside() {
             true => "return None;".to_string(),

@@ -1,0 +1,198 @@
+//! Writes the module that solves several mechanisms at once.
+//!
+//! Its functions are those of one mechanism. Their values are numbers of all lanes, and their checks collect the lanes that fail.
+
+use std::collections::HashSet;
+
+use super::code::{argument, taken_apart};
+use super::equation::idle;
+use super::lints;
+use super::names::identifier;
+use super::tables::table_name;
+use crate::emit::code::Code;
+use crate::emit::module::checks::checked;
+use crate::emit::module::drawing::frame_keeps_parameters;
+use crate::emit::module::needs::Needs;
+use crate::emit::module::scope::{Place, Scope};
+use crate::emit::module::{Module, documentation};
+use crate::model::field_name;
+use crate::program::{Block, Statement};
+
+/// Writes the module `lanes`.
+pub(super) fn lanes(module: &Module<'_>, code: &mut Code) {
+    let mut rest = Code::default();
+    structures(module, &mut rest);
+    for (index, block) in module.program.blocks.iter().enumerate() {
+        function(index, block, module, &mut rest);
+    }
+    solve(module, &mut rest);
+    let mentioned: HashSet<&str> = rest.names().collect();
+    let constants = module.program.constants.list().iter();
+    let constants = constants.map(|constant| identifier(&constant.name));
+    let splines = module.pool.graph.splines();
+    let tables = splines.map(|(_, spline)| table_name(&spline.name));
+    let of_module = constants.chain(tables);
+    let of_module = of_module.filter(|name| mentioned.contains(name.as_str()));
+    let imported: Vec<String> = ["Loops".to_string()].into_iter().chain(of_module).collect();
+    let mut inside = Code::default();
+    inside.line(format!("use ::linkwright::generated::lanes::{}::*;", module.precision()));
+    inside.line(match &imported[..] {
+        [only] => format!("use super::{only};"),
+        _ => format!("use super::{{{}}};", imported.join(", ")),
+    });
+    inside.gap();
+    inside.append(rest);
+    let mut item = Code::default();
+    item.block("pub mod lanes", inside);
+    let docs = [
+        "Several mechanisms at once: each lane has the bits of a mechanism alone.",
+        "",
+        "A [`Group`](lanes::Group) moves them. Where a check fails, it solves the lane alone.",
+    ];
+    code.item(docs, ["#[allow(dead_code)]"], item);
+}
+
+/// Writes the structures of values of all lanes.
+fn structures(module: &Module<'_>, code: &mut Code) {
+    let mechanism = &module.system.mechanism;
+    let held = match (module.holds_coordinates(), frame_keeps_parameters(module)) {
+        (true, true) => "q, qd, qdd, parameters",
+        (true, false) => "q, qd, qdd",
+        (false, _) => "",
+    };
+    let fields = module.program.fields.iter();
+    let coordinates = module.system.coordinates.iter();
+    let branches = module.program.branches.iter();
+    let parameters = mechanism.parameters.iter();
+    let inputs = mechanism.inputs.iter();
+    let lists: [(String, Vec<String>); 5] = [
+        (
+            "Coordinates".to_string(),
+            coordinates.map(|it| identifier(&it.name)).collect(),
+        ),
+        (
+            format!("Frame({held})"),
+            fields.map(|&symbol| module.field_name(symbol)).collect(),
+        ),
+        (
+            "Branches".to_string(),
+            branches.map(|it| identifier(&it.name)).collect(),
+        ),
+        (
+            "Parameters".to_string(),
+            parameters.map(|it| identifier(&field_name(&it.name))).collect(),
+        ),
+        (
+            "Inputs".to_string(),
+            inputs.map(|it| identifier(&field_name(&it.name))).collect(),
+        ),
+    ];
+    code.open("::linkwright::generated::lanes::structures! {");
+    let without_coordinates = usize::from(!module.holds_coordinates());
+    for (name, fields) in lists.into_iter().skip(without_coordinates) {
+        match fields.is_empty() {
+            true => code.line(format!("{name} {{}}")),
+            false => {
+                code.open(format!("{name} {{"));
+                code.list(&fields);
+                code.close("}");
+            }
+        }
+    }
+    code.close("}");
+}
+
+impl Needs {
+    /// Returns the needs of a block's function in lanes: no failure reports the time.
+    fn in_lanes(block: &Block, module: &Module<'_>) -> Needs {
+        let reads = Scope::new(module, &block.function, Place::Lanes).reads();
+        let is_check = |it: &Statement| {
+            matches!(
+                it,
+                Statement::Reach { .. }
+                    | Statement::Nonzero { .. }
+                    | Statement::Positive { .. }
+                    | Statement::Multipliers { .. }
+            )
+        };
+        Needs {
+            time: reads.time,
+            conditions: reads.time || reads.parameters || reads.inputs,
+            fails: block.function.statements.iter().any(is_check),
+            ..Needs::of(block, module)
+        }
+    }
+}
+
+fn function(index: usize, block: &Block, module: &Module<'_>, code: &mut Code) {
+    let needs = Needs::in_lanes(block, module);
+    let scope = Scope::new(module, &block.function, Place::Lanes);
+    let mut statements = scope.statements(index, &|_, _| {});
+    let idle = idle(&scope, &statements);
+    if !idle.is_empty() {
+        scope.leave_unnamed(idle);
+        statements = scope.statements(index, &|_, _| {});
+    }
+    let reads = scope.reads();
+    let read = [
+        (needs.time, "t"),
+        (reads.parameters, "parameters"),
+        (reads.inputs, "inputs"),
+    ];
+    let mut inside = Code::default();
+    if let Some(taken) = taken_apart("&Conditions", "conditions", &read) {
+        inside.line(taken);
+    }
+    let (arguments, _) = needs.arguments();
+    let mut head = format!("fn {}({arguments})", identifier(&block.name));
+    if needs.fails {
+        inside.line("let mut failed = Mask::NONE;");
+    }
+    inside.append(statements);
+    if needs.fails {
+        inside.line("failed");
+        head += " -> Mask";
+    }
+    // Instruction sets are chosen for what is inlined.
+    let allow: Vec<&str> = lints::of_code(&inside).chain(["#[inline(always)]"]).collect();
+    code.function(documentation::of_block(block, module), allow, &head, inside);
+}
+
+/// Writes the function that solves all blocks at one time.
+fn solve(module: &Module<'_>, code: &mut Code) {
+    let mut calls = Code::default();
+    let mut can_fail = false;
+    for block in &module.program.blocks {
+        let needs = Needs::in_lanes(block, module);
+        let (name, (_, arguments)) = (identifier(&block.name), needs.arguments());
+        can_fail |= needs.fails;
+        calls.line(match needs.fails {
+            true => format!("failed |= {name}({arguments});"),
+            false => format!("{name}({arguments});"),
+        });
+    }
+    let called: HashSet<&str> = calls.names().collect();
+    let [last, branches] = ["last", "branches"].map(|it| argument(it, called.contains(it)));
+    let head = format!(
+        "fn solve(at: &mut Frame, {last}: &Frame, {branches}: &Branches, conditions: &Conditions<'_>) -> Mask"
+    );
+    let mut inside = Code::default();
+    if can_fail {
+        inside.line("let mut failed = Mask::NONE;");
+    }
+    inside.line("at.t = conditions.t;");
+    if module.holds_coordinates() && frame_keeps_parameters(module) {
+        inside.line("at.parameters = *conditions.parameters;");
+    }
+    inside.append(calls);
+    let checked = checked(module).into_iter();
+    let checked: Vec<String> = checked.map(|symbol| module.field(symbol, "at")).collect();
+    inside.line(match (checked.is_empty(), can_fail) {
+        (true, true) => "failed".to_string(),
+        (true, false) => "Mask::NONE".to_string(),
+        (false, true) => format!("failed | not_finite([{}])", checked.join(", ")),
+        (false, false) => format!("not_finite([{}])", checked.join(", ")),
+    });
+    let docs = ["Solves all blocks, one after another; returns the lanes that fail."];
+    code.function(docs, ["#[inline(always)]"], &head, inside);
+}

@@ -1,0 +1,111 @@
+//! Declares structures with the values of several mechanisms.
+
+/// Structures of a module `lanes`, and the implementation of `InLanes` by its function `solve`.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! generated_lanes {
+    (
+        $(Coordinates { $($coordinate:ident),* $(,)? })?
+        Frame($($held:ident),*) { $($field:ident),* $(,)? }
+        Branches { $($branch:ident),* $(,)? }
+        Parameters { $($parameter:ident),* $(,)? }
+        Inputs { $($input:ident),* $(,)? }
+    ) => {
+        $(
+            $crate::generated::lane_values! {
+                /// Coordinates of all lanes.
+                Coordinates of super::Coordinates { $($coordinate: Lanes,)* }
+            }
+        )?
+
+        $crate::generated::lane_values! {
+            /// Frames of all lanes.
+            Frame of super::Frame {
+                t: Lanes,
+                $($held: $crate::generated::held!($held),)*
+                $($field: Lanes,)*
+            }
+        }
+
+        $crate::generated::lane_values! {
+            /// Signs of the assembly modes of all lanes.
+            Branches of super::Branches { $($branch: Lanes,)* }
+        }
+
+        $crate::generated::lane_values! {
+            /// Parameters of all lanes.
+            Parameters of <Loops as Blocks>::Parameters { $($parameter: Lanes,)* }
+        }
+
+        $crate::generated::lane_values! {
+            /// Inputs of all lanes.
+            Inputs of <Loops as Blocks>::Inputs { $($input: Signals,)* }
+        }
+
+        /// Data with which one instant of all lanes is solved.
+        type Conditions<'a> = $crate::generated::lanes::Conditions<'a, Lanes, Parameters, Inputs>;
+
+        /// Mechanisms that move in step.
+        pub type Group = $crate::lanes::Group<Loops, COUNT>;
+
+        impl $crate::lanes::InLanes<COUNT> for Loops {
+            type Frames = Frame;
+            type Signs = Branches;
+            type ParameterLanes = Parameters;
+            type InputLanes = Inputs;
+
+            #[inline(always)]
+            fn solve_lanes(
+                at: &mut Frame,
+                last: &Frame,
+                signs: &Branches,
+                conditions: &Conditions<'_>,
+            ) -> Mask {
+                solve(at, last, signs, conditions)
+            }
+        }
+    };
+}
+
+/// Type of a field that a frame holds.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! generated_held {
+    (parameters) => {
+        Parameters
+    };
+    ($vector:ident) => {
+        Coordinates
+    };
+}
+
+/// Structure whose fields are lanes of those of another one.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! generated_lane_values {
+    ($(#[$docs:meta])* $name:ident of $values:ty { $($field:ident: $kind:ty,)* }) => {
+        $(#[$docs])*
+        #[derive(Clone, Copy, Debug)]
+        #[allow(dead_code, non_snake_case)]
+        pub struct $name {
+            $(
+                #[allow(missing_docs)]
+                pub $field: $kind,
+            )*
+        }
+
+        impl $crate::generated::lanes::LaneValues<$values> for $name {
+            const ZERO: Self = Self { $($field: <$kind>::ZERO,)* };
+
+            #[allow(unused_variables)]
+            fn set_lane(&mut self, lane: usize, values: &$values) {
+                $(self.$field.set_lane(lane, &values.$field);)*
+            }
+
+            #[allow(unused_variables)]
+            fn get_lane(&self, lane: usize, values: &mut $values) {
+                $(self.$field.get_lane(lane, &mut values.$field);)*
+            }
+        }
+    };
+}

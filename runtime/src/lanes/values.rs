@@ -1,0 +1,76 @@
+//! Moves values of one mechanism into a lane and out of it.
+
+use super::Lanes;
+use crate::closed_form::Branch;
+use crate::math::Real;
+use crate::signal::Signal;
+
+/// Values of N mechanisms, a lane each.
+pub trait LaneValues<V>: Copy {
+    /// Zero in all lanes.
+    const ZERO: Self;
+
+    /// Changes the values of one lane; does nothing beyond the last one.
+    fn set_lane(&mut self, lane: usize, values: &V);
+
+    /// Overwrites values with those of one lane; does nothing beyond the last one.
+    fn get_lane(&self, lane: usize, values: &mut V);
+}
+
+impl<T: Real, const N: usize> LaneValues<T> for Lanes<T, N> {
+    const ZERO: Self = Self::splat(T::ZERO);
+
+    #[inline(always)]
+    fn set_lane(&mut self, lane: usize, values: &T) {
+        self.set(lane, *values);
+    }
+
+    #[inline(always)]
+    fn get_lane(&self, lane: usize, values: &mut T) {
+        if let Some(value) = self.0.get(lane) {
+            *values = *value;
+        }
+    }
+}
+
+/// The sign of a mode.
+impl<T: Real, const N: usize> LaneValues<Branch> for Lanes<T, N> {
+    const ZERO: Self = Self::splat(T::ZERO);
+
+    #[inline(always)]
+    fn set_lane(&mut self, lane: usize, values: &Branch) {
+        self.set(lane, values.sign());
+    }
+
+    #[inline(always)]
+    fn get_lane(&self, lane: usize, values: &mut Branch) {
+        if let Some(sign) = self.0.get(lane) {
+            *values = match *sign > T::ZERO {
+                true => Branch::Positive,
+                false => Branch::Negative,
+            };
+        }
+    }
+}
+
+impl<T: Real, const N: usize> LaneValues<Signal<T>> for Signal<Lanes<T, N>> {
+    const ZERO: Self = Self {
+        value: Lanes::splat(T::ZERO),
+        rate: Lanes::splat(T::ZERO),
+        acceleration: Lanes::splat(T::ZERO),
+    };
+
+    #[inline(always)]
+    fn set_lane(&mut self, lane: usize, values: &Signal<T>) {
+        self.value.set(lane, values.value);
+        self.rate.set(lane, values.rate);
+        self.acceleration.set(lane, values.acceleration);
+    }
+
+    #[inline(always)]
+    fn get_lane(&self, lane: usize, values: &mut Signal<T>) {
+        self.value.get_lane(lane, &mut values.value);
+        self.rate.get_lane(lane, &mut values.rate);
+        self.acceleration.get_lane(lane, &mut values.acceleration);
+    }
+}
