@@ -16,7 +16,11 @@ pub fn refused(solved: &Solved, options: &Options) -> Diagnostics {
     if let Some(excluded) = excluded {
         let message = format!("there are no lanes for {excluded}");
         let error = Diagnostic::error(Code::NoLanes, mechanism.place(), message);
-        errors.push(error.label("requested for this").help("leave out one of both options"));
+        errors.push(
+            error
+                .label("requested for this")
+                .help("leave out one of both options"),
+        );
     }
     for block in &solved.program().blocks {
         let Some(first) = block.joints.first().filter(|_| block.newton.is_some()) else {

@@ -55,8 +55,8 @@ pub use read::{Read, read};
 pub use system::Derived;
 
 use checks::check_all;
-use emit::Form;
 use diagnostic::internal;
+use emit::Form;
 use linkwright_description::{
     columns, consequences, expr, force, joint, model, pool, syntax, units,
 };

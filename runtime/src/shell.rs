@@ -158,6 +158,19 @@ impl<B: Blocks> Shell<B> {
         inputs: &B::Inputs,
         write: impl FnOnce(&mut B::Frame),
     ) -> Result<&B::Frame, Failure<B::Scalar>> {
+        self.admit(t, inputs, write)?;
+        Ok(self.frame())
+    }
+
+    /// Does what [`Shell::advance_solved`] does; true if the path led to the frame in one step, so that it is the last one
+    /// with its bits.
+    #[inline]
+    pub(crate) fn admit(
+        &mut self,
+        t: B::Scalar,
+        inputs: &B::Inputs,
+        write: impl FnOnce(&mut B::Frame),
+    ) -> Result<bool, Failure<B::Scalar>> {
         let [first, second] = &mut self.frames;
         let (last, at) = match self.second_is_last {
             true => (&*second, first),
@@ -177,13 +190,15 @@ impl<B: Blocks> Shell<B> {
             before: &self.inputs,
             conditions: &conditions,
         };
-        if let Err(failure) = self.guard.admit(&self.blocks, pair, false) {
+        let admitted = self.guard.admit(&self.blocks, pair, false);
+        let is_one_step = admitted.is_ok();
+        if let Err(failure) = admitted {
             self.advance_in_steps(failure, t, inputs)?;
         }
         self.inputs.clone_from(inputs);
         self.start = Start::LastFrame;
         self.second_is_last = !self.second_is_last;
-        Ok(self.frame())
+        Ok(is_one_step)
     }
 
     /// Moves the mechanism to time `t` (s) in several steps, after one has ended with `failure`, or locates the end of

@@ -86,12 +86,7 @@ impl Language {
     }
 
     /// Files of the motions of one mechanism, under the names of [`Language::file_names`].
-    pub(crate) fn files(
-        self,
-        motions: &[Solved],
-        stem: &str,
-        form: Form<'_>,
-    ) -> Vec<OutputFile> {
+    pub(crate) fn files(self, motions: &[Solved], stem: &str, form: Form<'_>) -> Vec<OutputFile> {
         let texts = (self.conventions().texts)(motions, stem, form);
         let names = self.file_names(stem).into_iter();
         let files = names.zip(texts);

@@ -94,9 +94,11 @@ macro_rules! generated_lane_values {
             )*
         }
 
-        impl $crate::generated::lanes::LaneValues<$values> for $name {
-            const ZERO: Self = Self { $($field: <$kind>::ZERO,)* };
+        impl $crate::generated::lanes::Zero for $name {
+            const ZERO: Self = Self { $($field: <$kind as $crate::generated::lanes::Zero>::ZERO,)* };
+        }
 
+        impl $crate::generated::lanes::LaneValues<$values> for $name {
             #[allow(unused_variables)]
             fn set_lane(&mut self, lane: usize, values: &$values) {
                 $(self.$field.set_lane(lane, &values.$field);)*

@@ -63,7 +63,7 @@ pub mod kinematics {
 /// Equations of several mechanisms.
 pub mod lanes {
     pub use crate::generated_lanes as structures;
-    pub use crate::lanes::{Conditions, LaneValues};
+    pub use crate::lanes::{Conditions, LaneValues, Zero};
 
     macro_rules! precision {
         ($(#[$docs:meta])* $name:ident, $scalar:ident, $count:literal) => {

@@ -140,13 +140,13 @@ pub fn not_positive<T: Real, const N: usize>(length: Lanes<T, N>) -> Mask<N> {
 
 /// Returns the lanes in which some value is infinite or NaN: the difference of such a value from itself is NaN.
 #[inline(always)]
-pub fn not_finite<T: Real, const N: usize, const K: usize>(values: [Lanes<T, N>; K]) -> Mask<N>
+pub fn not_finite<T: Real, const N: usize, const K: usize>(values: [&Lanes<T, N>; K]) -> Mask<N>
 where
     Lanes<T, N>: core::ops::Add<Output = Lanes<T, N>> + core::ops::Sub<Output = Lanes<T, N>>,
 {
     let mut sums = [Lanes::splat(T::ZERO); 4];
     for (place, value) in values.into_iter().enumerate() {
-        sums[place % 4] = sums[place % 4] + (value - value);
+        sums[place % 4] = sums[place % 4] + (*value - *value);
     }
     let [a, b, c, d] = sums;
     let sum = (a + b) + (c + d);

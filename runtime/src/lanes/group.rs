@@ -3,7 +3,7 @@
 //! All lanes are solved together. A lane whose blocks fail, or whose path is not verified yet, is solved again by its own [`Shell`], which
 //! finds the failure or advances in several steps. The other lanes keep their results.
 
-use super::values::LaneValues;
+use super::values::{LaneValues, Zero};
 use super::vectorized::vectorized;
 use super::{Lanes, Mask};
 use crate::blocks::Blocks;
@@ -112,13 +112,13 @@ impl<B: InLanes<N>, const N: usize> Group<B, N> {
             inputs: &self.inputs,
         };
         let (signs, [middles, lengths]) = (&self.signs, &self.windows);
-        let mut alone = vectorized(
+        let [unsolved, mut alone] = vectorized(
             #[inline(always)]
             || {
-                let failed = B::solve_lanes(at, last, signs, &conditions);
+                let unsolved = B::solve_lanes(at, last, signs, &conditions);
                 let is_inside =
                     |lane: usize| (times[lane] - middles.0[lane]).abs() <= lengths.0[lane];
-                failed | !Mask::of(is_inside)
+                [unsolved, unsolved | !Mask::of(is_inside)]
             },
         );
         if has_inputs {
@@ -135,18 +135,18 @@ impl<B: InLanes<N>, const N: usize> Group<B, N> {
         self.times = *times;
         let failed = match alone.is_empty() {
             true => self.resting,
-            false => self.resting | self.advance_alone(alone, times, inputs),
+            false => self.resting | self.advance_alone([alone, unsolved], times, inputs),
         };
         self.second_is_last = !self.second_is_last;
         failed
     }
 
-    /// Moves some mechanisms by their shells; returns those that fail.
+    /// Moves some mechanisms by their shells, of which some are unsolved; returns those that fail.
     #[cold]
     #[inline(never)]
     fn advance_alone(
         &mut self,
-        alone: Mask<N>,
+        [alone, unsolved]: [Mask<N>; 2],
         times: &[B::Scalar; N],
         inputs: &[B::Inputs; N],
     ) -> Mask<N> {
@@ -169,12 +169,18 @@ impl<B: InLanes<N>, const N: usize> Group<B, N> {
             if self.behind.has(lane) {
                 shell.overwrite(|frame| last.get_lane(lane, frame));
             }
-            *failure = shell.advance(t, inputs).err();
+            let moved = match unsolved.has(lane) {
+                true => shell.advance(t, inputs).map(|_| false),
+                false => shell.admit(t, inputs, |frame| at.get_lane(lane, frame)),
+            };
+            *failure = moved.err();
             if failure.is_some() {
                 failed |= Mask::one(lane);
             }
             *time = B::time(shell.frame());
-            at.set_lane(lane, shell.frame());
+            if moved != Ok(true) {
+                at.set_lane(lane, shell.frame());
+            }
             self.signs.set_lane(lane, shell.branches());
             set_window(&mut self.windows, lane, shell);
         }

@@ -19,4 +19,4 @@ pub use mask::Mask;
 pub use number::Lanes;
 
 #[doc(hidden)]
-pub use values::LaneValues;
+pub use values::{LaneValues, Zero};

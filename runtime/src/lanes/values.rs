@@ -5,11 +5,14 @@ use crate::closed_form::Branch;
 use crate::math::Real;
 use crate::signal::Signal;
 
-/// Values of N mechanisms, a lane each.
-pub trait LaneValues<V>: Copy {
+/// Values that can be zero in all lanes.
+pub trait Zero: Copy {
     /// Zero in all lanes.
     const ZERO: Self;
+}
 
+/// Values of N mechanisms, a lane each.
+pub trait LaneValues<V>: Zero {
     /// Changes the values of one lane; does nothing beyond the last one.
     fn set_lane(&mut self, lane: usize, values: &V);
 
@@ -17,9 +20,19 @@ pub trait LaneValues<V>: Copy {
     fn get_lane(&self, lane: usize, values: &mut V);
 }
 
-impl<T: Real, const N: usize> LaneValues<T> for Lanes<T, N> {
+impl<T: Real, const N: usize> Zero for Lanes<T, N> {
     const ZERO: Self = Self::splat(T::ZERO);
+}
 
+impl<T: Real, const N: usize> Zero for Signal<Lanes<T, N>> {
+    const ZERO: Self = Self {
+        value: Lanes::splat(T::ZERO),
+        rate: Lanes::splat(T::ZERO),
+        acceleration: Lanes::splat(T::ZERO),
+    };
+}
+
+impl<T: Real, const N: usize> LaneValues<T> for Lanes<T, N> {
     #[inline(always)]
     fn set_lane(&mut self, lane: usize, values: &T) {
         self.set(lane, *values);
@@ -35,8 +48,6 @@ impl<T: Real, const N: usize> LaneValues<T> for Lanes<T, N> {
 
 /// The sign of a mode.
 impl<T: Real, const N: usize> LaneValues<Branch> for Lanes<T, N> {
-    const ZERO: Self = Self::splat(T::ZERO);
-
     #[inline(always)]
     fn set_lane(&mut self, lane: usize, values: &Branch) {
         self.set(lane, values.sign());
@@ -54,12 +65,6 @@ impl<T: Real, const N: usize> LaneValues<Branch> for Lanes<T, N> {
 }
 
 impl<T: Real, const N: usize> LaneValues<Signal<T>> for Signal<Lanes<T, N>> {
-    const ZERO: Self = Self {
-        value: Lanes::splat(T::ZERO),
-        rate: Lanes::splat(T::ZERO),
-        acceleration: Lanes::splat(T::ZERO),
-    };
-
     #[inline(always)]
     fn set_lane(&mut self, lane: usize, values: &Signal<T>) {
         self.value.set(lane, values.value);

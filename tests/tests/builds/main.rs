@@ -5,6 +5,7 @@ mod c;
 mod comments;
 mod control;
 mod freestanding;
+mod lanes;
 mod lints;
 mod macros;
 mod work;

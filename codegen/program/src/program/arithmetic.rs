@@ -82,7 +82,9 @@ impl Arithmetic {
                     otherwise,
                     ..
                 } = &**choice;
-                [left, right, below, otherwise].into_iter().any(Self::varies)
+                [left, right, below, otherwise]
+                    .into_iter()
+                    .any(Self::varies)
             }
         }
     }

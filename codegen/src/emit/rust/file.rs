@@ -3,9 +3,9 @@
 use super::lints;
 use super::names::{WORDS, identifier};
 use crate::emit::code::Code;
+use crate::emit::language::Form;
 use crate::emit::layout::Lists;
 use crate::emit::module::{Module, documentation, facts};
-use crate::emit::language::Form;
 use crate::solved::Solved;
 
 /// The source of the generated file, with a header of comments. A mechanism with motions becomes one module for each.

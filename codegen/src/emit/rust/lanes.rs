@@ -35,11 +35,18 @@ pub(super) fn lanes(module: &Module<'_>, code: &mut Code) {
     let of_module = of_module.filter(|name| mentioned.contains(name.as_str()));
     let imported: Vec<String> = ["Loops".to_string()].into_iter().chain(of_module).collect();
     let mut inside = Code::default();
-    inside.line(format!("use ::linkwright::generated::lanes::{}::*;", module.precision()));
-    inside.line(match &imported[..] {
-        [only] => format!("use super::{only};"),
-        _ => format!("use super::{{{}}};", imported.join(", ")),
-    });
+    inside.line(format!(
+        "use ::linkwright::generated::lanes::{}::*;",
+        module.precision()
+    ));
+    match &imported[..] {
+        [only] => inside.line(format!("use super::{only};")),
+        _ => {
+            inside.open("use super::{");
+            inside.list(&imported);
+            inside.close("};");
+        }
+    }
     inside.gap();
     inside.append(rest);
     let mut item = Code::default();
@@ -80,7 +87,9 @@ fn structures(module: &Module<'_>, code: &mut Code) {
         ),
         (
             "Parameters".to_string(),
-            parameters.map(|it| identifier(&field_name(&it.name))).collect(),
+            parameters
+                .map(|it| identifier(&field_name(&it.name)))
+                .collect(),
         ),
         (
             "Inputs".to_string(),
@@ -154,7 +163,9 @@ fn function(index: usize, block: &Block, module: &Module<'_>, code: &mut Code) {
         head += " -> Mask";
     }
     // Instruction sets are chosen for what is inlined.
-    let allow: Vec<&str> = lints::of_code(&inside).chain(["#[inline(always)]"]).collect();
+    let allow: Vec<&str> = lints::of_code(&inside)
+        .chain(["#[inline(always)]"])
+        .collect();
     code.function(documentation::of_block(block, module), allow, &head, inside);
 }
 
@@ -186,7 +197,8 @@ fn solve(module: &Module<'_>, code: &mut Code) {
     }
     inside.append(calls);
     let checked = checked(module).into_iter();
-    let checked: Vec<String> = checked.map(|symbol| module.field(symbol, "at")).collect();
+    let checked = checked.map(|symbol| format!("&{}", module.field(symbol, "at")));
+    let checked: Vec<String> = checked.collect();
     inside.line(match (checked.is_empty(), can_fail) {
         (true, true) => "failed".to_string(),
         (true, false) => "Mask::NONE".to_string(),

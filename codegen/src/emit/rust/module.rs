@@ -5,8 +5,8 @@ use std::collections::HashSet;
 use super::functions::functions;
 use super::names::identifier;
 use super::{
-    assemblies, block, coordinates, explained, frame, lanes, loads, newton, parameters, path, shell,
-    tables, textbook,
+    assemblies, block, coordinates, explained, frame, lanes, loads, newton, parameters, path,
+    shell, tables, textbook,
 };
 use crate::emit::code::Code;
 use crate::emit::language::Form;

@@ -10,7 +10,11 @@ impl Scope<'_> {
         match self.locate(symbol) {
             Location::Local(name) => identifier(&name),
             Location::Sign(branch) => {
-                let sign = if self.is_in_lanes() { "" } else { ".sign::<Scalar>()" };
+                let sign = if self.is_in_lanes() {
+                    ""
+                } else {
+                    ".sign::<Scalar>()"
+                };
                 format!("branches.{}{sign}", identifier(branch))
             }
             Location::TimeWindow(part) => format!("window.{}", identifier(part)),

@@ -214,10 +214,14 @@ impl Scope<'_> {
                 let rows: Vec<String> = rows.map(|row| format!("[{}]", self.values(row))).collect();
                 let (rows, forces) = (rows.join(", "), self.values(forces));
                 if self.is_in_lanes() {
-                    code.line(format!("let (balance, singular) = multipliers([{rows}], [{forces}]);"));
+                    code.line(format!(
+                        "let (balance, singular) = multipliers([{rows}], [{forces}]);"
+                    ));
                     code.line("failed |= singular;");
                 } else {
-                    code.line(format!("let balance = multipliers([{rows}], [{forces}], t, {block})?;"));
+                    code.line(format!(
+                        "let balance = multipliers([{rows}], [{forces}], t, {block})?;"
+                    ));
                 }
                 self.distribute(targets, "balance", code);
             }

@@ -1,0 +1,106 @@
+//! Groups of mechanisms have the bits of the same mechanisms alone.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use linkwright_codegen::{Options, Scalar, generate};
+use linkwright_tests::{description, files};
+
+/// The package of all modules with lanes: each in f64, every second one in f32 as well.
+fn write(package: &Path) -> usize {
+    let source = package.join("src");
+    let (mut modules, mut calls, mut count) = (String::new(), String::new(), 0);
+    let names = [description::names(), description::of_tests()].concat();
+    for (number, name) in names.iter().enumerate() {
+        let described = description::source(name);
+        let Ok(read) = linkwright_codegen::read(&described) else {
+            continue;
+        };
+        let scalars = [(Scalar::F64, "f64", 8), (Scalar::F32, "f32", 16)];
+        for (scalar, suffix, lanes) in scalars.into_iter().take(1 + (number + 1) % 2) {
+            let options = Options {
+                scalar,
+                lanes: true,
+                ..Options::default()
+            };
+            // Others have blocks of Newton-Raphson.
+            let Ok(generated) = generate(&described, &options) else {
+                continue;
+            };
+            // Frames of thousands of numbers cannot be printed.
+            if !generated.code().contains("textbook!") {
+                continue;
+            }
+            let module = format!("{name}_{suffix}");
+            files::write_if_changed(&source.join(format!("{module}.rs")), generated.code())
+                .expect("written");
+            let _ = writeln!(modules, "#[allow(dead_code)]\nmod {module};");
+            for derived in &read.motions {
+                let motion = derived.system.mechanism.motion.as_ref();
+                let path = motion.map_or(module.clone(), |it| format!("{module}::{}", it.name));
+                let _ = writeln!(
+                    calls,
+                    "    compare::<{path}::Loops, {lanes}>({path:?}, counted);"
+                );
+            }
+            count += 1;
+        }
+    }
+    let text = format!(
+        "{}\nfn all(counted: &mut Counted) {{\n{calls}}}\n\n{modules}",
+        include_str!("program.rs")
+    );
+    files::write_if_changed(&source.join("main.rs"), &text).expect("written");
+    count
+}
+
+#[test]
+fn groups_have_the_bits_of_mechanisms_alone() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("lanes");
+    fs::create_dir_all(folder.join("package/src")).expect("a folder");
+    let package = folder.join("package");
+    let modules = write(&package);
+    let runtime = files::repository().join("runtime");
+    let manifest = format!(
+        "[package]\nname = \"in_lanes\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n[workspace]\n\n[profile.dev]\ndebug = false\n\n[dependencies]\nlinkwright = {{ path = {runtime:?}, features = [\"std\"] }}\n"
+    );
+    files::write_if_changed(&package.join("Cargo.toml"), &manifest).expect("written");
+    fs::copy(
+        files::repository().join("Cargo.lock"),
+        package.join("Cargo.lock"),
+    )
+    .expect("copied");
+    let output = Command::new("cargo")
+        .args(["run", "--quiet", "--offline", "--target-dir"])
+        .arg(folder.join("target"))
+        .current_dir(&package)
+        .env("RUSTFLAGS", "-Awarnings")
+        .output()
+        .expect("cargo runs");
+    let printed = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(
+        output.status.success(),
+        "{}\n{}",
+        printed,
+        String::from_utf8_lossy(&output.stderr)
+    );
+    println!("{modules} modules\n{printed}");
+    let counts: BTreeMap<&str, usize> = printed
+        .lines()
+        .filter_map(|line| {
+            let (name, count) = line.split_once(' ')?;
+            Some((name, count.parse().ok()?))
+        })
+        .collect();
+    // Otherwise nothing would have been tested: frames, and the kinds of failure of such mechanisms.
+    assert!(
+        modules > 100 && counts["frames"] > 50_000,
+        "{modules} {counts:?}"
+    );
+    for kind in ["NotFinite", "OutOfReach", "Singular", "StepTooLarge"] {
+        assert!(counts.contains_key(kind), "no {kind} in {counts:?}");
+    }
+}
