@@ -1,25 +1,26 @@
 //! Refuses lanes of mechanisms that cannot be solved in lanes.
 
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
+use crate::emit::{Form, Language};
 use crate::solved::Solved;
-use crate::{Language, Options};
 
 /// Returns the errors of a module with lanes: blocks of Newton-Raphson, and choices that exclude lanes.
-pub fn refused(solved: &Solved, options: &Options) -> Diagnostics {
+pub fn refused(solved: &Solved, language: Language, form: Form<'_>) -> Diagnostics {
     let mechanism = &solved.system().mechanism;
     let mut errors = Diagnostics::new();
-    let excluded = match (options.language, &options.math) {
-        (Language::C, _) => Some("C: compilers vectorize its loops over mechanisms"),
-        (Language::Rust, Some(_)) => Some("other elementary functions than those of the runtime"),
+    let excluded = match (language, form.math) {
+        (Language::C, _) => Some("lanes are written in Rust only, found C"),
+        (Language::Rust, Some(_)) => {
+            Some("lanes have the elementary functions of the runtime only, found others")
+        }
         (Language::Rust, None) => None,
     };
-    if let Some(excluded) = excluded {
-        let message = format!("there are no lanes for {excluded}");
+    if let Some(message) = excluded {
         let error = Diagnostic::error(Code::NoLanes, mechanism.place(), message);
         errors.push(
             error
                 .label("requested for this")
-                .help("leave out one of both options"),
+                .help("leave out the lanes"),
         );
     }
     for block in &solved.program().blocks {
@@ -32,7 +33,7 @@ pub fn refused(solved: &Solved, options: &Options) -> Diagnostics {
             block.name
         );
         let error = Diagnostic::error(Code::NoLanes, joint.span, message);
-        let help = "leave out the lanes, or describe the loop so that it has a closed form: `plan` shows which blocks have one";
+        let help = "leave out the lanes, or change the loop so that it has a closed form: `plan` shows which blocks have one";
         errors.push(error.label("in the loop that this closes").help(help));
     }
     errors

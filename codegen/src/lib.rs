@@ -192,6 +192,11 @@ pub fn generate(source: &Source, options: &Options) -> Result<Generated, Diagnos
         Scalar::F64 => finiteness::Range::F64,
         Scalar::F32 => finiteness::Range::F32,
     };
+    let form = Form {
+        scalar: options.scalar,
+        math: options.math.as_deref(),
+        has_lanes: options.lanes,
+    };
     let (mut lowered, mut by_motion) = (Vec::new(), Vec::new());
     for derived in &motions {
         let mechanism = &derived.system.mechanism;
@@ -205,7 +210,7 @@ pub fn generate(source: &Source, options: &Options) -> Result<Generated, Diagnos
                 let mut findings = finiteness::of_program(solved.pool(), system, program, range);
                 findings.extend(modes::undecided(system, &program.blocks, &program.branches));
                 if options.lanes {
-                    findings.extend(lanes::refused(solved, options));
+                    findings.extend(lanes::refused(solved, options.language, form));
                 }
                 findings
             }
@@ -228,11 +233,6 @@ pub fn generate(source: &Source, options: &Options) -> Result<Generated, Diagnos
     let name = name.unwrap_or_default();
     let stem = options.stem.as_deref().unwrap_or(&name);
     let language = options.language;
-    let form = Form {
-        scalar: options.scalar,
-        math: options.math.as_deref(),
-        has_lanes: options.lanes,
-    };
     Ok(Generated {
         files: language.files(&lowered, stem, form),
         name,

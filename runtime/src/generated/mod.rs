@@ -8,7 +8,6 @@ mod assemblies;
 mod branches;
 mod equations;
 mod frame;
-#[path = "lanes.rs"]
 mod lane_structures;
 mod mechanism;
 mod numbers;
@@ -76,12 +75,10 @@ pub mod lanes {
                     choose, exceeds_rounding, less, lookup, multipliers, not_finite, not_positive,
                 };
 
-                /// Number of lanes.
-                pub const COUNT: usize = $count;
                 /// Numbers of all lanes.
-                pub type Lanes = crate::lanes::Lanes<$scalar, COUNT>;
+                pub type Lanes = crate::lanes::Lanes<$scalar, $count>;
                 /// Set of lanes.
-                pub type Mask = crate::lanes::Mask<COUNT>;
+                pub type Mask = crate::lanes::Mask<$count>;
                 /// Signals of all lanes.
                 pub type Signals = crate::Signal<Lanes>;
 

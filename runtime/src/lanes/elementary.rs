@@ -2,6 +2,8 @@
 //!
 //! A check returns at least the lanes that the check of one number rejects.
 
+use core::ops::{Add, Mul};
+
 use super::{Lanes, Mask};
 use crate::closed_form;
 use crate::math::Real;
@@ -138,15 +140,15 @@ pub fn not_positive<T: Real, const N: usize>(length: Lanes<T, N>) -> Mask<N> {
     !less(Lanes::splat(T::ZERO), length)
 }
 
-/// Returns the lanes in which some value is infinite or NaN: the difference of such a value from itself is NaN.
+/// Returns the lanes in which some value is infinite or NaN: zero times such a value is NaN.
 #[inline(always)]
 pub fn not_finite<T: Real, const N: usize, const K: usize>(values: [&Lanes<T, N>; K]) -> Mask<N>
 where
-    Lanes<T, N>: core::ops::Add<Output = Lanes<T, N>> + core::ops::Sub<Output = Lanes<T, N>>,
+    Lanes<T, N>: Add<Output = Lanes<T, N>> + Mul<T, Output = Lanes<T, N>>,
 {
     let mut sums = [Lanes::splat(T::ZERO); 4];
     for (place, value) in values.into_iter().enumerate() {
-        sums[place % 4] = sums[place % 4] + (*value - *value);
+        sums[place % 4] = sums[place % 4] + *value * T::ZERO;
     }
     let [a, b, c, d] = sums;
     let sum = (a + b) + (c + d);
@@ -180,13 +182,13 @@ pub fn lookup<T: Real, const N: usize, const K: usize>(
     table: &Table<K, T>,
     places: Lanes<T, N>,
 ) -> [Lanes<T, N>; 4] {
-    let mut found = [Lanes::splat(T::ZERO); 4];
+    let mut values = [Lanes::splat(T::ZERO); 4];
     for lane in 0..N {
-        for (found, value) in found.iter_mut().zip(table.at(places.0[lane])) {
-            found.0[lane] = value;
+        for (values, value) in values.iter_mut().zip(table.at(places.0[lane])) {
+            values.0[lane] = value;
         }
     }
-    found
+    values
 }
 
 /// Returns the multipliers of all lanes, and the lanes whose Jacobian is singular or not finite.
@@ -194,18 +196,18 @@ pub fn multipliers<T: Real, const N: usize, const K: usize>(
     jacobian: [[Lanes<T, N>; K]; K],
     forces: [Lanes<T, N>; K],
 ) -> ([Lanes<T, N>; K], Mask<N>) {
-    let mut found = [Lanes::splat(T::ZERO); K];
+    let mut multipliers = [Lanes::splat(T::ZERO); K];
     let singular = Mask::of(|lane| {
         let rows = jacobian.map(|row| row.map(|entry| entry.0[lane]));
         match multipliers_of_one(rows, forces.map(|force| force.0[lane]), T::ZERO, 0) {
             Ok(solution) => {
-                for (found, value) in found.iter_mut().zip(solution) {
-                    found.0[lane] = value;
+                for (multiplier, value) in multipliers.iter_mut().zip(solution) {
+                    multiplier.0[lane] = value;
                 }
                 false
             }
             Err(_) => true,
         }
     });
-    (found, singular)
+    (multipliers, singular)
 }

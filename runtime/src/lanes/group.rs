@@ -23,6 +23,7 @@ pub struct Conditions<'a, T, P, I> {
 }
 
 /// Equations that are solved for N mechanisms at once. Generated code implements this trait.
+#[doc(hidden)]
 pub trait InLanes<const N: usize>: Blocks {
     /// Frames of N mechanisms.
     type Frames: LaneValues<Self::Frame>;

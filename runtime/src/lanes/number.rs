@@ -24,7 +24,7 @@ impl<T: Copy, const N: usize> Lanes<T, N> {
 }
 
 macro_rules! operators {
-    ($scalar:ident: $($name:ident, $function:ident, $sign:tt;)*) => {
+    ($scalar:ident: $($name:ident, $function:ident, $sign:tt, $assign:tt;)*) => {
         $(
             impl<const N: usize> $name for Lanes<$scalar, N> {
                 type Output = Self;
@@ -32,7 +32,7 @@ macro_rules! operators {
                 #[inline(always)]
                 fn $function(mut self, other: Self) -> Self {
                     for lane in 0..N {
-                        self.0[lane] = self.0[lane] $sign other.0[lane];
+                        self.0[lane] $assign other.0[lane];
                     }
                     self
                 }
@@ -44,7 +44,7 @@ macro_rules! operators {
                 #[inline(always)]
                 fn $function(mut self, other: $scalar) -> Self {
                     for lane in 0..N {
-                        self.0[lane] = self.0[lane] $sign other;
+                        self.0[lane] $assign other;
                     }
                     self
                 }
@@ -54,11 +54,8 @@ macro_rules! operators {
                 type Output = Lanes<$scalar, N>;
 
                 #[inline(always)]
-                fn $function(self, mut other: Lanes<$scalar, N>) -> Lanes<$scalar, N> {
-                    for lane in 0..N {
-                        other.0[lane] = self $sign other.0[lane];
-                    }
-                    other
+                fn $function(self, other: Lanes<$scalar, N>) -> Lanes<$scalar, N> {
+                    Lanes::splat(self) $sign other
                 }
             }
         )*
@@ -77,5 +74,5 @@ macro_rules! operators {
     };
 }
 
-operators!(f64: Add, add, +; Sub, sub, -; Mul, mul, *; Div, div, /;);
-operators!(f32: Add, add, +; Sub, sub, -; Mul, mul, *; Div, div, /;);
+operators!(f64: Add, add, +, +=; Sub, sub, -, -=; Mul, mul, *, *=; Div, div, /, /=;);
+operators!(f32: Add, add, +, +=; Sub, sub, -, -=; Mul, mul, *, *=; Div, div, /, /=;);

@@ -13,8 +13,5 @@ pub(crate) fn vectorized<R>(work: impl FnOnce() -> R) -> R {
 pub(crate) fn vectorized<R>(work: impl FnOnce() -> R) -> R {
     use fearless_simd::{Level, Simd, dispatch};
 
-    dispatch!(Level::new(), simd => simd.vectorize(
-        #[inline(always)]
-        || work()
-    ))
+    dispatch!(Level::new(), simd => simd.vectorize(work))
 }

@@ -39,7 +39,9 @@ pub(super) const ORDER: [(&str, &[&str]); 3] = [
     ),
     (
         "codegen/src",
-        &["emit", "checks", "read", "files", "stages", "cargo", "lib"],
+        &[
+            "emit", "checks", "lanes", "read", "files", "stages", "cargo", "lib",
+        ],
     ),
 ];
 

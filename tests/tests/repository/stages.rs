@@ -57,7 +57,7 @@ const STAGES: [(&str, &str); 11] = [
     ),
     (
         "codegen/src/emit/language.rs",
-        "fn(&[Solved], stem: &str, Scalar, math: Option<&str>) -> Vec<String>",
+        "fn(&[Solved], stem: &str, Form<'_>) -> Vec<String>",
     ),
     (
         "codegen/src/emit/derivation.rs",

@@ -22,6 +22,7 @@ mod folder;
 mod forces;
 mod generate_and_inspect;
 mod generate_c;
+mod generate_lanes;
 #[cfg(all(feature = "calibrate", feature = "png"))]
 mod guide;
 #[cfg(not(all(

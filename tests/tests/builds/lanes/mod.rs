@@ -50,11 +50,40 @@ fn write(package: &Path) -> usize {
         }
     }
     let text = format!(
-        "{}\nfn all(counted: &mut Counted) {{\n{calls}}}\n\n{modules}",
+        "{}\nfn all(counted: &mut Counted) {{\n{calls}    example::main().expect(\"poses\");\n}}\n\nmod example;\n{modules}",
         include_str!("program.rs")
     );
     files::write_if_changed(&source.join("main.rs"), &text).expect("written");
     count
+}
+
+/// Angle of the rocker of `four_bar` at a time, from the law of cosines.
+fn rocker(t: f64) -> f64 {
+    let crank = 40f64.to_radians() + 3.0 * t;
+    let (x, y) = (0.04 * crank.cos() - 0.1, 0.04 * crank.sin());
+    let distance = x.hypot(y);
+    let inside =
+        (0.08f64.powi(2) + distance * distance - 0.12f64.powi(2)) / (2.0 * 0.08 * distance);
+    let angle = y.atan2(x) - inside.acos();
+    // The rocker stays within half a turn of its design angle.
+    angle + std::f64::consts::TAU * ((1.0 - angle) / std::f64::consts::TAU).round()
+}
+
+/// The program of the guide, as a module of the package.
+fn write_example(package: &Path) {
+    let page = files::repository().join("codegen/guide/crate.md");
+    let page = fs::read_to_string(page).expect("the page");
+    let section = page.split("## Eight at once").nth(1).expect("the section");
+    let blocks: Vec<&str> = section.split("```rust\n").skip(1).collect();
+    let [_, program, ..] = blocks[..] else {
+        panic!("a build script and a program");
+    };
+    let program = program.split("```").next().expect("its end");
+    let included = "linkwright::include_mechanism! {\n    mod four_bar;\n}\n";
+    assert!(program.contains(included), "{program}");
+    let program = program.replace(included, "use super::four_bar_f64 as four_bar;\n");
+    let program = program.replace("fn main()", "pub fn main()");
+    files::write_if_changed(&package.join("src/example.rs"), &program).expect("written");
 }
 
 #[test]
@@ -63,6 +92,7 @@ fn groups_have_the_bits_of_mechanisms_alone() {
     fs::create_dir_all(folder.join("package/src")).expect("a folder");
     let package = folder.join("package");
     let modules = write(&package);
+    write_example(&package);
     let runtime = files::repository().join("runtime");
     let manifest = format!(
         "[package]\nname = \"in_lanes\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n[workspace]\n\n[profile.dev]\ndebug = false\n\n[dependencies]\nlinkwright = {{ path = {runtime:?}, features = [\"std\"] }}\n"
@@ -95,6 +125,12 @@ fn groups_have_the_bits_of_mechanisms_alone() {
             Some((name, count.parse().ok()?))
         })
         .collect();
+    // The rocker at 1 s, and at 1.07 s, from the triangle of its pins.
+    let [first, last] = [1.0, 1.07].map(rocker);
+    assert!(
+        printed.contains(&format!("{first:.6} {last:.6}\n")),
+        "{printed}"
+    );
     // Otherwise nothing would have been tested: frames, and the kinds of failure of such mechanisms.
     assert!(
         modules > 100 && counts["frames"] > 50_000,

@@ -55,7 +55,7 @@ where
     })
 }
 
-/// Time of a lane: small steps, jumps forward and back, and times that are no numbers.
+/// Time of a lane: small steps, jumps forward and back, NaN and infinity.
 fn time(lane: usize, step: usize) -> f64 {
     let ahead = match (lane, step) {
         (1, 30..) => 3.0,
@@ -102,14 +102,14 @@ where
                 continue;
             }
             let result = alone[lane].advance(times[lane], &inputs[lane]).map(|_| ());
-            let found = match failed.has(lane) {
+            let of_group = match failed.has(lane) {
                 true => Err(group.failure(lane).expect("a reason")),
                 false => Ok(()),
             };
             // NaN in a failure is equal to itself here.
             assert!(
-                result == found || format!("{result:?}") == format!("{found:?}"),
-                "{name}, lane {lane}, step {step}: {result:?} {found:?}"
+                result == of_group || format!("{result:?}") == format!("{of_group:?}"),
+                "{name}, lane {lane}, step {step}: {result:?} {of_group:?}"
             );
             group.frames().get_lane(lane, &mut frame);
             let expected = alone[lane].frame();

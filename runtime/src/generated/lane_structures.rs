@@ -5,6 +5,7 @@
 #[macro_export]
 macro_rules! generated_lanes {
     (
+        $count:literal lanes;
         $(Coordinates { $($coordinate:ident),* $(,)? })?
         Frame($($held:ident),*) { $($field:ident),* $(,)? }
         Branches { $($branch:ident),* $(,)? }
@@ -46,9 +47,9 @@ macro_rules! generated_lanes {
         type Conditions<'a> = $crate::generated::lanes::Conditions<'a, Lanes, Parameters, Inputs>;
 
         /// Mechanisms that move in step.
-        pub type Group = $crate::lanes::Group<Loops, COUNT>;
+        pub type Group = $crate::lanes::Group<Loops, $count>;
 
-        impl $crate::lanes::InLanes<COUNT> for Loops {
+        impl $crate::lanes::InLanes<$count> for Loops {
             type Frames = Frame;
             type Signs = Branches;
             type ParameterLanes = Parameters;
