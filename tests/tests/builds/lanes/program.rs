@@ -59,13 +59,13 @@ where
 fn time(lane: usize, step: usize) -> f64 {
     let ahead = match (lane, step) {
         (1, 30..) => 3.0,
-        (5, 40) => 40.0,
-        (6, 45) => f64::NAN,
-        (6, 46) => f64::INFINITY,
-        (7, 32..36) => -1.0,
+        (5, 36) => 40.0,
+        (6, 38) => f64::NAN,
+        (6, 39) => f64::INFINITY,
+        (7, 26..30) => -1.0,
         _ => 0.0,
     };
-    let pace = if step > 50 { 0.2 } else { 0.01 };
+    let pace = if step > 40 { 0.2 } else { 0.01 };
     0.001 * lane as f64 + pace * step as f64 + ahead
 }
 
@@ -84,7 +84,7 @@ where
     };
     let mut group = Group::new(alone.clone());
     let mut frame = alone[0].frame().clone();
-    for step in 1..64 {
+    for step in 1..44 {
         let times: [f64; N] = std::array::from_fn(|lane| time(lane, step));
         let inputs: [B::Inputs; N] = std::array::from_fn(|lane| signals(&blocks, lane, step, times[lane]));
         let times = times.map(B::Scalar::from_f64);
