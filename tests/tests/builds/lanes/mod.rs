@@ -136,7 +136,15 @@ fn groups_have_the_bits_of_mechanisms_alone() {
         modules > 100 && counts["frames"] > 40_000,
         "{modules} {counts:?}"
     );
-    for kind in ["NotFinite", "OutOfReach", "Singular", "StepTooLarge"] {
+    for kind in [
+        "LoadNotFinite",
+        "NotFinite",
+        "NotPositive",
+        "OutOfReach",
+        "Singular",
+        "StepTooLarge",
+        "Undecided",
+    ] {
         assert!(counts.contains_key(kind), "no {kind} in {counts:?}");
     }
 }

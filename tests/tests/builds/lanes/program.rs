@@ -65,7 +65,7 @@ fn time(lane: usize, step: usize) -> f64 {
         (7, 26..30) => -1.0,
         _ => 0.0,
     };
-    let pace = if step > 40 { 0.2 } else { 0.01 };
+    let pace = if step > 50 { 0.2 } else { 0.01 };
     0.001 * lane as f64 + pace * step as f64 + ahead
 }
 
@@ -84,7 +84,7 @@ where
     };
     let mut group = Group::new(alone.clone());
     let mut frame = alone[0].frame().clone();
-    for step in 1..44 {
+    for step in 1..56 {
         let times: [f64; N] = std::array::from_fn(|lane| time(lane, step));
         let inputs: [B::Inputs; N] = std::array::from_fn(|lane| signals(&blocks, lane, step, times[lane]));
         let times = times.map(B::Scalar::from_f64);
