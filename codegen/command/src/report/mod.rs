@@ -27,4 +27,5 @@ pub mod proof_text;
 #[cfg(feature = "png")]
 pub mod raster;
 pub mod summary;
+pub mod sweep_plot;
 pub mod units;

@@ -1,0 +1,171 @@
+//! Solves the sets of a sweep in chunks, in their order.
+
+use std::io;
+
+use linkwright::{Blocks as _, Signal, Values as _};
+use linkwright_solver::{Batch, InputSignals, Interpreted, Observable, Outcome, View as _};
+
+use super::sets::Sets;
+use super::varied::Place;
+
+/// Number of values of a chunk that are kept at once: 32 MiB.
+const CHUNK_VALUES: usize = 1 << 22;
+
+/// Largest number of sets of a chunk.
+const CHUNK_SETS: usize = 1 << 13;
+
+/// Sweep that can be solved.
+pub struct Sweep<'a> {
+    batch: Batch<'a>,
+    sets: &'a Sets,
+    /// Parameters of the description.
+    nominal: Vec<f64>,
+    /// Inputs at rest; `None` if none is varied, so that all follow their laws.
+    resting: Option<InputSignals>,
+    chunk: usize,
+}
+
+/// Set with its solution.
+pub struct Solved<'a> {
+    /// Index of the set.
+    pub set: u64,
+    /// Values of what is varied, in the units in which they are given.
+    pub given: &'a [f64],
+    /// Values of the observables, instant by instant, in SI units.
+    pub values: &'a [f64],
+    /// Result.
+    pub outcome: Outcome,
+}
+
+impl<'a> Sweep<'a> {
+    /// Prepares a sweep over these instants and quantities, on this number of threads.
+    ///
+    /// # Errors
+    /// The printed message: an input changes with time beside a varied one.
+    pub fn new(
+        blocks: &'a Interpreted,
+        sets: &'a Sets,
+        times: &'a [f64],
+        observables: &'a [Observable],
+        threads: usize,
+    ) -> Result<Sweep<'a>, String> {
+        let of_set = times.len() * observables.len();
+        Ok(Sweep {
+            batch: Batch {
+                threads,
+                ..Batch::new(blocks, times, observables)
+            },
+            nominal: blocks.nominal_parameters().0,
+            resting: resting(blocks, sets, times)?,
+            sets,
+            chunk: (CHUNK_VALUES / of_set.max(1)).clamp(1, CHUNK_SETS),
+        })
+    }
+
+    /// Times of the instants (s).
+    pub fn times(&self) -> &[f64] {
+        self.batch.times
+    }
+
+    /// Solves the sets from `first` on, and passes them on in their order.
+    ///
+    /// # Errors
+    /// Errors of `take`, which end the sweep.
+    pub fn solve(
+        &self,
+        first: u64,
+        take: impl FnMut(Solved<'_>) -> io::Result<()>,
+    ) -> io::Result<()> {
+        self.solve_all(first..self.sets.count(), take)
+    }
+
+    /// Solves these sets, and passes them on in their order.
+    ///
+    /// # Errors
+    /// Errors of `take`, which end the sweep.
+    pub fn solve_all(
+        &self,
+        sets: impl Iterator<Item = u64>,
+        mut take: impl FnMut(Solved<'_>) -> io::Result<()>,
+    ) -> io::Result<()> {
+        let mut sets = sets.peekable();
+        let of_set = self.batch.times.len() * self.batch.observables.len();
+        let varied = self.sets.varied();
+        let (mut indices, mut given): (Vec<u64>, Vec<f64>) = Default::default();
+        let (mut parameters, mut inputs): (Vec<f64>, Vec<InputSignals>) = Default::default();
+        let mut values: Vec<f64> = Vec::new();
+        while sets.peek().is_some() {
+            indices.clear();
+            given.clear();
+            parameters.clear();
+            inputs.clear();
+            indices.extend(sets.by_ref().take(self.chunk));
+            for (row, set) in indices.iter().enumerate() {
+                self.sets.extend(*set, &mut given);
+                let own = &given[row * varied.len()..];
+                parameters.extend_from_slice(&self.nominal);
+                inputs.extend(self.resting.clone());
+                let first = row * self.nominal.len();
+                for (varied, value) in varied.iter().zip(own) {
+                    let si = varied.si(*value);
+                    match varied.place {
+                        Place::Parameter(at) => parameters[first + at] = si,
+                        Place::Input(at) => {
+                            if let Some(inputs) = inputs.last_mut() {
+                                inputs.set(at, Signal::constant(si));
+                            }
+                        }
+                    }
+                }
+            }
+            values.resize(indices.len() * of_set, 0.0);
+            let outcomes = self.batch.solve(&parameters, &inputs, &mut values);
+            let outcomes = outcomes.map_err(io::Error::other)?;
+            let given = given.chunks_exact(varied.len());
+            let solved = values.chunks_exact(of_set).zip(outcomes);
+            for ((set, given), (values, outcome)) in indices.iter().zip(given).zip(solved) {
+                take(Solved {
+                    set: *set,
+                    given,
+                    values,
+                    outcome,
+                })?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Returns the inputs at rest, `None` if none is varied.
+///
+/// # Errors
+/// The printed message: an input that is not varied changes with time.
+fn resting(
+    blocks: &Interpreted,
+    sets: &Sets,
+    times: &[f64],
+) -> Result<Option<InputSignals>, String> {
+    let is_varied = |input: usize| {
+        let mut varied = sets.varied().iter();
+        varied.any(|it| it.place == Place::Input(input))
+    };
+    let inputs = &blocks.system().mechanism.inputs;
+    if !(0..inputs.len()).any(is_varied) {
+        return Ok(None);
+    }
+    let laws = blocks.input_laws();
+    let start = laws.at(times[0]);
+    for t in times {
+        let signals = laws.at(*t);
+        for (place, (signal, at_start)) in signals.0.iter().zip(&start.0).enumerate() {
+            let resting = Signal::constant(at_start.value);
+            if !is_varied(place) && *signal != resting {
+                let name = &inputs[place].name;
+                return Err(format!(
+                    "error: the input `{name}` changes with time, while another input is varied\n  = help: vary `{name}` too, or give it a constant value with `--set {name}=…`"
+                ));
+            }
+        }
+    }
+    Ok(Some(start))
+}
