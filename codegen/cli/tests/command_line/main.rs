@@ -55,5 +55,8 @@ mod singular;
 mod solve;
 mod solve_files;
 mod solve_shown;
+mod sweep;
+#[cfg(unix)]
+mod sweep_resumed;
 mod units;
 mod view;

@@ -66,7 +66,8 @@ pub fn run(arguments: &arguments::Sweep) -> Result<Outcome, Problem> {
             };
             let start = start(&mut pieces, &header, sets.count())?;
             if start.length == 0 {
-                pieces.write_all(&header).map_err(Problem::of)?;
+                let begun = pieces.write_all(&header).and_then(|()| pieces.flush());
+                begun.map_err(Problem::of)?;
             }
             first = start.set;
             job.repeated = start.rows;

@@ -96,6 +96,7 @@ impl Data {
                 Mark::Point => Decimal::Point,
                 Mark::Comma => Decimal::Comma,
             }),
+            may_be_single: false,
         };
         let columns = Columns::read(&bytes, known)
             .map_err(|refused| rendered(&name, &refused.text, &refused.faults))?;

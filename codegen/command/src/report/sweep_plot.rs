@@ -191,16 +191,23 @@ fn map(
         ends,
         size: chart.plotting_area().dim_in_pixel(),
     };
+    // Cells overlap by a pixel, so that no seams shine through; the last ones end at the axes.
+    let overlap = surface.pixel();
+    let mut failed: Vec<([f64; 2], [f64; 2])> = Vec::new();
     for point in points {
         let color = point.extremes.map(|it| color(it[which], low, high));
         let edges = [0, 1].map(|axis| cell(&axes[axis].values, point.at[axis], ends[axis]));
         match (edges, color) {
             ([Some(x), Some(y)], Some(color)) => {
-                let corners = [(x[0], y[0]), (x[1], y[1])];
+                let corners = [(x[0], y[0]), (x[1] + overlap[0], y[1] + overlap[1])];
                 chart.draw_series([Rectangle::new(corners, color.filled())])?;
             }
             ([Some(x), Some(y)], None) => {
-                chart.draw_series(surface.hatched(x, y).map(hatching))?;
+                // Cells of a column that follow one another are hatched as one.
+                match failed.last_mut() {
+                    Some((across, up)) if *across == x && up[1] == y[0] => up[1] = y[1],
+                    _ => failed.push((x, y)),
+                }
             }
             (_, Some(color)) => {
                 let at = (point.at[0], point.at[1]);
@@ -286,6 +293,15 @@ struct Surface {
 }
 
 impl Surface {
+    /// Returns the width and the height of a pixel.
+    fn pixel(&self) -> [f64; 2] {
+        let size = [self.size.0, self.size.1];
+        [0, 1].map(|axis| {
+            let (low, high) = self.ends[axis];
+            (high - low) * f64::from(UNITS) / f64::from(size[axis])
+        })
+    }
+
     /// Returns the lines that hatch a rectangle. Lines of neighboring rectangles continue one another.
     fn hatched(
         &self,

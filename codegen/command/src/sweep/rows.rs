@@ -17,7 +17,11 @@ impl Sets {
     /// The printed message: the file cannot be read, a column is not that of a parameter or an input, or a value is missing.
     pub fn read(path: &Path, derived: &Derived) -> Result<Sets, String> {
         let name = path.display().to_string();
-        let columns = Columns::read(&bytes(path)?, Known::default())
+        let known_dialect = Known {
+            may_be_single: true,
+            ..Known::default()
+        };
+        let columns = Columns::read(&bytes(path)?, known_dialect)
             .map_err(|refused| rendered(&name, &refused.text, &refused.faults))?;
         let fault = |span, message: String, help: String| {
             let fault = Fault {

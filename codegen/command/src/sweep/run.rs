@@ -169,3 +169,62 @@ fn resting(
     }
     Ok(Some(start))
 }
+
+#[cfg(test)]
+mod tests {
+    use linkwright_codegen::Source;
+
+    use super::*;
+    use crate::sweep::{Grid, Range};
+
+    /// A four-bar that some of its couplers do not close.
+    const LIFT: &str = "mechanism lift {
+        param L3 = 120mm;
+        input tilt = 0;
+        point A = (0, 0), D = (100mm, 0);
+        body crank   at (0, 0, 40deg)       { A: (0, 0), B: (40mm, 0) }
+        body coupler at (30mm, 25mm, 20deg) { B: (0, 0), C: (L3, 0) }
+        body rocker  at D turned 57deg      { D, C: (80mm, 0) }
+        revolute A(ground, crank);
+        revolute B(crank, coupler);
+        revolute C(coupler, rocker);
+        revolute D(ground, rocker);
+        drive phi(crank) = 40deg + tilt + 3*t;
+    }";
+
+    #[test]
+    fn chunks_and_threads_do_not_change_a_bit() {
+        let read = linkwright_codegen::read(&Source::new("lift.mech", LIFT)).expect("no errors");
+        let derived = &read.motions[0];
+        let blocks = Interpreted::new(derived).expect("the equations determine the motion");
+        let ranges = ["L3=50mm..150mm:23", "tilt=0..90deg:11"];
+        let ranges = ranges.map(|it| Range::read(derived, it).expect("a range"));
+        let sets = Sets::Grid(Grid::new(ranges.into()).expect("few sets"));
+        let observables = [Observable::named(derived, "phi_rocker").expect("a coordinate")];
+        let times = [0.0, 0.1, 0.2, 0.3];
+        let solved = |threads, chunk| {
+            let sweep = Sweep::new(&blocks, &sets, &times, &observables, threads);
+            let mut sweep = sweep.expect("no laws");
+            sweep.chunk = chunk;
+            let mut rows: Vec<(u64, Vec<u64>, Outcome)> = Vec::new();
+            let ended = sweep.solve(3, |solved| {
+                let numbers = solved.given.iter().chain(solved.values);
+                rows.push((
+                    solved.set,
+                    numbers.map(|it| it.to_bits()).collect(),
+                    solved.outcome,
+                ));
+                Ok(())
+            });
+            ended.expect("no output");
+            rows
+        };
+        let whole = solved(1, 1000);
+        assert_eq!(whole.len(), 23 * 11 - 3);
+        let failed = whole.iter().filter(|it| it.2.failure.is_some()).count();
+        assert!((10..200).contains(&failed), "{failed}");
+        for (threads, chunk) in [(1, 1), (2, 7), (3, 64), (2, 130), (4, 1000)] {
+            assert!(solved(threads, chunk) == whole, "{threads} {chunk}");
+        }
+    }
+}
