@@ -203,8 +203,8 @@ fn instants_are_those_of_solve() {
             ("C_vx (m/s)", "C_vx"),
             ("x_coupler_dd (m/s²)", "x_coupler_dd"),
         ] {
-            let found = &rows.column(own)[6 * place..6 * (place + 1)];
-            assert_eq!(found, motion.column(other), "{own}, {length}");
+            let cells = &rows.column(own)[6 * place..6 * (place + 1)];
+            assert_eq!(cells, motion.column(other), "{own}, {length}");
         }
     }
     // A set that opens has its instants until then, and a row with the reason.
@@ -224,14 +224,14 @@ fn rows_of_a_file_are_sets_in_its_units() {
     let folder = Folder::new("sweep_rows", RAM);
     let text = "rod [mm];tilt (deg);radius\n200;90;0,05\n150,5;-45;0,03\n";
     std::fs::write(folder.file("sets.csv"), text).expect("it can be written");
-    let found = table(&folder, "--rows sets.csv --to 0 --show x_slide");
+    let solved = table(&folder, "--rows sets.csv --to 0 --show x_slide");
     let names = ["rod (mm)", "tilt (deg)", "radius (m)"];
-    assert_eq!(found.names[1..4], names);
-    let given = names.map(|it| found.numbers(it));
-    assert_eq!(given, [[200.0, 150.5], [90.0, -45.0], [0.05, 0.03]]);
-    let x = found.numbers("x_slide_max (m)");
+    assert_eq!(solved.names[1..4], names);
+    let values = names.map(|it| solved.numbers(it));
+    assert_eq!(values, [[200.0, 150.5], [90.0, -45.0], [0.05, 0.03]]);
+    let x = solved.numbers("x_slide_max (m)");
     for set in 0..2 {
-        let [rod, tilt, radius] = [0, 1, 2].map(|it| given[it][set]);
+        let [rod, tilt, radius] = [0, 1, 2].map(|it| values[it][set]);
         let (sine, cosine) = tilt.to_radians().sin_cos();
         let (rod, up) = (rod * 1e-3, radius * sine);
         let expected = radius * cosine + (rod * rod - up * up).sqrt();
@@ -334,12 +334,12 @@ fn units_are_those_of_the_option_and_the_report() {
 fn a_varied_input_is_at_rest() {
     let folder = Folder::new("sweep_inputs", RAM);
     let options = "--vary tilt=0..60deg:3 --to 0 --show phi_crank,phi_crank_d,x_slide";
-    let found = table(&folder, options);
-    let angles = found.numbers("phi_crank_min (rad)");
+    let solved = table(&folder, options);
+    let angles = solved.numbers("phi_crank_min (rad)");
     for (angle, degrees) in angles.into_iter().zip([0.0_f64, 30.0, 60.0]) {
         assert!((angle - degrees.to_radians()).abs() < 1e-15);
     }
-    assert_eq!(found.numbers("phi_crank_d_max (rad/s)"), [PI; 3]);
+    assert_eq!(solved.numbers("phi_crank_d_max (rad/s)"), [PI; 3]);
     // Without a varied input, laws of inputs hold.
     let law = table(
         &folder,
@@ -415,6 +415,14 @@ fn one_or_two_varied_values_are_drawn() {
     run("--vary L3=50mm..150mm:11 --vary L4=60mm..100mm:5 --plot maps");
     let map = folder.read("maps/sweep_phi_rocker.svg");
     assert!(map.contains("minimum") && map.contains("maximum") && map.contains("L4 (mm)"));
+    run("--vary L3=101mm..130mm:11 --vary L4=78mm..82mm:5 --plot solved");
+    let solved = folder.read("solved/sweep_phi_rocker.svg");
+    assert!(
+        lines(&map) > lines(&solved) + 100,
+        "{} {}",
+        lines(&map),
+        lines(&solved)
+    );
     run("--vary L3=100mm..120mm --vary L4=60mm..100mm --samples 20 --plot scattered");
     assert!(
         folder
@@ -488,8 +496,8 @@ fn bad_input_has_a_reason_and_leaves_no_files() {
 #[test]
 fn a_failed_set_does_not_affect_others() {
     let folder = Folder::new("sweep_singular", RAM);
-    let found = table(&folder, "--vary rod=0..400mm:3 --show x_slide --to 1");
-    let failures = ["failure", "failure_block", "failure_t (s)"].map(|it| found.column(it));
+    let solved = table(&folder, "--vary rod=0..400mm:3 --show x_slide --to 1");
+    let failures = ["failure", "failure_block", "failure_t (s)"].map(|it| solved.column(it));
     let singular = ["its Jacobian is singular", "revolute B(link, slide)", "0.0"];
     assert_eq!(failures.clone().map(|it| it[0]), singular);
     assert!(
@@ -497,7 +505,7 @@ fn a_failed_set_does_not_affect_others() {
         "{failures:?}"
     );
     let expected = [0.2 + 0.05, 0.4 + 0.05];
-    for (x, expected) in found.numbers("x_slide_max (m)")[1..].iter().zip(expected) {
+    for (x, expected) in solved.numbers("x_slide_max (m)")[1..].iter().zip(expected) {
         assert!((x - expected).abs() < 1e-15, "{x} {expected}");
     }
 }

@@ -105,7 +105,7 @@ fn only_the_same_sweep_is_continued() {
         ran.stderr
     );
     fs::write(folder.file("a.mech"), text).expect("written");
-    // Rows that this sweep does not write are no beginning of its table.
+    // A table does not begin with rows that this sweep does not write.
     let place = part.rfind("50.0").expect("the first set");
     let changed = format!("{}51.0{}", &part[..place], &part[place + 4..]);
     let first = changed.lines().take(2).map(|it| format!("{it}\n"));

@@ -160,23 +160,23 @@ impl Job<'_> {
 
 /// Returns the place at which a table continues, and cuts what is behind; the header of a new table has no bytes yet.
 fn start(pieces: &mut Pieces, header: &[u8], count: u64) -> Result<Continuation, Problem> {
-    let found = match pieces.part()? {
+    let place = match pieces.part()? {
         None => None,
         Some(part) => {
-            let found = continuation(BufReader::new(part), header, count);
-            let found = found.map_err(Problem::of)?;
-            Some(found.ok_or_else(|| Problem::from(pieces.foreign()))?)
+            let place = continuation(BufReader::new(part), header, count);
+            let place = place.map_err(Problem::of)?;
+            Some(place.ok_or_else(|| Problem::from(pieces.foreign()))?)
         }
     };
-    match found {
+    match place {
         None => Ok(Continuation {
             set: 0,
             length: 0,
             rows: Vec::new(),
         }),
-        Some(found) => {
-            pieces.cut(found.length)?;
-            Ok(found)
+        Some(place) => {
+            pieces.cut(place.length)?;
+            Ok(place)
         }
     }
 }

@@ -128,10 +128,10 @@ impl Output {
             }
         }
         let part = shown(&self.path, PART);
-        let found = fs::read_to_string(&place.definition).unwrap_or_default();
-        if found != definition {
+        let recorded = fs::read_to_string(&place.definition).unwrap_or_default();
+        if recorded != definition {
             let differs = |(one, other): &(&str, &str)| one != other;
-            let mut lines = definition.lines().zip(found.lines());
+            let mut lines = definition.lines().zip(recorded.lines());
             let why = match lines.find(differs) {
                 Some((own, other)) => format!(
                     "`{}` belongs to another sweep: expected `{own}`, found `{other}`",

@@ -220,6 +220,9 @@ fn map(
             }
         }
     }
+    let failed = failed.into_iter();
+    let lines = failed.flat_map(|(across, up)| surface.hatched(across, up));
+    chart.draw_series(lines.map(hatching))?;
     mesh(&mut chart, [&axes[0].label, &axes[1].label], ends)?;
     scale(&right, quantity, (low, high), height)
 }

@@ -35,7 +35,7 @@ pub fn continuation(
             rows: Vec::new(),
         }));
     }
-    let mut found = Continuation {
+    let mut place = Continuation {
         set: 0,
         length: header.len() as u64,
         rows: Vec::new(),
@@ -44,19 +44,19 @@ pub fn continuation(
         line.clear();
         table.read_until(b'\n', &mut line)?;
         if !line.ends_with(b"\n") {
-            return Ok(Some(found));
+            return Ok(Some(place));
         }
         let number = line.split(|it| *it == b',').next().unwrap_or_default();
         let set = std::str::from_utf8(number)
             .ok()
             .and_then(|it| it.parse::<u64>().ok());
         match set {
-            Some(set) if set == found.set => found.rows.extend_from_slice(&line),
-            Some(set) if set == found.set + 1 && set < count && !found.rows.is_empty() => {
-                found.length += found.rows.len() as u64;
-                found.set = set;
-                found.rows.clear();
-                found.rows.extend_from_slice(&line);
+            Some(set) if set == place.set => place.rows.extend_from_slice(&line),
+            Some(set) if set == place.set + 1 && set < count && !place.rows.is_empty() => {
+                place.length += place.rows.len() as u64;
+                place.set = set;
+                place.rows.clear();
+                place.rows.extend_from_slice(&line);
             }
             _ => return Ok(None),
         }

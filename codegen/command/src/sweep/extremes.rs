@@ -12,12 +12,12 @@ pub struct Extremes {
 impl Extremes {
     /// Returns the extremes of values at times; `None` if a value is not finite, or if there are none.
     pub fn of(times: &[f64], values: impl Iterator<Item = f64>) -> Option<Extremes> {
-        let mut found: Option<Extremes> = None;
+        let mut reached: Option<Extremes> = None;
         for (t, value) in times.iter().zip(values) {
             if !value.is_finite() {
                 return None;
             }
-            let extremes = found.get_or_insert(Extremes {
+            let extremes = reached.get_or_insert(Extremes {
                 minimum: [value, *t],
                 maximum: [value, *t],
             });
@@ -28,7 +28,7 @@ impl Extremes {
                 extremes.maximum = [value, *t];
             }
         }
-        found
+        reached
     }
 }
 
@@ -39,12 +39,12 @@ mod tests {
     #[test]
     fn the_first_of_equal_extremes_counts() {
         let times = [0.0, 0.5, 1.0, 1.5];
-        let found = Extremes::of(&times, [2.0, -1.0, 2.0, -1.0].into_iter());
+        let reached = Extremes::of(&times, [2.0, -1.0, 2.0, -1.0].into_iter());
         let expected = Extremes {
             minimum: [-1.0, 0.5],
             maximum: [2.0, 0.0],
         };
-        assert_eq!(found, Some(expected));
+        assert_eq!(reached, Some(expected));
         assert_eq!(Extremes::of(&times, [0.0, f64::NAN].into_iter()), None);
         assert_eq!(Extremes::of(&times, std::iter::empty()), None);
     }

@@ -33,22 +33,22 @@ impl Sets {
         };
         let mut varied: Vec<Varied> = Vec::with_capacity(columns.columns.len());
         for column in &columns.columns {
-            let found = Varied::of_column(derived, &column.name, column.unit.as_deref());
-            let own = match found {
+            let read = Varied::of_column(derived, &column.name, column.unit.as_deref());
+            let read = match read {
                 None => {
                     let message = format!("no parameter or input is named `{}`", column.name);
                     return Err(fault(column.span, message, known(derived, &column.name)));
                 }
-                Some(own) => own.map_err(|message| {
+                Some(read) => read.map_err(|message| {
                     let help = "write a unit of its quantity in the header, as in `rod (mm)`";
                     fault(column.span, message, help.to_string())
                 })?,
             };
-            if varied.iter().any(|it| it.name == own.name) {
-                let message = format!("two columns are named `{}`", own.name);
+            if varied.iter().any(|it| it.name == read.name) {
+                let message = format!("two columns are named `{}`", read.name);
                 return Err(fault(column.span, message, "leave out one".to_string()));
             }
-            varied.push(own);
+            varied.push(read);
         }
         if varied.is_empty() || columns.rows == 0 {
             return Err(format!(

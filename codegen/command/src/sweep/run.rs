@@ -102,11 +102,11 @@ impl<'a> Sweep<'a> {
             indices.extend(sets.by_ref().take(self.chunk));
             for (row, set) in indices.iter().enumerate() {
                 self.sets.extend(*set, &mut given);
-                let own = &given[row * varied.len()..];
+                let of_row = &given[row * varied.len()..];
                 parameters.extend_from_slice(&self.nominal);
                 inputs.extend(self.resting.clone());
                 let first = row * self.nominal.len();
-                for (varied, value) in varied.iter().zip(own) {
+                for (varied, value) in varied.iter().zip(of_row) {
                     let si = varied.si(*value);
                     match varied.place {
                         Place::Parameter(at) => parameters[first + at] = si,
@@ -121,9 +121,9 @@ impl<'a> Sweep<'a> {
             values.resize(indices.len() * of_set, 0.0);
             let outcomes = self.batch.solve(&parameters, &inputs, &mut values);
             let outcomes = outcomes.map_err(io::Error::other)?;
-            let given = given.chunks_exact(varied.len());
+            let rows = given.chunks_exact(varied.len());
             let solved = values.chunks_exact(of_set).zip(outcomes);
-            for ((set, given), (values, outcome)) in indices.iter().zip(given).zip(solved) {
+            for ((set, given), (values, outcome)) in indices.iter().zip(rows).zip(solved) {
                 take(Solved {
                     set: *set,
                     given,

@@ -10,7 +10,7 @@ pub enum Sets {
     Grid(Grid),
     /// Rows of a file.
     Rows {
-        /// What the columns vary.
+        /// Parameter or input of each column.
         varied: Vec<Varied>,
         /// Given values, row by row.
         values: Vec<f64>,
@@ -148,7 +148,7 @@ impl Samples {
 }
 
 impl Sets {
-    /// What is varied, in the order of its values.
+    /// Varied parameters and inputs, in the order of values.
     pub fn varied(&self) -> &[Varied] {
         match self {
             Sets::Grid(grid) => &grid.varied,

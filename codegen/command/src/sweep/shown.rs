@@ -75,9 +75,9 @@ fn default(derived: &Derived) -> Vec<Observable> {
     let are_angles = coordinates
         .clone()
         .any(|(_, it)| it.quantity == Kind::Angle);
-    let shown = coordinates.filter(|(_, it)| !are_angles || it.quantity == Kind::Angle);
-    let shown = shown.map(|(place, _)| Observable::Coordinate { place, level: 0 });
-    shown.collect()
+    let reported = coordinates.filter(|(_, it)| !are_angles || it.quantity == Kind::Angle);
+    let reported = reported.map(|(place, _)| Observable::Coordinate { place, level: 0 });
+    reported.collect()
 }
 
 /// Returns the quantities of a name: one, or both components of a point.
@@ -87,7 +87,7 @@ fn named_by(derived: &Derived, known: &[Named], name: &str) -> Result<Vec<Observ
     }
     let system = &derived.system;
     let names = [name.to_string()];
-    let found = motion::shown(system, &names).map_err(|text| {
+    let [coordinates, points] = motion::shown(system, &names).map_err(|text| {
         let all = known.iter().map(|it| it.name.as_str());
         // Names of rates, components and forces are nearer than those of points and coordinates.
         match nearest(name, all) {
@@ -97,7 +97,6 @@ fn named_by(derived: &Derived, known: &[Named], name: &str) -> Result<Vec<Observ
             _ => format!("error: {text}"),
         }
     })?;
-    let [coordinates, points] = found;
     let level = match name {
         _ if name.ends_with("_dd") || name.starts_with("qdd.") => 2,
         _ if name.ends_with("_d") || name.starts_with("qd.") => 1,

@@ -163,8 +163,8 @@ mod tests {
             255852544, 1463812096, 633339904,
         ];
         let sobol = Sobol::new(MAX_DIMENSIONS, None).expect("as many as there are");
-        let found = std::array::from_fn(|dimension| bits(&sobol, 1000, dimension));
-        assert_eq!(found, expected);
+        let point = std::array::from_fn(|dimension| bits(&sobol, 1000, dimension));
+        assert_eq!(point, expected);
         assert!(Sobol::new(MAX_DIMENSIONS + 1, None).is_none());
     }
 

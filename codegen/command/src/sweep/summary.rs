@@ -62,17 +62,17 @@ impl<'a> Summary<'a> {
             return;
         }
         self.solved += 1;
-        for (found, extremes) in self.extremes.iter_mut().zip(extremes) {
+        for (all, extremes) in self.extremes.iter_mut().zip(extremes) {
             let Some(Extremes { minimum, maximum }) = extremes else {
                 continue;
             };
             let at = |value: f64| (value, solved.set, solved.given.to_vec());
-            let found = found.get_or_insert_with(|| [at(minimum[0]), at(maximum[0])]);
-            if minimum[0] < found[0].0 {
-                found[0] = at(minimum[0]);
+            let all = all.get_or_insert_with(|| [at(minimum[0]), at(maximum[0])]);
+            if minimum[0] < all[0].0 {
+                all[0] = at(minimum[0]);
             }
-            if maximum[0] > found[1].0 {
-                found[1] = at(maximum[0]);
+            if maximum[0] > all[1].0 {
+                all[1] = at(maximum[0]);
             }
         }
     }

@@ -77,19 +77,19 @@ impl<'a> Table<'a> {
     pub fn header(&self) -> io::Result<Vec<u8>> {
         let mut names = vec![SET.to_string()];
         names.extend(self.varied.iter().map(Varied::header));
-        let mut shown: Vec<String> = Vec::new();
+        let mut columns: Vec<String> = Vec::new();
         if self.has_instants {
-            shown.push("t (s)".to_string());
-            shown.extend(self.quantities.iter().map(|it| it.header("")));
+            columns.push("t (s)".to_string());
+            columns.extend(self.quantities.iter().map(|it| it.header("")));
         } else {
             for quantity in self.quantities {
-                shown.extend(EXTREMES.iter().map(|(ending, is_time)| match is_time {
+                columns.extend(EXTREMES.iter().map(|(ending, is_time)| match is_time {
                     true => format!("{}{ending} (s)", quantity.name),
                     false => quantity.header(ending),
                 }));
             }
         }
-        names.append(&mut shown);
+        names.append(&mut columns);
         names.extend(FAILURE.map(String::from));
         let mut bytes = Vec::new();
         let mut writer = csv::Writer::from_writer(&mut bytes);

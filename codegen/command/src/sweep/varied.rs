@@ -42,7 +42,7 @@ pub struct Varied {
 /// Range of an option `--vary`.
 #[derive(Clone, Debug)]
 pub struct Range {
-    /// What is varied.
+    /// Varied parameter or input.
     pub varied: Varied,
     /// Both ends, in the unit of given values.
     pub ends: [f64; 2],
