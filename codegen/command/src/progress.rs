@@ -55,6 +55,8 @@ impl Progress {
                     bar.set_style(style);
                 }
                 bar.set_position(count as u64);
+                // What was done before the bar, or by an interrupted run, says nothing of the rate.
+                bar.reset_eta();
                 self.bar = Some(bar);
             }
             None => {}

@@ -156,14 +156,19 @@ impl Output {
 }
 
 impl Pieces {
-    /// Part that is written so far; `None` for a stream.
+    /// Returns the part that is written so far, from its beginning; `None` for a stream.
     ///
     /// # Errors
     /// Errors of the file system.
     pub fn part(&self) -> Result<Option<File>, Refused> {
-        let opened = self.place.as_ref().map(|place| File::open(&place.part));
-        opened
-            .transpose()
+        if self.place.is_none() {
+            return Ok(None);
+        }
+        // On some systems the lock keeps other handles from reading.
+        let handle = self.writer.get_ref().try_clone();
+        let rewound = handle.and_then(|mut file| file.rewind().map(|()| file));
+        rewound
+            .map(Some)
             .map_err(|error| Why::from(error).about(&self.path))
     }
 

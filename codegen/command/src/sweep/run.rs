@@ -1,6 +1,8 @@
 //! Solves the sets of a sweep in chunks, in their order.
 
 use std::io;
+use std::sync::mpsc;
+use std::thread;
 
 use linkwright::{Blocks as _, Signal, Values as _};
 use linkwright_solver::{Batch, InputSignals, Interpreted, Observable, Outcome, View as _};
@@ -16,13 +18,33 @@ const CHUNK_SETS: usize = 1 << 13;
 
 /// Sweep that can be solved.
 pub struct Sweep<'a> {
-    batch: Batch<'a>,
+    blocks: &'a Interpreted,
+    task: Task<'a>,
+}
+
+/// Work of a sweep, apart from the mechanism.
+struct Task<'a> {
     sets: &'a Sets,
+    times: &'a [f64],
+    observables: &'a [Observable],
+    threads: usize,
     /// Parameters of the description.
     nominal: Vec<f64>,
     /// Inputs at rest; `None` if none is varied, so that all follow their laws.
     resting: Option<InputSignals>,
+    /// Number of sets of a chunk.
     chunk: usize,
+}
+
+/// Consecutive sets with their solutions.
+#[derive(Default)]
+struct Chunk {
+    sets: Vec<u64>,
+    given: Vec<f64>,
+    parameters: Vec<f64>,
+    inputs: Vec<InputSignals>,
+    values: Vec<f64>,
+    outcomes: Vec<Outcome>,
 }
 
 /// Set with its solution.
@@ -51,20 +73,17 @@ impl<'a> Sweep<'a> {
     ) -> Result<Sweep<'a>, String> {
         let of_set = times.len() * observables.len();
         Ok(Sweep {
-            batch: Batch {
+            blocks,
+            task: Task {
+                sets,
+                times,
+                observables,
                 threads,
-                ..Batch::new(blocks, times, observables)
+                nominal: blocks.nominal_parameters().0,
+                resting: resting(blocks, sets, times)?,
+                chunk: (CHUNK_VALUES / of_set.max(1)).clamp(1, CHUNK_SETS),
             },
-            nominal: blocks.nominal_parameters().0,
-            resting: resting(blocks, sets, times)?,
-            sets,
-            chunk: (CHUNK_VALUES / of_set.max(1)).clamp(1, CHUNK_SETS),
         })
-    }
-
-    /// Times of the instants (s).
-    pub fn times(&self) -> &[f64] {
-        self.batch.times
     }
 
     /// Solves the sets from `first` on, and passes them on in their order.
@@ -76,61 +95,118 @@ impl<'a> Sweep<'a> {
         first: u64,
         take: impl FnMut(Solved<'_>) -> io::Result<()>,
     ) -> io::Result<()> {
-        self.solve_all(first..self.sets.count(), take)
+        self.solve_all(first..self.task.sets.count(), take)
     }
 
-    /// Solves these sets, and passes them on in their order.
+    /// Solves these sets, and passes them on in their order. With several threads, a chunk is passed on while the next one is solved.
     ///
     /// # Errors
     /// Errors of `take`, which end the sweep.
     pub fn solve_all(
         &self,
-        sets: impl Iterator<Item = u64>,
+        mut sets: impl Iterator<Item = u64> + Send,
         mut take: impl FnMut(Solved<'_>) -> io::Result<()>,
     ) -> io::Result<()> {
-        let mut sets = sets.peekable();
-        let of_set = self.batch.times.len() * self.batch.observables.len();
+        let task = &self.task;
+        if task.threads == 1 {
+            let (batch, mut chunk) = (task.batch(self.blocks), Chunk::default());
+            while task.solve(&batch, &mut sets, &mut chunk)? {
+                task.pass_on(&chunk, &mut take)?;
+            }
+            return Ok(());
+        }
+        let blocks = self.blocks.clone();
+        thread::scope(|scope| {
+            let (solved, chunks) = mpsc::sync_channel(1);
+            let (passed, spare) = mpsc::channel::<Chunk>();
+            scope.spawn(move || {
+                let batch = task.batch(&blocks);
+                loop {
+                    let mut chunk = spare.try_recv().unwrap_or_default();
+                    let ended = match task.solve(&batch, &mut sets, &mut chunk) {
+                        Ok(false) => return,
+                        Ok(true) => solved.send(Ok(chunk)),
+                        Err(error) => solved.send(Err(error)),
+                    };
+                    // The sweep has ended by an error.
+                    if ended.is_err() {
+                        return;
+                    }
+                }
+            });
+            for chunk in chunks {
+                let chunk = chunk?;
+                task.pass_on(&chunk, &mut take)?;
+                // The last chunks are not needed again.
+                let _ = passed.send(chunk);
+            }
+            Ok(())
+        })
+    }
+}
+
+impl Task<'_> {
+    fn batch<'b>(&'b self, blocks: &'b Interpreted) -> Batch<'b> {
+        Batch {
+            threads: self.threads,
+            ..Batch::new(blocks, self.times, self.observables)
+        }
+    }
+
+    /// Solves the next sets; returns false if there are none.
+    fn solve(
+        &self,
+        batch: &Batch<'_>,
+        sets: &mut impl Iterator<Item = u64>,
+        chunk: &mut Chunk,
+    ) -> io::Result<bool> {
         let varied = self.sets.varied();
-        let (mut indices, mut given): (Vec<u64>, Vec<f64>) = Default::default();
-        let (mut parameters, mut inputs): (Vec<f64>, Vec<InputSignals>) = Default::default();
-        let mut values: Vec<f64> = Vec::new();
-        while sets.peek().is_some() {
-            indices.clear();
-            given.clear();
-            parameters.clear();
-            inputs.clear();
-            indices.extend(sets.by_ref().take(self.chunk));
-            for (row, set) in indices.iter().enumerate() {
-                self.sets.extend(*set, &mut given);
-                let of_row = &given[row * varied.len()..];
-                parameters.extend_from_slice(&self.nominal);
-                inputs.extend(self.resting.clone());
-                let first = row * self.nominal.len();
-                for (varied, value) in varied.iter().zip(of_row) {
-                    let si = varied.si(*value);
-                    match varied.place {
-                        Place::Parameter(at) => parameters[first + at] = si,
-                        Place::Input(at) => {
-                            if let Some(inputs) = inputs.last_mut() {
-                                inputs.set(at, Signal::constant(si));
-                            }
+        chunk.sets.clear();
+        chunk.given.clear();
+        chunk.parameters.clear();
+        chunk.inputs.clear();
+        chunk.sets.extend(sets.take(self.chunk));
+        for (row, set) in chunk.sets.iter().enumerate() {
+            self.sets.extend(*set, &mut chunk.given);
+            chunk.parameters.extend_from_slice(&self.nominal);
+            chunk.inputs.extend(self.resting.clone());
+            let first = row * self.nominal.len();
+            let of_row = &chunk.given[row * varied.len()..];
+            for (varied, value) in varied.iter().zip(of_row) {
+                let si = varied.si(*value);
+                match varied.place {
+                    Place::Parameter(at) => chunk.parameters[first + at] = si,
+                    Place::Input(at) => {
+                        if let Some(inputs) = chunk.inputs.last_mut() {
+                            inputs.set(at, Signal::constant(si));
                         }
                     }
                 }
             }
-            values.resize(indices.len() * of_set, 0.0);
-            let outcomes = self.batch.solve(&parameters, &inputs, &mut values);
-            let outcomes = outcomes.map_err(io::Error::other)?;
-            let rows = given.chunks_exact(varied.len());
-            let solved = values.chunks_exact(of_set).zip(outcomes);
-            for ((set, given), (values, outcome)) in indices.iter().zip(rows).zip(solved) {
-                take(Solved {
-                    set: *set,
-                    given,
-                    values,
-                    outcome,
-                })?;
-            }
+        }
+        let of_set = self.times.len() * self.observables.len();
+        chunk.values.resize(chunk.sets.len() * of_set, 0.0);
+        let outcomes = batch.solve(&chunk.parameters, &chunk.inputs, &mut chunk.values);
+        chunk.outcomes = outcomes.map_err(io::Error::other)?;
+        Ok(!chunk.sets.is_empty())
+    }
+
+    /// Passes the sets of a chunk on in their order.
+    fn pass_on(
+        &self,
+        chunk: &Chunk,
+        take: &mut impl FnMut(Solved<'_>) -> io::Result<()>,
+    ) -> io::Result<()> {
+        let of_set = self.times.len() * self.observables.len();
+        let rows = chunk.given.chunks_exact(self.sets.varied().len());
+        let solved = chunk.values.chunks_exact(of_set).zip(&chunk.outcomes);
+        for ((set, given), (values, outcome)) in chunk.sets.iter().zip(rows).zip(solved) {
+            take(Solved {
+                set: *set,
+                given,
+                values,
+                outcome: *outcome,
+            })?;
         }
         Ok(())
     }
@@ -205,7 +281,7 @@ mod tests {
         let solved = |threads, chunk| {
             let sweep = Sweep::new(&blocks, &sets, &times, &observables, threads);
             let mut sweep = sweep.expect("no laws");
-            sweep.chunk = chunk;
+            sweep.task.chunk = chunk;
             let mut rows: Vec<(u64, Vec<u64>, Outcome)> = Vec::new();
             let ended = sweep.solve(3, |solved| {
                 let numbers = solved.given.iter().chain(solved.values);
@@ -223,6 +299,17 @@ mod tests {
         assert_eq!(whole.len(), 23 * 11 - 3);
         let failed = whole.iter().filter(|it| it.2.failure.is_some()).count();
         assert!((10..200).contains(&failed), "{failed}");
+        // An error of the output ends the sweep, also while the next chunk is solved.
+        for threads in [1, 2] {
+            let sweep = Sweep::new(&blocks, &sets, &times, &observables, threads);
+            let mut sweep = sweep.expect("no laws");
+            sweep.task.chunk = 10;
+            let ended = sweep.solve(0, |solved| match solved.set {
+                25 => Err(io::Error::other("full")),
+                _ => Ok(()),
+            });
+            assert_eq!(ended.expect_err("an error").to_string(), "full");
+        }
         for (threads, chunk) in [(1, 1), (2, 7), (3, 64), (2, 130), (4, 1000)] {
             assert!(solved(threads, chunk) == whole, "{threads} {chunk}");
         }

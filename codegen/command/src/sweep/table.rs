@@ -16,6 +16,9 @@ use super::varied::Varied;
 use crate::output::{Beginning, Record, Signature};
 use crate::report::comma_separated::cause;
 
+/// Size of the buffer of a row, in bytes.
+const ROW_BYTES: usize = 1 << 10;
+
 /// Name of the first column.
 const SET: &str = "set";
 
@@ -128,7 +131,9 @@ impl<'a> Table<'a> {
         extremes: &[Option<Extremes>],
         output: &mut dyn Write,
     ) -> io::Result<()> {
-        let mut writer = csv::Writer::from_writer(output);
+        let mut writer = csv::WriterBuilder::new()
+            .buffer_capacity(ROW_BYTES)
+            .from_writer(output);
         let failure = solved.outcome.failure;
         if self.has_instants {
             let rows = solved.values.chunks_exact(self.quantities.len());
