@@ -2,12 +2,19 @@
 //!
 //! The bar goes to stderr, only if that is a terminal, and only after [`PATIENCE`].
 
+use std::fmt::Write;
 use std::time::{Duration, Instant};
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{ProgressBar, ProgressState, ProgressStyle};
 
 /// Time before the bar appears.
 pub const PATIENCE: Duration = Duration::from_secs(1);
+
+/// Writes how many sets are solved in a second.
+fn rate(state: &ProgressState, output: &mut dyn Write) {
+    // A bar that cannot be drawn is left out.
+    let _ = write!(output, "{:.0} per second", state.per_sec());
+}
 
 /// Bar that appears when work takes long, and disappears at its end.
 pub struct Progress {
@@ -22,7 +29,7 @@ pub struct Progress {
 const FRAMES: &str = "solving {wide_bar} {pos}/{len} frames, {eta} left";
 
 /// Template of a bar that counts sets of parameters.
-const SETS: &str = "solving {wide_bar} {pos}/{len} sets, {per_sec}, {eta} left";
+const SETS: &str = "solving {wide_bar} {pos}/{len} sets, {rate}, {eta} left";
 
 impl Progress {
     /// Creates a bar for `total` times, and starts the clock.
@@ -52,7 +59,7 @@ impl Progress {
                 // `ProgressBar` draws on stderr, and only if that is a terminal.
                 let bar = ProgressBar::new(self.total);
                 if let Ok(style) = ProgressStyle::with_template(self.template) {
-                    bar.set_style(style);
+                    bar.set_style(style.with_key("rate", rate));
                 }
                 bar.set_position(count as u64);
                 // What was done before the bar, or by an interrupted run, says nothing of the rate.
