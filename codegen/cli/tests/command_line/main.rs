@@ -58,5 +58,6 @@ mod solve_shown;
 mod sweep;
 #[cfg(unix)]
 mod sweep_resumed;
+mod sweep_sets;
 mod units;
 mod view;

@@ -17,6 +17,7 @@ pub mod first_step;
 pub mod forces;
 #[cfg(feature = "png")]
 pub mod gif;
+mod hatching;
 pub mod json;
 pub mod measured_data;
 pub mod motion_table;

@@ -1,6 +1,6 @@
 //! Collects the sets that pictures show: all of a small sweep, evenly spread ones of a large sweep.
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 
 use super::extremes::Extremes;
 use super::run::Solved;
@@ -19,10 +19,8 @@ pub struct Pictured<'a> {
     quantities: &'a [Quantity],
     /// Distance of the shown indices along each axis of a grid, or among all sets.
     strides: Vec<u64>,
-    /// Sets that are collected.
-    taken: BTreeSet<u64>,
-    /// Points of each quantity.
-    points: Vec<Vec<Point>>,
+    /// Collected sets, each with a point for each quantity.
+    taken: BTreeMap<u64, Vec<Point>>,
 }
 
 impl<'a> Pictured<'a> {
@@ -47,8 +45,7 @@ impl<'a> Pictured<'a> {
             sets,
             quantities,
             strides,
-            taken: BTreeSet::new(),
-            points: vec![Vec::new(); quantities.len()],
+            taken: BTreeMap::new(),
         })
     }
 
@@ -67,24 +64,22 @@ impl<'a> Pictured<'a> {
 
     /// Takes a set if it is shown.
     pub fn take(&mut self, solved: &Solved<'_>, extremes: &[Option<Extremes>]) {
-        if !self.shows(solved.set) || !self.taken.insert(solved.set) {
+        if !self.shows(solved.set) {
             return;
         }
         let varied = self.sets.varied().iter().zip(solved.given);
-        let at: Vec<f64> = varied
-            .map(|(varied, given)| varied.written(*given))
-            .collect();
-        for (points, extremes) in self.points.iter_mut().zip(extremes) {
-            points.push(Point {
-                at: at.clone(),
-                extremes: extremes.map(|it| [it.minimum[0], it.maximum[0]]),
-            });
-        }
+        let at = varied.map(|(varied, given)| varied.written(*given));
+        let at: Vec<f64> = at.collect();
+        let points = extremes.iter().map(|extremes| Point {
+            at: at.clone(),
+            extremes: extremes.map(|it| [it.minimum[0], it.maximum[0]]),
+        });
+        self.taken.insert(solved.set, points.collect());
     }
 
     /// Shown sets below `end` that are missing.
     pub fn missing(&self, end: u64) -> Vec<u64> {
-        let missing = |set: &u64| self.shows(*set) && !self.taken.contains(set);
+        let missing = |set: &u64| self.shows(*set) && !self.taken.contains_key(set);
         (0..end).filter(missing).collect()
     }
 
@@ -99,14 +94,13 @@ impl<'a> Pictured<'a> {
             values: self.values(axis),
         });
         let axes: Vec<Axis> = axes.collect();
-        let drawn = self
-            .quantities
-            .iter()
-            .zip(&self.points)
-            .map(|(quantity, points)| {
-                let title = format!("{} of {title}", quantity.name);
-                picture(&title, &quantity.header(""), &axes, points)
-            });
+        let drawn = self.quantities.iter().enumerate().map(|(place, quantity)| {
+            // In the order of the sets, also if an interrupted run has solved some of them.
+            let points = self.taken.values().map(|it| it[place].clone());
+            let points: Vec<Point> = points.collect();
+            let title = format!("{} of {title}", quantity.name);
+            picture(&title, &quantity.header(""), &axes, &points)
+        });
         drawn.collect()
     }
 
