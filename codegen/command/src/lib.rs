@@ -25,6 +25,7 @@ pub mod output;
 pub mod page;
 pub mod progress;
 pub mod report;
+pub mod sweep;
 pub mod terminal;
 
 pub use command::run;

@@ -56,5 +56,9 @@ mod singular;
 mod solve;
 mod solve_files;
 mod solve_shown;
+mod sweep;
+#[cfg(unix)]
+mod sweep_resumed;
+mod sweep_sets;
 mod units;
 mod view;

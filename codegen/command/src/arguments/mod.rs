@@ -7,6 +7,7 @@ mod setting;
 mod shell;
 mod simulate;
 mod solve;
+mod sweep;
 mod units;
 mod values;
 mod view;
@@ -18,6 +19,7 @@ pub use setting::Setting;
 pub use shell::{Completions, Fmt, Lsp, Man, New};
 pub use simulate::{Simulate, StepMethod};
 pub use solve::{Formulation, Solve};
+pub use sweep::Sweep;
 pub use units::{ReportedIn, units};
 pub use view::View;
 
@@ -47,6 +49,7 @@ const EXAMPLES: &str = "\
 Examples:
   linkwright solve mechanisms/excavator.mech
   linkwright solve mechanisms/two_body.mech --to 1 --step 0.1 --points Q
+  linkwright sweep lift.mech --vary rod=100mm..200mm:101 --show phi_rocker
   linkwright draw mechanisms/excavator.mech
   linkwright view mechanisms/excavator.mech
   linkwright inspect mechanisms/two_body.mech --format unicode
@@ -70,6 +73,8 @@ pub enum Command {
     Solve(Solve),
     /// Simulate the motion under forces: print it, write CSV and plots
     Simulate(Simulate),
+    /// Solve the motion for many sets of parameters and inputs
+    Sweep(Sweep),
     /// Draw the mechanism as an SVG or a PNG, or its motion as an SVG or a GIF
     Draw(Draw),
     /// Make a page that moves the mechanism and shows its equations

@@ -116,7 +116,7 @@ pub fn set_all(derived: Derived, assignments: &[String]) -> Result<Derived, Prob
         mut system,
     } = derived;
     for assignment in assignments {
-        set(&mut pool, &mut system.mechanism, assignment).map_err(Problem)?;
+        set(&mut pool, &mut system.mechanism, "--set", assignment).map_err(Problem)?;
     }
     Ok(Derived { pool, system })
 }

@@ -27,6 +27,7 @@ mod report;
 pub mod simulate;
 pub mod solve;
 mod solve_files;
+pub mod sweep;
 pub mod view;
 pub mod watch;
 
@@ -109,6 +110,7 @@ fn outcome(command: Command, interface: clap::Command) -> Result<Outcome, Proble
     match command {
         Command::Solve(solve) => solve::run(&solve),
         Command::Simulate(simulate) => simulate::run(&simulate),
+        Command::Sweep(sweep) => sweep::run(&sweep),
         Command::Draw(draw) if draw.animate => animate::run(&draw),
         Command::Draw(draw) => draw::run(&draw),
         Command::View(view) => view::run(&view),

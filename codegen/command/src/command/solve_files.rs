@@ -160,7 +160,7 @@ fn placed(is_asked: bool, output: Result<Output, Refused>) -> Result<Output, Ref
 /// Folder of files that are not requested: `target/linkwright/excavator` if there is a `Cargo.toml`, otherwise `excavator`.
 ///
 /// A mechanism with several motions has a folder for each below it.
-fn folder(system: &System) -> PathBuf {
+pub(super) fn folder(system: &System) -> PathBuf {
     let mechanism = &system.mechanism;
     let motion = mechanism.motion.as_ref().map(|motion| motion.name.as_str());
     let above = match Path::new("Cargo.toml").is_file() {
@@ -172,7 +172,7 @@ fn folder(system: &System) -> PathBuf {
 }
 
 /// Makes names distinct without regard to case, since some file systems ignore it: later ones get a number.
-fn distinct<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
+pub(super) fn distinct<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
     let mut taken: Vec<String> = Vec::new();
     names
         .map(|name| {

@@ -20,7 +20,7 @@ use linkwright_codegen::stages::system::System;
 use linkwright_solver::observable::Named;
 
 use crate::arguments::{Mark, Separator, Table};
-pub use driving::MeasuredInput;
+pub use driving::{MeasuredInput, powers};
 pub use mapping::How;
 pub use scale::{Origin, Scale};
 pub use sizes::{number_and_unit, sizes};
@@ -96,6 +96,7 @@ impl Data {
                 Mark::Point => Decimal::Point,
                 Mark::Comma => Decimal::Comma,
             }),
+            may_be_single: false,
         };
         let columns = Columns::read(&bytes, known)
             .map_err(|refused| rendered(&name, &refused.text, &refused.faults))?;
@@ -139,7 +140,7 @@ impl Data {
             let source = &columns.columns[column];
             let dimension = system.mechanism.inputs[input].dimension;
             let written = source.unit.as_deref().and_then(Unit::parse);
-            let powers = driving::powers(dimension, written.map(|it| it.powers));
+            let powers = powers(dimension, written.map(|it| it.powers));
             let scale = units.of(&columns, column, powers, &dimension.unit());
             let scale = scale.map_err(|message| {
                 at(
@@ -167,7 +168,11 @@ impl Data {
     }
 }
 
-fn bytes(path: &Path) -> Result<Vec<u8>, String> {
+/// Returns the contents of a table.
+///
+/// # Errors
+/// The printed message: the file cannot be read, or is too large.
+pub fn bytes(path: &Path) -> Result<Vec<u8>, String> {
     let name = path.display();
     let refused = |reason: String| format!("error: cannot read `{name}`: {reason}");
     let bytes = files::read(path, MAX_BYTES).map_err(|error| refused(files::reason(&error)))?;
@@ -181,7 +186,7 @@ fn bytes(path: &Path) -> Result<Vec<u8>, String> {
 }
 
 /// Renders faults of a table.
-fn rendered(name: &str, text: &str, faults: &[Fault]) -> String {
+pub fn rendered(name: &str, text: &str, faults: &[Fault]) -> String {
     let mut diagnostics = Diagnostics::new();
     for fault in faults {
         let diagnostic = Diagnostic::error(Code::UnreadableTable, fault.span, &fault.message);

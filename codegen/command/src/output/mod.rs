@@ -10,6 +10,7 @@
 //!
 //! A pipe, `/dev/null` and anything else that is not a regular file is written directly.
 
+mod pieces;
 mod place;
 mod record;
 
@@ -20,6 +21,7 @@ use std::path::{Path, PathBuf};
 
 use linkwright_codegen::stages::files;
 
+pub use self::pieces::Pieces;
 use self::place::{Why, existing, is_stdout, is_stream, missing, ours};
 pub use self::record::Record;
 use self::record::Source;

@@ -202,7 +202,7 @@ fn without_unit(column: &str) -> &str {
 }
 
 /// Returns the error of the output itself; the conversion of the standard library would hide its kind.
-fn cause(error: csv::Error) -> io::Error {
+pub fn cause(error: csv::Error) -> io::Error {
     match error.into_kind() {
         csv::ErrorKind::Io(cause) => cause,
         other => io::Error::other(format!("{other:?}")),

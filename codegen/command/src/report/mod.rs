@@ -17,6 +17,7 @@ pub mod first_step;
 pub mod forces;
 #[cfg(feature = "png")]
 pub mod gif;
+mod hatching;
 pub mod json;
 pub mod measured_data;
 pub mod motion_table;
@@ -27,4 +28,5 @@ pub mod proof_text;
 #[cfg(feature = "png")]
 pub mod raster;
 pub mod summary;
+pub mod sweep_plot;
 pub mod units;

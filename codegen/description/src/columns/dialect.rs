@@ -100,8 +100,8 @@ pub(super) fn is_word(cell: &Cell<'_>, decimal: Decimal) -> bool {
     content(&cell.text, decimal) == Content::Words(Why::NoNumber)
 }
 
-/// True if a line is a row: at least two cells, one of them a number, and fewer words than other cells.
-pub(super) fn is_data(line: &Line<'_>, decimal: Decimal) -> bool {
+/// True if a line is a row: at least `least` cells, one of them a number, and fewer words than other cells.
+pub(super) fn is_data(line: &Line<'_>, decimal: Decimal, least: usize) -> bool {
     let words = line.cells.iter().filter(|it| is_word(it, decimal)).count();
     let missing = line
         .cells
@@ -109,7 +109,7 @@ pub(super) fn is_data(line: &Line<'_>, decimal: Decimal) -> bool {
         .filter(|it| content(&it.text, decimal) == Content::Missing);
     let missing = missing.count();
     let others = line.cells.len() - words;
-    !line.is_comment && line.cells.len() > 1 && others > missing && words < others
+    !line.is_comment && line.cells.len() >= least && others > missing && words < others
 }
 
 /// A dialect that fits, with the figures that rank it.
@@ -130,8 +130,30 @@ struct Unsuited {
     fault: Fault,
 }
 
-/// Detects the dialect. An error has the first fault and the dialect that fits best, if any.
-pub(super) fn of(text: &str, known: Known) -> Result<Dialect, (Fault, Option<Dialect>)> {
+/// Detects the dialect, and the smallest number of cells of a row: two, or one if no line has more and the table may be single. An error
+/// has the first fault and the dialect that fits best, if any.
+pub(super) fn of(text: &str, known: Known) -> Result<Detected, (Fault, Option<Detected>)> {
+    match with_least(text, known, 2) {
+        Err((_, None)) if known.may_be_single && !has_rows(text, known) => {
+            with_least(text, known, 1)
+        }
+        found => found,
+    }
+}
+
+/// Dialect, and the smallest number of cells of a row.
+pub(super) type Detected = (Dialect, usize);
+
+/// True if a line is a row of several cells in some dialect.
+fn has_rows(text: &str, known: Known) -> bool {
+    dialects(text, known).any(|dialect| {
+        let mut lines = Cells::new(text, dialect.delimiter).take(LINES).flatten();
+        lines.any(|line| is_data(&line, dialect.decimal, 2))
+    })
+}
+
+/// Returns the dialects that options and the file allow.
+fn dialects(text: &str, known: Known) -> impl Iterator<Item = Dialect> + use<> {
     let announced = text
         .strip_prefix(ANNOUNCEMENT)
         .and_then(|rest| rest.chars().next());
@@ -141,7 +163,7 @@ pub(super) fn of(text: &str, known: Known) -> Result<Dialect, (Fault, Option<Dia
     let delimiter = known.delimiter.or(announced);
     let delimiters = Delimiter::ALL
         .into_iter()
-        .filter(|it| delimiter.is_none_or(|known| known == *it));
+        .filter(move |it| delimiter.is_none_or(|known| known == *it));
     let decimals = |it| {
         [Decimal::Point, Decimal::Comma].map(|decimal| Dialect {
             delimiter: it,
@@ -149,10 +171,17 @@ pub(super) fn of(text: &str, known: Known) -> Result<Dialect, (Fault, Option<Dia
         })
     };
     let dialects = delimiters.flat_map(decimals);
-    let dialects = dialects.filter(|it| known.decimal.is_none_or(|known| known == it.decimal));
+    dialects.filter(move |it| known.decimal.is_none_or(|known| known == it.decimal))
+}
+
+fn with_least(
+    text: &str,
+    known: Known,
+    least: usize,
+) -> Result<Detected, (Fault, Option<Detected>)> {
     let (mut suited, mut unsuited): (Vec<Suited>, Option<Unsuited>) = (Vec::new(), None);
-    for dialect in dialects {
-        match suits(text, dialect) {
+    for dialect in dialects(text, known) {
+        match suits(text, dialect, least) {
             Ok(found) => suited.push(found),
             Err(found)
                 if unsuited
@@ -168,16 +197,17 @@ pub(super) fn of(text: &str, known: Known) -> Result<Dialect, (Fault, Option<Dia
     // separator wins.
     let key = |it: &Suited| (it.words, it.line);
     let Some(best) = (0..suited.len()).min_by_key(|&it| key(&suited[it])) else {
-        return Err(unsuited
-            .filter(|it| it.cells > 0)
-            .map_or_else(|| (no_rows(text), None), |it| (it.fault, Some(it.dialect))));
+        return Err(unsuited.filter(|it| it.cells > 0).map_or_else(
+            || (no_rows(text, least), None),
+            |it| (it.fault, Some((it.dialect, least))),
+        ));
     };
     let best = &suited[best];
     let rival = suited
         .iter()
         .find(|it| key(it) == key(best) && it.first != best.first);
     match rival {
-        None => Ok(best.dialect),
+        None => Ok((best.dialect, least)),
         Some(rival) => Err((
             Fault::new(
                 Span::new(0, 0),
@@ -192,7 +222,7 @@ pub(super) fn of(text: &str, known: Known) -> Result<Dialect, (Fault, Option<Dia
     }
 }
 
-fn suits(text: &str, dialect: Dialect) -> Result<Suited, Unsuited> {
+fn suits(text: &str, dialect: Dialect, least: usize) -> Result<Suited, Unsuited> {
     let mut head = Vec::new();
     let (mut first, mut cells): (Option<Line<'_>>, usize) = (None, 0);
     let unsuited = |cells, fault| Unsuited {
@@ -203,7 +233,7 @@ fn suits(text: &str, dialect: Dialect) -> Result<Suited, Unsuited> {
     for line in Cells::new(text, dialect.delimiter).take(LINES) {
         let line = line.map_err(|fault| unsuited(cells, fault))?;
         let Some(first) = &first else {
-            if is_data(&line, dialect.decimal) {
+            if is_data(&line, dialect.decimal, least) {
                 cells += line.cells.len();
                 for cell in &line.cells {
                     if let Content::Words(why) = content(&cell.text, dialect.decimal)
@@ -238,7 +268,7 @@ fn suits(text: &str, dialect: Dialect) -> Result<Suited, Unsuited> {
         }
     }
     let Some(first) = first else {
-        return Err(unsuited(0, no_rows(text)));
+        return Err(unsuited(0, no_rows(text, least)));
     };
     beginning(&head, dialect).map_err(|fault| unsuited(cells, fault))?;
     let contents = || {
@@ -274,13 +304,18 @@ pub(super) fn wrong_length(line: &Line<'_>, wanted: usize) -> Fault {
 }
 
 /// Returns the fault of a text without a row of numbers.
-pub(super) fn no_rows(text: &str) -> Fault {
+pub(super) fn no_rows(text: &str, least: usize) -> Fault {
     let end = text.find(['\r', '\n']).unwrap_or(text.len());
     match text.trim().is_empty() {
         true => Fault::new(
             Span::new(0, 0),
             "the file is empty",
             "export the table again",
+        ),
+        false if least == 1 => Fault::new(
+            Span::new(0, end),
+            "no line of this file is a row of numbers",
+            "a table has a line of names, and below it lines of numbers, for example `x,y` and `0.1,2.5`",
         ),
         false => Fault::new(
             Span::new(0, end),

@@ -37,6 +37,8 @@ pub struct Known {
     pub delimiter: Option<Delimiter>,
     /// Decimal mark.
     pub decimal: Option<Decimal>,
+    /// True if the table may have a single column.
+    pub may_be_single: bool,
 }
 
 /// A table of numbers.
@@ -166,19 +168,19 @@ impl Columns {
 
 /// Reads a table and leaves its `text` empty.
 fn table(text: &str, known: Known) -> Result<Columns, Vec<Fault>> {
-    let dialect = match dialect::of(text, known) {
-        Ok(dialect) => dialect,
+    let detected = match dialect::of(text, known) {
+        Ok(detected) => detected,
         // Most files with a fault have several.
-        Err((fault, Some(dialect))) => {
-            let faults = in_dialect(text, dialect).err();
+        Err((fault, Some(detected))) => {
+            let faults = in_dialect(text, detected).err();
             return Err(faults.unwrap_or_else(|| vec![fault]));
         }
         Err((fault, None)) => return Err(vec![fault]),
     };
-    in_dialect(text, dialect)
+    in_dialect(text, detected)
 }
 
-fn in_dialect(text: &str, dialect: Dialect) -> Result<Columns, Vec<Fault>> {
+fn in_dialect(text: &str, (dialect, least): dialect::Detected) -> Result<Columns, Vec<Fault>> {
     let lines = Cells::new(text, dialect.delimiter);
     let mut head: Vec<Line<'_>> = Vec::new();
     let mut begun: Option<Columns> = None;
@@ -186,7 +188,7 @@ fn in_dialect(text: &str, dialect: Dialect) -> Result<Columns, Vec<Fault>> {
     for line in lines {
         let line = line.map_err(|fault| vec![fault])?;
         let Some(columns) = &mut begun else {
-            let is_data = dialect::is_data(&line, dialect.decimal);
+            let is_data = dialect::is_data(&line, dialect.decimal, least);
             head.push(line);
             if is_data {
                 let beginning_of_table = beginning(&head, dialect).map_err(|fault| vec![fault])?;
@@ -204,7 +206,7 @@ fn in_dialect(text: &str, dialect: Dialect) -> Result<Columns, Vec<Fault>> {
         }
     }
     let Some(mut columns) = begun else {
-        return Err(vec![dialect::no_rows(text)]);
+        return Err(vec![dialect::no_rows(text, least)]);
     };
     if !faults.is_empty() {
         return Err(faults);

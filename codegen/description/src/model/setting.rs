@@ -18,38 +18,45 @@ const SLOPE_POINT_COUNT: usize = 4;
 const BEFORE: &str = "mechanism set { const\n";
 const AFTER: &str = "\n;}";
 
-/// Resolves one assignment and applies it.
+/// Resolves one assignment of an option and applies it.
 ///
 /// # Errors
 /// Returns the rendered findings; the mechanism and its values are then unchanged.
-pub fn set(pool: &mut Pool, mechanism: &mut Mechanism, assignment: &str) -> Result<(), String> {
+pub fn set(
+    pool: &mut Pool,
+    mechanism: &mut Mechanism,
+    option: &str,
+    assignment: &str,
+) -> Result<(), String> {
     if assignment.contains(';') {
-        return Err(FORM.to_string());
+        return Err(form(option));
     }
-    if let Some(joined) = joined(mechanism, assignment) {
+    if let Some(joined) = joined(mechanism, option, assignment) {
         return Err(joined);
     }
-    let source = Source::new("--set", format!("{BEFORE}{assignment}{AFTER}"));
+    let source = Source::new(option, format!("{BEFORE}{assignment}{AFTER}"));
     let mut diagnostics = Diagnostics::new();
     let document = syntax::parse(&source, &mut diagnostics);
     let statements = document.map_or(Vec::new(), |document| document.mechanism.statements);
     if !diagnostics.has_errors() {
         match statements.as_slice() {
             [Statement::Constant(written)] => carry_out(pool, mechanism, written, &mut diagnostics),
-            _ => return Err(FORM.to_string()),
+            _ => return Err(form(option)),
         }
     }
     if diagnostics.has_errors() {
-        return Err(rendered(diagnostics, assignment));
+        return Err(rendered(diagnostics, option, assignment));
     }
     Ok(())
 }
 
-/// Message with the form of an assignment.
-const FORM: &str = "error: `--set` takes one assignment, such as `--set L2=0.36m`\n";
+/// Returns the message with the form of an assignment.
+fn form(option: &str) -> String {
+    format!("error: `{option}` takes one assignment, such as `{option} L2=0.36m`\n")
+}
 
 /// Returns the error for `part.name = …` with a parameter or an input of a part; `None` for other assignments.
-fn joined(mechanism: &Mechanism, assignment: &str) -> Option<String> {
+fn joined(mechanism: &Mechanism, option: &str, assignment: &str) -> Option<String> {
     let (name, value) = assignment.split_once('=')?;
     let (name, value) = (name.trim(), value.trim());
     let joined = name.replace('.', "_").replace(['[', ']'], "");
@@ -58,7 +65,7 @@ fn joined(mechanism: &Mechanism, assignment: &str) -> Option<String> {
     let is_known = parameters.chain(inputs).any(|own| *own == joined);
     (name.contains('.') && is_known).then(|| {
         format!(
-            "error: `{name}` is not the name of a parameter or an input\n  = help: those of a part are joined by `_`: `--set {joined}={value}`\n"
+            "error: `{name}` is not the name of a parameter or an input\n  = help: those of a part are joined by `_`: `{option} {joined}={value}`\n"
         )
     })
 }
@@ -81,7 +88,7 @@ const WORDS: &[(&str, &str)] = &[
 ];
 
 /// Renders the findings as findings about the assignment alone.
-fn rendered(diagnostics: Diagnostics, assignment: &str) -> String {
+fn rendered(diagnostics: Diagnostics, option: &str, assignment: &str) -> String {
     let end = assignment.len();
     let place = |offset: u32| (offset as usize).saturating_sub(BEFORE.len()).min(end);
     let moved = |span: Span| Span::new(place(span.start), place(span.end));
@@ -103,7 +110,7 @@ fn rendered(diagnostics: Diagnostics, assignment: &str) -> String {
         }
         findings_of_assignment.push(finding);
     }
-    findings_of_assignment.render(&Source::new("--set", assignment))
+    findings_of_assignment.render(&Source::new(option, assignment))
 }
 
 fn carry_out(

@@ -177,6 +177,7 @@ fn ten_faults_are_listed_at_most() {
     let known = Known {
         delimiter: Some(Delimiter::Comma),
         decimal: Some(Decimal::Point),
+        ..Known::default()
     };
     assert_eq!(faults(text.as_bytes(), known).len(), 10);
     assert_eq!(faults(text.as_bytes(), Known::default()).len(), 10);

@@ -42,11 +42,38 @@ fn tables_of_other_programs_are_read() {
     println!("{} files are read", files.len());
 }
 
+/// A single column is a table only where the caller expects one, and several columns are then found as elsewhere.
+#[test]
+fn a_single_column_is_read_on_request() {
+    let read = |text: &str, may_be_single| {
+        let known = Known {
+            may_be_single,
+            ..Known::default()
+        };
+        Columns::read(text.as_bytes(), known)
+    };
+    let text = "rod (mm)\n100\n150.5\n";
+    assert!(read(text, false).is_err());
+    let table = read(text, true).expect("a table");
+    assert_eq!(table.columns.len(), 1);
+    assert_eq!(table.columns[0].unit.as_deref(), Some("mm"));
+    assert_eq!(table.columns[0].values, [Some(100.0), Some(150.5)]);
+    for text in ["a,b\n1,2\n", "a;b\n1,5;2\n2;3\n", "a b\n1 2\n"] {
+        assert_eq!(read(text, true), read(text, false), "{text}");
+    }
+    let refused = read("rod\nlong\n", true).expect_err("no numbers");
+    assert!(refused.faults[0].message.ends_with("is a row of numbers"));
+}
+
 /// Options decide between two possible readings.
 #[test]
 fn options_overrule_what_is_found_out() {
     let read = |text: &str, delimiter, decimal| {
-        let known = Known { delimiter, decimal };
+        let known = Known {
+            delimiter,
+            decimal,
+            ..Known::default()
+        };
         Columns::read(text.as_bytes(), known).expect("a table")
     };
     let text = "t,x y\n0,1 2\n1,2 3\n";

@@ -1,0 +1,27 @@
+//! Solves many sets of parameters and inputs, and tabulates their motions.
+//!
+//! Sets are made by their index when they are needed, solved in chunks, written and dropped: a sweep of any length takes the same memory. A
+//! set has the same row in any chunk, on any number of threads, and after an interruption.
+
+mod continued;
+mod definition;
+mod extremes;
+mod pictured;
+mod rows;
+mod run;
+mod sets;
+mod shown;
+mod sobol;
+mod summary;
+mod table;
+mod varied;
+
+pub use continued::{Continuation, continuation};
+pub use definition::definition;
+pub use pictured::Pictured;
+pub use run::{Solved, Sweep};
+pub use sets::{Grid, Samples, Sets};
+pub use shown::{Quantity, quantities};
+pub use summary::Summary;
+pub use table::{SIGNATURE, Table};
+pub use varied::Range;

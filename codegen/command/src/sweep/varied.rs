@@ -1,0 +1,258 @@
+//! Reads what a sweep varies: names of parameters and inputs, their ranges and their units.
+//!
+//! Afterwards each name is a parameter or an input once, and all ends of ranges are finite numbers in its unit.
+
+use linkwright_codegen::stages::columns::Unit;
+use linkwright_codegen::stages::model::{Dimension, set};
+use linkwright_codegen::stages::system::Derived;
+use linkwright_codegen::stages::units::OutputUnit;
+
+use crate::data::{number_and_unit, powers};
+
+/// Option in messages.
+const OPTION: &str = "--vary";
+
+/// Relative difference of a number that is read in two ways: rounding of the factor of its unit.
+const ROUNDED: f64 = 1e-14;
+
+/// Parameter or input by its index.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// Index among the parameters.
+    Parameter(usize),
+    /// Index among the inputs.
+    Input(usize),
+}
+
+/// Parameter or input that differs between sets.
+#[derive(Clone, Debug)]
+pub struct Varied {
+    /// Name.
+    pub name: String,
+    /// Its index.
+    pub place: Place,
+    /// Unit of given values.
+    given: Unit,
+    /// Unit of its column if given values have no unit; `None` if the column has their unit.
+    column: Option<OutputUnit>,
+    /// Name of the unit of its column; empty for plain numbers.
+    pub unit: String,
+}
+
+/// Range of an option `--vary`.
+#[derive(Clone, Debug)]
+pub struct Range {
+    /// Varied parameter or input.
+    pub varied: Varied,
+    /// Both ends, in the unit of given values.
+    pub ends: [f64; 2],
+    /// Number of values; `None` if it is not given.
+    pub count: Option<u64>,
+}
+
+impl Varied {
+    /// Returns what a column of this name varies; its unit is that of the header, or else SI.
+    ///
+    /// # Errors
+    /// The reason that the unit does not fit; `None` if no parameter or input has this name.
+    pub fn of_column(
+        derived: &Derived,
+        name: &str,
+        unit: Option<&str>,
+    ) -> Option<Result<Varied, String>> {
+        let (place, dimension) = place(derived, name)?;
+        let written = unit.and_then(|text| Some((text, Unit::parse(text)?)));
+        Some(match written {
+            None => Ok(Varied::new(derived, name, place, dimension, None)),
+            Some((text, unit)) => match measuring(dimension, unit) {
+                None => Err(format!("`{name}` cannot be in {text}")),
+                unit => {
+                    let unit = unit.map(|it| (text, it));
+                    Ok(Varied::new(derived, name, place, dimension, unit))
+                }
+            },
+        })
+    }
+
+    fn new(
+        derived: &Derived,
+        name: &str,
+        place: Place,
+        dimension: Dimension,
+        written: Option<(&str, Unit)>,
+    ) -> Varied {
+        let si = match dimension.is_marked() {
+            true => dimension.unit(),
+            false => String::new(),
+        };
+        let units = derived.system.mechanism.units.of_tables();
+        // A ratio may be an angle, so it has no unit of its own.
+        let si = Unit::parse(&si).map_or("", |_| si.as_str());
+        let column = written.is_none().then(|| units.of(si));
+        let unit = match (&column, written) {
+            (Some(column), _) => column.name.clone(),
+            (None, written) => written.map_or(String::new(), |(text, _)| text.to_string()),
+        };
+        Varied {
+            name: name.to_string(),
+            place,
+            given: written.map_or(Unit::coherent([0; 4]), |(_, unit)| unit),
+            column,
+            unit,
+        }
+    }
+
+    /// Returns a given value in SI units.
+    pub fn si(&self, given: f64) -> f64 {
+        self.given.si(given)
+    }
+
+    /// Returns a given value in the unit of the column.
+    pub fn written(&self, given: f64) -> f64 {
+        match &self.column {
+            None => given,
+            Some(unit) => unit.of_si(given),
+        }
+    }
+
+    /// Returns the name of the column with its unit.
+    pub fn header(&self) -> String {
+        named(&self.name, &self.unit)
+    }
+}
+
+/// Returns the name of a column, with its unit if it has one.
+pub fn named(name: &str, unit: &str) -> String {
+    match unit {
+        "" => name.to_string(),
+        unit => format!("{name} ({unit})"),
+    }
+}
+
+impl Range {
+    /// Reads `NAME=FIRST..LAST:COUNT`, or `NAME=FIRST..LAST`.
+    ///
+    /// # Errors
+    /// The printed message.
+    pub fn read(derived: &Derived, text: &str) -> Result<Range, String> {
+        let form = || {
+            format!(
+                "error: `{OPTION} {text}` is not a range\n  = help: write it as in `{OPTION} rod=100mm..200mm:101`"
+            )
+        };
+        let (name, range) = text.split_once('=').ok_or_else(form)?;
+        let (first, rest) = range.split_once("..").ok_or_else(form)?;
+        let (last, count) = match rest.rsplit_once(':') {
+            Some((last, count)) => (last, Some(read_count(text, count.trim())?)),
+            None => (rest, None),
+        };
+        let (name, ends) = (name.trim(), [first.trim(), last.trim()]);
+        if ends.contains(&"") {
+            return Err(form());
+        }
+        let mut values = [0.0; 2];
+        for (value, end) in values.iter_mut().zip(ends) {
+            *value = value_of(derived, name, end)?;
+        }
+        let Some((place, dimension)) = place(derived, name) else {
+            return Err(form());
+        };
+        let units = ends.map(number_and_unit);
+        let of = |end: Option<(f64, &'_ str)>| end.map_or("", |(_, unit)| unit).to_string();
+        let [one, other] = units.map(of);
+        let is_plain =
+            |end: Option<(f64, &str)>| matches!(end, Some((number, "")) if number != 0.0);
+        if one != other && units.iter().any(|it| is_plain(*it)) {
+            return Err(format!(
+                "error: one end of `{OPTION} {text}` has a unit, and the other has none\n  = help: write the unit of both"
+            ));
+        }
+        // Ends in one unit are divided in this unit, so that the column has its round numbers.
+        let text_of_unit = if one.is_empty() { other } else { one };
+        let read = Unit::parse(&text_of_unit).and_then(|it| measuring(dimension, it));
+        let in_unit = read.and_then(|unit| {
+            let mut numbers = [0.0; 2];
+            for ((number, end), si) in numbers.iter_mut().zip(units).zip(values) {
+                let (own, its_unit) = end?;
+                let is_same = its_unit == text_of_unit || own == 0.0;
+                let is_close = (unit.si(own) - si).abs() <= ROUNDED * si.abs();
+                *number = (is_same && is_close).then_some(own)?;
+            }
+            Some((unit, numbers))
+        });
+        let (written, ends) = match in_unit {
+            Some((unit, numbers)) => (Some((text_of_unit.as_str(), unit)), numbers),
+            None => (None, values),
+        };
+        let varied = Varied::new(derived, name, place, dimension, written);
+        if !(ends[1] - ends[0]).is_finite() {
+            return Err(format!("error: `{OPTION} {text}` is not a finite range"));
+        }
+        match count {
+            Some(0) => Err(format!(
+                "error: `{OPTION} {text}` has no values\n  = help: write the number of values behind `:`, at least 2"
+            )),
+            Some(1) if ends[0] != ends[1] => Err(format!(
+                "error: `{OPTION} {text}` has two ends, but one value\n  = help: write at least 2 values, or equal ends"
+            )),
+            Some(2..) | None if ends[0] == ends[1] => Err(format!(
+                "error: the range `{OPTION} {text}` is empty\n  = help: write different ends, or set the value with `--set`"
+            )),
+            count => Ok(Range {
+                varied,
+                ends,
+                count,
+            }),
+        }
+    }
+}
+
+fn read_count(text: &str, count: &str) -> Result<u64, String> {
+    count.parse().map_err(|_| {
+        format!(
+            "error: `{count}` in `{OPTION} {text}` is not a number of values\n  = help: write a whole number behind `:`"
+        )
+    })
+}
+
+/// Returns the value of an end in SI units, which an assignment would give.
+fn value_of(derived: &Derived, name: &str, end: &str) -> Result<f64, String> {
+    let (mut pool, mut mechanism) = (derived.pool.clone(), derived.system.mechanism.clone());
+    set(&mut pool, &mut mechanism, OPTION, &format!("{name}={end}"))?;
+    let value = match place(derived, name) {
+        Some((Place::Parameter(at), _)) => pool.graph.nominal(mechanism.parameters[at].symbol),
+        Some((Place::Input(at), _)) => pool.graph.constant_value(mechanism.inputs[at].signal[0]),
+        None => None,
+    };
+    let value = value.ok_or_else(|| {
+        format!(
+            "error: `{end}` in `{OPTION} {name}` depends on t\n  = help: write numbers; a varied input is constant during a motion"
+        )
+    })?;
+    match value.is_finite() {
+        true => Ok(value),
+        false => Err(format!(
+            "error: `{end}` in `{OPTION} {name}` is not a finite number"
+        )),
+    }
+}
+
+/// Returns the parameter or input of a name, with its dimension.
+fn place(derived: &Derived, name: &str) -> Option<(Place, Dimension)> {
+    let mechanism = &derived.system.mechanism;
+    let parameter = mechanism.parameters.iter().position(|it| it.name == name);
+    let input = mechanism.inputs.iter().position(|it| it.name == name);
+    match (parameter, input) {
+        (Some(at), _) => Some((Place::Parameter(at), mechanism.parameters[at].dimension)),
+        (None, Some(at)) => Some((Place::Input(at), mechanism.inputs[at].dimension)),
+        (None, None) => None,
+    }
+}
+
+/// Returns the unit of values of a dimension; `None` if it does not fit. A ratio may be an angle.
+fn measuring(dimension: Dimension, unit: Unit) -> Option<Unit> {
+    let powers = powers(dimension, Some(unit.powers));
+    let is_ratio = powers == [0; 4];
+    unit.measuring(powers)
+        .or_else(|| unit.measuring([0, 0, 0, 1]).filter(|_| is_ratio))
+}
