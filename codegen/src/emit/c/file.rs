@@ -1,5 +1,6 @@
 //! Writes the header and the source of a mechanism with all its motions, and those of the runtime.
 
+use super::constants::Constant;
 use super::printer::Printer;
 use super::words::WORDS;
 use super::{
@@ -123,24 +124,13 @@ fn declarations(printer: &Printer<'_>, text: &mut Code) {
     shell::structure(printer, text);
     text.gap();
     text.comment(["Design pose, from which the mechanism is assembled, and its assembly modes."]);
-    text.line(format!(
-        "extern const {} {};",
-        printer.type_of("Coordinates"),
-        printer.constant("DESIGN")
-    ));
-    text.line(format!(
-        "extern const {} {};",
-        printer.type_of("Branches"),
-        printer.constant("DESIGN_BRANCHES")
-    ));
+    for (kind, name) in [("Coordinates", "DESIGN"), ("Branches", "DESIGN_BRANCHES")] {
+        Constant::new(printer.type_of(kind), printer.constant(name)).declare(text);
+    }
     assemblies::declarations(printer, text);
     if printer.declared().inputs {
         text.comment(["Inputs of the description, at rest."]);
-        text.line(format!(
-            "extern const {} {};",
-            printer.type_of("Inputs"),
-            printer.constant("INITIAL")
-        ));
+        Constant::new(printer.type_of("Inputs"), printer.constant("INITIAL")).declare(text);
     }
     block_names::declarations(printer, text);
     points::declare(&offered(printer), text);
