@@ -31,8 +31,8 @@ impl Constant {
         ));
         text.line("#ifdef LINKWRIGHT_DEVICE");
         text.line(match self.count {
-            None => format!("#define {name} (*{name}())"),
-            Some(_) => format!("#define {name} {name}()"),
+            None => format!("#define {name} (*{name}_ADDRESS())"),
+            Some(_) => format!("#define {name} {name}_ADDRESS()"),
         });
         text.line("#endif");
     }

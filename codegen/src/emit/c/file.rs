@@ -91,9 +91,7 @@ fn header(first: &Printer<'_>, printers: &[Printer<'_>]) -> String {
         text.line("#endif");
     }
     text.gap();
-    text.line("#ifdef __cplusplus");
-    text.line("extern \"C\" {");
-    text.line("#endif");
+    text.line(format!("LINKWRIGHT_HEADER_BEGIN(of_{})", mechanism.name));
     for printer in printers {
         if printer.module.system.mechanism.motion.is_some() {
             let mut lines = documentation::of_motion(printer.module.system);
@@ -105,9 +103,7 @@ fn header(first: &Printer<'_>, printers: &[Printer<'_>]) -> String {
         declarations(printer, &mut text);
     }
     text.gap();
-    text.line("#ifdef __cplusplus");
-    text.line("}");
-    text.line("#endif");
+    text.line("LINKWRIGHT_HEADER_END");
     text.gap();
     text.line("#endif");
     text.finish(Lists::Filled)
@@ -154,10 +150,15 @@ fn source(first: &Printer<'_>, printers: &[Printer<'_>], stem: &str) -> String {
     text.line("#if defined(__GNUC__) && !defined(__clang__) && (defined(__FP_FAST_FMA) || defined(__FP_FAST_FMAF))");
     text.line("#pragma GCC optimize (\"no-tree-slp-vectorize\")");
     text.line("#endif");
+    text.gap();
+    let name = &first.module.system.mechanism.name;
+    text.line(format!("LINKWRIGHT_SOURCE_BEGIN(of_{name})"));
     for printer in printers {
         parameters::nominal(printer, &mut text);
         definitions(printer, &mut text);
     }
+    text.gap();
+    text.line("LINKWRIGHT_SOURCE_END");
     text.finish(Lists::Filled)
 }
 

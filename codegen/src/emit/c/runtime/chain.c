@@ -320,8 +320,9 @@ LINKWRIGHT_FUNCTION void linkwright$f_isolate_chain(linkwright$f_isolation *isol
     const $real variation[], $real reals[])
 {
     const size_t n = order;
-    linked$f chain = {0};
     $real *const pairs = &reals[5U * n];
+    linked$f chain = {chord, n, pairs, &pairs[2U * n], &pairs[4U * n], &pairs[6U * n], &pairs[8U * n], &pairs[10U * n],
+        &pairs[12U * n], &reals[4U * n]};
     isolation->order = order;
     isolation->blocks = blocks;
     isolation->chord = chord;
@@ -334,16 +335,6 @@ LINKWRIGHT_FUNCTION void linkwright$f_isolate_chain(linkwright$f_isolation *isol
     isolation->is_nearing = false;
     isolation->farthest = 0U;
     isolation->block = blocks[0];
-    chain.chord = chord;
-    chain.order = n;
-    chain.vector = &reals[4U * n];
-    chain.from_first = pairs;
-    chain.from_last = &pairs[2U * n];
-    chain.first = &pairs[4U * n];
-    chain.last = &pairs[6U * n];
-    chain.turned_first = &pairs[8U * n];
-    chain.turned_last = &pairs[10U * n];
-    chain.turned_own = &pairs[12U * n];
     isolation->is_shown = transfers$f(&chain, false, chain.from_first) && responses$f(&chain, false, chain.first)
         && transfers$f(&chain, true, chain.from_last) && responses$f(&chain, true, chain.last);
     if (isolation->is_shown) {

@@ -32,7 +32,7 @@ typedef struct linkwright$f_settings {
 /* Default settings. */
 LINKWRIGHT_CONSTANT(linkwright$f_settings, LINKWRIGHT$F_SETTINGS);
 #ifdef LINKWRIGHT_DEVICE
-#define LINKWRIGHT$F_SETTINGS (*LINKWRIGHT$F_SETTINGS())
+#define LINKWRIGHT$F_SETTINGS (*LINKWRIGHT$F_SETTINGS_ADDRESS())
 #endif
 
 /* Quantity that is supplied at one time, with its first two time derivatives. */

@@ -41,16 +41,17 @@
 #define LINKWRIGHT_FUNCTION
 #endif
 
-/* Public constants. A device does not see variables of the host: for it, functions of these names return
-   the tables, and macros of these names call the functions. */
+/* Public constants. A device does not see variables of the host: for it, functions return their addresses, and macros
+   of their names call these. */
 #ifdef LINKWRIGHT_DEVICE
-#define LINKWRIGHT_CONSTANT(type, name) LINKWRIGHT_FUNCTION const type *name()
-#define LINKWRIGHT_CONSTANTS(type, name, count) LINKWRIGHT_FUNCTION const type *name()
-#define LINKWRIGHT_CONSTANT_BEGIN(type, name) LINKWRIGHT_FUNCTION const type name { static const type constant[1] = {
-#define LINKWRIGHT_CONSTANT_END }; return constant; }
+#define LINKWRIGHT_CONSTANT(type, name) LINKWRIGHT_FUNCTION const type *name##_ADDRESS()
+#define LINKWRIGHT_CONSTANTS(type, name, count) LINKWRIGHT_FUNCTION const type *name##_ADDRESS()
+#define LINKWRIGHT_CONSTANT_BEGIN(type, name) \
+    LINKWRIGHT_FUNCTION const type *name##_ADDRESS() { static const type constant =
+#define LINKWRIGHT_CONSTANT_END ; return &constant; }
 #define LINKWRIGHT_CONSTANTS_BEGIN(type, name, count) \
-    LINKWRIGHT_FUNCTION const type *name { static const type constant[count] =
-#define LINKWRIGHT_CONSTANTS_END ; return constant; }
+    LINKWRIGHT_FUNCTION const type *name##_ADDRESS() { static const type constants[count] =
+#define LINKWRIGHT_CONSTANTS_END ; return constants; }
 #else
 #define LINKWRIGHT_CONSTANT(type, name) extern const type name
 #define LINKWRIGHT_CONSTANTS(type, name, count) extern const type name[count]
@@ -60,9 +61,25 @@
 #define LINKWRIGHT_CONSTANTS_END ;
 #endif
 
-#ifdef __cplusplus
-extern "C" {
+/* Brackets of a header and of its source. A program for a device includes several sources: their names stay apart. */
+#if defined(LINKWRIGHT_DEVICE)
+#define LINKWRIGHT_HEADER_BEGIN(name) inline namespace linkwright_##name {
+#define LINKWRIGHT_HEADER_END }
+#define LINKWRIGHT_SOURCE_BEGIN(name) inline namespace linkwright_##name {
+#define LINKWRIGHT_SOURCE_END }
+#else
+#if defined(__cplusplus)
+#define LINKWRIGHT_HEADER_BEGIN(name) extern "C" {
+#define LINKWRIGHT_HEADER_END }
+#else
+#define LINKWRIGHT_HEADER_BEGIN(name)
+#define LINKWRIGHT_HEADER_END
 #endif
+#define LINKWRIGHT_SOURCE_BEGIN(name)
+#define LINKWRIGHT_SOURCE_END
+#endif
+
+LINKWRIGHT_HEADER_BEGIN(runtime)
 
 /* Status: LINKWRIGHT_OK, or the reason for a call without a frame. */
 typedef enum linkwright_status {
