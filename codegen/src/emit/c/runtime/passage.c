@@ -164,7 +164,7 @@ LINKWRIGHT_FUNCTION static void pass_ends$f(Way$f *way)
 }
 
 /* Passes the change point of a block at which the path has broken, if there is one. */
-LINKWRIGHT_FUNCTION static bool is_crossed$f(Way$f *way)
+LINKWRIGHT_FUNCTION static LINKWRIGHT_APART bool is_crossed$f(Way$f *way)
 {
     const linkwright$f_blocks *const blocks = way->mechanism->blocks;
     const linkwright_status status = way->failure.status;
