@@ -1,5 +1,8 @@
 //! Lists the functions that a generated header declares, so that a program calls all of them.
 
+use linkwright_codegen::diagnostic::Source;
+use linkwright_codegen::stages::emit::rust::type_name;
+
 /// A motion of a mechanism as its header declares it.
 #[derive(Clone, Debug)]
 pub struct Declared {
@@ -99,8 +102,26 @@ fn fields(lines: &[String], name: &str) -> Vec<String> {
     names
 }
 
+/// Motions of a description as its header declares them.
+///
+/// # Panics
+/// The description has errors.
+pub fn motions(source: &Source, header: &str) -> Vec<Declared> {
+    let read = linkwright_codegen::read(source).expect("the description has been generated");
+    let of = |motion: Option<&str>| {
+        let name = &read.motions[0].system.mechanism.name;
+        let prefix = motion.map_or(name.clone(), |it| format!("{name}_{it}"));
+        declared(header, &prefix, &type_name(&prefix), motion)
+    };
+    let motions = read.motions.iter();
+    let motions = motions.map(|it| it.system.mechanism.motion.as_ref());
+    motions
+        .map(|it| of(it.map(|it| it.name.as_str())))
+        .collect()
+}
+
 /// Declarations of the motion whose types have this prefix.
-pub fn declared(header: &str, prefix: &str, type_name: &str, motion: Option<&str>) -> Declared {
+fn declared(header: &str, prefix: &str, type_name: &str, motion: Option<&str>) -> Declared {
     let lines = flattened(header);
     let frame = fields(&lines, &format!("{type_name}Frame"));
     let mut modes = fields(&lines, &format!("{type_name}Branches"));
@@ -133,6 +154,7 @@ pub fn declared(header: &str, prefix: &str, type_name: &str, motion: Option<&str
             continue;
         }
         let size = sizes(arguments);
+        let head = head.trim_start_matches("LINKWRIGHT_FUNCTION ");
         let returned = head.split(' ').next().unwrap_or_default();
         let returned = match (returned, size.as_slice()) {
             ("double" | "float", _) => Returned::Number,

@@ -5,6 +5,7 @@
 //! every frame as its bits.
 
 pub mod case;
+pub mod device;
 pub mod elementary;
 mod header;
 mod program_c;

@@ -12,8 +12,7 @@ use linkwright_codegen::stages::emit::rust::type_name;
 use linkwright_codegen::{Language, OutputFile, Scalar};
 
 use super::case::{Case, SCALARS};
-use super::header::{Declared, declared};
-use super::{program_c, program_rust};
+use super::{header, program_c, program_rust};
 use crate::files;
 
 /// Warnings with which generated C compiles, all of them errors.
@@ -113,26 +112,17 @@ fn motions(
 ) -> Vec<program_rust::Motion> {
     let read = linkwright_codegen::read(&case.source).expect("the description has been generated");
     let mechanism = read.motions[0].system.mechanism.name.clone();
-    let of = |motion: Option<&str>| -> program_rust::Motion {
-        let prefix = motion.map_or(mechanism.clone(), |it| format!("{mechanism}_{it}"));
-        let declared: Declared = declared(header, &prefix, &type_name(&prefix), motion);
-        program_rust::Motion {
-            answers: motion.map_or(module.to_string(), |it| format!("{module}_{it}")),
+    header::motions(&case.source, header)
+        .into_iter()
+        .map(|declared| program_rust::Motion {
+            answers: match &declared.motion {
+                None => module.to_string(),
+                Some(motion) => format!("{module}_{motion}"),
+            },
             module: module.to_string(),
             type_name: type_name(&mechanism),
             real: scalar,
             declared,
-        }
-    };
-    let motions = read.motions.iter();
-    motions
-        .map(|it| {
-            of(it
-                .system
-                .mechanism
-                .motion
-                .as_ref()
-                .map(|motion| motion.name.as_str()))
         })
         .collect()
 }

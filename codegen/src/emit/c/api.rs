@@ -13,7 +13,7 @@ pub(super) fn parts(printer: &Printer<'_>, text: &mut Code) {
     text.gap();
     text.comment(["Returns pointers to the parts of the mechanism, for the runtime."]);
     text.line(format!(
-        "static {mechanism} {}({} *mechanism)",
+        "LINKWRIGHT_FUNCTION static {mechanism} {}({} *mechanism)",
         printer.own("parts_of"),
         printer.type_prefix
     ));
@@ -24,7 +24,7 @@ pub(super) fn parts(printer: &Printer<'_>, text: &mut Code) {
         false => "NULL".to_string(),
     };
     let fields = [
-        ("blocks", format!("&{}", printer.own_constant("BLOCKS"))),
+        ("blocks", format!("{}()", printer.own("descriptor"))),
         ("state", "&mechanism->state".to_string()),
         ("failure", "&mechanism->failure".to_string()),
         ("frames[0]", "&mechanism->frames[0]".to_string()),
@@ -67,7 +67,7 @@ fn in_steps(printer: &Printer<'_>, text: &mut Code) {
     text.gap();
     text.comment(["Retries a failed step in substeps."]);
     text.line(format!(
-        "static LINKWRIGHT_APART linkwright_status {}(const {mechanism} *parts, {real} t, const void *inputs)",
+        "LINKWRIGHT_FUNCTION static LINKWRIGHT_APART linkwright_status {}(const {mechanism} *parts, {real} t, const void *inputs)",
         printer.own("advance_in_steps")
     ));
     text.open("{");

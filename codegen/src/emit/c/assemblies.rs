@@ -1,5 +1,6 @@
 //! Writes the stored assemblies.
 
+use super::constants::Constant;
 use super::printer::Printer;
 use crate::assemblies::{StoredAssemblies, StoredAssembly};
 use crate::emit::code::Code;
@@ -18,12 +19,17 @@ pub(super) fn declarations(printer: &Printer<'_>, text: &mut Code) {
     let lines = documentation::ASSEMBLIES.map(str::to_string).into_iter();
     text.gap();
     text.comment(lines.chain(listed).collect::<Vec<String>>());
-    let (count, name) = (count(printer), printer.constant("ASSEMBLIES"));
-    text.line(format!("#define {count} {}U", all.len()));
-    text.line(format!(
-        "extern const {} {name}[{count}];",
-        printer.type_of("Branches")
-    ));
+    text.line(format!("#define {} {}U", count(printer), all.len()));
+    constant(printer).declare(text);
+}
+
+/// Constant with the modes of each assembly.
+fn constant(printer: &Printer<'_>) -> Constant {
+    Constant {
+        type_name: printer.type_of("Branches"),
+        name: printer.constant("ASSEMBLIES"),
+        count: Some(count(printer)),
+    }
 }
 
 /// Defines the modes of each assembly.
@@ -31,14 +37,8 @@ pub(super) fn constants(printer: &Printer<'_>, text: &mut Code) {
     let Some(StoredAssemblies { all, .. }) = &printer.module.assemblies else {
         return;
     };
-    text.gap();
-    text.open(format!(
-        "const {} {}[{}] = {{",
-        printer.type_of("Branches"),
-        printer.constant("ASSEMBLIES"),
-        count(printer)
-    ));
-    for (number, assembly) in all.iter().enumerate() {
+    let listed = all.iter().enumerate();
+    let listed = listed.map(|(number, assembly)| {
         let StoredAssembly {
             signs,
             determinants,
@@ -53,9 +53,9 @@ pub(super) fn constants(printer: &Printer<'_>, text: &mut Code) {
             .iter()
             .map(|it| it.map_or("LINKWRIGHT_NEAREST", sign).to_string());
         let modes: Vec<String> = closed.chain(iterated).collect();
-        text.line(format!("{{{}, {}U}},", modes.join(", "), number + 1));
-    }
-    text.close("};");
+        format!("{{{}, {}U}}", modes.join(", "), number + 1)
+    });
+    constant(printer).define(&listed.collect::<Vec<String>>(), text);
 }
 
 /// Writes `begin`, which sets the estimate of the first frame to the requested assembly.
@@ -67,7 +67,7 @@ pub(super) fn begin(printer: &Printer<'_>, text: &mut Code) {
     text.gap();
     text.comment(["Moves the frame before the first one to the requested assembly, if any."]);
     text.line(format!(
-        "static void {}({branches} *branches, {frame} *at)",
+        "LINKWRIGHT_FUNCTION static void {}({branches} *branches, {frame} *at)",
         printer.own("begin")
     ));
     text.open("{");

@@ -1,5 +1,6 @@
 //! Writes one function per block, and the modes of all blocks.
 
+use super::constants::Constant;
 use super::loads;
 use super::newton;
 use super::printer::Printer;
@@ -100,7 +101,7 @@ pub(super) fn functions(printer: &Printer<'_>, text: &mut Code) {
         text.gap();
         text.comment(documentation::of_block(block, module));
         text.line(format!(
-            "static {result} {}({declared})",
+            "LINKWRIGHT_FUNCTION static {result} {}({declared})",
             name(block, printer)
         ));
         text.open("{");
@@ -201,22 +202,18 @@ pub(super) fn branches(printer: &Printer<'_>, text: &mut Code) {
 /// Defines the modes of the design configuration.
 pub(super) fn drawn_branches(printer: &Printer<'_>, text: &mut Code) {
     let modes = modes(printer);
-    let mut drawn: Vec<&str> = match modes.is_empty() {
-        true => vec!["LINKWRIGHT_NEAREST"],
-        false => modes.iter().map(|mode| mode.drawn).collect(),
+    let mut drawn: Vec<String> = match modes.is_empty() {
+        true => vec!["LINKWRIGHT_NEAREST".to_string()],
+        false => modes.iter().map(|mode| mode.drawn.to_string()).collect(),
     };
     if printer.module.assemblies.is_some() {
-        drawn.push("0U");
+        drawn.push("0U".to_string());
     }
     let (name, constant) = (
         printer.type_of("Branches"),
         printer.constant("DESIGN_BRANCHES"),
     );
-    text.gap();
-    text.line(format!(
-        "const {name} {constant} = {{{}}};",
-        drawn.join(", ")
-    ));
+    Constant::new(name, constant).define(&drawn, text);
 }
 
 /// Writes `exchanged`, which finds the modes beyond a change point.
@@ -231,7 +228,7 @@ pub(super) fn exchanged(printer: &Printer<'_>, text: &mut Code) {
         "Finds the modes beyond a change point of a block; returns false if they are not known.",
     ]);
     text.line(format!(
-        "static bool {function}(const void *modes, uint16_t block, void *others)"
+        "LINKWRIGHT_FUNCTION static bool {function}(const void *modes, uint16_t block, void *others)"
     ));
     text.open("{");
     let known: Vec<&Mode> = modes.iter().filter(|mode| mode.block.is_some()).collect();

@@ -1,5 +1,6 @@
 //! Writes the named coordinates.
 
+use super::constants::Constant;
 use super::printer::Printer;
 use super::words::identifier;
 use crate::emit::code::Code;
@@ -41,10 +42,5 @@ pub(super) fn drawn(printer: &Printer<'_>, text: &mut Code) {
         printer.number(drawn.unwrap_or(0.0))
     });
     let values: Vec<String> = values.collect();
-    let (name, constant) = (printer.type_of("Coordinates"), printer.constant("DESIGN"));
-    text.gap();
-    text.line(format!(
-        "const {name} {constant} = {{{}}};",
-        values.join(", ")
-    ));
+    Constant::new(printer.type_of("Coordinates"), printer.constant("DESIGN")).define(&values, text);
 }

@@ -89,7 +89,7 @@ impl Equation<'_> {
         text.gap();
         text.comment([comment]);
         text.line(format!(
-            "static {returns} {name}(const void *context, {arguments}{real} t, {real} found[])"
+            "LINKWRIGHT_FUNCTION static {returns} {name}(const void *context, {arguments}{real} t, {real} found[])"
         ));
         text.open("{");
         let reads = scope.reads();

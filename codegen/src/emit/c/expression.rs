@@ -73,7 +73,7 @@ impl Printer<'_> {
                 let table = table_name(self, *spline);
                 let value = self.runtime("table_value");
                 let place = self.written(place, scope);
-                format!("{value}(&{table}, {place}, {order}U)")
+                format!("{value}({table}(), {place}, {order}U)")
             }
             Arithmetic::Choice(choice) => self.choice(choice, scope),
         }

@@ -1,5 +1,6 @@
 //! Writes the header and the source of a mechanism with all its motions, and those of the runtime.
 
+use super::constants::Constant;
 use super::printer::Printer;
 use super::words::WORDS;
 use super::{
@@ -90,9 +91,7 @@ fn header(first: &Printer<'_>, printers: &[Printer<'_>]) -> String {
         text.line("#endif");
     }
     text.gap();
-    text.line("#ifdef __cplusplus");
-    text.line("extern \"C\" {");
-    text.line("#endif");
+    text.line(format!("LINKWRIGHT_HEADER_BEGIN(of_{})", mechanism.name));
     for printer in printers {
         if printer.module.system.mechanism.motion.is_some() {
             let mut lines = documentation::of_motion(printer.module.system);
@@ -104,9 +103,7 @@ fn header(first: &Printer<'_>, printers: &[Printer<'_>]) -> String {
         declarations(printer, &mut text);
     }
     text.gap();
-    text.line("#ifdef __cplusplus");
-    text.line("}");
-    text.line("#endif");
+    text.line("LINKWRIGHT_HEADER_END");
     text.gap();
     text.line("#endif");
     text.finish(Lists::Filled)
@@ -123,24 +120,13 @@ fn declarations(printer: &Printer<'_>, text: &mut Code) {
     shell::structure(printer, text);
     text.gap();
     text.comment(["Design pose, from which the mechanism is assembled, and its assembly modes."]);
-    text.line(format!(
-        "extern const {} {};",
-        printer.type_of("Coordinates"),
-        printer.constant("DESIGN")
-    ));
-    text.line(format!(
-        "extern const {} {};",
-        printer.type_of("Branches"),
-        printer.constant("DESIGN_BRANCHES")
-    ));
+    for (kind, name) in [("Coordinates", "DESIGN"), ("Branches", "DESIGN_BRANCHES")] {
+        Constant::new(printer.type_of(kind), printer.constant(name)).declare(text);
+    }
     assemblies::declarations(printer, text);
     if printer.declared().inputs {
         text.comment(["Inputs of the description, at rest."]);
-        text.line(format!(
-            "extern const {} {};",
-            printer.type_of("Inputs"),
-            printer.constant("INITIAL")
-        ));
+        Constant::new(printer.type_of("Inputs"), printer.constant("INITIAL")).declare(text);
     }
     block_names::declarations(printer, text);
     points::declare(&offered(printer), text);
@@ -164,10 +150,15 @@ fn source(first: &Printer<'_>, printers: &[Printer<'_>], stem: &str) -> String {
     text.line("#if defined(__GNUC__) && !defined(__clang__) && (defined(__FP_FAST_FMA) || defined(__FP_FAST_FMAF))");
     text.line("#pragma GCC optimize (\"no-tree-slp-vectorize\")");
     text.line("#endif");
+    text.gap();
+    let name = &first.module.system.mechanism.name;
+    text.line(format!("LINKWRIGHT_SOURCE_BEGIN(of_{name})"));
     for printer in printers {
         parameters::nominal(printer, &mut text);
         definitions(printer, &mut text);
     }
+    text.gap();
+    text.line("LINKWRIGHT_SOURCE_END");
     text.finish(Lists::Filled)
 }
 

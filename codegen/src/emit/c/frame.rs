@@ -83,7 +83,7 @@ pub(super) fn estimate(printer: &Printer<'_>, text: &mut Code) {
     text.gap();
     text.comment(["Sets the frame before the first one: a pose at rest."]);
     text.line(format!(
-        "static void {}({frame} *at, const {coordinates} *pose, {parameters}{real} t)",
+        "LINKWRIGHT_FUNCTION static void {}({frame} *at, const {coordinates} *pose, {parameters}{real} t)",
         printer.own("set_estimate")
     ));
     text.open("{");

@@ -48,7 +48,7 @@ pub(super) fn function(printer: &Printer<'_>, text: &mut Code) {
     text.gap();
     text.comment([documentation::BLAMED_LOAD]);
     text.line(format!(
-        "static LINKWRIGHT_APART linkwright_status {}(const {frame} *at, const {} *conditions)",
+        "LINKWRIGHT_FUNCTION static LINKWRIGHT_APART linkwright_status {}(const {frame} *at, const {} *conditions)",
         printer.own("blame_load"),
         printer.runtime("conditions")
     ));

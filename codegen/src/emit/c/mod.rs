@@ -11,6 +11,7 @@ mod assembly;
 mod block;
 mod block_names;
 mod comment;
+mod constants;
 mod coordinates;
 mod equations;
 mod expression;

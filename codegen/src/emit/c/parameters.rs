@@ -1,6 +1,7 @@
 //! Writes parameters and inputs: structures, defaults, accessors and checks.
 
 use super::comment::quoted;
+use super::constants::Constant;
 use super::printer::Printer;
 use super::words::identifier;
 use crate::emit::code::Code;
@@ -65,11 +66,7 @@ pub(super) fn parameters(printer: &Printer<'_>, text: &mut Code) {
         );
         text.gap();
         text.comment(["Values of the description."]);
-        text.line(format!(
-            "extern const {} {};",
-            printer.type_of("Parameters"),
-            printer.constant("NOMINAL")
-        ));
+        Constant::new(printer.type_of("Parameters"), printer.constant("NOMINAL")).declare(text);
     }
 }
 
@@ -122,12 +119,7 @@ pub(super) fn nominal(printer: &Printer<'_>, text: &mut Code) {
     let values = printer.parameters().into_iter();
     let values = values.map(|(.., value)| printer.number(printer.default(value)));
     let values: Vec<String> = values.collect();
-    let (structure, constant) = (printer.type_of("Parameters"), printer.constant("NOMINAL"));
-    text.gap();
-    text.line(format!(
-        "const {structure} {constant} = {{{}}};",
-        values.join(", ")
-    ));
+    Constant::new(printer.type_of("Parameters"), printer.constant("NOMINAL")).define(&values, text);
 }
 
 /// Defines the initial inputs.
@@ -138,12 +130,7 @@ pub(super) fn initial(printer: &Printer<'_>, text: &mut Code) {
         format!("{{{value}, {zero}, {zero}}}")
     });
     let values: Vec<String> = values.collect();
-    let (structure, constant) = (printer.type_of("Inputs"), printer.constant("INITIAL"));
-    text.gap();
-    text.line(format!(
-        "const {structure} {constant} = {{{}}};",
-        values.join(", ")
-    ));
+    Constant::new(printer.type_of("Inputs"), printer.constant("INITIAL")).define(&values, text);
 }
 
 /// Writes the functions by which the runtime reads inputs and checks that parameters and inputs are finite.
@@ -161,7 +148,9 @@ pub(super) fn accessors(printer: &Printer<'_>, text: &mut Code) {
             .map(|(name, ..)| format!("parameters->{}", identifier(&field_name(name))));
         let values: Vec<String> = values.collect();
         text.gap();
-        text.line(format!("static bool {function}(const void *given)"));
+        text.line(format!(
+            "LINKWRIGHT_FUNCTION static bool {function}(const void *given)"
+        ));
         text.open("{");
         text.line(format!(
             "const {structure} *const parameters = (const {structure} *)given;"
@@ -181,7 +170,7 @@ pub(super) fn accessors(printer: &Printer<'_>, text: &mut Code) {
             let function = printer.own(name);
             text.gap();
             text.line(format!(
-                "static {constant}{signal} *{function}({constant}void *given, uint16_t index)"
+                "LINKWRIGHT_FUNCTION static {constant}{signal} *{function}({constant}void *given, uint16_t index)"
             ));
             text.open("{");
             text.line(format!(
@@ -211,7 +200,9 @@ pub(super) fn accessors(printer: &Printer<'_>, text: &mut Code) {
         }
         let function = printer.own("inputs_are_finite");
         text.gap();
-        text.line(format!("static bool {function}(const void *given)"));
+        text.line(format!(
+            "LINKWRIGHT_FUNCTION static bool {function}(const void *given)"
+        ));
         text.open("{");
         text.line("bool are_finite = true;");
         text.open(format!(
@@ -248,7 +239,7 @@ pub(super) fn requirements(printer: &Printer<'_>, text: &mut Code) {
     ]);
     let real = printer.real();
     text.line(format!(
-        "static bool {function}(const void *given, uint16_t *place, {real} *value)"
+        "LINKWRIGHT_FUNCTION static bool {function}(const void *given, uint16_t *place, {real} *value)"
     ));
     text.open("{");
     text.line(format!(
@@ -286,7 +277,7 @@ pub(super) fn drawn(printer: &Printer<'_>, text: &mut Code) {
     text.gap();
     text.comment(["Finds the design value of each coordinate and displacement."]);
     text.line(format!(
-        "static void {}(const {structure} *parameters, {real} found[{}])",
+        "LINKWRIGHT_FUNCTION static void {}(const {structure} *parameters, {real} found[{}])",
         printer.own("drawn"),
         function.results.len()
     ));

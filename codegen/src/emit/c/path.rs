@@ -61,7 +61,7 @@ fn head(printer: &Printer<'_>, name: &str, has_enclosures: bool) -> String {
         false => String::new(),
     };
     format!(
-        "static bool {}(const {} *pair, const {} *window, {enclosures}uint16_t *block)",
+        "LINKWRIGHT_FUNCTION static bool {}(const {} *pair, const {} *window, {enclosures}uint16_t *block)",
         printer.own(name),
         runtime("pair"),
         runtime("time_window"),
@@ -70,7 +70,7 @@ fn head(printer: &Printer<'_>, name: &str, has_enclosures: bool) -> String {
 
 fn within_head(printer: &Printer<'_>) -> String {
     format!(
-        "static bool {}(const void *found, const {} *enclosures, {} steps)",
+        "LINKWRIGHT_FUNCTION static bool {}(const void *found, const {} *enclosures, {} steps)",
         printer.own("is_within"),
         printer.runtime("enclosure"),
         printer.real()

@@ -18,7 +18,7 @@ pub(super) fn declare(offered: &[Offered], text: &mut Code) {
     for function in offered {
         text.gap();
         text.comment(&function.lines);
-        text.line(format!("{};", function.declaration));
+        text.line(format!("LINKWRIGHT_FUNCTION {};", function.declaration));
     }
 }
 
@@ -26,7 +26,7 @@ pub(super) fn declare(offered: &[Offered], text: &mut Code) {
 pub(super) fn define(offered: Vec<Offered>, text: &mut Code) {
     for function in offered {
         text.gap();
-        text.line(&function.declaration);
+        text.line(format!("LINKWRIGHT_FUNCTION {}", function.declaration));
         text.open("{");
         text.append(function.body);
         text.close("}");

@@ -60,7 +60,7 @@ pub(super) fn header() -> String {
         text.push('\n');
         text.push_str(&guarded(scalar, &in_scalar(declarations, scalar)));
     }
-    text.push_str("\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n");
+    text.push_str("\nLINKWRIGHT_HEADER_END\n\n#endif\n");
     text
 }
 
@@ -78,6 +78,7 @@ pub(super) fn source() -> String {
         text.push('\n');
         text.push_str(&guarded(scalar, &format!("{math}{parts}")));
     }
+    text.push_str("\nLINKWRIGHT_SOURCE_END\n");
     text
 }
 

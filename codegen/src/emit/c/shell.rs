@@ -90,7 +90,7 @@ pub(super) fn solve(printer: &Printer<'_>, text: &mut Code) {
     text.gap();
     text.comment(["Solves all blocks at one time, one after another."]);
     text.line(format!(
-        "static linkwright_status {}(void *found, const void *before, void *modes, const {} *conditions)",
+        "LINKWRIGHT_FUNCTION static linkwright_status {}(void *found, const void *before, void *modes, const {} *conditions)",
         printer.own("solve"),
         printer.runtime("conditions")
     ));
@@ -145,7 +145,7 @@ pub(super) fn values(printer: &Printer<'_>, text: &mut Code) -> usize {
     let (frame, real) = (printer.type_of("Frame"), printer.real());
     text.gap();
     text.line(format!(
-        "static {real} {}(const void *found)",
+        "LINKWRIGHT_FUNCTION static {real} {}(const void *found)",
         printer.own("time_of")
     ));
     text.open("{");
@@ -166,7 +166,7 @@ pub(super) fn values(printer: &Printer<'_>, text: &mut Code) -> usize {
     text.gap();
     text.comment(["Returns a component of a frame's points, by which poses are compared."]);
     text.line(format!(
-        "static {real} {}(const void *found, uint16_t index)",
+        "LINKWRIGHT_FUNCTION static {real} {}(const void *found, uint16_t index)",
         printer.own("value_of")
     ));
     text.open("{");
@@ -218,7 +218,7 @@ pub(super) fn blocks(printer: &Printer<'_>, values: usize, text: &mut Code) {
         some(declared.inputs, "read_signal"),
         printer.own("exchanged"),
         match is_guarded && block::may_cross(printer) {
-            true => format!("&LINKWRIGHT{}_PASSAGE", printer.suffix().to_uppercase()),
+            true => printer.runtime("pass"),
             false => "NULL".to_string(),
         },
         some(is_guarded, "verify_path"),
@@ -231,14 +231,18 @@ pub(super) fn blocks(printer: &Printer<'_>, values: usize, text: &mut Code) {
         some(limits_parameters, "not_positive"),
     ];
     text.gap();
-    text.comment(["Mechanism descriptor."]);
-    text.open(format!(
-        "static const {} {} = {{",
-        printer.runtime("blocks"),
-        printer.own_constant("BLOCKS")
+    let descriptor = printer.runtime("blocks");
+    text.comment(["Returns the mechanism descriptor."]);
+    text.line(format!(
+        "LINKWRIGHT_FUNCTION static const {descriptor} *{}(void)",
+        printer.own("descriptor")
     ));
+    text.open("{");
+    text.open(format!("static const {descriptor} found = {{"));
     for entry in entries {
         text.line(format!("{entry},"));
     }
     text.close("};");
+    text.line("return &found;");
+    text.close("}");
 }

@@ -82,7 +82,7 @@ impl Printer<'_> {
                 let values = format!("{first}_found");
                 let (call, table) = (self.runtime("table_at"), table_name(self, *spline));
                 text.line(format!("{} {values}[4];", self.real()));
-                text.line(format!("{call}(&{table}, {}, {values});", write(argument)));
+                text.line(format!("{call}({table}(), {}, {values});", write(argument)));
                 for (order, target) in targets.iter().enumerate() {
                     if let Some(target) = target {
                         self.assign(*target, &format!("{values}[{order}]"), scope, text);

@@ -188,7 +188,7 @@ pub(super) fn length_function(
     text.gap();
     text.comment(["Returns the scale of lengths."]);
     text.line(format!(
-        "static {real} {name}(const {structure} *parameters)"
+        "LINKWRIGHT_FUNCTION static {real} {name}(const {structure} *parameters)"
     ));
     text.open("{");
     if !scope.reads().parameters {

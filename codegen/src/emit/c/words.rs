@@ -249,6 +249,7 @@ const ITEMS: &[&str] = &[
     "gamma",
     "drawn",
     "monitored",
+    "descriptor",
     "requirements",
 ];
 

@@ -53,12 +53,15 @@ fn other_compilers_take_it_and_fuse_nothing() {
     assert!(vectors > 1000 || !cfg!(target_arch = "x86_64"), "{vectors}");
 }
 
-/// Compiles a file as C++17.
+/// Compiles a file as C++17, and as its text for devices.
 fn accepted(folder: &Path, name: &str) {
     let file = format!("{name}.c");
-    let mut command = Command::new("g++");
-    command.args(["-std=c++17", "-x", "c++", "-fsyntax-only", "-Werror", &file]);
-    run(command.current_dir(folder)).unwrap_or_else(|error| panic!("{error}"));
+    for function in ["-ULINKWRIGHT_FUNCTION", "-DLINKWRIGHT_FUNCTION="] {
+        let mut command = Command::new("g++");
+        command.args(["-std=c++17", "-x", "c++", "-fsyntax-only", function]);
+        command.args(["-Wall", "-Wextra", "-Werror", &file]);
+        run(command.current_dir(folder)).unwrap_or_else(|error| panic!("{error}"));
+    }
 }
 
 /// Compiles a file for processors with fused operations, of which none may be in it; the number of operations on vectors.

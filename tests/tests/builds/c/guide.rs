@@ -10,7 +10,7 @@ use linkwright_tests::{description, files};
 use super::{compile, folder, write, write_double};
 
 /// The blocks of a page, by the name in backticks before them, or else by their marks.
-fn block<'a>(page: &'a str, before: &str) -> &'a str {
+pub(super) fn block<'a>(page: &'a str, before: &str) -> &'a str {
     let (_, rest) = page
         .split_once(before)
         .unwrap_or_else(|| panic!("{before}"));

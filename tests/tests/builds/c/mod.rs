@@ -2,6 +2,7 @@
 
 mod accepted;
 mod bits;
+mod device;
 mod guide;
 
 use std::fs;

@@ -1,5 +1,5 @@
 
-$real linkwright$f_sin($real angle)
+LINKWRIGHT_FUNCTION $real linkwright$f_sin($real angle)
 {
     $real sine;
     $real cosine;
@@ -7,7 +7,7 @@ $real linkwright$f_sin($real angle)
     return sine;
 }
 
-$real linkwright$f_cos($real angle)
+LINKWRIGHT_FUNCTION $real linkwright$f_cos($real angle)
 {
     $real sine;
     $real cosine;
@@ -16,7 +16,7 @@ $real linkwright$f_cos($real angle)
 }
 
 /* Angle of a vector whose larger component is of ordinary magnitude. */
-static $real ordinary_angle$f($real y, $real x)
+LINKWRIGHT_FUNCTION static $real ordinary_angle$f($real y, $real x)
 {
     const $real across = fabs$f(y);
     const $real along = fabs$f(x);
@@ -45,7 +45,8 @@ static $real ordinary_angle$f($real y, $real x)
 }
 
 /* Component of another vector, scaled to ordinary magnitude. */
-static $real scaled_component$f($real component, $real scale, bool is_infinite, bool is_zero, $real otherwise)
+LINKWRIGHT_FUNCTION static $real scaled_component$f($real component, $real scale, bool is_infinite, bool is_zero,
+    $real otherwise)
 {
     $real size = scale * fabs$f(component);
     if (isinf(component) != 0) {
@@ -61,7 +62,7 @@ static $real scaled_component$f($real component, $real scale, bool is_infinite, 
     return copysign$f(size, component);
 }
 
-$real linkwright$f_atan2($real y, $real x)
+LINKWRIGHT_FUNCTION $real linkwright$f_atan2($real y, $real x)
 {
     const $real across = fabs$f(y);
     const $real along = fabs$f(x);
@@ -82,7 +83,7 @@ $real linkwright$f_atan2($real y, $real x)
 }
 
 /* Angle that differs from another one by whole turns and is nearest to a third (rad). */
-static $real nearest_turn$f($real angle, $real near_angle)
+LINKWRIGHT_FUNCTION static $real nearest_turn$f($real angle, $real near_angle)
 {
     const $real gap = near_angle - angle;
     $real turned = angle;
@@ -93,13 +94,13 @@ static $real nearest_turn$f($real angle, $real near_angle)
 }
 
 /* From one frame to the next an angle moves little: it is measured from the multiple of pi/4 next to the last angle. */
-$real linkwright$f_angle_near($real sine, $real cosine, $real near_angle)
+LINKWRIGHT_FUNCTION $real linkwright$f_angle_near($real sine, $real cosine, $real near_angle)
 {
     const $real moved = (near_angle * (4.0$f / PI$f)) + ROUNDER$f;
     const $real octants = moved - ROUNDER$f;
     const uint32_t place = last_bits$f(moved);
-    const $real along = COSINES$f[place];
-    const $real across = COSINES$f[(place + 6U) & 7U];
+    const $real along = eighth_cosine$f(place);
+    const $real across = eighth_cosine$f((place + 6U) & 7U);
     const $real high = (cosine * along) + (sine * across);
     const $real low = (sine * along) - (cosine * across);
     const $real x = low / high;

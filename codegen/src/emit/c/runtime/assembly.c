@@ -21,7 +21,7 @@ static const $real LARGEST_EASING$f = 1.0$f / 3.0$f;
 
 /* Moves an estimate to a pose by damped steps while they are needed (Deuflhard, Newton Methods for Nonlinear
    Problems, 2004, section 3.3.3, algorithm NLEQ-ERR), then by Newton-Raphson. */
-static linkwright_status solved_damped$f(const linkwright$f_equations *equations, $real pose[],
+LINKWRIGHT_FUNCTION static linkwright_status solved_damped$f(const linkwright$f_equations *equations, $real pose[],
     const linkwright$f_conditions *conditions)
 {
     const size_t n = equations->order;
@@ -112,7 +112,7 @@ static linkwright_status solved_damped$f(const linkwright$f_equations *equations
 }
 
 /* Scales residuals and returns the sum of their squares. */
-static $real sum_of_squares$f(const linkwright$f_equations *equations, $real phi[])
+LINKWRIGHT_FUNCTION static $real sum_of_squares$f(const linkwright$f_equations *equations, $real phi[])
 {
     $real sum = 0.0$f;
     for (size_t k = 0U; k < equations->order; k += 1U) {
@@ -123,8 +123,8 @@ static $real sum_of_squares$f(const linkwright$f_equations *equations, $real phi
 }
 
 /* Scales a Jacobian J, and computes J^T J and J^T Phi. */
-static void assemble_normal$f(const linkwright$f_equations *equations, $real jacobian[], const $real phi[],
-    $real normal[], $real gradient[])
+LINKWRIGHT_FUNCTION static void assemble_normal$f(const linkwright$f_equations *equations, $real jacobian[],
+    const $real phi[], $real normal[], $real gradient[])
 {
     const size_t n = equations->order;
     for (size_t row = 0U; row < n; row += 1U) {
@@ -150,7 +150,7 @@ static void assemble_normal$f(const linkwright$f_equations *equations, $real jac
 
 /* Moves an estimate towards a minimum of the residuals by the method of Levenberg and Marquardt (Madsen, Nielsen and
    Tingleff, Methods for Non-Linear Least Squares Problems, 2004, section 3.2). */
-static void approach$f(const linkwright$f_equations *equations, $real q[], $real t)
+LINKWRIGHT_FUNCTION static void approach$f(const linkwright$f_equations *equations, $real q[], $real t)
 {
     const size_t n = equations->order;
     $real *const jacobian = equations->reals;
@@ -220,7 +220,7 @@ static void approach$f(const linkwright$f_equations *equations, $real q[], $real
 }
 
 /* Solves for a frame from a start, with a required branch at its end if any. */
-static linkwright_status finished$f(const linkwright$f_equations *equations, const $real start[],
+LINKWRIGHT_FUNCTION static linkwright_status finished$f(const linkwright$f_equations *equations, const $real start[],
     linkwright_branch branch, linkwright$f_tears *found, const linkwright$f_conditions *conditions)
 {
     Watch$f watch = {branch, false, false, 0.0$f, NULL};
@@ -230,8 +230,9 @@ static linkwright_status finished$f(const linkwright$f_equations *equations, con
 
 /* Assembles from an estimate that may be poor: least squares first, then plain and damped Newton-Raphson from the
    given estimate. */
-static linkwright_status assembled_from_afar$f(const linkwright$f_equations *equations, const $real estimate[],
-    linkwright_branch branch, linkwright$f_tears *found, const linkwright$f_conditions *conditions)
+LINKWRIGHT_FUNCTION static linkwright_status assembled_from_afar$f(const linkwright$f_equations *equations,
+    const $real estimate[], linkwright_branch branch, linkwright$f_tears *found,
+    const linkwright$f_conditions *conditions)
 {
     const size_t n = equations->order;
     linkwright$f_failure *const failure = conditions->failure;
@@ -271,7 +272,7 @@ static linkwright_status assembled_from_afar$f(const linkwright$f_equations *equ
 }
 
 /* True if the equations hold at a pose. */
-static bool holds$f(const linkwright$f_equations *equations, const $real q[], $real phi[],
+LINKWRIGHT_FUNCTION static bool holds$f(const linkwright$f_equations *equations, const $real q[], $real phi[],
     const linkwright$f_conditions *conditions)
 {
     equations->residual(equations->context, q, conditions->t, phi);
@@ -280,7 +281,7 @@ static bool holds$f(const linkwright$f_equations *equations, const $real q[], $r
 
 /* Removes whole turns from angles that a search from far away has wound up, if the equations hold without them: from
    all together, otherwise one by one. A rack counts the turns of its wheel. */
-static void unwind$f(const linkwright$f_equations *equations, $real q[], const $real near[],
+LINKWRIGHT_FUNCTION static void unwind$f(const linkwright$f_equations *equations, $real q[], const $real near[],
     const linkwright$f_conditions *conditions)
 {
     const size_t n = equations->order;
@@ -310,7 +311,7 @@ static void unwind$f(const linkwright$f_equations *equations, $real q[], const $
 
 /* Assembles a block near an estimate, with angles near those of the estimate if the equations do not count their
    turns. */
-static linkwright_status assembled_block$f(const linkwright$f_equations *equations,
+LINKWRIGHT_FUNCTION static linkwright_status assembled_block$f(const linkwright$f_equations *equations,
     const linkwright$f_tears *estimate, linkwright_branch *branch, linkwright$f_tears *found,
     linkwright$f_measure *measure, const linkwright$f_conditions *conditions)
 {
@@ -333,8 +334,8 @@ static linkwright_status assembled_block$f(const linkwright$f_equations *equatio
     return status;
 }
 
-linkwright_status linkwright$f_solve_block(const linkwright$f_equations *equations, const linkwright$f_tears *last,
-    linkwright_branch *branch, linkwright$f_tears *found, linkwright$f_measure *measure,
+LINKWRIGHT_FUNCTION linkwright_status linkwright$f_solve_block(const linkwright$f_equations *equations,
+    const linkwright$f_tears *last, linkwright_branch *branch, linkwright$f_tears *found, linkwright$f_measure *measure,
     const linkwright$f_conditions *conditions)
 {
     linkwright_status status;
@@ -351,7 +352,7 @@ linkwright_status linkwright$f_solve_block(const linkwright$f_equations *equatio
     return status;
 }
 
-linkwright_status linkwright$f_factorize(const linkwright$f_equations *equations, const $real q[],
+LINKWRIGHT_FUNCTION linkwright_status linkwright$f_factorize(const linkwright$f_equations *equations, const $real q[],
     linkwright$f_factorization *factorization, const linkwright$f_conditions *conditions)
 {
     const size_t n = equations->order;

@@ -27,7 +27,7 @@ typedef struct linked$f {
 } linked$f;
 
 /* Derivatives of the equations of a link by the unknowns of a cell, row by row. */
-static void square$f(const linked$f *chain, size_t link, size_t cell, $real found[4])
+LINKWRIGHT_FUNCTION static void square$f(const linked$f *chain, size_t link, size_t cell, $real found[4])
 {
     for (size_t row = 0U; row < 2U; row += 1U) {
         const size_t k = (((2U * link) + row) * chain->order) + (2U * cell);
@@ -36,17 +36,17 @@ static void square$f(const linked$f *chain, size_t link, size_t cell, $real foun
     }
 }
 
-static $real dot$f(const $real left[2], const $real right[2])
+LINKWRIGHT_FUNCTION static $real dot$f(const $real left[2], const $real right[2])
 {
     return (left[0] * right[0]) + (left[1] * right[1]);
 }
 
-static $real magnitude_dot$f(const $real left[2], const $real right[2])
+LINKWRIGHT_FUNCTION static $real magnitude_dot$f(const $real left[2], const $real right[2])
 {
     return (fabs$f(left[0]) * right[0]) + (fabs$f(left[1]) * right[1]);
 }
 
-static bool inverted$f(const $real matrix[4], $real found[4])
+LINKWRIGHT_FUNCTION static bool inverted$f(const $real matrix[4], $real found[4])
 {
     const $real determinant = (matrix[0] * matrix[3]) - (matrix[1] * matrix[2]);
     const bool is_regular = (fabs$f(determinant) > 0.0$f) && linkwright$f_is_finite(determinant);
@@ -59,7 +59,7 @@ static bool inverted$f(const $real matrix[4], $real found[4])
     return is_regular;
 }
 
-static void product$f(const $real left[4], const $real right[4], $real found[4])
+LINKWRIGHT_FUNCTION static void product$f(const $real left[4], const $real right[4], $real found[4])
 {
     for (size_t column = 0U; column < 2U; column += 1U) {
         const $real other[2] = {right[column], right[column + 2U]};
@@ -70,7 +70,7 @@ static void product$f(const $real left[4], const $real right[4], $real found[4])
 
 /* Derivatives of all unknowns by those of the first cell, or in reverse of the last one. False if a link does not
    determine one of its cells from the other, or is nearly singular. */
-static bool transfers$f(const linked$f *chain, bool is_reversed, $real found[])
+LINKWRIGHT_FUNCTION static bool transfers$f(const linked$f *chain, bool is_reversed, $real found[])
 {
     const size_t cells = chain->order / 2U;
     $real transfer[4] = {1.0$f, 0.0$f, 0.0$f, 1.0$f};
@@ -104,7 +104,7 @@ static bool transfers$f(const linked$f *chain, bool is_reversed, $real found[])
 }
 
 /* Changes of the first cell's unknowns for an equation that is off by 1, or in reverse those of the last cell. */
-static bool responses$f(const linked$f *chain, bool is_reversed, $real found[])
+LINKWRIGHT_FUNCTION static bool responses$f(const linked$f *chain, bool is_reversed, $real found[])
 {
     const size_t cells = chain->order / 2U;
     $real seen[4];
@@ -155,7 +155,8 @@ static bool responses$f(const linked$f *chain, bool is_reversed, $real found[])
 }
 
 /* Adds the effect of some equations of a rotating column on the first or the last cell. */
-static void respond$f(const linked$f *chain, const $real responses[], size_t link, size_t column, $real sum[2])
+LINKWRIGHT_FUNCTION static void respond$f(const linked$f *chain, const $real responses[], size_t link, size_t column,
+    $real sum[2])
 {
     for (size_t row = 2U * link; row < ((2U * link) + 2U); row += 1U) {
         const $real entry = chain->chord->turning[(row * chain->order) + column];
@@ -165,7 +166,7 @@ static void respond$f(const linked$f *chain, const $real responses[], size_t lin
 }
 
 /* Product of C and the rotating columns. */
-static void turn_chain$f(const linked$f *chain)
+LINKWRIGHT_FUNCTION static void turn_chain$f(const linked$f *chain)
 {
     const size_t cells = chain->order / 2U;
     for (size_t column = 0U; column < chain->order; column += 1U) {
@@ -197,7 +198,8 @@ static void turn_chain$f(const linked$f *chain)
 }
 
 /* Adds the effects of both entries of a cell or a link, or their magnitudes. */
-static void gather$f(const $real responses[], size_t cell, bool is_size, const $real vector[], $real sum[2])
+LINKWRIGHT_FUNCTION static void gather$f(const $real responses[], size_t cell, bool is_size, const $real vector[],
+    $real sum[2])
 {
     for (size_t place = 2U * cell; place < ((2U * cell) + 2U); place += 1U) {
         for (size_t side = 0U; side < 2U; side += 1U) {
@@ -210,8 +212,8 @@ static void gather$f(const $real responses[], size_t cell, bool is_size, const $
 /* Effects of a vector's entries on all cells, from their effects on the first and the last cell: entries behind a
    cell act on the cells before them, and the others the other way round. Entries of a link are behind its cell; those
    of a cell act on neither side. */
-static void sides$f(const linked$f *chain, const $real *const ends[2], bool are_links, bool is_size, const $real vector[],
-    $real found[])
+LINKWRIGHT_FUNCTION static void sides$f(const linked$f *chain, const $real *const ends[2], bool are_links, bool is_size,
+    const $real vector[], $real found[])
 {
     const size_t cells = chain->order / 2U;
     $real behind[2] = {0.0$f, 0.0$f};
@@ -238,14 +240,14 @@ static void sides$f(const linked$f *chain, const $real *const ends[2], bool are_
 }
 
 /* Product of C, or of its magnitudes, with a vector. */
-static void times_chain$f(const linked$f *chain, const $real vector[], bool is_size, $real found[])
+LINKWRIGHT_FUNCTION static void times_chain$f(const linked$f *chain, const $real vector[], bool is_size, $real found[])
 {
     const $real *const ends[2] = {chain->first, chain->last};
     sides$f(chain, ends, true, is_size, vector, found);
 }
 
 /* Product of the magnitudes of C and the rotating columns with a vector. */
-static void spread_chain$f(const linked$f *chain, const $real vector[], $real found[])
+LINKWRIGHT_FUNCTION static void spread_chain$f(const linked$f *chain, const $real vector[], $real found[])
 {
     const $real *const ends[2] = {chain->turned_first, chain->turned_last};
     sides$f(chain, ends, false, true, vector, found);
@@ -258,7 +260,7 @@ static void spread_chain$f(const linked$f *chain, const $real vector[], $real fo
 }
 
 /* Least remainder of the Newton operator on the chord. */
-static void begin_chain$f(const linked$f *chain, const linkwright$f_isolation *isolation)
+LINKWRIGHT_FUNCTION static void begin_chain$f(const linked$f *chain, const linkwright$f_isolation *isolation)
 {
     const linkwright$f_chord *const chord = chain->chord;
     const size_t n = chain->order;
@@ -299,7 +301,7 @@ static void begin_chain$f(const linked$f *chain, const linkwright$f_isolation *i
 }
 
 /* Image of the deviations under the operator: |sin d| is at most d, and 1 - cos d at most d^2 / 2. */
-static void spread_deviations$f(const linked$f *chain, const linkwright$f_isolation *isolation)
+LINKWRIGHT_FUNCTION static void spread_deviations$f(const linked$f *chain, const linkwright$f_isolation *isolation)
 {
     const $real *const changes = chain->chord->changes;
     for (size_t k = 0U; k < chain->order; k += 1U) {
@@ -313,12 +315,14 @@ static void spread_deviations$f(const linked$f *chain, const linkwright$f_isolat
     }
 }
 
-void linkwright$f_isolate_chain(linkwright$f_isolation *isolation, uint16_t order, const uint16_t blocks[],
-    const linkwright$f_time_window *window, const linkwright$f_chord *chord, const $real variation[], $real reals[])
+LINKWRIGHT_FUNCTION void linkwright$f_isolate_chain(linkwright$f_isolation *isolation, uint16_t order,
+    const uint16_t blocks[], const linkwright$f_time_window *window, const linkwright$f_chord *chord,
+    const $real variation[], $real reals[])
 {
     const size_t n = order;
-    linked$f chain = {0};
     $real *const pairs = &reals[5U * n];
+    linked$f chain = {chord, n, pairs, &pairs[2U * n], &pairs[4U * n], &pairs[6U * n], &pairs[8U * n], &pairs[10U * n],
+        &pairs[12U * n], &reals[4U * n]};
     isolation->order = order;
     isolation->blocks = blocks;
     isolation->chord = chord;
@@ -331,16 +335,6 @@ void linkwright$f_isolate_chain(linkwright$f_isolation *isolation, uint16_t orde
     isolation->is_nearing = false;
     isolation->farthest = 0U;
     isolation->block = blocks[0];
-    chain.chord = chord;
-    chain.order = n;
-    chain.vector = &reals[4U * n];
-    chain.from_first = pairs;
-    chain.from_last = &pairs[2U * n];
-    chain.first = &pairs[4U * n];
-    chain.last = &pairs[6U * n];
-    chain.turned_first = &pairs[8U * n];
-    chain.turned_last = &pairs[10U * n];
-    chain.turned_own = &pairs[12U * n];
     isolation->is_shown = transfers$f(&chain, false, chain.from_first) && responses$f(&chain, false, chain.first)
         && transfers$f(&chain, true, chain.from_last) && responses$f(&chain, true, chain.last);
     if (isolation->is_shown) {

@@ -1,7 +1,9 @@
 
 /* Functions of closed-form blocks besides arithmetic. */
 
-const linkwright$f_settings LINKWRIGHT$F_SETTINGS = {$tolerance, 25U, 64.0$f * $FLT_EPSILON, true, 256U};
+LINKWRIGHT_CONSTANT_BEGIN(linkwright$f_settings, LINKWRIGHT$F_SETTINGS)
+{$tolerance, 25U, 64.0$f * $FLT_EPSILON, true, 256U}
+LINKWRIGHT_CONSTANT_END
 
 /* Multiple of the rounding below which the square of a sine is rounding: links that enclose so small an angle are
    collinear. */
@@ -14,19 +16,19 @@ static const $real UNDERFLOW$f = 8.0$f;
 static const $real ROUNDING$f = 4.0$f;
 
 /* Larger of two numbers; the other one if one is NaN. */
-static $real larger$f($real a, $real b)
+LINKWRIGHT_FUNCTION static $real larger$f($real a, $real b)
 {
     return ((a > b) || (isnan(b) != 0)) ? a : b;
 }
 
 /* Smaller of two numbers; the other one if one is NaN. */
-static $real smaller$f($real a, $real b)
+LINKWRIGHT_FUNCTION static $real smaller$f($real a, $real b)
 {
     return ((a < b) || (isnan(b) != 0)) ? a : b;
 }
 
-static linkwright_status noted$f(linkwright$f_failure *failure, linkwright_status status, $real value,
-    uint16_t column, $real time, uint16_t block)
+LINKWRIGHT_FUNCTION static linkwright_status noted$f(linkwright$f_failure *failure, linkwright_status status,
+    $real value, uint16_t column, $real time, uint16_t block)
 {
     failure->status = status;
     failure->time = time;
@@ -39,17 +41,17 @@ static linkwright_status noted$f(linkwright$f_failure *failure, linkwright_statu
     return status;
 }
 
-bool linkwright$f_exceeds_rounding($real excess, $real scale)
+LINKWRIGHT_FUNCTION bool linkwright$f_exceeds_rounding($real excess, $real scale)
 {
     return excess > (((FOLD$f * $FLT_EPSILON) * scale) + (UNDERFLOW$f * $FLT_MIN));
 }
 
-bool linkwright$f_is_finite($real value)
+LINKWRIGHT_FUNCTION bool linkwright$f_is_finite($real value)
 {
     return fabs$f(value) <= $FLT_MAX;
 }
 
-bool linkwright$f_all_finite(const $real values[], size_t count)
+LINKWRIGHT_FUNCTION bool linkwright$f_all_finite(const $real values[], size_t count)
 {
     bool are_finite = true;
     for (size_t k = 0U; k < count; k += 1U) {
@@ -58,7 +60,7 @@ bool linkwright$f_all_finite(const $real values[], size_t count)
     return are_finite;
 }
 
-linkwright_status linkwright$f_fail_out_of_reach($real distance, $real longest, $real shortest,
+LINKWRIGHT_FUNCTION linkwright_status linkwright$f_fail_out_of_reach($real distance, $real longest, $real shortest,
     const linkwright$f_conditions *conditions, uint16_t block)
 {
     const $real least = fabs$f(shortest);
@@ -78,24 +80,25 @@ linkwright_status linkwright$f_fail_out_of_reach($real distance, $real longest, 
     return noted$f(conditions->failure, status, value, 0U, conditions->t, block);
 }
 
-linkwright_status linkwright$f_singular_divisor($real value, $real scale, const linkwright$f_conditions *conditions,
-    uint16_t block)
+LINKWRIGHT_FUNCTION linkwright_status linkwright$f_singular_divisor($real value, $real scale,
+    const linkwright$f_conditions *conditions, uint16_t block)
 {
     return noted$f(conditions->failure, LINKWRIGHT_SINGULAR, value / scale, 0U, conditions->t, block);
 }
 
-linkwright_status linkwright$f_not_positive($real value, const linkwright$f_conditions *conditions, uint16_t place)
+LINKWRIGHT_FUNCTION linkwright_status linkwright$f_not_positive($real value, const linkwright$f_conditions *conditions,
+    uint16_t place)
 {
     return noted$f(conditions->failure, LINKWRIGHT_NOT_POSITIVE, value, 0U, conditions->t, place);
 }
 
-linkwright_status linkwright$f_not_finite(const linkwright$f_conditions *conditions, uint16_t block)
+LINKWRIGHT_FUNCTION linkwright_status linkwright$f_not_finite(const linkwright$f_conditions *conditions, uint16_t block)
 {
     return noted$f(conditions->failure, LINKWRIGHT_NOT_FINITE, 0.0$f, 0U, conditions->t, block);
 }
 
-linkwright_status linkwright$f_load_not_finite(const $real read[], size_t read_count, const $real loads[],
-    uint16_t load_count, const linkwright$f_conditions *conditions, uint16_t block)
+LINKWRIGHT_FUNCTION linkwright_status linkwright$f_load_not_finite(const $real read[], size_t read_count,
+    const $real loads[], uint16_t load_count, const linkwright$f_conditions *conditions, uint16_t block)
 {
     uint16_t load = 0U;
     while ((load < load_count) && linkwright$f_is_finite(loads[load])) {
@@ -107,7 +110,7 @@ linkwright_status linkwright$f_load_not_finite(const $real read[], size_t read_c
     return noted$f(conditions->failure, LINKWRIGHT_LOAD_NOT_FINITE, 0.0$f, load, conditions->t, block);
 }
 
-bool linkwright$f_pressure_angle($real along, $real across, $real sliding, $real *angle)
+LINKWRIGHT_FUNCTION bool linkwright$f_pressure_angle($real along, $real across, $real sliding, $real *angle)
 {
     const $real speed = (along * along) + (across * across);
     const bool moves = linkwright$f_is_finite(speed) && (speed > ($FLT_EPSILON * sliding)) && (speed > 0.0$f);
@@ -115,7 +118,7 @@ bool linkwright$f_pressure_angle($real along, $real across, $real sliding, $real
     return moves;
 }
 
-$real linkwright$f_largest_length(const $real lengths[], size_t count, $real otherwise)
+LINKWRIGHT_FUNCTION $real linkwright$f_largest_length(const $real lengths[], size_t count, $real otherwise)
 {
     $real largest = 0.0$f;
     for (size_t k = 0U; k < count; k += 1U) {
@@ -124,7 +127,8 @@ $real linkwright$f_largest_length(const $real lengths[], size_t count, $real oth
     return ((largest > 0.0$f) && linkwright$f_is_finite(largest)) ? largest : otherwise;
 }
 
-bool linkwright$f_first_not_positive(const $real values[], uint16_t count, uint16_t *place, $real *value)
+LINKWRIGHT_FUNCTION bool linkwright$f_first_not_positive(const $real values[], uint16_t count, uint16_t *place,
+    $real *value)
 {
     bool is_found = false;
     for (uint16_t k = 0U; (k < count) && !is_found; k++) {
@@ -138,7 +142,7 @@ bool linkwright$f_first_not_positive(const $real values[], uint16_t count, uint1
 
 /* Tables. */
 
-static size_t pieces_begun$f(const linkwright$f_table *table, $real x)
+LINKWRIGHT_FUNCTION static size_t pieces_begun$f(const linkwright$f_table *table, $real x)
 {
     const size_t count = table->count;
     size_t begun = 0U;
@@ -175,7 +179,7 @@ static size_t pieces_begun$f(const linkwright$f_table *table, $real x)
     return begun;
 }
 
-void linkwright$f_table_at(const linkwright$f_table *table, $real x, $real found[4])
+LINKWRIGHT_FUNCTION void linkwright$f_table_at(const linkwright$f_table *table, $real x, $real found[4])
 {
     const $real first = table->starts[0];
     $real inside = x;
@@ -203,7 +207,7 @@ void linkwright$f_table_at(const linkwright$f_table *table, $real x, $real found
     }
 }
 
-$real linkwright$f_table_value(const linkwright$f_table *table, $real x, size_t order)
+LINKWRIGHT_FUNCTION $real linkwright$f_table_value(const linkwright$f_table *table, $real x, size_t order)
 {
     $real found[4];
     linkwright$f_table_at(table, x, found);
@@ -212,18 +216,18 @@ $real linkwright$f_table_value(const linkwright$f_table *table, $real x, size_t 
 
 /* Blocks that are close to singular. */
 
-linkwright$f_normalized_determinant linkwright$f_of_sine(uint16_t block, $real sine)
+LINKWRIGHT_FUNCTION linkwright$f_normalized_determinant linkwright$f_of_sine(uint16_t block, $real sine)
 {
     const linkwright$f_normalized_determinant found = {block, sine, fabs$f(sine)};
     return found;
 }
 
-linkwright$f_normalized_determinant linkwright$f_of_slope(uint16_t block, $real slope)
+LINKWRIGHT_FUNCTION linkwright$f_normalized_determinant linkwright$f_of_slope(uint16_t block, $real slope)
 {
     return linkwright$f_of_sine(block, slope / larger$f(fabs$f(slope), 1.0$f));
 }
 
-linkwright$f_normalized_determinant linkwright$f_closest(const linkwright$f_normalized_determinant found[],
+LINKWRIGHT_FUNCTION linkwright$f_normalized_determinant linkwright$f_closest(const linkwright$f_normalized_determinant found[],
     size_t count)
 {
     linkwright$f_normalized_determinant closest = linkwright$f_of_sine(0U, 1.0$f);

@@ -8,8 +8,17 @@
 
 /* Differences of the highest order of frames at the distances 1, 2, 3 and 4 on both sides: of their sums, and of their
    differences. */
-static const $real EVEN$f[NODES$F] = {-7.0$f, 14.0$f, -9.0$f, 2.0$f};
-static const $real ODD$f[NODES$F] = {-14.0$f, 14.0$f, -6.0$f, 1.0$f};
+LINKWRIGHT_FUNCTION static $real even$f(size_t index)
+{
+    static const $real parts[NODES$F] = {-7.0$f, 14.0$f, -9.0$f, 2.0$f};
+    return parts[index];
+}
+
+LINKWRIGHT_FUNCTION static $real odd$f(size_t index)
+{
+    static const $real parts[NODES$F] = {-14.0$f, 14.0$f, -6.0$f, 1.0$f};
+    return parts[index];
+}
 
 /* Largest difference of the smooth path, relative to the distance of the modes, for passing a change point, and for
    interpolation. */
@@ -37,29 +46,30 @@ typedef struct Sides$f {
 typedef void Weights$f($real place, $real side, $real distance, size_t index, $real weights[2]);
 
 /* Weights of the highest differences. */
-static void differences$f($real place, $real side, $real distance, size_t index, $real weights[2])
+LINKWRIGHT_FUNCTION static void differences$f($real place, $real side, $real distance, size_t index, $real weights[2])
 {
     (void)place;
     (void)distance;
-    weights[0] = EVEN$f[index];
-    weights[1] = side * ODD$f[index];
+    weights[0] = even$f(index);
+    weights[1] = side * odd$f(index);
 }
 
 /* Weights of interpolation at a time, without the factor of their sum. */
-static void parts$f($real place, $real side, $real distance, size_t index, $real weights[2])
+LINKWRIGHT_FUNCTION static void parts$f($real place, $real side, $real distance, size_t index, $real weights[2])
 {
-    weights[0] = (side * ODD$f[index]) / (place - (side * distance));
+    weights[0] = (side * odd$f(index)) / (place - (side * distance));
     weights[1] = 0.0$f;
 }
 
 /* Changes the number k of a frame. */
-static void set_number$f(void *frame, size_t k, $real number)
+LINKWRIGHT_FUNCTION static void set_number$f(void *frame, size_t k, $real number)
 {
     (void)memcpy(&((unsigned char *)frame)[k * sizeof number], &number, sizeof number);
 }
 
 /* Adds a multiple of the difference of two frames to a third one, in all numbers except for the time. */
-static void add_difference$f(size_t frame_size, void *sum, $real multiple, const void *frame, const void *base)
+LINKWRIGHT_FUNCTION static void add_difference$f(size_t frame_size, void *sum, $real multiple, const void *frame,
+    const void *base)
 {
     const size_t count = frame_size / sizeof($real);
     for (size_t k = 1U; k < count; k += 1U) {
@@ -70,8 +80,8 @@ static void add_difference$f(size_t frame_size, void *sum, $real multiple, const
 
 /* Computes the nearest frame before a change point, in frames[0], plus two weighted sums of the differences of all
    eight from it, in frames[1] and frames[2]. */
-static bool are_sums$f(Way$f *way, const void *near_frame, const Meeting$f *meeting, Sides$f sides, $real place,
-    $real divisor, Weights$f *weigh)
+LINKWRIGHT_FUNCTION static bool are_sums$f(Way$f *way, const void *near_frame, const Meeting$f *meeting, Sides$f sides,
+    $real place, $real divisor, Weights$f *weigh)
 {
     const size_t size = way->mechanism->blocks->frame_size;
     const $real length = way->direction * meeting->width;
@@ -103,8 +113,8 @@ static bool are_sums$f(Way$f *way, const void *near_frame, const Meeting$f *meet
 
 /* Highest differences of the path with these modes, in the values that the others do not change. They are relative
    to the distance of the current modes from changed ones, and along it. False if they exceed a limit. */
-static bool is_smooth$f(Way$f *way, const void *near_frame, const Meeting$f *meeting, Sides$f sides, const void *own,
-    const void *changed, const void *others, $real limit)
+LINKWRIGHT_FUNCTION static bool is_smooth$f(Way$f *way, const void *near_frame, const Meeting$f *meeting, Sides$f sides,
+    const void *own, const void *changed, const void *others, $real limit)
 {
     const linkwright$f_blocks *const blocks = way->mechanism->blocks;
     void *const base = way->frames[0];
@@ -130,7 +140,8 @@ static bool is_smooth$f(Way$f *way, const void *near_frame, const Meeting$f *mee
 
 /* True if the highest differences of the path with these modes are at most a part of its change before the change
    point, in all coordinates together. */
-static bool is_whole_smooth$f(Way$f *way, const void *near_frame, const Meeting$f *meeting, Sides$f sides, $real part)
+LINKWRIGHT_FUNCTION static bool is_whole_smooth$f(Way$f *way, const void *near_frame, const Meeting$f *meeting,
+    Sides$f sides, $real part)
 {
     const linkwright$f_blocks *const blocks = way->mechanism->blocks;
     const $real length = way->direction * meeting->width;
@@ -147,7 +158,8 @@ static bool is_whole_smooth$f(Way$f *way, const void *near_frame, const Meeting$
 }
 
 /* Computes the width of a change point by the modes of a block; false if they do not meet there. */
-static bool is_width$f(Way$f *way, uint16_t block, const void *near_frame, const Meeting$f *meeting, $real *width)
+LINKWRIGHT_FUNCTION static bool is_width$f(Way$f *way, uint16_t block, const void *near_frame, const Meeting$f *meeting,
+    $real *width)
 {
     $real last = 0.0$f;
     *width = meeting->width;
@@ -171,7 +183,7 @@ static bool is_width$f(Way$f *way, uint16_t block, const void *near_frame, const
 
 /* Sets the width of a change point to the least of all blocks whose modes meet there: some modes separate faster
    than others. */
-static void narrow$f(Way$f *way, const void *near_frame, Meeting$f *meeting)
+LINKWRIGHT_FUNCTION static void narrow$f(Way$f *way, const void *near_frame, Meeting$f *meeting)
 {
     $real narrowed = meeting->width;
     for (uint16_t block = 0U; block < MEETING_BLOCKS$F; block++) {
@@ -184,8 +196,8 @@ static void narrow$f(Way$f *way, const void *near_frame, Meeting$f *meeting)
 }
 
 /* Blocks with two modes as near to each other as those of the change point. */
-static void blocks_that_meet$f(Way$f *way, uint16_t own, const void *near_frame, const Meeting$f *meeting,
-    bool meets[MEETING_BLOCKS$F])
+LINKWRIGHT_FUNCTION static void blocks_that_meet$f(Way$f *way, uint16_t own, const void *near_frame,
+    const Meeting$f *meeting, bool meets[MEETING_BLOCKS$F])
 {
     const $real t = meeting->time - (way->direction * meeting->width);
     for (uint16_t block = 0U; block < MEETING_BLOCKS$F; block++) {
@@ -197,7 +209,7 @@ static void blocks_that_meet$f(Way$f *way, uint16_t own, const void *near_frame,
 }
 
 /* Sides with the current modes before the change point, or beyond it. */
-static Sides$f sides_of$f(const void *own, const void *other, bool is_before)
+LINKWRIGHT_FUNCTION static Sides$f sides_of$f(const void *own, const void *other, bool is_before)
 {
     Sides$f sides;
     sides.before = is_before ? own : other;
@@ -207,8 +219,8 @@ static Sides$f sides_of$f(const void *own, const void *other, bool is_before)
 
 /* Selects the modes on the other side of a change point on the smooth path, which has the current ones before it, or
    beyond it; false if no path is smooth. */
-static bool are_sides$f(Way$f *way, uint16_t own_block, const void *near_frame, const Meeting$f *meeting,
-    bool is_before, void *found)
+LINKWRIGHT_FUNCTION static bool are_sides$f(Way$f *way, uint16_t own_block, const void *near_frame,
+    const Meeting$f *meeting, bool is_before, void *found)
 {
     const linkwright$f_blocks *const blocks = way->mechanism->blocks;
     const size_t size = blocks->branches_size;
@@ -253,7 +265,8 @@ static bool are_sides$f(Way$f *way, uint16_t own_block, const void *near_frame, 
 }
 
 /* Interpolates the frame at a time near a change point, in frames[1]; false if the path is too rough for that. */
-static bool is_interpolated$f(Way$f *way, const void *near_frame, const Meeting$f *meeting, Sides$f sides, $real t)
+LINKWRIGHT_FUNCTION static bool is_interpolated$f(Way$f *way, const void *near_frame, const Meeting$f *meeting,
+    Sides$f sides, $real t)
 {
     if (!is_smooth$f(way, near_frame, meeting, sides, sides.before, sides.beyond, sides.before, EXACT$f)
         || !is_whole_smooth$f(way, near_frame, meeting, sides, EXACT$f)) {
@@ -279,7 +292,8 @@ static bool is_interpolated$f(Way$f *way, const void *near_frame, const Meeting$
 
 /* Square of the distance of two frames in the rates of coordinates, which follow the coordinates, and these the
    time. */
-static $real distance_of_rates$f(const linkwright$f_blocks *blocks, const void *first, const void *second)
+LINKWRIGHT_FUNCTION static $real distance_of_rates$f(const linkwright$f_blocks *blocks, const void *first,
+    const void *second)
 {
     $real square = 0.0$f;
     for (size_t k = 0U; k < blocks->values; k += 1U) {
@@ -292,8 +306,8 @@ static $real distance_of_rates$f(const linkwright$f_blocks *blocks, const void *
 
 /* Computes the difference in rates between the path with the current modes before a change point, or beyond it, and
    a frame near it. */
-static bool misses$f(Way$f *way, uint16_t block, const void *frame, const Meeting$f *meeting, bool is_before,
-    void *found, $real *missed)
+LINKWRIGHT_FUNCTION static bool misses$f(Way$f *way, uint16_t block, const void *frame, const Meeting$f *meeting,
+    bool is_before, void *found, $real *missed)
 {
     const linkwright$f_blocks *const blocks = way->mechanism->blocks;
     const bool is_found = are_sides$f(way, block, frame, meeting, is_before, found)
@@ -303,7 +317,8 @@ static bool misses$f(Way$f *way, uint16_t block, const void *frame, const Meetin
 }
 
 /* Square of the distance of the rates of both modes at the nearest time before a change point, or -1. */
-static $real rates_apart$f(Way$f *way, uint16_t block, const void *near_frame, const Meeting$f *meeting)
+LINKWRIGHT_FUNCTION static $real rates_apart$f(Way$f *way, uint16_t block, const void *near_frame,
+    const Meeting$f *meeting)
 {
     const linkwright$f_blocks *const blocks = way->mechanism->blocks;
     const $real t = meeting->time - (way->direction * meeting->width);
@@ -315,8 +330,8 @@ static $real rates_apart$f(Way$f *way, uint16_t block, const void *near_frame, c
 
 /* Selects the modes on the other side of a change point on the smooth path through a frame near it; false if the
    path is undecided. */
-static bool are_sides_through$f(Way$f *way, uint16_t block, const void *frame, const Meeting$f *meeting,
-    bool *is_before, void *found)
+LINKWRIGHT_FUNCTION static bool are_sides_through$f(Way$f *way, uint16_t block, const void *frame,
+    const Meeting$f *meeting, bool *is_before, void *found)
 {
     const $real part = SMOOTH$f * SMOOTH$f;
     $real first;

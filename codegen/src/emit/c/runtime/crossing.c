@@ -41,7 +41,8 @@ typedef struct Meeting$f {
 } Meeting$f;
 
 /* Solves the frame at a time in these modes, from one nearby; no path leads there. */
-static bool is_frame_at$f(Way$f *way, $real t, const void *near_frame, const void *branches, void *found)
+LINKWRIGHT_FUNCTION static bool is_frame_at$f(Way$f *way, $real t, const void *near_frame, const void *branches,
+    void *found)
 {
     const linkwright$f_mechanism *const mechanism = way->mechanism;
     const linkwright$f_blocks *const blocks = mechanism->blocks;
@@ -56,7 +57,7 @@ static bool is_frame_at$f(Way$f *way, $real t, const void *near_frame, const voi
 }
 
 /* Number k of a frame, which consists of numbers only: the time, coordinates, their rates and accelerations, others. */
-static $real number_of$f(const void *frame, size_t k)
+LINKWRIGHT_FUNCTION static $real number_of$f(const void *frame, size_t k)
 {
     $real number;
     (void)memcpy(&number, &((const unsigned char *)frame)[k * sizeof number], sizeof number);
@@ -64,7 +65,8 @@ static $real number_of$f(const void *frame, size_t k)
 }
 
 /* Difference of two frames in the coordinate k, or if they hold none, in the component k of their points. */
-static $real difference$f(const linkwright$f_blocks *blocks, const void *first, const void *second, uint16_t k)
+LINKWRIGHT_FUNCTION static $real difference$f(const linkwright$f_blocks *blocks, const void *first, const void *second,
+    uint16_t k)
 {
     return blocks->holds_coordinates ? (number_of$f(first, 1U + (size_t)k) - number_of$f(second, 1U + (size_t)k))
                                      : (blocks->value(first, k) - blocks->value(second, k));
@@ -72,7 +74,7 @@ static $real difference$f(const linkwright$f_blocks *blocks, const void *first, 
 
 /* Sum of the magnitudes of the products of the differences of two pairs of frames, over the values that are equal in
    a third pair. */
-static $real sum_of_products$f(const linkwright$f_blocks *blocks, const void *const pairs[3][2])
+LINKWRIGHT_FUNCTION static $real sum_of_products$f(const linkwright$f_blocks *blocks, const void *const pairs[3][2])
 {
     $real sum = 0.0$f;
     for (uint16_t k = 0U; k < blocks->values; k++) {
@@ -85,14 +87,16 @@ static $real sum_of_products$f(const linkwright$f_blocks *blocks, const void *co
 }
 
 /* Square of the distance of two frames. */
-static $real square_of_distance$f(const linkwright$f_blocks *blocks, const void *first, const void *second)
+LINKWRIGHT_FUNCTION static $real square_of_distance$f(const linkwright$f_blocks *blocks, const void *first,
+    const void *second)
 {
     const void *const pairs[3][2] = {{first, second}, {first, second}, {first, first}};
     return sum_of_products$f(blocks, pairs);
 }
 
 /* Square of the distance between the poses in both modes of a block. */
-static bool distance_of_modes$f(Way$f *way, uint16_t block, $real t, const void *near_frame, $real *square)
+LINKWRIGHT_FUNCTION static bool distance_of_modes$f(Way$f *way, uint16_t block, $real t, const void *near_frame,
+    $real *square)
 {
     const linkwright$f_blocks *const blocks = way->mechanism->blocks;
     void *const first = way->frames[0];
@@ -105,7 +109,8 @@ static bool distance_of_modes$f(Way$f *way, uint16_t block, $real t, const void 
 }
 
 /* Square of the distance of the modes far from the change point. */
-static bool largest_distance$f(Way$f *way, uint16_t block, const void *near_frame, $real place, $real *largest)
+LINKWRIGHT_FUNCTION static bool largest_distance$f(Way$f *way, uint16_t block, const void *near_frame, $real place,
+    $real *largest)
 {
     bool is_found = false;
     $real length = SHORTER$f * (way->end - way->from);
@@ -125,14 +130,14 @@ static bool largest_distance$f(Way$f *way, uint16_t block, const void *near_fram
 
 /* Squared distance of modes at the width of a change point, from that elsewhere: the errors of rounding in frames
    there, and of interpolation between them, are similar. */
-static $real edge_of$f($real whole)
+LINKWRIGHT_FUNCTION static $real edge_of$f($real whole)
 {
     return sqrt$f(sqrt$f($FLT_EPSILON)) * whole;
 }
 
 /* Squares of the distances at four times before another one. */
-static bool are_distances$f(Way$f *way, uint16_t block, const void *near_frame, $real middle, $real step,
-    $real squares[4])
+LINKWRIGHT_FUNCTION static bool are_distances$f(Way$f *way, uint16_t block, const void *near_frame, $real middle,
+    $real step, $real squares[4])
 {
     bool are_found = true;
     $real part = 0.0$f;
@@ -150,8 +155,8 @@ static bool are_distances$f(Way$f *way, uint16_t block, const void *near_frame, 
 
 /* Locates the change point of a block near a time, if there is one; the search begins at times of the distance step
    (s) before it. */
-static bool meet$f(Way$f *way, uint16_t block, const void *near_frame, $real place, $real first_step, $real whole,
-    Meeting$f *meeting)
+LINKWRIGHT_FUNCTION static bool meet$f(Way$f *way, uint16_t block, const void *near_frame, $real place,
+    $real first_step, $real whole, Meeting$f *meeting)
 {
     const $real known = larger$f(NEAR_MEETING$f, KNOWN_DISTANCE$f * $FLT_EPSILON);
     $real middle = place;

@@ -30,7 +30,10 @@ typedef struct linkwright$f_settings {
 } linkwright$f_settings;
 
 /* Default settings. */
-extern const linkwright$f_settings LINKWRIGHT$F_SETTINGS;
+LINKWRIGHT_CONSTANT(linkwright$f_settings, LINKWRIGHT$F_SETTINGS);
+#ifdef LINKWRIGHT_DEVICE
+#define LINKWRIGHT$F_SETTINGS (*LINKWRIGHT$F_SETTINGS_ADDRESS())
+#endif
 
 /* Quantity that is supplied at one time, with its first two time derivatives. */
 typedef struct linkwright$f_signal {
@@ -117,10 +120,6 @@ typedef struct linkwright$f_pair {
     const linkwright$f_conditions *conditions;
 } linkwright$f_pair;
 
-/* Functions that pass change points. */
-typedef struct linkwright$f_passage linkwright$f_passage;
-extern const linkwright$f_passage LINKWRIGHT$F_PASSAGE;
-
 /* Blocks of a mechanism, and the data that its frames need. */
 typedef struct linkwright$f_blocks {
     size_t frame_size;
@@ -139,7 +138,7 @@ typedef struct linkwright$f_blocks {
     /* Modes beyond a change point of a block; false if they are unknown. */
     bool (*exchanged)(const void *branches, uint16_t block, void *others);
     /* Null if no modes meet: a linker then omits the functions that pass change points. */
-    const linkwright$f_passage *passage;
+    bool (*passage)(void *path, linkwright_passage part);
     /* True if a frame stays on the path of the last one, otherwise the block; null if nothing is guarded. */
     bool (*verify_path)(const linkwright$f_pair *pair, const linkwright$f_time_window *window,
         linkwright$f_enclosure *enclosures, uint16_t *block);
@@ -308,108 +307,119 @@ typedef struct linkwright$f_isolation {
 } linkwright$f_isolation;
 
 /* Sine and cosine of an angle (rad), each within 1 ulp; NaN for infinite angles. */
-void linkwright$f_sin_cos($real angle, $real *sine, $real *cosine);
-$real linkwright$f_sin($real angle);
-$real linkwright$f_cos($real angle);
+LINKWRIGHT_FUNCTION void linkwright$f_sin_cos($real angle, $real *sine, $real *cosine);
+LINKWRIGHT_FUNCTION $real linkwright$f_sin($real angle);
+LINKWRIGHT_FUNCTION $real linkwright$f_cos($real angle);
 /* Angle in (-pi, pi] of the vector (x, y), within 2 ulp. */
-$real linkwright$f_atan2($real y, $real x);
+LINKWRIGHT_FUNCTION $real linkwright$f_atan2($real y, $real x);
 /* Exponential function, within 1 ulp. */
-$real linkwright$f_exp($real x);
+LINKWRIGHT_FUNCTION $real linkwright$f_exp($real x);
 /* Angle with this sine and cosine, or a common positive multiple of them, that is nearest to another one (rad). */
-$real linkwright$f_angle_near($real sine, $real cosine, $real near_angle);
+LINKWRIGHT_FUNCTION $real linkwright$f_angle_near($real sine, $real cosine, $real near_angle);
 
 /* True if the square of a half chord is safely positive relative to a scale. False for NaN. */
-bool linkwright$f_exceeds_rounding($real excess, $real scale);
+LINKWRIGHT_FUNCTION bool linkwright$f_exceeds_rounding($real excess, $real scale);
 /* Notes that links do not span a distance (m). */
-linkwright_status linkwright$f_fail_out_of_reach($real distance, $real longest, $real shortest,
+LINKWRIGHT_FUNCTION linkwright_status linkwright$f_fail_out_of_reach($real distance, $real longest, $real shortest,
     const linkwright$f_conditions *conditions, uint16_t block);
 /* Notes that a divisor has vanished relative to a scale. */
-linkwright_status linkwright$f_singular_divisor($real value, $real scale, const linkwright$f_conditions *conditions,
-    uint16_t block);
+LINKWRIGHT_FUNCTION linkwright_status linkwright$f_singular_divisor($real value, $real scale,
+    const linkwright$f_conditions *conditions, uint16_t block);
 /* Notes that a driven length is not positive, by its index among the quantities that must be positive. */
-linkwright_status linkwright$f_not_positive($real value, const linkwright$f_conditions *conditions, uint16_t place);
+LINKWRIGHT_FUNCTION linkwright_status linkwright$f_not_positive($real value, const linkwright$f_conditions *conditions,
+    uint16_t place);
 /* Notes that a number is not finite. */
-linkwright_status linkwright$f_not_finite(const linkwright$f_conditions *conditions, uint16_t block);
+LINKWRIGHT_FUNCTION linkwright_status linkwright$f_not_finite(const linkwright$f_conditions *conditions,
+    uint16_t block);
 /* Notes the first load that is not finite, if there is one and all values that loads follow from are finite. */
-linkwright_status linkwright$f_load_not_finite(const $real read[], size_t read_count, const $real loads[],
-    uint16_t load_count, const linkwright$f_conditions *conditions, uint16_t block);
+LINKWRIGHT_FUNCTION linkwright_status linkwright$f_load_not_finite(const $real read[], size_t read_count,
+    const $real loads[], uint16_t load_count, const linkwright$f_conditions *conditions, uint16_t block);
 /* True if a number is finite, and true if all are. */
-bool linkwright$f_is_finite($real value);
-bool linkwright$f_all_finite(const $real values[], size_t count);
+LINKWRIGHT_FUNCTION bool linkwright$f_is_finite($real value);
+LINKWRIGHT_FUNCTION bool linkwright$f_all_finite(const $real values[], size_t count);
 /* Pressure angle in [0, pi/2] rad; false while the follower rests. */
-bool linkwright$f_pressure_angle($real along, $real across, $real sliding, $real *angle);
+LINKWRIGHT_FUNCTION bool linkwright$f_pressure_angle($real along, $real across, $real sliding, $real *angle);
 /* Largest magnitude of these lengths, or otherwise if that is zero or NaN. */
-$real linkwright$f_largest_length(const $real lengths[], size_t count, $real otherwise);
+LINKWRIGHT_FUNCTION $real linkwright$f_largest_length(const $real lengths[], size_t count, $real otherwise);
 /* Least index of these values that is not positive; false if all are positive. */
-bool linkwright$f_first_not_positive(const $real values[], uint16_t count, uint16_t *place, $real *value);
+LINKWRIGHT_FUNCTION bool linkwright$f_first_not_positive(const $real values[], uint16_t count, uint16_t *place,
+    $real *value);
 
 /* Value of a table at an argument and its first three derivatives, or one of them. */
-void linkwright$f_table_at(const linkwright$f_table *table, $real x, $real found[4]);
-$real linkwright$f_table_value(const linkwright$f_table *table, $real x, size_t order);
+LINKWRIGHT_FUNCTION void linkwright$f_table_at(const linkwright$f_table *table, $real x, $real found[4]);
+LINKWRIGHT_FUNCTION $real linkwright$f_table_value(const linkwright$f_table *table, $real x, size_t order);
 
 /* Bounds on a signal's change from its second value and on its deviation from the chord. */
-void linkwright$f_window_signal(const linkwright$f_time_window *window, const linkwright$f_signal *before,
-    const linkwright$f_signal *now, $real found[2]);
+LINKWRIGHT_FUNCTION void linkwright$f_window_signal(const linkwright$f_time_window *window,
+    const linkwright$f_signal *before, const linkwright$f_signal *now, $real found[2]);
 /* Enclosure about a value, and true if another value is in it so many steps after the second frame. */
-linkwright$f_enclosure linkwright$f_enclosure_of($real now, $real before, $real deviation);
-bool linkwright$f_enclosure_holds(const linkwright$f_enclosure *enclosure, $real value, $real steps);
+LINKWRIGHT_FUNCTION linkwright$f_enclosure linkwright$f_enclosure_of($real now, $real before, $real deviation);
+LINKWRIGHT_FUNCTION bool linkwright$f_enclosure_holds(const linkwright$f_enclosure *enclosure, $real value,
+    $real steps);
 /* Begins to verify that unknowns stay near the chord through both frames. The variation, zero at first, bounds the
    changes of the Jacobian's entries, without the columns that rotate. While linkwright$f_isolation_needs_variation
    returns true, it is required for the deviations of the isolation. The sizes and the rotating columns are changed;
    reals is a workspace of LINKWRIGHT_ISOLATION_REALS(order) numbers. */
-void linkwright$f_isolate(linkwright$f_isolation *isolation, uint16_t order, const uint16_t blocks[],
-    const linkwright$f_chord *chord, const $real variation[], $real reals[]);
-bool linkwright$f_isolation_needs_variation(linkwright$f_isolation *isolation);
+LINKWRIGHT_FUNCTION void linkwright$f_isolate(linkwright$f_isolation *isolation, uint16_t order,
+    const uint16_t blocks[], const linkwright$f_chord *chord, const $real variation[], $real reals[]);
+LINKWRIGHT_FUNCTION bool linkwright$f_isolation_needs_variation(linkwright$f_isolation *isolation);
 /* Completes the verification if all columns rotate and every two equations but the last two link two unknowns to the
    next two: the work is proportional to the cells of such a chain. The variation is zero. */
-void linkwright$f_isolate_chain(linkwright$f_isolation *isolation, uint16_t order, const uint16_t blocks[],
-    const linkwright$f_time_window *window, const linkwright$f_chord *chord, const $real variation[], $real reals[]);
+LINKWRIGHT_FUNCTION void linkwright$f_isolate_chain(linkwright$f_isolation *isolation, uint16_t order,
+    const uint16_t blocks[], const linkwright$f_time_window *window, const linkwright$f_chord *chord,
+    const $real variation[], $real reals[]);
 
 /* Solves the equations of a block from the last frame, or near an estimate; notes a failure. */
-linkwright_status linkwright$f_solve_block(const linkwright$f_equations *equations, const linkwright$f_tears *last,
-    linkwright_branch *branch, linkwright$f_tears *found, linkwright$f_measure *measure,
+LINKWRIGHT_FUNCTION linkwright_status linkwright$f_solve_block(const linkwright$f_equations *equations,
+    const linkwright$f_tears *last, linkwright_branch *branch, linkwright$f_tears *found, linkwright$f_measure *measure,
     const linkwright$f_conditions *conditions);
 /* Solves a block by its tearing variables if possible. The memory is the frame's record of the block: a number with
    the sign of the determinant in the tearing variables, zero if the sign is unknown, and the signs of the closed
    forms. */
-linkwright_status linkwright$f_solve_torn(const linkwright$f_tearing *tearing, const linkwright$f_tears *last,
-    $real memory[], linkwright_branch *branch, linkwright$f_tears *found, const linkwright$f_conditions *conditions);
+LINKWRIGHT_FUNCTION linkwright_status linkwright$f_solve_torn(const linkwright$f_tearing *tearing,
+    const linkwright$f_tears *last, $real memory[], linkwright_branch *branch, linkwright$f_tears *found,
+    const linkwright$f_conditions *conditions);
 /* Factorizes the Jacobian of a block at a solved pose, and solves with it; notes a failure. */
-linkwright_status linkwright$f_factorize(const linkwright$f_equations *equations, const $real q[],
+LINKWRIGHT_FUNCTION linkwright_status linkwright$f_factorize(const linkwright$f_equations *equations, const $real q[],
     linkwright$f_factorization *factorization, const linkwright$f_conditions *conditions);
 /* Multipliers of a transposed Jacobian, which replace the forces, in a workspace of n x n + 3 n numbers and n
    exchanges. */
-linkwright_status linkwright$f_multipliers(uint16_t n, const $real jacobian[], $real forces[], $real reals[],
-    uint16_t exchanges[], const linkwright$f_conditions *conditions, uint16_t block);
-void linkwright$f_solve_factorized(const linkwright$f_factorization *factorization, $real right_hand_side[]);
+LINKWRIGHT_FUNCTION linkwright_status linkwright$f_multipliers(uint16_t n, const $real jacobian[], $real forces[],
+    $real reals[], uint16_t exchanges[], const linkwright$f_conditions *conditions, uint16_t block);
+LINKWRIGHT_FUNCTION void linkwright$f_solve_factorized(const linkwright$f_factorization *factorization,
+    $real right_hand_side[]);
 
 /* Distances of blocks in closed form from a singular pose, and the closest of all. */
-linkwright$f_normalized_determinant linkwright$f_of_sine(uint16_t block, $real sine);
-linkwright$f_normalized_determinant linkwright$f_of_slope(uint16_t block, $real slope);
-linkwright$f_normalized_determinant linkwright$f_closest(const linkwright$f_normalized_determinant found[],
+LINKWRIGHT_FUNCTION linkwright$f_normalized_determinant linkwright$f_of_sine(uint16_t block, $real sine);
+LINKWRIGHT_FUNCTION linkwright$f_normalized_determinant linkwright$f_of_slope(uint16_t block, $real slope);
+LINKWRIGHT_FUNCTION linkwright$f_normalized_determinant linkwright$f_closest(const linkwright$f_normalized_determinant found[],
     size_t count);
 
 /* Assembles a mechanism whose older frame is the estimate, with branches, parameters, inputs and settings in place. */
-linkwright_status linkwright$f_assemble(const linkwright$f_mechanism *mechanism, $real t);
+LINKWRIGHT_FUNCTION linkwright_status linkwright$f_assemble(const linkwright$f_mechanism *mechanism, $real t);
 /* Moves a mechanism to a time, in one step. Returns LINKWRIGHT_OK, or the status from which
    linkwright$f_advance_in_steps continues. */
-linkwright_status linkwright$f_advance(const linkwright$f_mechanism *mechanism, $real t, const void *inputs);
+LINKWRIGHT_FUNCTION linkwright_status linkwright$f_advance(const linkwright$f_mechanism *mechanism, $real t,
+    const void *inputs);
 /* Retries a failed step in substeps. */
-linkwright_status linkwright$f_advance_in_steps(const linkwright$f_mechanism *mechanism, $real t, const void *inputs,
-    const linkwright$f_workspace *workspace);
+LINKWRIGHT_FUNCTION linkwright_status linkwright$f_advance_in_steps(const linkwright$f_mechanism *mechanism, $real t,
+    const void *inputs, const linkwright$f_workspace *workspace);
+/* Passes change points of a path that is followed in steps; true if it has, or if the answer is yes. */
+LINKWRIGHT_FUNCTION bool linkwright$f_pass(void *path, linkwright_passage part);
 /* Solves for a frame at a time in the current modes, with workspace for a copy of them; the mechanism stays in its
    pose. */
-linkwright_status linkwright$f_frame_at(const linkwright$f_mechanism *mechanism, $real t, const void *inputs,
-    void *frame, void *branches);
+LINKWRIGHT_FUNCTION linkwright_status linkwright$f_frame_at(const linkwright$f_mechanism *mechanism, $real t,
+    const void *inputs, void *frame, void *branches);
 /* Time after a duration (s) from the last frame, as a compensated sum, and its remainder beyond rounding. */
-$real linkwright$f_time_after(const linkwright$f_mechanism *mechanism, $real duration, $real *rest);
+LINKWRIGHT_FUNCTION $real linkwright$f_time_after(const linkwright$f_mechanism *mechanism, $real duration, $real *rest);
 /* Continues from the frame at a time in the current modes, whether or not a path leads there, with workspace for a
    copy of the modes. Without a last frame, returns LINKWRIGHT_NOT_FINITE. */
-linkwright_status linkwright$f_recover(const linkwright$f_mechanism *mechanism, $real t, const void *inputs,
-    void *branches);
+LINKWRIGHT_FUNCTION linkwright_status linkwright$f_recover(const linkwright$f_mechanism *mechanism, $real t,
+    const void *inputs, void *branches);
 /* Last frame. */
-const void *linkwright$f_last_frame(const linkwright$f_mechanism *mechanism);
+LINKWRIGHT_FUNCTION const void *linkwright$f_last_frame(const linkwright$f_mechanism *mechanism);
 /* Checks that parameters are allowed; notes a failure. */
-linkwright_status linkwright$f_allow(const linkwright$f_mechanism *mechanism, const void *parameters, $real t);
+LINKWRIGHT_FUNCTION linkwright_status linkwright$f_allow(const linkwright$f_mechanism *mechanism,
+    const void *parameters, $real t);
 /* Makes the next frame the first one of another path, after a change of parameters. */
-void linkwright$f_parameters_changed(const linkwright$f_mechanism *mechanism);
+LINKWRIGHT_FUNCTION void linkwright$f_parameters_changed(const linkwright$f_mechanism *mechanism);

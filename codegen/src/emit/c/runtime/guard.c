@@ -16,7 +16,8 @@ static const $real WEAK$f = 1.0$f / 67108864.0$f;
 static const $real FAR_FROM_WEAK$f = 64.0$f;
 
 /* True if the signals of both frames and between them stay within the bounds of the window. */
-static bool holds_signals$f(const linkwright$f_mechanism *mechanism, const linkwright$f_pair *pair, $real since)
+LINKWRIGHT_FUNCTION static bool holds_signals$f(const linkwright$f_mechanism *mechanism, const linkwright$f_pair *pair,
+    $real since)
 {
     const linkwright$f_blocks *const blocks = mechanism->blocks;
     bool holds = true;
@@ -32,14 +33,14 @@ static bool holds_signals$f(const linkwright$f_mechanism *mechanism, const linkw
 }
 
 /* Window from one frame to the next one, which is the time step (s) away. */
-static linkwright$f_time_window window_between$f($real step)
+LINKWRIGHT_FUNCTION static linkwright$f_time_window window_between$f($real step)
 {
     const linkwright$f_time_window window = {step, fabs$f(step), 1.0$f, 0.125$f, 0.0$f, window_rounding$f(1.0$f)};
     return window;
 }
 
 /* Window of so many steps on both sides of the second frame. */
-static linkwright$f_time_window window_around$f($real step, $real steps)
+LINKWRIGHT_FUNCTION static linkwright$f_time_window window_around$f($real step, $real steps)
 {
     const linkwright$f_time_window window = {step, fabs$f(step) * steps, steps, 0.5$f + (0.5$f / steps), 1.0$f,
         window_rounding$f(steps)};
@@ -47,15 +48,15 @@ static linkwright$f_time_window window_around$f($real step, $real steps)
 }
 
 /* Window with at least this rounding. */
-static linkwright$f_time_window at_least$f(linkwright$f_time_window window, $real rounding)
+LINKWRIGHT_FUNCTION static linkwright$f_time_window at_least$f(linkwright$f_time_window window, $real rounding)
 {
     window.rounding = larger$f(window.rounding, rounding);
     return window;
 }
 
 /* Finds the first block that such a rounding might make singular in the second of two frames. */
-static bool is_weak$f(const linkwright$f_mechanism *mechanism, const linkwright$f_pair *pair, $real rounding,
-    uint16_t *block)
+LINKWRIGHT_FUNCTION static bool is_weak$f(const linkwright$f_mechanism *mechanism, const linkwright$f_pair *pair,
+    $real rounding, uint16_t *block)
 {
     const linkwright$f_pair same = {pair->at, pair->at, pair->conditions->inputs, pair->conditions};
     const linkwright$f_time_window window = at_least$f(window_between$f(0.0$f), rounding);
@@ -64,7 +65,7 @@ static bool is_weak$f(const linkwright$f_mechanism *mechanism, const linkwright$
 
 /* True if a window can be verified: by closed forms in sequence, or by all equations together, which fills the
    enclosures. */
-static bool shown$f(const linkwright$f_mechanism *mechanism, const linkwright$f_pair *pair,
+LINKWRIGHT_FUNCTION static bool shown$f(const linkwright$f_mechanism *mechanism, const linkwright$f_pair *pair,
     const linkwright$f_time_window *window, bool is_closed, uint16_t *block)
 {
     const linkwright$f_blocks *const blocks = mechanism->blocks;
@@ -75,8 +76,8 @@ static bool shown$f(const linkwright$f_mechanism *mechanism, const linkwright$f_
 
 /* Keeps the widest verified window about two frames, of at most so many steps; false if no window beyond the frames
    can be verified. Afterwards steps is the number to begin with next. */
-static bool finds_window$f(const linkwright$f_mechanism *mechanism, const linkwright$f_pair *pair, $real step,
-    bool is_closed, $real *steps)
+LINKWRIGHT_FUNCTION static bool finds_window$f(const linkwright$f_mechanism *mechanism, const linkwright$f_pair *pair,
+    $real step, bool is_closed, $real *steps)
 {
     linkwright$f_state *const state = mechanism->state;
     $real tried = *steps;
@@ -104,8 +105,8 @@ static bool finds_window$f(const linkwright$f_mechanism *mechanism, const linkwr
 
 /* Verifies the path between two frames, and beyond: first by closed forms in sequence, which costs little, then by
    all equations together. */
-static linkwright_status look$f(const linkwright$f_mechanism *mechanism, const linkwright$f_pair *pair,
-    bool may_be_weak)
+LINKWRIGHT_FUNCTION static linkwright_status look$f(const linkwright$f_mechanism *mechanism,
+    const linkwright$f_pair *pair, bool may_be_weak)
 {
     linkwright$f_state *const state = mechanism->state;
     const $real t = pair->conditions->t;
@@ -134,8 +135,8 @@ static linkwright_status look$f(const linkwright$f_mechanism *mechanism, const l
 
 /* Requires that a frame lies on the path of the last one; the first frame of a path does. A nearly singular frame is
    refused unless it may be weak. */
-static linkwright_status admitted$f(const linkwright$f_mechanism *mechanism, const linkwright$f_pair *pair,
-    bool may_be_weak)
+LINKWRIGHT_FUNCTION static linkwright_status admitted$f(const linkwright$f_mechanism *mechanism,
+    const linkwright$f_pair *pair, bool may_be_weak)
 {
     const linkwright$f_blocks *const blocks = mechanism->blocks;
     const linkwright$f_state *const state = mechanism->state;

@@ -15,7 +15,7 @@ static const $real INFLATION$f = 1.25$f;
 
 /* Makes a row that of the identity, by its column, and stores the row of the inverse in its place. Workspace of n
    numbers. */
-static void eliminate$f($real matrix[], size_t n, size_t row, $real own[])
+LINKWRIGHT_FUNCTION static void eliminate$f($real matrix[], size_t n, size_t row, $real own[])
 {
     const $real reciprocal = 1.0$f / matrix[(row * n) + row];
     matrix[(row * n) + row] = 1.0$f;
@@ -37,7 +37,8 @@ static void eliminate$f($real matrix[], size_t n, size_t row, $real own[])
 
 /* Inverse of a matrix (n x n), by elimination in place with the largest pivot of each row. Workspace of 2 n numbers.
    False, and the row, if every pivot vanishes. */
-static bool invert$f(const $real matrix[], size_t n, $real inverse[], uint16_t *failed, $real reals[])
+LINKWRIGHT_FUNCTION static bool invert$f(const $real matrix[], size_t n, $real inverse[], uint16_t *failed,
+    $real reals[])
 {
     $real *const own = reals;
     /* Exchanged columns, as exact numbers. */
@@ -76,7 +77,7 @@ static bool invert$f(const $real matrix[], size_t n, $real inverse[], uint16_t *
 }
 
 /* Product of a matrix (n x n) and a vector. */
-static void times$f(const $real matrix[], const $real vector[], size_t n, $real product[])
+LINKWRIGHT_FUNCTION static void times$f(const $real matrix[], const $real vector[], size_t n, $real product[])
 {
     for (size_t row = 0U; row < n; row += 1U) {
         $real sum = 0.0$f;
@@ -88,7 +89,7 @@ static void times$f(const $real matrix[], const $real vector[], size_t n, $real 
 }
 
 /* Replaces every number by its magnitude. */
-static void magnitudes$f($real values[], size_t count)
+LINKWRIGHT_FUNCTION static void magnitudes$f($real values[], size_t count)
 {
     for (size_t k = 0U; k < count; k += 1U) {
         values[k] = fabs$f(values[k]);
@@ -99,8 +100,8 @@ static void magnitudes$f($real values[], size_t count)
    remainder on the chord plus |I - C J| R is at most R. The equations then have one solution near the chord
    (Krawczyk). Arms rotate with their angle, so that a column J of the Jacobian becomes J cos d + J' sin d, with C J
    known. Effects of one angle through many equations are added with their signs. */
-void linkwright$f_isolate(linkwright$f_isolation *isolation, uint16_t order, const uint16_t blocks[],
-    const linkwright$f_chord *chord, const $real variation[], $real reals[])
+LINKWRIGHT_FUNCTION void linkwright$f_isolate(linkwright$f_isolation *isolation, uint16_t order,
+    const uint16_t blocks[], const linkwright$f_chord *chord, const $real variation[], $real reals[])
 {
     const size_t n = order;
     uint16_t failed = 0U;
@@ -124,7 +125,7 @@ void linkwright$f_isolate(linkwright$f_isolation *isolation, uint16_t order, con
 }
 
 /* Bound on each equation's residual on the chord: that of the chord, and that of rounding. */
-static void off_line$f(const linkwright$f_isolation *isolation, $real off[])
+LINKWRIGHT_FUNCTION static void off_line$f(const linkwright$f_isolation *isolation, $real off[])
 {
     const linkwright$f_chord *const chord = isolation->chord;
     const size_t n = isolation->order;
@@ -141,7 +142,7 @@ static void off_line$f(const linkwright$f_isolation *isolation, $real off[])
 }
 
 /* Replaces the rotating columns by their products with the inverse, column by column. */
-static void turn_inverse$f(const linkwright$f_isolation *isolation, $real product[])
+LINKWRIGHT_FUNCTION static void turn_inverse$f(const linkwright$f_isolation *isolation, $real product[])
 {
     const linkwright$f_chord *const chord = isolation->chord;
     const size_t n = isolation->order;
@@ -168,7 +169,7 @@ static void turn_inverse$f(const linkwright$f_isolation *isolation, $real produc
 
 /* Least remainder on the chord: arms on it are A cos d + J sin d, and the second derivative of A is J'. Both frames
    satisfy their equations up to rounding. */
-static void begin_isolation$f(linkwright$f_isolation *isolation)
+LINKWRIGHT_FUNCTION static void begin_isolation$f(linkwright$f_isolation *isolation)
 {
     const linkwright$f_chord *const chord = isolation->chord;
     const size_t n = isolation->order;
@@ -204,7 +205,7 @@ static void begin_isolation$f(linkwright$f_isolation *isolation)
 }
 
 /* Image of the deviations under the operator: |sin d| is at most d, and 1 - cos d at most d^2 / 2. */
-static void spread$f(const linkwright$f_isolation *isolation)
+LINKWRIGHT_FUNCTION static void spread$f(const linkwright$f_isolation *isolation)
 {
     const linkwright$f_chord *const chord = isolation->chord;
     const size_t n = isolation->order;
@@ -234,7 +235,7 @@ static void spread$f(const linkwright$f_isolation *isolation)
 }
 
 /* True if the operator, which has spread the deviations, maps them into themselves. */
-static bool is_mapped_inside$f(linkwright$f_isolation *isolation)
+LINKWRIGHT_FUNCTION static bool is_mapped_inside$f(linkwright$f_isolation *isolation)
 {
     const size_t n = isolation->order;
     $real largest = 1.0$f;
@@ -255,7 +256,7 @@ static bool is_mapped_inside$f(linkwright$f_isolation *isolation)
 }
 
 /* Widens deviations that this round does not map into themselves if they approach it; true if another round follows. */
-static bool widens$f(linkwright$f_isolation *isolation, uint16_t round)
+LINKWRIGHT_FUNCTION static bool widens$f(linkwright$f_isolation *isolation, uint16_t round)
 {
     bool is_wider = false;
     if (is_mapped_inside$f(isolation)) {
@@ -272,7 +273,7 @@ static bool widens$f(linkwright$f_isolation *isolation, uint16_t round)
     return is_wider;
 }
 
-bool linkwright$f_isolation_needs_variation(linkwright$f_isolation *isolation)
+LINKWRIGHT_FUNCTION bool linkwright$f_isolation_needs_variation(linkwright$f_isolation *isolation)
 {
     bool asks = false;
     const uint16_t round = isolation->rounds;

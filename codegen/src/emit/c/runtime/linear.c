@@ -8,14 +8,14 @@ typedef struct Verdict$f {
     uint16_t column;
 } Verdict$f;
 
-static Verdict$f verdict_of$f(linkwright_status status)
+LINKWRIGHT_FUNCTION static Verdict$f verdict_of$f(linkwright_status status)
 {
     const Verdict$f verdict = {status, 0.0$f, 0U};
     return verdict;
 }
 
 /* Row of the entry with the largest magnitude in a column, from a row on; the first of equal ones. */
-static uint16_t pivot_row$f(const $real matrix[], size_t n, uint16_t column, $real *magnitude)
+LINKWRIGHT_FUNCTION static uint16_t pivot_row$f(const $real matrix[], size_t n, uint16_t column, $real *magnitude)
 {
     $real largest = 0.0$f;
     uint16_t row = column;
@@ -31,7 +31,7 @@ static uint16_t pivot_row$f(const $real matrix[], size_t n, uint16_t column, $re
 }
 
 /* Subtracts a multiple of column k below its diagonal from another one, or from a vector. */
-static void subtract_multiple$f(const $real factors[], size_t n, size_t k, $real x[], size_t stride)
+LINKWRIGHT_FUNCTION static void subtract_multiple$f(const $real factors[], size_t n, size_t k, $real x[], size_t stride)
 {
     const $real factor = x[k * stride];
     /* Jacobians of mechanisms are sparse: most factors are exactly zero, and the columns are finite. */
@@ -42,7 +42,7 @@ static void subtract_multiple$f(const $real factors[], size_t n, size_t k, $real
     }
 }
 
-static void exchange$f($real x[], size_t stride, size_t first, size_t second)
+LINKWRIGHT_FUNCTION static void exchange$f($real x[], size_t stride, size_t first, size_t second)
 {
     const $real kept = x[first * stride];
     x[first * stride] = x[second * stride];
@@ -51,7 +51,7 @@ static void exchange$f($real x[], size_t stride, size_t first, size_t second)
 
 /* Factorizes a matrix (n x n) in a workspace of n x n + n numbers and n exchanges, judged in the scales. The
    elimination is Golub & Van Loan, Matrix Computations (4th ed.), algorithm 3.4.1, with partial pivoting. */
-static Verdict$f factorized$f(linkwright$f_factorization *found, const $real matrix[],
+LINKWRIGHT_FUNCTION static Verdict$f factorized$f(linkwright$f_factorization *found, const $real matrix[],
     const linkwright$f_equations *equations, const $real row_scales[], const $real column_scales[],
     $real smallest_pivot_ratio, $real reals[])
 {
@@ -101,7 +101,7 @@ static Verdict$f factorized$f(linkwright$f_factorization *found, const $real mat
 }
 
 /* Replaces the right-hand side of the scaled system with its solution. */
-static void solve_scaled$f(const linkwright$f_factorization *factorization, $real x[])
+LINKWRIGHT_FUNCTION static void solve_scaled$f(const linkwright$f_factorization *factorization, $real x[])
 {
     const size_t n = factorization->order;
     const $real *const factors = factorization->factors;
@@ -123,7 +123,8 @@ static void solve_scaled$f(const linkwright$f_factorization *factorization, $rea
     }
 }
 
-void linkwright$f_solve_factorized(const linkwright$f_factorization *factorization, $real right_hand_side[])
+LINKWRIGHT_FUNCTION void linkwright$f_solve_factorized(const linkwright$f_factorization *factorization,
+    $real right_hand_side[])
 {
     const size_t n = factorization->order;
     for (size_t k = 0U; k < n; k += 1U) {
@@ -136,7 +137,7 @@ void linkwright$f_solve_factorized(const linkwright$f_factorization *factorizati
 }
 
 /* Replaces the right-hand side of the transposed scaled system with its solution. */
-static void solve_scaled_transposed$f(const linkwright$f_factorization *factorization, $real x[])
+LINKWRIGHT_FUNCTION static void solve_scaled_transposed$f(const linkwright$f_factorization *factorization, $real x[])
 {
     const size_t n = factorization->order;
     const $real *const factors = factorization->factors;
@@ -160,7 +161,7 @@ static void solve_scaled_transposed$f(const linkwright$f_factorization *factoriz
 }
 
 /* Sign of the determinant. */
-static linkwright_branch branch_of$f(const linkwright$f_factorization *factorization)
+LINKWRIGHT_FUNCTION static linkwright_branch branch_of$f(const linkwright$f_factorization *factorization)
 {
     const size_t n = factorization->order;
     bool is_negative = false;
@@ -172,7 +173,7 @@ static linkwright_branch branch_of$f(const linkwright$f_factorization *factoriza
     return is_negative ? LINKWRIGHT_NEGATIVE : LINKWRIGHT_POSITIVE;
 }
 
-static $real sum_of_magnitudes$f(const $real x[], size_t n)
+LINKWRIGHT_FUNCTION static $real sum_of_magnitudes$f(const $real x[], size_t n)
 {
     $real sum = 0.0$f;
     for (size_t k = 0U; k < n; k += 1U) {
@@ -182,7 +183,7 @@ static $real sum_of_magnitudes$f(const $real x[], size_t n)
 }
 
 /* Position of the first entry of largest magnitude; 0 if there is none. */
-static uint16_t position_of_largest$f(const $real x[], size_t n)
+LINKWRIGHT_FUNCTION static uint16_t position_of_largest$f(const $real x[], size_t n)
 {
     uint16_t place = 0U;
     $real largest = 0.0$f;
@@ -201,7 +202,8 @@ static uint16_t position_of_largest$f(const $real x[], size_t n)
 /* Image of a vector with 1-norm 1 under the inverse of the scaled matrix; its norm estimates that of the inverse
    (Hager 1984; Higham, ACM Transactions on Mathematical Software 14 (1988), algorithm 4.1). Workspace of 3 n
    numbers. */
-static void largest_image$f(const linkwright$f_factorization *factorization, $real image[], $real reals[])
+LINKWRIGHT_FUNCTION static void largest_image$f(const linkwright$f_factorization *factorization, $real image[],
+    $real reals[])
 {
     const size_t n = factorization->order;
     const $real count = ($real)n;
@@ -257,8 +259,8 @@ static void largest_image$f(const linkwright$f_factorization *factorization, $re
 }
 
 /* Distance of a scaled matrix from singular; only the directions of its columns count. Workspace of 2 n numbers. */
-static linkwright$f_measure measured$f(const linkwright$f_factorization *factorization, const $real matrix[],
-    $real reals[])
+LINKWRIGHT_FUNCTION static linkwright$f_measure measured$f(const linkwright$f_factorization *factorization,
+    const $real matrix[], $real reals[])
 {
     const size_t n = factorization->order;
     $real *const lengths = reals;

@@ -6,14 +6,14 @@ static const double HALF_PI = 1.5707963267948966;
 static const double QUARTER_PI = 0.7853981633974483;
 static const double TURN = 6.283185307179586;
 
-static uint64_t bits_of(double value)
+LINKWRIGHT_FUNCTION static uint64_t bits_of(double value)
 {
     uint64_t bits;
     (void)memcpy(&bits, &value, sizeof(bits));
     return bits;
 }
 
-static double of_bits(uint64_t bits)
+LINKWRIGHT_FUNCTION static double of_bits(uint64_t bits)
 {
     double value;
     (void)memcpy(&value, &bits, sizeof(value));
@@ -21,7 +21,7 @@ static double of_bits(uint64_t bits)
 }
 
 /* Product of two words: its lower word, and through high its upper one. */
-static uint64_t multiplied(uint64_t a, uint64_t b, uint64_t *high)
+LINKWRIGHT_FUNCTION static uint64_t multiplied(uint64_t a, uint64_t b, uint64_t *high)
 {
     const uint64_t a_low = a & 0xffffffffU;
     const uint64_t a_high = a >> 32;
@@ -35,14 +35,14 @@ static uint64_t multiplied(uint64_t a, uint64_t b, uint64_t *high)
 }
 
 /* First of two words, shifted to the left with the leading bits of the second. */
-static uint64_t shifted(uint64_t high, uint64_t low, uint32_t shift)
+LINKWRIGHT_FUNCTION static uint64_t shifted(uint64_t high, uint64_t low, uint32_t shift)
 {
     return (shift == 0U) ? high : ((high << shift) | (low >> (64U - shift)));
 }
 
 /* Quadrant of a positive angle that is large, or close to a multiple of pi/2. The difference of the angle from that
    multiple is an unevaluated sum (M. Payne and R. Hanek, 1983). */
-static uint32_t far_angle(double x, double *rest, double *tail)
+LINKWRIGHT_FUNCTION static uint32_t far_angle(double x, double *rest, double *tail)
 {
     /* Bits of 2/pi, after 64 zeros. */
     static const uint64_t two_over_pi[20] = {
@@ -97,7 +97,7 @@ static uint32_t far_angle(double x, double *rest, double *tail)
 
 /* The angle is brought within pi/4 of a multiple of pi/2 by subtracting that multiple in parts (W. J. Cody and W.
    Waite, 1980); the remainder is the argument of two minimax polynomials. */
-void linkwright_sin_cos(double angle, double *sine, double *cosine)
+LINKWRIGHT_FUNCTION void linkwright_sin_cos(double angle, double *sine, double *cosine)
 {
     /* Adding it to a number of moderate size leaves the nearest integer in the last bits. */
     const double rounder = 6755399441055744.0;
@@ -142,7 +142,7 @@ void linkwright_sin_cos(double angle, double *sine, double *cosine)
 }
 
 /* x - atan(x) for |x| up to 1/2. */
-static double bend_of(double x)
+LINKWRIGHT_FUNCTION static double bend_of(double x)
 {
     const double square = x * x;
     const double fourth = square * square;
@@ -157,7 +157,7 @@ static double bend_of(double x)
 }
 
 /* x - atan(x) for |x| up to 7/16, with fewer operations. */
-static double slight_bend_of(double x)
+LINKWRIGHT_FUNCTION static double slight_bend_of(double x)
 {
     const double square = x * x;
     const double fourth = square * square;
@@ -175,7 +175,7 @@ static const double QUARTER_REST = 3.061616997868383e-17;
 static const double SMALLEST_VECTOR = 1e-290;
 static const double LARGEST_VECTOR = 1e307;
 
-static uint32_t last_bits(double value)
+LINKWRIGHT_FUNCTION static uint32_t last_bits(double value)
 {
     return (uint32_t)(bits_of(value) & 7U);
 }
@@ -184,13 +184,17 @@ static const double ROUNDER = 6755399441055744.0;
 static const double SCALE_OF_TINY = 1152921504606846976.0;
 
 /* cos(k pi/4) for k = 0 ... 7; the sine of such an angle is two entries further back. */
-static const double COSINES[8] = {
-    1.0, 0.7071067811865476, 0.0, -0.7071067811865476, -1.0, -0.7071067811865476, 0.0, 0.7071067811865476,
-};
+LINKWRIGHT_FUNCTION static double eighth_cosine(uint32_t place)
+{
+    static const double cosines[8] = {
+        1.0, 0.7071067811865476, 0.0, -0.7071067811865476, -1.0, -0.7071067811865476, 0.0, 0.7071067811865476,
+    };
+    return cosines[place];
+}
 
 /* Exponential function: x minus a multiple of ln 2, in two parts, is the argument of a rational function of a
    minimax polynomial, with the coefficients of FDLIBM (K. C. Ng, 1993), which are those of the Rust runtime. */
-double linkwright_exp(double x)
+LINKWRIGHT_FUNCTION double linkwright_exp(double x)
 {
     const uint64_t size = bits_of(fabs(x)) >> 32;
     const int sign = (signbit(x) != 0) ? -1 : 1;

@@ -6,14 +6,14 @@ static const float HALF_PIf = 1.5707964f;
 static const float QUARTER_PIf = 0.7853982f;
 static const float TURNf = 6.2831855f;
 
-static uint32_t bits_off(float value)
+LINKWRIGHT_FUNCTION static uint32_t bits_off(float value)
 {
     uint32_t bits;
     (void)memcpy(&bits, &value, sizeof(bits));
     return bits;
 }
 
-static float of_bitsf(uint32_t bits)
+LINKWRIGHT_FUNCTION static float of_bitsf(uint32_t bits)
 {
     float value;
     (void)memcpy(&value, &bits, sizeof(value));
@@ -21,14 +21,14 @@ static float of_bitsf(uint32_t bits)
 }
 
 /* First of two words, shifted to the left with the leading bits of the second. */
-static uint32_t shiftedf(uint32_t high, uint32_t low, uint32_t shift)
+LINKWRIGHT_FUNCTION static uint32_t shiftedf(uint32_t high, uint32_t low, uint32_t shift)
 {
     return (shift == 0U) ? high : ((high << shift) | (low >> (32U - shift)));
 }
 
 /* Quadrant of a positive angle that is large, or close to a multiple of pi/2. The difference of the angle from that
    multiple is an unevaluated sum (M. Payne and R. Hanek, 1983). */
-static uint32_t far_anglef(float x, float *rest, float *tail)
+LINKWRIGHT_FUNCTION static uint32_t far_anglef(float x, float *rest, float *tail)
 {
     /* Bits of 2/pi, after 32 zeros. */
     static const uint32_t two_over_pi[8] = {
@@ -73,7 +73,7 @@ static uint32_t far_anglef(float x, float *rest, float *tail)
 
 /* The angle is brought within pi/4 of a multiple of pi/2 by subtracting that multiple in parts (W. J. Cody and W.
    Waite, 1980); the remainder is the argument of two minimax polynomials. */
-void linkwrightf_sin_cos(float angle, float *sine, float *cosine)
+LINKWRIGHT_FUNCTION void linkwrightf_sin_cos(float angle, float *sine, float *cosine)
 {
     /* Adding it to a number of moderate size leaves the nearest integer in the last bits. */
     const float rounder = 12582912.0f;
@@ -109,7 +109,7 @@ void linkwrightf_sin_cos(float angle, float *sine, float *cosine)
 }
 
 /* x - atan(x) for |x| up to 1/2. */
-static float bend_off(float x)
+LINKWRIGHT_FUNCTION static float bend_off(float x)
 {
     const float square = x * x;
     const float fourth = square * square;
@@ -118,7 +118,7 @@ static float bend_off(float x)
 }
 
 /* x - atan(x) for |x| up to 7/16, with a smaller error. */
-static float slight_bend_off(float x)
+LINKWRIGHT_FUNCTION static float slight_bend_off(float x)
 {
     const float square = x * x;
     const float fourth = square * square;
@@ -133,7 +133,7 @@ static const float QUARTER_RESTf = -2.1855695e-8f;
 static const float SMALLEST_VECTORf = 1e-28f;
 static const float LARGEST_VECTORf = 1e38f;
 
-static uint32_t last_bitsf(float value)
+LINKWRIGHT_FUNCTION static uint32_t last_bitsf(float value)
 {
     return bits_off(value) & 7U;
 }
@@ -142,13 +142,17 @@ static const float ROUNDERf = 12582912.0f;
 static const float SCALE_OF_TINYf = 1152921504606846976.0f;
 
 /* cos(k pi/4) for k = 0 ... 7; the sine of such an angle is two entries further back. */
-static const float COSINESf[8] = {
-    1.0f, 0.70710677f, 0.0f, -0.70710677f, -1.0f, -0.70710677f, 0.0f, 0.70710677f,
-};
+LINKWRIGHT_FUNCTION static float eighth_cosinef(uint32_t place)
+{
+    static const float cosines[8] = {
+        1.0f, 0.70710677f, 0.0f, -0.70710677f, -1.0f, -0.70710677f, 0.0f, 0.70710677f,
+    };
+    return cosines[place];
+}
 
 /* Exponential function: x minus a multiple of ln 2, in two parts, is the argument of a rational function of a
    minimax polynomial, with the coefficients of FDLIBM (K. C. Ng, 1993), which are those of the Rust runtime. */
-float linkwrightf_exp(float x)
+LINKWRIGHT_FUNCTION float linkwrightf_exp(float x)
 {
     const uint32_t size = bits_off(fabsf(x));
     const int sign = (signbit(x) != 0) ? -1 : 1;

@@ -1,15 +1,13 @@
 
 /* Solves a transposed Jacobian and generalized forces for the multipliers. */
 
-linkwright_status linkwright$f_multipliers(uint16_t n, const $real jacobian[], $real forces[], $real reals[],
-    uint16_t exchanges[], const linkwright$f_conditions *conditions, uint16_t block)
+LINKWRIGHT_FUNCTION linkwright_status linkwright$f_multipliers(uint16_t n, const $real jacobian[], $real forces[],
+    $real reals[], uint16_t exchanges[], const linkwright$f_conditions *conditions, uint16_t block)
 {
     $real *const row_scales = &reals[((size_t)n * n) + n];
     $real *const column_scales = &row_scales[n];
-    linkwright$f_equations equations = {0};
+    const linkwright$f_equations equations = {n, 0U, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, exchanges};
     linkwright$f_factorization factorization;
-    equations.order = n;
-    equations.exchanges = exchanges;
     for (size_t row = 0U; row < n; row += 1U) {
         $real largest = 0.0$f;
         for (size_t column = 0U; column < n; column += 1U) {

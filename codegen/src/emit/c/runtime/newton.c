@@ -61,7 +61,7 @@ typedef struct Convergence$f {
     Residual$f residual;
 } Convergence$f;
 
-static Residual$f residual_of$f(const linkwright$f_equations *equations, const $real phi[])
+LINKWRIGHT_FUNCTION static Residual$f residual_of$f(const linkwright$f_equations *equations, const $real phi[])
 {
     Residual$f largest = {0.0$f, 0U};
     bool goes_on = true;
@@ -76,7 +76,7 @@ static Residual$f residual_of$f(const linkwright$f_equations *equations, const $
     return largest;
 }
 
-static bool scales_are_valid$f(const linkwright$f_equations *equations)
+LINKWRIGHT_FUNCTION static bool scales_are_valid$f(const linkwright$f_equations *equations)
 {
     bool are_valid = true;
     for (size_t k = 0U; k < equations->order; k += 1U) {
@@ -89,7 +89,7 @@ static bool scales_are_valid$f(const linkwright$f_equations *equations)
 }
 
 /* Length of a step in scales. */
-static $real step_length$f(const linkwright$f_equations *equations, const $real update[])
+LINKWRIGHT_FUNCTION static $real step_length$f(const linkwright$f_equations *equations, const $real update[])
 {
     $real longest = 0.0$f;
     for (size_t k = 0U; k < equations->order; k += 1U) {
@@ -99,7 +99,7 @@ static $real step_length$f(const linkwright$f_equations *equations, const $real 
 }
 
 /* Distance of two vectors in scales. */
-static $real distance$f(const linkwright$f_equations *equations, const $real a[], const $real b[])
+LINKWRIGHT_FUNCTION static $real distance$f(const linkwright$f_equations *equations, const $real a[], const $real b[])
 {
     $real longest = 0.0$f;
     for (size_t k = 0U; k < equations->order; k += 1U) {
@@ -109,7 +109,8 @@ static $real distance$f(const linkwright$f_equations *equations, const $real a[]
 }
 
 /* True if no coordinate of two poses differs by more than a part of its scale. */
-static bool are_close$f(const linkwright$f_equations *equations, const $real a[], const $real b[], $real part)
+LINKWRIGHT_FUNCTION static bool are_close$f(const linkwright$f_equations *equations, const $real a[], const $real b[],
+    $real part)
 {
     bool are_close = true;
     for (size_t k = 0U; k < equations->order; k += 1U) {
@@ -119,8 +120,8 @@ static bool are_close$f(const linkwright$f_equations *equations, const $real a[]
 }
 
 /* True if no entry of a change exceeds a part of its coordinate or of its scale, whichever is larger. */
-static bool is_negligible$f(const linkwright$f_equations *equations, const $real update[], const $real pose[],
-    $real part)
+LINKWRIGHT_FUNCTION static bool is_negligible$f(const linkwright$f_equations *equations, const $real update[],
+    const $real pose[], $real part)
 {
     bool is_negligible = true;
     for (size_t k = 0U; k < equations->order; k += 1U) {
@@ -131,7 +132,8 @@ static bool is_negligible$f(const linkwright$f_equations *equations, const $real
 }
 
 /* True if no coordinate of two poses differs by more than a part of its value or of its scale, whichever is larger. */
-static bool coincide$f(const linkwright$f_equations *equations, const $real a[], const $real b[], $real part)
+LINKWRIGHT_FUNCTION static bool coincide$f(const linkwright$f_equations *equations, const $real a[], const $real b[],
+    $real part)
 {
     bool coincide = true;
     for (size_t k = 0U; k < equations->order; k += 1U) {
@@ -140,7 +142,7 @@ static bool coincide$f(const linkwright$f_equations *equations, const $real a[],
     return coincide;
 }
 
-static linkwright_status gave_up$f(const linkwright$f_equations *equations, Verdict$f verdict,
+LINKWRIGHT_FUNCTION static linkwright_status gave_up$f(const linkwright$f_equations *equations, Verdict$f verdict,
     Convergence$f convergence, const linkwright$f_conditions *conditions)
 {
     linkwright$f_failure *const failure = conditions->failure;
@@ -152,15 +154,16 @@ static linkwright_status gave_up$f(const linkwright$f_equations *equations, Verd
 }
 
 /* Judges an intermediate Jacobian, or the last one. */
-static linkwright_status judged_jacobian$f(const Watch$f *watch, const linkwright$f_factorization *factorization,
-    bool has_arrived)
+LINKWRIGHT_FUNCTION static linkwright_status judged_jacobian$f(const Watch$f *watch,
+    const linkwright$f_factorization *factorization, bool has_arrived)
 {
     const bool is_asked = (watch->branch != LINKWRIGHT_NEAREST) && (has_arrived || watch->on_the_way);
     return (is_asked && (branch_of$f(factorization) != watch->branch)) ? LINKWRIGHT_WRONG_BRANCH : LINKWRIGHT_OK;
 }
 
 /* Judges a step before it is taken. */
-static linkwright_status judged_step$f(Watch$f *watch, const linkwright$f_equations *equations, const $real update[])
+LINKWRIGHT_FUNCTION static linkwright_status judged_step$f(Watch$f *watch, const linkwright$f_equations *equations,
+    const $real update[])
 {
     linkwright_status status = LINKWRIGHT_OK;
     if (watch->on_the_way) {
@@ -175,8 +178,8 @@ static linkwright_status judged_step$f(Watch$f *watch, const linkwright$f_equati
 }
 
 /* Judges the step that led to a pose, while the residual is above the tolerance. */
-static linkwright_status judged_progress$f(Progress$f *progress, const linkwright$f_equations *equations,
-    const $real pose[], const $real update[], $real residual)
+LINKWRIGHT_FUNCTION static linkwright_status judged_progress$f(Progress$f *progress,
+    const linkwright$f_equations *equations, const $real pose[], const $real update[], $real residual)
 {
     const $real rounding = ROUNDING$f * $FLT_EPSILON;
     if (is_negligible$f(equations, update, pose, rounding)) {
@@ -201,15 +204,15 @@ static linkwright_status judged_progress$f(Progress$f *progress, const linkwrigh
 }
 
 /* Residual, or rounding if the residual is lower. */
-static $real level$f($real residual)
+LINKWRIGHT_FUNCTION static $real level$f($real residual)
 {
     return larger$f(residual, ROUNDING$f * $FLT_EPSILON);
 }
 
 /* Requires that a pose can be told from a singular one within the uncertainty of its residual (Deuflhard, Newton
    Methods for Nonlinear Problems, 2004, section 2.1). Workspace of n x n + 6 n numbers. */
-static Verdict$f regular$f(const linkwright$f_equations *equations, const $real q[], $real t, $real residual,
-    const $real jacobian[], const linkwright$f_factorization *factorization, $real reals[])
+LINKWRIGHT_FUNCTION static Verdict$f regular$f(const linkwright$f_equations *equations, const $real q[], $real t,
+    $real residual, const $real jacobian[], const linkwright$f_factorization *factorization, $real reals[])
 {
     const size_t n = equations->order;
     $real *const changed = reals;
@@ -243,13 +246,13 @@ static Verdict$f regular$f(const linkwright$f_equations *equations, const $real 
     return (change <= (LARGEST_CHANGE$f * size)) ? verdict_of$f(LINKWRIGHT_OK) : singular;
 }
 
-static bool is_worth_polishing$f(Residual$f residual, const linkwright$f_settings *settings)
+LINKWRIGHT_FUNCTION static bool is_worth_polishing$f(Residual$f residual, const linkwright$f_settings *settings)
 {
     return settings->polish && (residual.magnitude > (ROUNDING$f * $FLT_EPSILON));
 }
 
 /* Right-hand side of a step. */
-static void negated$f($real update[], const $real phi[], size_t n)
+LINKWRIGHT_FUNCTION static void negated$f($real update[], const $real phi[], size_t n)
 {
     for (size_t k = 0U; k < n; k += 1U) {
         update[k] = -phi[k];
@@ -258,8 +261,8 @@ static void negated$f($real update[], const $real phi[], size_t n)
 
 /* Moves an estimate to a pose at which the equations hold. One more step polishes the residual to rounding level; a
    pose that has not settled by then is not returned. */
-static linkwright_status solved$f(const linkwright$f_equations *equations, $real pose[], Watch$f *watch,
-    Convergence$f *convergence, const linkwright$f_conditions *conditions)
+LINKWRIGHT_FUNCTION static linkwright_status solved$f(const linkwright$f_equations *equations, $real pose[],
+    Watch$f *watch, Convergence$f *convergence, const linkwright$f_conditions *conditions)
 {
     const size_t n = equations->order;
     const $real t = conditions->t;
@@ -375,8 +378,8 @@ static linkwright_status solved$f(const linkwright$f_equations *equations, $real
 }
 
 /* Solves for the pose from the estimate in the frame, then for its rates and accelerations. */
-static linkwright_status completed$f(const linkwright$f_equations *equations, linkwright$f_tears *found,
-    Watch$f *watch, const linkwright$f_conditions *conditions)
+LINKWRIGHT_FUNCTION static linkwright_status completed$f(const linkwright$f_equations *equations,
+    linkwright$f_tears *found, Watch$f *watch, const linkwright$f_conditions *conditions)
 {
     const size_t n = equations->order;
     const $real t = conditions->t;

@@ -16,8 +16,8 @@ typedef enum Passage$f {
 } Passage$f;
 
 /* Solves the frame at the end of the path or beyond a change point, in frames[1]. */
-static bool is_passed$f(Way$f *way, const Meeting$f *meeting, Sides$f sides, $real beyond, bool lands,
-    const void *modes)
+LINKWRIGHT_FUNCTION static bool is_passed$f(Way$f *way, const Meeting$f *meeting, Sides$f sides, $real beyond,
+    bool lands, const void *modes)
 {
     if (lands && way->mechanism->blocks->holds_coordinates) {
         way->law = LAST_LAW$F;
@@ -30,7 +30,7 @@ static bool is_passed$f(Way$f *way, const Meeting$f *meeting, Sides$f sides, $re
 /* Passes a change point near a time, or advances to the end if that is near it. The search begins at times of the
    distance step (s) before it; a change point at an end may lie on both sides of it. Signals then continue from
    there. */
-static Passage$f pass$f(Way$f *way, $real place, uint16_t block, $real step, Law$f law)
+LINKWRIGHT_FUNCTION static Passage$f pass$f(Way$f *way, $real place, uint16_t block, $real step, Law$f law)
 {
     const linkwright$f_mechanism *const mechanism = way->mechanism;
     const linkwright$f_blocks *const blocks = mechanism->blocks;
@@ -88,7 +88,7 @@ static Passage$f pass$f(Way$f *way, $real place, uint16_t block, $real step, Law
 }
 
 /* Finds the first block that closed forms show to be nearly singular in a frame. */
-static bool is_weak_frame$f(Way$f *way, const void *frame, $real t, uint16_t *block)
+LINKWRIGHT_FUNCTION static bool is_weak_frame$f(Way$f *way, const void *frame, $real t, uint16_t *block)
 {
     const linkwright$f_mechanism *const mechanism = way->mechanism;
     const linkwright$f_conditions conditions = {t, LINKWRIGHT_LAST_FRAME, mechanism->parameters, way->inputs,
@@ -99,7 +99,7 @@ static bool is_weak_frame$f(Way$f *way, const void *frame, $real t, uint16_t *bl
 }
 
 /* Finds the block with the nearest modes at the time t (s), and the square of their distance. */
-static bool nearest_modes$f(Way$f *way, $real t, uint16_t *nearest, $real *least)
+LINKWRIGHT_FUNCTION static bool nearest_modes$f(Way$f *way, $real t, uint16_t *nearest, $real *least)
 {
     bool is_found = false;
     for (uint16_t block = 0U; block < MEETING_BLOCKS$F; block++) {
@@ -115,7 +115,7 @@ static bool nearest_modes$f(Way$f *way, $real t, uint16_t *nearest, $real *least
 
 /* Finds a block that cannot be solved at the time t (s), or whose modes are far nearer to each other than elsewhere
    on the path. */
-static bool has_near_modes$f(Way$f *way, $real t, uint16_t *block)
+LINKWRIGHT_FUNCTION static bool has_near_modes$f(Way$f *way, $real t, uint16_t *block)
 {
     const $real elsewhere = way->from + (SHORTER$f * (way->end - way->from));
     $real square = 0.0$f;
@@ -131,7 +131,7 @@ static bool has_near_modes$f(Way$f *way, $real t, uint16_t *block)
 }
 
 /* Passes change points so near to the start or the end of the path that equations are nearly singular there. */
-static void pass_ends$f(Way$f *way)
+LINKWRIGHT_FUNCTION static void pass_ends$f(Way$f *way)
 {
     const linkwright$f_blocks *const blocks = way->mechanism->blocks;
     const $real step = SHORTER$f * (way->end - way->from);
@@ -164,7 +164,7 @@ static void pass_ends$f(Way$f *way)
 }
 
 /* Passes the change point of a block at which the path has broken, if there is one. */
-static bool is_crossed$f(Way$f *way)
+LINKWRIGHT_FUNCTION static LINKWRIGHT_APART bool is_crossed$f(Way$f *way)
 {
     const linkwright$f_blocks *const blocks = way->mechanism->blocks;
     const linkwright_status status = way->failure.status;
@@ -188,7 +188,7 @@ static bool is_crossed$f(Way$f *way)
 }
 
 /* True if modes of a block are far nearer to each other at the break than elsewhere, though the motion continues. */
-static bool is_undecided$f(Way$f *way)
+LINKWRIGHT_FUNCTION static bool is_undecided$f(Way$f *way)
 {
     const linkwright$f_blocks *const blocks = way->mechanism->blocks;
     const linkwright_status status = way->failure.status;
@@ -208,10 +208,16 @@ static bool is_undecided$f(Way$f *way)
         && largest_distance$f(way, block, way->reached, near_time, &whole) && (square <= (UNDECIDED$f * whole));
 }
 
-struct linkwright$f_passage {
-    void (*ends)(Way$f *way);
-    bool (*crosses)(Way$f *way);
-    bool (*is_undecided)(Way$f *way);
-};
-
-const linkwright$f_passage LINKWRIGHT$F_PASSAGE = {pass_ends$f, is_crossed$f, is_undecided$f};
+LINKWRIGHT_FUNCTION bool linkwright$f_pass(void *path, linkwright_passage part)
+{
+    Way$f *const way = (Way$f *)path;
+    bool is_so = true;
+    if (part == LINKWRIGHT_PASSAGE_OF_ENDS) {
+        pass_ends$f(way);
+    } else if (part == LINKWRIGHT_PASSAGE_OF_BREAK) {
+        is_so = is_crossed$f(way);
+    } else {
+        is_so = is_undecided$f(way);
+    }
+    return is_so;
+}

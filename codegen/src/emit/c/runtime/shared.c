@@ -20,6 +20,8 @@
 #error "linkwright.h and linkwright.c were written by different generators: generate both again"
 #endif
 
+LINKWRIGHT_SOURCE_BEGIN(runtime)
+
 const char *linkwright_status_text(linkwright_status status)
 {
     const char *text = "unknown status";

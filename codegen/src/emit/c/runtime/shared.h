@@ -31,16 +31,62 @@
 #error "linkwright: -ffast-math reorders sums and ignores NaN; compile without it"
 #endif
 
-#ifdef __cplusplus
-extern "C" {
+/* Qualifiers of every function that a frame needs: nothing, or __host__ __device__ for CUDA and HIP, in C++17. */
+#ifdef LINKWRIGHT_FUNCTION
+#define LINKWRIGHT_DEVICE
+#ifndef __cplusplus
+#error "linkwright: LINKWRIGHT_FUNCTION is for C++17"
 #endif
+#else
+#define LINKWRIGHT_FUNCTION
+#endif
+
+/* Public constants. A device does not see variables of the host: for it, functions return their addresses, and macros
+   of their names call these. */
+#ifdef LINKWRIGHT_DEVICE
+#define LINKWRIGHT_CONSTANT(type, name) LINKWRIGHT_FUNCTION const type *name##_ADDRESS()
+#define LINKWRIGHT_CONSTANTS(type, name, count) LINKWRIGHT_FUNCTION const type *name##_ADDRESS()
+#define LINKWRIGHT_CONSTANT_BEGIN(type, name) \
+    LINKWRIGHT_FUNCTION const type *name##_ADDRESS() { static const type constant =
+#define LINKWRIGHT_CONSTANT_END ; return &constant; }
+#define LINKWRIGHT_CONSTANTS_BEGIN(type, name, count) \
+    LINKWRIGHT_FUNCTION const type *name##_ADDRESS() { static const type constants[count] =
+#define LINKWRIGHT_CONSTANTS_END ; return constants; }
+#else
+#define LINKWRIGHT_CONSTANT(type, name) extern const type name
+#define LINKWRIGHT_CONSTANTS(type, name, count) extern const type name[count]
+#define LINKWRIGHT_CONSTANT_BEGIN(type, name) const type name =
+#define LINKWRIGHT_CONSTANTS_BEGIN(type, name, count) const type name[count] =
+#define LINKWRIGHT_CONSTANT_END ;
+#define LINKWRIGHT_CONSTANTS_END ;
+#endif
+
+/* Brackets of a header and of its source. A program for a device includes several sources: their names stay apart. */
+#if defined(LINKWRIGHT_DEVICE)
+#define LINKWRIGHT_HEADER_BEGIN(name) inline namespace linkwright_##name {
+#define LINKWRIGHT_HEADER_END }
+#define LINKWRIGHT_SOURCE_BEGIN(name) inline namespace linkwright_##name {
+#define LINKWRIGHT_SOURCE_END }
+#else
+#if defined(__cplusplus)
+#define LINKWRIGHT_HEADER_BEGIN(name) extern "C" {
+#define LINKWRIGHT_HEADER_END }
+#else
+#define LINKWRIGHT_HEADER_BEGIN(name)
+#define LINKWRIGHT_HEADER_END
+#endif
+#define LINKWRIGHT_SOURCE_BEGIN(name)
+#define LINKWRIGHT_SOURCE_END
+#endif
+
+LINKWRIGHT_HEADER_BEGIN(runtime)
 
 /* Status: LINKWRIGHT_OK, or the reason for a call without a frame. */
 typedef enum linkwright_status {
     LINKWRIGHT_OK = 0,
 $statuses} linkwright_status;
 
-/* Words for a status. */
+/* Words for a status, on the host. */
 const char *linkwright_status_text(linkwright_status status);
 
 /* Sign of a block's determinant. */
@@ -58,6 +104,13 @@ typedef enum linkwright_start {
     /* Last frame of a motion, which continues from there. */
     LINKWRIGHT_LAST_FRAME = 1
 } linkwright_start;
+
+/* Part of a passage through change points: at the ends of a path, at its break, or the decision about the break. */
+typedef enum linkwright_passage {
+    LINKWRIGHT_PASSAGE_OF_ENDS = 0,
+    LINKWRIGHT_PASSAGE_OF_BREAK = 1,
+    LINKWRIGHT_PASSAGE_IS_UNDECIDED = 2
+} linkwright_passage;
 
 /* Name of a block. */
 typedef struct linkwright_block_name {

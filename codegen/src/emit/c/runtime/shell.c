@@ -2,17 +2,18 @@
 /* Assembly and motion of a mechanism. It keeps two frames, the last one and the one that the next solution is
    written to; only a successful solution replaces the last frame. */
 
-static void *frame_of$f(const linkwright$f_mechanism *mechanism, bool is_last)
+LINKWRIGHT_FUNCTION static void *frame_of$f(const linkwright$f_mechanism *mechanism, bool is_last)
 {
     return mechanism->frames[(mechanism->state->second_is_last == is_last) ? 1U : 0U];
 }
 
-const void *linkwright$f_last_frame(const linkwright$f_mechanism *mechanism)
+LINKWRIGHT_FUNCTION const void *linkwright$f_last_frame(const linkwright$f_mechanism *mechanism)
 {
     return frame_of$f(mechanism, true);
 }
 
-linkwright_status linkwright$f_allow(const linkwright$f_mechanism *mechanism, const void *parameters, $real t)
+LINKWRIGHT_FUNCTION linkwright_status linkwright$f_allow(const linkwright$f_mechanism *mechanism,
+    const void *parameters, $real t)
 {
     const linkwright$f_blocks *const blocks = mechanism->blocks;
     uint16_t place = 0U;
@@ -26,7 +27,7 @@ linkwright_status linkwright$f_allow(const linkwright$f_mechanism *mechanism, co
     return LINKWRIGHT_OK;
 }
 
-linkwright_status linkwright$f_assemble(const linkwright$f_mechanism *mechanism, $real t)
+LINKWRIGHT_FUNCTION linkwright_status linkwright$f_assemble(const linkwright$f_mechanism *mechanism, $real t)
 {
     linkwright$f_state *const state = mechanism->state;
     const linkwright$f_conditions conditions = {t, LINKWRIGHT_ESTIMATE, mechanism->parameters, mechanism->inputs,
@@ -50,7 +51,7 @@ linkwright_status linkwright$f_assemble(const linkwright$f_mechanism *mechanism,
 }
 
 /* Keeps a solved frame. */
-static void keep$f(const linkwright$f_mechanism *mechanism, const void *inputs)
+LINKWRIGHT_FUNCTION static void keep$f(const linkwright$f_mechanism *mechanism, const void *inputs)
 {
     linkwright$f_state *const state = mechanism->state;
     if ((mechanism->blocks->signals > 0U) && (mechanism->inputs != inputs)) {
@@ -61,7 +62,8 @@ static void keep$f(const linkwright$f_mechanism *mechanism, const void *inputs)
     mechanism->failure->status = LINKWRIGHT_OK;
 }
 
-linkwright_status linkwright$f_advance(const linkwright$f_mechanism *mechanism, $real t, const void *inputs)
+LINKWRIGHT_FUNCTION linkwright_status linkwright$f_advance(const linkwright$f_mechanism *mechanism, $real t,
+    const void *inputs)
 {
     const linkwright$f_state *const state = mechanism->state;
     void *const at = frame_of$f(mechanism, false);
@@ -80,32 +82,32 @@ linkwright_status linkwright$f_advance(const linkwright$f_mechanism *mechanism, 
 }
 
 /* Advances to the end of a path, through change points. */
-static linkwright_status gone$f(Way$f *way)
+LINKWRIGHT_FUNCTION static linkwright_status gone$f(Way$f *way)
 {
-    const linkwright$f_passage *const passage = way->mechanism->blocks->passage;
-    if (passage == NULL) {
+    const linkwright$f_blocks *const blocks = way->mechanism->blocks;
+    if (blocks->passage == NULL) {
         return steps_to$f(way, way->end);
     }
-    passage->ends(way);
+    (void)blocks->passage(way, LINKWRIGHT_PASSAGE_OF_ENDS);
     linkwright_status status = steps_to$f(way, way->end);
     for (uint16_t crossings = 0U; (status != LINKWRIGHT_OK) && (crossings < CROSSINGS$F); crossings++) {
         const linkwright$f_failure failure = way->failure;
-        if (passage->crosses(way)) {
+        if (blocks->passage(way, LINKWRIGHT_PASSAGE_OF_BREAK)) {
             status = steps_to$f(way, way->end);
         } else {
             way->failure = failure;
             break;
         }
     }
-    if ((status != LINKWRIGHT_OK) && passage->is_undecided(way)) {
+    if ((status != LINKWRIGHT_OK) && blocks->passage(way, LINKWRIGHT_PASSAGE_IS_UNDECIDED)) {
         status = LINKWRIGHT_UNDECIDED;
         restate$f(&way->failure, status, 0.0$f, 0U);
     }
     return status;
 }
 
-linkwright_status linkwright$f_advance_in_steps(const linkwright$f_mechanism *mechanism, $real t, const void *inputs,
-    const linkwright$f_workspace *workspace)
+LINKWRIGHT_FUNCTION linkwright_status linkwright$f_advance_in_steps(const linkwright$f_mechanism *mechanism, $real t,
+    const void *inputs, const linkwright$f_workspace *workspace)
 {
     const linkwright$f_blocks *const blocks = mechanism->blocks;
     const linkwright$f_state *const state = mechanism->state;
@@ -169,8 +171,8 @@ linkwright_status linkwright$f_advance_in_steps(const linkwright$f_mechanism *me
     return status;
 }
 
-linkwright_status linkwright$f_frame_at(const linkwright$f_mechanism *mechanism, $real t, const void *inputs,
-    void *frame, void *branches)
+LINKWRIGHT_FUNCTION linkwright_status linkwright$f_frame_at(const linkwright$f_mechanism *mechanism, $real t,
+    const void *inputs, void *frame, void *branches)
 {
     const linkwright$f_blocks *const blocks = mechanism->blocks;
     const void *const last = frame_of$f(mechanism, true);
@@ -181,7 +183,7 @@ linkwright_status linkwright$f_frame_at(const linkwright$f_mechanism *mechanism,
     return solve_all$f(mechanism, frame, last, branches, &conditions);
 }
 
-$real linkwright$f_time_after(const linkwright$f_mechanism *mechanism, $real duration, $real *rest)
+LINKWRIGHT_FUNCTION $real linkwright$f_time_after(const linkwright$f_mechanism *mechanism, $real duration, $real *rest)
 {
     const linkwright$f_state *const state = mechanism->state;
     const $real t = mechanism->blocks->time(frame_of$f(mechanism, true));
@@ -193,8 +195,8 @@ $real linkwright$f_time_after(const linkwright$f_mechanism *mechanism, $real dur
     return sum;
 }
 
-linkwright_status linkwright$f_recover(const linkwright$f_mechanism *mechanism, $real t, const void *inputs,
-    void *branches)
+LINKWRIGHT_FUNCTION linkwright_status linkwright$f_recover(const linkwright$f_mechanism *mechanism, $real t,
+    const void *inputs, void *branches)
 {
     linkwright$f_state *const state = mechanism->state;
     if (!state->is_assembled) {
@@ -209,7 +211,7 @@ linkwright_status linkwright$f_recover(const linkwright$f_mechanism *mechanism, 
     return status;
 }
 
-void linkwright$f_parameters_changed(const linkwright$f_mechanism *mechanism)
+LINKWRIGHT_FUNCTION void linkwright$f_parameters_changed(const linkwright$f_mechanism *mechanism)
 {
     mechanism->state->start = LINKWRIGHT_ESTIMATE;
     mechanism->state->has_window = false;

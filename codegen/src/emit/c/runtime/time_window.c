@@ -11,13 +11,14 @@ static const $real LEFT_BY_ROUNDING$f = 64.0$f;
 static const $real OF_DIFFERENCES$f = 32.0$f;
 
 /* Bound on the rounding of values in frames, and of their differences multiplied by steps. */
-static $real window_rounding$f($real steps)
+LINKWRIGHT_FUNCTION static $real window_rounding$f($real steps)
 {
     return $FLT_EPSILON * (LEFT_BY_ROUNDING$f + (OF_DIFFERENCES$f * steps));
 }
 
 /* Bound on the deviation of a signal from the chord between two values that are h (s) apart. */
-static $real remainder_of_signal$f($real h, const linkwright$f_signal *before, const linkwright$f_signal *now)
+LINKWRIGHT_FUNCTION static $real remainder_of_signal$f($real h, const linkwright$f_signal *before,
+    const linkwright$f_signal *now)
 {
     const $real moved = now->value - before->value;
     const $real rate_before = fabs$f((before->rate * h) - moved);
@@ -28,13 +29,13 @@ static $real remainder_of_signal$f($real h, const linkwright$f_signal *before, c
 }
 
 /* Deviation from the chord that a signal with this change in one step may have beyond the frames. */
-static $real allowance_of_signal$f(const linkwright$f_time_window *window, $real moved)
+LINKWRIGHT_FUNCTION static $real allowance_of_signal$f(const linkwright$f_time_window *window, $real moved)
 {
     return (0.25$f * window->steps) * moved;
 }
 
-void linkwright$f_window_signal(const linkwright$f_time_window *window, const linkwright$f_signal *before,
-    const linkwright$f_signal *now, $real found[2])
+LINKWRIGHT_FUNCTION void linkwright$f_window_signal(const linkwright$f_time_window *window,
+    const linkwright$f_signal *before, const linkwright$f_signal *now, $real found[2])
 {
     const $real moved = fabs$f(now->value - before->value);
     /* If no time passes, the signal follows the chord. */
@@ -46,9 +47,9 @@ void linkwright$f_window_signal(const linkwright$f_time_window *window, const li
 
 /* True if a signal that goes from last to next in the time h stays as near to the chord from before to now as is
    assumed; the chord ends so long (s) before next. */
-static bool holds_signal$f(const linkwright$f_time_window *window, const linkwright$f_signal *before,
-    const linkwright$f_signal *now, const linkwright$f_signal *last, const linkwright$f_signal *next, $real h,
-    $real since)
+LINKWRIGHT_FUNCTION static bool holds_signal$f(const linkwright$f_time_window *window,
+    const linkwright$f_signal *before, const linkwright$f_signal *now, const linkwright$f_signal *last,
+    const linkwright$f_signal *next, $real h, $real since)
 {
     const $real moved = now->value - before->value;
     const $real line_last = now->value + (moved * ((since - h) / window->step));
@@ -60,8 +61,8 @@ static bool holds_signal$f(const linkwright$f_time_window *window, const linkwri
 
 /* Signal at a part of the time h (s) from one value to another, by the polynomial of the fifth degree with value,
    rate and acceleration of both ends. */
-static linkwright$f_signal signal_towards$f(const linkwright$f_signal *first, const linkwright$f_signal *last,
-    $real h, $real part)
+LINKWRIGHT_FUNCTION static linkwright$f_signal signal_towards$f(const linkwright$f_signal *first,
+    const linkwright$f_signal *last, $real h, $real part)
 {
     const $real a = first->value;
     const $real b = first->rate * h;
@@ -82,13 +83,13 @@ static linkwright$f_signal signal_towards$f(const linkwright$f_signal *first, co
     return found;
 }
 
-linkwright$f_enclosure linkwright$f_enclosure_of($real now, $real before, $real deviation)
+LINKWRIGHT_FUNCTION linkwright$f_enclosure linkwright$f_enclosure_of($real now, $real before, $real deviation)
 {
     const linkwright$f_enclosure enclosure = {now, now - before, deviation};
     return enclosure;
 }
 
-bool linkwright$f_enclosure_holds(const linkwright$f_enclosure *enclosure, $real value, $real steps)
+LINKWRIGHT_FUNCTION bool linkwright$f_enclosure_holds(const linkwright$f_enclosure *enclosure, $real value, $real steps)
 {
     const $real rounding = (TUBE_ROUNDING$f * $FLT_EPSILON) * (1.0$f + fabs$f(value));
     return fabs$f((value - enclosure->value) - (enclosure->moved * steps)) <= (enclosure->deviation + rounding);

@@ -14,14 +14,14 @@ static const $real AMPLIFIED$f = 16.0$f;
 static const $real LARGEST_RESPONSE$f = 64.0$f;
 
 /* Larger of a magnitude and that of a value, or one that is not finite. */
-static $real largest_of$f($real largest, $real value)
+LINKWRIGHT_FUNCTION static $real largest_of$f($real largest, $real value)
 {
     const $real magnitude = fabs$f(value);
     return ((largest < magnitude) || !linkwright$f_is_finite(magnitude)) ? magnitude : largest;
 }
 
 /* Rounding of one equation after many unknowns in sequence. */
-static $real handed_on$f(const linkwright$f_equations *equations)
+LINKWRIGHT_FUNCTION static $real handed_on$f(const linkwright$f_equations *equations)
 {
     const $real units = ($real)equations->order / AMPLIFIED$f;
     return $FLT_EPSILON * ((units > 1.0$f) ? units : 1.0$f);
@@ -29,8 +29,9 @@ static $real handed_on$f(const linkwright$f_equations *equations)
 
 /* Computes all unknowns and their rates at tearing variables with vanishing residuals; false if they are not as good
    as those of all equations together. */
-static bool torn_completed$f(const linkwright$f_tearing *tearing, const $real tears[], const linkwright$f_tears *last,
-    const $real memory[], linkwright$f_tears *found, const linkwright$f_conditions *conditions)
+LINKWRIGHT_FUNCTION static bool torn_completed$f(const linkwright$f_tearing *tearing, const $real tears[],
+    const linkwright$f_tears *last, const $real memory[], linkwright$f_tears *found,
+    const linkwright$f_conditions *conditions)
 {
     const linkwright$f_equations *const equations = tearing->equations;
     const size_t n = equations->order;
@@ -71,8 +72,8 @@ static bool torn_completed$f(const linkwright$f_tearing *tearing, const $real te
 }
 
 /* Advances by the tearing variables if the frame is certain to be as good as by all equations. */
-static bool torn_advanced$f(const linkwright$f_tearing *tearing, const linkwright$f_tears *last, const $real memory[],
-    linkwright$f_tears *found, const linkwright$f_conditions *conditions)
+LINKWRIGHT_FUNCTION static bool torn_advanced$f(const linkwright$f_tearing *tearing, const linkwright$f_tears *last,
+    const $real memory[], linkwright$f_tears *found, const linkwright$f_conditions *conditions)
 {
     const linkwright$f_equations *const equations = tearing->equations;
     const size_t count = tearing->count;
@@ -127,7 +128,7 @@ static bool torn_advanced$f(const linkwright$f_tearing *tearing, const linkwrigh
 }
 
 /* Memory for the next frame, from a pose that all equations together have given. */
-static void remembered$f(const linkwright$f_tearing *tearing, const $real q[], $real memory[],
+LINKWRIGHT_FUNCTION static void remembered$f(const linkwright$f_tearing *tearing, const $real q[], $real memory[],
     const linkwright$f_conditions *conditions)
 {
     const linkwright$f_equations *const equations = tearing->equations;
@@ -146,8 +147,9 @@ static void remembered$f(const linkwright$f_tearing *tearing, const $real q[], $
     memory[0] = leads_here ? residual[(count + 1U) * count] : 0.0$f;
 }
 
-linkwright_status linkwright$f_solve_torn(const linkwright$f_tearing *tearing, const linkwright$f_tears *last,
-    $real memory[], linkwright_branch *branch, linkwright$f_tears *found, const linkwright$f_conditions *conditions)
+LINKWRIGHT_FUNCTION linkwright_status linkwright$f_solve_torn(const linkwright$f_tearing *tearing,
+    const linkwright$f_tears *last, $real memory[], linkwright_branch *branch, linkwright$f_tears *found,
+    const linkwright$f_conditions *conditions)
 {
     const linkwright$f_equations *const equations = tearing->equations;
     const size_t n = equations->order;

@@ -58,13 +58,13 @@ typedef struct Way$f {
 } Way$f;
 
 /* Element of an array of elements of any size. */
-static void *element$f(void *array, size_t size, size_t index)
+LINKWRIGHT_FUNCTION static void *element$f(void *array, size_t size, size_t index)
 {
     return &((unsigned char *)array)[index * size];
 }
 
 /* Signal after a time (s) with constant acceleration. */
-static void go_on$f(linkwright$f_signal *signal, $real time)
+LINKWRIGHT_FUNCTION static void go_on$f(linkwright$f_signal *signal, $real time)
 {
     if (time != 0.0$f) {
         const $real change = signal->acceleration * time;
@@ -74,7 +74,7 @@ static void go_on$f(linkwright$f_signal *signal, $real time)
 }
 
 /* Signals at a time on the path; beyond it, and by the law of one of its ends, they continue from there. */
-static void inputs_at$f(const Way$f *way, $real t, Law$f law, void *inputs)
+LINKWRIGHT_FUNCTION static void inputs_at$f(const Way$f *way, $real t, Law$f law, void *inputs)
 {
     const linkwright$f_blocks *const blocks = way->mechanism->blocks;
     const $real part = (t - way->from) / (way->end - way->from);
@@ -95,14 +95,14 @@ static void inputs_at$f(const Way$f *way, $real t, Law$f law, void *inputs)
 }
 
 /* True if a signal's value, rate and acceleration are finite. */
-static bool is_finite_signal$f(const linkwright$f_signal *signal)
+LINKWRIGHT_FUNCTION static bool is_finite_signal$f(const linkwright$f_signal *signal)
 {
     return linkwright$f_is_finite(signal->value) && linkwright$f_is_finite(signal->rate)
         && linkwright$f_is_finite(signal->acceleration);
 }
 
 /* Failure of an instant whose parameters or inputs are not finite: it names the first such input. */
-static LINKWRIGHT_APART linkwright_status names_input$f(const linkwright$f_blocks *blocks,
+LINKWRIGHT_FUNCTION static LINKWRIGHT_APART linkwright_status names_input$f(const linkwright$f_blocks *blocks,
     const linkwright$f_conditions *conditions)
 {
     uint16_t place = 0U;
@@ -114,14 +114,14 @@ static LINKWRIGHT_APART linkwright_status names_input$f(const linkwright$f_block
 }
 
 /* True if a failure is that of an input that is not finite. */
-static bool is_of_input$f(const linkwright$f_failure *failure)
+LINKWRIGHT_FUNCTION static bool is_of_input$f(const linkwright$f_failure *failure)
 {
     return (failure->status == LINKWRIGHT_NOT_FINITE) && (failure->column > 0U);
 }
 
 /* Solves all blocks if all numbers are finite. */
-static linkwright_status solve_all$f(const linkwright$f_mechanism *mechanism, void *at, const void *last,
-    void *branches, const linkwright$f_conditions *conditions)
+LINKWRIGHT_FUNCTION static linkwright_status solve_all$f(const linkwright$f_mechanism *mechanism, void *at,
+    const void *last, void *branches, const linkwright$f_conditions *conditions)
 {
     const linkwright$f_blocks *const blocks = mechanism->blocks;
     bool are_finite = true;
@@ -135,13 +135,13 @@ static linkwright_status solve_all$f(const linkwright$f_mechanism *mechanism, vo
 }
 
 /* Number at a part of the straight path from one to another. */
-static $real between$f($real first, $real last, $real part)
+LINKWRIGHT_FUNCTION static $real between$f($real first, $real last, $real part)
 {
     return first + (part * (last - first));
 }
 
 /* Signals at a part of their change. */
-static void changed_inputs$f(const Way$f *way, $real part, void *inputs)
+LINKWRIGHT_FUNCTION static void changed_inputs$f(const Way$f *way, $real part, void *inputs)
 {
     const linkwright$f_blocks *const blocks = way->mechanism->blocks;
     for (uint16_t k = 0U; k < blocks->signals; k++) {
@@ -158,7 +158,7 @@ static void changed_inputs$f(const Way$f *way, $real part, void *inputs)
 }
 
 /* Advances to a time, or to a part of the change of the inputs, which is then the time of a failure. */
-static linkwright_status stepped$f(Way$f *way, $real place)
+LINKWRIGHT_FUNCTION static linkwright_status stepped$f(Way$f *way, $real place)
 {
     const linkwright$f_mechanism *const mechanism = way->mechanism;
     const linkwright$f_blocks *const blocks = mechanism->blocks;
@@ -195,8 +195,8 @@ static linkwright_status stepped$f(Way$f *way, $real place)
 
 /* Time shortly beyond the end of reach, from two times beyond it, by the secant rule. False if the missing distance
    does not fall towards the reached time. */
-static bool end_of_reach$f($real reached, const linkwright$f_failure *nearer, const linkwright$f_failure *farther,
-    $real *aim)
+LINKWRIGHT_FUNCTION static bool end_of_reach$f($real reached, const linkwright$f_failure *nearer,
+    const linkwright$f_failure *farther, $real *aim)
 {
     bool is_found = false;
     if ((nearer->status == LINKWRIGHT_OUT_OF_REACH) && (farther->status == LINKWRIGHT_OUT_OF_REACH)) {
@@ -210,14 +210,14 @@ static bool end_of_reach$f($real reached, const linkwright$f_failure *nearer, co
 }
 
 /* True for numbers that are refused: they do not tell which block has no pose. */
-static bool refuses_number$f(linkwright_status status)
+LINKWRIGHT_FUNCTION static bool refuses_number$f(linkwright_status status)
 {
     return (status == LINKWRIGHT_NOT_POSITIVE) || (status == LINKWRIGHT_NOT_FINITE)
         || (status == LINKWRIGHT_LOAD_NOT_FINITE);
 }
 
 /* Status of a failure that no shorter step would have avoided. */
-static linkwright_status lasting$f(linkwright_status status, bool is_coarse)
+LINKWRIGHT_FUNCTION static linkwright_status lasting$f(linkwright_status status, bool is_coarse)
 {
     const bool may_last = (status == LINKWRIGHT_SINGULAR) || (status == LINKWRIGHT_WRONG_BRANCH)
         || refuses_number$f(status);
@@ -225,13 +225,14 @@ static linkwright_status lasting$f(linkwright_status status, bool is_coarse)
     return lasts ? status : LINKWRIGHT_STEP_TOO_LARGE;
 }
 
-static bool is_end$f(const linkwright$f_failure *failure)
+LINKWRIGHT_FUNCTION static bool is_end$f(const linkwright$f_failure *failure)
 {
     return (failure->status == LINKWRIGHT_OUT_OF_REACH) || (failure->status == LINKWRIGHT_SINGULAR);
 }
 
 /* Changes the status of a failure, with its value and column. */
-static void restate$f(linkwright$f_failure *failure, linkwright_status status, $real value, uint16_t column)
+LINKWRIGHT_FUNCTION static void restate$f(linkwright$f_failure *failure, linkwright_status status, $real value,
+    uint16_t column)
 {
     failure->status = status;
     failure->value = value;
@@ -240,7 +241,7 @@ static void restate$f(linkwright$f_failure *failure, linkwright_status status, $
 
 /* Advances to a time in as many steps as needed, within the budget of the settings; the failure of the path gives
    the reason for its end. */
-static linkwright_status in_steps$f(Way$f *way, $real from, $real to)
+LINKWRIGHT_FUNCTION static linkwright_status in_steps$f(Way$f *way, $real from, $real to)
 {
     const uint16_t budget = way->mechanism->state->settings.substeps;
     const $real refined = fabs$f(to - from) * REFINED$f;
@@ -344,21 +345,21 @@ static linkwright_status in_steps$f(Way$f *way, $real from, $real to)
 }
 
 /* Advances to a time. */
-static linkwright_status steps_to$f(Way$f *way, $real end)
+LINKWRIGHT_FUNCTION static linkwright_status steps_to$f(Way$f *way, $real end)
 {
     const $real from = way->mechanism->blocks->time(way->reached);
     return (from == end) ? LINKWRIGHT_OK : in_steps$f(way, from, end);
 }
 
 /* True if time is too coarse to be divided between the ends. */
-static bool is_without_length$f(const Way$f *way)
+LINKWRIGHT_FUNCTION static bool is_without_length$f(const Way$f *way)
 {
     const $real middle = way->from + (0.5$f * (way->end - way->from));
     return (middle == way->from) || (middle == way->end);
 }
 
 /* True if an input differs between the ends. */
-static bool is_changed$f(const Way$f *way)
+LINKWRIGHT_FUNCTION static bool is_changed$f(const Way$f *way)
 {
     const linkwright$f_blocks *const blocks = way->mechanism->blocks;
     bool is_found = false;
@@ -372,7 +373,7 @@ static bool is_changed$f(const Way$f *way)
 }
 
 /* Advances to the end of a path without duration, in steps of the inputs. */
-static linkwright_status changed$f(Way$f *way)
+LINKWRIGHT_FUNCTION static linkwright_status changed$f(Way$f *way)
 {
     way->is_change = true;
     const linkwright_status status = in_steps$f(way, 0.0$f, 1.0$f);
