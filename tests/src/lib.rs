@@ -19,6 +19,7 @@ pub mod free_motion;
 pub mod generated;
 pub mod hunt;
 pub mod jet;
+pub mod lanes;
 pub mod large;
 pub mod law;
 pub mod magnitude;

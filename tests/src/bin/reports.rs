@@ -48,7 +48,7 @@ const fn study(name: &'static str) -> Study {
 }
 
 /// All studies, quick ones first.
-const STUDIES: [Study; 14] = [
+const STUDIES: [Study; 15] = [
     study("elementary"),
     study("ankle"),
     study("proofs"),
@@ -60,6 +60,7 @@ const STUDIES: [Study; 14] = [
         ..study("embedded")
     },
     study("growth"),
+    study("lanes"),
     study("simulation"),
     study("work-precision"),
     study("starts"),

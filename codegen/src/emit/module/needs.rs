@@ -28,15 +28,7 @@ impl Needs {
         let reads = scope.reads();
         let newton = block.newton.is_some();
         let has = |test: fn(&Statement) -> bool| block.function.statements.iter().any(test);
-        let checks = has(|it| {
-            matches!(
-                it,
-                Statement::Reach { .. }
-                    | Statement::Nonzero { .. }
-                    | Statement::Positive { .. }
-                    | Statement::Multipliers { .. }
-            )
-        });
+        let checks = has(is_check);
         let fails = newton || checks || module.is_large();
         Needs {
             last: newton || has(|it| matches!(it, Statement::Angle { .. })),
@@ -47,6 +39,27 @@ impl Needs {
             fails,
         }
     }
+
+    /// Returns the needs of the function that solves several mechanisms, in which no failure reports the time.
+    pub(in crate::emit) fn in_lanes(block: &Block, module: &Module<'_>) -> Needs {
+        let reads = Scope::new(module, &block.function, Place::Lanes).reads();
+        Needs {
+            time: reads.time,
+            conditions: reads.time || reads.parameters || reads.inputs,
+            fails: block.function.statements.iter().any(is_check),
+            ..Needs::of(block, module)
+        }
+    }
+}
+
+fn is_check(statement: &Statement) -> bool {
+    matches!(
+        statement,
+        Statement::Reach { .. }
+            | Statement::Nonzero { .. }
+            | Statement::Positive { .. }
+            | Statement::Multipliers { .. }
+    )
 }
 
 /// Returns the values of a block that a large mechanism checks before it solves the next block. One check of thousands of coordinates

@@ -17,7 +17,7 @@ use crate::emit::module::scope::{Place, Scope};
 use crate::emit::module::{Module, documentation};
 use crate::emit::scalar::Scalar;
 use crate::model::field_name;
-use crate::program::{Block, Statement};
+use crate::program::Block;
 
 /// Writes the module `lanes`.
 pub(super) fn lanes(module: &Module<'_>, code: &mut Code) {
@@ -115,28 +115,6 @@ fn structures(module: &Module<'_>, code: &mut Code) {
         }
     }
     code.close("}");
-}
-
-impl Needs {
-    /// Returns the needs of a block's function in lanes: no failure reports the time.
-    fn in_lanes(block: &Block, module: &Module<'_>) -> Needs {
-        let reads = Scope::new(module, &block.function, Place::Lanes).reads();
-        let is_check = |it: &Statement| {
-            matches!(
-                it,
-                Statement::Reach { .. }
-                    | Statement::Nonzero { .. }
-                    | Statement::Positive { .. }
-                    | Statement::Multipliers { .. }
-            )
-        };
-        Needs {
-            time: reads.time,
-            conditions: reads.time || reads.parameters || reads.inputs,
-            fails: block.function.statements.iter().any(is_check),
-            ..Needs::of(block, module)
-        }
-    }
 }
 
 fn function(index: usize, block: &Block, module: &Module<'_>, code: &mut Code) {
