@@ -146,24 +146,10 @@ impl<B: Blocks> Shell<B> {
     }
 
     /// Moves the mechanism to a frame that is solved elsewhere, with the bits that [`Blocks::solve`] would find in these
-    /// conditions. `write` overwrites an older frame with it.
+    /// conditions. `write` overwrites an older frame with it. Returns true if the path leads to that frame in one step.
     ///
     /// # Errors
     /// Returns those of [`Shell::advance`], of the path to the frame.
-    #[doc(hidden)]
-    #[inline]
-    pub fn advance_solved(
-        &mut self,
-        t: B::Scalar,
-        inputs: &B::Inputs,
-        write: impl FnOnce(&mut B::Frame),
-    ) -> Result<&B::Frame, Failure<B::Scalar>> {
-        self.admit(t, inputs, write)?;
-        Ok(self.frame())
-    }
-
-    /// Does what [`Shell::advance_solved`] does; true if the path led to the frame in one step, so that it is the last one
-    /// with its bits.
     #[inline]
     pub(crate) fn admit(
         &mut self,

@@ -88,6 +88,12 @@ impl Layout {
         self.slots.get(&symbol).copied()
     }
 
+    /// Returns the index of a coordinate (level 0), its rate (1) or its acceleration (2); `None` if instants do not hold it.
+    pub(crate) fn coordinate_slot(&self, place: usize, level: usize) -> Option<usize> {
+        let is_held = place < self.coordinates && level < 3;
+        is_held.then(|| self.given().end + level * self.coordinates + place)
+    }
+
     /// Returns an instant of zeros.
     pub(crate) fn empty(&self) -> Instant {
         Instant {

@@ -111,23 +111,19 @@ impl Formulas {
         self.code.lanes()
     }
 
-    /// Puts in what one lane reads of its instant.
-    pub fn fill_lane(&self, lane: usize, instant: &Instant, registers: &mut [Lanes]) {
-        for &(register, slot) in &self.read {
-            registers[register.index()].0[lane] = instant.values()[slot];
-        }
-    }
-
-    /// Evaluates all lanes.
+    /// Evaluates all lanes at these values of instants.
     #[inline(always)]
-    pub fn run_lanes(&self, registers: &mut [Lanes]) {
+    pub fn evaluate_lanes(&self, values: &[Lanes], registers: &mut [Lanes]) {
+        for &(register, slot) in &self.read {
+            registers[register.index()] = values[slot];
+        }
         self.code.run_lanes(0..self.code.length(), registers);
     }
 
-    /// Returns a value of one lane; `None` if there is none of this index.
-    pub fn lane_value(&self, lane: usize, index: usize, registers: &[Lanes]) -> Option<f64> {
+    /// Returns a result in all lanes; `None` if there is none of this index.
+    pub fn result_lanes(&self, index: usize, registers: &[Lanes]) -> Option<Lanes> {
         let register = self.results.get(index)?;
-        Some(registers[register.index()].0[lane])
+        Some(registers[register.index()])
     }
 
     /// The values in their order.

@@ -29,9 +29,12 @@
 mod arctangent;
 mod borrowed;
 mod far_angle;
+mod lanes;
 #[cfg(any(test, all(not(feature = "std"), target_abi = "eabihf")))]
 mod root;
 mod sine_cosine;
+
+pub use lanes::Lanes;
 
 /// Functions of f64.
 pub mod double {

@@ -55,8 +55,13 @@ macro_rules! generated_lanes {
             type ParameterLanes = Parameters;
             type InputLanes = Inputs;
 
+            fn lanes(&self) -> (Frame, Branches, Parameters, Inputs) {
+                (Frame::ZERO, Branches::ZERO, Parameters::ZERO, Inputs::ZERO)
+            }
+
             #[inline(always)]
             fn solve_lanes(
+                &self,
                 at: &mut Frame,
                 last: &Frame,
                 signs: &Branches,

@@ -69,7 +69,7 @@ pub mod lanes {
             $(#[$docs])*
             pub mod $name {
                 pub use crate::Blocks;
-                pub use crate::generated::lanes::LaneValues as _;
+                pub use crate::generated::lanes::{LaneValues as _, Zero as _};
                 pub use crate::lanes::elementary::$name::{angle_near, math};
                 pub use crate::lanes::elementary::{
                     choose, exceeds_rounding, less, lookup, multipliers, not_finite, not_positive,

@@ -3,7 +3,7 @@
 //! All lanes are solved together. A lane whose blocks fail, or whose path is not verified yet, is solved again by its own [`Shell`], which
 //! finds the failure or advances in several steps. The other lanes keep their results.
 
-use super::values::{LaneValues, Zero};
+use super::values::LaneValues;
 use super::vectorized::vectorized;
 use super::{Lanes, Mask};
 use crate::blocks::Blocks;
@@ -22,24 +22,31 @@ pub struct Conditions<'a, T, P, I> {
     pub inputs: &'a I,
 }
 
-/// Equations that are solved for N mechanisms at once. Generated code implements this trait.
+/// Equations that are solved for N mechanisms at once. Generated code and the interpreter implement this trait.
 #[doc(hidden)]
 pub trait InLanes<const N: usize>: Blocks {
     /// Frames of N mechanisms.
-    type Frames: LaneValues<Self::Frame>;
+    type Frames: LaneValues<Self::Frame> + Clone;
     /// Signs of their assembly modes.
-    #[doc(hidden)]
     type Signs: LaneValues<Self::Branches>;
     /// Their parameters.
-    #[doc(hidden)]
     type ParameterLanes: LaneValues<Self::Parameters>;
     /// Their inputs.
-    #[doc(hidden)]
     type InputLanes: LaneValues<Self::Inputs>;
 
+    /// Returns frames, signs, parameters and inputs of no mechanism.
+    fn lanes(
+        &self,
+    ) -> (
+        Self::Frames,
+        Self::Signs,
+        Self::ParameterLanes,
+        Self::InputLanes,
+    );
+
     /// Solves all blocks; returns the lanes that fail. Their frames are arbitrary then.
-    #[doc(hidden)]
     fn solve_lanes(
+        &self,
         at: &mut Self::Frames,
         last: &Self::Frames,
         signs: &Self::Signs,
@@ -52,7 +59,9 @@ pub trait InLanes<const N: usize>: Blocks {
 /// Each lane is a mechanism with its own parameters, modes, inputs and times. Its frames have the bits of a [`Shell`] of its own.
 #[derive(Clone)]
 pub struct Group<B: InLanes<N>, const N: usize> {
-    shells: [Shell<B>; N],
+    blocks: B,
+    /// Mechanism of each lane; `None` for an empty lane.
+    shells: [Option<Shell<B>>; N],
     /// Last frames, and the older ones that the next ones replace.
     frames: [B::Frames; 2],
     second_is_last: bool,
@@ -65,81 +74,140 @@ pub struct Group<B: InLanes<N>, const N: usize> {
     windows: [Lanes<B::Scalar, N>; 2],
     /// Lanes whose shells hold an older frame than `frames`.
     behind: Mask<N>,
-    /// Lanes that do not move.
-    resting: Mask<N>,
     failures: [Option<Failure<B::Scalar>>; N],
 }
 
 impl<B: InLanes<N>, const N: usize> Group<B, N> {
-    /// Returns the group of N assembled mechanisms, which continue from their last frames.
-    pub fn new(shells: [Shell<B>; N]) -> Self {
-        let mut group = Self {
-            shells,
-            frames: [B::Frames::ZERO; 2],
+    /// Returns a group of N empty lanes for mechanisms with these equations.
+    pub fn new(blocks: B) -> Self {
+        let (frames, signs, parameters, inputs) = blocks.lanes();
+        Self {
+            blocks,
+            shells: [const { None }; N],
+            frames: [frames.clone(), frames],
             second_is_last: false,
-            signs: B::Signs::ZERO,
-            parameters: B::ParameterLanes::ZERO,
-            inputs: B::InputLanes::ZERO,
+            signs,
+            parameters,
+            inputs,
             times: [B::Scalar::ZERO; N],
             windows: [Lanes::splat(B::Scalar::ZERO); 2],
             behind: Mask::NONE,
-            resting: Mask::NONE,
             failures: [None; N],
-        };
-        for lane in 0..N {
-            group.enter(lane);
         }
-        group
+    }
+
+    /// Puts an assembled mechanism into a lane, where it continues from its last frame; does nothing beyond the last lane.
+    pub fn put(&mut self, lane: usize, shell: Shell<B>) {
+        for frames in &mut self.frames {
+            frames.set_lane(lane, shell.frame());
+        }
+        self.signs.set_lane(lane, shell.branches());
+        self.parameters.set_lane(lane, shell.parameters());
+        set_window(&mut self.windows, lane, &shell);
+        self.behind = self.behind & !Mask::one(lane);
+        if let Some(time) = self.times.get_mut(lane) {
+            *time = B::time(shell.frame());
+        }
+        if let Some(failure) = self.failures.get_mut(lane) {
+            *failure = None;
+        }
+        if let Some(place) = self.shells.get_mut(lane) {
+            *place = Some(shell);
+        }
+    }
+
+    /// Takes the mechanism with its last frame out of a lane; `None` for an empty lane, and beyond the last one.
+    pub fn take(&mut self, lane: usize) -> Option<Shell<B>> {
+        let mut shell = self.shells.get_mut(lane)?.take()?;
+        if self.behind.has(lane) {
+            shell.overwrite(|frame| last(&self.frames, self.second_is_last).get_lane(lane, frame));
+        }
+        Some(shell)
+    }
+
+    /// True if no lane has a mechanism.
+    pub fn is_empty(&self) -> bool {
+        self.shells.iter().all(Option::is_none)
     }
 
     /// Moves all mechanisms, each to its own time (s) with its own inputs. Returns the lanes that fail; their last frames stay as they are,
-    /// and [`Group::failure`] returns the reason.
+    /// and [`Group::failure`] returns the reason. Frames of empty lanes become arbitrary.
     #[inline]
-    pub fn advance(&mut self, times: &[B::Scalar; N], inputs: &[B::Inputs; N]) -> Mask<N> {
-        let has_inputs = size_of::<B::Inputs>() != 0;
-        if has_inputs {
+    pub fn advance(&mut self, times: &[B::Scalar; N], inputs: &[&B::Inputs; N]) -> Mask<N> {
+        let [unsolved, mut alone] = self.solve(times, inputs);
+        if has_inputs::<B>() {
+            let times = self.times.iter().zip(times);
+            let lanes = self.shells.iter_mut().zip(inputs).zip(times);
+            for (lane, ((shell, inputs), (&last, &t))) in lanes.enumerate() {
+                if let Some(shell) = shell
+                    && !alone.has(lane)
+                    && !shell.continues([last, t], inputs)
+                {
+                    alone |= Mask::one(lane);
+                }
+            }
+        }
+        let shells = &self.shells;
+        alone = alone & Mask::of(|lane| shells[lane].is_some());
+        self.behind |= !alone;
+        self.times = *times;
+        let failed = match alone.is_empty() {
+            true => Mask::NONE,
+            false => self.advance_alone([alone, unsolved], times, inputs),
+        };
+        self.second_is_last = !self.second_is_last;
+        failed
+    }
+
+    /// Solves the frames at other times (s) with other inputs, whether or not paths lead there, as [`Shell::frame_at`] does for one
+    /// mechanism: the mechanisms stay in their poses. Returns the lanes that fail, and the frames of the others.
+    pub fn frames_at(
+        &mut self,
+        times: &[B::Scalar; N],
+        inputs: &[&B::Inputs; N],
+    ) -> (Mask<N>, &B::Frames) {
+        let [unsolved, _] = self.solve(times, inputs);
+        let (_, at) = both(&mut self.frames, self.second_is_last);
+        let mut failed = Mask::NONE;
+        for lane in unsolved.lanes() {
+            let Some(shell) = &self.shells[lane] else {
+                continue;
+            };
+            match shell.frame_at(times[lane], inputs[lane]) {
+                Ok(frame) => at.set_lane(lane, &frame),
+                Err(failure) => {
+                    self.failures[lane] = Some(failure);
+                    failed |= Mask::one(lane);
+                }
+            }
+        }
+        (failed, at)
+    }
+
+    /// Solves the next frames; returns the lanes without a solution, and those that their shells must move.
+    #[inline(always)]
+    fn solve(&mut self, times: &[B::Scalar; N], inputs: &[&B::Inputs; N]) -> [Mask<N>; 2] {
+        if has_inputs::<B>() {
             for (lane, inputs) in inputs.iter().enumerate() {
                 self.inputs.set_lane(lane, inputs);
             }
         }
-        let [first, second] = &mut self.frames;
-        let (last, at) = match self.second_is_last {
-            true => (&*second, first),
-            false => (&*first, second),
-        };
+        let (last, at) = both(&mut self.frames, self.second_is_last);
         let conditions = Conditions {
             t: Lanes(*times),
             parameters: &self.parameters,
             inputs: &self.inputs,
         };
-        let (signs, [middles, lengths]) = (&self.signs, &self.windows);
-        let [unsolved, mut alone] = vectorized(
+        let (blocks, signs, [middles, lengths]) = (&self.blocks, &self.signs, &self.windows);
+        vectorized(
             #[inline(always)]
             || {
-                let unsolved = B::solve_lanes(at, last, signs, &conditions);
+                let unsolved = blocks.solve_lanes(at, last, signs, &conditions);
                 let is_inside =
                     |lane: usize| (times[lane] - middles.0[lane]).abs() <= lengths.0[lane];
                 [unsolved, unsolved | !Mask::of(is_inside)]
             },
-        );
-        if has_inputs {
-            let times = self.times.iter().zip(times);
-            let lanes = self.shells.iter_mut().zip(inputs).zip(times);
-            for (lane, ((shell, inputs), (&last, &t))) in lanes.enumerate() {
-                if !alone.has(lane) && !shell.continues([last, t], inputs) {
-                    alone |= Mask::one(lane);
-                }
-            }
-        }
-        alone = alone & !self.resting;
-        self.behind |= !(alone | self.resting);
-        self.times = *times;
-        let failed = match alone.is_empty() {
-            true => self.resting,
-            false => self.resting | self.advance_alone([alone, unsolved], times, inputs),
-        };
-        self.second_is_last = !self.second_is_last;
-        failed
+        )
     }
 
     /// Moves some mechanisms by their shells, of which some are unsolved; returns those that fail.
@@ -149,24 +217,16 @@ impl<B: InLanes<N>, const N: usize> Group<B, N> {
         &mut self,
         [alone, unsolved]: [Mask<N>; 2],
         times: &[B::Scalar; N],
-        inputs: &[B::Inputs; N],
+        inputs: &[&B::Inputs; N],
     ) -> Mask<N> {
-        let [first, second] = &mut self.frames;
-        let (last, at) = match self.second_is_last {
-            true => (&*second, first),
-            false => (&*first, second),
-        };
+        let (last, at) = both(&mut self.frames, self.second_is_last);
         let mut failed = Mask::NONE;
-        let lanes = self
-            .shells
-            .iter_mut()
-            .zip(&mut self.failures)
-            .zip(&mut self.times);
-        let conditions = times.iter().zip(inputs);
-        for (lane, (((shell, failure), time), (&t, inputs))) in lanes.zip(conditions).enumerate() {
-            if !alone.has(lane) {
+        let lanes = self.shells.iter_mut().zip(&mut self.failures);
+        let conditions = times.iter().zip(inputs).zip(&mut self.times);
+        for (lane, ((shell, failure), ((&t, inputs), time))) in lanes.zip(conditions).enumerate() {
+            let Some(shell) = shell.as_mut().filter(|_| alone.has(lane)) else {
                 continue;
-            }
+            };
             if self.behind.has(lane) {
                 shell.overwrite(|frame| last.get_lane(lane, frame));
             }
@@ -174,14 +234,14 @@ impl<B: InLanes<N>, const N: usize> Group<B, N> {
                 true => shell.advance(t, inputs).map(|_| false),
                 false => shell.admit(t, inputs, |frame| at.get_lane(lane, frame)),
             };
-            *failure = moved.err();
-            if failure.is_some() {
-                failed |= Mask::one(lane);
-            }
-            *time = B::time(shell.frame());
             if moved != Ok(true) {
                 at.set_lane(lane, shell.frame());
+                *time = B::time(shell.frame());
             }
+            if moved.is_err() {
+                failed |= Mask::one(lane);
+            }
+            *failure = moved.err();
             self.signs.set_lane(lane, shell.branches());
             set_window(&mut self.windows, lane, shell);
         }
@@ -189,72 +249,39 @@ impl<B: InLanes<N>, const N: usize> Group<B, N> {
         failed
     }
 
-    /// Last frames of all lanes; arbitrary for lanes that rest.
+    /// Last frames of all lanes.
     #[inline]
     pub fn frames(&self) -> &B::Frames {
-        let [first, second] = &self.frames;
-        match self.second_is_last {
-            true => second,
-            false => first,
-        }
+        last(&self.frames, self.second_is_last)
     }
 
     /// Reason why a lane failed last; `None` if it did not, or beyond the last lane.
     pub fn failure(&self, lane: usize) -> Option<Failure<B::Scalar>> {
         *self.failures.get(lane)?
     }
+}
 
-    /// Mechanism of a lane with its last frame; `None` beyond the last lane.
-    pub fn shell(&self, lane: usize) -> Option<Shell<B>>
-    where
-        B: Clone,
-    {
-        let mut shell = self.shells.get(lane)?.clone();
-        if self.behind.has(lane) {
-            shell.overwrite(|frame| self.frames().get_lane(lane, frame));
-        }
-        Some(shell)
+/// True if mechanisms have inputs.
+#[inline(always)]
+fn has_inputs<B: Blocks>() -> bool {
+    size_of::<B::Inputs>() != 0
+}
+
+/// Returns the last frames.
+#[inline(always)]
+fn last<F>([first, second]: &[F; 2], second_is_last: bool) -> &F {
+    match second_is_last {
+        true => second,
+        false => first,
     }
+}
 
-    /// Replaces the mechanism of a lane, which continues from its last frame; does nothing beyond the last lane.
-    pub fn replace(&mut self, lane: usize, shell: Shell<B>) {
-        if let Some(place) = self.shells.get_mut(lane) {
-            *place = shell;
-            self.enter(lane);
-        }
-    }
-
-    /// Leaves the mechanism of a lane where it is until it is replaced, so that it costs nothing. It counts as failed then.
-    pub fn rest(&mut self, lane: usize) {
-        let [first, second] = &self.frames;
-        let last = match self.second_is_last {
-            true => second,
-            false => first,
-        };
-        if let Some(shell) = self.shells.get_mut(lane) {
-            if self.behind.has(lane) {
-                shell.overwrite(|frame| last.get_lane(lane, frame));
-            }
-            self.behind = self.behind & !Mask::one(lane);
-            self.resting |= Mask::one(lane);
-        }
-    }
-
-    /// Takes values of a lane from its shell.
-    fn enter(&mut self, lane: usize) {
-        let Some(shell) = self.shells.get(lane) else {
-            return;
-        };
-        for frames in &mut self.frames {
-            frames.set_lane(lane, shell.frame());
-        }
-        self.signs.set_lane(lane, shell.branches());
-        self.parameters.set_lane(lane, shell.parameters());
-        set_window(&mut self.windows, lane, shell);
-        self.times[lane] = B::time(shell.frame());
-        self.failures[lane] = None;
-        self.behind = self.behind & !Mask::one(lane);
-        self.resting = self.resting & !Mask::one(lane);
+/// Returns the last frames, and the older ones.
+#[inline(always)]
+fn both<F>([first, second]: &mut [F; 2], second_is_last: bool) -> (&F, &mut F) {
+    match second_is_last {
+        true => (second, first),
+        false => (first, second),
     }
 }
 

@@ -8,15 +8,16 @@
 pub(crate) mod elementary;
 mod group;
 mod mask;
-mod number;
 mod values;
 mod vectorized;
 
 #[doc(hidden)]
 pub use group::Conditions;
 pub use group::{Group, InLanes};
+pub use linkwright_math::Lanes;
 pub use mask::Mask;
-pub use number::Lanes;
+#[doc(hidden)]
+pub use vectorized::vectorized;
 
 #[doc(hidden)]
 pub use values::{LaneValues, Zero};

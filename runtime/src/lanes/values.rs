@@ -12,7 +12,7 @@ pub trait Zero: Copy {
 }
 
 /// Values of N mechanisms, a lane each.
-pub trait LaneValues<V>: Zero {
+pub trait LaneValues<V> {
     /// Changes the values of one lane; does nothing beyond the last one.
     fn set_lane(&mut self, lane: usize, values: &V);
 

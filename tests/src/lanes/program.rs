@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use linkwright::lanes::{Group, InLanes};
 use linkwright::math::Real;
-use linkwright::{Blocks, Settings, Shell};
+use linkwright::{Settings, Shell};
 
 /// Number of instants of a sweep, which goes forth and back.
 const INSTANTS: usize = 500;
@@ -26,16 +26,19 @@ where
     let blocks = B::default();
     let inputs = blocks.initial_inputs();
     let time = |lane: usize, instant: usize| B::Scalar::from_f64(step * (instant as f64 + lane as f64 / N as f64));
-    let shells: [Shell<B>; N] = std::array::from_fn(|lane| {
+    let mut group = Group::new(blocks);
+    let assembled = |lane: usize| {
         let parameters = blocks.nominal_parameters();
         let pose = blocks.drawn_pose(&parameters);
         let (modes, settings) = (blocks.drawn_branches(), Settings::default());
         let shell = Shell::assemble(blocks, &parameters, &pose, modes, time(lane, 0), &inputs, settings);
         shell.unwrap_or_else(|_| panic!("{name} has no pose"))
-    });
-    let mut alone = shells[0].clone();
-    let mut group = Group::new(shells);
-    let all_inputs: [B::Inputs; N] = std::array::from_fn(|_| inputs.clone());
+    };
+    for lane in 0..N {
+        group.put(lane, assembled(lane));
+    }
+    let mut alone = assembled(0);
+    let all_inputs = [&inputs; N];
     let mut fastest = [f64::INFINITY; 2];
     for _ in 0..SWEEPS {
         let begun = Instant::now();

@@ -87,9 +87,7 @@ pub enum Computation {
 }
 
 /// Contents of a register in eight lanes: of eight mechanisms that are solved in step.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(C, align(64))]
-pub struct Lanes(pub [f64; 8]);
+pub type Lanes = linkwright_math::Lanes<f64, 8>;
 
 /// Contents of a register, one number for each lane.
 trait Numbers<const N: usize>: Copy {
@@ -130,7 +128,7 @@ impl Numbers<8> for Lanes {
 
     #[inline(always)]
     fn of(numbers: [f64; 8]) -> Lanes {
-        Lanes(numbers)
+        linkwright_math::Lanes(numbers)
     }
 
     #[inline(always)]
@@ -152,7 +150,7 @@ impl Code {
 
     /// All registers in eight lanes, as they are before the first instruction.
     pub fn lanes(&self) -> Vec<Lanes> {
-        self.initial.iter().map(|&it| Lanes([it; 8])).collect()
+        self.initial.iter().map(|&it| Lanes::splat(it)).collect()
     }
 
     /// Number of instructions.

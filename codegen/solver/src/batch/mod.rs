@@ -3,7 +3,7 @@
 //! The result of a set has the bits of a [`Shell`](linkwright::Shell) of its own: it depends neither on other sets nor on the number of
 //! threads.
 
-mod lane;
+mod columns;
 mod worker;
 
 use std::fmt::{self, Display, Formatter};

@@ -1,138 +1,215 @@
 //! Solves a frame of eight mechanisms of the same program at once.
 //!
-//! A lane has the bits of the scalar blocks, whatever the other lanes do. Lanes that a check rejects are returned, and are solved by the
-//! scalar blocks instead. Only programs without Newton-Raphson have lanes.
+//! A lane has the bits of the scalar blocks, whatever the other lanes do. Programs with Newton-Raphson reject all lanes, which the scalar
+//! blocks solve instead.
 
-use fearless_simd::{Level, Simd, dispatch};
-use linkwright_codegen::stages::expr::{Lanes, Register};
+use linkwright::Signal;
+use linkwright::lanes::{InLanes, LaneValues, Mask};
+use linkwright_codegen::stages::expr::Lanes;
 
 use super::Interpreted;
 use super::compiled::Compiled;
 use crate::instant::Instant;
-use crate::operation::{LANES, failed, run_lanes};
+use crate::operation::{LANES, run_lanes};
 use crate::reader::Formulas;
 use crate::supplied::{InputSignals, Modes, ParameterValues};
 
-/// Registers of eight mechanisms.
-#[derive(Debug)]
-pub(crate) struct InterpretedLanes {
-    level: Level,
+/// Instants of eight mechanisms, with the registers that they are solved in.
+#[derive(Clone, Debug)]
+pub struct InstantLanes {
+    /// Values in the order of instants.
+    values: Vec<Lanes>,
     registers: Vec<Lanes>,
-    points: Vec<Lanes>,
 }
 
-impl InterpretedLanes {
-    /// Returns the registers for a program.
-    pub fn new(interpreted: &Interpreted) -> InterpretedLanes {
-        InterpretedLanes {
-            level: Level::new(),
-            registers: interpreted.compiled.code.lanes(),
-            points: interpreted
-                .points
-                .computed()
-                .map_or(Vec::new(), Formulas::lanes),
+/// Signs of the modes of closed forms.
+#[derive(Clone, Debug)]
+pub struct ModeLanes(Vec<Lanes>);
+
+/// Parameters of eight mechanisms.
+#[derive(Clone, Debug)]
+pub struct ParameterLanes(Vec<Lanes>);
+
+/// Inputs of eight mechanisms: value, rate and acceleration of each.
+#[derive(Clone, Debug)]
+pub struct InputLanes(Vec<[Lanes; 3]>);
+
+/// Zero in all lanes.
+const ZERO: Lanes = Lanes::splat(0.0);
+
+impl InstantLanes {
+    /// Values of all lanes, in the order of instants.
+    pub(crate) fn values(&self) -> &[Lanes] {
+        &self.values
+    }
+}
+
+impl LaneValues<Instant> for InstantLanes {
+    fn set_lane(&mut self, lane: usize, instant: &Instant) {
+        for (lanes, value) in self.values.iter_mut().zip(instant.values()) {
+            lanes.0[lane] = *value;
         }
     }
 
-    /// Puts in what the next instant of one lane starts from.
-    pub fn fill(
-        &mut self,
-        interpreted: &Interpreted,
-        lane: usize,
-        last: &Instant,
-        t: f64,
-        modes: &Modes,
-        given: (&ParameterValues, &InputSignals),
-    ) {
-        let compiled = &*interpreted.compiled;
-        let registers = &mut self.registers;
-        let mut put = |register: Register, value| registers[register.index()].0[lane] = value;
-        compiled.fill(last, t, given.0, given.1, &mut put);
-        compiled.set_signs(modes, put);
+    fn get_lane(&self, lane: usize, instant: &mut Instant) {
+        for (value, lanes) in instant.values_mut().iter_mut().zip(&self.values) {
+            *value = lanes.0[lane];
+        }
     }
+}
 
-    /// Solves all lanes; returns those without a solution as bits.
-    pub fn solve(&mut self, interpreted: &Interpreted) -> u8 {
-        let compiled = &*interpreted.compiled;
-        let registers = &mut self.registers[..];
-        dispatch!(self.level, simd => simd.vectorize(
-            #[inline(always)]
-            || solve(compiled, registers)
-        ))
-    }
-
-    /// Takes out the instant of one lane.
-    pub fn keep(&self, interpreted: &Interpreted, lane: usize, t: f64, at: &mut Instant) {
-        let take = |it: Register| self.registers[it.index()].0[lane];
-        interpreted.compiled.keep(t, at, take);
-    }
-
-    /// Puts in the instant of one lane, for points that are computed from coordinates.
-    pub fn fill_points(&mut self, interpreted: &Interpreted, lane: usize, at: &Instant) {
-        if let Some(points) = interpreted.points.computed() {
-            points.fill_lane(lane, at, &mut self.points);
+impl LaneValues<Modes> for ModeLanes {
+    fn set_lane(&mut self, lane: usize, modes: &Modes) {
+        for (lanes, mode) in self.0.iter_mut().zip(&modes.closed) {
+            lanes.0[lane] = mode.sign();
         }
     }
 
-    /// Evaluates the points of all lanes.
-    pub fn run_points(&mut self, interpreted: &Interpreted) {
-        if let Some(points) = interpreted.points.computed() {
-            let registers = &mut self.points[..];
-            dispatch!(self.level, simd => simd.vectorize(
-                #[inline(always)]
-                || points.run_lanes(registers)
-            ));
+    fn get_lane(&self, lane: usize, modes: &mut Modes) {
+        for (mode, lanes) in modes.closed.iter_mut().zip(&self.0) {
+            if mode.sign::<f64>() != lanes.0[lane] {
+                *mode = mode.opposite();
+            }
+        }
+    }
+}
+
+impl LaneValues<ParameterValues> for ParameterLanes {
+    fn set_lane(&mut self, lane: usize, parameters: &ParameterValues) {
+        for (lanes, value) in self.0.iter_mut().zip(&parameters.0) {
+            lanes.0[lane] = *value;
         }
     }
 
-    /// Returns a component of a point in one lane, at its instant; `None` for an unknown point.
-    pub fn point(
+    fn get_lane(&self, lane: usize, parameters: &mut ParameterValues) {
+        for (value, lanes) in parameters.0.iter_mut().zip(&self.0) {
+            *value = lanes.0[lane];
+        }
+    }
+}
+
+impl LaneValues<InputSignals> for InputLanes {
+    fn set_lane(&mut self, lane: usize, inputs: &InputSignals) {
+        for (lanes, signal) in self.0.iter_mut().zip(&inputs.0) {
+            let numbers = [signal.value, signal.rate, signal.acceleration];
+            for (lanes, number) in lanes.iter_mut().zip(numbers) {
+                lanes.0[lane] = number;
+            }
+        }
+    }
+
+    fn get_lane(&self, lane: usize, inputs: &mut InputSignals) {
+        for (signal, lanes) in inputs.0.iter_mut().zip(&self.0) {
+            let [value, rate, acceleration] = lanes.map(|it| it.0[lane]);
+            *signal = Signal {
+                value,
+                rate,
+                acceleration,
+            };
+        }
+    }
+}
+
+/// Data with which eight instants are solved.
+type Conditions<'a> = linkwright::lanes::Conditions<'a, Lanes, ParameterLanes, InputLanes>;
+
+impl InLanes<LANES> for Interpreted {
+    type Frames = InstantLanes;
+    type Signs = ModeLanes;
+    type ParameterLanes = ParameterLanes;
+    type InputLanes = InputLanes;
+
+    fn lanes(&self) -> (InstantLanes, ModeLanes, ParameterLanes, InputLanes) {
+        let compiled = &*self.compiled;
+        let mechanism = &compiled.solved.system().mechanism;
+        let instants = InstantLanes {
+            values: vec![ZERO; compiled.layout.symbols().len()],
+            registers: compiled.code.lanes(),
+        };
+        (
+            instants,
+            ModeLanes(vec![ZERO; compiled.signs.len()]),
+            ParameterLanes(vec![ZERO; mechanism.parameters.len()]),
+            InputLanes(vec![[ZERO; 3]; mechanism.inputs.len()]),
+        )
+    }
+
+    #[inline(always)]
+    fn solve_lanes(
         &self,
-        interpreted: &Interpreted,
-        (lane, at): (usize, &Instant),
-        point: usize,
-        [level, axis]: [usize; 2],
-    ) -> Option<f64> {
-        match interpreted.points.computed() {
-            Some(points) => points.lane_value(lane, 6 * point + 2 * level + axis, &self.points),
-            None => interpreted.points.kept_value(at, point, level, axis),
-        }
-    }
-}
-
-impl Interpreted {
-    /// True if all blocks are closed forms.
-    pub(crate) fn has_lanes(&self) -> bool {
-        self.compiled.blocks.iter().all(|it| it.newton.is_none())
-    }
-
-    /// Returns the requested force of this index at an instant; `None` if the program does not compute it.
-    pub(crate) fn force(&self, at: &Instant, index: usize) -> Option<f64> {
-        let slot = *self.forces.get(index)?;
-        Some(at.values()[slot?])
+        at: &mut InstantLanes,
+        last: &InstantLanes,
+        signs: &ModeLanes,
+        conditions: &Conditions<'_>,
+    ) -> Mask<LANES> {
+        solve(&self.compiled, at, last, signs, conditions)
     }
 }
 
 /// Solves all blocks; returns the lanes that fail or are not finite.
 #[inline(always)]
-fn solve(compiled: &Compiled, registers: &mut [Lanes]) -> u8 {
-    let mut mask = 0;
+fn solve(
+    compiled: &Compiled,
+    at: &mut InstantLanes,
+    last: &InstantLanes,
+    signs: &ModeLanes,
+    conditions: &Conditions<'_>,
+) -> Mask<LANES> {
+    if compiled.blocks.iter().any(|it| it.newton.is_some()) {
+        return Mask::ALL;
+    }
+    let registers = &mut at.registers[..];
+    for &(register, slot) in &compiled.last {
+        registers[register.index()] = last.values[slot];
+    }
+    registers[compiled.time.index()] = conditions.t;
+    let signals = conditions.inputs.0.iter().flatten();
+    let given = conditions.parameters.0.iter().chain(signals);
+    for (register, lanes) in compiled.given.iter().zip(given) {
+        registers[register.index()] = *lanes;
+    }
+    for (register, sign) in compiled.signs.iter().zip(&signs.0) {
+        registers[register.index()] = *sign;
+    }
+    let mut failed = Mask::NONE;
     for block in &compiled.blocks {
         for operation in &block.operations {
-            mask |= run_lanes(operation, &compiled.code, registers);
+            failed |= run_lanes(operation, &compiled.code, registers);
         }
     }
     // Sums of finite products with zero are zero; others are NaN. Sums that do not wait for one another take less time.
-    let mut sums = [[0.0; LANES]; 4];
-    let time = [compiled.time];
-    for list in [&compiled.given[..], &compiled.kept, &time] {
-        for chunk in list.chunks(sums.len()) {
-            for (sum, register) in sums.iter_mut().zip(chunk) {
-                let values = registers[register.index()].0;
-                *sum = std::array::from_fn(|lane| sum[lane] + 0.0 * values[lane]);
-            }
-        }
+    let mut sums = [ZERO; 4];
+    let kept = [&compiled.time]
+        .into_iter()
+        .chain(&compiled.given)
+        .chain(&compiled.kept);
+    for (place, (value, register)) in at.values.iter_mut().zip(kept).enumerate() {
+        *value = registers[register.index()];
+        sums[place % 4] = sums[place % 4] + 0.0 * *value;
     }
     let [a, b, c, d] = sums;
-    mask | failed(|lane| ((a[lane] + b[lane]) + (c[lane] + d[lane])).is_nan())
+    let sum = (a + b) + (c + d);
+    failed | Mask::of(|lane| sum.0[lane].is_nan())
+}
+
+impl Interpreted {
+    /// Returns the index in instants of a coordinate, its rate or its acceleration; `None` if instants do not hold it.
+    pub(crate) fn coordinate_slot(&self, place: usize, level: usize) -> Option<usize> {
+        self.compiled.layout.coordinate_slot(place, level)
+    }
+
+    /// Returns the index in instants of a component of a point; `None` if it is computed from coordinates, or not at all.
+    pub(crate) fn point_slot(&self, point: usize, level: usize, axis: usize) -> Option<usize> {
+        self.points.slot(point, level, axis)
+    }
+
+    /// Returns the index in instants of a requested force; `None` if the program does not compute it.
+    pub(crate) fn force_slot(&self, index: usize) -> Option<usize> {
+        *self.forces.get(index)?
+    }
+
+    /// Returns the code that computes all points of eight instants; `None` if instants keep them.
+    pub(crate) fn point_formulas(&self) -> Option<&Formulas> {
+        self.points.computed()
+    }
 }

@@ -42,7 +42,7 @@ use loads::LoadReader;
 use path::InterpretedPath;
 use points::Points;
 
-pub(crate) use lanes::InterpretedLanes;
+pub(crate) use lanes::InstantLanes;
 
 /// Mechanism that is solved block by block, in SI units: m, rad, s.
 ///

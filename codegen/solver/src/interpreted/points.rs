@@ -86,11 +86,11 @@ impl Points {
         }
     }
 
-    /// Returns a component of a point that instants keep; `None` for other points.
-    pub fn kept_value(&self, at: &Instant, point: usize, level: usize, axis: usize) -> Option<f64> {
+    /// Returns the index in instants of a component of a point; `None` for points that instants do not keep.
+    pub fn slot(&self, point: usize, level: usize, axis: usize) -> Option<usize> {
         match &self.source {
             Source::Computed(_) => None,
-            Source::Kept(slots) => Some(at.values()[slots.get(point)?[level][axis]]),
+            Source::Kept(slots) => Some(slots.get(point)?[level][axis]),
         }
     }
 

@@ -4,6 +4,7 @@
 //! arbitrary numbers.
 
 use linkwright::generated::{exceeds_rounding, multipliers};
+use linkwright::lanes::Mask;
 use linkwright_codegen::stages::expr::{Code, Lanes, Register};
 use linkwright_math::double;
 use nalgebra::{DMatrix, DVector};
@@ -13,14 +14,18 @@ use super::Operation;
 /// Number of lanes.
 pub(crate) const LANES: usize = 8;
 
-/// Runs an operation; returns the failed lanes as bits, all of them for an operation of Newton-Raphson.
+/// Runs an operation; returns the lanes that fail, all of them for an operation of Newton-Raphson.
 #[inline(always)]
-pub(crate) fn run_lanes(operation: &Operation, code: &Code, registers: &mut [Lanes]) -> u8 {
+pub(crate) fn run_lanes(
+    operation: &Operation,
+    code: &Code,
+    registers: &mut [Lanes],
+) -> Mask<LANES> {
     let of = |register: Register| registers[register.index()].0;
     match *operation {
         Operation::Run(ref range) => {
             code.run_lanes(range.clone(), registers);
-            0
+            Mask::NONE
         }
         Operation::Angle {
             target,
@@ -29,42 +34,36 @@ pub(crate) fn run_lanes(operation: &Operation, code: &Code, registers: &mut [Lan
             last,
         } => {
             let angles = double::angles_near(of(sine), of(cosine), of(last));
-            registers[target.index()] = Lanes(angles);
-            0
+            registers[target.index()] = linkwright::lanes::Lanes(angles);
+            Mask::NONE
         }
         Operation::Reach { excess, scale, .. } => {
             let [excess, scale] = [excess, scale].map(of);
-            failed(|lane| !exceeds_rounding(excess[lane], scale[lane]))
+            Mask::of(|lane| !exceeds_rounding(excess[lane], scale[lane]))
         }
         Operation::Nonzero { value, scale } => {
             let [value, scale] = [value, scale].map(of);
-            failed(|lane| {
+            Mask::of(|lane| {
                 let [value, scale] = [value[lane], scale[lane]];
                 !exceeds_rounding(value * value, scale * scale)
             })
         }
         Operation::Positive { length, .. } => {
             let length = of(length);
-            failed(|lane| length[lane] <= 0.0)
+            Mask::of(|lane| length[lane] <= 0.0)
         }
         Operation::Multipliers {
             ref targets,
             ref jacobian,
             ref forces,
-        } => failed(|lane| !solve_multipliers(targets, jacobian, forces, lane, registers)),
+        } => Mask::of(|lane| !solve_multipliers(targets, jacobian, forces, lane, registers)),
         Operation::Newton
         | Operation::Factorize
         | Operation::Solve { .. }
         | Operation::Signal { .. }
         | Operation::Require(..)
-        | Operation::Isolate(_) => u8::MAX,
+        | Operation::Isolate(_) => Mask::ALL,
     }
-}
-
-/// Returns the lanes that fail as bits.
-#[inline(always)]
-pub(crate) fn failed(mut fails: impl FnMut(usize) -> bool) -> u8 {
-    (0..LANES).fold(0, |mask, lane| mask | u8::from(fails(lane)) << lane)
 }
 
 /// Solves Jᵀ λ = f in one lane; false if the matrix is singular.

@@ -82,26 +82,42 @@ where
         println!("{name}: not every lane can be assembled");
         return;
     };
-    let mut group = Group::new(alone.clone());
+    let mut group = Group::new(blocks);
+    for (lane, shell) in alone.iter().enumerate() {
+        group.put(lane, shell.clone());
+    }
     let mut frame = alone[0].frame().clone();
     for step in 1..56 {
         let times: [f64; N] = std::array::from_fn(|lane| time(lane, step));
         let inputs: [B::Inputs; N] = std::array::from_fn(|lane| signals(&blocks, lane, step, times[lane]));
         let times = times.map(B::Scalar::from_f64);
         match step {
-            20 => group.rest(3),
-            25 => group.replace(3, alone[3].clone()),
+            20 => {
+                let taken = group.take(3).expect("a mechanism");
+                assert!(same(taken.frame(), alone[3].frame(), step), "{name}: another one");
+                assert!(group.take(3).is_none(), "{name}: a lane has two mechanisms");
+            }
+            25 => group.put(3, alone[3].clone()),
             _ => {}
+        }
+        let inputs = inputs.each_ref();
+        if step % 10 == 7 {
+            let (failed, frames) = group.frames_at(&times, &inputs);
+            for lane in 0..N {
+                let expected = alone[lane].frame_at(times[lane], inputs[lane]);
+                assert_eq!(expected.is_err(), failed.has(lane), "{name}, lane {lane}, step {step}");
+                frames.get_lane(lane, &mut frame);
+                let is_same = expected.map_or(true, |it| same(&frame, &it, 0));
+                assert!(is_same, "{name}, lane {lane}, step {step}: frames at a time differ");
+            }
         }
         let failed = group.advance(&times, &inputs);
         for lane in 0..N {
             if lane == 3 && (20..25).contains(&step) {
-                assert!(failed.has(3), "{name}: a lane that rests moves");
-                let kept = group.shell(3).expect("a lane");
-                assert!(same(kept.frame(), alone[3].frame(), step), "{name}: a lane that rests changes");
+                assert!(!failed.has(3), "{name}: an empty lane fails");
                 continue;
             }
-            let result = alone[lane].advance(times[lane], &inputs[lane]).map(|_| ());
+            let result = alone[lane].advance(times[lane], inputs[lane]).map(|_| ());
             let of_group = match failed.has(lane) {
                 true => Err(group.failure(lane).expect("a reason")),
                 false => Ok(()),
