@@ -164,8 +164,8 @@ fn solve(
     }
     registers[compiled.time.index()] = conditions.t;
     let signals = conditions.inputs.0.iter().flatten();
-    let given = conditions.parameters.0.iter().chain(signals);
-    for (register, lanes) in compiled.given.iter().zip(given) {
+    let supplied = conditions.parameters.0.iter().chain(signals);
+    for (register, lanes) in compiled.given.iter().zip(supplied) {
         registers[register.index()] = *lanes;
     }
     for (register, sign) in compiled.signs.iter().zip(&signs.0) {
