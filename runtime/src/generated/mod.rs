@@ -9,6 +9,7 @@ mod branches;
 mod equations;
 mod frame;
 mod lane_structures;
+pub mod lanes;
 mod mechanism;
 mod numbers;
 mod textbook;
@@ -57,52 +58,6 @@ pub mod damped {
 /// Frames of one block, and the factorization of its Jacobian.
 pub mod kinematics {
     pub use crate::kinematics::{Frame, factorize};
-}
-
-/// Equations of several mechanisms.
-pub mod lanes {
-    pub use crate::generated_lanes as structures;
-    pub use crate::lanes::{Conditions, LaneValues, Zero};
-
-    macro_rules! precision {
-        ($(#[$docs:meta])* $name:ident, $scalar:ident, $count:literal) => {
-            $(#[$docs])*
-            pub mod $name {
-                pub use crate::Blocks;
-                pub use crate::generated::lanes::{LaneValues as _, Zero as _};
-                pub use crate::lanes::elementary::$name::{angle_near, math};
-                pub use crate::lanes::elementary::{
-                    choose, exceeds_rounding, less, lookup, multipliers, not_finite, not_positive,
-                };
-
-                /// Numbers of all lanes.
-                pub type Lanes = crate::lanes::Lanes<$scalar, $count>;
-                /// Set of lanes.
-                pub type Mask = crate::lanes::Mask<$count>;
-                /// Signals of all lanes.
-                pub type Signals = crate::Signal<Lanes>;
-
-                /// Returns the same number in all lanes.
-                #[inline(always)]
-                pub const fn lanes(value: $scalar) -> Lanes {
-                    Lanes::splat(value)
-                }
-            }
-        };
-    }
-
-    precision!(
-        /// Types and functions of lanes of f64.
-        double,
-        f64,
-        8
-    );
-    precision!(
-        /// Types and functions of lanes of f32.
-        single,
-        f32,
-        16
-    );
 }
 
 /// Damped least squares, for rough estimates.

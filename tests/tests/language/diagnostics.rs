@@ -81,8 +81,8 @@ fn every_case_yields_its_code_and_reads_as_in_its_snapshot() {
 }
 
 /// Codes without case files: bytes that no text file should hold, which the tests below build, and defects, which no
-/// text should cause.
-const BUILT: [Code; 2] = [Code::UnreadableFile, Code::InternalError];
+/// text should cause; and lanes, which an option requests.
+const BUILT: [Code; 3] = [Code::UnreadableFile, Code::NoLanes, Code::InternalError];
 
 #[test]
 fn no_code_lacks_a_case() {

@@ -55,6 +55,18 @@ fn offered(printer: &Printer<'_>) -> Vec<points::Offered> {
     all
 }
 
+/// Returns the text, in which a function that is too long stands below its qualifier.
+fn finished(code: &Code) -> String {
+    let text = code.finish(Lists::Filled);
+    let qualified = |line: &str| match line.strip_prefix("LINKWRIGHT_FUNCTION ") {
+        Some(function) if line.chars().count() > WIDTH => {
+            format!("LINKWRIGHT_FUNCTION\n{function}\n")
+        }
+        _ => format!("{line}\n"),
+    };
+    text.lines().map(qualified).collect()
+}
+
 fn header(first: &Printer<'_>, printers: &[Printer<'_>]) -> String {
     let mut text = Code::default();
     text.comment([facts::origin(first.module)]);
@@ -106,7 +118,7 @@ fn header(first: &Printer<'_>, printers: &[Printer<'_>]) -> String {
     text.line("LINKWRIGHT_HEADER_END");
     text.gap();
     text.line("#endif");
-    text.finish(Lists::Filled)
+    finished(&text)
 }
 
 /// Writes the public structures, constants and functions of one motion.
@@ -159,7 +171,7 @@ fn source(first: &Printer<'_>, printers: &[Printer<'_>], stem: &str) -> String {
     }
     text.gap();
     text.line("LINKWRIGHT_SOURCE_END");
-    text.finish(Lists::Filled)
+    finished(&text)
 }
 
 /// Writes the constants and functions of one motion.

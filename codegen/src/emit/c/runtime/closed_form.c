@@ -227,8 +227,8 @@ LINKWRIGHT_FUNCTION linkwright$f_normalized_determinant linkwright$f_of_slope(ui
     return linkwright$f_of_sine(block, slope / larger$f(fabs$f(slope), 1.0$f));
 }
 
-LINKWRIGHT_FUNCTION linkwright$f_normalized_determinant linkwright$f_closest(const linkwright$f_normalized_determinant found[],
-    size_t count)
+LINKWRIGHT_FUNCTION linkwright$f_normalized_determinant linkwright$f_closest(
+    const linkwright$f_normalized_determinant found[], size_t count)
 {
     linkwright$f_normalized_determinant closest = linkwright$f_of_sine(0U, 1.0$f);
     for (size_t k = 0U; k < count; k += 1U) {

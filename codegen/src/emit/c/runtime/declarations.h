@@ -392,8 +392,8 @@ LINKWRIGHT_FUNCTION void linkwright$f_solve_factorized(const linkwright$f_factor
 /* Distances of blocks in closed form from a singular pose, and the closest of all. */
 LINKWRIGHT_FUNCTION linkwright$f_normalized_determinant linkwright$f_of_sine(uint16_t block, $real sine);
 LINKWRIGHT_FUNCTION linkwright$f_normalized_determinant linkwright$f_of_slope(uint16_t block, $real slope);
-LINKWRIGHT_FUNCTION linkwright$f_normalized_determinant linkwright$f_closest(const linkwright$f_normalized_determinant found[],
-    size_t count);
+LINKWRIGHT_FUNCTION linkwright$f_normalized_determinant linkwright$f_closest(
+    const linkwright$f_normalized_determinant found[], size_t count);
 
 /* Assembles a mechanism whose older frame is the estimate, with branches, parameters, inputs and settings in place. */
 LINKWRIGHT_FUNCTION linkwright_status linkwright$f_assemble(const linkwright$f_mechanism *mechanism, $real t);
