@@ -7,6 +7,7 @@ use std::ops::Range;
 use linkwright_codegen::stages::units::{OutputUnit, OutputUnits};
 use linkwright_solver::View;
 use plotters::coord::Shift;
+use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
@@ -239,6 +240,33 @@ pub(super) fn drawn(
     )))
 }
 
+type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
+
+/// Draws both axes, each with its label, its ends and its largest number of ticks.
+pub(super) fn mesh(
+    chart: &mut Chart<'_, '_>,
+    axes: [(&str, (f64, f64), usize); 2],
+) -> Result<(), Refused> {
+    let [x_format, y_format] = axes.map(|(_, (low, high), _)| label_format(low, high));
+    let [(x_label, _, x_ticks), (y_label, _, y_ticks)] = axes;
+    chart
+        .configure_mesh()
+        .light_line_style(TRANSPARENT)
+        .bold_line_style(BLACK.mix(0.12).stroke_width(UNITS))
+        .axis_style(BLACK.mix(0.6).stroke_width(UNITS))
+        .set_all_tick_mark_size(4 * UNITS)
+        .label_style(("sans-serif", 15 * UNITS))
+        .axis_desc_style(("sans-serif", 16 * UNITS))
+        .x_labels(x_ticks)
+        .y_labels(y_ticks)
+        .x_label_formatter(&x_format)
+        .y_label_formatter(&y_format)
+        .x_desc(x_label)
+        .y_desc(y_label)
+        .draw()?;
+    Ok(())
+}
+
 fn draw_panel(area: &Drawing<'_>, panel: &Panel<'_>) -> Result<(), Refused> {
     let all = || panel.curves.iter().flat_map(|(_, curve)| curve);
     let (low, high) = range(all().map(|it| it.1), panel.reference);
@@ -255,22 +283,11 @@ fn draw_panel(area: &Drawing<'_>, panel: &Panel<'_>) -> Result<(), Refused> {
         .x_label_area_size(42 * UNITS)
         .y_label_area_size(84 * UNITS)
         .build_cartesian_2d(begin..end, low..high)?;
-    let (across, up) = (label_format(begin, end), label_format(low, high));
-    chart
-        .configure_mesh()
-        .light_line_style(TRANSPARENT)
-        .bold_line_style(BLACK.mix(0.12).stroke_width(UNITS))
-        .axis_style(BLACK.mix(0.6).stroke_width(UNITS))
-        .set_all_tick_mark_size(4 * UNITS)
-        .label_style(("sans-serif", 15 * UNITS))
-        .axis_desc_style(("sans-serif", 16 * UNITS))
-        .x_labels(11)
-        .y_labels(7)
-        .x_label_formatter(&across)
-        .y_label_formatter(&up)
-        .x_desc("t (s)")
-        .y_desc(format!("{} ({})", panel.title, panel.unit))
-        .draw()?;
+    let label = format!("{} ({})", panel.title, panel.unit);
+    mesh(
+        &mut chart,
+        [("t (s)", (begin, end), 11), (&label, (low, high), 7)],
+    )?;
     let (width, _) = area.dim_in_pixel();
     let left = (width - (beside - 10) * UNITS) as i32;
     for (row, ((symbol, points), color)) in panel.curves.iter().zip(COLORS).enumerate() {

@@ -1,10 +1,9 @@
 //! Draws the extremes of a quantity over one or two varied values as an SVG: curves, or two maps. Failed sets are hatched.
 
-use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 
 use super::hatching::{Surface, hatching};
-use super::plot::{Drawing, Refused, UNITS, drawn, extent, label_format};
+use super::plot::{Drawing, Refused, UNITS, drawn, extent, label_format, mesh};
 
 /// Width and height of the curves and of the maps, in pixels.
 const CURVES: (u32, u32) = (960, 480);
@@ -36,8 +35,6 @@ const MARGIN: f64 = 0.06;
 const AROUND: f64 = 0.1;
 
 const TITLES: [&str; 2] = ["minimum", "maximum"];
-
-type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
 
 /// Axis of a picture.
 #[derive(Clone, Debug)]
@@ -109,8 +106,7 @@ fn curves(
         .build_cartesian_2d(begin..end, low..high)?;
     mesh(
         &mut chart,
-        [&axis.label, quantity],
-        [(begin, end), (low, high)],
+        [(&axis.label, (begin, end), 9), (quantity, (low, high), 7)],
     )?;
     // A failed set takes the range up to the middles between it and its neighbors.
     let middle = |a: usize, b: usize| 0.5 * (points[a].at[0] + points[b].at[0]);
@@ -221,7 +217,10 @@ fn map(
     let failed = failed.into_iter();
     let lines = failed.flat_map(|(across, up)| surface.hatched(across, up));
     chart.draw_series(lines.map(hatching))?;
-    mesh(&mut chart, [&axes[0].label, &axes[1].label], ends)?;
+    mesh(
+        &mut chart,
+        [(&axes[0].label, ends[0], 9), (&axes[1].label, ends[1], 7)],
+    )?;
     scale(&right, quantity, (low, high), height)
 }
 
@@ -258,31 +257,6 @@ fn scale(
 fn text(area: &Drawing<'_>, text: &str, [x, y]: [i32; 2]) -> Result<(), Refused> {
     let style = ("sans-serif", 15 * UNITS).into_font();
     Ok(area.draw(&Text::new(text.to_string(), (x, y), style))?)
-}
-
-/// Draws axes with their labels.
-fn mesh(
-    chart: &mut Chart<'_, '_>,
-    labels: [&str; 2],
-    ends: [(f64, f64); 2],
-) -> Result<(), Refused> {
-    let [across, up] = ends.map(|(low, high)| label_format(low, high));
-    chart
-        .configure_mesh()
-        .light_line_style(TRANSPARENT)
-        .bold_line_style(BLACK.mix(0.12).stroke_width(UNITS))
-        .axis_style(BLACK.mix(0.6).stroke_width(UNITS))
-        .set_all_tick_mark_size(4 * UNITS)
-        .label_style(("sans-serif", 15 * UNITS))
-        .axis_desc_style(("sans-serif", 16 * UNITS))
-        .x_labels(9)
-        .y_labels(7)
-        .x_label_formatter(&across)
-        .y_label_formatter(&up)
-        .x_desc(labels[0])
-        .y_desc(labels[1])
-        .draw()?;
-    Ok(())
 }
 
 /// Returns the edges of the cell of a value; `None` if the values are not those of a grid.
