@@ -15,6 +15,14 @@ pub enum Scalar {
 }
 
 impl Scalar {
+    /// Number of mechanisms that a module with lanes solves at once.
+    pub fn lanes(self) -> usize {
+        match self {
+            Scalar::F64 => 8,
+            Scalar::F32 => 16,
+        }
+    }
+
     /// Magnitude of a finite number in the fewest digits that reproduce it.
     pub(super) fn digits(self, value: f64) -> String {
         let size = value.abs();

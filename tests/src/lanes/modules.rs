@@ -50,7 +50,7 @@ impl Package {
         fs::create_dir_all(&source)?;
         let (mut modules, mut calls) = (String::new(), String::new());
         for it in all {
-            for (scalar, suffix, count) in [(Scalar::F64, "f64", 8), (Scalar::F32, "f32", 16)] {
+            for (scalar, suffix) in [(Scalar::F64, "f64"), (Scalar::F32, "f32")] {
                 for (kind, description) in [("guarded", &it.guarded), ("unguarded", &it.unguarded)]
                 {
                     let options = Options {
@@ -65,7 +65,8 @@ impl Package {
                     writeln!(modules, "#[allow(dead_code)]\nmod {module};")?;
                     writeln!(
                         calls,
-                        "    measure::<{module}::Loops, {count}>({module:?}, {:?});",
+                        "    measure::<{module}::Loops, {}>({module:?}, {:?});",
+                        scalar.lanes(),
                         it.step
                     )?;
                 }

@@ -72,13 +72,14 @@ pub fn run(arguments: &Generate) -> Result<Outcome, Problem> {
 
 /// Rejects another number of lanes than that of the scalar.
 fn check_lanes(arguments: &Generate) -> Result<(), Problem> {
-    let (scalar, count) = match arguments.scalar {
-        Precision::F64 => ("f64", 8),
-        Precision::F32 => ("f32", 16),
+    let name = match arguments.scalar {
+        Precision::F64 => "f64",
+        Precision::F32 => "f32",
     };
+    let count = scalar(arguments).lanes();
     match arguments.lanes {
         Some(lanes) if lanes != count => Err(Problem(format!(
-            "error: {scalar} has {count} lanes, found `--lanes {lanes}`\n  = help: write `--lanes {count}`"
+            "error: {name} has {count} lanes, found `--lanes {lanes}`\n  = help: write `--lanes {count}`"
         ))),
         _ => Ok(()),
     }
@@ -217,14 +218,18 @@ fn compared(
     Outcome::Failed
 }
 
+fn scalar(arguments: &Generate) -> Scalar {
+    match arguments.scalar {
+        Precision::F64 => Scalar::F64,
+        Precision::F32 => Scalar::F32,
+    }
+}
+
 /// Returns the options of the code that the arguments select.
 fn options(arguments: &Generate) -> Options {
     Options {
         language: arguments.lang,
-        scalar: match arguments.scalar {
-            Precision::F64 => Scalar::F64,
-            Precision::F32 => Scalar::F32,
-        },
+        scalar: scalar(arguments),
         lanes: arguments.lanes.is_some(),
         ..Options::default()
     }

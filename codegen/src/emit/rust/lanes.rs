@@ -15,7 +15,6 @@ use crate::emit::module::drawing::frame_keeps_parameters;
 use crate::emit::module::needs::Needs;
 use crate::emit::module::scope::{Place, Scope};
 use crate::emit::module::{Module, documentation};
-use crate::emit::scalar::Scalar;
 use crate::model::field_name;
 use crate::program::Block;
 
@@ -97,12 +96,8 @@ fn structures(module: &Module<'_>, code: &mut Code) {
             inputs.map(|it| identifier(&field_name(&it.name))).collect(),
         ),
     ];
-    let count = match module.scalar {
-        Scalar::F64 => 8,
-        Scalar::F32 => 16,
-    };
     code.open("::linkwright::generated::lanes::structures! {");
-    code.line(format!("{count} lanes;"));
+    code.line(format!("{} lanes;", module.scalar.lanes()));
     let without_coordinates = usize::from(!module.holds_coordinates());
     for (name, fields) in lists.into_iter().skip(without_coordinates) {
         match fields.is_empty() {

@@ -19,8 +19,8 @@ fn write(package: &Path) -> usize {
         let Ok(read) = linkwright_codegen::read(&described) else {
             continue;
         };
-        let scalars = [(Scalar::F64, "f64", 8), (Scalar::F32, "f32", 16)];
-        for (scalar, suffix, lanes) in scalars.into_iter().take(1 + (number + 1) % 2) {
+        let scalars = [(Scalar::F64, "f64"), (Scalar::F32, "f32")];
+        for (scalar, suffix) in scalars.into_iter().take(1 + (number + 1) % 2) {
             let options = Options {
                 scalar,
                 lanes: true,
@@ -43,7 +43,8 @@ fn write(package: &Path) -> usize {
                 let path = motion.map_or(module.clone(), |it| format!("{module}::{}", it.name));
                 let _ = writeln!(
                     calls,
-                    "    compare::<{path}::Loops, {lanes}>({path:?}, counted);"
+                    "    compare::<{path}::Loops, {}>({path:?}, counted);",
+                    scalar.lanes()
                 );
             }
             count += 1;
