@@ -6,6 +6,7 @@ use super::lints;
 use super::loads;
 use super::names::identifier;
 use super::newton;
+use super::statement::Iterated;
 use crate::emit::code::Code;
 use crate::emit::module::needs::{Needs, checked_at_once};
 use crate::emit::module::scope::{Place, Scope};
@@ -54,18 +55,24 @@ pub(super) fn functions(module: &Module<'_>, code: &mut Code) {
     }
 }
 
+/// Returns the statements of a block's function, in which sines and cosines that nothing reads have no name.
+pub(super) fn used_statements(scope: &Scope<'_>, index: usize, iterated: Iterated<'_>) -> Code {
+    let statements = scope.statements(index, iterated);
+    let idle = idle(scope, &statements);
+    if idle.is_empty() {
+        return statements;
+    }
+    scope.leave_unnamed(idle);
+    scope.statements(index, iterated)
+}
+
 fn function(index: usize, block: &Block, module: &Module<'_>, code: &mut Code) {
     let needs = Needs::of(block, module);
     let scope = Scope::new(module, &block.function, Place::Frame);
     let iterated = |statement: &Statement, code: &mut Code| {
         newton::statement(statement, index, block, &scope, code);
     };
-    let mut statements = scope.statements(index, &iterated);
-    let idle = idle(&scope, &statements);
-    if !idle.is_empty() {
-        scope.leave_unnamed(idle);
-        statements = scope.statements(index, &iterated);
-    }
+    let statements = used_statements(&scope, index, &iterated);
     let reads = scope.reads();
     let read = [
         (needs.time, "t"),

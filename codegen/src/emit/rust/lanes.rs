@@ -4,8 +4,8 @@
 
 use std::collections::HashSet;
 
+use super::block::used_statements;
 use super::code::{argument, taken_apart};
-use super::equation::idle;
 use super::lints;
 use super::names::identifier;
 use super::tables::table_name;
@@ -115,12 +115,7 @@ fn structures(module: &Module<'_>, code: &mut Code) {
 fn function(index: usize, block: &Block, module: &Module<'_>, code: &mut Code) {
     let needs = Needs::in_lanes(block, module);
     let scope = Scope::new(module, &block.function, Place::Lanes);
-    let mut statements = scope.statements(index, &|_, _| {});
-    let idle = idle(&scope, &statements);
-    if !idle.is_empty() {
-        scope.leave_unnamed(idle);
-        statements = scope.statements(index, &|_, _| {});
-    }
+    let statements = used_statements(&scope, index, &|_, _| {});
     let reads = scope.reads();
     let read = [
         (needs.time, "t"),
