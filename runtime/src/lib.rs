@@ -85,6 +85,7 @@ pub mod lanes;
 mod least_squares;
 mod linear;
 pub mod math;
+mod mechanism;
 mod motion;
 mod multipliers;
 mod newton;
@@ -115,11 +116,12 @@ pub use equations::Equations;
 pub use failure::{Failure, FailureKind};
 pub use failure_message::{BlockName, FailureMessage};
 pub use kinematics::Frame;
+pub use mechanism::Mechanism;
 pub use motion::PointMotion;
 pub use newton::Step;
 pub use normalized_determinant::NormalizedDeterminant;
 pub use settings::Settings;
-pub use shell::{Mechanism, Shell};
+pub use shell::Shell;
 pub use signal::Signal;
 
 /// Includes the module that `linkwright_codegen::build` generated for the mechanism `$name`.
