@@ -13,13 +13,13 @@ macro_rules! generated_lanes {
         Inputs { $($input:ident),* $(,)? }
     ) => {
         $(
-            $crate::generated::lane_values! {
+            $crate::generated::read_lanes! {
                 /// Coordinates of all lanes.
                 Coordinates of super::Coordinates { $($coordinate: Lanes,)* }
             }
         )?
 
-        $crate::generated::lane_values! {
+        $crate::generated::read_lanes! {
             /// Frames of all lanes.
             Frame of super::Frame {
                 t: Lanes,
@@ -33,7 +33,7 @@ macro_rules! generated_lanes {
             Branches of super::Branches { $($branch: Lanes,)* }
         }
 
-        $crate::generated::lane_values! {
+        $crate::generated::read_lanes! {
             /// Parameters of all lanes.
             Parameters of <Loops as Blocks>::Parameters { $($parameter: Lanes,)* }
         }
@@ -109,7 +109,18 @@ macro_rules! generated_lane_values {
             fn set_lane(&mut self, lane: usize, values: &$values) {
                 $(self.$field.set_lane(lane, &values.$field);)*
             }
+        }
+    };
+}
 
+/// Structure of lanes that are read again.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! generated_read_lanes {
+    ($(#[$docs:meta])* $name:ident of $values:ty { $($field:ident: $kind:ty,)* }) => {
+        $crate::generated::lane_values! { $(#[$docs])* $name of $values { $($field: $kind,)* } }
+
+        impl $crate::generated::lanes::ReadLanes<$values> for $name {
             #[allow(unused_variables)]
             fn get_lane(&self, lane: usize, values: &mut $values) {
                 $(self.$field.get_lane(lane, &mut values.$field);)*

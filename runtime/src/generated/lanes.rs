@@ -1,14 +1,14 @@
 //! Items that modules `lanes` call.
 
 pub use crate::generated_lanes as structures;
-pub use crate::lanes::{Conditions, LaneValues, Zero};
+pub use crate::lanes::{Conditions, LaneValues, ReadLanes, Zero};
 
 macro_rules! precision {
     ($(#[$docs:meta])* $name:ident, $scalar:ident, $count:literal) => {
         $(#[$docs])*
         pub mod $name {
             pub use crate::Blocks;
-            pub use crate::generated::lanes::{LaneValues as _, Zero as _};
+            pub use crate::generated::lanes::{LaneValues as _, ReadLanes as _, Zero as _};
             pub use crate::lanes::elementary::$name::{angle_near, math};
             pub use crate::lanes::elementary::{
                 choose, exceeds_rounding, less, lookup, multipliers, not_finite, not_positive,

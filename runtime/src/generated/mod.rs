@@ -22,8 +22,8 @@ pub use crate::{
     generated_held as held, generated_inputs as inputs, generated_lane_values as lane_values,
     generated_mechanism as mechanism, generated_only as only, generated_or_drawn as or_drawn,
     generated_or_unit as or_unit, generated_parameters as parameters,
-    generated_parametric as parametric, generated_path as path, generated_textbook as textbook,
-    generated_values as values,
+    generated_parametric as parametric, generated_path as path, generated_read_lanes as read_lanes,
+    generated_textbook as textbook, generated_values as values,
 };
 
 pub use crate::block::Start;

@@ -3,7 +3,7 @@
 //! All lanes are solved together. A lane whose blocks fail, or whose path is not verified yet, is solved again by its own [`Shell`], which
 //! finds the failure or advances in several steps. The other lanes keep their results.
 
-use super::values::LaneValues;
+use super::values::{LaneValues, ReadLanes};
 use super::vectorized::vectorized;
 use super::{Lanes, Mask};
 use crate::blocks::Blocks;
@@ -26,7 +26,7 @@ pub struct Conditions<'a, T, P, I> {
 #[doc(hidden)]
 pub trait InLanes<const N: usize>: Blocks {
     /// Frames of N mechanisms.
-    type Frames: LaneValues<Self::Frame> + Clone;
+    type Frames: ReadLanes<Self::Frame> + Clone;
     /// Signs of their assembly modes.
     type Signs: LaneValues<Self::Branches>;
     /// Their parameters.
@@ -60,6 +60,8 @@ pub trait InLanes<const N: usize>: Blocks {
 #[derive(Clone)]
 pub struct Group<B: InLanes<N>, const N: usize> {
     blocks: B,
+    /// True if mechanisms have inputs.
+    has_inputs: bool,
     /// Mechanism of each lane; `None` for an empty lane.
     shells: [Option<Shell<B>>; N],
     /// Last frames, and the older ones that the next ones replace.
@@ -82,6 +84,7 @@ impl<B: InLanes<N>, const N: usize> Group<B, N> {
     pub fn new(blocks: B) -> Self {
         let (frames, signs, parameters, inputs) = blocks.lanes();
         Self {
+            has_inputs: blocks.input_name(0).is_some(),
             blocks,
             shells: [const { None }; N],
             frames: [frames.clone(), frames],
@@ -135,7 +138,7 @@ impl<B: InLanes<N>, const N: usize> Group<B, N> {
     #[inline]
     pub fn advance(&mut self, times: &[B::Scalar; N], inputs: &[&B::Inputs; N]) -> Mask<N> {
         let [unsolved, mut alone] = self.solve(times, inputs);
-        if has_inputs::<B>() {
+        if self.has_inputs {
             let times = self.times.iter().zip(times);
             let lanes = self.shells.iter_mut().zip(inputs).zip(times);
             for (lane, ((shell, inputs), (&last, &t))) in lanes.enumerate() {
@@ -187,7 +190,7 @@ impl<B: InLanes<N>, const N: usize> Group<B, N> {
     /// Solves the next frames; returns the lanes without a solution, and those that their shells must move.
     #[inline(always)]
     fn solve(&mut self, times: &[B::Scalar; N], inputs: &[&B::Inputs; N]) -> [Mask<N>; 2] {
-        if has_inputs::<B>() {
+        if self.has_inputs {
             for (lane, inputs) in inputs.iter().enumerate() {
                 self.inputs.set_lane(lane, inputs);
             }
@@ -259,12 +262,6 @@ impl<B: InLanes<N>, const N: usize> Group<B, N> {
     pub fn failure(&self, lane: usize) -> Option<Failure<B::Scalar>> {
         *self.failures.get(lane)?
     }
-}
-
-/// True if mechanisms have inputs.
-#[inline(always)]
-fn has_inputs<B: Blocks>() -> bool {
-    size_of::<B::Inputs>() != 0
 }
 
 /// Returns the last frames.

@@ -20,4 +20,4 @@ pub use mask::Mask;
 pub use vectorized::vectorized;
 
 #[doc(hidden)]
-pub use values::{LaneValues, Zero};
+pub use values::{LaneValues, ReadLanes, Zero};

@@ -15,7 +15,10 @@ pub trait Zero: Copy {
 pub trait LaneValues<V> {
     /// Changes the values of one lane; does nothing beyond the last one.
     fn set_lane(&mut self, lane: usize, values: &V);
+}
 
+/// Values of N mechanisms that are read again, as those of frames are.
+pub trait ReadLanes<V>: LaneValues<V> {
     /// Overwrites values with those of one lane; does nothing beyond the last one.
     fn get_lane(&self, lane: usize, values: &mut V);
 }
@@ -37,7 +40,9 @@ impl<T: Real, const N: usize> LaneValues<T> for Lanes<T, N> {
     fn set_lane(&mut self, lane: usize, values: &T) {
         self.set(lane, *values);
     }
+}
 
+impl<T: Real, const N: usize> ReadLanes<T> for Lanes<T, N> {
     #[inline(always)]
     fn get_lane(&self, lane: usize, values: &mut T) {
         if let Some(value) = self.0.get(lane) {
@@ -52,16 +57,6 @@ impl<T: Real, const N: usize> LaneValues<Branch> for Lanes<T, N> {
     fn set_lane(&mut self, lane: usize, values: &Branch) {
         self.set(lane, values.sign());
     }
-
-    #[inline(always)]
-    fn get_lane(&self, lane: usize, values: &mut Branch) {
-        if let Some(sign) = self.0.get(lane) {
-            *values = match *sign > T::ZERO {
-                true => Branch::Positive,
-                false => Branch::Negative,
-            };
-        }
-    }
 }
 
 impl<T: Real, const N: usize> LaneValues<Signal<T>> for Signal<Lanes<T, N>> {
@@ -70,12 +65,5 @@ impl<T: Real, const N: usize> LaneValues<Signal<T>> for Signal<Lanes<T, N>> {
         self.value.set(lane, values.value);
         self.rate.set(lane, values.rate);
         self.acceleration.set(lane, values.acceleration);
-    }
-
-    #[inline(always)]
-    fn get_lane(&self, lane: usize, values: &mut Signal<T>) {
-        self.value.get_lane(lane, &mut values.value);
-        self.rate.get_lane(lane, &mut values.rate);
-        self.acceleration.get_lane(lane, &mut values.acceleration);
     }
 }

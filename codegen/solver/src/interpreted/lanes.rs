@@ -3,8 +3,7 @@
 //! A lane has the bits of the scalar blocks, whatever the other lanes do. Programs with Newton-Raphson reject all lanes, which the scalar
 //! blocks solve instead.
 
-use linkwright::Signal;
-use linkwright::lanes::{InLanes, LaneValues, Mask};
+use linkwright::lanes::{InLanes, LaneValues, Mask, ReadLanes};
 use linkwright_codegen::stages::expr::Lanes;
 
 use super::Interpreted;
@@ -50,7 +49,9 @@ impl LaneValues<Instant> for InstantLanes {
             lanes.0[lane] = *value;
         }
     }
+}
 
+impl ReadLanes<Instant> for InstantLanes {
     fn get_lane(&self, lane: usize, instant: &mut Instant) {
         for (value, lanes) in instant.values_mut().iter_mut().zip(&self.values) {
             *value = lanes.0[lane];
@@ -64,26 +65,12 @@ impl LaneValues<Modes> for ModeLanes {
             lanes.0[lane] = mode.sign();
         }
     }
-
-    fn get_lane(&self, lane: usize, modes: &mut Modes) {
-        for (mode, lanes) in modes.closed.iter_mut().zip(&self.0) {
-            if mode.sign::<f64>() != lanes.0[lane] {
-                *mode = mode.opposite();
-            }
-        }
-    }
 }
 
 impl LaneValues<ParameterValues> for ParameterLanes {
     fn set_lane(&mut self, lane: usize, parameters: &ParameterValues) {
         for (lanes, value) in self.0.iter_mut().zip(&parameters.0) {
             lanes.0[lane] = *value;
-        }
-    }
-
-    fn get_lane(&self, lane: usize, parameters: &mut ParameterValues) {
-        for (value, lanes) in parameters.0.iter_mut().zip(&self.0) {
-            *value = lanes.0[lane];
         }
     }
 }
@@ -95,17 +82,6 @@ impl LaneValues<InputSignals> for InputLanes {
             for (lanes, number) in lanes.iter_mut().zip(numbers) {
                 lanes.0[lane] = number;
             }
-        }
-    }
-
-    fn get_lane(&self, lane: usize, inputs: &mut InputSignals) {
-        for (signal, lanes) in inputs.0.iter_mut().zip(&self.0) {
-            let [value, rate, acceleration] = lanes.map(|it| it.0[lane]);
-            *signal = Signal {
-                value,
-                rate,
-                acceleration,
-            };
         }
     }
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Debug;
 
-use linkwright::lanes::{Group, InLanes, LaneValues};
+use linkwright::lanes::{Group, InLanes, ReadLanes};
 use linkwright::math::Real;
 use linkwright::{Blocks, Failure, Settings, Shell, Signal, Values};
 
