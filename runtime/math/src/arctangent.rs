@@ -176,7 +176,7 @@ macro_rules! arctangents {
             }
 
             /// Returns the angles of several pairs of sine and cosine, with the bits of [`angle_near`]. Compilers vectorize
-            /// it.
+            /// it for processors with vectors.
             #[inline(always)]
             pub fn angles_near<const N: usize>(
                 sines: [$scalar; N],
@@ -184,6 +184,12 @@ macro_rules! arctangents {
                 near: [$scalar; N],
             ) -> [$scalar; N] {
                 let mut angles = [0.0; N];
+                if !$crate::HAS_VECTORS {
+                    for lane in 0..N {
+                        angles[lane] = angle_near(sines[lane], cosines[lane], near[lane]);
+                    }
+                    return angles;
+                }
                 let mut rare = 0;
                 for lane in 0..N {
                     // As in `angle_near`.

@@ -36,6 +36,13 @@ mod sine_cosine;
 
 pub use lanes::Lanes;
 
+/// True if the processor computes vectors. Elsewhere code without branches is only longer.
+const HAS_VECTORS: bool = cfg!(any(
+    target_feature = "sse2",
+    target_feature = "neon",
+    target_feature = "simd128"
+));
+
 /// Functions of f64.
 pub mod double {
     pub use crate::arctangent::double::*;

@@ -4,13 +4,32 @@ use std::collections::HashSet;
 
 use super::names::is_word;
 
-/// Function in place of the one that every module imports by its name.
-const ANGLE_NEAR: [&str; 5] = [
-    "",
-    "#[inline]",
-    "fn angle_near(sine: Scalar, cosine: Scalar, near: Scalar) -> Scalar {",
-    "    math::angle_near(sine, cosine, near)",
-    "}",
+/// Functions in place of those that every module imports by their names.
+const ANGLES: [(&str, &[&str]); 2] = [
+    (
+        "angle_near",
+        &[
+            "",
+            "#[inline]",
+            "fn angle_near(sine: Scalar, cosine: Scalar, near: Scalar) -> Scalar {",
+            "    math::angle_near(sine, cosine, near)",
+            "}",
+        ],
+    ),
+    (
+        "angles_near",
+        &[
+            "",
+            "#[inline]",
+            "fn angles_near<const N: usize>(",
+            "    sines: [Scalar; N],",
+            "    cosines: [Scalar; N],",
+            "    near: [Scalar; N],",
+            ") -> [Scalar; N] {",
+            "    core::array::from_fn(|index| math::angle_near(sines[index], cosines[index], near[index]))",
+            "}",
+        ],
+    ),
 ];
 
 /// Lines that put the type at `path` in place of `math`, as far as the code mentions its functions:
@@ -31,14 +50,17 @@ pub(super) fn functions(path: &str, mentioned: &HashSet<&str>) -> Vec<String> {
         let problem = format!("the option `math` is `{path}`, which is not the path of a type");
         return vec![format!("compile_error!({problem:?});")];
     }
-    let has_angles = mentioned.contains("angle_near");
+    let is_mentioned = |name: &str| mentioned.contains(name);
+    let angles: Vec<&[&str]> = ANGLES
+        .into_iter()
+        .filter(|(name, _)| is_mentioned(name))
+        .map(|(_, lines)| lines)
+        .collect();
     let mut lines = Vec::new();
-    if has_angles || mentioned.contains("math") {
+    if !angles.is_empty() || is_mentioned("math") {
         lines.push(format!("use {} as math;", names.join("::")));
     }
-    if has_angles {
-        lines.extend(ANGLE_NEAR.map(str::to_string));
-    }
+    lines.extend(angles.concat().into_iter().map(str::to_string));
     lines
 }
 
@@ -57,6 +79,8 @@ mod tests {
         let lines = functions("::other::Plain", &HashSet::from(["angle_near"]));
         assert_eq!(lines[0], "use ::other::Plain as math;");
         assert!(lines[3].starts_with("fn angle_near("), "{lines:?}");
+        let lines = functions("::other::Plain", &HashSet::from(["angles_near"]));
+        assert!(lines[3].starts_with("fn angles_near<"), "{lines:?}");
         assert!(functions("Plain", &HashSet::new()).is_empty());
     }
 

@@ -3,6 +3,7 @@
 //! The file depends only on `linkwright`, neither allocates nor panics, and has the same bytes on every run.
 
 mod accessors;
+mod angles;
 mod assemblies;
 mod block;
 mod code;

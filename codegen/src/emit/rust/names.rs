@@ -90,6 +90,7 @@ const ITEMS: &[&str] = &[
     "frame",
     "block",
     "angle_near",
+    "angles_near",
     "all_finite",
     "not_finite",
     "load_not_finite",

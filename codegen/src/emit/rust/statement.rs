@@ -18,8 +18,14 @@ impl Scope<'_> {
     /// Returns the statements of the function; `iterated` writes those of Newton-Raphson.
     pub(super) fn statements(&self, block: usize, iterated: Iterated<'_>) -> Code {
         let mut code = Code::default();
-        for statement in &self.function.statements {
-            self.statement(statement, block, iterated, &mut code);
+        let joined = self.joined_angles();
+        let is_joined = |place: usize| joined.values().flatten().any(|&it| it == place);
+        for (place, statement) in self.function.statements.iter().enumerate() {
+            match joined.get(&place) {
+                Some(places) => self.angles(places, &mut code),
+                None if is_joined(place) => {}
+                None => self.statement(statement, block, iterated, &mut code),
+            }
         }
         code
     }
