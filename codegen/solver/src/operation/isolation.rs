@@ -2,7 +2,8 @@
 
 use linkwright::generated::{Chord, TimeWindow, isolate_all, isolate_whole_chain};
 use linkwright_codegen::stages::expr::{Code, Register};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::allocator::Allocator;
+use nalgebra::{Const, DefaultAllocator, Dim, Dyn, OMatrix, OVector};
 
 use super::{Operation, run};
 
@@ -37,21 +38,45 @@ impl Isolation {
         code: &Code,
         registers: &mut [f64],
     ) -> Result<(), usize> {
-        let order = self.found.len();
-        let fill =
-            |matrix: &mut DMatrix<f64>, entries: &[([usize; 2], Register)], registers: &[f64]| {
-                for &([row, column], register) in entries {
-                    matrix[(row, column)] = registers[register.index()];
-                }
-            };
+        // Small vectors and matrices of a known dimension lie on the stack.
+        match self.found.len() {
+            1 => self.find_in(Const::<1>, window, code, registers),
+            2 => self.find_in(Const::<2>, window, code, registers),
+            3 => self.find_in(Const::<3>, window, code, registers),
+            4 => self.find_in(Const::<4>, window, code, registers),
+            5 => self.find_in(Const::<5>, window, code, registers),
+            6 => self.find_in(Const::<6>, window, code, registers),
+            order => self.find_in(Dyn(order), window, code, registers),
+        }
+    }
+
+    fn find_in<D: Dim>(
+        &self,
+        order: D,
+        window: &TimeWindow,
+        code: &Code,
+        registers: &mut [f64],
+    ) -> Result<(), usize>
+    where
+        DefaultAllocator: Allocator<D> + Allocator<D, D>,
+    {
+        let fill = |matrix: &mut OMatrix<f64, D, D>,
+                    entries: &[([usize; 2], Register)],
+                    registers: &[f64]| {
+            for &([row, column], register) in entries {
+                matrix[(row, column)] = registers[register.index()];
+            }
+        };
         let vector = |places: &[Register]| {
-            DVector::from_iterator(order, places.iter().map(|it| registers[it.index()]))
+            let values = places.iter().map(|it| registers[it.index()]);
+            OVector::from_iterator_generic(order, Const::<1>, values)
         };
         let matrix = |entries, registers: &[f64]| {
-            let mut matrix = DMatrix::zeros(order, order);
+            let mut matrix = OMatrix::zeros_generic(order, order);
             fill(&mut matrix, entries, registers);
             matrix
         };
+        let turns = self.turns.iter().copied();
         let chord = Chord {
             remainder: window.remainder,
             bounds: vector(&self.bounds),
@@ -59,7 +84,7 @@ impl Isolation {
             changes: vector(&self.changes),
             sizes: vector(&self.sizes),
             jacobian: &mut matrix(&self.jacobian, registers),
-            turns: DVector::from_column_slice(&self.turns),
+            turns: OVector::from_iterator_generic(order, Const::<1>, turns),
             turning: &mut matrix(&self.turning, registers),
         };
         let deviations = match self.is_chain {
