@@ -12,16 +12,24 @@ use crate::math::Real;
 use crate::signal::Signal;
 use crate::time_window::TimeWindow;
 
-/// Number of steps of the look-ahead: at first, at least and at most. Below the least, the guard does not look ahead.
-const AHEAD: [f64; 3] = [16.0, 2.0, 1024.0];
+/// Number of steps of the first look-ahead.
+pub(crate) const FIRST_STEPS: f64 = 16.0;
 
-/// Factor of the look-ahead after a success; its inverse after a failure.
+/// Number of steps of the look-ahead at most.
+const MOST_STEPS: f64 = 1024.0;
+
+/// Number of steps below which the guard does not look ahead.
+pub(crate) const LEAST_STEPS: f64 = 2.0;
+
+/// Factor of the look-ahead after a success.
 const GROWTH: f64 = 1.125;
-const SHRINKING: f64 = 0.625;
+
+/// Factor of the look-ahead after a failure.
+pub(crate) const SHRINKING: f64 = 0.625;
 
 /// Rounding that must not make a frame singular: links that enclose less than some 6e-4 rad leave accelerations few
 /// digits.
-const WEAK: f64 = 1.0 / (1u32 << 26) as f64;
+pub(crate) const WEAK: f64 = 1.0 / (1u32 << 26) as f64;
 
 /// Multiple of that rounding for frames beyond which a window is sought.
 const LOOK_AHEAD_FACTOR: f64 = 64.0;
@@ -64,8 +72,8 @@ impl<T: Real, I: Values<Signal<T>>, U: Clone> Guard<T, I, U> {
     pub fn new() -> Self {
         Self {
             window: None,
-            steps: T::from_f64(AHEAD[0]),
-            steps_of_closed_forms: T::from_f64(AHEAD[0]),
+            steps: T::from_f64(FIRST_STEPS),
+            steps_of_closed_forms: T::from_f64(FIRST_STEPS),
         }
     }
 
@@ -203,13 +211,12 @@ fn farthest<T: Real>(
     step: T,
     mut shows: impl FnMut(&TimeWindow<T>) -> bool,
 ) -> Option<TimeWindow<T>> {
-    let [_, least, most] = AHEAD.map(T::from_f64);
+    let least = T::from_f64(LEAST_STEPS);
     let mut tried = *steps;
     while tried >= least && step.abs() > T::ZERO {
         let window = TimeWindow::around(step, tried);
         if shows(&window) {
-            let further = tried * T::from_f64(GROWTH);
-            *steps = if further < most { further } else { most };
+            *steps = further(tried);
             return Some(window);
         }
         tried *= T::from_f64(SHRINKING);
@@ -221,6 +228,12 @@ fn farthest<T: Real>(
         false => tried,
     };
     None
+}
+
+/// Number of steps of the look-ahead after one that succeeded.
+pub(crate) fn further<T: Real>(steps: T) -> T {
+    let [further, most] = [steps * T::from_f64(GROWTH), T::from_f64(MOST_STEPS)];
+    if further < most { further } else { most }
 }
 
 impl<T: Real, I: Values<Signal<T>>, U: Clone> Default for Guard<T, I, U> {

@@ -6,6 +6,7 @@
 macro_rules! generated_lanes {
     (
         $count:literal lanes;
+        path: $path:ident;
         $(Coordinates { $($coordinate:ident),* $(,)? })?
         Frame($($held:ident),*) { $($field:ident),* $(,)? }
         Branches { $($branch:ident),* $(,)? }
@@ -68,6 +69,18 @@ macro_rules! generated_lanes {
                 conditions: &Conditions<'_>,
             ) -> Mask {
                 solve(at, last, signs, conditions)
+            }
+
+            #[allow(unused_variables)]
+            #[inline(always)]
+            fn verify_lanes(
+                &self,
+                at: &mut Frame,
+                last: &Frame,
+                window: &TimeWindow,
+                parameters: &Parameters,
+            ) -> Mask {
+                $crate::generated::path!(@stays_in_lanes $path, at, last, window, parameters)
             }
         }
     };

@@ -11,13 +11,15 @@ macro_rules! precision {
             pub use crate::generated::lanes::{LaneValues as _, ReadLanes as _, Zero as _};
             pub use crate::lanes::elementary::$name::{angle_near, math};
             pub use crate::lanes::elementary::{
-                choose, exceeds_rounding, less, lookup, multipliers, not_finite, not_positive,
+                choose, exceeds_rounding, less, lookup, multipliers, negative, not_finite, not_positive,
             };
 
             /// Numbers of all lanes.
             pub type Lanes = crate::lanes::Lanes<$scalar, $count>;
             /// Set of lanes.
             pub type Mask = crate::lanes::Mask<$count>;
+            /// Windows of time about two frames of all lanes.
+            pub type TimeWindow = crate::generated::TimeWindow<Lanes>;
             /// Signals of all lanes.
             pub type Signals = crate::Signal<Lanes>;
 

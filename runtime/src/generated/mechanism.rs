@@ -421,6 +421,12 @@ macro_rules! generated_path {
     (@stays $path:ident, $pair:ident, $window:ident) => {
         Err(0)
     };
+    (@stays_in_lanes closed, $at:ident, $last:ident, $window:ident, $parameters:ident) => {
+        verify_nonsingular($at, $last, $window, $parameters)
+    };
+    (@stays_in_lanes $path:ident, $at:ident, $last:ident, $window:ident, $parameters:ident) => {
+        Mask::NONE
+    };
     (@keeps unguarded, $pair:ident, $window:ident, $enclosures:ident) => {
         Ok(())
     };

@@ -5,11 +5,13 @@
 
 use super::values::{LaneValues, ReadLanes};
 use super::vectorized::vectorized;
+use super::windows::Windows;
 use super::{Lanes, Mask};
 use crate::blocks::Blocks;
 use crate::failure::Failure;
 use crate::math::Real;
 use crate::shell::Shell;
+use crate::time_window::TimeWindow;
 
 /// Data with which one instant of N mechanisms is solved.
 #[derive(Clone, Copy, Debug)]
@@ -52,6 +54,19 @@ pub trait InLanes<const N: usize>: Blocks {
         signs: &Self::Signs,
         conditions: &Conditions<'_, Lanes<Self::Scalar, N>, Self::ParameterLanes, Self::InputLanes>,
     ) -> Mask<N>;
+
+    /// Verifies by closed forms in sequence that windows of time about two frames hold one path; returns the lanes whose windows do. No lane
+    /// is verified so if its mechanism has inputs, or other blocks than closed forms.
+    #[inline]
+    fn verify_lanes(
+        &self,
+        _at: &mut Self::Frames,
+        _last: &Self::Frames,
+        _window: &TimeWindow<Lanes<Self::Scalar, N>>,
+        _parameters: &Self::ParameterLanes,
+    ) -> Mask<N> {
+        Mask::NONE
+    }
 }
 
 /// N mechanisms that move in step.
@@ -72,8 +87,7 @@ pub struct Group<B: InLanes<N>, const N: usize> {
     inputs: B::InputLanes,
     /// Times of the last frames (s).
     times: [B::Scalar; N],
-    /// Middles and half lengths of the windows of time in which paths are verified (s).
-    windows: [Lanes<B::Scalar, N>; 2],
+    windows: Windows<B::Scalar, N>,
     /// Lanes whose shells hold an older frame than `frames`.
     behind: Mask<N>,
     failures: [Option<Failure<B::Scalar>>; N],
@@ -93,7 +107,7 @@ impl<B: InLanes<N>, const N: usize> Group<B, N> {
             parameters,
             inputs,
             times: [B::Scalar::ZERO; N],
-            windows: [Lanes::splat(B::Scalar::ZERO); 2],
+            windows: Windows::new(),
             behind: Mask::NONE,
             failures: [None; N],
         }
@@ -106,7 +120,7 @@ impl<B: InLanes<N>, const N: usize> Group<B, N> {
         }
         self.signs.set_lane(lane, shell.branches());
         self.parameters.set_lane(lane, shell.parameters());
-        set_window(&mut self.windows, lane, &shell);
+        self.windows.set(lane, shell.verified());
         self.behind = self.behind & !Mask::one(lane);
         if let Some(time) = self.times.get_mut(lane) {
             *time = B::time(shell.frame());
@@ -137,7 +151,14 @@ impl<B: InLanes<N>, const N: usize> Group<B, N> {
     /// and [`Group::failure`] returns the reason. Frames of empty lanes become arbitrary.
     #[inline]
     pub fn advance(&mut self, times: &[B::Scalar; N], inputs: &[&B::Inputs; N]) -> Mask<N> {
-        let [unsolved, mut alone] = self.solve(times, inputs);
+        let unsolved = self.solve(times, inputs);
+        let shells = &self.shells;
+        let present = Mask::of(|lane| shells[lane].is_some());
+        let mut alone = present & (unsolved | !self.windows.hold(times));
+        if !self.has_inputs && !(alone & !unsolved).is_empty() {
+            self.extend_windows(times, alone & !unsolved);
+            alone = present & (unsolved | !self.windows.hold(times));
+        }
         if self.has_inputs {
             let times = self.times.iter().zip(times);
             let lanes = self.shells.iter_mut().zip(inputs).zip(times);
@@ -150,8 +171,6 @@ impl<B: InLanes<N>, const N: usize> Group<B, N> {
                 }
             }
         }
-        let shells = &self.shells;
-        alone = alone & Mask::of(|lane| shells[lane].is_some());
         self.behind |= !alone;
         self.times = *times;
         let failed = match alone.is_empty() {
@@ -169,7 +188,7 @@ impl<B: InLanes<N>, const N: usize> Group<B, N> {
         times: &[B::Scalar; N],
         inputs: &[&B::Inputs; N],
     ) -> (Mask<N>, &B::Frames) {
-        let [unsolved, _] = self.solve(times, inputs);
+        let unsolved = self.solve(times, inputs);
         let (_, at) = both(&mut self.frames, self.second_is_last);
         let mut failed = Mask::NONE;
         for lane in unsolved.lanes() {
@@ -187,9 +206,9 @@ impl<B: InLanes<N>, const N: usize> Group<B, N> {
         (failed, at)
     }
 
-    /// Solves the next frames; returns the lanes without a solution, and those that their shells must move.
+    /// Solves the next frames; returns the lanes without a solution.
     #[inline(always)]
-    fn solve(&mut self, times: &[B::Scalar; N], inputs: &[&B::Inputs; N]) -> [Mask<N>; 2] {
+    fn solve(&mut self, times: &[B::Scalar; N], inputs: &[&B::Inputs; N]) -> Mask<N> {
         if self.has_inputs {
             for (lane, inputs) in inputs.iter().enumerate() {
                 self.inputs.set_lane(lane, inputs);
@@ -201,16 +220,30 @@ impl<B: InLanes<N>, const N: usize> Group<B, N> {
             parameters: &self.parameters,
             inputs: &self.inputs,
         };
-        let (blocks, signs, [middles, lengths]) = (&self.blocks, &self.signs, &self.windows);
+        let (blocks, signs) = (&self.blocks, &self.signs);
+        vectorized(
+            #[inline(always)]
+            || blocks.solve_lanes(at, last, signs, &conditions),
+        )
+    }
+
+    /// Extends the windows of the lanes that are due, and of others with them, beyond the next frames.
+    #[inline(never)]
+    fn extend_windows(&mut self, times: &[B::Scalar; N], due: Mask<N>) {
+        let (last, at) = both(&mut self.frames, self.second_is_last);
+        let (blocks, parameters, windows) = (&self.blocks, &self.parameters, &mut self.windows);
+        let last_times = &self.times;
         vectorized(
             #[inline(always)]
             || {
-                let unsolved = blocks.solve_lanes(at, last, signs, &conditions);
-                let is_inside =
-                    |lane: usize| (times[lane] - middles.0[lane]).abs() <= lengths.0[lane];
-                [unsolved, unsolved | !Mask::of(is_inside)]
+                windows.extend(
+                    [last_times, times],
+                    due,
+                    #[inline(always)]
+                    |window| blocks.verify_lanes(at, last, window, parameters),
+                );
             },
-        )
+        );
     }
 
     /// Moves some mechanisms by their shells, of which some are unsolved; returns those that fail.
@@ -246,7 +279,7 @@ impl<B: InLanes<N>, const N: usize> Group<B, N> {
             }
             *failure = moved.err();
             self.signs.set_lane(lane, shell.branches());
-            set_window(&mut self.windows, lane, shell);
+            self.windows.set(lane, shell.verified());
         }
         self.behind = self.behind & !alone;
         failed
@@ -280,16 +313,4 @@ fn both<F>([first, second]: &mut [F; 2], second_is_last: bool) -> (&F, &mut F) {
         true => (second, first),
         false => (first, second),
     }
-}
-
-/// Takes the window of a lane from its shell. Nothing is inside a window of negative length.
-fn set_window<B: Blocks, const N: usize>(
-    windows: &mut [Lanes<B::Scalar, N>; 2],
-    lane: usize,
-    shell: &Shell<B>,
-) {
-    let none = [B::Scalar::ZERO, -B::Scalar::ONE];
-    let [middle, length] = shell.verified().unwrap_or(none);
-    windows[0].set(lane, middle);
-    windows[1].set(lane, length);
 }

@@ -10,6 +10,7 @@ mod group;
 mod mask;
 mod values;
 mod vectorized;
+mod windows;
 
 #[doc(hidden)]
 pub use group::Conditions;

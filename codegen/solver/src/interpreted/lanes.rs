@@ -3,11 +3,13 @@
 //! A lane has the bits of the scalar blocks, whatever the other lanes do. Programs with Newton-Raphson reject all lanes, which the scalar
 //! blocks solve instead.
 
+use linkwright::generated::TimeWindow;
 use linkwright::lanes::{InLanes, LaneValues, Mask, ReadLanes};
 use linkwright_codegen::stages::expr::Lanes;
 
 use super::Interpreted;
 use super::compiled::Compiled;
+use super::path::InterpretedPath;
 use crate::instant::Instant;
 use crate::operation::{LANES, run_lanes};
 use crate::reader::Formulas;
@@ -19,6 +21,8 @@ pub struct InstantLanes {
     /// Values in the order of instants.
     values: Vec<Lanes>,
     registers: Vec<Lanes>,
+    /// Registers of the verification of paths.
+    path_registers: Vec<Lanes>,
 }
 
 /// Signs of the modes of closed forms.
@@ -101,6 +105,10 @@ impl InLanes<LANES> for Interpreted {
         let instants = InstantLanes {
             values: vec![ZERO; compiled.layout.symbols().len()],
             registers: compiled.code.lanes(),
+            path_registers: compiled
+                .path
+                .as_ref()
+                .map_or(Vec::new(), InterpretedPath::lanes),
         };
         (
             instants,
@@ -119,6 +127,21 @@ impl InLanes<LANES> for Interpreted {
         conditions: &Conditions<'_>,
     ) -> Mask<LANES> {
         solve(&self.compiled, at, last, signs, conditions)
+    }
+
+    #[inline(always)]
+    fn verify_lanes(
+        &self,
+        at: &mut InstantLanes,
+        last: &InstantLanes,
+        window: &TimeWindow<Lanes>,
+        _parameters: &ParameterLanes,
+    ) -> Mask<LANES> {
+        let pair = [&at.values[..], &last.values[..]];
+        let path = self.compiled.path.as_ref();
+        path.map_or(Mask::NONE, |path| {
+            path.stay_in_lanes(pair, window, &mut at.path_registers)
+        })
     }
 }
 

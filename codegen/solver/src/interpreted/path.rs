@@ -3,14 +3,15 @@
 //! The statements are those of generated code; see [`linkwright::Blocks::verify_path`].
 
 use linkwright::generated::{Pair, PathEnclosure, TimeWindow, required};
-use linkwright_codegen::stages::expr::{Code, Register, SymbolId};
+use linkwright::lanes::Mask;
+use linkwright_codegen::stages::expr::{Code, Lanes, Register, SymbolId};
 use linkwright_codegen::stages::pool::{Pool, SymbolRole};
 use linkwright_codegen::stages::program::{Function, Program};
 use linkwright_codegen::stages::system::System;
 
 use super::Interpreted;
 use crate::instant::{Instant, Layout};
-use crate::operation::{Operation, Writer, run};
+use crate::operation::{LANES, Operation, Writer, run, run_lanes};
 
 /// Path of a mechanism.
 #[derive(Clone, Debug)]
@@ -95,6 +96,26 @@ impl InterpretedPath {
         let closed = self.closed.as_ref();
         let closed = closed.map_or(Vec::new(), |shown| shown.code.registers().to_vec());
         [self.whole.code.registers().to_vec(), closed]
+    }
+
+    /// Registers of the verification of closed forms in lanes.
+    pub fn lanes(&self) -> Vec<Lanes> {
+        let closed = self.closed.as_ref();
+        closed.map_or(Vec::new(), |closed| closed.code.lanes())
+    }
+
+    /// Returns the lanes whose blocks stay nonsingular; see [`InLanes::verify_lanes`](linkwright::lanes::InLanes::verify_lanes).
+    #[inline(always)]
+    pub fn stay_in_lanes(
+        &self,
+        pair: [&[Lanes]; 2],
+        window: &TimeWindow<Lanes>,
+        registers: &mut [Lanes],
+    ) -> Mask<LANES> {
+        match &self.closed {
+            Some(closed) => closed.verify_lanes(pair, window, registers),
+            None => Mask::NONE,
+        }
     }
 
     /// True if the path closes; see [`Blocks::is_closed`](linkwright::Blocks::is_closed).
@@ -244,5 +265,41 @@ impl WindowCheck {
             }
         }
         Ok(())
+    }
+
+    /// Returns the lanes whose windows are verified, for two instants of each.
+    #[inline(always)]
+    fn verify_lanes(
+        &self,
+        pair: [&[Lanes]; 2],
+        window: &TimeWindow<Lanes>,
+        registers: &mut [Lanes],
+    ) -> Mask<LANES> {
+        for (read, values) in self.read.iter().zip(pair) {
+            for &(register, slot) in read {
+                registers[register.index()] = values[slot];
+            }
+        }
+        let numbers_of_window = [
+            window.time,
+            window.steps,
+            window.remainder,
+            window.beyond,
+            window.rounding,
+        ];
+        for (register, value) in self.window.iter().zip(numbers_of_window) {
+            registers[register.index()] = value;
+        }
+        let mut failed = Mask::NONE;
+        for operation in &self.operations {
+            failed |= match operation {
+                Operation::Require(value, _) => {
+                    let value = registers[value.index()];
+                    !Mask::of(|lane| value.0[lane] >= 0.0)
+                }
+                _ => run_lanes(operation, &self.code, registers),
+            };
+        }
+        !failed
     }
 }

@@ -7,7 +7,9 @@ mod responses;
 
 pub(in crate::emit) use assemblies::{ASSEMBLIES, of_assembly, of_wanted_assembly};
 pub(in crate::emit) use loads::{BLAMED_LOAD, LOADS};
-pub(in crate::emit) use path::{IS_WITHIN, VERIFY_NONSINGULAR, VERIFY_PATH, of_path};
+pub(in crate::emit) use path::{
+    IS_WITHIN, VERIFY_NONSINGULAR, VERIFY_NONSINGULAR_LANES, VERIFY_PATH, of_path,
+};
 pub(in crate::emit) use responses::{of_quantity, of_sensitivity, of_transmission};
 
 use super::Module;

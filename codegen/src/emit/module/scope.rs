@@ -23,6 +23,8 @@ pub(in crate::emit) enum Place {
     Tears,
     /// Frames `at` and `last`.
     Path,
+    /// Frames `at` and `last` of several mechanisms.
+    PathLanes,
 }
 
 /// Location of a value.
@@ -154,7 +156,7 @@ impl<'a> Scope<'a> {
 
     /// True in a function that solves several mechanisms, whose checks return the lanes that fail.
     pub(in crate::emit) fn is_in_lanes(&self) -> bool {
-        self.place == Place::Lanes
+        matches!(self.place, Place::Lanes | Place::PathLanes)
     }
 
     /// True if the symbol is a field of the frame in this function.

@@ -16,7 +16,7 @@ use crate::emit::module::needs::Needs;
 use crate::emit::module::scope::{Place, Scope};
 use crate::emit::module::{Module, documentation};
 use crate::model::field_name;
-use crate::program::Block;
+use crate::program::{Block, Function};
 
 /// Writes the module `lanes`.
 pub(super) fn lanes(module: &Module<'_>, code: &mut Code) {
@@ -26,6 +26,9 @@ pub(super) fn lanes(module: &Module<'_>, code: &mut Code) {
         function(index, block, module, &mut rest);
     }
     solve(module, &mut rest);
+    if let Some(closed) = closed_path(module) {
+        verify_nonsingular(module, closed, &mut rest);
+    }
     let mentioned: HashSet<&str> = rest.names().collect();
     let constants = module.program.constants.list().iter();
     let constants = constants.map(|constant| identifier(&constant.name));
@@ -98,6 +101,10 @@ fn structures(module: &Module<'_>, code: &mut Code) {
     ];
     code.open("::linkwright::generated::lanes::structures! {");
     code.line(format!("{} lanes;", module.scalar.lanes()));
+    code.line(match closed_path(module) {
+        Some(_) => "path: closed;",
+        None => "path: alone;",
+    });
     let without_coordinates = usize::from(!module.holds_coordinates());
     for (name, fields) in lists.into_iter().skip(without_coordinates) {
         match fields.is_empty() {
@@ -181,4 +188,39 @@ fn solve(module: &Module<'_>, code: &mut Code) {
     });
     let docs = ["Solves all blocks, one after another; returns the lanes that fail."];
     code.function(docs, ["#[inline(always)]"], &head, inside);
+}
+
+/// Returns the function that verifies paths by closed forms in sequence, if all lanes can be verified together: inputs have signals of
+/// their own in each lane.
+fn closed_path<'a>(module: &Module<'a>) -> Option<&'a Function> {
+    let closed = module.program.path.as_ref()?.closed.as_ref()?;
+    let reads = Scope::new(module, closed, Place::PathLanes).reads();
+    let has_inputs = !module.system.mechanism.inputs.is_empty();
+    (!has_inputs && !reads.time).then_some(closed)
+}
+
+/// Writes the function that verifies paths by closed forms in sequence.
+fn verify_nonsingular(module: &Module<'_>, function: &Function, code: &mut Code) {
+    let scope = Scope::new(module, function, Place::PathLanes);
+    let mut inside = Code::default();
+    inside.line("let mut failed = Mask::NONE;");
+    inside.append(scope.plain_statements());
+    inside.line("!failed");
+    let mentioned: HashSet<&str> = inside.names().collect();
+    let arguments = [
+        ("at", "Frame"),
+        ("last", "Frame"),
+        ("window", "TimeWindow"),
+        ("parameters", "Parameters"),
+    ];
+    let arguments = arguments.map(|(name, kind)| {
+        let name = argument(name, mentioned.contains(name));
+        format!("{name}: &{kind}")
+    });
+    let head = format!("fn verify_nonsingular({}) -> Mask", arguments.join(", "));
+    let allow: Vec<&str> = lints::of_code(&inside)
+        .chain(["#[inline(always)]"])
+        .collect();
+    let docs = documentation::VERIFY_NONSINGULAR_LANES;
+    code.function(docs, allow, &head, inside);
 }

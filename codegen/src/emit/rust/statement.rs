@@ -77,6 +77,9 @@ impl Scope<'_> {
                 let [at, near] = ["at", "last"].map(|frame| self.module.field(*target, frame));
                 code.line(format!("{at} = angle_near({sine}, {cosine}, {near});"));
             }
+            Statement::Require { value, .. } if self.is_in_lanes() => {
+                code.line(format!("failed |= negative({});", write(value)));
+            }
             Statement::Require { value, block } => {
                 let number = self.module.block_number(*block);
                 code.line(format!("required({}, {number})?;", write(value)));

@@ -27,6 +27,14 @@ LINKWRIGHT_FUNCTION linkwright_status linkwright$f_allow(const linkwright$f_mech
     return LINKWRIGHT_OK;
 }
 
+/* Forgets the verified window, and the numbers of steps of the next look-aheads. */
+LINKWRIGHT_FUNCTION static void forget_path$f(linkwright$f_state *state)
+{
+    state->has_window = false;
+    state->steps = AHEAD$f;
+    state->steps_of_closed_forms = AHEAD$f;
+}
+
 LINKWRIGHT_FUNCTION linkwright_status linkwright$f_assemble(const linkwright$f_mechanism *mechanism, $real t)
 {
     linkwright$f_state *const state = mechanism->state;
@@ -37,9 +45,7 @@ LINKWRIGHT_FUNCTION linkwright_status linkwright$f_assemble(const linkwright$f_m
     (void)memcpy(at, last, mechanism->blocks->frame_size);
     state->start = LINKWRIGHT_LAST_FRAME;
     state->second_is_last = false;
-    state->has_window = false;
-    state->steps = AHEAD$f;
-    state->steps_of_closed_forms = AHEAD$f;
+    forget_path$f(state);
     state->t = t;
     state->sum = t;
     state->rest = 0.0$f;
@@ -110,13 +116,15 @@ LINKWRIGHT_FUNCTION linkwright_status linkwright$f_advance_in_steps(const linkwr
     const void *inputs, const linkwright$f_workspace *workspace)
 {
     const linkwright$f_blocks *const blocks = mechanism->blocks;
-    const linkwright$f_state *const state = mechanism->state;
+    linkwright$f_state *const state = mechanism->state;
     const void *const last = frame_of$f(mechanism, true);
     /* No path leads to inputs that are not allowed. */
     const bool is_driven_so = (blocks->signals > 0U) && (mechanism->failure->status == LINKWRIGHT_NOT_POSITIVE);
     if (is_of_input$f(mechanism->failure) || is_driven_so || (state->settings.substeps <= 1U)) {
         return mechanism->failure->status;
     }
+    /* The steps depend on the last frame alone, not on the windows that have led there. */
+    forget_path$f(state);
     Way$f way;
     way.mechanism = mechanism;
     way.from = blocks->time(last);

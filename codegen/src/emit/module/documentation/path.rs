@@ -47,6 +47,12 @@ pub(in crate::emit) const VERIFY_NONSINGULAR: [&str; 2] = [
     "Fails with the number of the block that is not verified.",
 ];
 
+/// Documentation of the same verification in lanes.
+pub(in crate::emit) const VERIFY_NONSINGULAR_LANES: [&str; 2] = [
+    "Verifies for each dyad in turn that its two links do not become collinear in the window.",
+    "Returns the lanes that are verified.",
+];
+
 /// Documentation of the check of values that Newton-Raphson finds.
 pub(in crate::emit) const IS_WITHIN: &str =
     "True if the values found by Newton-Raphson lie in the enclosures of the path.";
