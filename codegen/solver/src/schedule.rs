@@ -56,9 +56,7 @@ impl Schedule {
     /// A sentence with the number that cannot be used.
     pub fn range(from: f64, to: f64, step: f64) -> Result<Schedule, String> {
         if to < from {
-            return Err(format!(
-                "`--to {to}` lies before `--from {from}`; only `--at` goes back in time"
-            ));
+            return Err(format!("`--to {to}` lies before `--from {from}`"));
         }
         Ok(Schedule {
             start: Visit {

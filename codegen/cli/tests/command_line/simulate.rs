@@ -145,17 +145,20 @@ fn refuses_fully_driven_mechanism() {
         stderr.contains("no coordinate of `a.mech` is free"),
         "{stderr}"
     );
-    for options in [
-        "--rtol 0",
-        "--rtol x",
-        "--to -1",
-        "--atol 2",
-        "--method rk4",
+    for (options, words) in [
+        ("--rtol 0", "a tolerance is between"),
+        ("--rtol x", "not a number"),
+        (
+            "--to -1",
+            "error: `--to -1` lies before the start of the motion, 0 s\n",
+        ),
+        ("--atol 2", "a tolerance is between"),
+        ("--method rk4", "invalid value 'rk4'"),
     ] {
         let folder = Folder::new("simulate_refused", PENDULUM);
-        folder
-            .run(&format!("simulate a.mech {options}"))
-            .exits_with(2);
+        let ran = folder.run(&format!("simulate a.mech {options}"));
+        let stderr = ran.exits_with(2).stderr;
+        assert!(stderr.contains(words), "{options}: {stderr}");
     }
 }
 

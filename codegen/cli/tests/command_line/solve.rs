@@ -166,7 +166,10 @@ fn bad_input_exits_with_2() {
         ("solve a.mech --step -1", "a step must be positive"),
         ("solve a.mech --step nan", "not a finite number"),
         ("solve a.mech --to inf", "not a finite number"),
-        ("solve a.mech --to -1", "`--to -1` lies before `--from 0`"),
+        (
+            "solve a.mech --to -1",
+            "`--to -1` lies before `--from 0`\n  = help: name earlier instants with `--at`",
+        ),
         ("solve a.mech --step 1e-9", "steps are too many"),
         ("solve a.mech --json --csv -", "cannot both write to stdout"),
         ("solve a.mech --at 1 --plot x", "cannot be used with"),

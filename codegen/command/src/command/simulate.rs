@@ -35,6 +35,12 @@ pub fn run(arguments: &Simulate) -> Result<Outcome, Problem> {
     }
     // The drift of energy is always reported.
     forces.energy = true;
+    if arguments.to < 0.0 {
+        return Err(Problem(format!(
+            "error: `--to {}` lies before the start of the motion, 0 s",
+            arguments.to
+        )));
+    }
     let schedule = Schedule::range(0.0, arguments.to, arguments.step);
     let schedule = schedule.map_err(|text| Problem(format!("error: {text}")))?;
     let [points, coordinates] = shown(reported, &derived.system)?;

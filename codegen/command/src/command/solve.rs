@@ -92,6 +92,8 @@ fn schedule(arguments: &Solve) -> Result<Schedule, Problem> {
         from, to, step, at, ..
     } = arguments;
     match at.is_empty() {
+        true if to < from => Schedule::range(*from, *to, *step)
+            .map_err(|text| format!("{text}\n  = help: name earlier instants with `--at`")),
         true => Schedule::range(*from, *to, *step),
         false => Schedule::instants(*from, at, *step),
     }
