@@ -114,14 +114,16 @@ fn curves(
         ends: [(begin, end), (low, high)],
         size: chart.plotting_area().dim_in_pixel(),
     };
-    for (place, point) in points.iter().enumerate() {
-        if point.extremes.is_none() {
-            let left = middle(place.saturating_sub(1), place);
-            let right = middle(place, (place + 1).min(points.len() - 1));
-            let lines = surface.hatched([left, right], [low, high]);
-            chart.draw_series(lines.map(hatching))?;
-        }
-    }
+    let failed = points.iter().enumerate();
+    let failed = failed.filter(|(_, it)| it.extremes.is_none());
+    let failed = failed.map(|(place, _)| {
+        let left = middle(place.saturating_sub(1), place);
+        let right = middle(place, (place + 1).min(points.len() - 1));
+        [[left, right], [low, high]]
+    });
+    let failed: Vec<[[f64; 2]; 2]> = failed.collect();
+    let lines = surface.hatched(&failed).into_iter();
+    chart.draw_series(lines.map(hatching))?;
     for (which, color) in COLORS.iter().enumerate() {
         let stroke = color.stroke_width(2 * UNITS);
         for run in points.split(|it| it.extremes.is_none()) {
@@ -187,7 +189,7 @@ fn map(
     };
     // Cells overlap by a pixel, so that no seams shine through; the last ones end at the axes.
     let overlap = surface.pixel();
-    let mut failed: Vec<([f64; 2], [f64; 2])> = Vec::new();
+    let mut failed: Vec<[[f64; 2]; 2]> = Vec::new();
     for point in points {
         let color = point.extremes.map(|it| color(it[which], low, high));
         let edges = [0, 1].map(|axis| cell(&axes[axis].values, point.at[axis], ends[axis]));
@@ -196,13 +198,7 @@ fn map(
                 let corners = [(x[0], y[0]), (x[1] + overlap[0], y[1] + overlap[1])];
                 chart.draw_series([Rectangle::new(corners, color.filled())])?;
             }
-            ([Some(x), Some(y)], None) => {
-                // Cells of a column that follow one another are hatched as one.
-                match failed.last_mut() {
-                    Some((across, up)) if *across == x && up[1] == y[0] => up[1] = y[1],
-                    _ => failed.push((x, y)),
-                }
-            }
+            ([Some(x), Some(y)], None) => failed.push([x, y]),
             (_, Some(color)) => {
                 let at = (point.at[0], point.at[1]);
                 chart.draw_series([Circle::new(at, 3 * UNITS as i32, color.filled())])?;
@@ -214,8 +210,7 @@ fn map(
             }
         }
     }
-    let failed = failed.into_iter();
-    let lines = failed.flat_map(|(across, up)| surface.hatched(across, up));
+    let lines = surface.hatched(&failed).into_iter();
     chart.draw_series(lines.map(hatching))?;
     mesh(
         &mut chart,
