@@ -4,6 +4,7 @@
 //! here, so that modules in all languages compute and document the same. A language brings its [`Words`] and prints.
 
 pub(super) mod accessors;
+pub(super) mod checked_time;
 pub(super) mod checks;
 pub(super) mod documentation;
 pub(super) mod drawing;

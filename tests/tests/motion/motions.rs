@@ -1,5 +1,6 @@
 //! Mechanisms with several motions: each motion is a module of its own, and one inverts the other.
 
+use linkwright::{Failure, FailureKind};
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
 use linkwright_codegen::stages::check_all;
 use linkwright_codegen::{Options, generate, read};
@@ -45,6 +46,23 @@ fn parameters_of_a_motion_are_its_own_behind_those_of_the_mechanism() {
     assert!((frame.q.phi_arm - (1.0 - 0.2 * 2.1)).abs() <= 1e-14);
     let frame = driven_out.advance(2.1).expect("it turns");
     assert!((frame.q.phi_arm - (0.25 + 3.0 * 2.1)).abs() <= 1e-14);
+}
+
+/// No equation of the motion `still` depends on time.
+#[test]
+fn a_motion_at_rest_refuses_times_that_are_not_finite() {
+    use motion_parameters::still::MotionParameters;
+    let kind = |result: Result<(), Failure>| result.expect_err("no such time").kind;
+    let mut resting = MotionParameters::assemble(0.0).expect("as drawn");
+    for t in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let assembled = MotionParameters::assemble(t).map(drop);
+        assert_eq!(kind(assembled), FailureKind::NotFinite, "{t}");
+        let moved = resting.advance(t).map(drop);
+        assert_eq!(kind(moved), FailureKind::NotFinite, "{t}");
+        assert_eq!(resting.frame().t, 0.0);
+    }
+    let frame = resting.advance(7.0).expect("at rest");
+    assert_eq!((frame.t, frame.q.phi_arm), (7.0, 0.5));
 }
 
 #[test]

@@ -5,6 +5,7 @@ use super::loads;
 use super::points::point_functions;
 use super::printer::Printer;
 use crate::emit::code::Code;
+use crate::emit::module::checked_time::checks_time;
 use crate::emit::module::checks::checked;
 use crate::emit::module::documentation;
 use crate::emit::module::drawing::frame_keeps_parameters;
@@ -75,7 +76,13 @@ pub(super) fn solve(printer: &Printer<'_>, text: &mut Code) {
     for block in &module.program.blocks {
         block::call(block, printer, &mut body);
     }
-    let checked = checked(module);
+    let checked = match module.is_large() {
+        true => Vec::new(),
+        false => checked(module),
+    };
+    let checked = checked.iter().map(|&symbol| printer.field(symbol, "at"));
+    let time = checks_time(module).then(|| "at->t".to_string());
+    let checked: Vec<String> = checked.chain(time).collect();
     let all_needs = module
         .program
         .blocks
@@ -114,14 +121,12 @@ pub(super) fn solve(printer: &Printer<'_>, text: &mut Code) {
     }
     text.gap();
     text.append(body);
-    if module.is_large() || checked.is_empty() {
+    if checked.is_empty() {
         text.line("return LINKWRIGHT_OK;");
     } else {
-        let fields = checked.iter().map(|&symbol| printer.field(symbol, "at"));
-        let fields: Vec<String> = fields.collect();
-        let count = fields.len();
+        let count = checked.len();
         text.comment(["A value that is not finite makes one of these not finite."]);
-        text.line(printer.array("checked", &fields));
+        text.line(printer.array("checked", &checked));
         let finite = printer.runtime("all_finite");
         let failed = format!("{}(conditions, 0U)", printer.runtime("not_finite"));
         if module.program.loads.is_some() {

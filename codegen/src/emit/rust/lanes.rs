@@ -10,6 +10,7 @@ use super::lints;
 use super::names::identifier;
 use super::tables::table_name;
 use crate::emit::code::Code;
+use crate::emit::module::checked_time::checks_time;
 use crate::emit::module::checks::checked;
 use crate::emit::module::drawing::frame_keeps_parameters;
 use crate::emit::module::needs::Needs;
@@ -179,7 +180,8 @@ fn solve(module: &Module<'_>, code: &mut Code) {
     inside.append(calls);
     let checked = checked(module).into_iter();
     let checked = checked.map(|symbol| format!("&{}", module.field(symbol, "at")));
-    let checked: Vec<String> = checked.collect();
+    let time = checks_time(module).then(|| "&at.t".to_string());
+    let checked: Vec<String> = checked.chain(time).collect();
     inside.line(match (checked.is_empty(), can_fail) {
         (true, true) => "failed".to_string(),
         (true, false) => "Mask::NONE".to_string(),

@@ -9,6 +9,7 @@ use super::module::derives;
 use super::names::type_name;
 use super::parameters;
 use crate::emit::code::Code;
+use crate::emit::module::checked_time::checks_time;
 use crate::emit::module::checks::checked;
 use crate::emit::module::drawing::frame_keeps_parameters;
 use crate::emit::module::path_enclosures::enclosure_count;
@@ -71,9 +72,14 @@ fn solve(module: &Module<'_>, code: &mut Code) {
         inside.line("at.parameters = *conditions.parameters;");
     }
     inside.append(calls);
-    let checked = checked(module).into_iter();
-    let checked: Vec<String> = checked.map(|symbol| module.field(symbol, "at")).collect();
-    if module.is_large() || checked.is_empty() {
+    let checked = match module.is_large() {
+        true => Vec::new(),
+        false => checked(module),
+    };
+    let checked = checked.iter().map(|&symbol| module.field(symbol, "at"));
+    let time = checks_time(module).then(|| "at.t".to_string());
+    let checked: Vec<String> = checked.chain(time).collect();
+    if checked.is_empty() {
         inside.line("Ok(())");
     } else {
         let failure = loads::blamed("not_finite(conditions.t, 0)", module);

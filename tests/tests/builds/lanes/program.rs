@@ -134,7 +134,10 @@ where
                 "{name}, lane {lane}, step {step}:\n{frame:?}\n{expected:?}"
             );
             match result {
-                Ok(()) => counted.frames += 1,
+                Ok(()) => {
+                    assert!(times[lane].to_f64().is_finite(), "{name}: a frame at no time");
+                    counted.frames += 1;
+                }
                 Err(failure) => *counted.failures.entry(kind(&failure)).or_default() += 1,
             }
         }

@@ -98,6 +98,10 @@ where
     for t in [2.5, 1.0, 1.3, 4.0, 0.0, -0.7, 30.0] {
         both.advance(&laws.at(t), t);
     }
+    // Inputs are finite where the time is not.
+    for t in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        both.advance(&laws.at(0.5), t);
+    }
     both.assemble(&nominal, &other(0.0), 0.0);
     for frame in 1..=50 {
         let t = 0.01 * f64::from(frame);
