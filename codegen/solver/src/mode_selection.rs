@@ -49,6 +49,17 @@ enum Wish {
     Pose(char),
 }
 
+impl Wish {
+    /// Returns the sign of a closed form, which is `drawn` in the design configuration.
+    fn sign(self, drawn: Branch) -> Branch {
+        match self {
+            Wish::Mode(Sought::Sign(sign)) => sign,
+            Wish::Mode(Sought::Other) => drawn.opposite(),
+            Wish::Mode(Sought::Near) | Wish::Pose(_) => drawn,
+        }
+    }
+}
+
 /// Reason that a mechanism cannot be assembled as requested.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Unassembled {
@@ -144,6 +155,19 @@ impl ModeSelection {
         Ok(ModeSelection(selected))
     }
 
+    /// Returns all modes, for any values of the parameters; `None` if a loop without a closed form is selected, whose pose must be found.
+    pub fn closed(&self, interpreted: &Interpreted) -> Option<Modes> {
+        let mut modes = interpreted.drawn_branches();
+        for (name, wish) in &self.0 {
+            if !name.is_closed {
+                return None;
+            }
+            let mode = &mut modes.closed[name.place];
+            *mode = wish.sign(*mode);
+        }
+        Some(modes)
+    }
+
     /// Assembles the mechanism at time `t` (s) as requested, block by block, with its nominal parameters and inputs.
     ///
     /// # Errors
@@ -157,11 +181,7 @@ impl ModeSelection {
         let mut modes = interpreted.drawn_branches();
         for (name, wish) in self.0.iter().filter(|(name, _)| name.is_closed) {
             let mode = &mut modes.closed[name.place];
-            *mode = match wish {
-                Wish::Mode(Sought::Sign(sign)) => *sign,
-                Wish::Mode(Sought::Other) => mode.opposite(),
-                Wish::Mode(Sought::Near) | Wish::Pose(_) => *mode,
-            };
+            *mode = wish.sign(*mode);
         }
         let mut state = interpreted.before_assembly(t);
         for (index, block) in interpreted.compiled().blocks.iter().enumerate() {

@@ -14,7 +14,7 @@ use linkwright::{Blocks, Failure, Settings, Values};
 
 use crate::interpreted::Interpreted;
 use crate::observable::Observable;
-use crate::supplied::InputSignals;
+use crate::supplied::{InputSignals, Modes, Pose};
 use crate::view::View;
 use worker::{Piece, Worker};
 
@@ -65,6 +65,10 @@ pub struct Batch<'a> {
     /// True if a set follows its path from instant to instant, and ends where the path does. False if each instant is solved by itself in the
     /// modes of the first one.
     pub follows_path: bool,
+    /// Assembly modes of all sets; `None` for those of the design configuration.
+    pub modes: Option<Modes>,
+    /// Pose near which all sets are assembled; `None` for the design configuration of each set.
+    pub pose: Option<Pose>,
     /// Number of threads, at least 1.
     pub threads: usize,
     /// Settings of Newton-Raphson and of steps.
@@ -118,6 +122,8 @@ impl Batch<'_> {
             times,
             observables,
             follows_path: true,
+            modes: None,
+            pose: None,
             threads: thread::available_parallelism().map_or(1, usize::from),
             settings: Settings::default(),
         }
@@ -159,6 +165,8 @@ impl Batch<'_> {
             times: self.times,
             observables: self.observables,
             follows_path: self.follows_path,
+            modes: self.modes.as_ref(),
+            pose: self.pose.as_ref(),
             settings: self.settings,
         };
         let workers = (0..threads).map(|_| Worker::new(task, self.blocks.clone()));
@@ -222,6 +230,8 @@ struct Task<'a> {
     times: &'a [f64],
     observables: &'a [Observable],
     follows_path: bool,
+    modes: Option<&'a Modes>,
+    pose: Option<&'a Pose>,
     settings: Settings,
 }
 

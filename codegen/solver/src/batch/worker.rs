@@ -9,7 +9,7 @@ use super::columns::Columns;
 use super::{Outcome, Supplied, Task};
 use crate::interpreted::Interpreted;
 use crate::operation::LANES;
-use crate::supplied::{InputSignals, Numbers};
+use crate::supplied::{InputSignals, Modes, Numbers, Pose};
 
 /// Lanes of a thread.
 pub(super) struct Worker<'a> {
@@ -113,7 +113,9 @@ impl<'a> Worker<'a> {
         let blocks = self.spare.pop().unwrap_or_else(|| self.blocks.clone());
         let set = piece.first + set;
         let parameters = Numbers(piece.supplied.parameters(set).to_vec());
-        let (pose, modes) = (blocks.drawn_pose(&parameters), blocks.drawn_branches());
+        let Task { pose, modes, .. } = self.task;
+        let pose = pose.map_or_else(|| blocks.drawn_pose(&parameters), Pose::clone);
+        let modes = modes.map_or_else(|| blocks.drawn_branches(), Modes::clone);
         let (t, inputs) = (self.task.times[0], piece.supplied.inputs(set, 0));
         Shell::assemble(
             blocks,
