@@ -58,6 +58,16 @@ fn a_fit_is_refused() {
     refuses("calibrate", "which fits parameters", &commands);
 }
 
+#[cfg(not(feature = "parquet"))]
+#[test]
+fn a_parquet_file_is_refused() {
+    let commands = [
+        "sweep a.mech --vary L=1..2:3 -o a.parquet",
+        "sweep missing.mech --vary L=1..2:3 --output A.PARQUET --resume",
+    ];
+    refuses("parquet", "which writes Parquet files", &commands);
+}
+
 #[cfg(not(feature = "man"))]
 #[test]
 fn manual_pages_are_refused() {

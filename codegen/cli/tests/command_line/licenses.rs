@@ -27,11 +27,11 @@ struct Package {
     folder: PathBuf,
 }
 
-/// Packages of other authors in the command, by name.
+/// Packages of other authors in the command with all its features, by name.
 fn packages() -> Vec<Package> {
     let mut command = Command::new(env!("CARGO"));
     command.args(["metadata", "--format-version=1", "--offline", "--locked"]);
-    command.args(["--filter-platform", PLATFORM]);
+    command.args(["--all-features", "--filter-platform", PLATFORM]);
     let output = command.current_dir(repository()).output().expect("cargo");
     let text = String::from_utf8(output.stdout).expect("UTF-8");
     let metadata = json(&text);

@@ -29,6 +29,7 @@ mod guide;
     feature = "calibrate",
     feature = "lsp",
     feature = "man",
+    feature = "parquet",
     feature = "png"
 )))]
 mod left_out;
@@ -57,6 +58,9 @@ mod solve;
 mod solve_files;
 mod solve_shown;
 mod sweep;
+mod sweep_branch;
+#[cfg(feature = "parquet")]
+mod sweep_parquet;
 #[cfg(unix)]
 mod sweep_resumed;
 mod sweep_sets;

@@ -88,6 +88,10 @@ fn only_the_same_sweep_is_continued() {
             "expected `set: L4=81mm`, found `set: `",
         ),
         (format!("{options} --instants"), "expected `columns: "),
+        (
+            format!("{options} --branch phi_coupler_phi_rocker=other"),
+            "expected `branch: phi_coupler_phi_rocker=other`, found `branch: `",
+        ),
     ] {
         let ran = folder
             .run(&format!("sweep a.mech {other} --resume"))

@@ -51,6 +51,9 @@ pub struct Sweep {
     /// Value of a parameter, or motion of an input as an expression of t, in all sets; may be repeated
     #[arg(long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
     pub set: Vec<String>,
+    /// Assembly mode of a loop in all sets, as in `solve`; may be repeated
+    #[arg(long, value_name = "LOOP=MODE")]
+    pub branch: Vec<String>,
     /// Quantities, separated by commas: coordinates, rates, points, their components and forces, as in `solve`: `phi(1)`,
     /// `phi2_d`, `K`, `K_vx`, `effort_crank` [default: all angles]
     #[arg(long, value_name = "phi(1),x2,K_x", value_delimiter = ',')]
@@ -58,15 +61,18 @@ pub struct Sweep {
     /// Write the values at every instant, a row for each, instead of their extremes
     #[arg(long)]
     pub instants: bool,
-    /// Output file of the table; `-` is stdout, and the summary then goes to stderr [default: sweep.csv in the folder of
-    /// `solve`]
+    /// Output file of the table, as CSV or Parquet by its ending: `.csv` or `.parquet` [default: sweep.csv in the folder
+    /// of `solve`]
+    #[arg(short, long, value_name = "FILE", conflicts_with = "csv")]
+    pub output: Option<PathBuf>,
+    /// Output file of the table as CSV, with any ending; `-` is stdout, and the summary then goes to stderr
     #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,
     /// Folder for the pictures of one or two varied values: an SVG for each quantity [default: the folder of the
     /// default table]
     #[arg(long, value_name = "DIR")]
     pub plot: Option<PathBuf>,
-    /// Continue a table that an interrupted run has left
+    /// Continue a table of CSV that an interrupted run has left
     #[arg(long)]
     pub resume: bool,
     /// Number of threads [default: as many as the machine has]
@@ -82,9 +88,10 @@ Examples:
   linkwright sweep lift.mech --vary L3=100mm..140mm:41 --show phi_rocker    41 couplers: a table and a picture
   linkwright sweep lift.mech --vary L3=100mm..140mm:41 --vary L4=60mm..100mm:41 --show P_y
   linkwright sweep lift.mech --rows sets.csv --instants --csv - > frames.csv
+  linkwright sweep lift.mech --rows sets.csv --instants -o frames.parquet
   linkwright sweep lift.mech --vary L3=100mm..140mm --vary L4=60mm..100mm --samples 10000 --seed 7
   linkwright sweep lift.mech --vary L3=100mm..140mm:1000001 --resume        continues after an interruption
 
-The table grows in FILE.part, which becomes FILE at the end.
+The table grows in FILE.part, which becomes FILE at the end. A part that is a Parquet file cannot be continued.
 
 Exit codes: 0 solved, also if sets fail, 2 bad input.";

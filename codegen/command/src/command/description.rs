@@ -227,15 +227,32 @@ pub fn chosen(
     if wished.is_empty() {
         return Ok(None);
     }
-    let wishes = ModeSelection::read(interpreted, wished);
-    let wishes = wishes.map_err(|text| Problem(format!("error: {text}")))?;
-    let assembled = wishes.assembled(interpreted, t).map_err(|reason| {
+    assembled(&selected(wished, interpreted)?, interpreted, t).map(Some)
+}
+
+/// Reads `LOOP=MODE` of each option.
+///
+/// # Errors
+/// An option cannot be read.
+pub fn selected(wished: &[String], interpreted: &Interpreted) -> Result<ModeSelection, Problem> {
+    ModeSelection::read(interpreted, wished).map_err(|text| Problem(format!("error: {text}")))
+}
+
+/// Returns the pose and the modes of a selection.
+///
+/// # Errors
+/// The selection has no assembly.
+pub fn assembled(
+    selection: &ModeSelection,
+    interpreted: &Interpreted,
+    t: f64,
+) -> Result<(Instant, Modes), Problem> {
+    selection.assembled(interpreted, t).map_err(|reason| {
         let explained = reason.explained(interpreted);
         Problem(format!(
             "error: the mechanism cannot be assembled in this mode: {explained}"
         ))
-    });
-    assembled.map(Some)
+    })
 }
 
 /// Returns the error of a mechanism whose blocks have no order of solution.

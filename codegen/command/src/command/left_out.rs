@@ -3,11 +3,12 @@
 use super::Problem;
 
 /// Features of the package, each with true if this build has it.
-const FEATURES: [(&str, bool); 4] = [
+const FEATURES: [(&str, bool); 5] = [
     ("png", cfg!(feature = "png")),
     ("lsp", cfg!(feature = "lsp")),
     ("calibrate", cfg!(feature = "calibrate")),
     ("man", cfg!(feature = "man")),
+    ("parquet", cfg!(feature = "parquet")),
 ];
 
 /// Returns the error about a feature that is left out, and the command that adds it to the features of this build.

@@ -28,6 +28,7 @@ pub mod simulate;
 pub mod solve;
 mod solve_files;
 pub mod sweep;
+mod sweep_files;
 pub mod view;
 pub mod watch;
 

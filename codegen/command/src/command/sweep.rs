@@ -1,21 +1,24 @@
 //! Solves many sets of parameters and inputs, and writes a table and pictures.
 
 use std::io::{self, BufReader, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::thread;
 
 use linkwright_codegen::stages::system::Derived;
-use linkwright_solver::{Observable, Schedule};
+use linkwright_solver::{Interpreted, Numbers, Observable, Schedule};
 
-use super::description::{determined, interpreted, outputs_besides, set_all, source};
-use super::solve_files::{distinct, folder};
-use super::{Outcome, Problem, in_folder, print, say};
+use super::description::{assembled, determined, interpreted, selected, set_all, source};
+#[cfg(feature = "parquet")]
+use super::sweep_files::PARQUET_LEFT;
+use super::sweep_files::{CSV_LEFT, Files, TableFormat, is_stdout};
+use super::{Outcome, Problem, print, say};
 use crate::arguments;
-use crate::output::{Output, Pieces};
+use crate::output::Pieces;
 use crate::progress::Progress;
-use crate::report::picture;
+#[cfg(feature = "parquet")]
+use crate::sweep::ParquetRows;
 use crate::sweep::{
-    Continuation, Grid, Pictured, Quantity, Range, SIGNATURE, Samples, Sets, Solved, Summary,
+    Continuation, CsvCells, Extremes, Grid, Pictured, Range, Samples, Sets, Solved, Start, Summary,
     Sweep, Table, continuation, definition, quantities,
 };
 
@@ -24,6 +27,7 @@ use crate::sweep::{
 /// # Errors
 /// The description has errors, an option cannot be used, or a file cannot be written.
 pub fn run(arguments: &arguments::Sweep) -> Result<Outcome, Problem> {
+    let format = TableFormat::of(arguments)?;
     let source =
         source(&arguments.described.file)?.reported_in(arguments.reported_in.units.clone());
     let motion = arguments.described.motion.as_deref();
@@ -35,47 +39,61 @@ pub fn run(arguments: &arguments::Sweep) -> Result<Outcome, Problem> {
     let visits = schedule.forward.visits().map(|it| it.t);
     let times: Vec<f64> = std::iter::once(schedule.start.t).chain(visits).collect();
     let quantities = quantities(&derived, &arguments.show).map_err(Problem)?;
-    let mut files = Files::new(arguments, &source, &derived, &sets, &quantities)?;
+    let files = Files::new(arguments, format, &source, &derived, &sets, &quantities)?;
     let blocks = interpreted(&derived, &source, &arguments.described.file)?;
     let observables: Vec<Observable> = quantities.iter().map(|it| it.observable).collect();
     let threads = arguments.threads.map(usize::from);
     let threads = threads.or_else(|| thread::available_parallelism().ok().map(usize::from));
     let sweep = Sweep::new(&blocks, &sets, &times, &observables, threads.unwrap_or(1));
-    let sweep = sweep.map_err(Problem)?;
+    let start = start(&arguments.branch, &blocks, times[0])?;
+    let sweep = sweep.map_err(Problem)?.started(start);
     let has_instants = arguments.instants;
     let mut job = Job {
         table: Table::new(sets.varied(), &quantities, &times, &blocks, has_instants),
         summary: Summary::new(&blocks, sets.varied(), &quantities),
         pictured: Pictured::new(&sets, &quantities).filter(|_| !files.pictures.is_empty()),
         progress: Progress::of_sets(sets.count()),
-        repeated: Vec::new(),
-        is_foreign: false,
     };
     let header = job.table.header().map_err(Problem::of)?;
+    let definition = || {
+        let (set, branch) = (&arguments.set, &arguments.branch);
+        definition(&source, motion, set, branch, &sets, &times, &header)
+    };
     let mut first = 0;
-    match files.table.take() {
-        None => print(|output| {
+    match (files.table, format) {
+        (None, _) => print(|output| {
             output.write_all(&header)?;
-            job.solve(&sweep, 0, output)
+            job.solve_to_text(&sweep, &mut Continuation::default(), output)
         })?,
-        Some(output) => {
-            let definition = definition(&source, motion, &arguments.set, &sets, &times, &header);
+        (Some(output), TableFormat::Csv) => {
             let mut pieces = match arguments.resume {
-                true => output.resumed_pieces(&definition)?,
-                false => output.pieces(&definition)?,
+                true => output.resumed_pieces(&definition())?,
+                false => output.pieces(&definition(), CSV_LEFT)?,
             };
-            let start = start(&mut pieces, &header, sets.count())?;
-            if start.length == 0 {
+            let mut continuation = continued(&mut pieces, &header, sets.count())?;
+            if continuation.length == 0 {
                 let begun = pieces.write_all(&header).and_then(|()| pieces.flush());
                 begun.map_err(Problem::of)?;
             }
-            first = start.set;
-            job.repeated = start.rows;
-            let solved = job.solve(&sweep, first, &mut pieces);
-            if job.is_foreign {
+            first = continuation.set;
+            let solved = job.solve_to_text(&sweep, &mut continuation, &mut pieces);
+            if solved.is_err() && !continuation.rows.is_empty() {
                 return Err(pieces.foreign().into());
             }
             solved.map_err(Problem::of)?;
+            pieces.finish()?;
+        }
+        #[cfg(feature = "parquet")]
+        (Some(output), TableFormat::Parquet) => {
+            let mut pieces = output.pieces(&definition(), PARQUET_LEFT)?;
+            let rows = ParquetRows::new(&job.table.columns(), &mut pieces, |pieces, end| {
+                pieces.end_so_far(end)
+            });
+            let mut rows = rows.map_err(Problem::of)?;
+            let solved = job.solve(&sweep, 0, &mut |table, solved, extremes| {
+                table.write(solved, extremes, &mut rows)
+            });
+            solved.and_then(|()| rows.finish()).map_err(Problem::of)?;
             pieces.finish()?;
         }
     }
@@ -127,26 +145,17 @@ struct Job<'a> {
     /// Sets of the pictures; `None` without pictures.
     pictured: Option<Pictured<'a>>,
     progress: Progress,
-    /// Rows of an interrupted run that the first set must repeat.
-    repeated: Vec<u8>,
-    /// True if it does not.
-    is_foreign: bool,
 }
+
+/// Procedure that writes the rows of a set.
+type Written<'a> = dyn FnMut(&Table<'_>, &Solved<'_>, &[Option<Extremes>]) -> io::Result<()> + 'a;
 
 impl Job<'_> {
     /// Solves the sets from `first` on, and writes their rows.
-    fn solve(&mut self, sweep: &Sweep<'_>, first: u64, output: &mut dyn Write) -> io::Result<()> {
-        let mut rows = Vec::new();
+    fn solve(&mut self, sweep: &Sweep<'_>, first: u64, write: &mut Written<'_>) -> io::Result<()> {
         sweep.solve(first, |solved: Solved<'_>| {
             let extremes = self.table.extremes(&solved);
-            rows.clear();
-            self.table.write(&solved, &extremes, &mut rows)?;
-            if !rows.starts_with(&self.repeated) {
-                self.is_foreign = true;
-                return Err(io::Error::other("rows differ"));
-            }
-            self.repeated.clear();
-            output.write_all(&rows)?;
+            write(&self.table, &solved, &extremes)?;
             self.summary.take(&solved, &extremes);
             if let Some(pictured) = &mut self.pictured {
                 pictured.take(&solved, &extremes);
@@ -156,10 +165,53 @@ impl Job<'_> {
             Ok(())
         })
     }
+
+    /// Solves the sets with which a table of CSV continues, and writes their rows. The rows of the continuation are removed if the first set
+    /// repeats them; otherwise they stay, and the table ends with an error.
+    fn solve_to_text(
+        &mut self,
+        sweep: &Sweep<'_>,
+        continuation: &mut Continuation,
+        output: &mut dyn Write,
+    ) -> io::Result<()> {
+        let mut rows = Vec::new();
+        self.solve(sweep, continuation.set, &mut |table, solved, extremes| {
+            rows.clear();
+            let mut cells = CsvCells::new(&mut rows);
+            table.write(solved, extremes, &mut cells)?;
+            cells.flush()?;
+            drop(cells);
+            if !rows.starts_with(&continuation.rows) {
+                return Err(io::Error::other("rows differ"));
+            }
+            continuation.rows.clear();
+            output.write_all(&rows)
+        })
+    }
+}
+
+/// Returns the modes and the pose in which sets are assembled.
+fn start(wished: &[String], blocks: &Interpreted, t: f64) -> Result<Start, Problem> {
+    if wished.is_empty() {
+        return Ok(Start::default());
+    }
+    let selection = selected(wished, blocks)?;
+    // Closed forms of all sets have the selected signs. Other loops have a pose near the one of the description's values.
+    if let Some(modes) = selection.closed(blocks) {
+        return Ok(Start {
+            modes: Some(modes),
+            pose: None,
+        });
+    }
+    let (instant, modes) = assembled(&selection, blocks, t)?;
+    Ok(Start {
+        modes: Some(modes),
+        pose: Some(Numbers(instant.q().to_vec())),
+    })
 }
 
 /// Returns the place at which a table continues, and cuts what is behind; the header of a new table has no bytes yet.
-fn start(pieces: &mut Pieces, header: &[u8], count: u64) -> Result<Continuation, Problem> {
+fn continued(pieces: &mut Pieces, header: &[u8], count: u64) -> Result<Continuation, Problem> {
     let place = match pieces.part()? {
         None => None,
         Some(part) => {
@@ -169,11 +221,7 @@ fn start(pieces: &mut Pieces, header: &[u8], count: u64) -> Result<Continuation,
         }
     };
     match place {
-        None => Ok(Continuation {
-            set: 0,
-            length: 0,
-            rows: Vec::new(),
-        }),
+        None => Ok(Continuation::default()),
         Some(place) => {
             pieces.cut(place.length)?;
             Ok(place)
@@ -220,61 +268,4 @@ fn check_apart(arguments: &arguments::Sweep, sets: &Sets) -> Result<(), Problem>
         }
     }
     Ok(())
-}
-
-fn is_stdout(arguments: &arguments::Sweep) -> bool {
-    arguments.csv.as_deref() == Some(Path::new("-"))
-}
-
-/// Files of a sweep.
-struct Files {
-    /// Table; `None` if it goes to stdout.
-    table: Option<Output>,
-    path: Option<PathBuf>,
-    /// Picture of each quantity; empty without pictures.
-    pictures: Vec<Output>,
-}
-
-impl Files {
-    /// Announces the files.
-    ///
-    /// # Errors
-    /// A file cannot be written, or options contradict.
-    fn new(
-        arguments: &arguments::Sweep,
-        source: &linkwright_codegen::diagnostic::Source,
-        derived: &Derived,
-        sets: &Sets,
-        quantities: &[Quantity],
-    ) -> Result<Files, Problem> {
-        let (file, rows) = (&arguments.described.file, arguments.rows.as_deref());
-        let mut outputs = outputs_besides(file, source, rows, arguments.force);
-        let is_stdout = is_stdout(arguments);
-        if is_stdout && arguments.resume {
-            return Err(Problem(
-                "error: `--resume` continues a file, and `--csv -` is stdout\n  = help: name a file with `--csv`".to_string(),
-            ));
-        }
-        let default = folder(&derived.system);
-        let path = arguments.csv.clone();
-        let path = path.unwrap_or_else(|| default.join("sweep.csv"));
-        let (table, path) = match is_stdout {
-            true => (None, None),
-            false => (Some(outputs.file(&path, SIGNATURE)?), Some(path)),
-        };
-        let is_default = arguments.csv.is_none();
-        let folder = arguments.plot.clone().or(is_default.then_some(default));
-        let mut pictures = Vec::new();
-        if let (Some(folder), true) = (folder, sets.varied().len() <= 2) {
-            for name in distinct(quantities.iter().map(|it| it.name.as_str())) {
-                let path = in_folder(&folder, &format!("sweep_{name}.svg"))?;
-                pictures.push(outputs.file(&path, picture::SIGNATURE)?);
-            }
-        }
-        Ok(Files {
-            table,
-            path,
-            pictures,
-        })
-    }
 }

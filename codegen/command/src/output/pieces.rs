@@ -55,10 +55,10 @@ impl Output {
     /// Begins to write a file whose contents follow from `definition`.
     ///
     /// # Errors
-    /// An interrupted run has left a part, unless its replacement is forced; or the error of the file system.
-    pub fn pieces(self, definition: &str) -> Result<Pieces, Refused> {
+    /// An interrupted run has left a part, for which `help` is the help, unless its replacement is forced; or the error of the file system.
+    pub fn pieces(self, definition: &str, help: &str) -> Result<Pieces, Refused> {
         let path = self.path.clone();
-        self.begun(definition).map_err(|why| why.about(&path))
+        self.begun(definition, help).map_err(|why| why.about(&path))
     }
 
     /// Opens the part that an interrupted run with this definition has left; begins a new file if there is none.
@@ -70,7 +70,7 @@ impl Output {
         self.resumed(definition).map_err(|why| why.about(&path))
     }
 
-    fn begun(self, definition: &str) -> Result<Pieces, Why> {
+    fn begun(self, definition: &str, help: &str) -> Result<Pieces, Why> {
         let Output {
             path,
             destination,
@@ -94,7 +94,7 @@ impl Output {
                 "an interrupted run has left `{}`",
                 shown(&path, PART).display()
             ));
-            return Err(why.help("continue it with `--resume`, or replace it with `--force`"));
+            return Err(why.help(help));
         }
         fs::create_dir_all(files::folder_of(&place.part))?;
         let file = locked(&place.part)?;
@@ -124,7 +124,7 @@ impl Output {
             Ok(part) if part.len() > 0 => {}
             _ => {
                 let is_forced = true;
-                return Output { is_forced, ..self }.begun(definition);
+                return Output { is_forced, ..self }.begun(definition, "");
             }
         }
         let part = shown(&self.path, PART);
@@ -189,6 +189,22 @@ impl Pieces {
         let why = Why::new("its part has rows that this command does not write");
         why.help("replace the part with `--force`")
             .about(&self.path)
+    }
+
+    /// Writes an end that later bytes overwrite, so that an interrupted run leaves a complete file; does nothing for a stream.
+    ///
+    /// # Errors
+    /// Errors of the file system.
+    #[cfg(feature = "parquet")]
+    pub fn end_so_far(&mut self, end: &[u8]) -> io::Result<()> {
+        if self.place.is_none() {
+            return Ok(());
+        }
+        self.writer.flush()?;
+        let file = self.writer.get_mut();
+        let length = file.stream_position()?;
+        file.write_all(end)?;
+        file.seek(SeekFrom::Start(length)).map(drop)
     }
 
     /// Ends the file: its part becomes the file itself.

@@ -5,7 +5,7 @@
 use std::io::{self, BufRead};
 
 /// Place at which a table continues.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Continuation {
     /// First set that is solved.
     pub set: u64,
@@ -29,11 +29,7 @@ pub fn continuation(
     if line != header {
         // A header that is cut leaves nothing.
         let is_cut = !line.ends_with(b"\n") && header.starts_with(&line);
-        return Ok(is_cut.then(|| Continuation {
-            set: 0,
-            length: 0,
-            rows: Vec::new(),
-        }));
+        return Ok(is_cut.then(Continuation::default));
     }
     let mut place = Continuation {
         set: 0,

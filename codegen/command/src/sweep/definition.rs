@@ -15,6 +15,7 @@ pub fn definition(
     source: &Source,
     motion: Option<&str>,
     assignments: &[String],
+    branches: &[String],
     sets: &Sets,
     times: &[f64],
     header: &[u8],
@@ -33,6 +34,7 @@ pub fn definition(
         ("description", hash(description)),
         ("motion", motion.unwrap_or_default().to_string()),
         ("set", assignments.join(", ")),
+        ("branch", branches.join(", ")),
         (
             "columns",
             String::from_utf8_lossy(header).trim_end().to_string(),

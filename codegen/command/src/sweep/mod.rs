@@ -3,9 +3,13 @@
 //! Sets are made by their index when they are needed, solved in chunks, written and dropped: a sweep of any length takes the same memory. A
 //! set has the same row in any chunk, on any number of threads, and after an interruption.
 
+mod cells;
+mod comma_separated;
 mod continued;
 mod definition;
 mod extremes;
+#[cfg(feature = "parquet")]
+mod parquet_rows;
 mod pictured;
 mod rows;
 mod run;
@@ -16,10 +20,14 @@ mod summary;
 mod table;
 mod varied;
 
+pub use comma_separated::CsvCells;
 pub use continued::{Continuation, continuation};
 pub use definition::definition;
+pub use extremes::Extremes;
+#[cfg(feature = "parquet")]
+pub use parquet_rows::{PARQUET_SIGNATURE, ParquetRows};
 pub use pictured::Pictured;
-pub use run::{Solved, Sweep};
+pub use run::{Solved, Start, Sweep};
 pub use sets::{Grid, Samples, Sets};
 pub use shown::{Quantity, quantities};
 pub use summary::Summary;

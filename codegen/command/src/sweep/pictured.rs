@@ -99,7 +99,7 @@ impl<'a> Pictured<'a> {
             let points = self.taken.values().map(|it| it[place].clone());
             let points: Vec<Point> = points.collect();
             let title = format!("{} of {title}", quantity.name);
-            picture(&title, &quantity.header(""), &axes, &points)
+            picture(&title, &quantity.header(), &axes, &points)
         });
         drawn.collect()
     }

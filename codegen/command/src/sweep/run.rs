@@ -5,7 +5,9 @@ use std::sync::mpsc;
 use std::thread;
 
 use linkwright::{Blocks as _, Signal, Values as _};
-use linkwright_solver::{Batch, InputSignals, Interpreted, Observable, Outcome, View as _};
+use linkwright_solver::{
+    Batch, InputSignals, Interpreted, Modes, Numbers, Observable, Outcome, View as _,
+};
 
 use super::sets::Sets;
 use super::varied::Place;
@@ -22,12 +24,22 @@ pub struct Sweep<'a> {
     task: Task<'a>,
 }
 
+/// Modes and pose in which sets are assembled; `None` for those of the design configuration.
+#[derive(Clone, Debug, Default)]
+pub struct Start {
+    /// Assembly modes.
+    pub modes: Option<Modes>,
+    /// Pose near which all sets are assembled.
+    pub pose: Option<Numbers>,
+}
+
 /// Work of a sweep, apart from the mechanism.
 struct Task<'a> {
     sets: &'a Sets,
     times: &'a [f64],
     observables: &'a [Observable],
     threads: usize,
+    start: Start,
     /// Parameters of the description.
     nominal: Vec<f64>,
     /// Inputs at rest; `None` if none is varied, so that all follow their laws.
@@ -79,11 +91,18 @@ impl<'a> Sweep<'a> {
                 times,
                 observables,
                 threads,
+                start: Start::default(),
                 nominal: blocks.nominal_parameters().0,
                 resting: resting(blocks, sets, times)?,
                 chunk: (CHUNK_VALUES / of_set.max(1)).clamp(1, CHUNK_SETS),
             },
         })
+    }
+
+    /// Assembles all sets in these modes, near this pose.
+    pub fn started(mut self, start: Start) -> Sweep<'a> {
+        self.task.start = start;
+        self
     }
 
     /// Solves the sets from `first` on, and passes them on in their order.
@@ -149,6 +168,8 @@ impl Task<'_> {
     fn batch<'b>(&'b self, blocks: &'b Interpreted) -> Batch<'b> {
         Batch {
             threads: self.threads,
+            modes: self.start.modes.clone(),
+            pose: self.start.pose.clone(),
             ..Batch::new(blocks, self.times, self.observables)
         }
     }

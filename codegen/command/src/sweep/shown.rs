@@ -35,8 +35,8 @@ pub struct Quantity {
 
 impl Quantity {
     /// Returns the name of a column of this quantity with its unit.
-    pub fn header(&self, ending: &str) -> String {
-        named(&format!("{}{ending}", self.name), &self.unit.name)
+    pub fn header(&self) -> String {
+        named(&self.name, &self.unit.name)
     }
 }
 

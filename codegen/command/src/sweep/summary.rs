@@ -101,7 +101,7 @@ impl<'a> Summary<'a> {
             let Some([minimum, maximum]) = found else {
                 continue;
             };
-            writeln!(output, "{}", quantity.header(""))?;
+            writeln!(output, "{}", quantity.header())?;
             for (word, (value, set, given)) in [("min", minimum), ("max", maximum)] {
                 let varied = self.varied.iter().zip(given).map(|(varied, given)| {
                     let unit = match varied.unit.as_str() {

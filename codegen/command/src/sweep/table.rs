@@ -1,29 +1,36 @@
-//! Writes the sets of a sweep as CSV: one row with extremes for each set, or one row for each instant.
+//! Divides the sets of a sweep into rows: one with extremes for each set, or one for each instant.
 //!
 //! A row begins with the index of its set and the values of what is varied, and ends with the failure of the set, if it has one. A failed set
 //! has no extremes; its instants end with a row of its failure.
 
-use std::fmt::Write as _;
-use std::io::{self, Write};
+use std::io;
 
 use linkwright::{Blocks as _, Failure};
 use linkwright_solver::Interpreted;
 
+use super::cells::{Cells, Column, Kind};
 use super::extremes::Extremes;
 use super::run::Solved;
 use super::shown::Quantity;
-use super::varied::Varied;
+use super::varied::{Varied, named};
 use crate::output::{Beginning, Record, Signature};
 use crate::report::comma_separated::cause;
-
-/// Size of the buffer of a row, in bytes.
-const ROW_BYTES: usize = 1 << 10;
 
 /// Name of the first column.
 const SET: &str = "set";
 
-/// Names of the last columns.
-const FAILURE: [&str; 3] = ["failure", "failure_block", "failure_t (s)"];
+/// Unit of times.
+const SECONDS: &str = "s";
+
+/// Last columns: names, units and kinds.
+const FAILURE: [(&str, &str, Kind); 3] = [
+    ("failure", "", Kind::Words),
+    ("failure_block", "", Kind::Words),
+    ("failure_t", SECONDS, Kind::NumberOrNone),
+];
+
+/// End of the first line of a table.
+const LAST_NAMES: &str = ",failure,failure_block,failure_t (s)";
 
 /// Endings of the columns of extremes, and true for those of times.
 const EXTREMES: [(&str, bool); 4] = [
@@ -33,17 +40,17 @@ const EXTREMES: [(&str, bool); 4] = [
     ("_max_t", true),
 ];
 
-/// Signature of such a table.
+/// Signature of such a table as CSV.
 pub const SIGNATURE: Signature = Signature {
     noun: "a table of sets that this command has written",
     beginning: Beginning::Line(|line| {
         let names = line.strip_prefix(SET).and_then(|it| it.strip_prefix(','));
-        names.is_some_and(|it| it.ends_with(&FAILURE.join(",")))
+        names.is_some_and(|it| it.ends_with(LAST_NAMES))
     }),
     record: Record::Beside,
 };
 
-/// Writer of rows.
+/// Columns of a table, and what its rows follow from.
 pub struct Table<'a> {
     varied: &'a [Varied],
     quantities: &'a [Quantity],
@@ -51,11 +58,10 @@ pub struct Table<'a> {
     blocks: &'a Interpreted,
     /// True if a row is written for each instant.
     has_instants: bool,
-    field: String,
 }
 
 impl<'a> Table<'a> {
-    /// Creates the writer of these columns.
+    /// Creates the table of these quantities.
     pub fn new(
         varied: &'a [Varied],
         quantities: &'a [Quantity],
@@ -69,34 +75,51 @@ impl<'a> Table<'a> {
             times,
             blocks,
             has_instants,
-            field: String::new(),
         }
     }
 
-    /// Returns the first line, with its line break.
+    /// Returns the columns in their order.
+    pub fn columns(&self) -> Vec<Column> {
+        let column = |name: String, unit: &str, kind| Column {
+            name,
+            unit: unit.to_string(),
+            kind,
+        };
+        let mut columns = vec![column(SET.to_string(), "", Kind::Whole)];
+        let varied = self.varied.iter();
+        columns.extend(varied.map(|it| column(it.name.clone(), &it.unit, Kind::Number)));
+        if self.has_instants {
+            columns.push(column("t".to_string(), SECONDS, Kind::NumberOrNone));
+        }
+        for Quantity { name, unit, .. } in self.quantities {
+            let of_quantity = |ending: &str, unit: &str| {
+                column(format!("{name}{ending}"), unit, Kind::NumberOrNone)
+            };
+            match self.has_instants {
+                true => columns.push(of_quantity("", &unit.name)),
+                false => columns.extend(EXTREMES.iter().map(|(ending, is_time)| match is_time {
+                    true => of_quantity(ending, SECONDS),
+                    false => of_quantity(ending, &unit.name),
+                })),
+            }
+        }
+        let last = FAILURE.map(|(name, unit, kind)| column(name.to_string(), unit, kind));
+        columns.extend(last);
+        columns
+    }
+
+    /// Returns the first line of CSV, with its line break.
     ///
     /// # Errors
     /// A name cannot be written.
     pub fn header(&self) -> io::Result<Vec<u8>> {
-        let mut names = vec![SET.to_string()];
-        names.extend(self.varied.iter().map(Varied::header));
-        let mut columns: Vec<String> = Vec::new();
-        if self.has_instants {
-            columns.push("t (s)".to_string());
-            columns.extend(self.quantities.iter().map(|it| it.header("")));
-        } else {
-            for quantity in self.quantities {
-                columns.extend(EXTREMES.iter().map(|(ending, is_time)| match is_time {
-                    true => format!("{}{ending} (s)", quantity.name),
-                    false => quantity.header(ending),
-                }));
-            }
-        }
-        names.append(&mut columns);
-        names.extend(FAILURE.map(String::from));
+        let columns = self.columns();
+        let names = columns.iter().map(|it| named(&it.name, &it.unit));
         let mut bytes = Vec::new();
         let mut writer = csv::Writer::from_writer(&mut bytes);
-        writer.write_record(&names).map_err(cause)?;
+        writer
+            .write_record(names.map(String::into_bytes))
+            .map_err(cause)?;
         writer.flush()?;
         drop(writer);
         Ok(bytes)
@@ -121,100 +144,70 @@ impl<'a> Table<'a> {
         extremes.collect()
     }
 
-    /// Appends the rows of a set.
+    /// Passes on the rows of a set.
     ///
     /// # Errors
-    /// Errors of `output`.
+    /// Errors of `cells`.
     pub fn write(
-        &mut self,
+        &self,
         solved: &Solved<'_>,
         extremes: &[Option<Extremes>],
-        output: &mut dyn Write,
+        cells: &mut dyn Cells,
     ) -> io::Result<()> {
-        let mut writer = csv::WriterBuilder::new()
-            .buffer_capacity(ROW_BYTES)
-            .from_writer(output);
         let failure = solved.outcome.failure;
         if self.has_instants {
             let rows = solved.values.chunks_exact(self.quantities.len());
             let rows = self.times.iter().zip(rows).take(solved.outcome.solved);
             for (t, row) in rows {
-                self.begin(solved, &mut writer)?;
-                self.number(Some(*t), &mut writer)?;
+                self.begin(solved, cells)?;
+                cells.number(Some(*t))?;
                 for (value, quantity) in row.iter().zip(self.quantities) {
                     let value = Some(quantity.unit.of_si(*value)).filter(|it| it.is_finite());
-                    self.number(value, &mut writer)?;
+                    cells.number(value)?;
                 }
-                self.end(None, &mut writer)?;
+                self.end(None, cells)?;
             }
             if failure.is_some() {
-                self.begin(solved, &mut writer)?;
+                self.begin(solved, cells)?;
                 for _ in 0..=self.quantities.len() {
-                    self.number(None, &mut writer)?;
+                    cells.number(None)?;
                 }
-                self.end(failure, &mut writer)?;
+                self.end(failure, cells)?;
             }
         } else {
-            self.begin(solved, &mut writer)?;
+            self.begin(solved, cells)?;
             for extremes in extremes {
                 let pairs = extremes.map(|it| [it.minimum, it.maximum]);
                 for place in 0..EXTREMES.len() {
-                    let value = pairs.map(|it| it[place / 2][place % 2]);
-                    self.number(value, &mut writer)?;
+                    cells.number(pairs.map(|it| it[place / 2][place % 2]))?;
                 }
             }
-            self.end(failure, &mut writer)?;
-        }
-        writer.flush()
-    }
-
-    fn begin<W: Write>(
-        &mut self,
-        solved: &Solved<'_>,
-        writer: &mut csv::Writer<W>,
-    ) -> io::Result<()> {
-        self.field.clear();
-        let _ = write!(self.field, "{}", solved.set);
-        writer.write_field(&self.field).map_err(cause)?;
-        for (varied, given) in self.varied.iter().zip(solved.given) {
-            self.number(Some(varied.written(*given)), writer)?;
+            self.end(failure, cells)?;
         }
         Ok(())
     }
 
-    /// Writes the shortest text that restores a number exactly, or an empty cell.
-    fn number<W: Write>(
-        &mut self,
-        value: Option<f64>,
-        writer: &mut csv::Writer<W>,
-    ) -> io::Result<()> {
-        self.field.clear();
-        if let Some(value) = value {
-            let _ = write!(self.field, "{value:?}");
+    fn begin(&self, solved: &Solved<'_>, cells: &mut dyn Cells) -> io::Result<()> {
+        cells.whole(solved.set)?;
+        for (varied, given) in self.varied.iter().zip(solved.given) {
+            cells.number(Some(varied.written(*given)))?;
         }
-        writer.write_field(&self.field).map_err(cause)
+        Ok(())
     }
 
-    fn end<W: Write>(
-        &mut self,
-        failure: Option<Failure>,
-        writer: &mut csv::Writer<W>,
-    ) -> io::Result<()> {
-        match failure {
-            None => {
-                for _ in FAILURE {
-                    writer.write_field("").map_err(cause)?;
-                }
-            }
+    fn end(&self, failure: Option<Failure>, cells: &mut dyn Cells) -> io::Result<()> {
+        let (kind, block, t) = match &failure {
+            None => ("", "", None),
             Some(failure) => {
-                let explained = self.blocks.explained(&failure);
-                let block = explained.block.map_or("", |it| it.name);
-                writer.write_field(words(&failure)).map_err(cause)?;
-                writer.write_field(block).map_err(cause)?;
-                self.number(Some(failure.time), writer)?;
+                let block = self.blocks.explained(failure).block;
+                let block = block.map_or("", |it| it.name);
+                (words(failure), block, Some(failure.time))
             }
-        }
-        writer.write_record(None::<&[u8]>).map_err(cause)
+        };
+        cells.words(kind)?;
+        cells.words(block)?;
+        cells.number(t)?;
+        cells.end()
     }
 }
 
