@@ -1,21 +1,15 @@
 //! Refuses lanes of mechanisms that cannot be solved in lanes.
 
 use crate::diagnostic::{Code, Diagnostic, Diagnostics};
-use crate::emit::{Form, Language};
+use crate::emit::Form;
 use crate::solved::Solved;
 
-/// Returns the errors of a module with lanes: blocks of Newton-Raphson, and choices that exclude lanes.
-pub fn refused(solved: &Solved, language: Language, form: Form<'_>) -> Diagnostics {
+/// Returns the errors of a module with lanes: blocks of Newton-Raphson, and other elementary functions.
+pub fn refused(solved: &Solved, form: Form<'_>) -> Diagnostics {
     let mechanism = &solved.system().mechanism;
     let mut errors = Diagnostics::new();
-    let excluded = match (language, form.math) {
-        (Language::C, _) => Some("lanes are written in Rust only, found C"),
-        (Language::Rust, Some(_)) => {
-            Some("lanes have the elementary functions of the runtime only, found others")
-        }
-        (Language::Rust, None) => None,
-    };
-    if let Some(message) = excluded {
+    if form.math.is_some() {
+        let message = "lanes have the elementary functions of the runtime only, found others";
         let error = Diagnostic::error(Code::NoLanes, mechanism.place(), message);
         errors.push(
             error

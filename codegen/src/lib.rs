@@ -111,7 +111,7 @@ pub struct Options {
     /// for `linkwright::math`. The compiler resolves it where the code is included. Values that the runtime computes
     /// for itself, such as scales, do not use it.
     pub math: Option<String>,
-    /// True if a Rust module gets a module `lanes`, which solves 8 mechanisms at once, or 16 in f32. All blocks must have closed
+    /// True if a module also solves 8 mechanisms at once, or 16 in f32, in Rust in a module `lanes`. All blocks must have closed
     /// forms, and `math` must be that of the runtime.
     pub lanes: bool,
     /// Name of the files without extension, by which a source of C includes its header; `None` for the mechanism's name.
@@ -210,7 +210,7 @@ pub fn generate(source: &Source, options: &Options) -> Result<Generated, Diagnos
                 let mut findings = finiteness::of_program(solved.pool(), system, program, range);
                 findings.extend(modes::undecided(system, &program.blocks, &program.branches));
                 if options.lanes {
-                    findings.extend(lanes::refused(solved, options.language, form));
+                    findings.extend(lanes::refused(solved, form));
                 }
                 findings
             }

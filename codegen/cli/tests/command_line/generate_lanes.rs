@@ -24,6 +24,30 @@ fn a_module_solves_eight_mechanisms_as_well() {
 }
 
 #[test]
+fn lanes_of_c_leave_everything_else_as_it_is() {
+    let folder = Folder::new("c_lanes", EXAM);
+    let files = ["a.c", "a.h", "linkwright.c", "linkwright.h"];
+    let written = |arguments: &str| {
+        folder.run(arguments).exits_with(0);
+        files.map(|name| std::fs::read_to_string(folder.file(name)).expect("written"))
+    };
+    let alone = written("generate --lang c a.mech -o a.c");
+    let both = written("generate --lang c a.mech -o a.c --lanes 8");
+    for (alone, both) in alone.iter().zip(&both) {
+        // Lines are added in one order.
+        let mut lines = both.lines();
+        assert!(alone.lines().all(|line| lines.any(|it| it == line)));
+    }
+    assert_eq!(alone[2..], both[2..]);
+    assert!(both[0].contains("    failed |= "), "{}", both[0]);
+    assert!(both[1].contains("_LANES 8\n"), "{}", both[1]);
+    let check = "generate --lang c a.mech -o a.c --lanes 8 --check";
+    folder.run(check).exits_with(0);
+    let ran = folder.run("generate --lang c a.mech -o a.c --check");
+    ran.exits_with(1);
+}
+
+#[test]
 fn lanes_that_do_not_exist_are_refused() {
     let folder = Folder::new("no_lanes", EXAM);
     for (arguments, expected) in [
@@ -35,14 +59,10 @@ fn lanes_that_do_not_exist_are_refused() {
             "generate a.mech --lanes 8 --scalar f32",
             "error: f32 has 16 lanes, found `--lanes 8`\n  = help: write `--lanes 16`",
         ),
-        (
-            "generate a.mech --lanes 8 --lang c -o a.c",
-            "error[K40]: lanes are written in Rust only, found C",
-        ),
     ] {
         let ran = folder.run(arguments).exits_with(2);
         assert!(ran.stderr.contains(expected), "{arguments}: {}", ran.stderr);
-        assert!(ran.stdout.is_empty() && !folder.file("a.c").exists());
+        assert!(ran.stdout.is_empty());
     }
 }
 
@@ -50,11 +70,12 @@ fn lanes_that_do_not_exist_are_refused() {
 fn a_block_without_a_closed_form_is_named() {
     let platform = include_str!("../../../../mechanisms/platform_3rpr.mech");
     let folder = Folder::new("iterated_lanes", platform);
-    let ran = folder
-        .run("generate a.mech --lanes 8 -o a.rs")
-        .exits_with(2);
-    let expected = "has no lanes: Newton-Raphson solves it, one mechanism at a time";
-    assert!(ran.stderr.contains("error[K40]: `loop_"), "{}", ran.stderr);
-    assert!(ran.stderr.contains(expected), "{}", ran.stderr);
-    assert!(!folder.file("a.rs").exists());
+    for (language, file) in [("rust", "a.rs"), ("c", "a.c")] {
+        let arguments = format!("generate a.mech --lang {language} --lanes 8 -o {file}");
+        let ran = folder.run(&arguments).exits_with(2);
+        let expected = "has no lanes: Newton-Raphson solves it, one mechanism at a time";
+        assert!(ran.stderr.contains("error[K40]: `loop_"), "{}", ran.stderr);
+        assert!(ran.stderr.contains(expected), "{}", ran.stderr);
+        assert!(!folder.file(file).exists());
+    }
 }

@@ -241,6 +241,7 @@ Examples:
   linkwright generate mechanisms/two_body.mech --scalar f32          in single precision
   linkwright generate mechanisms/two_body.mech --lanes 8             eight at once as well
   linkwright generate --lang c mechanisms/two_body.mech -o two_body.c
+  linkwright generate --lang c mechanisms/two_body.mech -o two_body.c --lanes 8
 
 The module holds two formulations of the mechanism: the solved one, which its type runs, with one function for each block,
 and the textbook one, Φ, Φ_q, Φ_t and γ as functions. Above 150 coordinates the textbook formulation is left out.
@@ -264,7 +265,7 @@ pub struct Generate {
     /// Number type of the module
     #[arg(long, value_enum, default_value_t = Precision::F64)]
     pub scalar: Precision,
-    /// Add a module that solves COUNT mechanisms at once: 8, or 16 in f32. All blocks must have closed forms
+    /// Add functions that solve COUNT mechanisms at once: 8, or 16 in f32. All blocks must have closed forms
     #[arg(long, value_name = "COUNT")]
     pub lanes: Option<usize>,
 }

@@ -4,10 +4,11 @@ use super::constants::Constant;
 use super::printer::Printer;
 use super::words::WORDS;
 use super::{
-    api, assemblies, assembly, block, block_names, coordinates, equations, frame, loads,
+    api, assemblies, assembly, block, block_names, coordinates, equations, frame, lanes, loads,
     normalized_determinant, parameters, path, points, runtime, sensitivity, shell, tables,
     textbook, transmission,
 };
+use crate::emit::Form;
 use crate::emit::code::Code;
 use crate::emit::layout::Lists;
 use crate::emit::lines::WIDTH;
@@ -24,18 +25,18 @@ const TERMS: [&str; 2] = [
 ];
 
 /// Returns the source and the header of a mechanism, named `stem`, and those of the runtime.
-pub fn texts(motions: &[Solved], stem: &str, scalar: Scalar) -> Vec<String> {
+pub fn texts(motions: &[Solved], stem: &str, form: Form<'_>) -> Vec<String> {
     let modules = motions.iter();
     let modules: Vec<Module<'_>> = modules
-        .map(|solved| Module::new(solved, scalar, WORDS))
+        .map(|solved| Module::new(solved, form.scalar, WORDS))
         .collect();
     let printers: Vec<Printer<'_>> = modules.iter().map(Printer::new).collect();
     let Some(first) = printers.first() else {
         return Vec::new();
     };
     vec![
-        source(first, &printers, stem),
-        header(first, &printers),
+        source(first, &printers, stem, form),
+        header(first, &printers, form),
         runtime::source(),
         runtime::header(),
     ]
@@ -55,19 +56,25 @@ fn offered(printer: &Printer<'_>) -> Vec<points::Offered> {
     all
 }
 
-/// Returns the text, in which a function that is too long stands below its qualifier.
+/// Qualifiers of functions.
+const QUALIFIERS: [&str; 2] = ["LINKWRIGHT_FUNCTION", "static LINKWRIGHT_APART void"];
+
+/// Returns the text, in which a function that is too long stands below its qualifiers.
 fn finished(code: &Code) -> String {
     let text = code.finish(Lists::Filled);
-    let qualified = |line: &str| match line.strip_prefix("LINKWRIGHT_FUNCTION ") {
-        Some(function) if line.chars().count() > WIDTH => {
-            format!("LINKWRIGHT_FUNCTION\n{function}\n")
+    let qualified = |line: &str| {
+        let is_long = line.chars().count() > WIDTH;
+        let mut qualifiers = QUALIFIERS.iter().filter(|_| is_long);
+        let split = qualifiers.find_map(|it| Some((it, line.strip_prefix(it)?.strip_prefix(' ')?)));
+        match split {
+            Some((qualifiers, function)) => format!("{qualifiers}\n{function}\n"),
+            None => format!("{line}\n"),
         }
-        _ => format!("{line}\n"),
     };
     text.lines().map(qualified).collect()
 }
 
-fn header(first: &Printer<'_>, printers: &[Printer<'_>]) -> String {
+fn header(first: &Printer<'_>, printers: &[Printer<'_>], form: Form<'_>) -> String {
     let mut text = Code::default();
     text.comment([facts::origin(first.module)]);
     let mechanism = &first.module.system.mechanism;
@@ -113,6 +120,9 @@ fn header(first: &Printer<'_>, printers: &[Printer<'_>]) -> String {
             text.comment(lines);
         }
         declarations(printer, &mut text);
+        if form.has_lanes {
+            lanes::declarations(printer, &mut text);
+        }
     }
     text.gap();
     text.line("LINKWRIGHT_HEADER_END");
@@ -144,7 +154,7 @@ fn declarations(printer: &Printer<'_>, text: &mut Code) {
     points::declare(&offered(printer), text);
 }
 
-fn source(first: &Printer<'_>, printers: &[Printer<'_>], stem: &str) -> String {
+fn source(first: &Printer<'_>, printers: &[Printer<'_>], stem: &str, form: Form<'_>) -> String {
     let mut text = Code::default();
     text.comment([facts::origin(first.module)]);
     text.line(format!("#include \"{stem}.h\""));
@@ -165,9 +175,12 @@ fn source(first: &Printer<'_>, printers: &[Printer<'_>], stem: &str) -> String {
     text.gap();
     let name = &first.module.system.mechanism.name;
     text.line(format!("LINKWRIGHT_SOURCE_BEGIN(of_{name})"));
+    if form.has_lanes {
+        lanes::functions(first, printers, &mut text);
+    }
     for printer in printers {
         parameters::nominal(printer, &mut text);
-        definitions(printer, &mut text);
+        definitions(printer, form, &mut text);
     }
     text.gap();
     text.line("LINKWRIGHT_SOURCE_END");
@@ -175,7 +188,7 @@ fn source(first: &Printer<'_>, printers: &[Printer<'_>], stem: &str) -> String {
 }
 
 /// Writes the constants and functions of one motion.
-fn definitions(printer: &Printer<'_>, text: &mut Code) {
+fn definitions(printer: &Printer<'_>, form: Form<'_>, text: &mut Code) {
     let mut code = Code::default();
     equations::given(printer, &mut code);
     parameters::drawn(printer, &mut code);
@@ -194,6 +207,9 @@ fn definitions(printer: &Printer<'_>, text: &mut Code) {
     api::parts(printer, &mut code);
     points::define(offered(printer), &mut code);
     path::path(printer, &mut code);
+    if form.has_lanes {
+        lanes::definitions(printer, &mut code);
+    }
     constants(printer, &code, text);
     tables::tables(printer, &code, text);
     coordinates::drawn(printer, text);

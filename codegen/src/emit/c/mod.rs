@@ -18,6 +18,7 @@ mod expression;
 mod file;
 mod frame;
 mod isolation;
+mod lanes;
 mod loads;
 mod newton;
 mod normalized_determinant;
@@ -53,7 +54,7 @@ pub const CONVENTIONS: Conventions = Conventions {
     beside: Some("its header and the runtime"),
     objection,
     naming: words::NAMING,
-    texts: |motions, stem, form| file::texts(motions, stem, form.scalar),
+    texts: file::texts,
 };
 
 /// Returns the objection to a source and a header of this name.

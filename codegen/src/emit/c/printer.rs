@@ -19,6 +19,11 @@ pub(super) struct Printer<'a> {
     pub own: String,
 }
 
+/// Returns the value of one lane.
+pub(super) fn in_lane(values: &str) -> String {
+    format!("{values}[lane]")
+}
+
 impl<'a> Printer<'a> {
     pub(super) fn new(module: &'a Module<'a>) -> Printer<'a> {
         let mechanism = &module.system.mechanism;
@@ -114,9 +119,20 @@ impl<'a> Printer<'a> {
         identifier(self.module.own_field(symbol))
     }
 
-    /// Returns the access to a variable in a function.
+    /// Returns the access to a variable in a function; in lanes, to that of the lane.
     pub(super) fn symbol(&self, symbol: SymbolId, scope: &Scope<'_>) -> String {
-        match scope.locate(symbol) {
+        let location = scope.locate(symbol);
+        let is_local = matches!(location, Location::Local(_));
+        let named = self.located(location);
+        match scope.is_in_lanes() && (!is_local || scope.is_shared(symbol)) {
+            true => in_lane(&named),
+            false => named,
+        }
+    }
+
+    /// Returns the access to a location; in lanes, to the values of all lanes.
+    fn located(&self, location: Location<'_>) -> String {
+        match location {
             Location::Local(name) => identifier(&name),
             Location::Sign(branch) => {
                 format!("({})branches->{}", self.real(), identifier(branch))

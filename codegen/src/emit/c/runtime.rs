@@ -91,7 +91,7 @@ fn guarded(scalar: Scalar, text: &str) -> String {
 }
 
 /// Replaces the marks of a part for one scalar.
-fn in_scalar(part: &str, scalar: Scalar) -> String {
+pub(super) fn in_scalar(part: &str, scalar: Scalar) -> String {
     let [real, limits, tolerance, suffix, capital] = match scalar {
         Scalar::F64 => ["double", "DBL", "1e-12", "", ""],
         Scalar::F32 => ["float", "FLT", "1e-5f", "f", "F"],

@@ -1,7 +1,7 @@
 //! Writes the statements of a function.
 
 use super::isolation::Isolated;
-use super::printer::Printer;
+use super::printer::{Printer, in_lane};
 use super::tables::table_name;
 use super::words::identifier;
 use crate::emit::code::Code;
@@ -33,7 +33,7 @@ impl Printer<'_> {
         }
     }
 
-    fn statement(
+    pub(super) fn statement(
         &self,
         statement: &Statement,
         scope: &Scope<'_>,
@@ -63,8 +63,11 @@ impl Printer<'_> {
                 let angle = write(angle);
                 let [sine, cosine] =
                     [sine, cosine].map(|symbol| self.declare(*symbol, scope, text));
-                let call = self.runtime("sin_cos");
-                text.line(format!("{call}({angle}, &{sine}, &{cosine});"));
+                let arguments = format!("({angle}, &{sine}, &{cosine})");
+                text.line(match scope.is_in_lanes() {
+                    true => format!("rare |= {}{arguments};", self.lane("sin_cos")),
+                    false => format!("{}{arguments};", self.runtime("sin_cos")),
+                });
             }
             Statement::Lookup {
                 targets,
@@ -74,12 +77,7 @@ impl Printer<'_> {
                 // Each lookup has its own array, since a function may have several.
                 let first = targets.iter().copied().flatten().next();
                 let first = first.map_or(String::new(), |it| self.symbol(it, scope));
-                let first = first
-                    .rsplit(['>', '.'])
-                    .next()
-                    .unwrap_or_default()
-                    .to_string();
-                let values = format!("{first}_found");
+                let values = format!("{}_found", last_name(&first));
                 let (call, table) = (self.runtime("table_at"), table_name(self, *spline));
                 text.line(format!("{} {values}[4];", self.real()));
                 text.line(format!("{call}({table}(), {}, {values});", write(argument)));
@@ -96,12 +94,26 @@ impl Printer<'_> {
             } => {
                 let (sine, cosine) = (write(sine), write(cosine));
                 let [at, near] = ["at", "last"].map(|frame| self.field(*target, frame));
-                let call = self.runtime("angle_near");
-                text.line(format!("{at} = {call}({sine}, {cosine}, {near});"));
+                text.line(match scope.is_in_lanes() {
+                    true => format!(
+                        "rare |= {}({sine}, {cosine}, {}, &{});",
+                        self.lane("angle_near"),
+                        in_lane(&near),
+                        in_lane(&at)
+                    ),
+                    false => {
+                        let call = self.runtime("angle_near");
+                        format!("{at} = {call}({sine}, {cosine}, {near});")
+                    }
+                });
             }
             Statement::Positive { length, joint } => {
                 let (place, length) = (self.module.requirement_place(*joint), write(length));
                 let (zero, failed) = (self.number(0.0), self.runtime("not_positive"));
+                if scope.is_in_lanes() {
+                    text.line(format!("failed |= ({length} > {zero}) ? 0U : 1U;"));
+                    return;
+                }
                 text.open(format!("if ({length} <= {zero}) {{"));
                 text.line(format!("return {failed}({length}, conditions, {place}U);"));
                 text.close("}");
@@ -115,18 +127,11 @@ impl Printer<'_> {
             } => {
                 let [excess, scale, distance, longest, shortest] =
                     [excess, scale, distance, longest, shortest].map(write);
-                let (exceeds, out_of_reach) = (
-                    self.runtime("exceeds_rounding"),
-                    self.runtime("fail_out_of_reach"),
+                let out_of_reach = self.runtime("fail_out_of_reach");
+                let failure = format!(
+                    "{out_of_reach}({distance}, {longest}, {shortest}, conditions, {block}U)"
                 );
-                text.open(format!("if (!{exceeds}({excess}, {scale})) {{"));
-                text.line(match scope.is_inside() {
-                    true => "return false;".to_string(),
-                    false => format!(
-                        "return {out_of_reach}({distance}, {longest}, {shortest}, conditions, {block}U);"
-                    ),
-                });
-                text.close("}");
+                self.exceeds_or_fails(&format!("{excess}, {scale}"), &failure, scope, text);
             }
             Statement::Nonzero { value, scale } => {
                 let [factor, unit] = [value, scale].map(|it| {
@@ -134,18 +139,10 @@ impl Printer<'_> {
                     self.operand(&arithmetic, scope)
                 });
                 let (value, scale) = (write(value), write(scale));
-                let (exceeds, failed) = (
-                    self.runtime("exceeds_rounding"),
-                    self.runtime("singular_divisor"),
-                );
-                text.open(format!(
-                    "if (!{exceeds}({factor} * {factor}, {unit} * {unit})) {{"
-                ));
-                text.line(match scope.is_inside() {
-                    true => "return false;".to_string(),
-                    false => format!("return {failed}({value}, {scale}, conditions, {block}U);"),
-                });
-                text.close("}");
+                let failed = self.runtime("singular_divisor");
+                let failure = format!("{failed}({value}, {scale}, conditions, {block}U)");
+                let squares = format!("{factor} * {factor}, {unit} * {unit}");
+                self.exceeds_or_fails(&squares, &failure, scope, text);
             }
             Statement::Newton { .. } | Statement::Factorize | Statement::Solve { .. } => {
                 iterated(statement, text);
@@ -213,10 +210,26 @@ impl Printer<'_> {
         }
     }
 
-    /// Writes `const double name = value;`, or an assignment to a field.
+    /// Writes the check that a value exceeds the rounding of its scale, with the failure otherwise; in lanes, those that fail are collected.
+    fn exceeds_or_fails(&self, both: &str, failure: &str, scope: &Scope<'_>, text: &mut Code) {
+        if scope.is_in_lanes() {
+            let call = self.lane("is_rounding");
+            text.line(format!("failed |= {call}({both});"));
+            return;
+        }
+        let exceeds = self.runtime("exceeds_rounding");
+        text.open(format!("if (!{exceeds}({both})) {{"));
+        text.line(match scope.is_inside() {
+            true => "return false;".to_string(),
+            false => format!("return {failure};"),
+        });
+        text.close("}");
+    }
+
+    /// Writes `const double name = value;`, or an assignment to a field or to an array of all lanes.
     pub(super) fn assign(&self, target: SymbolId, value: &str, scope: &Scope<'_>, text: &mut Code) {
         let name = self.symbol(target, scope);
-        match scope.is_field(target) {
+        match scope.is_field(target) || scope.is_shared(target) {
             true => text.line(format!("{name} = {value};")),
             false => text.line(format!("const {} {name} = {value};", self.real())),
         }
@@ -225,7 +238,7 @@ impl Printer<'_> {
     /// Returns the place that the runtime writes a value to; declares it if it is a local value.
     fn declare(&self, target: SymbolId, scope: &Scope<'_>, text: &mut Code) -> String {
         let name = self.symbol(target, scope);
-        if !scope.is_field(target) {
+        if !(scope.is_field(target) || scope.is_shared(target)) {
             text.line(format!("{} {name};", self.real()));
         }
         name
@@ -242,7 +255,7 @@ impl Printer<'_> {
     ) {
         let first = targets.iter().copied().flatten().next();
         let first = first.map_or(String::new(), |it| self.symbol(it, scope));
-        let name = first.rsplit(['>', '.']).next().unwrap_or_default();
+        let name = last_name(&first);
         let (real, call) = (self.real(), self.runtime("multipliers"));
         let (square, room) = (order * order, order * order + 3 * order);
         text.line(format!(
@@ -254,9 +267,14 @@ impl Printer<'_> {
         text.line(format!(
             "const linkwright_status {name}_status = {call}({order}U, {name}_jacobian, {name}_found, {name}_reals, {name}_exchanges, conditions, {block}U);"
         ));
-        text.open(format!("if ({name}_status != LINKWRIGHT_OK) {{"));
-        text.line(format!("return {name}_status;"));
-        text.close("}");
+        let fails = format!("({name}_status != LINKWRIGHT_OK)");
+        if scope.is_in_lanes() {
+            text.line(format!("failed |= {fails} ? 1U : 0U;"));
+        } else {
+            text.open(format!("if {fails} {{"));
+            text.line(format!("return {name}_status;"));
+            text.close("}");
+        }
         for (place, target) in targets.iter().enumerate() {
             if let Some(target) = target {
                 self.assign(*target, &format!("{name}_found[{place}]"), scope, text);
@@ -279,4 +297,10 @@ impl Printer<'_> {
             }
         }
     }
+}
+
+/// Returns the name of the field or local value that an access ends with.
+fn last_name(access: &str) -> &str {
+    let name = access.rsplit(['>', '.']).next().unwrap_or_default();
+    name.split('[').next().unwrap_or_default()
 }

@@ -67,6 +67,8 @@ pub(in crate::emit) struct Scope<'a> {
     read: OnceCell<IdSet<SymbolId>>,
     /// Sines and cosines that no statement reads, once known.
     unnamed: OnceCell<Vec<SymbolId>>,
+    /// Local values that several loops over the lanes share, once known.
+    shared: OnceCell<Vec<SymbolId>>,
 }
 
 /// Arguments that a function reads.
@@ -125,6 +127,7 @@ impl<'a> Scope<'a> {
             locals: Rc::new(locals),
             read: OnceCell::new(),
             unnamed: OnceCell::new(),
+            shared: OnceCell::new(),
         }
     }
 
@@ -138,6 +141,7 @@ impl<'a> Scope<'a> {
             locals: Rc::clone(&self.locals),
             read: OnceCell::new(),
             unnamed: OnceCell::new(),
+            shared: OnceCell::new(),
         }
     }
 
@@ -257,6 +261,16 @@ impl<'a> Scope<'a> {
     /// True if the symbol is a sine or cosine that no statement reads.
     pub(in crate::emit) fn is_unnamed(&self, symbol: SymbolId) -> bool {
         self.unnamed.get().is_some_and(|it| it.contains(&symbol))
+    }
+
+    /// Records the local values that several loops over the lanes share.
+    pub(in crate::emit) fn share(&self, symbols: Vec<SymbolId>) {
+        self.shared.get_or_init(|| symbols);
+    }
+
+    /// True if several loops over the lanes share the local value.
+    pub(in crate::emit) fn is_shared(&self, symbol: SymbolId) -> bool {
+        self.shared.get().is_some_and(|it| it.contains(&symbol))
     }
 
     /// True if an enclosure or a later statement reads the bound of a path.
