@@ -7,6 +7,7 @@
 pub mod case;
 pub mod device;
 pub mod elementary;
+pub mod groups;
 mod header;
 mod program_c;
 mod program_rust;

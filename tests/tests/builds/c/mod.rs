@@ -4,6 +4,7 @@ mod accepted;
 mod bits;
 mod device;
 mod guide;
+mod lanes;
 
 use std::fs;
 use std::path::{Path, PathBuf};

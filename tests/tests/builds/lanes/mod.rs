@@ -59,7 +59,7 @@ fn write(package: &Path) -> usize {
 }
 
 /// Angle of the rocker of `four_bar` at a time, from the law of cosines.
-fn rocker(t: f64) -> f64 {
+pub(super) fn rocker(t: f64) -> f64 {
     let crank = 40f64.to_radians() + 3.0 * t;
     let (x, y) = (0.04 * crank.cos() - 0.1, 0.04 * crank.sin());
     let distance = x.hypot(y);
