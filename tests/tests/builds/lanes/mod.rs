@@ -9,6 +9,13 @@ use std::process::Command;
 use linkwright_codegen::{Options, Scalar, generate};
 use linkwright_tests::{description, files};
 
+/// Modules whose frames WebAssembly computes as well, with their numbers of lanes.
+const HASHED: [(&str, usize); 3] = [
+    ("four_bar_f64", 8),
+    ("excavator_f64", 8),
+    ("four_bar_f32", 16),
+];
+
 /// The package of all modules with lanes: each in f64, every second one in f32 as well.
 fn write(package: &Path) -> usize {
     let source = package.join("src");
@@ -50,8 +57,17 @@ fn write(package: &Path) -> usize {
             count += 1;
         }
     }
+    let path = files::package("webassembly/src/hash.rs");
+    let hash = fs::read_to_string(path).expect("the function");
+    files::write_if_changed(&source.join("hash.rs"), &hash).expect("written");
+    for (module, lanes) in HASHED {
+        let _ = writeln!(
+            calls,
+            "    println!(\"hash {module} {{:x}}\", hash::hash::<{module}::Loops, {lanes}>());"
+        );
+    }
     let text = format!(
-        "{}\nfn all(counted: &mut Counted) {{\n{calls}    example::main().expect(\"poses\");\n}}\n\nmod example;\n{modules}",
+        "{}\nfn all(counted: &mut Counted) {{\n{calls}    example::main().expect(\"poses\");\n}}\n\nmod example;\nmod hash;\n{modules}",
         include_str!("program.rs")
     );
     files::write_if_changed(&source.join("main.rs"), &text).expect("written");
@@ -119,6 +135,20 @@ fn groups_have_the_bits_of_mechanisms_alone() {
         String::from_utf8_lossy(&output.stderr)
     );
     println!("{modules} modules\n{printed}");
+    // The part `webassembly` of `.ci/run` compares its hashes with this snapshot.
+    let hashes = printed
+        .lines()
+        .filter_map(|line| line.strip_prefix("hash "));
+    let hashes: Vec<&str> = hashes.collect();
+    assert!(
+        hashes.len() == 3 && hashes.iter().all(|it| !it.ends_with(" 0")),
+        "a lane fails: {hashes:?}"
+    );
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path(files::package("snapshots/lanes"));
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.bind(|| insta::assert_snapshot!("hashes", hashes.join("\n")));
     let counts: BTreeMap<&str, usize> = printed
         .lines()
         .filter_map(|line| {
