@@ -9,7 +9,12 @@
 use std::fmt::Write as _;
 
 /// Two positions: the ground pin and the tip of the link that turns about it, in the design configuration.
-const PLACES: [(&str, &str); 2] = [("(0, 0)", "(0, 0.5)"), ("(1, 0)", "(1.1, 0.4)")];
+const PLACES: [[[f64; 2]; 2]; 2] = [[[0.0, 0.0], [0.0, 0.5]], [[1.0, 0.0], [1.1, 0.4]]];
+
+/// Ground pin and tip of the rocker k, or of the crank for k = 0, in the design configuration (m).
+pub fn places(k: usize) -> [[f64; 2]; 2] {
+    PLACES[k % 2]
+}
 
 /// The description of a chain of n dyads: 1 + 2 n bodies, 3 + 6 n coordinates.
 pub fn description(n: usize) -> String {
@@ -28,7 +33,7 @@ fn with(n: usize, statement: &str) -> String {
         let _ = writeln!(text, "    {line}");
     };
     for k in 0..=n {
-        let (ground, tip) = PLACES[k % 2];
+        let [ground, tip] = places(k).map(|[x, y]| format!("({x}, {y})"));
         line(format!("point G{k} = {ground}, T{k} = {tip};"));
     }
     line("body crank at G0 { G0, T0 }".to_string());

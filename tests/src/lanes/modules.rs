@@ -4,20 +4,14 @@ use std::collections::BTreeMap;
 use std::error::Error;
 use std::fmt::Write as _;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::Command;
 
 use linkwright_codegen::{Options, Scalar, generate};
 
-use super::Measured;
+use super::processor::InstructionSet;
+use super::{Measured, lines};
 use crate::files;
-
-/// Instruction sets: the name, and the processor that the compiler is told to compile for.
-pub const SETS: [(&str, &str); 3] = [
-    ("SSE2", "x86-64"),
-    ("AVX2", "x86-64-v3"),
-    ("AVX-512", "x86-64-v4"),
-];
 
 /// Times of one module for one instruction set (ns a pose).
 #[derive(Clone, Copy, Debug)]
@@ -26,6 +20,8 @@ pub struct Times {
     pub alone: f64,
     /// In lanes.
     pub lanes: f64,
+    /// In lanes on two threads.
+    pub on_two_threads: f64,
 }
 
 /// Times by the name of the module: `four_bar_f64_guarded`.
@@ -40,16 +36,20 @@ pub struct Package {
 }
 
 impl Package {
-    /// Writes the modules of all descriptions.
+    /// Writes the modules of all descriptions that have lanes into a folder of this name.
     ///
     /// # Errors
     /// A description has errors, or a file cannot be written.
-    pub fn new(all: &[Measured]) -> Result<Package, Box<dyn Error>> {
-        let folder = std::env::temp_dir().join(format!("linkwright-lanes-{}", std::process::id()));
+    pub fn new<'a>(
+        name: &str,
+        all: impl IntoIterator<Item = &'a Measured>,
+    ) -> Result<Package, Box<dyn Error>> {
+        let name = format!("linkwright-lanes-{}-{name}", std::process::id());
+        let folder = std::env::temp_dir().join(name);
         let source = folder.join("src");
         fs::create_dir_all(&source)?;
         let (mut modules, mut calls) = (String::new(), String::new());
-        for it in all {
+        for it in all.into_iter().filter(|it| it.has_lanes) {
             for (scalar, suffix) in [(Scalar::F64, "f64"), (Scalar::F32, "f32")] {
                 for (kind, description) in [("guarded", &it.guarded), ("unguarded", &it.unguarded)]
                 {
@@ -86,25 +86,55 @@ impl Package {
         Ok(Package { folder })
     }
 
-    /// Compiles the package for a processor and runs it; returns `None` if this machine does not have the instruction set.
+    /// Compiles the package for an instruction set, and runs it.
     ///
     /// # Errors
     /// The package does not compile, or its program fails.
-    pub fn measure(&self, processor: &str) -> Result<Option<Table>, Box<dyn Error>> {
-        if !has(processor) {
-            return Ok(None);
+    pub fn measure(&self, set: &InstructionSet) -> Result<Table, Box<dyn Error>> {
+        let program = self.build(set)?;
+        let printed = lines::of(&mut Command::new(program))?;
+        let mut table = Table::new();
+        for (name, times) in printed.all("time") {
+            let &[alone, lanes, on_two_threads] = times else {
+                return Err(format!("expected three times of {name}, found {times:?}").into());
+            };
+            let times = Times {
+                alone,
+                lanes,
+                on_two_threads,
+            };
+            table.insert(name.to_string(), times);
         }
-        let target = self.folder.join("target").join(processor);
+        Ok(table)
+    }
+
+    /// Compiles the package for an instruction set; returns the program.
+    ///
+    /// # Errors
+    /// It does not compile.
+    pub fn build(&self, set: &InstructionSet) -> Result<PathBuf, Box<dyn Error>> {
+        let target = self.folder.join("target").join(set.processor);
+        let flags = format!("-Awarnings -Ctarget-cpu={}{}", set.processor, set.flags);
         let built = Command::new("cargo")
             .args(["build", "--release", "--quiet", "--offline", "--target-dir"])
             .arg(&target)
             .current_dir(&self.folder)
-            .env("RUSTFLAGS", format!("-Awarnings -Ctarget-cpu={processor}"))
+            .env("RUSTFLAGS", flags)
             .status()?;
-        if !built.success() {
-            return Err("the modules do not compile".into());
+        match built.success() {
+            true => Ok(target.join("release/in_lanes")),
+            false => Err("the modules do not compile".into()),
         }
-        Ok(Some(times(&target.join("release/in_lanes"))?))
+    }
+
+    /// Changes the program, so that it is compiled again without what it depends on.
+    ///
+    /// # Errors
+    /// The file cannot be written.
+    pub fn touch(&self) -> std::io::Result<()> {
+        let program = self.folder.join("src/main.rs");
+        let text = fs::read_to_string(&program)?;
+        fs::write(program, text + "\n")
     }
 }
 
@@ -113,45 +143,4 @@ impl Drop for Package {
         // Remains in the folder for temporary files are harmless.
         let _ = fs::remove_dir_all(&self.folder);
     }
-}
-
-/// Runs the program and reads its lines: a name and two times.
-fn times(program: &Path) -> Result<Table, Box<dyn Error>> {
-    let output = Command::new(program).output()?;
-    let text = String::from_utf8(output.stdout)?;
-    if !output.status.success() {
-        return Err(format!(
-            "the program fails: {}",
-            String::from_utf8_lossy(&output.stderr)
-        )
-        .into());
-    }
-    let mut table = Table::new();
-    for line in text.lines() {
-        let words: Vec<&str> = line.split(' ').collect();
-        let [name, alone, lanes] = words[..] else {
-            return Err(format!("expected a name and two times, found `{line}`").into());
-        };
-        let (alone, lanes) = (alone.parse()?, lanes.parse()?);
-        table.insert(name.to_string(), Times { alone, lanes });
-    }
-    Ok(table)
-}
-
-/// True if this machine runs code for the processor.
-#[cfg(target_arch = "x86_64")]
-fn has(processor: &str) -> bool {
-    match processor {
-        "x86-64-v4" => {
-            std::is_x86_feature_detected!("avx512f") && std::is_x86_feature_detected!("avx512vl")
-        }
-        "x86-64-v3" => std::is_x86_feature_detected!("avx2"),
-        _ => true,
-    }
-}
-
-/// True if this machine runs code for the processor.
-#[cfg(not(target_arch = "x86_64"))]
-fn has(_processor: &str) -> bool {
-    false
 }
