@@ -70,8 +70,15 @@ pub fn measure(
         times.poses.insert(name.to_string(), time);
     }
     for it in all.iter().filter(|it| times.poses.contains_key(&it.name)) {
-        for (name, frame) in printed.all("frame").filter(|(name, _)| *name == it.name) {
-            compare(it, frame).map_err(|error| format!("{name} in C: {error}"))?;
+        let mut frames = printed
+            .all("frame")
+            .filter(|(name, _)| *name == it.name)
+            .peekable();
+        if frames.peek().is_none() {
+            return Err(format!("expected frames of {}", it.name).into());
+        }
+        for (_, frame) in frames {
+            compare(it, frame).map_err(|error| format!("{}: {error}", it.name))?;
         }
     }
     Ok(times)
@@ -90,10 +97,9 @@ fn compare(it: &Measured, frame: &[f64]) -> Result<(), Box<dyn Error>> {
     for (expected, numbers) in expected.chunks(count).zip(frame.chunks(count)) {
         let scale = expected.iter().fold(0.0_f64, |most, it| most.max(it.abs()));
         for (expected, number) in expected.iter().zip(numbers) {
-            if (expected - number).abs().partial_cmp(&(TOLERANCE * scale))
-                != Some(std::cmp::Ordering::Less)
-                && expected != number
-            {
+            // False for NaN.
+            let is_near = (expected - number).abs() <= TOLERANCE * scale;
+            if !is_near {
                 return Err(
                     format!("instant {instant}: expected {expected}, found {number}").into(),
                 );

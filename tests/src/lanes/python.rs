@@ -55,8 +55,12 @@ impl Peers {
             numpy: run("numpy")?,
             pylinkage: run("pylinkage")?,
         };
-        for (name, values) in peers.numpy.all("value").chain(peers.pylinkage.all("value")) {
-            compare(name, values, all).map_err(|error| format!("{name}: {error}"))?;
+        for lines in [&peers.numpy, &peers.pylinkage] {
+            for (name, _) in lines.all("time") {
+                let values = lines.all("value").find(|(other, _)| *other == name);
+                let (_, values) = values.ok_or_else(|| format!("expected a value of {name}"))?;
+                compare(name, values, all).map_err(|error| format!("{name}: {error}"))?;
+            }
         }
         Ok(peers)
     }
