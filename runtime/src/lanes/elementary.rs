@@ -143,7 +143,7 @@ pub fn not_positive<T: Real, const N: usize>(length: Lanes<T, N>) -> Mask<N> {
 /// Returns the lanes whose value is negative or NaN.
 #[inline(always)]
 pub fn negative<T: Real, const N: usize>(value: Lanes<T, N>) -> Mask<N> {
-    Mask::of(|lane| !(value.0[lane] >= T::ZERO))
+    !Mask::of(|lane| value.0[lane] >= T::ZERO)
 }
 
 /// Returns the lanes in which some value is infinite or NaN: zero times such a value is NaN.
