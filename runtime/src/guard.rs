@@ -82,6 +82,13 @@ impl<T: Real, I: Values<Signal<T>>, U: Clone> Guard<T, I, U> {
         self.window = None;
     }
 
+    /// Forgets the path and how far the guard has looked ahead; some frames pass before it does so again.
+    pub(crate) fn restart(&mut self) {
+        self.window = None;
+        self.steps = T::ONE;
+        self.steps_of_closed_forms = T::ONE;
+    }
+
     /// Middle and half length (s) of the verified window; `None` if there is none.
     pub(crate) fn verified(&self) -> Option<[T; 2]> {
         let window = self.window.as_ref()?;

@@ -203,7 +203,7 @@ impl<B: Blocks> Shell<B> {
             return Err(failure);
         }
         // The steps depend on the last frame alone, not on the windows that have led there: these differ between lanes.
-        self.guard = Guard::new();
+        self.guard.restart();
         let [first, second] = &mut self.frames;
         let (last, at) = match self.second_is_last {
             true => (&*second, first),

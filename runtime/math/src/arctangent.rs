@@ -176,7 +176,7 @@ macro_rules! arctangents {
             }
 
             /// Returns the angles of several pairs of sine and cosine, with the bits of [`angle_near`]. Compilers vectorize
-            /// it for processors with vectors.
+            /// it.
             #[inline(always)]
             pub fn angles_near<const N: usize>(
                 sines: [$scalar; N],
@@ -184,12 +184,6 @@ macro_rules! arctangents {
                 near: [$scalar; N],
             ) -> [$scalar; N] {
                 let mut angles = [0.0; N];
-                if !$crate::HAS_VECTORS {
-                    for lane in 0..N {
-                        angles[lane] = angle_near(sines[lane], cosines[lane], near[lane]);
-                    }
-                    return angles;
-                }
                 let mut rare = 0;
                 for lane in 0..N {
                     // As in `angle_near`.
@@ -211,6 +205,25 @@ macro_rules! arctangents {
                     }
                 }
                 angles
+            }
+
+            /// Returns the angles of two pairs of sine and cosine, with the bits of [`angle_near`]: by vectors where the
+            /// processor has them, and one after the other where code without branches is only longer.
+            #[inline(always)]
+            pub fn two_angles_near(
+                sines: [$scalar; 2],
+                cosines: [$scalar; 2],
+                near: [$scalar; 2],
+            ) -> [$scalar; 2] {
+                if $crate::HAS_VECTORS {
+                    return angles_near(sines, cosines, near);
+                }
+                let ([sine, other_sine], [cosine, other_cosine]) = (sines, cosines);
+                let [near, other_near] = near;
+                [
+                    angle_near(sine, cosine, near),
+                    angle_near(other_sine, other_cosine, other_near),
+                ]
             }
 
             /// Returns the entry of [`COSINES`] for the last three bits of a number, without reading memory.

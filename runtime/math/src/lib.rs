@@ -36,7 +36,7 @@ mod sine_cosine;
 
 pub use lanes::Lanes;
 
-/// True if the processor computes vectors. Elsewhere code without branches is only longer.
+/// True if the processor computes vectors.
 const HAS_VECTORS: bool = cfg!(any(
     target_feature = "sse2",
     target_feature = "neon",

@@ -102,7 +102,7 @@ macro_rules! precision {
             };
             // A type in place of `math` has the functions by their trait.
             pub use crate::math::{Functions as _, Real as math, angle_near};
-            pub use linkwright_math::$name::angles_near;
+            pub use linkwright_math::$name::two_angles_near;
             pub use crate::{BlockName, Blocks, Branch, Mechanism, Shell, nalgebra::Const};
 
             /// Scalar of everything in this module.

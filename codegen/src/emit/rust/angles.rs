@@ -1,4 +1,4 @@
-//! Prints angles that do not depend on each other as arrays, which compilers compute by vectors.
+//! Prints two angles that do not depend on each other in one call, which computes them by vectors.
 
 use std::collections::HashMap;
 
@@ -7,47 +7,41 @@ use crate::emit::module::scope::Scope;
 use crate::expr::SymbolId;
 use crate::program::Statement;
 
-/// Places of angles in the list of statements that are printed together, by the place of the last one.
-pub(super) type JoinedAngles = HashMap<usize, Vec<usize>>;
+/// Places of two angles in the list of statements that are printed together, by the place of the first one.
+pub(super) type JoinedAngles = HashMap<usize, [usize; 2]>;
 
 impl Scope<'_> {
-    /// Returns the angles that are printed together: those before the first statement that reads one of them.
+    /// Returns the angles that are printed together: two, if sine and cosine of the second are known before the first.
     pub(super) fn joined_angles(&self) -> JoinedAngles {
         let mut joined = JoinedAngles::new();
         // In lanes, each angle is an array already.
         if self.is_in_lanes() {
             return joined;
         }
-        let mut open: Vec<(usize, SymbolId)> = Vec::new();
-        let mut close = |open: &mut Vec<(usize, SymbolId)>| {
-            let places: Vec<usize> = open.drain(..).map(|(place, _)| place).collect();
-            if let [_, .., last] = places[..] {
-                joined.insert(last, places);
-            }
-        };
+        let graph = &self.module.pool.graph;
+        let mut first = None;
+        // What the statements from the first angle on compute.
+        let mut later: Vec<SymbolId> = Vec::new();
         for (place, statement) in self.function.statements.iter().enumerate() {
-            let reads = |symbol: &SymbolId| {
-                let graph = &self.module.pool.graph;
-                let mut values = statement.values().into_iter();
-                values.any(|value| graph.symbols(value).contains(symbol))
-            };
-            let is_end = match statement {
-                Statement::Section(_) | Statement::Newton { .. } | Statement::Factorize => true,
-                _ => open.iter().any(|(_, symbol)| reads(symbol)),
-            };
-            if is_end {
-                close(&mut open);
+            if matches!(statement, Statement::Angle { .. }) {
+                let values = statement.values().into_iter();
+                let mut read = values.flat_map(|value| graph.symbols(value));
+                let earlier = first.take().filter(|_| !read.any(|it| later.contains(it)));
+                match earlier {
+                    Some(earlier) => {
+                        joined.insert(earlier, [earlier, place]);
+                    }
+                    None => first = Some(place),
+                }
+                later.clear();
             }
-            if let Statement::Angle { target, .. } = statement {
-                open.push((place, *target));
-            }
+            later.extend(statement.targets());
         }
-        close(&mut open);
         joined
     }
 
-    /// Writes the angles of some statements as one array.
-    pub(super) fn angles(&self, places: &[usize], code: &mut Code) {
+    /// Writes the angles of two statements.
+    pub(super) fn two_angles(&self, places: &[usize; 2], code: &mut Code) {
         let mut columns: [Vec<String>; 4] = Default::default();
         for &place in places {
             let Statement::Angle {
@@ -65,7 +59,7 @@ impl Scope<'_> {
             }
         }
         let [at, sines, cosines, near] = columns.map(|column| column.join(", "));
-        code.open(format!("[{at}] = angles_near("));
+        code.open(format!("[{at}] = two_angles_near("));
         for list in [sines, cosines, near] {
             code.line(format!("[{list}],"));
         }

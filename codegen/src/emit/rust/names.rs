@@ -90,7 +90,7 @@ const ITEMS: &[&str] = &[
     "frame",
     "block",
     "angle_near",
-    "angles_near",
+    "two_angles_near",
     "all_finite",
     "not_finite",
     "load_not_finite",

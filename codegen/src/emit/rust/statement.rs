@@ -22,7 +22,7 @@ impl Scope<'_> {
         let is_joined = |place: usize| joined.values().flatten().any(|&it| it == place);
         for (place, statement) in self.function.statements.iter().enumerate() {
             match joined.get(&place) {
-                Some(places) => self.angles(places, &mut code),
+                Some(places) => self.two_angles(places, &mut code),
                 None if is_joined(place) => {}
                 None => self.statement(statement, block, iterated, &mut code),
             }

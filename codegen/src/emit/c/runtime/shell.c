@@ -27,12 +27,12 @@ LINKWRIGHT_FUNCTION linkwright_status linkwright$f_allow(const linkwright$f_mech
     return LINKWRIGHT_OK;
 }
 
-/* Forgets the verified window, and the numbers of steps of the next look-aheads. */
-LINKWRIGHT_FUNCTION static void forget_path$f(linkwright$f_state *state)
+/* Forgets the verified window, and looks so many steps ahead next. */
+LINKWRIGHT_FUNCTION static void forget_path$f(linkwright$f_state *state, $real steps)
 {
     state->has_window = false;
-    state->steps = AHEAD$f;
-    state->steps_of_closed_forms = AHEAD$f;
+    state->steps = steps;
+    state->steps_of_closed_forms = steps;
 }
 
 LINKWRIGHT_FUNCTION linkwright_status linkwright$f_assemble(const linkwright$f_mechanism *mechanism, $real t)
@@ -45,7 +45,7 @@ LINKWRIGHT_FUNCTION linkwright_status linkwright$f_assemble(const linkwright$f_m
     (void)memcpy(at, last, mechanism->blocks->frame_size);
     state->start = LINKWRIGHT_LAST_FRAME;
     state->second_is_last = false;
-    forget_path$f(state);
+    forget_path$f(state, AHEAD$f);
     state->t = t;
     state->sum = t;
     state->rest = 0.0$f;
@@ -124,7 +124,7 @@ LINKWRIGHT_FUNCTION linkwright_status linkwright$f_advance_in_steps(const linkwr
         return mechanism->failure->status;
     }
     /* The steps depend on the last frame alone, not on the windows that have led there. */
-    forget_path$f(state);
+    forget_path$f(state, 1.0$f);
     Way$f way;
     way.mechanism = mechanism;
     way.from = blocks->time(last);
