@@ -3,6 +3,7 @@
 use super::super::printer::Printer;
 use super::loops::{Loop, divided};
 use crate::emit::code::Code;
+use crate::emit::module::checked_time::checks_time;
 use crate::emit::module::checks::checked;
 use crate::emit::module::documentation;
 use crate::emit::module::drawing::frame_keeps_parameters;
@@ -180,8 +181,12 @@ pub(super) fn solve(printer: &Printer<'_>, text: &mut Code) {
     }
     let zero = printer.number(0.0);
     let checked = checked(module).into_iter();
-    let checked = checked.map(|it| format!("({zero} * {}[lane])", printer.field(it, "at")));
-    let checked: Vec<String> = checked.collect();
+    let checked = checked.map(|it| printer.field(it, "at"));
+    let time = checks_time(module).then(|| "at->t".to_string());
+    let checked = checked.chain(time);
+    let checked: Vec<String> = checked
+        .map(|field| format!("({zero} * {field}[lane])"))
+        .collect();
     if !checked.is_empty() {
         text.comment(["Zero times a value that is infinite or NaN is NaN."]);
         open_loop(printer, text);
