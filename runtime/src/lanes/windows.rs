@@ -1,7 +1,8 @@
 //! Windows of time in which the paths of all lanes are verified.
 //!
 //! A lane needs a first window from its own guard. Closed forms in sequence then extend the windows of all lanes together, as soon as the
-//! first of them ends: verifying all lanes costs little more than verifying one.
+//! first of them ends: verifying all lanes costs little more than verifying one. Windows only save verifications: the frames that they admit are
+//! those that a mechanism alone admits, by windows of its own.
 
 use super::{Lanes, Mask};
 use crate::guard::{FIRST_STEPS, LEAST_STEPS, SHRINKING, WEAK, further};
