@@ -19,6 +19,10 @@ use crate::emit::module::{Module, documentation};
 use crate::model::field_name;
 use crate::program::{Block, Function};
 
+/// Number of blocks up to which all lanes are verified together. Beyond, compilers would take longer for the verification than for all the
+/// rest: half a second for eight blocks, and 21 s for eighteen.
+const MOST_VERIFIED: usize = 10;
+
 /// Writes the module `lanes`.
 pub(super) fn lanes(module: &Module<'_>, code: &mut Code) {
     let mut rest = Code::default();
@@ -192,13 +196,14 @@ fn solve(module: &Module<'_>, code: &mut Code) {
     code.function(docs, ["#[inline(always)]"], &head, inside);
 }
 
-/// Returns the function that verifies paths by closed forms in sequence, if all lanes can be verified together: inputs have signals of
-/// their own in each lane.
+/// Returns the function that verifies paths by closed forms in sequence, if all lanes are verified together. Inputs have signals of their
+/// own in each lane.
 fn closed_path<'a>(module: &Module<'a>) -> Option<&'a Function> {
     let closed = module.program.path.as_ref()?.closed.as_ref()?;
     let reads = Scope::new(module, closed, Place::PathLanes).reads();
     let has_inputs = !module.system.mechanism.inputs.is_empty();
-    (!has_inputs && !reads.time).then_some(closed)
+    let is_small = module.program.blocks.len() <= MOST_VERIFIED;
+    (is_small && !has_inputs && !reads.time).then_some(closed)
 }
 
 /// Writes the function that verifies paths by closed forms in sequence.
