@@ -154,11 +154,13 @@ impl<B: InLanes<N>, const N: usize> Group<B, N> {
         let unsolved = self.solve(times, inputs);
         let shells = &self.shells;
         let present = Mask::of(|lane| shells[lane].is_some());
-        let mut alone = present & (unsolved | !self.windows.hold(times));
-        if !self.has_inputs && !(alone & !unsolved).is_empty() {
-            self.extend_windows(times, alone & !unsolved);
-            alone = present & (unsolved | !self.windows.hold(times));
+        let mut verified = self.windows.hold(times);
+        let due = present & !(unsolved | verified);
+        if !self.has_inputs && !due.is_empty() {
+            self.extend_windows(times, due);
+            verified = self.windows.hold(times);
         }
+        let mut alone = present & (unsolved | !verified);
         if self.has_inputs {
             let times = self.times.iter().zip(times);
             let lanes = self.shells.iter_mut().zip(inputs).zip(times);

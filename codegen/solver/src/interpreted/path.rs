@@ -229,21 +229,7 @@ impl WindowCheck {
         registers: &mut [f64],
     ) -> Result<(), u16> {
         let instants = [pair.at, pair.last].map(Instant::values);
-        for (read, values) in self.read.iter().zip(instants) {
-            for &(register, slot) in read {
-                registers[register.index()] = values[slot];
-            }
-        }
-        let numbers_of_window = [
-            window.time,
-            window.steps,
-            window.remainder,
-            window.beyond,
-            window.rounding,
-        ];
-        for (register, value) in self.window.iter().zip(numbers_of_window) {
-            registers[register.index()] = value;
-        }
+        self.supply(instants, window, registers);
         let [before, now] = [pair.before, pair.conditions.inputs];
         for operation in &self.operations {
             match operation {
@@ -267,14 +253,9 @@ impl WindowCheck {
         Ok(())
     }
 
-    /// Returns the lanes whose windows are verified, for two instants of each.
+    /// Writes what a verification reads of two instants and of the window.
     #[inline(always)]
-    fn verify_lanes(
-        &self,
-        pair: [&[Lanes]; 2],
-        window: &TimeWindow<Lanes>,
-        registers: &mut [Lanes],
-    ) -> Mask<LANES> {
+    fn supply<T: Copy>(&self, pair: [&[T]; 2], window: &TimeWindow<T>, registers: &mut [T]) {
         for (read, values) in self.read.iter().zip(pair) {
             for &(register, slot) in read {
                 registers[register.index()] = values[slot];
@@ -290,6 +271,17 @@ impl WindowCheck {
         for (register, value) in self.window.iter().zip(numbers_of_window) {
             registers[register.index()] = value;
         }
+    }
+
+    /// Returns the lanes whose windows are verified, for two instants of each.
+    #[inline(always)]
+    fn verify_lanes(
+        &self,
+        pair: [&[Lanes]; 2],
+        window: &TimeWindow<Lanes>,
+        registers: &mut [Lanes],
+    ) -> Mask<LANES> {
+        self.supply(pair, window, registers);
         let mut failed = Mask::NONE;
         for operation in &self.operations {
             failed |= match operation {
