@@ -7,7 +7,7 @@ use super::printer::Printer;
 use super::words::identifier;
 use crate::emit::code::Code;
 use crate::emit::module::documentation;
-use crate::emit::module::needs::{Needs, checked_at_once};
+use crate::emit::module::needs::{Needs, checked_at_once, listed};
 use crate::emit::module::scope::{Place, Scope};
 use crate::program::Block;
 
@@ -30,11 +30,7 @@ fn arguments(needs: Needs, printer: &Printer<'_>) -> [String; 2] {
             "conditions",
         ),
     ];
-    let needed = arguments.into_iter().filter(|(is_needed, ..)| *is_needed);
-    let (declared, passed): (Vec<_>, Vec<_>) = needed
-        .map(|(_, declared, passed)| (declared, passed))
-        .unzip();
-    [declared.join(", "), passed.join(", ")]
+    listed(arguments)
 }
 
 fn name(block: &Block, printer: &Printer<'_>) -> String {

@@ -5,8 +5,7 @@ use super::loads;
 use super::points::point_functions;
 use super::printer::Printer;
 use crate::emit::code::Code;
-use crate::emit::module::checked_time::checks_time;
-use crate::emit::module::checks::checked;
+use crate::emit::module::checks::final_check;
 use crate::emit::module::documentation;
 use crate::emit::module::drawing::frame_keeps_parameters;
 use crate::emit::module::needs::Needs;
@@ -76,13 +75,8 @@ pub(super) fn solve(printer: &Printer<'_>, text: &mut Code) {
     for block in &module.program.blocks {
         block::call(block, printer, &mut body);
     }
-    let checked = match module.is_large() {
-        true => Vec::new(),
-        false => checked(module),
-    };
-    let checked = checked.iter().map(|&symbol| printer.field(symbol, "at"));
-    let time = checks_time(module).then(|| "at->t".to_string());
-    let checked: Vec<String> = checked.chain(time).collect();
+    let access = |symbol| printer.field(symbol, "at");
+    let checked = final_check(module, module.is_large(), access, "at->t");
     let all_needs = module
         .program
         .blocks

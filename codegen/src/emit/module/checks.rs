@@ -1,8 +1,25 @@
 //! Selects the values of a frame whose finiteness proves that the whole frame is finite.
 
 use super::Module;
+use super::checked_time::checks_time;
 use crate::expr::{IdSet, SymbolId};
 use crate::program::{Block, Function, Statement};
+
+/// Returns what the final check of a frame reads: `access` to each checked value, unless blocks check their own, and to the `time` if it is
+/// checked.
+pub(in crate::emit) fn final_check(
+    module: &Module<'_>,
+    has_own_checks: bool,
+    access: impl Fn(SymbolId) -> String,
+    time: &str,
+) -> Vec<String> {
+    let values = match has_own_checks {
+        true => Vec::new(),
+        false => checked(module),
+    };
+    let time = checks_time(module).then(|| time.to_string());
+    values.into_iter().map(access).chain(time).collect()
+}
 
 /// Returns the values of a frame that no other value depends on. If any value is not finite, one of these is not finite either, since
 /// infinities and NaN propagate.

@@ -52,6 +52,17 @@ impl Needs {
     }
 }
 
+/// Returns the needed ones of arguments, as declared and as passed.
+pub(in crate::emit) fn listed<D: Into<String>, const N: usize>(
+    arguments: [(bool, D, &str); N],
+) -> [String; 2] {
+    let needed = arguments.into_iter().filter(|(is_needed, ..)| *is_needed);
+    let (declared, passed): (Vec<String>, Vec<&str>) = needed
+        .map(|(_, declared, passed)| (declared.into(), passed))
+        .unzip();
+    [declared.join(", "), passed.join(", ")]
+}
+
 fn is_check(statement: &Statement) -> bool {
     matches!(
         statement,

@@ -8,7 +8,7 @@ use super::names::identifier;
 use super::newton;
 use super::statement::Iterated;
 use crate::emit::code::Code;
-use crate::emit::module::needs::{Needs, checked_at_once};
+use crate::emit::module::needs::{Needs, checked_at_once, listed};
 use crate::emit::module::scope::{Place, Scope};
 use crate::emit::module::{Module, documentation};
 use crate::program::{Block, Statement};
@@ -18,7 +18,7 @@ const MOST_INLINED: usize = 16;
 
 impl Needs {
     /// Returns the arguments as declared and as passed.
-    pub(super) fn arguments(self) -> (String, String) {
+    pub(super) fn arguments(self) -> [String; 2] {
         let branches = match self.finds_branch {
             true => "branches: &mut Branches",
             false => "branches: &Branches",
@@ -29,18 +29,14 @@ impl Needs {
             (self.branches, branches, "branches"),
             (self.conditions, "conditions: &Conditions<'_>", "conditions"),
         ];
-        let needed = arguments.into_iter().filter(|(is_needed, ..)| *is_needed);
-        let (declared, passed): (Vec<_>, Vec<_>) = needed
-            .map(|(_, declared, passed)| (declared, passed))
-            .unzip();
-        (declared.join(", "), passed.join(", "))
+        listed(arguments)
     }
 }
 
 /// Returns the call of a block's function.
 pub(super) fn call(block: &Block, module: &Module<'_>) -> String {
     let needs = Needs::of(block, module);
-    let (name, (_, arguments)) = (identifier(&block.name), needs.arguments());
+    let (name, [_, arguments]) = (identifier(&block.name), needs.arguments());
     let failure = match needs.fails {
         true => loads::handed_on(block, module),
         false => String::new(),
@@ -87,7 +83,7 @@ fn function(index: usize, block: &Block, module: &Module<'_>, code: &mut Code) {
     if module.is_large() {
         own_check(index, block, &scope, &mut inside);
     }
-    let (arguments, _) = needs.arguments();
+    let [arguments, _] = needs.arguments();
     let name = identifier(&block.name);
     let mut head = format!("fn {name}({arguments})");
     if needs.fails {

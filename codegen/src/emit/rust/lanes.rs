@@ -10,8 +10,7 @@ use super::lints;
 use super::names::identifier;
 use super::tables::table_name;
 use crate::emit::code::Code;
-use crate::emit::module::checked_time::checks_time;
-use crate::emit::module::checks::checked;
+use crate::emit::module::checks::final_check;
 use crate::emit::module::drawing::frame_keeps_parameters;
 use crate::emit::module::needs::Needs;
 use crate::emit::module::scope::{Place, Scope};
@@ -138,7 +137,7 @@ fn function(index: usize, block: &Block, module: &Module<'_>, code: &mut Code) {
     if let Some(taken) = taken_apart("&Conditions", "conditions", &read) {
         inside.line(taken);
     }
-    let (arguments, _) = needs.arguments();
+    let [arguments, _] = needs.arguments();
     let mut head = format!("fn {}({arguments})", identifier(&block.name));
     if needs.fails {
         inside.line("let mut failed = Mask::NONE;");
@@ -161,7 +160,7 @@ fn solve(module: &Module<'_>, code: &mut Code) {
     let mut can_fail = false;
     for block in &module.program.blocks {
         let needs = Needs::in_lanes(block, module);
-        let (name, (_, arguments)) = (identifier(&block.name), needs.arguments());
+        let (name, [_, arguments]) = (identifier(&block.name), needs.arguments());
         can_fail |= needs.fails;
         calls.line(match needs.fails {
             true => format!("failed |= {name}({arguments});"),
@@ -182,10 +181,8 @@ fn solve(module: &Module<'_>, code: &mut Code) {
         inside.line("at.parameters = *conditions.parameters;");
     }
     inside.append(calls);
-    let checked = checked(module).into_iter();
-    let checked = checked.map(|symbol| format!("&{}", module.field(symbol, "at")));
-    let time = checks_time(module).then(|| "&at.t".to_string());
-    let checked: Vec<String> = checked.chain(time).collect();
+    let access = |symbol| format!("&{}", module.field(symbol, "at"));
+    let checked = final_check(module, false, access, "&at.t");
     inside.line(match (checked.is_empty(), can_fail) {
         (true, true) => "failed".to_string(),
         (true, false) => "Mask::NONE".to_string(),

@@ -9,8 +9,7 @@ use super::module::derives;
 use super::names::type_name;
 use super::parameters;
 use crate::emit::code::Code;
-use crate::emit::module::checked_time::checks_time;
-use crate::emit::module::checks::checked;
+use crate::emit::module::checks::final_check;
 use crate::emit::module::drawing::frame_keeps_parameters;
 use crate::emit::module::path_enclosures::enclosure_count;
 use crate::emit::module::{Module, documentation};
@@ -72,13 +71,8 @@ fn solve(module: &Module<'_>, code: &mut Code) {
         inside.line("at.parameters = *conditions.parameters;");
     }
     inside.append(calls);
-    let checked = match module.is_large() {
-        true => Vec::new(),
-        false => checked(module),
-    };
-    let checked = checked.iter().map(|&symbol| module.field(symbol, "at"));
-    let time = checks_time(module).then(|| "at.t".to_string());
-    let checked: Vec<String> = checked.chain(time).collect();
+    let access = |symbol| module.field(symbol, "at");
+    let checked = final_check(module, module.is_large(), access, "at.t");
     if checked.is_empty() {
         inside.line("Ok(())");
     } else {

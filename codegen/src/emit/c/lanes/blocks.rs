@@ -3,11 +3,10 @@
 use super::super::printer::Printer;
 use super::loops::{Loop, divided};
 use crate::emit::code::Code;
-use crate::emit::module::checked_time::checks_time;
-use crate::emit::module::checks::checked;
+use crate::emit::module::checks::final_check;
 use crate::emit::module::documentation;
 use crate::emit::module::drawing::frame_keeps_parameters;
-use crate::emit::module::needs::Needs;
+use crate::emit::module::needs::{Needs, listed};
 use crate::emit::module::scope::{Place, Reads, Scope};
 use crate::program::{Block, Statement};
 
@@ -30,11 +29,7 @@ fn arguments(needs: Needs, reads: Reads, printer: &Printer<'_>) -> [String; 2] {
         (reads.time, times, "times"),
         (needs.fails, unsolved, "unsolved"),
     ];
-    let needed = arguments.into_iter().filter(|(is_needed, ..)| *is_needed);
-    let (declared, passed): (Vec<_>, Vec<_>) = needed
-        .map(|(_, declared, passed)| (declared, passed))
-        .unzip();
-    [declared.join(", "), passed.join(", ")]
+    listed(arguments)
 }
 
 fn name(block: &Block, printer: &Printer<'_>) -> String {
@@ -180,10 +175,8 @@ pub(super) fn solve(printer: &Printer<'_>, text: &mut Code) {
         text.line(format!("{}({passed});", name(block, printer)));
     }
     let zero = printer.number(0.0);
-    let checked = checked(module).into_iter();
-    let checked = checked.map(|it| printer.field(it, "at"));
-    let time = checks_time(module).then(|| "at->t".to_string());
-    let checked = checked.chain(time);
+    let access = |symbol| printer.field(symbol, "at");
+    let checked = final_check(module, false, access, "at->t").into_iter();
     let checked: Vec<String> = checked
         .map(|field| format!("({zero} * {field}[lane])"))
         .collect();
