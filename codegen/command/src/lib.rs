@@ -20,9 +20,7 @@ pub mod command;
 pub mod data;
 #[cfg(feature = "lsp")]
 pub mod language_server;
-pub mod motion;
 pub mod output;
-pub mod page;
 pub mod progress;
 pub mod report;
 pub mod sweep;

@@ -3,6 +3,7 @@
 //! Nothing else plans or lowers. The parts of a [`Solved`] belong together and never change: output makes further expressions in a
 //! draft of the pool.
 
+use crate::model::set;
 use crate::pool::Pool;
 use crate::program::{Kept, Program, Report, lower};
 use crate::structure::{Shift, SolvedPlan, Unplanned, plan};
@@ -34,6 +35,15 @@ impl Solved {
             plan,
             program,
         }
+    }
+
+    /// Applies an assignment to a parameter or an input, as [`set`] does. The program is unchanged: it reads parameters and inputs as values.
+    ///
+    /// # Errors
+    /// Those of [`set`].
+    pub fn set(&mut self, option: &str, assignment: &str) -> Result<(), String> {
+        let Derived { pool, system } = &mut self.derived;
+        set(pool, &mut system.mechanism, option, assignment)
     }
 
     /// Equations, with the expressions of all parts.

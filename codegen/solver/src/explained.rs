@@ -22,8 +22,8 @@ impl Interpreted {
         };
         let others = match others {
             0 => String::new(),
-            1 => "; another assembly exists (`linkwright check` shows it)".to_string(),
-            count => format!("; {count} other assemblies exist (`linkwright check` lists them)"),
+            1 => "; another assembly exists (a check shows it)".to_string(),
+            count => format!("; {count} other assemblies exist (a check lists them)"),
         };
         let t = time(failure.time);
         format!("cannot be assembled in the design modes at t = {t} s: {cause}{others}")

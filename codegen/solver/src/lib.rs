@@ -28,6 +28,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! - [`Opened`] goes from the text of a description to a mechanism that can be solved.
 //! - [`View`] is what both formulations provide. [`Dense`] is the other one, the textbook formulation as one system.
 //! - [`Moved`] moves the program that is written out, and computes beside it what an `output` omits.
 //! - [`follow`] moves a mechanism over the times of a [`Schedule`] and finds the end of its motion.
@@ -93,6 +94,8 @@ pub mod observable;
 #[doc(hidden)]
 pub mod open_loop;
 #[doc(hidden)]
+pub mod opened;
+#[doc(hidden)]
 pub mod pressure;
 #[doc(hidden)]
 pub mod proof;
@@ -127,6 +130,7 @@ pub use interpreted::Interpreted;
 pub use mode_selection::{ModeSelection, Unassembled};
 pub use moved::Moved;
 pub use observable::Observable;
+pub use opened::{Opened, Unopened};
 pub use schedule::{Leg, Schedule};
 pub use simulation::{Method, Simulation, SimulationOptions, Stop};
 pub use supplied::{InputLaws, InputSignals, Modes, Numbers};

@@ -102,7 +102,7 @@ impl Unassembled {
                 let (t, least) = (time(t), if are_all { "" } else { "at least " });
                 let plural = if known == 1 { "" } else { "s" };
                 format!(
-                    "`{name}` has {least}{known} pose{plural} at t = {t} s, none of them `{letter}`; `linkwright check` lists them"
+                    "`{name}` has {least}{known} pose{plural} at t = {t} s, none of them `{letter}`; a check lists them"
                 )
             }
         }

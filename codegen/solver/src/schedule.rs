@@ -56,7 +56,9 @@ impl Schedule {
     /// A sentence with the number that cannot be used.
     pub fn range(from: f64, to: f64, step: f64) -> Result<Schedule, String> {
         if to < from {
-            return Err(format!("`--to {to}` lies before `--from {from}`"));
+            return Err(format!(
+                "the end, t = {to} s, lies before the start, t = {from} s"
+            ));
         }
         Ok(Schedule {
             start: Visit {
@@ -138,7 +140,7 @@ impl Leg {
         let count = if whole { rounded } else { steps.floor() };
         if count >= MAX_VISITS as f64 {
             return Err(format!(
-                "{count:.1e} steps are too many (at most {MAX_VISITS}): use a larger `--step`"
+                "{count:.1e} steps are too many (at most {MAX_VISITS}): take longer ones"
             ));
         }
         // Below the resolution of `f64`, times would repeat.

@@ -21,6 +21,7 @@ mod references;
 mod rods;
 mod same_bits;
 mod sensitivities;
+mod set;
 mod solved;
 mod tables;
 mod units;

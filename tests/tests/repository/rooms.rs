@@ -77,6 +77,7 @@ const SOLVER: (&str, &[&str]) = (
         "dense",
         "drawn",
         "interpreted",
+        "opened",
         "not_finite",
         "observable",
         "batch",
@@ -98,7 +99,7 @@ const SOLVER: (&str, &[&str]) = (
 );
 
 /// Folders of the packages that are published, each with our packages from which it is built.
-const PACKAGES: [(&str, &[&str]); 11] = [
+const PACKAGES: [(&str, &[&str]); 12] = [
     ("runtime/math", &[]),
     ("runtime", &["linkwright-math"]),
     ("codegen/description", &["linkwright-math"]),
@@ -116,11 +117,16 @@ const PACKAGES: [(&str, &[&str]); 11] = [
         &["linkwright", "linkwright-codegen", "linkwright-solver"],
     ),
     (
+        "codegen/page",
+        &["linkwright", "linkwright-codegen", "linkwright-solver"],
+    ),
+    (
         "codegen/command",
         &[
             "linkwright",
             "linkwright-calibrate",
             "linkwright-codegen",
+            "linkwright-page",
             "linkwright-solver",
         ],
     ),

@@ -19,7 +19,7 @@ use linkwright_tests::files;
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 /// Folders with the sources of the packages that are published.
-const SOURCES: [&str; 8] = [
+const SOURCES: [&str; 9] = [
     "runtime/src",
     "codegen/description/src",
     "codegen/program/src",
@@ -27,6 +27,7 @@ const SOURCES: [&str; 8] = [
     "codegen/solver/src",
     "codegen/calibrate/src",
     "codegen/macros/src",
+    "codegen/page/src",
     "codegen/command/src",
 ];
 

@@ -85,7 +85,7 @@ fn every_pose_of_a_loop_without_a_closed_form_has_a_letter() {
     }
     let ran = folder.run("solve a.mech --at 0 --branch loop_p_row_q_r=z");
     let expected = format!(
-        "`loop_p_row_q_r` has {} poses at t = 0 s, none of them `z`; `linkwright check` lists them",
+        "`loop_p_row_q_r` has {} poses at t = 0 s, none of them `z`; a check lists them",
         assemblies.len()
     );
     let error = ran.exits_with(2).stderr;

@@ -165,7 +165,10 @@ fn text_pictures_and_exit_codes_follow_the_options() {
     let closest = &object(&near, "", 0)["blocks"][0]["closest"];
     close("t", &closest["t"], std::f64::consts::FRAC_PI_4, 1e-7);
     let refused = folder.run("check a.mech --to -1").exits_with(2).stderr;
-    assert_eq!(refused, "error: `--to -1` lies before `--from 0`\n");
+    assert_eq!(
+        refused,
+        "error: the end, t = -1 s, lies before the start, t = 0 s\n"
+    );
     let help = folder.run("check --help").exits_with(0).stdout;
     assert!(help.contains("--deny-warnings"), "{help}");
 }

@@ -168,7 +168,7 @@ fn bad_input_exits_with_2() {
         ("solve a.mech --to inf", "not a finite number"),
         (
             "solve a.mech --to -1",
-            "`--to -1` lies before `--from 0`\n  = help: name earlier instants with `--at`",
+            "the end, t = -1 s, lies before the start, t = 0 s\n  = help: name earlier instants with `--at`",
         ),
         ("solve a.mech --step 1e-9", "steps are too many"),
         ("solve a.mech --json --csv -", "cannot both write to stdout"),

@@ -340,7 +340,7 @@ fn bad_input_has_a_reason_and_leaves_no_files() {
         ("--vary L3=1..2:3 --show C_vz", "did you mean `C_v"),
         (
             "--vary L3=1..2:3 --to -1",
-            "error: `--to -1` lies before `--from 0`\n",
+            "error: the end, t = -1 s, lies before the start, t = 0 s\n",
         ),
         ("--vary L3=1..2:3 --threads 0", "--threads"),
         ("--vary L3=1..2:3 --csv - --resume", "`--csv -` is stdout"),

@@ -302,7 +302,10 @@ fn only_pages_of_ours_are_replaced_and_options_are_checked() {
     for (wrong, words) in [
         ("--branch phi2=up", "no assembly mode"),
         ("--set length=2", "length"),
-        ("--to -1", "error: `--to -1` lies before `--from 0`\n"),
+        (
+            "--to -1",
+            "error: the end, t = -1 s, lies before the start, t = 0 s\n",
+        ),
         ("--watch --out a.html", "cannot be used with"),
         ("--port 80", "--watch"),
     ] {

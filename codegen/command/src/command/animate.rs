@@ -8,8 +8,8 @@ use super::description::{determined, interpreted, outputs, set_all, source};
 use super::draw::{Frames, follow, frames, is_stdout, path};
 use super::{Outcome, Problem, print, say};
 use crate::arguments::Draw;
-use crate::motion;
 use crate::report::drawing::tick_steps;
+use linkwright_page::motion;
 
 /// Smallest interval between two pictures, in s: 25 per second.
 const INTERVAL: f64 = 0.04;
@@ -49,7 +49,7 @@ pub fn run(arguments: &Draw) -> Result<Outcome, Problem> {
             Some(outputs.file(&path, format.signature)?)
         }
     };
-    let view = interpreted(&derived, &source, &arguments.described.file)?;
+    let view = interpreted(&derived, &source)?;
     let every = ((INTERVAL / step).round() as usize)
         .max(schedule.wanted().div_ceil(PICTURES))
         .max(1);

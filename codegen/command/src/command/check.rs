@@ -5,10 +5,10 @@ use linkwright_solver::{Check, Schedule, View};
 use super::description::{determined, interpreted, outputs, set_all, source};
 use super::{Outcome, Problem, in_folder, print, say};
 use crate::arguments::Check as Arguments;
-use crate::motion;
 use crate::progress::Progress;
 use crate::report::{check_json, check_text, drawing, picture, proof_text};
 use crate::terminal;
+use linkwright_page::motion;
 
 /// Width of tables in characters, unless the terminal is narrower.
 const WIDTH: usize = 110;
@@ -36,7 +36,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Problem> {
     let points = motion::points(&derived.system, &arguments.points);
     let points = points.map_err(|text| Problem(format!("error: {text}")))?;
     let mut progress = Progress::new(schedule.visits());
-    let interpreted = interpreted(&derived, &source, &arguments.described.file)?;
+    let interpreted = interpreted(&derived, &source)?;
     let check = Check::new(interpreted, &schedule, |count| progress.reached(count));
     progress.finish();
     let proof = arguments.prove.then(|| check.prove(&schedule, &points));

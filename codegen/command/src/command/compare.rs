@@ -10,11 +10,11 @@ use super::description::{chosen, determined, interpreted, outputs_besides, set_a
 use super::{Outcome, Problem, in_folder, print, say};
 use crate::arguments::Compare;
 use crate::data::{Data, sizes};
-use crate::motion::{Followed, Shown, Sink, Wanted};
 use crate::output::Output;
 use crate::progress::Progress;
 use crate::report::comparison::{self, Column, Report};
 use crate::report::{comparison_json, comparison_plot, picture};
+use linkwright_page::motion::{Followed, Shown, Sink, Wanted};
 
 /// Compares a table with a description and reports the differences.
 ///
@@ -45,7 +45,7 @@ pub fn run(arguments: &Compare) -> Result<Outcome, Problem> {
             pictures.push(outputs.file(&path, picture::SIGNATURE)?);
         }
     }
-    let interpreted = interpreted(&derived, &source, &arguments.described.file)?;
+    let interpreted = interpreted(&derived, &source)?;
     let chosen = chosen(&arguments.setting.branch, &interpreted, start)?;
     let selection = Wanted {
         points: Vec::new(),

@@ -4,11 +4,11 @@ use std::io::Read as _;
 use std::path::Path;
 use std::{fs, io};
 
-use linkwright_codegen::diagnostic::{Diagnostics, Source, nearest};
+use linkwright_codegen::diagnostic::{Diagnostics, Source};
 use linkwright_codegen::stages::files;
 use linkwright_codegen::stages::model::set;
-use linkwright_codegen::stages::structure;
 use linkwright_codegen::stages::system::Derived;
+use linkwright_solver::opened::{self, Unopened};
 use linkwright_solver::{Instant, Interpreted, ModeSelection, Modes};
 
 use super::{Problem, say};
@@ -127,26 +127,9 @@ pub fn set_all(derived: Derived, assignments: &[String]) -> Result<Derived, Prob
 /// All errors of the description, rendered; or an unknown name of a motion.
 pub fn motions(source: &Source, wanted: Option<&str>) -> Result<Vec<Derived>, Problem> {
     let mut warnings = Diagnostics::new();
-    let motions = read(source, wanted, &mut warnings);
+    let motions = opened::named(source, wanted, &mut warnings);
     warn(&warnings, source);
-    motions
-}
-
-/// Returns the equations of each motion, and collects warnings.
-fn read(
-    source: &Source,
-    wanted: Option<&str>,
-    warnings: &mut Diagnostics,
-) -> Result<Vec<Derived>, Problem> {
-    let read = linkwright_codegen::read(source).map_err(|found| rendered(&found, source))?;
-    warnings.extend(read.warnings.clone());
-    match wanted {
-        None => Ok(read.motions),
-        Some(name) => match read.motion(name) {
-            Some(derived) => Ok(vec![derived.clone()]),
-            None => Err(no_motion(name, &read.motions)),
-        },
-    }
+    motions.map_err(|reason| unopened(&reason, source))
 }
 
 /// Returns the equations of a motion, named or the only one, if they determine it; prints warnings on stderr.
@@ -169,32 +152,16 @@ pub fn determined_with(
     wanted: Option<&str>,
     warnings: &mut Diagnostics,
 ) -> Result<Derived, Problem> {
-    let mut motions = read(source, wanted, warnings)?;
-    if motions.len() > 1 {
-        return Err(several(source, &motions));
-    }
-    // A description has at least one motion.
-    let derived = motions.remove(0);
-    let Derived { pool, system } = &derived;
-    let diagnostics = structure::analyze(pool, system).respelled(&system.mechanism.spellings);
-    match diagnostics.has_errors() {
-        false => warnings.extend(diagnostics),
-        true => return Err(rendered(&diagnostics, source)),
-    }
-    Ok(derived)
+    opened::determined(source, wanted, warnings).map_err(|reason| unopened(&reason, source))
 }
 
 /// Returns the blocks of a system; prints warnings on stderr.
 ///
 /// # Errors
 /// Numbers in the blocks become infinite or undefined, or the blocks have no order of solution.
-pub fn interpreted(
-    derived: &Derived,
-    source: &Source,
-    path: &Path,
-) -> Result<Interpreted, Problem> {
+pub fn interpreted(derived: &Derived, source: &Source) -> Result<Interpreted, Problem> {
     let mut warnings = Diagnostics::new();
-    let interpreted = interpreted_with(derived, source, path, &mut warnings);
+    let interpreted = interpreted_with(derived, source, &mut warnings);
     warn(&warnings, source);
     interpreted
 }
@@ -206,13 +173,9 @@ pub fn interpreted(
 pub fn interpreted_with(
     derived: &Derived,
     source: &Source,
-    path: &Path,
     warnings: &mut Diagnostics,
 ) -> Result<Interpreted, Problem> {
-    let (interpreted, found) =
-        Interpreted::checked(derived).map_err(|found| rendered(&found, source))?;
-    warnings.extend(found);
-    interpreted.ok_or_else(|| no_order(path))
+    opened::solvable(derived, warnings).map_err(|reason| unopened(&reason, source))
 }
 
 /// Returns the pose and the modes that `LOOP=MODE` selects; `None` without such options.
@@ -255,51 +218,26 @@ pub fn assembled(
     })
 }
 
-/// Returns the error of a mechanism whose blocks have no order of solution.
-pub fn no_order(path: &Path) -> Problem {
-    Problem(format!(
-        "error: the equations of `{}` determine the motion, but no order in which they can be solved one block after the other",
-        path.display()
-    ))
-}
-
-/// Returns the names of the motions in backticks.
-fn names(motions: &[Derived]) -> Vec<String> {
-    let named = motions
-        .iter()
-        .filter_map(|derived| derived.system.mechanism.motion.as_ref());
-    named.map(|motion| format!("`{}`", motion.name)).collect()
-}
-
-/// Returns the error of a description with several motions if none is selected.
-pub fn several(source: &Source, motions: &[Derived]) -> Problem {
-    let first = motions
-        .iter()
-        .find_map(|derived| derived.system.mechanism.motion.as_ref())
-        .map_or("NAME", |motion| motion.name.as_str());
-    Problem(format!(
-        "error: `{}` has {} motions: {}\n  = help: name one of them, for example `--motion {first}`",
-        source.name,
-        motions.len(),
-        names(motions).join(", ")
-    ))
-}
-
-fn no_motion(wanted: &str, motions: &[Derived]) -> Problem {
-    let names = names(motions);
-    if names.is_empty() {
-        return Problem(
-            "error: the mechanism has no motions\n  = help: leave out `--motion`".to_string(),
-        );
-    }
-    let bare = names.iter().map(|name| name.trim_matches('`'));
-    let help = match nearest(wanted, bare) {
-        Some(meant) => format!("did you mean `{meant}`?"),
-        None => format!("the motions are {}", names.join(", ")),
+/// Returns the error of a description that cannot be solved, with the option that helps.
+pub fn unopened(reason: &Unopened, source: &Source) -> Problem {
+    let Some((message, help)) = reason.message(&source.name) else {
+        return match reason {
+            Unopened::Findings(found) => rendered(found, source),
+            _ => Problem(String::new()),
+        };
     };
-    Problem(format!(
-        "error: no motion is named `{wanted}`\n  = help: {help}"
-    ))
+    let help = match reason {
+        Unopened::Several(names) => {
+            let first = names.first().map_or("NAME", String::as_str);
+            Some(format!("name one of them, for example `--motion {first}`"))
+        }
+        Unopened::NoMotion { motions, .. } if motions.is_empty() => {
+            Some("leave out `--motion`".to_string())
+        }
+        _ => help,
+    };
+    let help = help.map_or(String::new(), |help| format!("\n  = help: {help}"));
+    Problem(format!("error: {message}{help}"))
 }
 
 /// Prints warnings.

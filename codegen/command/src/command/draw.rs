@@ -7,17 +7,18 @@ use linkwright_codegen::diagnostic::{Source, nearest};
 use linkwright_codegen::stages::emit::drawing::{self, Options, Pose, Traced};
 use linkwright_codegen::stages::system::{Derived, System};
 use linkwright_solver::drawn::pose;
+use linkwright_solver::opened::{Unopened, names};
 use linkwright_solver::{Instant, Interpreted, Schedule};
 
 use super::description::{
-    chosen, determined, interpreted, motions, outputs, set_all, several, source,
+    chosen, determined, interpreted, motions, outputs, set_all, source, unopened,
 };
 use super::picture_format::PictureFormat;
 use super::{Outcome, Problem, print, say};
 use crate::arguments::Draw;
-use crate::motion::{self, Followed, Shown, Sink, Wanted};
 use crate::progress::Progress;
 use crate::report::drawing::{tick_steps, traced};
+use linkwright_page::motion::{self, Followed, Shown, Sink, Wanted};
 
 /// Largest number of poses for which a drawing has room, besides the displayed one.
 const POSES: usize = 200;
@@ -40,7 +41,7 @@ pub fn run(arguments: &Draw) -> Result<Outcome, Problem> {
         true => {
             let mut all = motions(&source, motion)?;
             if all.len() > 1 {
-                return Err(several(&source, &all));
+                return Err(unopened(&Unopened::Several(names(&all)), &source));
             }
             // A description has at least one motion.
             all.remove(0)
@@ -136,7 +137,7 @@ fn solved(arguments: &Draw, source: &Source, derived: &Derived) -> Result<Solved
         true => None,
         false => Some(Schedule::range(from, to, step).map_err(refused)?),
     };
-    let view = interpreted(derived, source, &arguments.described.file)?;
+    let view = interpreted(derived, source)?;
     let mut frames = Frames::new(1);
     let error = follow(arguments, &view, Vec::new(), &schedule, &mut frames)?;
     let mut solved = Solved {

@@ -5,7 +5,9 @@ use linkwright_codegen::stages::emit::derivation::Derivation;
 use linkwright_codegen::stages::structure::Shift;
 use linkwright_codegen::stages::{findings_of, finiteness};
 
-use super::description::{determined, no_order, rendered, source, warn};
+use linkwright_solver::opened::Unopened;
+
+use super::description::{determined, rendered, source, unopened, warn};
 use super::inspect::no_fragment;
 use super::{Outcome, Problem, print};
 use crate::arguments::{Plan, Script};
@@ -25,7 +27,7 @@ pub fn run(arguments: &Plan) -> Result<Outcome, Problem> {
         let exceeded = finiteness::of_unplanned(unplanned);
         match exceeded.has_errors() {
             true => rendered(&exceeded, &source),
-            false => no_order(&arguments.described.file),
+            false => unopened(&Unopened::NoOrder, &source),
         }
     })?;
     let warnings = findings_of(derivation.solved());

@@ -8,12 +8,12 @@ use linkwright_solver::{Schedule, View};
 use super::solve_files::Files;
 use super::{Outcome, Problem, print, say};
 use crate::arguments::Reported;
-use crate::motion::{Followed, Shown, Sink};
 use crate::output::{Output, Refused};
 use crate::progress::{PATIENCE, Progress};
 use crate::report::comma_separated::{self, Table};
 use crate::report::json::Object;
 use crate::report::summary::{self, Layout};
+use linkwright_page::motion::{Followed, Shown, Sink};
 
 /// Size of a table, in gigabytes, above which the size is announced.
 const ANNOUNCED_SIZE: f64 = 1.0;

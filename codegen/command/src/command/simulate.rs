@@ -11,8 +11,9 @@ use super::solve::shown;
 use super::solve_files::Files;
 use super::{Outcome, Problem, say};
 use crate::arguments::{Simulate, StepMethod};
-use crate::motion::{Followed, Listeners, Wanted, hint};
+use crate::report::effort::hint;
 use crate::report::summary::Layout;
+use linkwright_page::motion::{Followed, Listeners, Wanted};
 
 /// Simulates the motion and reports it.
 ///
@@ -60,7 +61,7 @@ pub fn run(arguments: &Simulate) -> Result<Outcome, Problem> {
         monitor: false,
         curves: files.has_pictures(),
     };
-    let view = interpreted(&derived, &source, &arguments.described.file)?;
+    let view = interpreted(&derived, &source)?;
     let chosen = chosen(&arguments.branch, &view, 0.0)?;
     let options = SimulationOptions {
         tolerances: Tolerances {

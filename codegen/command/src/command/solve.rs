@@ -11,8 +11,8 @@ use super::report::{check_stdout, report};
 use super::solve_files::Files;
 use super::{Outcome, Problem};
 use crate::arguments::{Formulation, Reported, Solve};
-use crate::motion::{self, Followed, Sink, Wanted};
 use crate::report::summary::Layout;
+use linkwright_page::motion::{self, Followed, Sink, Wanted};
 
 /// Solves the motion and reports it.
 ///
@@ -69,7 +69,7 @@ pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
             report(reported, layout, motion, &schedule, files, &mut follow)
         }
         Formulation::Solved => {
-            let interpreted = interpreted(&derived, &source, &arguments.described.file)?;
+            let interpreted = interpreted(&derived, &source)?;
             let chosen = chosen(&arguments.setting.branch, &interpreted, schedule.start.t)?;
             let motion = Followed::new(interpreted, selection, schedule.start.t, chosen);
             report(reported, layout, motion, &schedule, files, &mut follow)

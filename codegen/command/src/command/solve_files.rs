@@ -9,9 +9,9 @@ use linkwright_solver::{Schedule, View};
 
 use super::{Problem, in_folder};
 use crate::arguments::Reported;
-use crate::motion::Followed;
 use crate::output::{Output, Outputs, Refused};
 use crate::report::{comma_separated, paths, picture, plot};
+use linkwright_page::motion::Followed;
 
 /// Help for a file that cannot be written and was not requested.
 const ELSEWHERE: &str = "`--out DIR` writes to another folder, and `--no-files` writes none";

@@ -40,7 +40,7 @@ pub fn run(arguments: &arguments::Sweep) -> Result<Outcome, Problem> {
     let times: Vec<f64> = std::iter::once(schedule.start.t).chain(visits).collect();
     let quantities = quantities(&derived, &arguments.show).map_err(Problem)?;
     let files = Files::new(arguments, format, &source, &derived, &sets, &quantities)?;
-    let blocks = interpreted(&derived, &source, &arguments.described.file)?;
+    let blocks = interpreted(&derived, &source)?;
     let observables: Vec<Observable> = quantities.iter().map(|it| it.observable).collect();
     let threads = arguments.threads.map(usize::from);
     let threads = threads.or_else(|| thread::available_parallelism().ok().map(usize::from));

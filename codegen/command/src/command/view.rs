@@ -12,7 +12,7 @@ use super::description::{
 use super::{Outcome, Problem, print, say, watch};
 use crate::arguments::View;
 use crate::output::{Beginning, Record, Signature};
-use crate::page::{Live, Page, page};
+use linkwright_page::{Live, Page, page};
 
 /// Signature of a page.
 const SIGNATURE: Signature = Signature {
@@ -128,8 +128,7 @@ fn made_with(
     let (from, to, step) = (arguments.from, arguments.to, arguments.step);
     let schedule = Schedule::range(from, to, step);
     let schedule = schedule.map_err(|text| Problem(format!("error: {text}")))?;
-    let file = &arguments.described.file;
-    let view = interpreted_with(&derived, source, file, warnings).or_else(|problem| {
+    let view = interpreted_with(&derived, source, warnings).or_else(|problem| {
         // Constant lengths that cannot close are found without solving; the page reports them.
         let view = Interpreted::new(&derived);
         let is_open = |view: &Interpreted| open_loop(view, schedule.start.t).is_some();

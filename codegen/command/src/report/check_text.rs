@@ -10,7 +10,7 @@ use linkwright_solver::warnings::times;
 use linkwright_solver::{Check, View};
 
 use super::assembly_table;
-use super::units::{enclosing, si_of};
+use linkwright_page::units::{enclosing, si_of};
 
 /// Largest number of listed assemblies.
 const MAX_LISTED: usize = 64;

@@ -17,9 +17,9 @@ use std::io::{self, Write};
 use linkwright_codegen::stages::units::{OutputUnit, Unit};
 use linkwright_solver::View;
 
-use super::units::ColumnUnits;
-use crate::motion::{Followed, Shown, Sink};
 use crate::output::{Beginning, Record, Signature};
+use linkwright_page::motion::{Followed, Shown, Sink};
+use linkwright_page::units::ColumnUnits;
 
 /// Suffixes of a coordinate, its rate and its acceleration.
 const RATES: [&str; 3] = ["", "_d", "_dd"];

@@ -5,7 +5,7 @@ use linkwright_solver::comparison::difference;
 use super::comparison::{Column, Report};
 use super::plot::{self, Panel};
 use crate::data::Data;
-use crate::motion::Extreme;
+use linkwright_page::motion::Extreme;
 
 /// Returns a file name for each column. Characters that file systems refuse are replaced, and equal names get a number.
 pub fn file_names(data: &Data) -> Vec<String> {

@@ -7,7 +7,7 @@ use linkwright_solver::View;
 use linkwright_solver::number::time;
 
 use super::motion_table::{self, Column};
-use crate::motion::Followed;
+use linkwright_page::motion::Followed;
 
 /// Width of a table in characters.
 const WIDEST: usize = 100;

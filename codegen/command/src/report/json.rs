@@ -31,8 +31,8 @@ use linkwright_solver::residuals::Residuals;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
-use super::units::{ColumnUnits, UnitNames};
-use crate::motion::{Followed, Shown, Simulated, Sink};
+use linkwright_page::motion::{Followed, Shown, Simulated, Sink};
+use linkwright_page::units::{ColumnUnits, UnitNames};
 
 /// Values that are known before the motion is followed.
 #[derive(Serialize)]

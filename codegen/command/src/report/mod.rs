@@ -13,6 +13,7 @@ pub mod comparison;
 pub mod comparison_json;
 pub mod comparison_plot;
 pub mod drawing;
+pub mod effort;
 pub mod first_step;
 pub mod forces;
 #[cfg(feature = "png")]
@@ -29,4 +30,3 @@ pub mod proof_text;
 pub mod raster;
 pub mod summary;
 pub mod sweep_plot;
-pub mod units;

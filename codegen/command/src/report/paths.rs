@@ -5,7 +5,7 @@ use linkwright_solver::View;
 use plotters::prelude::*;
 
 use super::plot::{Drawing, Refused, UNITS, drawn, extent, label_format};
-use crate::motion::{Course, Followed};
+use linkwright_page::motion::{Course, Followed};
 
 /// Smallest shorter side of the drawn area, and its longer side, in pixels.
 const SIDES: [f64; 2] = [240.0, 760.0];

@@ -12,8 +12,8 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use super::picture::signed;
-use super::units::{LENGTHS, Units};
-use crate::motion::{Course, Curve, Extreme, Followed};
+use linkwright_page::motion::{Course, Curve, Extreme, Followed};
+use linkwright_page::units::{LENGTHS, Units};
 
 /// Width and height of a picture in pixels.
 const SIZE: (u32, u32) = (960, 900);

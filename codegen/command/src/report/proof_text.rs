@@ -9,7 +9,7 @@ use linkwright_solver::number::{counted, time};
 use linkwright_solver::proof::{Enclosed, Proof, Proven};
 use linkwright_solver::{Check, View};
 
-use super::units::enclosing;
+use linkwright_page::units::enclosing;
 
 /// Decimals of a bound, and of a bound whose range is shorter than [`NARROW_RANGE`].
 const DIGITS: usize = 9;

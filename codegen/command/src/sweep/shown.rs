@@ -8,7 +8,7 @@ use linkwright_solver::Observable;
 use linkwright_solver::observable::{Named, all};
 
 use super::varied::named;
-use crate::motion;
+use linkwright_page::motion;
 
 /// Endings of names of components of points, with axis and level.
 const COMPONENTS: [(&str, usize, usize); 8] = [

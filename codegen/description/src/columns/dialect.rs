@@ -215,7 +215,7 @@ fn with_least(
                     "this can be read in two ways: {}, or {}",
                     best.dialect, rival.dialect
                 ),
-                "choose with `--delimiter` and `--decimal`",
+                "choose the delimiter and the decimal sign",
             ),
             None,
         )),

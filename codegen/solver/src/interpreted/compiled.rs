@@ -23,7 +23,7 @@ use crate::reader::Formulas;
 use crate::supplied::{InputSignals, Modes, ParameterValues};
 
 /// Compiled program, shared by all instants.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Compiled {
     pub solved: Solved,
     pub poses: Vec<SingularPose>,
@@ -48,7 +48,7 @@ pub(crate) struct Compiled {
 }
 
 /// A block as operations.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct InterpretedBlock {
     pub operations: Vec<Operation>,
     pub newton: Option<Newton>,

@@ -151,6 +151,20 @@ impl Interpreted {
         }
     }
 
+    /// Applies an assignment in the form of a description, `rod = 130mm`, to a parameter or an input, as generated code does at run time:
+    /// the solution stays planned for the values of the description. `option` is the subject of errors.
+    ///
+    /// # Errors
+    /// A rendered error with the part of the assignment that cannot be used. Nothing is changed then.
+    pub fn set(&mut self, option: &str, assignment: &str) -> Result<(), String> {
+        let compiled = Arc::make_mut(&mut self.compiled);
+        compiled.solved.set(option, assignment)?;
+        if let Some(emitted) = &mut self.emitted {
+            emitted.blocks.set(option, assignment)?;
+        }
+        Ok(())
+    }
+
     /// True if the values of parameters and inputs at t = 0 are rejected, or leave a loop open.
     fn is_refused_as_drawn(&self) -> bool {
         self.assembled_as_drawn(0.0).is_err_and(|failure| {

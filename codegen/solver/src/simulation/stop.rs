@@ -139,11 +139,11 @@ impl Stop {
                 format!("an acceleration or a power is infinite at t = {at} s")
             }
             Stop::Rounded { .. } => format!(
-                "up to t = {at} s it has been so close to a pose in which joints lose rank that rounding exceeds the tolerances; try a larger `--rtol`, or start farther away"
+                "up to t = {at} s it has been so close to a pose in which joints lose rank that rounding exceeds the tolerances; try a larger relative tolerance, or start farther away"
             ),
             Stop::TooShort { .. } => "no step is short enough for the tolerances".to_string(),
             Stop::Unbalanced { drift, .. } => format!(
-                "the energy is out of balance at t = {at} s: {drift:.1e} J more than the work accounts for; try a smaller `--rtol`"
+                "the energy is out of balance at t = {at} s: {drift:.1e} J more than the work accounts for; try a smaller relative tolerance"
             ),
         }
     }

@@ -24,6 +24,8 @@ pub struct Options {
     pub frames: Vec<usize>,
     /// Text in the lower right corner.
     pub caption: String,
+    /// Pixels per metre; `None` for those with which the figure fills the picture.
+    pub scale: Option<f64>,
     /// Two points that should coincide; `None` if all do.
     pub gap: Option<Gap>,
     /// True if the picture has room for the other poses, and names refer to their points, for scripts that move it.
@@ -95,7 +97,8 @@ impl Composition {
             true => reached(figure, scene),
             false => figure.bounds(),
         };
-        let scale = fitted(scene, inner, |scale| bounds(&complete(scale).0));
+        let fitted = || fitted(scene, inner, |scale| bounds(&complete(scale).0));
+        let scale = options.scale.unwrap_or_else(fitted);
         let (figure, unit) = complete(scale);
         let bounds = bounds(&figure);
         let size = match options.size {

@@ -7,11 +7,12 @@ mod rewritten;
 use linkwright_calibrate::{Calibrator, Column, Measurements, Unfit};
 use linkwright_codegen::diagnostic::{Source, nearest};
 use linkwright_codegen::stages::system::{Derived, System};
+use linkwright_solver::opened::Unopened;
 
 use self::bounded::bounded;
 use self::rewritten::rewritten;
 use super::description::{
-    chosen, determined, interpreted, no_order, outputs_besides, rendered, set_all, source,
+    chosen, determined, interpreted, outputs_besides, rendered, set_all, source, unopened,
 };
 use super::{Outcome, Problem, in_folder, print, say};
 use crate::arguments::Calibrate;
@@ -65,7 +66,7 @@ pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
             pictures.push(outputs.file(&in_folder(folder, &name)?, picture::SIGNATURE)?);
         }
     }
-    let view = interpreted(&derived, &source, &arguments.described.file)?;
+    let view = interpreted(&derived, &source)?;
     let mut calibrator = Calibrator::of(view, arguments.step);
     if let Some((_, modes)) = chosen(&arguments.setting.branch, calibrator.view(), data.times[0])? {
         calibrator = calibrator.in_modes(modes);
@@ -171,7 +172,7 @@ fn along(source: &Source, arguments: &Calibrate) -> Result<Derived, Problem> {
         None => read.only(),
     };
     // Names of motions were checked before.
-    derived.ok_or_else(|| no_order(&arguments.described.file))
+    derived.ok_or_else(|| unopened(&Unopened::NoOrder, source))
 }
 
 /// Checks that all names are those of parameters, each once.

@@ -22,7 +22,7 @@ use super::description::{is_stdin, source};
 use super::view::made;
 use super::{Outcome, Problem, print, say};
 use crate::arguments::View;
-use crate::page::{Live, problem};
+use linkwright_page::{Live, problem};
 
 /// Interval between checks of the files.
 const PAUSE: Duration = Duration::from_millis(100);

@@ -10,7 +10,7 @@ use linkwright_solver::View;
 use linkwright_solver::check::equation_count;
 
 use super::listing::{line, list, shortened};
-use crate::motion::Followed;
+use linkwright_page::motion::Followed;
 
 /// Number of characters of the longest number without an exponent.
 const LONGEST_NUMBER: usize = 24;

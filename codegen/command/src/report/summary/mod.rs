@@ -12,11 +12,12 @@ use linkwright_solver::View;
 use linkwright_solver::dense::diagnosis::unit;
 use linkwright_solver::number::{counted, fixed, scientific, time};
 
+use super::effort::hint;
 use super::first_step;
 use super::forces;
-use super::units::text_of;
 use crate::arguments::Reported;
-use crate::motion::Followed;
+use linkwright_page::motion::Followed;
+use linkwright_page::units::text_of;
 use listing::line;
 use mechanism::mechanism;
 use motions::motions;
@@ -209,7 +210,7 @@ fn integration<V: View>(motion: &Followed<V>, output: &mut dyn Write) -> io::Res
     );
     line(output, "steps", &steps)?;
     line(output, "evaluations", &effort.evaluations.to_string())?;
-    if let Some(hint) = found.hint() {
+    if let Some(hint) = hint(&found.effort, found.method) {
         line(output, "hint", hint)?;
     }
     let (drift, t) = found.drift;

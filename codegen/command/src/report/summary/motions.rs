@@ -6,10 +6,10 @@ use linkwright_solver::View;
 use linkwright_solver::number::fixed;
 
 use super::{Layout, WIDTH};
-use crate::motion::{Followed, Row};
 use crate::report::motion_table;
 use crate::report::motion_table::Column;
-use crate::report::units::{LENGTHS, Units};
+use linkwright_page::motion::{Followed, Row};
+use linkwright_page::units::{LENGTHS, Units};
 
 /// Largest number of tables if no points are selected.
 const TABLES: usize = 6;

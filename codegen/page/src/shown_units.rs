@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use linkwright_codegen::stages::system::System;
 
-use crate::report::units::{ANGLES, LENGTHS, OTHERS};
+use crate::units::{ANGLES, LENGTHS, OTHERS};
 
 /// Units of groups of curves: name and factor from SI units, of values, rates and accelerations.
 pub type ShownUnits = BTreeMap<&'static str, Vec<(String, f64)>>;

@@ -13,11 +13,23 @@ use serde::Serialize;
 
 use crate::motion::{Followed, Shown, Sink, Wanted};
 
+/// Precision of the numbers of columns.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Precision {
+    /// `f32`, for pages in files: what a screen can show.
+    #[default]
+    Single,
+    /// `f64`, the bits of the solver.
+    Double,
+}
+
 /// Numbers of all motions.
 #[derive(Debug, Default, Serialize)]
 #[serde(transparent)]
 pub struct Columns {
     columns: Vec<Column>,
+    #[serde(skip)]
+    precision: Precision,
     #[serde(skip)]
     places: HashMap<Vec<u8>, usize>,
 }
@@ -27,8 +39,10 @@ pub struct Columns {
 #[serde(untagged)]
 enum Column {
     /// Value at all times.
-    Constant(f32),
-    /// Values in single precision, little-endian, in Base64.
+    Constant(f64),
+    /// Value at all times, in single precision.
+    ConstantSingle(f32),
+    /// Values in the precision of the page, little-endian, in Base64.
     Changing(String),
 }
 
@@ -56,18 +70,45 @@ pub struct Recorded {
 }
 
 impl Columns {
+    /// Creates an empty set of columns.
+    pub fn new(precision: Precision) -> Columns {
+        Columns {
+            precision,
+            ..Columns::default()
+        }
+    }
+
+    /// Precision of the numbers.
+    pub fn precision(&self) -> Precision {
+        self.precision
+    }
+
     /// Returns the index of a column of these values, adding it if necessary.
     pub fn place(&mut self, values: impl Iterator<Item = f64>) -> usize {
-        let values: Vec<f32> = values.map(|value| value as f32).collect();
-        let is_constant = values.iter().all(|it| *it == values[0]) && !values.is_empty();
-        let used = if is_constant { &values[..1] } else { &values };
-        let bytes: Vec<u8> = used.iter().flat_map(|value| value.to_le_bytes()).collect();
+        let mut values: Vec<f64> = values.collect();
+        if self.precision == Precision::Single {
+            values.iter_mut().for_each(|it| *it = f64::from(*it as f32));
+        }
+        let first = values.first().copied();
+        let constant = first.filter(|first| values.iter().all(|it| it == first));
+        let used = match constant {
+            Some(_) => &values[..1],
+            None => &values[..],
+        };
+        let bytes: Vec<u8> = match self.precision {
+            Precision::Single => used
+                .iter()
+                .flat_map(|it| (*it as f32).to_le_bytes())
+                .collect(),
+            Precision::Double => used.iter().flat_map(|it| it.to_le_bytes()).collect(),
+        };
         if let Some(&place) = self.places.get(&bytes) {
             return place;
         }
-        self.columns.push(match is_constant {
-            true => Column::Constant(values[0]),
-            false => Column::Changing(STANDARD.encode(&bytes)),
+        self.columns.push(match (constant, self.precision) {
+            (Some(value), Precision::Single) => Column::ConstantSingle(value as f32),
+            (Some(value), Precision::Double) => Column::Constant(value),
+            (None, _) => Column::Changing(STANDARD.encode(&bytes)),
         });
         self.places.insert(bytes, self.columns.len() - 1);
         self.columns.len() - 1

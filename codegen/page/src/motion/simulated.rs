@@ -10,9 +10,6 @@ use linkwright_solver::{
 
 use super::{Followed, Sink, Wanted};
 
-/// Number of evaluations beyond which another method is proposed.
-const MANY_EVALUATIONS: u64 = 1_000_000;
-
 /// Cost of an integration, and its conservation of energy.
 #[derive(Clone, Debug, Default)]
 pub struct Simulated {
@@ -32,27 +29,6 @@ pub struct Listeners<'a> {
     pub reached: &'a mut dyn FnMut(usize),
     /// Receives the cost of all steps, after each step.
     pub taken: &'a mut dyn FnMut(&Effort),
-}
-
-impl Simulated {
-    /// Returns the option that may save evaluations; `None` if there are few evaluations.
-    pub fn hint(&self) -> Option<&'static str> {
-        hint(&self.effort, self.method)
-    }
-}
-
-/// Returns the option that may save evaluations of an expensive motion; `None` if there are few evaluations.
-pub fn hint(effort: &Effort, method: Method) -> Option<&'static str> {
-    let is_implicit = match method {
-        Method::Implicit => true,
-        Method::Explicit => false,
-        Method::Automatic => 2 * effort.implicit > effort.steps,
-    };
-    (effort.evaluations > MANY_EVALUATIONS).then_some(if is_implicit {
-        "`--method dop853` takes explicit steps, and a larger `--rtol` fewer ones"
-    } else {
-        "`--method implicit` takes fewer steps where the motion is stiff, and so does a larger `--rtol`"
-    })
 }
 
 /// Moves the mechanism to a time, and reports the cost after each step.

@@ -17,7 +17,7 @@ pub use followed::Followed;
 pub use path::Path;
 pub use rows::{Row, Rows};
 pub use selection::{named_point, points, shown};
-pub use simulated::{Listeners, Simulated, hint};
+pub use simulated::{Listeners, Simulated};
 
 use std::io;
 

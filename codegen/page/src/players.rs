@@ -8,11 +8,11 @@ use linkwright_codegen::stages::joint::Quantity;
 use linkwright_codegen::stages::pool::{Pool, SymbolRole};
 use linkwright_codegen::stages::system::{Described, System};
 use linkwright_solver::drawn::pose;
-use linkwright_solver::{Check, Instant, Interpreted, Modes, Schedule, View as _};
+use linkwright_solver::{Assembly, Instant, Interpreted, Modes, Schedule, View as _};
 use serde::Serialize;
 
 use super::equations::moved;
-use super::recorded::{Columns, Recorded, recorded};
+use super::recorded::{Columns, Precision, Recorded, recorded};
 use super::shown_units::{ShownUnits, shown_units};
 
 /// Largest number of instants that are kept of the displayed motion.
@@ -27,6 +27,18 @@ const MIN_INSTANTS: usize = 21;
 /// Largest number of assemblies.
 const MAX_ASSEMBLIES: usize = 64;
 
+/// Addition to the label of the assembly of the design configuration.
+const DRAWN: &str = " as drawn";
+
+/// Assembly that is shown first.
+#[derive(Clone, Debug)]
+pub struct Chosen {
+    /// Label on the page.
+    pub label: String,
+    /// Pose and modes at the start.
+    pub start: (Instant, Modes),
+}
+
 /// Data that the page plays.
 #[derive(Debug, Serialize)]
 pub struct Players {
@@ -40,6 +52,9 @@ pub struct Players {
     /// Requested forces, each with its SI unit.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     forces: Vec<(String, &'static str)>,
+    /// True if columns hold `f64`.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    wide: bool,
     columns: Columns,
     /// Assemblies, that of the drawing first.
     pub assemblies: Vec<Player>,
@@ -117,30 +132,35 @@ pub enum Motion {
 }
 
 impl Players {
-    /// Follows the motion of the drawing and of all other assemblies.
-    pub fn new(check: &Check, schedule: &Schedule, chosen: Option<(Instant, Modes)>) -> Players {
-        let view = &check.interpreted;
+    /// Follows the motion of the drawing, or of a chosen assembly with its label, and those of all others that are known.
+    pub fn new(
+        view: &Interpreted,
+        known: &[Assembly],
+        schedule: &Schedule,
+        chosen: Option<Chosen>,
+        precision: Precision,
+    ) -> Players {
         let system = view.system();
-        let mut columns = Columns::default();
-        let is_chosen = chosen.is_some();
-        let drawn = check.assemblies.found.iter().find(|it| it.drawn);
-        let label = match (is_chosen, drawn) {
-            (false, Some(drawn)) => format!("{} as drawn", drawn.label()),
-            (false, None) => "as drawn".to_string(),
-            (true, _) => "as chosen".to_string(),
+        let mut columns = Columns::new(precision);
+        let drawn = known.iter().find(|it| it.drawn);
+        let label = match (&chosen, drawn) {
+            (Some(chosen), _) => chosen.label.clone(),
+            (None, Some(drawn)) => drawn.label() + DRAWN,
+            (None, None) => DRAWN.trim_start().to_string(),
         };
+        let excluded = match &chosen {
+            Some(chosen) => chosen.label.clone(),
+            None => drawn.map_or(String::new(), Assembly::label),
+        };
+        let chosen = chosen.map(|it| it.start);
         let first = recorded(view, schedule, chosen, MAX_INSTANTS, &mut columns);
         let mut assemblies = Vec::new();
         let mut points = Vec::new();
         if let Ok(first) = &first {
-            points = self::points(check, &first.instants[0]);
+            points = self::points(view, &first.instants[0]);
         }
         assemblies.push(player(label, first));
-        let others = check
-            .assemblies
-            .found
-            .iter()
-            .filter(|it| !it.drawn || is_chosen);
+        let others = known.iter().filter(|it| it.label() != excluded);
         let others: Vec<_> = others.take(MAX_ASSEMBLIES - 1).collect();
         let numbers = 3 * system.coordinates.len() * others.len().max(1);
         let most = (BYTES / size_of::<f32>() / numbers).clamp(MIN_INSTANTS, MAX_INSTANTS);
@@ -175,6 +195,7 @@ impl Players {
                 });
                 named.collect()
             }),
+            wide: columns.precision() == Precision::Double,
             columns,
             assemblies,
         }
@@ -270,8 +291,7 @@ fn coordinates(pool: &Pool, system: &System) -> Vec<Coordinate> {
 }
 
 /// Returns the points by their positions in the frames of their bodies.
-fn points(check: &Check, instant: &Instant) -> Vec<Point> {
-    let view = &check.interpreted;
+fn points(view: &Interpreted, instant: &Instant) -> Vec<Point> {
     let system = view.system();
     let bodies = bodies(system);
     let mechanism = &system.mechanism;

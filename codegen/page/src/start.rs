@@ -14,7 +14,7 @@ use linkwright_solver::{Instant, Interpreted, View as _};
 use nalgebra::{DMatrix, DVector};
 
 use super::number::{mathml, number};
-use crate::report::units::{LENGTHS, Units};
+use crate::units::{LENGTHS, Units};
 
 /// Largest number of columns of a matrix that is shown whole; nonzero entries of wider ones are listed.
 const LARGEST_MATRIX: usize = 12;

@@ -2,18 +2,17 @@
 
 use std::fmt::Write as _;
 
-use linkwright_codegen::stages::emit::drawing::{self, Gap, Options, Pose};
 use linkwright_codegen::stages::emit::markup::escaped;
 use linkwright_solver::condition::Condition;
 use linkwright_solver::condition::jacobian;
-use linkwright_solver::drawn::pose;
-use linkwright_solver::open_loop::open_loop;
 use linkwright_solver::textbook::TextbookEquations;
 use linkwright_solver::{Check, Instant, Modes, Schedule, View as _};
 use nalgebra::DVector;
 
 use super::number::number;
-use super::players::{Player, Players};
+use super::picture::picture;
+use super::players::{Chosen, Players};
+use super::recorded::Precision;
 use super::{constraints, equations, given, solution, start};
 
 const STYLE: &str = include_str!("page.css");
@@ -33,9 +32,6 @@ const SCRIPT: &str = concat!(
     "})();\n"
 );
 const RELOAD: &str = include_str!("reload.js");
-
-/// Largest number of poses that guides are made long enough for.
-const POSES: usize = 200;
 
 /// Contents of a page.
 pub struct Page<'a> {
@@ -66,7 +62,17 @@ pub fn page(page: &Page<'_>, live: Live) -> (String, Option<String>) {
     let view = &check.interpreted;
     let system = view.system();
     let mechanism = &system.mechanism;
-    let mut players = Players::new(check, page.schedule, page.chosen.clone());
+    let chosen = page.chosen.clone().map(|start| Chosen {
+        label: "as chosen".to_string(),
+        start,
+    });
+    let mut players = Players::new(
+        view,
+        &check.assemblies.found,
+        page.schedule,
+        chosen,
+        Precision::Single,
+    );
     let title = escaped(&mechanism.title());
     let mut body = format!(
         "<header><h1>{title}</h1>\n{}</header>\n",
@@ -78,7 +84,7 @@ pub fn page(page: &Page<'_>, live: Live) -> (String, Option<String>) {
     let _ = writeln!(
         body,
         "<figure id=\"drawing\">{}</figure>",
-        drawn(page, &mut players)
+        picture(view, &mut players, page.schedule.start.t, None)
     );
     body += include_str!("controls.html");
     body += "</div>\n<article>\n";
@@ -168,49 +174,6 @@ fn shell(title: &str, body: &str, live: Live) -> String {
          <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:; connect-src {connect}\">\n\
          <link rel=\"icon\" href=\"data:,\">\n<title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n{body}{reload}</body>\n</html>\n"
     )
-}
-
-/// Draws the mechanism at the start, with room for the whole motion, and gives each other assembly the elements that differ.
-fn drawn(page: &Page<'_>, players: &mut Players) -> String {
-    let view = &page.check.interpreted;
-    let system = view.system();
-    let motion = |player: &Player| -> Vec<Pose> {
-        let instants = player.instants();
-        let every = instants.len().div_ceil(POSES).max(1);
-        let kept = instants.iter().step_by(every);
-        kept.map(|it| pose(view, it)).collect()
-    };
-    let mut motions: Vec<Vec<Pose>> = players.assemblies.iter().map(motion).collect();
-    let mut first = motions.remove(0).into_iter();
-    let mut gap = None;
-    let pose = first.next().unwrap_or_else(|| {
-        let Some(open) = open_loop(view, page.schedule.start.t) else {
-            return Pose::drawn(view.pool(), system);
-        };
-        let unit = system.mechanism.units.of_messages().of("m");
-        gap = Some(Gap {
-            ends: open.ends,
-            text: format!("{} {}", number(unit.of_si(open.distance())), unit.name),
-            title: format!(
-                "the loop does not close at {}",
-                system.mechanism.joints[open.joint].label
-            ),
-        });
-        open.pose(view.pool())
-    });
-    let others: Vec<Pose> = first.collect();
-    let options = Options {
-        gap,
-        ..Options::default()
-    };
-    let moving = drawing::moving(view.pool(), system, &pose, &others, &motions, &options);
-    let rest = players.assemblies.iter_mut().skip(1);
-    for (player, elements) in rest.zip(moving.others) {
-        player.elements = elements;
-    }
-    // Prints are dark on white.
-    let picture = moving.picture;
-    picture.replace("@media (prefers", "@media screen and (prefers")
 }
 
 /// Returns the determinant of Φ_q at the start; `None` without a motion.

@@ -1,0 +1,48 @@
+//! Defines the answer to a question of a page, in JSON: the one form in which a page receives numbers, drawing and text.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+use crate::controls::Control;
+use crate::message::Message;
+use crate::players::Players;
+use crate::question::Range;
+
+/// Answer of a page.
+///
+/// A page in a file holds one with columns of `f32`, whose drawing and sections are in the HTML; the server of a description and the
+/// solver as WebAssembly make them from questions, with the bits of the solver.
+#[derive(Debug, Serialize)]
+pub struct Answer {
+    /// Motions; `None` if the description cannot be solved.
+    #[serde(flatten)]
+    pub players: Option<Players>,
+    /// Drawing as SVG.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub drawing: String,
+    /// Parameters and inputs; `None` while one of them moves.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub controls: Option<Vec<Control>>,
+    /// Times of the motion.
+    pub range: Range,
+    /// Errors and warnings of the description and of its motion.
+    pub messages: Vec<Message>,
+    /// Sections of the page as HTML, by their ids.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub sections: BTreeMap<&'static str, String>,
+}
+
+impl Answer {
+    /// Creates an answer without a motion.
+    pub(crate) fn without_motion(range: Range, messages: Vec<Message>) -> Answer {
+        Answer {
+            players: None,
+            drawing: String::new(),
+            controls: None,
+            range,
+            messages,
+            sections: BTreeMap::new(),
+        }
+    }
+}

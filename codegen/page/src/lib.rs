@@ -1,0 +1,35 @@
+//! Makes pages of planar mechanisms: a moving drawing, equations, derivation and curves.
+//!
+//! Drawings, formulas and derivations come from the generator, motions from the solver; this package arranges them. Scripts move the
+//! drawing and draw curves from the numbers in the page, and load nothing. Every name and every line of documentation is escaped when
+//! it enters the page. Numbers are JSON, in which no tag can end.
+//!
+//! The package reads and writes no files, and also builds for `wasm32-unknown-unknown`.
+
+#![doc(html_root_url = "https://docs.rs/linkwright-page/0.1.0")]
+
+mod answer;
+mod constraints;
+mod controls;
+mod equations;
+mod given;
+mod message;
+pub mod motion;
+mod number;
+mod picture;
+mod players;
+mod question;
+mod recorded;
+mod session;
+mod shown_units;
+mod solution;
+mod start;
+pub mod units;
+mod whole;
+
+pub use answer::Answer;
+pub use controls::Control;
+pub use message::Message;
+pub use question::{Detail, Question, Range};
+pub use session::Session;
+pub use whole::{Live, Page, page, problem};

@@ -1,0 +1,63 @@
+//! Turns findings into messages of a page.
+
+use linkwright_codegen::diagnostic::{Diagnostic, Diagnostics, Severity};
+use serde::Serialize;
+
+/// Error or warning, with its place in the description.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Message {
+    /// `error` or `warning`.
+    pub severity: &'static str,
+    /// Code, such as `K32`; `None` for findings about the motion.
+    pub code: Option<&'static str>,
+    /// Sentence, and its help on lines of their own.
+    pub text: String,
+    /// Offsets of the marked text, in bytes; `None` without a place.
+    pub start: Option<u32>,
+    /// End of the marked text.
+    pub end: Option<u32>,
+}
+
+impl Message {
+    /// Creates an error without a place.
+    pub fn error(text: impl Into<String>) -> Message {
+        Message::unplaced(Severity::Error, text.into())
+    }
+
+    /// Creates a warning without a place.
+    pub fn warning(text: impl Into<String>) -> Message {
+        Message::unplaced(Severity::Warning, text.into())
+    }
+
+    fn unplaced(severity: Severity, text: String) -> Message {
+        Message {
+            severity: severity.word(),
+            code: None,
+            text,
+            start: None,
+            end: None,
+        }
+    }
+}
+
+/// Returns all findings as messages.
+pub fn messages(findings: &Diagnostics) -> Vec<Message> {
+    findings.clone().into_sorted().iter().map(of).collect()
+}
+
+fn of(finding: &Diagnostic) -> Message {
+    let mut text = finding.message.clone();
+    if !finding.primary.text.is_empty() {
+        text = format!("{text}: {}", finding.primary.text);
+    }
+    for help in &finding.help {
+        text = format!("{text}\nhelp: {help}");
+    }
+    Message {
+        severity: finding.severity.word(),
+        code: Some(finding.code.name()),
+        text,
+        start: Some(finding.primary.span.start),
+        end: Some(finding.primary.span.end),
+    }
+}

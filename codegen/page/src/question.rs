@@ -1,0 +1,90 @@
+//! Defines a question of a live page: a description, values of its parameters and inputs, an assembly and times.
+
+use std::collections::BTreeMap;
+
+use linkwright_codegen::diagnostic::Source;
+use linkwright_codegen::stages::syntax;
+use serde::Deserialize;
+
+/// Question of a page, in JSON.
+///
+/// ```
+/// use linkwright_page::{Detail, Question};
+///
+/// let question: Question = serde_json::from_str(r#"{"text": "", "values": {"rod": "130"}, "detail": "moving"}"#)?;
+/// assert_eq!((question.values["rod"].as_str(), question.detail), ("130", Detail::Moving));
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Question {
+    /// Text of the description.
+    pub text: String,
+    /// Texts of the tables that the description names, by their paths.
+    pub files: BTreeMap<String, String>,
+    /// Name of the motion; `None` for the only one.
+    pub motion: Option<String>,
+    /// Label of the assembly; `None` for that of the design configuration.
+    pub assembly: Option<String>,
+    /// Values of parameters and inputs by name: a number in the unit of its control, or a formula of the language.
+    pub values: BTreeMap<String, String>,
+    /// Times of the motion.
+    pub range: Range,
+    /// Parts of the answer.
+    pub detail: Detail,
+    /// Pixels per metre of a moving drawing, those of the one before it; `None` to fill the picture.
+    pub scale: Option<f64>,
+}
+
+/// Times of a motion (s).
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, serde::Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Range {
+    /// First time.
+    pub from: f64,
+    /// Last time.
+    pub to: f64,
+    /// Time between instants.
+    pub step: f64,
+}
+
+/// Parts of an answer.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Detail {
+    /// One assembly, and a drawing without room for the motion: while a control moves.
+    Moving,
+    /// All assemblies, the whole drawing and the controls.
+    #[default]
+    Resting,
+    /// The sections of the page besides.
+    Whole,
+}
+
+impl Default for Range {
+    fn default() -> Range {
+        Range {
+            from: 0.0,
+            to: 5.0,
+            step: 0.01,
+        }
+    }
+}
+
+impl Question {
+    /// Returns the description with its tables.
+    ///
+    /// # Errors
+    /// The description has more bytes than any description may have.
+    pub(crate) fn source(&self, name: &str) -> Source {
+        let source = Source::new(name, self.text.clone());
+        let paths = syntax::named_files(&source.text);
+        paths.into_iter().fold(source, |source, path| {
+            let bytes = match self.files.get(&path) {
+                Some(text) => Ok(text.clone().into_bytes()),
+                None => Err("the page has no file of this name".to_string()),
+            };
+            source.with_attachment(path, bytes)
+        })
+    }
+}
