@@ -29,7 +29,7 @@ mod whole;
 
 pub use answer::Answer;
 pub use controls::Control;
-pub use message::Message;
+pub use message::{Message, messages};
 pub use question::{Detail, Question, Range};
 pub use session::Session;
 pub use whole::{Live, Page, page, problem};

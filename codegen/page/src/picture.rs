@@ -47,6 +47,7 @@ pub fn picture(view: &Interpreted, players: &mut Players, t: f64, scale: Option<
     let options = Options {
         gap,
         scale,
+        is_sketch: scale.is_some(),
         ..Options::default()
     };
     let moving = drawing::moving(view.pool(), system, &pose, &others, &motions, &options);

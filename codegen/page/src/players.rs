@@ -12,7 +12,7 @@ use linkwright_solver::{Assembly, Instant, Interpreted, Modes, Schedule, View as
 use serde::Serialize;
 
 use super::equations::moved;
-use super::recorded::{Columns, Precision, Recorded, recorded};
+use super::recorded::{Columns, Examination, Precision, Recorded, recorded};
 use super::shown_units::{ShownUnits, shown_units};
 
 /// Largest number of instants that are kept of the displayed motion.
@@ -139,6 +139,7 @@ impl Players {
         schedule: &Schedule,
         chosen: Option<Chosen>,
         precision: Precision,
+        examination: Examination,
     ) -> Players {
         let system = view.system();
         let mut columns = Columns::new(precision);
@@ -153,7 +154,14 @@ impl Players {
             None => drawn.map_or(String::new(), Assembly::label),
         };
         let chosen = chosen.map(|it| it.start);
-        let first = recorded(view, schedule, chosen, MAX_INSTANTS, &mut columns);
+        let first = recorded(
+            view,
+            schedule,
+            chosen,
+            MAX_INSTANTS,
+            examination,
+            &mut columns,
+        );
         let mut assemblies = Vec::new();
         let mut points = Vec::new();
         if let Ok(first) = &first {
@@ -166,7 +174,7 @@ impl Players {
         let most = (BYTES / size_of::<f32>() / numbers).clamp(MIN_INSTANTS, MAX_INSTANTS);
         for assembly in others {
             let chosen = Some((assembly.instant.clone(), assembly.modes.clone()));
-            let motion = recorded(view, schedule, chosen, most, &mut columns);
+            let motion = recorded(view, schedule, chosen, most, examination, &mut columns);
             assemblies.push(player(assembly.label(), motion));
         }
         arrows(view, &mut assemblies, &mut columns);

@@ -6,6 +6,9 @@ use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::stages::syntax;
 use serde::Deserialize;
 
+/// Name of the description in messages.
+const NAME: &str = "the description";
+
 /// Question of a page, in JSON.
 ///
 /// ```
@@ -73,11 +76,8 @@ impl Default for Range {
 
 impl Question {
     /// Returns the description with its tables.
-    ///
-    /// # Errors
-    /// The description has more bytes than any description may have.
-    pub(crate) fn source(&self, name: &str) -> Source {
-        let source = Source::new(name, self.text.clone());
+    pub fn source(&self) -> Source {
+        let source = Source::new(NAME, self.text.clone());
         let paths = syntax::named_files(&source.text);
         paths.into_iter().fold(source, |source, path| {
             let bytes = match self.files.get(&path) {

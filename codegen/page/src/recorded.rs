@@ -4,11 +4,15 @@
 //! are written once.
 
 use std::collections::HashMap;
+use std::convert::Infallible;
 use std::io;
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use linkwright_solver::{Instant, Interpreted, Modes, Schedule};
+use linkwright::Blocks as _;
+use linkwright_solver::{
+    Instant, Interpreted, Modes, Movable as _, Moved, Numbers, Schedule, View as _, follow,
+};
 use serde::Serialize;
 
 use crate::motion::{Followed, Shown, Sink, Wanted};
@@ -115,6 +119,22 @@ impl Columns {
     }
 }
 
+/// Examination of a motion while it is followed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Examination {
+    /// Closest approaches to singular poses and signs of forces, for warnings.
+    Full,
+    /// None, for a motion that is replaced at once.
+    None,
+}
+
+/// Kept instants of a motion, and findings.
+struct Track {
+    kept: Vec<KeptInstant>,
+    error: Option<String>,
+    warnings: Vec<String>,
+}
+
 /// Follows a motion and keeps at most `most` of its instants.
 ///
 /// # Errors
@@ -124,29 +144,25 @@ pub fn recorded(
     schedule: &Schedule,
     chosen: Option<(Instant, Modes)>,
     most: usize,
+    examination: Examination,
     columns: &mut Columns,
 ) -> Result<Recorded, String> {
-    let selection = Wanted {
-        points: Vec::new(),
-        coordinates: Vec::new(),
-        monitor: true,
-        curves: false,
-    };
-    let mut motion = Followed::new(view.clone(), selection, schedule.start.t, chosen);
-    let mut kept = Kept {
+    let kept = Kept {
         every: schedule.wanted().div_ceil(most.max(2)).max(1),
         count: 0,
         instants: Vec::new(),
         last: None,
     };
-    let followed = motion.follow(schedule, &mut [&mut kept], |_| {});
-    followed.map_err(|error| error.to_string())?;
-    kept.instants.extend(kept.last.take());
-    let Some((first, measures, forces)) = kept.instants.first() else {
-        return Err(motion.error.unwrap_or_default());
+    let track = match examination {
+        Examination::Full => examined(view, schedule, chosen, kept)?,
+        Examination::None => unexamined(view, schedule, chosen, kept)?,
+    };
+    let kept = track.kept;
+    let Some((first, measures, forces)) = kept.first() else {
+        return Err(track.error.unwrap_or_default());
     };
     let (count, measured, exerted) = (first.q().len(), measures.len(), forces.len());
-    let mut column = |of: &dyn Fn(&KeptInstant) -> f64| columns.place(kept.instants.iter().map(of));
+    let mut column = |of: &dyn Fn(&KeptInstant) -> f64| columns.place(kept.iter().map(of));
     let coordinates = (0..count).map(|index| {
         [
             column(&|(it, ..)| it.q()[index]),
@@ -160,13 +176,77 @@ pub fn recorded(
     let forces = (0..exerted).map(|place| column(&|(.., forces)| forces[place]));
     let forces = forces.collect();
     Ok(Recorded {
-        times: kept.instants.iter().map(|(it, ..)| it.t()).collect(),
+        times: kept.iter().map(|(it, ..)| it.t()).collect(),
         coordinates,
         measures,
         forces,
+        error: track.error,
+        warnings: track.warnings,
+        instants: kept.into_iter().map(|(it, ..)| it).collect(),
+    })
+}
+
+fn examined(
+    view: &Interpreted,
+    schedule: &Schedule,
+    chosen: Option<(Instant, Modes)>,
+    mut kept: Kept,
+) -> Result<Track, String> {
+    let selection = Wanted {
+        points: Vec::new(),
+        coordinates: Vec::new(),
+        monitor: true,
+        curves: false,
+    };
+    let mut motion = Followed::new(view.clone(), selection, schedule.start.t, chosen);
+    let followed = motion.follow(schedule, &mut [&mut kept], |_| {});
+    followed.map_err(|error| error.to_string())?;
+    Ok(Track {
+        kept: kept.all(),
         error: motion.error,
         warnings: motion.warnings,
-        instants: kept.instants.into_iter().map(|(it, ..)| it).collect(),
+    })
+}
+
+fn unexamined(
+    view: &Interpreted,
+    schedule: &Schedule,
+    chosen: Option<(Instant, Modes)>,
+    mut kept: Kept,
+) -> Result<Track, String> {
+    let (pose, modes) = match chosen {
+        Some((instant, modes)) => (Numbers(instant.q().to_vec()), modes),
+        None => (
+            view.drawn_pose(&view.nominal_parameters()),
+            view.drawn_branches(),
+        ),
+    };
+    let mut moved = Moved::assemble(view.clone(), &pose, modes, schedule.start.t)?;
+    let laws = view.input_laws();
+    let measures = view.measures();
+    let mut see = |moved: &Moved<Interpreted>| {
+        kept.keep(|| {
+            let instant = moved.instant().clone();
+            let forces = view.forces(&instant).unwrap_or_default();
+            let samples = measures.iter().flat_map(|measures| {
+                let samples = measures.at(moved.fuller().frame());
+                let parts = measures.parts().iter().zip(samples);
+                parts.map(|(part, [value, _])| part.bounded(value.abs()))
+            });
+            let samples = samples.collect();
+            (instant, samples, forces)
+        });
+    };
+    see(&moved);
+    let end = follow(&mut moved, &laws, &schedule.forward, |moved, _| {
+        see(moved);
+        Ok::<(), Infallible>(())
+    });
+    let Ok(end) = end;
+    Ok(Track {
+        kept: kept.all(),
+        error: end.map(|end| moved.ended(&end)),
+        warnings: Vec::new(),
     })
 }
 
@@ -181,22 +261,32 @@ struct Kept {
     last: Option<KeptInstant>,
 }
 
-impl Sink for Kept {
-    fn take(&mut self, shown: &Shown<'_>) -> io::Result<()> {
-        let forces = shown.forces.unwrap_or_default();
-        let kept = (
-            shown.instant.clone(),
-            shown.measures.to_vec(),
-            forces.to_vec(),
-        );
+impl Kept {
+    /// Keeps an instant if it is one of every few, or until the next one.
+    fn keep(&mut self, instant: impl FnOnce() -> KeptInstant) {
         match self.count.is_multiple_of(self.every) {
             true => {
-                self.instants.push(kept);
+                self.instants.push(instant());
                 self.last = None;
             }
-            false => self.last = Some(kept),
+            false => self.last = Some(instant()),
         }
         self.count += 1;
+    }
+
+    /// Returns all kept instants, the last one among them.
+    fn all(mut self) -> Vec<KeptInstant> {
+        self.instants.extend(self.last.take());
+        self.instants
+    }
+}
+
+impl Sink for Kept {
+    fn take(&mut self, shown: &Shown<'_>) -> io::Result<()> {
+        self.keep(|| {
+            let forces = shown.forces.unwrap_or_default().to_vec();
+            (shown.instant.clone(), shown.measures.to_vec(), forces)
+        });
         Ok(())
     }
 }

@@ -15,7 +15,7 @@ use crate::message::{Message, messages};
 use crate::picture::picture;
 use crate::players::{Chosen, Players};
 use crate::question::{Detail, Question, Range};
-use crate::recorded::Precision;
+use crate::recorded::{Examination, Precision};
 
 /// Descriptions and checks that are kept for the next question.
 ///
@@ -53,7 +53,7 @@ struct Open {
 impl Session {
     /// Answers a question about the description in it.
     pub fn answer(&mut self, question: &Question) -> Answer {
-        self.answer_about(question.source("the description"), question)
+        self.answer_about(question.source(), question)
     }
 
     /// Answers a question about a description from elsewhere.
@@ -161,11 +161,14 @@ impl Moving {
     fn answer(self, question: &Question, mut messages: Vec<Message>) -> Answer {
         let start = self.schedule.start.t;
         let (mut players, scale) = match question.detail {
-            Detail::Moving => (self.players(&[]), question.scale),
+            Detail::Moving => (self.players(&[], Examination::None), question.scale),
             Detail::Resting | Detail::Whole => {
                 let check = Check::new(self.interpreted.clone(), &self.schedule, |_| {});
                 messages.extend(check.warnings.iter().map(Message::warning));
-                (self.players(&check.assemblies.found), None)
+                (
+                    self.players(&check.assemblies.found, Examination::Full),
+                    None,
+                )
             }
         };
         let drawing = picture(&self.interpreted, &mut players, start, scale);
@@ -187,13 +190,14 @@ impl Moving {
         }
     }
 
-    fn players(&self, known: &[Assembly]) -> Players {
+    fn players(&self, known: &[Assembly], examination: Examination) -> Players {
         Players::new(
             &self.interpreted,
             known,
             &self.schedule,
             self.chosen.clone(),
             Precision::Double,
+            examination,
         )
     }
 }

@@ -12,7 +12,7 @@ use nalgebra::DVector;
 use super::number::number;
 use super::picture::picture;
 use super::players::{Chosen, Players};
-use super::recorded::Precision;
+use super::recorded::{Examination, Precision};
 use super::{constraints, equations, given, solution, start};
 
 const STYLE: &str = include_str!("page.css");
@@ -72,6 +72,7 @@ pub fn page(page: &Page<'_>, live: Live) -> (String, Option<String>) {
         page.schedule,
         chosen,
         Precision::Single,
+        Examination::Full,
     );
     let title = escaped(&mechanism.title());
     let mut body = format!(

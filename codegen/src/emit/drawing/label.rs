@@ -101,6 +101,23 @@ pub(super) fn placed(
     chosen
 }
 
+/// Position of a name beside its first anchor, whatever it covers; `None` without an anchor.
+pub(super) fn beside(label: &Label) -> Option<Placed> {
+    let anchor = label.anchors.first()?;
+    Some(Placed {
+        area: Bounds::around(anchor.center(0.0, label.half), label.half),
+        leader: None,
+    })
+}
+
+impl Anchor {
+    /// Center of a name that begins a distance away. A box beside the point touches the circle about it, rather than the line across.
+    fn center(&self, step: f64, half: Point) -> Point {
+        let reach = (self.out[0] * half[0]).abs() + (self.out[1] * half[1]).abs();
+        onward(self.at, self.gap + step + reach, self.out)
+    }
+}
+
 /// Possible position of a name.
 struct Candidate {
     /// Cost if it covers nothing.
@@ -123,11 +140,7 @@ fn candidates(label: &Label, obstacles: &Obstacles, area: &Bounds) -> Vec<Candid
         let is_upon = anchor.out == [0.0; 2];
         let steps = if is_upon { &STEPS[..1] } else { &STEPS[..] };
         for step in steps {
-            let half = label.half;
-            // A box beside the point touches the circle about it, rather than the line across.
-            let reach = (anchor.out[0] * half[0]).abs() + (anchor.out[1] * half[1]).abs();
-            let center = onward(anchor.at, anchor.gap + step + reach, anchor.out);
-            let area_here = Bounds::around(center, half);
+            let area_here = Bounds::around(anchor.center(*step, label.half), label.half);
             let is_free = obstacles.taken.iter().all(|it| !it.meets(&area_here));
             if !area.holds(&area_here) || !is_free {
                 continue;

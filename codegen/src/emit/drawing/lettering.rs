@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::extras::AXIS;
 use super::figure::{Figure, Frame};
-use super::label::placed;
+use super::label::{beside, placed};
 use super::naming::{Name, Named, SIZE, missing, names, obstacles};
 use super::picture::Options;
 use super::plane::{Bounds, Point, difference, distance, onward, scaled};
@@ -60,7 +60,10 @@ pub(super) fn lettering(
         }
     }
     let boxes: Vec<_> = names.iter().map(|name| name.label.clone()).collect();
-    let placed = placed(&boxes, &obstacles, area);
+    let placed = match options.is_sketch {
+        true => boxes.iter().map(beside).collect(),
+        false => placed(&boxes, &obstacles, area),
+    };
     for (name, placed) in names.iter().zip(&placed) {
         let Some(placed) = placed else { continue };
         let center = placed.area.center();

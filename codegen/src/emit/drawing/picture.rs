@@ -26,6 +26,8 @@ pub struct Options {
     pub caption: String,
     /// Pixels per metre; `None` for those with which the figure fills the picture.
     pub scale: Option<f64>,
+    /// True if names lie beside their points without a search for room, as in a picture that is replaced at once.
+    pub is_sketch: bool,
     /// Two points that should coincide; `None` if all do.
     pub gap: Option<Gap>,
     /// True if the picture has room for the other poses, and names refer to their points, for scripts that move it.
