@@ -37,6 +37,8 @@ use crate::recorded::{Examination, Precision};
 /// ```
 #[derive(Debug, Default)]
 pub struct Session {
+    /// Assignments that precede those of questions.
+    assignments: Vec<String>,
     opened: Option<Open>,
 }
 
@@ -51,6 +53,14 @@ struct Open {
 }
 
 impl Session {
+    /// Creates a session whose descriptions have other values of parameters and inputs, as assignments: `rod = 130mm`.
+    pub fn new(assignments: Vec<String>) -> Session {
+        Session {
+            assignments,
+            opened: None,
+        }
+    }
+
     /// Answers a question about the description in it.
     pub fn answer(&mut self, question: &Question) -> Answer {
         self.answer_about(question.source(), question)
@@ -88,7 +98,13 @@ impl Session {
         match self.opened.take().filter(is_open) {
             Some(open) => self.opened.insert(open),
             None => {
-                let result = Opened::read(&source, motion);
+                let mut result = Opened::read(&source, motion);
+                if let Ok(opened) = &mut result {
+                    for assignment in &self.assignments {
+                        // Descriptions without such a parameter have their own values.
+                        let _ = opened.interpreted.set("value", assignment);
+                    }
+                }
                 self.opened.insert(Open {
                     source,
                     motion: motion.map(str::to_string),

@@ -2,7 +2,8 @@
 //!
 //! The file and its tables are read again several times per second. A browser that shows the page holds a connection, on which it
 //! receives the number of a newer version. The page shows errors of the description as the terminal does. Only this machine is answered,
-//! and only with the page. A request under a name other than the loopback address comes from a foreign page, and is refused.
+//! with the page and with answers to the page's questions. A request under another name than the loopback address, or with another
+//! origin, comes from a foreign page, and is refused.
 
 mod server;
 mod timed;
@@ -47,7 +48,10 @@ pub fn run(arguments: &View) -> Result<Outcome, Problem> {
     };
     let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, arguments.port)).map_err(refused)?;
     let address = listener.local_addr().map_err(refused)?;
-    let shared = Arc::new(Shared::default());
+    let shared = Arc::new(Shared::new(
+        arguments.described.motion.clone(),
+        arguments.setting.set.clone(),
+    ));
     let mut seen = renew(arguments, &shared);
     print(|output| {
         let name = arguments.described.file.display();
@@ -93,9 +97,11 @@ fn renew(arguments: &View, shared: &Shared) -> Vec<(PathBuf, Stamp)> {
         (path, stamp)
     };
     let mut seen = vec![stamped(arguments.described.file.clone())];
+    let mut read = None;
     let made = survived(|| {
         let source =
             source(&arguments.described.file)?.reported_in(arguments.reported_in.units.clone());
+        read = Some(source.clone());
         let folder = files::folder_of(&arguments.described.file);
         let tables = source.attachments.iter().map(|it| folder.join(&it.path));
         seen.extend(tables.map(stamped));
@@ -117,7 +123,11 @@ fn renew(arguments: &View, shared: &Shared) -> Vec<(PathBuf, Stamp)> {
             )
         }
     };
-    shared.set(Current { version, html });
+    shared.set(Current {
+        version,
+        html,
+        source: read,
+    });
     seen
 }
 

@@ -2,11 +2,15 @@
 //!
 //! No browser can stop the server: a connection without an available thread is refused, and one that is too slow ends.
 
-use std::io::{self, BufRead as _, BufReader, Read as _, Write as _};
+use std::io::{self, BufRead, BufReader, Read as _, Write as _};
 use std::net::{TcpListener, TcpStream};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::Duration;
+
+use linkwright_codegen::diagnostic::Source;
+use linkwright_codegen::diagnostic::internal::caught;
+use linkwright_page::{Question, Session};
 
 use super::timed::Timed;
 
@@ -25,11 +29,13 @@ const MAX_REQUEST_BYTES: u64 = 16 << 10;
 /// Largest number of open connections.
 const CONNECTIONS: usize = 64;
 
-/// Page of the current version.
-#[derive(Default)]
+/// Page of the current version, and its description, about which the page asks.
+#[derive(Clone, Default)]
 pub(super) struct Current {
     pub version: u64,
     pub html: String,
+    /// `None` if the description cannot be read.
+    pub source: Option<Source>,
 }
 
 /// Current page, and the signal of the next one.
@@ -37,9 +43,38 @@ pub(super) struct Current {
 pub(super) struct Shared {
     current: Mutex<Current>,
     changed: Condvar,
+    session: Mutex<Session>,
+    /// Motion of the page; `None` for the only one.
+    motion: Option<String>,
 }
 
 impl Shared {
+    /// Creates a server whose answers are about this motion, and begin with these values of parameters and inputs.
+    pub fn new(motion: Option<String>, assignments: Vec<String>) -> Shared {
+        Shared {
+            session: Mutex::new(Session::new(assignments)),
+            motion,
+            ..Shared::default()
+        }
+    }
+
+    /// Answers a question about the current description, in JSON.
+    ///
+    /// # Errors
+    /// A sentence: the text is not a question, or the description cannot be read.
+    fn answer(&self, question: &[u8]) -> Result<String, String> {
+        let mut question: Question =
+            serde_json::from_slice(question).map_err(|error| error.to_string())?;
+        question.motion = self.motion.clone();
+        let source = self.current().source.clone();
+        let source = source.ok_or("the description cannot be read")?;
+        // What a session keeps is replaced as a whole.
+        let mut session = self.session.lock().unwrap_or_else(PoisonError::into_inner);
+        let answer = caught(|| session.answer_about(source, &question));
+        let answer = answer.map_err(|error| error.to_string())?;
+        serde_json::to_string(&answer).map_err(|error| error.to_string())
+    }
+
     pub fn current(&self) -> MutexGuard<'_, Current> {
         // A page is replaced as a whole: the state of a thread that panicked is complete.
         self.current.lock().unwrap_or_else(PoisonError::into_inner)
@@ -109,28 +144,29 @@ fn refuse(stream: &TcpStream) -> io::Result<()> {
 /// Answers one request.
 fn answer(stream: &TcpStream, port: u16, shared: &Shared, patience: Duration) -> io::Result<()> {
     let request = Timed::new(stream, patience).take(MAX_REQUEST_BYTES);
-    let mut lines = BufReader::new(request).lines();
-    let first = lines.next().transpose()?.unwrap_or_default();
-    let mut host = String::new();
-    for line in lines {
-        let line = line?;
-        match line.split_once(':') {
-            Some((name, value)) if name.eq_ignore_ascii_case("host") => {
-                host = value.trim().to_string();
-            }
-            None if line.is_empty() => break,
-            _ => {}
-        }
-    }
-    let is_ours = ["127.0.0.1", "localhost"]
-        .iter()
-        .any(|name| host == format!("{name}:{port}") || (port == 80 && host == *name));
+    let mut request = BufReader::new(request);
+    let head = Head::read(&mut request)?;
     let reply_to = Timed::new(stream, patience);
-    let path = match first.split(' ').collect::<Vec<_>>()[..] {
+    let path = match head.first.split(' ').collect::<Vec<_>>()[..] {
         ["GET", path, _] => path,
-        _ => return plain(reply_to, "405 Method Not Allowed", "only GET is answered"),
+        ["POST", "/ask", _] if head.is_ours(port) => {
+            let mut question = vec![0; head.length.min(MAX_REQUEST_BYTES as usize)];
+            request.read_exact(&mut question)?;
+            return match shared.answer(&question) {
+                Ok(answer) => reply(reply_to, "200 OK", "application/json", &answer),
+                Err(reason) => plain(reply_to, "400 Bad Request", &reason),
+            };
+        }
+        ["POST", ..] if head.is_ours(port) => {
+            return plain(reply_to, "404 Not Found", "questions go to /ask");
+        }
+        ["POST", ..] => "",
+        _ => {
+            let text = "only GET and POST are answered";
+            return plain(reply_to, "405 Method Not Allowed", text);
+        }
     };
-    if !is_ours {
+    if !head.is_ours(port) {
         let text = "this page is for its own machine";
         return plain(reply_to, "403 Forbidden", text);
     }
@@ -145,6 +181,52 @@ fn answer(stream: &TcpStream, port: u16, shared: &Shared, patience: Duration) ->
     }
     let html = shared.current().html.clone();
     reply(reply_to, "200 OK", "text/html; charset=utf-8", &html)
+}
+
+/// First line of a request, and headers.
+#[derive(Default)]
+struct Head {
+    first: String,
+    host: String,
+    /// Origin of the page that asks; empty if the browser does not say it.
+    origin: String,
+    /// Number of bytes behind the head.
+    length: usize,
+}
+
+impl Head {
+    fn read(request: &mut impl BufRead) -> io::Result<Head> {
+        let mut lines = request.lines();
+        let mut head = Head {
+            first: lines.next().transpose()?.unwrap_or_default(),
+            ..Head::default()
+        };
+        for line in lines {
+            let line = line?;
+            match line.split_once(':') {
+                Some((name, value)) => match name.to_ascii_lowercase().as_str() {
+                    "host" => head.host = value.trim().to_string(),
+                    "origin" => head.origin = value.trim().to_string(),
+                    "content-length" => head.length = value.trim().parse().unwrap_or_default(),
+                    _ => {}
+                },
+                None if line.is_empty() => break,
+                None => {}
+            }
+        }
+        Ok(head)
+    }
+
+    /// True for a request of this server's page, under a name of the loopback address.
+    fn is_ours(&self, port: u16) -> bool {
+        let names = ["127.0.0.1", "localhost"];
+        let is_host = |host: &str| {
+            let mut names = names.iter();
+            names.any(|name| host == format!("{name}:{port}") || (port == 80 && host == *name))
+        };
+        let origin = self.origin.strip_prefix("http://");
+        is_host(&self.host) && (self.origin.is_empty() || origin.is_some_and(is_host))
+    }
 }
 
 fn plain(stream: Timed<'_>, status: &str, text: &str) -> io::Result<()> {
@@ -205,6 +287,7 @@ mod tests {
         shared.set(Current {
             version: 1,
             html: "the page".to_string(),
+            source: None,
         });
         let served = shared.clone();
         thread::spawn(move || serve_with(&listener, port, &served, patience, start));
@@ -274,6 +357,7 @@ mod tests {
         shared.set(Current {
             version: 2,
             html: "the next page".to_string(),
+            source: None,
         });
         for stream in waiting {
             let text = answered(stream);
