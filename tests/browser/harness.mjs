@@ -61,7 +61,7 @@ export const open = async () => {
 /// Moves the slider of a page.
 export const seek = (page, t) =>
   page.evaluate((value) => {
-    const slider = document.getElementById("time");
+    const slider = document.querySelector("[data-part=time]");
     slider.value = value;
     slider.dispatchEvent(new Event("input"));
   }, t);
@@ -83,4 +83,13 @@ export const serve = async (file) => {
     });
   });
   return { url, complaints: () => complaints, end: () => server.kill() };
+};
+
+/// Opens the choice of curves, and makes the window so high that all charts are drawn.
+export const showAllCharts = async (page) => {
+  await page.setViewportSize({ width: page.viewportSize().width, height: 3500 });
+  await page.evaluate(() => {
+    document.querySelector(".chooser").open = true;
+  });
+  await page.waitForFunction(() => [...document.querySelectorAll(".chart")].every((it) => it.querySelector(".cursor")));
 };

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { writeFileSync } from "node:fs";
 import { after, before, test } from "node:test";
-import { folder, linkwright, mechanism, open, seek, solved } from "./harness.mjs";
+import { folder, linkwright, mechanism, open, seek, showAllCharts, solved } from "./harness.mjs";
 
 let browser;
 let made;
@@ -94,12 +94,12 @@ for (const [name, bodies] of [["two_body", 2], ["excavator", 10], ["disc_cam", 2
 test("the slider, the button and the keys move the mechanism", async () => {
   const page = await visit("two_body");
   const state = () =>
-    page.evaluate(() => [document.getElementById("body-1").getAttribute("transform"), Number(document.getElementById("time").value)]);
+    page.evaluate(() => [document.getElementById("body-1").getAttribute("transform"), Number(document.querySelector("[data-part=time]").value)]);
   const [still, start] = await state();
   assert.equal(start, 0);
-  await page.click("#play");
-  await page.waitForFunction(() => Number(document.getElementById("time").value) > 0.2);
-  await page.click("#play");
+  await page.click('[data-part=play]');
+  await page.waitForFunction(() => Number(document.querySelector("[data-part=time]").value) > 0.2);
+  await page.click('[data-part=play]');
   const [moved, paused] = await state();
   assert.notEqual(moved, still);
   await page.waitForTimeout(200);
@@ -112,9 +112,13 @@ test("the slider, the button and the keys move the mechanism", async () => {
   await page.keyboard.press("End");
   assert.equal((await state())[1], 5);
   await page.keyboard.press("Space");
-  await page.waitForFunction(() => Number(document.getElementById("time").value) < 5);
+  await page.waitForFunction(() => Number(document.querySelector("[data-part=time]").value) < 5);
   await page.keyboard.press("Space");
-  // The cursor of every curve stands at the time of the slider.
+  // The cursor of every curve stands at the time of the slider, also of those that are chosen later.
+  await showAllCharts(page);
+  const lengths = await page.$$("[data-part=chips] p:has-text('Coordinates') .chip");
+  for (const chip of lengths) await chip.click();
+  await showAllCharts(page);
   await seek(page, 2.5);
   const cursors = await page.$$eval(".cursor", (all) => all.map((it) => it.getAttribute("transform")));
   assert.ok(cursors.length >= 7 && new Set(cursors).size === 1, String(cursors));
@@ -137,6 +141,9 @@ test("pointing at one thing lights what belongs to it", async () => {
     });
   const rows = "section[aria-labelledby=equations] #phi + .equation";
   assert.deepEqual((await lit()).bodies, []);
+  await page.evaluate(() => {
+    document.querySelector(".chooser").open = true;
+  });
   // From an equation: the third row is the x of the pin P.
   await page.hover(`${rows} ~ .equation[data-is="j2 e2"] b`);
   let found = await lit();
@@ -181,9 +188,9 @@ for (const [name, label, modes] of [
   test(`another assembly of ${name} has its own motion`, async () => {
     const page = await visit(name);
     // Thumbnails are in the order of their labels, but the drawing's is the first.
-    const place = await page.$$eval("#thumbnails button > span", (all, wanted) => all.findIndex((it) => it.textContent === wanted), label);
+    const place = await page.$$eval(".thumbnails button > span", (all, wanted) => all.findIndex((it) => it.textContent === wanted), label);
     assert.ok(place > 0, `no assembly ${label}`);
-    await page.click(`#thumbnails button:nth-child(${place + 1})`);
+    await page.click(`.thumbnails button:nth-child(${place + 1})`);
     const branches = modes.flatMap((mode) => ["--branch", mode]);
     for (const t of [0, 0.377, 1.019, 3.21]) {
       await seek(page, t);
@@ -197,7 +204,7 @@ for (const [name, label, modes] of [
 /// What the dots of the shown points' curves say: for each chart, by the label of the curve, the value that its axis gives to the dot,
 /// and what a pixel is worth there.
 const read = (page) =>
-  page.$$eval("#charts .chart", (charts) =>
+  page.$$eval(".charts .chart", (charts) =>
     charts
       .filter((chart) => chart.querySelector("figcaption").textContent.startsWith("Points"))
       .map((chart) => {
@@ -220,12 +227,13 @@ test("the curves of A and G of the excavator are those of the solver", async () 
   const page = await visit("excavator");
   const labels = ["xA", "xG", "yA", "yG"];
   // Of all curves of points those four are left.
-  const chips = await page.$$("#chips p:has-text('Points: ') .chip");
+  const chips = await page.$$("[data-part=chips] p:has-text('Points: ') .chip");
   for (const chip of chips) {
     const isWanted = labels.includes(await chip.textContent());
     // Charts come and go, and move what is below them: a click at a place on the screen might meet something else.
     if ((await chip.getAttribute("aria-pressed")) !== String(isWanted)) await chip.evaluate((it) => it.click());
   }
+  await showAllCharts(page);
   let most = 0;
   for (const t of [0, 0.8, 2.1, 3.7]) {
     await seek(page, t);
@@ -249,10 +257,10 @@ test("the curves of A and G of the excavator are those of the solver", async () 
 
 test("an assembly whose motion ends says so", async () => {
   const page = await visit("excavator");
-  const ending = await page.$("#thumbnails button:has(small)");
+  const ending = await page.$(".thumbnails button:has(small)");
   assert.match(await ending.textContent(), /motion ends at t = /);
   await ending.click();
-  assert.match(await page.textContent("#assembly-error"), /.{20}/);
+  assert.match(await page.textContent('[data-part=assembly-error]'), /.{20}/);
   await page.close();
 });
 
@@ -261,13 +269,13 @@ test("the page fits narrow screens, in the dark and on paper", async () => {
     const page = await visit(name, { viewport: { width: 375, height: 700 }, colorScheme: "dark" });
     const [width, screen] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
     assert.ok(width <= screen, `${name} is ${width} wide`);
-    const paper = await page.evaluate(() => getComputedStyle(document.querySelector("#drawing .paper")).fill);
+    const paper = await page.evaluate(() => getComputedStyle(document.querySelector(".drawing .paper")).fill);
     assert.equal(paper, "rgb(22, 25, 29)");
     await page.emulateMedia({ media: "print" });
     const printed = await page.evaluate(() => [
-      getComputedStyle(document.querySelector("#drawing .paper")).fill,
+      getComputedStyle(document.querySelector(".drawing .paper")).fill,
       getComputedStyle(document.body).backgroundColor,
-      getComputedStyle(document.getElementById("controls")).display,
+      getComputedStyle(document.querySelector(".transport")).display,
     ]);
     assert.deepEqual(printed, ["rgb(255, 255, 255)", "rgb(255, 255, 255)", "none"]);
     await page.close();
@@ -304,8 +312,8 @@ mechanism bad {
 
 test("the guide of the other assembly of two_body is where its block slides", async () => {
   const page = await visit("two_body");
-  const place = await page.evaluate(() => [...document.querySelectorAll("#thumbnails button")].findIndex((it) => it.textContent.trim().startsWith("−")));
-  await page.click(`#thumbnails button:nth-child(${place + 1})`);
+  const place = await page.evaluate(() => [...document.querySelectorAll(".thumbnails button")].findIndex((it) => it.textContent.trim().startsWith("−")));
+  await page.click(`.thumbnails button:nth-child(${place + 1})`);
   const off = [];
   for (const t of [0, 0.7, 2.2, 3.9]) {
     await seek(page, t);
@@ -397,7 +405,7 @@ test("printing keeps tables and figures whole", async () => {
   const page = await visit("four_bar");
   await page.emulateMedia({ media: "print" });
   const split = await page.evaluate(() => {
-    const parts = [...document.querySelectorAll("table, figure, .wide, .equation, #thumbnails button")];
+    const parts = [...document.querySelectorAll("table, figure, .wide, .equation, .thumbnails button")];
     const shown = parts.filter((it) => it.getClientRects().length);
     return [shown.length, shown.filter((it) => getComputedStyle(it).breakInside !== "avoid").length];
   });

@@ -43,7 +43,7 @@ test("an edit arrives within a second, and so does an error, which goes when it 
   let taken = await saved(page, edited, hasBody, "The edited mechanism");
   assert.ok(taken < 1000, `an edit takes ${taken} ms`);
   // What was looked at is looked at still.
-  assert.equal(Number(await page.inputValue("#time")), 1.5);
+  assert.equal(Number(await page.inputValue('[data-part=time]')), 1.5);
 
   const broken = edited.replace("revolute P(1, 2);", "revolute R(1, 2);");
   assert.notEqual(broken, edited);

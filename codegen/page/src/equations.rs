@@ -8,8 +8,10 @@ use linkwright_codegen::stages::emit::mathml::{inspection, lines};
 use linkwright_codegen::stages::model::Joint;
 use linkwright_codegen::stages::system::{Derived, System};
 
+use super::pattern::entries;
+
 /// Largest number of columns of a matrix that is shown whole; nonzero entries of wider ones are listed.
-pub const LARGEST_MATRIX: usize = 9;
+const LARGEST_MATRIX: usize = 9;
 
 /// Returns the equations as a section.
 pub fn section(derived: &Derived) -> String {
@@ -21,7 +23,7 @@ pub fn section(derived: &Derived) -> String {
         .map(|it| format!("<math>{it}</math>"))
         .collect();
     let mut text = format!(
-        "<p><math><mi mathvariant=\"normal\" class=\"bold\">q</mi></math> = ({})</p>\n",
+        "<p class=\"names\"><math><mi mathvariant=\"normal\" class=\"bold\">q</mi></math> = ({})</p>\n",
         listed.join(", ")
     );
     let units = system.mechanism.units.of_messages();
@@ -99,18 +101,21 @@ fn equation(about: &str, number: &str, formula: &str, note: &str) -> String {
 fn equations(system: &System, section: &Section) -> String {
     let mut text = String::new();
     let mut driver = None;
+    let mut previous = None;
     for Entry { subject, value } in &section.entries {
         let line = match subject {
             Subject::Row(row) | Subject::Slope(row, _) => {
                 let joint = system.rows[*row].joint;
                 if section.quantity == Quantity::Drivers && driver.replace(joint) != Some(joint) {
                     text += &cause(&system.mechanism.joints[joint].label);
+                    previous = None;
                 }
                 let end = match section.quantity {
                     Quantity::Residual => "<mo>=</mo><mn>0</mn>",
                     _ => "",
                 };
-                numbered(system, *row, &lines(&format!("{value}{end}")))
+                let is_first = previous.replace(joint) != Some(joint);
+                numbered(system, *row, is_first, &lines(&format!("{value}{end}")))
             }
             Subject::Redundant(joint) => equation(
                 &about(system, *joint, None),
@@ -141,16 +146,15 @@ fn equations(system: &System, section: &Section) -> String {
     text
 }
 
-/// Returns an equation with the number and the joint of its row.
-fn numbered(system: &System, row: usize, formula: &str) -> String {
+/// Returns an equation with the number of its row; the first one of a joint has its label.
+pub fn numbered(system: &System, row: usize, is_first: bool, formula: &str) -> String {
     let joint = system.rows[row].joint;
     let about = about(system, joint, Some(row));
-    equation(
-        &about,
-        &(row + 1).to_string(),
-        formula,
-        &label(system, joint),
-    )
+    let label = match is_first {
+        true => label(system, joint),
+        false => String::new(),
+    };
+    equation(&about, &(row + 1).to_string(), formula, &label)
 }
 
 /// Returns Φ_q as a table with the names of its rows and columns.
@@ -171,21 +175,4 @@ fn matrix(system: &System, section: &Section, names: &[&str]) -> String {
         text += "</tr>\n";
     }
     text + "</tbody></table></div>\n"
-}
-
-/// Returns the nonzero entries of Φ_q.
-fn entries(system: &System, section: &Section, names: &[&str]) -> String {
-    let mut text = String::from("<p>Nonzero entries, row by row:</p>\n");
-    for row in 0..system.rows.len() {
-        let entries = section.slopes(row).map(|(coordinate, value)| {
-            format!(
-                "<span class=\"entry\"><math><mfrac><mrow><mo>∂</mo><msub><mi mathvariant=\"normal\">Φ</mi><mn>{}</mn></msub></mrow><mrow><mo>∂</mo>{}</mrow></mfrac><mo>=</mo></math> {}</span>",
-                row + 1,
-                names[coordinate],
-                lines(value)
-            )
-        });
-        text += &numbered(system, row, &entries.collect::<Vec<_>>().join(" "));
-    }
-    text
 }

@@ -9,14 +9,38 @@ use linkwright_codegen::stages::system::System;
 
 use super::number::number;
 
-/// Returns paragraphs of documentation.
-pub fn docs(lines: &[String]) -> String {
+/// Returns the first paragraph of documentation.
+pub fn leading_docs(lines: &[String]) -> String {
+    paragraphs(lines).into_iter().take(1).collect()
+}
+
+/// Returns the paragraphs of documentation after the first one.
+pub fn remaining_docs(lines: &[String]) -> String {
+    paragraphs(lines).into_iter().skip(1).collect()
+}
+
+fn paragraphs(lines: &[String]) -> Vec<String> {
     let text = lines.iter().map(|line| line.trim()).collect::<Vec<_>>();
     let paragraphs = text.split(|line| line.is_empty());
     let paragraphs = paragraphs.filter(|lines| !lines.is_empty());
     paragraphs
-        .map(|lines| format!("<p>{}</p>\n", escaped(&lines.join(" "))))
+        .map(|lines| format!("<p>{}</p>\n", with_code(&lines.join(" "))))
         .collect()
+}
+
+/// Escapes a text in which backticks enclose names.
+fn with_code(text: &str) -> String {
+    let parts = text.split('`').map(escaped).collect::<Vec<_>>();
+    let is_open = parts.len().is_multiple_of(2);
+    let marked = parts
+        .iter()
+        .enumerate()
+        .map(|(place, part)| match place % 2 {
+            1 if is_open && place + 1 == parts.len() => format!("`{part}"),
+            1 => format!("<code>{part}</code>"),
+            _ => part.clone(),
+        });
+    marked.collect()
 }
 
 /// Returns the heading of moving bodies or angles, and the word for one of them.
@@ -94,7 +118,7 @@ pub fn values(pool: &Pool, system: &System) -> String {
     match rows.is_empty() {
         true => String::new(),
         false => format!(
-            "<h2 id=\"given\">Parameters and inputs</h2>\n<div class=\"wide\"><table><thead><tr><th></th><th>Name</th><th>Value</th><th>Unit</th><th></th></tr></thead><tbody>\n{rows}</tbody></table></div>\n"
+            "<div class=\"wide\"><table><thead><tr><th></th><th>Name</th><th>Value</th><th>Unit</th><th></th></tr></thead><tbody>\n{rows}</tbody></table></div>\n"
         ),
     }
 }

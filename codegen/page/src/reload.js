@@ -2,7 +2,7 @@
 // The server says when there is a newer version of this page; what was looked at stays where it was.
 (() => {
   const kept = "linkwright";
-  const time = document.getElementById("time");
+  const time = document.querySelector("[data-part=time]");
   try {
     const was = JSON.parse(sessionStorage.getItem(kept) ?? "null");
     sessionStorage.removeItem(kept);

@@ -1,37 +1,47 @@
-//! Assembles the sections of a page.
+//! Assembles a page from its drawing, its sections and its scripts.
 
 use std::fmt::Write as _;
 
 use linkwright_codegen::stages::emit::markup::escaped;
-use linkwright_solver::condition::Condition;
-use linkwright_solver::condition::jacobian;
-use linkwright_solver::textbook::TextbookEquations;
+use linkwright_codegen::stages::model::Requested;
 use linkwright_solver::{Check, Instant, Modes, Schedule, View as _};
-use nalgebra::DVector;
 
-use super::number::number;
+use super::given;
 use super::picture::picture;
 use super::players::{Chosen, Players};
 use super::recorded::{Examination, Precision};
-use super::{constraints, equations, given, solution, start};
+use super::sections::{Section, sections};
 
 const STYLE: &str = include_str!("page.css");
+const LIVE_STYLE: &str = include_str!("live.css");
 
-/// Script in parts; each part uses those before it.
+/// Scripts of every page; each uses those before it.
 const SCRIPT: &str = concat!(
-    "\"use strict\";\n(() => {\n",
-    include_str!("script/data.js"),
+    include_str!("script/elements.js"),
     include_str!("script/motion.js"),
     include_str!("script/stage.js"),
-    include_str!("script/shown.js"),
-    include_str!("script/plots.js"),
-    include_str!("script/pointing.js"),
-    include_str!("script/time.js"),
+    include_str!("script/drawing.js"),
+    include_str!("script/curves.js"),
+    include_str!("script/charts.js"),
+    include_str!("script/chooser.js"),
     include_str!("script/assemblies.js"),
-    include_str!("script/first.js"),
-    "})();\n"
+    include_str!("script/pointing.js"),
+    include_str!("script/clock.js"),
+    include_str!("script/values.js"),
+    include_str!("script/given.js"),
+    include_str!("script/sections.js"),
+    include_str!("script/mount.js"),
 );
+
+/// Scripts of a page whose values can be changed.
+const LIVE_SCRIPT: &str = concat!(
+    include_str!("script/questions.js"),
+    include_str!("script/controls.js"),
+);
+const START: &str = include_str!("script/first.js");
 const RELOAD: &str = include_str!("reload.js");
+
+const CURVES_LINK: &str = "<a href=\"#plots\">Curves</a> ";
 
 /// Contents of a page.
 pub struct Page<'a> {
@@ -41,6 +51,8 @@ pub struct Page<'a> {
     pub schedule: &'a Schedule,
     /// Time between frames (s).
     pub step: f64,
+    /// Quantities of `output` statements, whose curves are displayed first.
+    pub requested: Vec<Requested>,
     /// Pose and modes at the start; `None` for those of the drawing.
     pub chosen: Option<(Instant, Modes)>,
     /// Findings of the description as text for the terminal.
@@ -75,68 +87,34 @@ pub fn page(page: &Page<'_>, live: Live) -> (String, Option<String>) {
         Examination::Full,
     );
     let title = escaped(&mechanism.title());
+    let drawing = picture(view, &mut players, page.schedule.start.t, None);
+    let sections = sections(page, &players);
+    let contents: String = sections.iter().map(link).collect();
+    let text: String = sections.iter().map(Section::element).collect();
     let mut body = format!(
-        "<header><h1>{title}</h1>\n{}</header>\n",
-        given::docs(&mechanism.docs)
+        "<div class=\"page\" data-page=\"\">\n<main>\n<header><h1>{title}</h1>\n{}<nav aria-label=\"Contents\">{CURVES_LINK}{contents}</nav></header>\n\
+         <div class=\"stage\">\n<figure class=\"drawing\" data-part=\"drawing\">{drawing}</figure>\n\
+         <div class=\"messages\" data-part=\"messages\" role=\"status\">\n{}</div>\n{}</div>\n\
+         <section class=\"plots\" id=\"plots\" data-part=\"plots\" data-requested=\"{}\" aria-labelledby=\"curves\">\n<h2 id=\"curves\">Curves</h2>\n{}</section>\n\
+         <article>\n{text}</article>\n</main>\n</div>\n",
+        given::leading_docs(&mechanism.docs),
+        warnings(page, &players),
+        include_str!("controls.html"),
+        requested(&page.requested),
+        include_str!("curves.html"),
     );
-    body += include_str!("contents.html");
-    body += &warnings(page, &players);
-    body += "<main>\n<div id=\"stage\">\n";
-    let _ = writeln!(
-        body,
-        "<figure id=\"drawing\">{}</figure>",
-        picture(view, &mut players, page.schedule.start.t, None)
-    );
-    body += include_str!("controls.html");
-    body += "</div>\n<article>\n";
-    let section = |id: &str, heading: &str, text: &str| {
-        format!(
-            "<section aria-labelledby=\"{id}\"><h2 id=\"{id}\">{heading}</h2>\n{text}</section>\n"
-        )
-    };
-    body += &section("bodies", given::moving(system).0, &given::bodies(system));
-    body += &given::values(view.pool(), system);
-    body += &section(
-        "constraints",
-        "Constraints and degrees of freedom",
-        &constraints::section(view.pool(), system, check),
-    );
-    body += &section(
-        "equations",
-        "Equations",
-        &equations::section(view.derived()),
-    );
-    if let Some(first) = players.drawn().and_then(|it| it.instants.first()) {
-        let heading = format!(
-            "Position, velocity and acceleration at t = {} s",
-            number(first.t())
-        );
-        body += &section("start", &heading, &start::values(view, first));
-        let next = first.t() + page.step;
-        body += &section(
-            "newton",
-            "The first Newton-Raphson step",
-            &start::first_step(view.pool(), system, first, next),
-        );
-    }
-    body += &section(
-        "derivation",
-        "Solution block by block",
-        &solution::derivation(check),
-    );
-    body += &section(
-        "singular",
-        "Singular poses",
-        &solution::singular(check, determinant(check, &players), page.chosen.is_none()),
-    );
-    body += &section("assemblies", "Assemblies", &assemblies(check));
-    body += "</article>\n</main>\n";
-    body += "<section id=\"plots\" aria-labelledby=\"plots-heading\"><h2 id=\"plots-heading\">Plots</h2><div id=\"chips\"></div><div id=\"charts\"></div></section>\n";
     let data = serde_json::to_string(&players).unwrap_or_default();
     let _ = writeln!(
         body,
-        "<script type=\"application/json\" id=\"data\">{}</script>\n<script>\n{SCRIPT}</script>",
-        data.replace('<', "\\u003c")
+        "<script type=\"application/json\" id=\"data\">{}</script>\n<script>\n\"use strict\";\n(() => {{\n{}{}{}}})();\n</script>",
+        data.replace('<', "\\u003c"),
+        compact(SCRIPT),
+        if live == Live::No {
+            String::new()
+        } else {
+            compact(LIVE_SCRIPT)
+        },
+        compact(START)
     );
     let error = players.error().map(str::to_string);
     (shell(&title, &body, live), error)
@@ -146,10 +124,29 @@ pub fn page(page: &Page<'_>, live: Live) -> (String, Option<String>) {
 pub fn problem(name: &str, text: &str, version: u64) -> String {
     let title = escaped(name);
     let body = format!(
-        "<h1>{title}</h1>\n<pre id=\"problem\" role=\"alert\">{}</pre>\n",
+        "<main class=\"page\"><h1>{title}</h1>\n<pre id=\"problem\" role=\"alert\">{}</pre></main>\n",
         lines(text)
     );
     shell(&title, &body, Live::Version(version))
+}
+
+/// Returns the link to a section.
+fn link(section: &Section) -> String {
+    let hidden = if section.html.is_empty() {
+        " hidden"
+    } else {
+        ""
+    };
+    format!("<a href=\"#{}\"{hidden}>{}</a> ", section.id, section.name)
+}
+
+/// Returns the requested points and coordinates as a page names them.
+fn requested(requested: &[Requested]) -> String {
+    let names = requested.iter().map(|quantity| match quantity {
+        Requested::Point(point) => format!("p{point}"),
+        Requested::Coordinate(coordinate) => format!("q{coordinate}"),
+    });
+    names.collect::<Vec<_>>().join(" ")
 }
 
 /// Escapes a text of several lines.
@@ -157,8 +154,20 @@ fn lines(text: &str) -> String {
     text.lines().map(|line| escaped(line) + "\n").collect()
 }
 
+/// Removes indentation and lines of comments. No line of a script or a style sheet depends on its indentation.
+fn compact(text: &str) -> String {
+    let lines = text.lines().map(str::trim_start);
+    let kept =
+        lines.filter(|line| !line.is_empty() && !line.starts_with("//") && !line.starts_with("/*"));
+    kept.map(|line| format!("{line}\n")).collect()
+}
+
 /// Returns the frame of every page. The page cannot load anything, whatever names and documentation contain.
 fn shell(title: &str, body: &str, live: Live) -> String {
+    let mut style = compact(STYLE);
+    if live != Live::No {
+        style += &compact(LIVE_STYLE);
+    }
     let (connect, reload) = match live {
         Live::No => ("'none'", String::new()),
         Live::Version(version) => (
@@ -173,19 +182,11 @@ fn shell(title: &str, body: &str, live: Live) -> String {
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"generator\" content=\"linkwright\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:; connect-src {connect}\">\n\
-         <link rel=\"icon\" href=\"data:,\">\n<title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n{body}{reload}</body>\n</html>\n"
+         <link rel=\"icon\" href=\"data:,\">\n<title>{title}</title>\n<style>\n{style}</style>\n</head>\n<body>\n{body}{reload}</body>\n</html>\n"
     )
 }
 
-/// Returns the determinant of Φ_q at the start; `None` without a motion.
-fn determinant(check: &Check, players: &Players) -> Option<f64> {
-    let first = players.drawn()?.instants.first()?;
-    let textbook = TextbookEquations::new(check.interpreted.pool(), check.interpreted.system());
-    let q = DVector::from_column_slice(first.q());
-    Some(Condition::of(&jacobian(&textbook, &q, first.t())).determinant)
-}
-
-/// Returns the warnings at the top of a page.
+/// Returns the error of the motion and all warnings as messages beside the drawing.
 fn warnings(page: &Page<'_>, players: &Players) -> String {
     let mut text = String::new();
     if let Some(error) = players.error() {
@@ -210,44 +211,9 @@ fn warnings(page: &Page<'_>, players: &Players) -> String {
     if !page.findings.trim().is_empty() {
         let _ = writeln!(
             text,
-            "<pre class=\"warning\">{}</pre>",
+            "<pre class=\"warning\" tabindex=\"0\">{}</pre>",
             lines(page.findings)
         );
     }
-    match text.is_empty() {
-        true => text,
-        false => format!("<section id=\"warnings\" role=\"status\">\n{text}</section>\n"),
-    }
-}
-
-/// Returns the text about assemblies; scripts make their pictures from the drawing.
-fn assemblies(check: &Check) -> String {
-    let assemblies = &check.assemblies.found;
-    let names: Vec<String> = check
-        .interpreted
-        .mode_names()
-        .iter()
-        .map(|it| format!("<code>{}</code>", escaped(&it.name)))
-        .collect();
-    let modes = match names.is_empty() {
-        true => String::new(),
-        false => format!(
-            " A label has one character for each of {}, in this order: the sign of its determinant, or a letter that numbers its poses.",
-            names.join(", ")
-        ),
-    };
-    let rest = match check.assemblies.are_all() {
-        true => "; the list is complete.",
-        false => "; others may exist.",
-    };
-    let choice = match assemblies.len() {
-        0 | 1 => "",
-        _ => " Select one to see its motion.",
-    };
-    format!(
-        "<p>At t = {} s the mechanism can be assembled in {} {}{rest}{modes}{choice}</p>\n<div id=\"thumbnails\" role=\"group\" aria-labelledby=\"assemblies\"></div>\n<p id=\"assembly-error\" class=\"error\" hidden></p>\n",
-        number(check.start),
-        assemblies.len(),
-        if assemblies.len() == 1 { "way" } else { "ways" },
-    )
+    text
 }

@@ -140,11 +140,13 @@ fn made_with(
         true => String::new(),
         false => warnings.render(source),
     };
+    let requested = derived.system.mechanism.requests.iter();
     let (html, error) = page(
         &Page {
             check: &check,
             schedule: &schedule,
             step,
+            requested: requested.map(|it| it.quantity).collect(),
             chosen,
             findings: &findings,
         },

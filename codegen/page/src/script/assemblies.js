@@ -1,94 +1,81 @@
-// Assemblies.
+// The choice of an assembly: small pictures, and a list beside the drawing.
 
-const around = (root, own, times) => {
-  let [x0, y0, x1, y1] = [Infinity, Infinity, -Infinity, -Infinity];
-  for (const time of times) {
-    root.show(state(own, time), arrowsOf(own, time));
-    const area = root.root.getBBox();
-    [x0, y0, x1, y1] = [Math.min(x0, area.x), Math.min(y0, area.y), Math.max(x1, area.x + area.width), Math.max(y1, area.y + area.height)];
+class Assemblies {
+  constructor(part, choose, canAsk) {
+    Object.assign(this, { part, choose, canAsk });
+    this.list = part("assembly");
+    this.list.addEventListener("change", () => choose(this.list.value));
+    this.seen = new IntersectionObserver(
+      (entries) => {
+        this.isVisible = entries.at(-1).isIntersecting;
+        if (this.isVisible) this.draw();
+      },
+      { rootMargin: `${NEAR}px` },
+    );
   }
-  return [x0, y0, x1 - x0, y1 - y0];
-};
-const boxes = new Map();
-const frame = () => {
-  const legend = svg.querySelector("#legend");
-  if (player === data.assemblies[0]) {
-    legend.removeAttribute("transform");
-    return svg.setAttribute("viewBox", box);
-  }
-  if (!boxes.has(player)) {
-    const every = Math.max(1, Math.ceil(player.times.length / 24));
-    const times = player.times.filter((_, index) => index % every === 0);
-    const [x, y, width, height] = around(stage, player, times);
-    const [dx, dy] = numbers(mechanism.getAttribute("transform").replace(/^translate\(|\)$/g, ""));
-    boxes.set(player, `${x + dx - 16} ${y + dy - 16} ${width + 32} ${height + 48}`);
-  }
-  svg.setAttribute("viewBox", boxes.get(player));
-  // The scale bar stays in the lower left corner.
-  const [left, top, , height] = numbers(boxes.get(player));
-  legend.setAttribute("transform", `translate(${left} ${top + height - numbers(box)[3]})`);
-};
 
-const pick = (own) => {
-  if (!own.times) return;
-  if (own !== player) {
-    pause();
-    player = own;
-    sample();
-    trace();
+  /// True if an assembly can be shown, or asked for.
+  isOpen(own) {
+    return Boolean(own.times) || this.canAsk;
   }
-  dress(mechanism, player);
-  stage.collect();
-  tag();
-  frame();
-  plot();
-  gather();
-  slider.min = player.times[0];
-  slider.max = player.times.at(-1);
-  go(t);
-  for (const button of find("thumbnails").children) button.setAttribute("aria-pressed", String(button.player === player));
-  const error = find("assembly-error");
-  error.hidden = !player.error;
-  error.textContent = player.error ? `${player.label}: ${player.error}` : "";
-};
 
-const thumbnails = () => {
-  const holder = find("thumbnails");
-  for (const own of data.assemblies) {
-    const button = document.createElement("button");
-    button.type = "button";
-    button.player = own;
-    button.setAttribute("aria-pressed", String(own === player));
-    if (own.times) {
-      const picture = drawn("svg", { class: "linkwright", "aria-hidden": "true" }, button);
-      const copy = mechanism.cloneNode(true);
-      copy.removeAttribute("transform");
-      dress(copy, own);
-      for (const part of copy.querySelectorAll("#names, #traces, [data-still], title")) part.remove();
-      for (const part of [copy, ...copy.querySelectorAll("*")]) {
-        part.removeAttribute("id");
-        delete part.dataset.is;
-        delete part.dataset.of;
-      }
-      picture.append(copy);
-      holder.append(button);
-      const [x, y, width, height] = around(new Stage(copy), own, own.times.slice(0, 1));
-      const side = Math.max(width, height) + 16;
-      picture.setAttribute("viewBox", `${x + width / 2 - side / 2} ${y + height / 2 - side / 2} ${side} ${side}`);
-    } else {
-      button.disabled = true;
-      holder.append(button);
+  /// Takes the assemblies of a drawing; pictures are made when they come into view.
+  take(drawing, player) {
+    this.drawing = drawing;
+    const all = drawing.data.assemblies;
+    const labels = all.map((own) => own.label);
+    const choices = all.map((own) => made("option", { value: own.label, disabled: this.isOpen(own) ? null : "" }, own.label));
+    this.list.replaceChildren(...choices);
+    this.list.closest("label").hidden = labels.length < 2;
+    const holder = this.part("thumbnails");
+    if (holder !== this.holder) {
+      this.seen.disconnect();
+      this.isVisible = false;
+      this.holder = holder;
+      if (holder) this.seen.observe(holder);
     }
-    const caption = document.createElement("span");
-    caption.textContent = own.label;
-    button.append(caption);
+    this.isStale = true;
+    if (holder) {
+      holder.replaceChildren(...all.map((own) => this.button(own)));
+      if (this.isVisible) this.draw();
+    }
+    this.mark(player);
+  }
+
+  button(own) {
+    const button = made("button", { type: "button", "aria-pressed": "false", disabled: this.isOpen(own) ? null : "" });
+    button.append(made("span", {}, own.label));
     if (own.error) {
-      const why = document.createElement("small");
-      why.textContent = own.times ? `motion ends at t = ${text(own.times.at(-1))} s` : own.error;
-      why.title = own.error;
-      button.append(why);
+      const why = own.times ? `motion ends at t = ${text(own.times.at(-1))} s` : own.error;
+      button.append(made("small", { title: own.error }, why));
     }
-    button.addEventListener("click", () => pick(own));
+    button.addEventListener("click", () => this.choose(own.label));
+    return button;
   }
-};
 
+  draw() {
+    if (!this.isStale || !this.holder) return;
+    this.isStale = false;
+    this.drawing.data.assemblies.forEach((own, index) => {
+      if (!own.times) return;
+      const button = this.holder.children[index];
+      this.drawing.thumbnail(button, own);
+      button.prepend(button.lastChild);
+    });
+  }
+
+  /// Marks the assembly that is shown, and says why its motion ends.
+  mark(player) {
+    const all = this.drawing.data.assemblies;
+    if (player) this.list.value = player.label;
+    [...(this.holder?.children ?? [])].forEach((button, index) => button.setAttribute("aria-pressed", String(all[index] === player)));
+    const error = this.part("assembly-error");
+    if (!error) return;
+    error.hidden = !player?.error;
+    error.textContent = player?.error ? `${player.label}: ${player.error}` : "";
+  }
+
+  end() {
+    this.seen.disconnect();
+  }
+}

@@ -1,21 +1,19 @@
 // The drawing: groups that say which frame they are in are put there. Here y points downwards.
 
-const svg = document.querySelector("#drawing svg");
-const numbers = (text) => text.split(" ").map(Number);
-
 /// Paths of an element, each as it was written.
 const pathsOf = (element) => [...element.querySelectorAll("path")].map((path) => [path, (path.dataset.drawn ??= path.getAttribute("d"))]);
 
 class Stage {
-  constructor(root) {
-    this.root = root;
-    this.scale = Number(root.dataset.scale);
+  constructor(mechanism, motion) {
+    this.mechanism = mechanism;
+    this.motion = motion;
+    this.scale = Number(mechanism.dataset.scale);
     this.names = this.all("data-follows").map((element) => ({ element, at: numbers(element.dataset.follows) }));
     this.collect();
   }
 
   all(name) {
-    return [...this.root.querySelectorAll(`[${name}]`)];
+    return [...this.mechanism.querySelectorAll(`[${name}]`)];
   }
 
   /// Finds what moves, also after elements have been replaced.
@@ -40,7 +38,7 @@ class Stage {
 
   /// Where a body is: x and y in pixels, and its angle, clockwise as y points.
   place(q, body) {
-    const [x, y, angle] = poseOf(q, body);
+    const [x, y, angle] = this.motion.pose(q, body);
     return [x[0] * this.scale, -y[0] * this.scale, -angle[0]];
   }
 
@@ -59,8 +57,8 @@ class Stage {
       put(element, ...this.global(q, where), this.place(q, body)[2]);
     }
     for (const spiral of this.spirals) {
-      const [first, second, drawn, inner, outer] = spiral.winding;
-      const turned = this.place(q, second)[2] - this.place(q, first)[2] - (drawn * Math.PI) / 180;
+      const [first, second, start, inner, outer] = spiral.winding;
+      const turned = this.place(q, second)[2] - this.place(q, first)[2] - (start * Math.PI) / 180;
       // The inner end turns with the first body, the outer end with the second one.
       const wound = (_, x, y) => {
         const angle = (turned * (Math.hypot(x, y) - inner)) / (outer - inner);
@@ -94,23 +92,3 @@ class Stage {
     }
   }
 }
-
-/// Elements that another assembly has in place of some of the drawing's, which are kept.
-const replaced = [...new Set(data.assemblies.flatMap((own) => Object.keys(own.elements ?? {})))];
-const elementOf = (root, id) => root.querySelector(`[id="${CSS.escape(id)}"]`);
-const originals = new Map(replaced.map((id) => [id, elementOf(svg, id)?.outerHTML]));
-const dress = (root, own) => {
-  for (const id of replaced) {
-    const element = elementOf(root, id);
-    const text = own.elements?.[id] ?? originals.get(id);
-    if (element && text) element.outerHTML = text;
-  }
-};
-
-const mechanism = svg.querySelector("#mechanism");
-const stage = new Stage(mechanism);
-const box = svg.getAttribute("viewBox");
-svg.removeAttribute("width");
-svg.removeAttribute("height");
-svg.style.maxWidth = `${numbers(box)[2]}px`;
-

@@ -1,0 +1,203 @@
+// Charts: curves of one kind over time. One that is not visible is drawn when it comes into view.
+
+const COLORS = 7;
+const DASHES = ["", "8 4", "2 3", "10 3 2 3", "14 5"];
+const [LEFT, RIGHT, TOP, HEIGHT] = [62, 64, 8, 132];
+/// Distance in pixels from the window in which charts are drawn already.
+const NEAR = 300;
+
+/// Attributes that give a curve its color and its dashes.
+const lookOf = ({ order }) => [`curve-${order % COLORS}`, DASHES[order % DASHES.length]];
+
+const labeled = (parent, curve, x, y) => {
+  const label = drawn("text", { x, y, class: "label" }, parent);
+  label.append(curve.letter);
+  if (curve.index) drawn("tspan", { dy: 3, "font-size": "0.8em" }, label).textContent = curve.index;
+};
+
+class Chart {
+  constructor(kind, level, seek) {
+    Object.assign(this, { kind, level, seek, isVisible: false, isStale: true, dots: [] });
+    this.caption = made("figcaption");
+    this.figure = made("figure", { class: "chart" }, this.caption);
+    this.svg = drawn("svg", { role: "img" }, this.figure);
+    this.svg.addEventListener("pointerdown", (event) => {
+      this.point(event);
+      this.svg.setPointerCapture(event.pointerId);
+    });
+    this.svg.addEventListener("pointermove", (event) => {
+      if (event.buttons & 1) this.point(event);
+    });
+  }
+
+  point(event) {
+    const area = this.svg.getBoundingClientRect();
+    const part = (((event.clientX - area.left) / area.width) * this.width - LEFT) / (this.width - LEFT - RIGHT);
+    this.seek(Math.min(1, Math.max(0, part)));
+  }
+
+  /// Takes new values, which are drawn later.
+  prepare(curves, samples, [unit, scale], width) {
+    Object.assign(this, { curves, samples, scale, width, isStale: true });
+    this.title = `${TITLES[this.kind]}${this.level ? `: ${LEVELS[this.level]}` : ""}`;
+    this.unit = unit;
+    this.caption.textContent = unit ? `${this.title}, ${unit}` : this.title;
+    this.svg.setAttribute("viewBox", `0 0 ${width} ${HEIGHT + TOP + 22}`);
+  }
+
+  draw() {
+    this.isStale = false;
+    const { svg, curves, samples, scale, width } = this;
+    const values = curves.map((curve) => curve.values(samples, this.level).map((value) => scale * value));
+    const ranges = values.map(rangeOf);
+    let [low, high] = [Math.min(...ranges.map(([it]) => it)), Math.max(...ranges.map(([, it]) => it))];
+    if (this.kind === "determinants") [low, high] = [Math.min(0, low), Math.max(1, high)];
+    if (high - low < 1e-6 * Math.max(1e-3 * scale, Math.abs(high))) [low, high] = [low - 1e-3 * scale, high + 1e-3 * scale];
+    const [first, last] = [samples.times[0], samples.times.at(-1)];
+    const x = (time) => LEFT + ((time - first) / (last - first)) * (width - LEFT - RIGHT);
+    const y = (value) => TOP + (1 - (value - low) / (high - low)) * HEIGHT;
+    Object.assign(this, { x, y });
+    const about = curves.map((curve, place) => `${curve.letter}${curve.index} from ${text(ranges[place][0])} to ${text(ranges[place][1])}`);
+    svg.setAttribute("aria-label", `${this.title} over time: ${about.join(", ")} ${this.kind === "determinants" ? "" : this.unit}`);
+    svg.replaceChildren();
+    this.grid([low, high], [first, last]);
+    const xs = samples.times.map((time) => hundredths(x(time)));
+    this.dots = curves.map((curve, place) => {
+      const [color, dashes] = lookOf(curve);
+      const group = drawn("g", { class: `curve ${color}`, "data-is": curve.is, "data-of": curve.of }, svg);
+      const ys = values[place].map(y);
+      // A wide line for the pointer needs fewer points.
+      const coarse = (all) => all.filter((_, index) => index % 4 === 0 || index === all.length - 1);
+      drawn("path", { class: "hit", d: pathThrough(coarse(xs), coarse(ys)) }, group);
+      drawn("path", { class: "line", d: pathThrough(xs, ys), "stroke-dasharray": dashes }, group);
+      return { dot: drawn("circle", { r: 3.5 }, group), curve, group, y: ys.at(-1) };
+    });
+    this.label();
+    this.cursor = drawn("path", { class: "cursor", d: `M0 ${TOP}V${TOP + HEIGHT}` }, svg);
+  }
+
+  grid([low, high], [first, last]) {
+    const { width, x, y } = this;
+    const grid = drawn("g", { class: "grid" }, this.svg);
+    const ticks = (from, to, count) => {
+      const every = round((to - from) / count);
+      const found = [];
+      for (let k = Math.ceil(from / every - 1e-9); k * every <= to + 1e-9 * every; k += 1) found.push(k * every);
+      return found;
+    };
+    for (const value of ticks(low, high, 4)) {
+      drawn("path", { d: `M${LEFT} ${y(value)}H${width - RIGHT}` }, grid);
+      drawn("text", { x: LEFT - 6, y: y(value) + 4, "text-anchor": "end" }, grid).textContent = text(value);
+    }
+    for (const time of ticks(first, last, width < 500 ? 4 : 10)) {
+      drawn("path", { d: `M${x(time)} ${TOP}V${TOP + HEIGHT}` }, grid);
+      drawn("text", { x: x(time), y: TOP + HEIGHT + 16, "text-anchor": "middle" }, grid).textContent = text(time);
+    }
+  }
+
+  /// Puts names at the ends of the curves, one below the other where these are close.
+  label() {
+    const ends = [...this.dots].sort((a, b) => a.y - b.y);
+    const room = Math.min(13, (HEIGHT + 8) / Math.max(1, ends.length));
+    let taken = TOP - 6;
+    for (const end of ends) {
+      taken = Math.max(end.y + 4, taken + room);
+      end.at = taken;
+    }
+    let limit = TOP + HEIGHT + 8;
+    for (const end of ends.reverse()) {
+      end.at = Math.min(end.at, limit);
+      limit = end.at - room;
+      labeled(end.group, end.curve, this.width - RIGHT + 6, end.at);
+    }
+  }
+
+  move(t, place) {
+    const at = this.x(t).toFixed(2);
+    this.cursor.setAttribute("transform", `translate(${at} 0)`);
+    for (const { dot, curve } of this.dots) {
+      dot.setAttribute("cx", at);
+      dot.setAttribute("cy", this.y(this.scale * curve.value(this.samples.player, place, this.level)).toFixed(2));
+    }
+  }
+}
+
+class Charts {
+  /// `changed` is called after charts have been drawn.
+  constructor(holder, seek, changed) {
+    Object.assign(this, { holder, seek, changed, charts: new Map(), all: [], t: null });
+    this.seen = new IntersectionObserver(
+      (entries) => {
+        for (const { target, isIntersecting } of entries) {
+          const chart = this.all.find((it) => it.figure === target);
+          if (chart) chart.isVisible = isIntersecting;
+        }
+        this.draw();
+      },
+      { rootMargin: `${NEAR}px` },
+    );
+    this.width = 0;
+    this.resized = new ResizeObserver(() => {
+      if (this.samples && this.measure() !== this.width) this.prepare(this.curves, this.samples, this.units);
+    });
+    this.resized.observe(holder);
+  }
+
+  measure() {
+    const column = this.all[0]?.figure.clientWidth || this.holder.clientWidth || 720;
+    return Math.max(280, Math.min(1100, column));
+  }
+
+  /// Shows these curves; without a motion there is none.
+  prepare(curves, samples, units) {
+    Object.assign(this, { curves, samples, units });
+    const kinds = Object.keys(TITLES).map((kind) => [kind, curves.filter((it) => it.kind === kind)]);
+    // What was chosen first is first on the page.
+    kinds.sort(([, a], [, b]) => (a[0]?.rank ?? 0) - (b[0]?.rank ?? 0));
+    const wanted = [];
+    for (const [kind, own] of samples && samples.player.times.length > 1 ? kinds : []) {
+      if (own.length) units[kind].forEach((unit, level) => wanted.push({ kind, level, own, unit }));
+    }
+    const before = this.all;
+    this.all = wanted.map(({ kind, level }) => {
+      const key = `${kind} ${level}`;
+      if (!this.charts.has(key)) this.charts.set(key, new Chart(kind, level, this.seek));
+      return this.charts.get(key);
+    });
+    const isSame = before.length === this.all.length && before.every((it, index) => it === this.all[index]);
+    if (!isSame) {
+      this.holder.replaceChildren(...this.all.map((it) => it.figure));
+      for (const chart of before) if (!this.all.includes(chart)) this.seen.unobserve(chart.figure);
+    }
+    this.width = this.measure();
+    this.all.forEach((chart, index) => chart.prepare(wanted[index].own, samples, wanted[index].unit, this.width));
+    if (!isSame) {
+      for (const chart of this.all) {
+        const { top, bottom } = chart.figure.getBoundingClientRect();
+        chart.isVisible = bottom > -NEAR && top < innerHeight + NEAR;
+        this.seen.observe(chart.figure);
+      }
+    }
+    this.draw();
+  }
+
+  /// Draws what is visible, or everything for paper.
+  draw(everything = false) {
+    const stale = this.all.filter((it) => it.isStale && (it.isVisible || everything));
+    for (const chart of stale) chart.draw();
+    if (stale.length) this.changed();
+    if (this.t !== null) this.show(this.t);
+  }
+
+  show(t) {
+    this.t = t;
+    if (!this.samples) return;
+    const place = interval(this.samples.player.times, t);
+    for (const chart of this.all) if (!chart.isStale) chart.move(t, place);
+  }
+
+  end() {
+    this.seen.disconnect();
+    this.resized.disconnect();
+  }
+}

@@ -1,0 +1,185 @@
+// A page in an element: scripts look up what they need in it, and nothing outside.
+
+/// Shows data in an element of the structure of a page. A provider answers questions; a file has none.
+///
+/// Returns `update(answer)`, which replaces what the answer has and keeps the rest; `ask(detail)`, `question()` and `destroy()`.
+const mount = (root, first, provider = null) => {
+  const part = (name) => root.querySelector(`[data-part="${name}"]`);
+  const over = new AbortController();
+  const { signal } = over;
+  const [shown, traced] = [new Set(), new Set()];
+  let data = null;
+  let motion = null;
+  let drawing = null;
+  let player = null;
+  let samples = null;
+  let curves = [];
+  let label = null;
+  let leading = null;
+
+  const pointing = new Pointing(root, signal);
+  const values = new Values(part("live"), () => pointing.forget());
+  const show = (t) => {
+    const q = drawing.show(player, t);
+    charts.show(t);
+    values.show(q);
+  };
+  const clock = new Clock(root, part, show, signal);
+  const charts = new Charts(
+    part("charts"),
+    (share) => {
+      clock.pause();
+      clock.go(player.times[0] + share * (player.times.at(-1) - player.times[0]));
+    },
+    () => pointing.forget(),
+  );
+  const indices = () => data.points.map((it, index) => (traced.has(it.name) ? index : -1)).filter((it) => it >= 0);
+  const plot = () => charts.prepare(curves.filter((it) => shown.has(it.name)), samples, unitsOf(data));
+  const trace = () => {
+    drawing.trace(samples, indices());
+    pointing.forget();
+    show(clock.t);
+  };
+  const assemblies = new Assemblies(part, (name) => choose(name), provider !== null);
+  const controls = provider
+    ? new Controls(part("panel"), (detail) => (detail === "moving" ? questions.moving() : questions.ask("resting")))
+    : new Given(part("panel"));
+  const question = () => ({ ...controls.question(), assembly: label });
+  const answers = {
+    question,
+    answered: (answer) => update(answer),
+    failed: (error) => messages([{ severity: "error", code: "", text: error.message }], true),
+    marked: (isOld) => mark("late", isOld),
+  };
+  const questions = provider && new Questions(provider, answers, signal);
+
+  /// Marks the picture as one of other values than those that are asked for.
+  const reasons = new Set();
+  const mark = (reason, isSet) => {
+    if (isSet) reasons.add(reason);
+    else reasons.delete(reason);
+    root.classList.toggle("old", reasons.size > 0);
+    part("drawing").setAttribute("aria-busy", String(reasons.has("late")));
+  };
+
+  const messages = (all, isOld) => {
+    const rows = all.map((own) => {
+      const title = made("b", {}, own.severity === "error" ? "Error:" : "Warning:");
+      const isBlock = own.text.includes("\n");
+      return isBlock
+        ? made("pre", { class: own.severity, "data-code": own.code }, own.text)
+        : made("p", { class: own.severity, "data-code": own.code }, title, ` ${own.text}`);
+    });
+    part("messages").replaceChildren(...rows);
+    mark("failed", isOld);
+  };
+
+  /// Shows the selected assembly, or the first that moves.
+  const select = () => {
+    const all = data.assemblies;
+    const solved = all.filter((it) => it.times);
+    player = solved.find((it) => it.label === label) ?? (all[0]?.times ? all[0] : solved[0]) ?? null;
+    label = player?.label ?? label;
+    samples = player && new Samples(motion, player);
+    clock.take(player?.times ?? null);
+    root.classList.toggle("still", !player);
+    if (player) drawing.pick(player, samples, indices());
+    plot();
+    pointing.forget();
+    if (player) clock.go(clock.t);
+  };
+  const choose = (name) => {
+    const own = data.assemblies.find((it) => it.label === name);
+    label = name;
+    if (own?.times && own !== player) {
+      clock.pause();
+      select();
+      assemblies.mark(player);
+    }
+    questions?.ask("resting");
+  };
+
+  /// Takes a motion, the drawing of which is in the page already.
+  const take = (answer) => {
+    const isFirst = data === null;
+    data = answer;
+    motion = new Motion(data);
+    drawing = new Drawing(part("drawing"), motion);
+    drawing.mechanism.querySelector("[id=names]").style.display = part("names").checked ? "" : "none";
+    pointing.data = data;
+    values.take(data);
+    curves = curvesOf(motion);
+    if (isFirst) {
+      label = data.assemblies[0]?.label ?? null;
+      for (const point of data.points.filter((it) => it.free).slice(0, 3)) traced.add(point.name);
+      clock.t = data.assemblies.find((it) => it.times)?.times[0] ?? 0;
+    }
+    if (shown.size === 0) begin();
+    for (const curve of curves) curve.rank = curve.kind === leading ? 0 : 1;
+    select();
+    assemblies.take(drawing, player);
+    chips();
+  };
+  /// Chooses the curves that are shown at first.
+  const begin = () => {
+    const own = data.assemblies.find((it) => it.times);
+    if (!own) return;
+    const requested = data.requested ?? words(part("plots").dataset.requested);
+    for (const name of firstChoice(curves, new Samples(motion, own), requested)) shown.add(name);
+    leading = curves.find((it) => shown.has(it.name) && requested.includes(it.is))?.kind ?? curves.find((it) => shown.has(it.name))?.kind;
+  };
+  let chosen = "";
+  const chips = () => {
+    const names = curves.map((it) => `${it.is} ${it.name}`).join();
+    if (names === chosen) return;
+    chosen = names;
+    chooser(part("chips"), { curves, points: data.points }, shown, traced, plot, trace);
+  };
+
+  const update = (answer) => {
+    const isMotion = Array.isArray(answer.assemblies);
+    if (isMotion) {
+      if (answer.title) root.querySelector("h1").textContent = answer.title;
+      if (answer.drawing) part("drawing").innerHTML = answer.drawing;
+      if (answer.sections) replaceSections(root, answer.sections);
+      take(answer);
+    }
+    if (answer.controls || isMotion) controls.take(answer);
+    messages(answer.messages ?? [], !isMotion && (answer.messages ?? []).some((it) => it.severity === "error"));
+  };
+
+  part("names").addEventListener("change", (event) => {
+    drawing.mechanism.querySelector("[id=names]").style.display = event.target.checked ? "" : "none";
+  });
+  part("live").addEventListener("toggle", () => player && show(clock.t));
+  for (const event of ["pointerover", "focusin"]) root.addEventListener(event, (it) => showEntry(root, it.target), { signal });
+  // Paper has all charts, and the drawing at its start.
+  let before = null;
+  addEventListener(
+    "beforeprint",
+    () => {
+      if (!player) return;
+      before = clock.t;
+      clock.pause();
+      charts.draw(true);
+      assemblies.draw();
+      clock.go(player.times[0]);
+    },
+    { signal },
+  );
+  addEventListener("afterprint", () => player && before !== null && clock.go(before), { signal });
+
+  take(first);
+  controls.take(first);
+  if (first.messages) messages(first.messages, false);
+  return {
+    update,
+    question,
+    ask: (detail = "resting") => questions?.ask(detail),
+    destroy: () => {
+      over.abort();
+      charts.end();
+      assemblies.end();
+    },
+  };
+};

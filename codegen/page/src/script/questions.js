@@ -1,0 +1,47 @@
+// Questions to a provider: at most one is under way, and then the newest is asked.
+
+/// Time after which an answer that has not come makes the picture an old one, and time of rest before a complete question, in ms.
+const [LATE, REST] = [200, 150];
+
+class Questions {
+  /// `question` gives what is asked now, `answered` takes an answer, `failed` an error, `marked` is told whether the picture is old.
+  constructor(provider, { question, answered, failed, marked }, signal) {
+    Object.assign(this, { provider, question, answered, failed, marked, signal, next: null, isBusy: false });
+    signal.addEventListener("abort", () => {
+      clearTimeout(this.resting);
+      clearTimeout(this.late);
+    });
+  }
+
+  /// Asks while something moves, and completely once it rests.
+  moving() {
+    clearTimeout(this.resting);
+    this.resting = setTimeout(() => this.ask("resting"), REST);
+    this.ask("moving");
+  }
+
+  async ask(detail) {
+    if (this.signal.aborted) return;
+    if (detail === "resting") clearTimeout(this.resting);
+    this.next = detail;
+    this.late ??= setTimeout(() => this.marked(true), LATE);
+    if (this.isBusy) return;
+    this.isBusy = true;
+    while (this.next && !this.signal.aborted) {
+      const asked = this.next;
+      this.next = null;
+      try {
+        const answer = await this.provider.ask({ ...this.question(), detail: asked });
+        if (this.signal.aborted) break;
+        this.answered(answer);
+      } catch (error) {
+        if (this.signal.aborted) break;
+        this.failed(error);
+      }
+    }
+    this.isBusy = false;
+    clearTimeout(this.late);
+    this.late = undefined;
+    if (!this.signal.aborted) this.marked(false);
+  }
+}
