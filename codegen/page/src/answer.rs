@@ -27,7 +27,11 @@ pub struct Answer {
     /// Times of the motion.
     pub range: Range,
     /// Errors and warnings of the description and of its motion.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub messages: Vec<Message>,
+    /// Quantities of `output` statements, whose curves are displayed first, as scripts name them.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub requested: Vec<String>,
     /// Sections of the page as HTML, by their ids.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub sections: BTreeMap<&'static str, String>,
@@ -42,6 +46,7 @@ impl Answer {
             controls: None,
             range,
             messages,
+            requested: Vec::new(),
             sections: BTreeMap::new(),
         }
     }

@@ -111,15 +111,25 @@ pub fn assignment(view: &Interpreted, name: &str, text: &str) -> Result<String, 
 
 /// Returns all controls, with guessed ranges over which the mechanism still closes during the motion.
 pub fn controls(view: &Interpreted, range: Range) -> Vec<Control> {
-    let quantities = quantities(view);
     let reach = reach(view, range);
+    all(view, |quantity, value| {
+        let unit = unit_of(view, quantity);
+        let ends = guessed(view, quantity, value, range, reach);
+        let [low, high] = ends.map(|it| unit.of_si(it));
+        Some(rounded(low, unit.of_si(value), high))
+    })
+}
+
+/// Returns all controls, without ranges where the description has none.
+pub fn described(view: &Interpreted) -> Vec<Control> {
+    all(view, |_, _| None)
+}
+
+fn all(view: &Interpreted, ends: impl Fn(&Quantity<'_>, f64) -> Option<[f64; 2]>) -> Vec<Control> {
+    let quantities = quantities(view);
     let controls = quantities.iter().map(|quantity| {
         let unit = unit_of(view, quantity);
-        let ends = quantity.value.map(|value| {
-            let ends = guessed(view, quantity, value, range, reach);
-            let [low, high] = ends.map(|it| unit.of_si(it));
-            rounded(low, unit.of_si(value), high)
-        });
+        let ends = quantity.value.and_then(|value| ends(quantity, value));
         let docs = quantity.docs.iter().map(|it| it.trim());
         Control {
             name: quantity.name.to_string(),

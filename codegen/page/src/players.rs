@@ -28,7 +28,7 @@ const MIN_INSTANTS: usize = 21;
 const MAX_ASSEMBLIES: usize = 64;
 
 /// Addition to the label of the assembly of the design configuration.
-const DRAWN: &str = " as drawn";
+pub const DRAWN: &str = " as drawn";
 
 /// Assembly that is shown first.
 #[derive(Clone, Debug)]
@@ -215,6 +215,11 @@ impl Players {
             Motion::Solved(recorded) => Some(recorded),
             Motion::None { .. } => None,
         }
+    }
+
+    /// Returns the first instant of the first motion; `None` if there is none.
+    pub fn first(&self) -> Option<&Instant> {
+        self.drawn()?.instants.first()
     }
 
     /// Returns the reason that the first motion ends early or does not begin; `None` if it is complete.

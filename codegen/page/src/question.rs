@@ -60,8 +60,8 @@ pub enum Detail {
     /// All assemblies, the whole drawing and the controls.
     #[default]
     Resting,
-    /// The sections of the page besides.
-    Whole,
+    /// The sections of the page alone.
+    Sections,
 }
 
 impl Default for Range {

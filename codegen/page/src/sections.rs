@@ -4,12 +4,10 @@ use linkwright_codegen::stages::emit::markup::escaped;
 use linkwright_solver::condition::Condition;
 use linkwright_solver::condition::jacobian;
 use linkwright_solver::textbook::TextbookEquations;
-use linkwright_solver::{Check, View as _};
+use linkwright_solver::{Check, Instant, View as _};
 use nalgebra::DVector;
 
 use super::number::number;
-use super::players::Players;
-use super::whole::Page;
 use super::{constraints, equations, given, solution, start};
 
 /// Section of text of a page.
@@ -42,16 +40,15 @@ impl Section {
     }
 }
 
-/// Returns all sections of a page.
-pub fn sections(page: &Page<'_>, players: &Players) -> Vec<Section> {
-    let check = page.check;
+/// Returns all sections of a page. `step` (s) is that of the first Newton-Raphson step; `is_drawn` is true for the assembly of the
+/// design configuration, along whose motion the check has sought singular poses.
+pub fn sections(check: &Check, first: Option<&Instant>, step: f64, is_drawn: bool) -> Vec<Section> {
     let view = &check.interpreted;
     let (pool, system) = (view.pool(), view.system());
-    let first = players.drawn().and_then(|it| it.instants.first());
     let [start, newton] = first.map_or_else(Default::default, |first| {
         [
             start::values(view, first),
-            start::first_step(pool, system, first, first.t() + page.step),
+            start::first_step(pool, system, first, first.t() + step),
         ]
     });
     let start_heading = format!(
@@ -59,7 +56,7 @@ pub fn sections(page: &Page<'_>, players: &Players) -> Vec<Section> {
         number(first.map_or(check.start, |it| it.t()))
     );
     let bodies = given::bodies(system);
-    let singular = solution::singular(check, determinant(check, players), page.chosen.is_none());
+    let singular = solution::singular(check, determinant(check, first), is_drawn);
     [
         (
             "about",
@@ -107,8 +104,8 @@ pub fn sections(page: &Page<'_>, players: &Players) -> Vec<Section> {
 }
 
 /// Returns the determinant of Φ_q at the start; `None` without a motion.
-fn determinant(check: &Check, players: &Players) -> Option<f64> {
-    let first = players.drawn()?.instants.first()?;
+fn determinant(check: &Check, first: Option<&Instant>) -> Option<f64> {
+    let first = first?;
     let textbook = TextbookEquations::new(check.interpreted.pool(), check.interpreted.system());
     let q = DVector::from_column_slice(first.q());
     Some(Condition::of(&jacobian(&textbook, &q, first.t())).determinant)

@@ -13,11 +13,13 @@ use crate::answer::Answer;
 use crate::controls::{Control, assignment, controls};
 use crate::message::{Message, messages};
 use crate::picture::picture;
-use crate::players::{Chosen, Players};
+use crate::players::{Chosen, DRAWN, Players};
 use crate::question::{Detail, Question, Range};
 use crate::recorded::{Examination, Precision};
+use crate::sections::sections;
+use crate::whole::requested;
 
-/// Descriptions and checks that are kept for the next question.
+/// Answers to the questions of a page, with what the next answer needs again.
 ///
 /// ```
 /// use linkwright_page::{Question, Session};
@@ -47,9 +49,21 @@ pub struct Session {
 struct Open {
     source: Source,
     motion: Option<String>,
+    start: f64,
     result: Result<Opened, Unopened>,
     /// Controls at the values of the description, with the times for which their ranges are guessed.
     controls: Option<(Range, Vec<Control>)>,
+    /// Last check, for the sections of its question.
+    checked: Option<Checked>,
+}
+
+/// Check of a mechanism.
+#[derive(Debug)]
+struct Checked {
+    question: Question,
+    check: Check,
+    /// First instant of the motion; `None` without a motion.
+    first: Option<Instant>,
 }
 
 impl Session {
@@ -68,71 +82,112 @@ impl Session {
 
     /// Answers a question about a description from elsewhere.
     pub fn answer_about(&mut self, source: Source, question: &Question) -> Answer {
-        let open = self.open(source, question.motion.as_deref());
+        let range = question.range;
+        let open = self.open(source, question.motion.as_deref(), range.from);
         let opened = match &open.result {
             Ok(opened) => opened,
             Err(reason) => {
-                let messages = refused(reason, &open.source.name);
-                return Answer::without_motion(question.range, messages);
+                return Answer::without_motion(range, refused(reason, &open.source.name));
             }
         };
-        let mut found = messages(&opened.warnings);
-        match Moving::of(&opened.interpreted, question) {
-            Ok(moving) => {
-                let mut answer = moving.answer(question, found);
-                if question.detail != Detail::Moving {
-                    answer.controls = Some(open.controls(question));
-                }
-                answer
-            }
+        let mut findings = messages(&opened.warnings);
+        let moving = match Moving::of(&opened.interpreted, question) {
+            Ok(moving) => moving,
             Err(message) => {
-                found.push(Message::error(message));
-                Answer::without_motion(question.range, found)
+                findings.push(Message::error(message));
+                return Answer::without_motion(range, findings);
             }
+        };
+        let requested = requested(&opened.requested);
+        let answer = match question.detail {
+            Detail::Moving => moving.answer(&[], Examination::None, question, findings),
+            Detail::Resting => {
+                let check = moving.check();
+                findings.extend(check.warnings.iter().map(Message::warning));
+                let known = &check.assemblies.found;
+                let answer = moving.answer(known, Examination::Full, question, findings);
+                open.checked = Some(Checked {
+                    question: question.clone(),
+                    first: answer.players.as_ref().and_then(Players::first).cloned(),
+                    check,
+                });
+                Answer {
+                    controls: Some(open.controls(question)),
+                    ..answer
+                }
+            }
+            Detail::Sections => {
+                let checked = open.checked.take().filter(|it| it.is_of(question));
+                let checked = checked.unwrap_or_else(|| Checked {
+                    question: question.clone(),
+                    first: moving.players(&[], Examination::None).first().cloned(),
+                    check: moving.check(),
+                });
+                let (check, first) = (&checked.check, checked.first.as_ref());
+                let is_drawn = moving.chosen.is_none();
+                let sections = sections(check, first, range.step, is_drawn);
+                open.checked = Some(checked);
+                Answer {
+                    sections: sections.into_iter().map(|it| (it.id, it.html)).collect(),
+                    ..Answer::without_motion(range, findings)
+                }
+            }
+        };
+        Answer {
+            requested,
+            ..answer
         }
     }
 
     /// Returns the description as it was opened, anew if it has changed.
-    fn open(&mut self, source: Source, motion: Option<&str>) -> &mut Open {
-        let is_open = |open: &Open| open.source == source && open.motion.as_deref() == motion;
-        match self.opened.take().filter(is_open) {
-            Some(open) => self.opened.insert(open),
-            None => {
-                let mut result = Opened::read(&source, motion);
-                if let Ok(opened) = &mut result {
-                    for assignment in &self.assignments {
-                        // Descriptions without such a parameter have their own values.
-                        let _ = opened.interpreted.set("value", assignment);
-                    }
+    fn open(&mut self, source: Source, motion: Option<&str>, start: f64) -> &mut Open {
+        let is_open = |open: &Open| {
+            open.source == source && open.motion.as_deref() == motion && open.start == start
+        };
+        let opened = self.opened.take().filter(is_open);
+        let opened = opened.unwrap_or_else(|| {
+            let mut result = Opened::read_to_draw(&source, motion, start);
+            if let Ok(opened) = &mut result {
+                for assignment in &self.assignments {
+                    // Descriptions without such a parameter have their own values.
+                    let _ = opened.interpreted.set("value", assignment);
                 }
-                self.opened.insert(Open {
-                    source,
-                    motion: motion.map(str::to_string),
-                    result,
-                    controls: None,
-                })
             }
-        }
+            Open {
+                source,
+                motion: motion.map(str::to_string),
+                start,
+                result,
+                controls: None,
+                checked: None,
+            }
+        });
+        self.opened.insert(opened)
     }
 }
 
 impl Open {
-    /// Returns the controls with the values of a question.
+    /// Returns the controls, whose ranges are guessed once.
     fn controls(&mut self, question: &Question) -> Vec<Control> {
         let Ok(opened) = &self.result else {
             return Vec::new();
         };
-        let kept = self
-            .controls
-            .take()
-            .filter(|(range, _)| *range == question.range);
-        let (_, controls) = self.controls.insert(kept.unwrap_or_else(|| {
-            (
-                question.range,
-                controls(&opened.interpreted, question.range),
-            )
-        }));
-        controls.clone()
+        let range = question.range;
+        let kept = self.controls.take().filter(|(of, _)| *of == range);
+        let kept = kept.unwrap_or_else(|| (range, controls(&opened.interpreted, range)));
+        self.controls.insert(kept).1.clone()
+    }
+}
+
+impl Checked {
+    /// True if this is the check of a question, whatever parts it asks for.
+    fn is_of(&self, question: &Question) -> bool {
+        let question = Question {
+            detail: self.question.detail,
+            scale: self.question.scale,
+            ..question.clone()
+        };
+        self.question == question
     }
 }
 
@@ -159,11 +214,12 @@ impl Moving {
             return Err("the times need finite numbers".to_string());
         }
         let schedule = Schedule::range(from, to, step)?;
-        let chosen = match &question.assembly {
+        let others = question.assembly.as_deref();
+        let chosen = match others.filter(|label| !label.ends_with(DRAWN.trim_start())) {
             None => None,
             Some(label) => Some(Chosen {
                 start: selected(&interpreted, label, from)?,
-                label: label.clone(),
+                label: label.replace('−', "-"),
             }),
         };
         Ok(Moving {
@@ -173,24 +229,28 @@ impl Moving {
         })
     }
 
+    /// Looks for assemblies and singular poses.
+    fn check(&self) -> Check {
+        Check::new(self.interpreted.clone(), &self.schedule, |_| {})
+    }
+
     /// Follows the motion, and draws it.
-    fn answer(self, question: &Question, mut messages: Vec<Message>) -> Answer {
-        let start = self.schedule.start.t;
-        let (mut players, scale) = match question.detail {
-            Detail::Moving => (self.players(&[], Examination::None), question.scale),
-            Detail::Resting | Detail::Whole => {
-                let check = Check::new(self.interpreted.clone(), &self.schedule, |_| {});
-                messages.extend(check.warnings.iter().map(Message::warning));
-                (
-                    self.players(&check.assemblies.found, Examination::Full),
-                    None,
-                )
-            }
+    fn answer(
+        &self,
+        known: &[Assembly],
+        examination: Examination,
+        question: &Question,
+        mut messages: Vec<Message>,
+    ) -> Answer {
+        let mut players = self.players(known, examination);
+        let scale = match question.detail {
+            Detail::Moving => question.scale,
+            _ => None,
         };
+        let start = self.schedule.start.t;
         let drawing = picture(&self.interpreted, &mut players, start, scale);
         let warnings = players.drawn().map_or(&[][..], |it| &it.warnings);
-        for warning in warnings {
-            let warning = Message::warning(warning);
+        for warning in warnings.iter().map(Message::warning) {
             if !messages.contains(&warning) {
                 messages.push(warning);
             }
@@ -199,10 +259,7 @@ impl Moving {
         Answer {
             players: Some(players),
             drawing,
-            controls: None,
-            range: question.range,
-            messages,
-            sections: Default::default(),
+            ..Answer::without_motion(question.range, messages)
         }
     }
 

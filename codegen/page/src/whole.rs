@@ -6,9 +6,12 @@ use linkwright_codegen::stages::emit::markup::escaped;
 use linkwright_codegen::stages::model::Requested;
 use linkwright_solver::{Check, Instant, Modes, Schedule, View as _};
 
+use super::answer::Answer;
+use super::controls::{controls, described};
 use super::given;
 use super::picture::picture;
 use super::players::{Chosen, Players};
+use super::question::Range;
 use super::recorded::{Examination, Precision};
 use super::sections::{Section, sections};
 
@@ -49,8 +52,8 @@ pub struct Page<'a> {
     pub check: &'a Check,
     /// Times of the displayed motion.
     pub schedule: &'a Schedule,
-    /// Time between frames (s).
-    pub step: f64,
+    /// Times as they are requested.
+    pub range: Range,
     /// Quantities of `output` statements, whose curves are displayed first.
     pub requested: Vec<Requested>,
     /// Pose and modes at the start; `None` for those of the drawing.
@@ -74,6 +77,7 @@ pub fn page(page: &Page<'_>, live: Live) -> (String, Option<String>) {
     let view = &check.interpreted;
     let system = view.system();
     let mechanism = &system.mechanism;
+    let range = page.range;
     let chosen = page.chosen.clone().map(|start| Chosen {
         label: "as chosen".to_string(),
         start,
@@ -88,7 +92,12 @@ pub fn page(page: &Page<'_>, live: Live) -> (String, Option<String>) {
     );
     let title = escaped(&mechanism.title());
     let drawing = picture(view, &mut players, page.schedule.start.t, None);
-    let sections = sections(page, &players);
+    let sections = sections(
+        check,
+        players.first(),
+        page.range.step,
+        page.chosen.is_none(),
+    );
     let contents: String = sections.iter().map(link).collect();
     let text: String = sections.iter().map(Section::element).collect();
     let mut body = format!(
@@ -100,10 +109,20 @@ pub fn page(page: &Page<'_>, live: Live) -> (String, Option<String>) {
         given::leading_docs(&mechanism.docs),
         warnings(page, &players),
         include_str!("controls.html"),
-        requested(&page.requested),
+        requested(&page.requested).join(" "),
         include_str!("curves.html"),
     );
-    let data = serde_json::to_string(&players).unwrap_or_default();
+    let error = players.error().map(str::to_string);
+    let controls = match live {
+        Live::No => described(view),
+        Live::Version(_) => controls(view, range),
+    };
+    let answer = Answer {
+        players: Some(players),
+        controls: Some(controls),
+        ..Answer::without_motion(range, Vec::new())
+    };
+    let data = serde_json::to_string(&answer).unwrap_or_default();
     let _ = writeln!(
         body,
         "<script type=\"application/json\" id=\"data\">{}</script>\n<script>\n\"use strict\";\n(() => {{\n{}{}{}}})();\n</script>",
@@ -116,7 +135,6 @@ pub fn page(page: &Page<'_>, live: Live) -> (String, Option<String>) {
         },
         compact(START)
     );
-    let error = players.error().map(str::to_string);
     (shell(&title, &body, live), error)
 }
 
@@ -141,12 +159,12 @@ fn link(section: &Section) -> String {
 }
 
 /// Returns the requested points and coordinates as a page names them.
-fn requested(requested: &[Requested]) -> String {
+pub fn requested(requested: &[Requested]) -> Vec<String> {
     let names = requested.iter().map(|quantity| match quantity {
         Requested::Point(point) => format!("p{point}"),
         Requested::Coordinate(coordinate) => format!("q{coordinate}"),
     });
-    names.collect::<Vec<_>>().join(" ")
+    names.collect()
 }
 
 /// Escapes a text of several lines.

@@ -2,10 +2,12 @@
 
 use linkwright_codegen::Read;
 use linkwright_codegen::diagnostic::{Diagnostics, Source, nearest};
+use linkwright_codegen::stages::model::Requested;
 use linkwright_codegen::stages::structure;
 use linkwright_codegen::stages::system::Derived;
 
 use crate::interpreted::Interpreted;
+use crate::open_loop::open_loop;
 
 /// Motion of a description that can be solved.
 ///
@@ -30,6 +32,9 @@ use crate::interpreted::Interpreted;
 pub struct Opened {
     /// Solution, block by block.
     pub interpreted: Interpreted,
+    /// Quantities of `output` statements.
+    #[doc(hidden)]
+    pub requested: Vec<Requested>,
     /// Warnings of the description and of its solution.
     pub warnings: Diagnostics,
 }
@@ -58,11 +63,30 @@ impl Opened {
     /// # Errors
     /// The description has errors, does not have this motion, or its equations cannot be solved.
     pub fn read(source: &Source, motion: Option<&str>) -> Result<Opened, Unopened> {
+        Opened::by(source, motion, solvable)
+    }
+
+    /// Opens a motion as [`Opened::read`] does, also of a mechanism that [`drawable`] admits at `t` (s).
+    ///
+    /// # Errors
+    /// Those of [`Opened::read`].
+    pub fn read_to_draw(source: &Source, motion: Option<&str>, t: f64) -> Result<Opened, Unopened> {
+        Opened::by(source, motion, |derived, warnings| {
+            drawable(derived, t, warnings)
+        })
+    }
+
+    fn by(
+        source: &Source,
+        motion: Option<&str>,
+        interpreted: impl FnOnce(&Derived, &mut Diagnostics) -> Result<Interpreted, Unopened>,
+    ) -> Result<Opened, Unopened> {
         let mut warnings = Diagnostics::new();
         let derived = determined(source, motion, &mut warnings)?;
-        let interpreted = solvable(&derived, &mut warnings)?;
+        let requests = derived.system.mechanism.requests.iter();
         Ok(Opened {
-            interpreted,
+            interpreted: interpreted(&derived, &mut warnings)?,
+            requested: requests.map(|it| it.quantity).collect(),
             warnings,
         })
     }
@@ -120,6 +144,22 @@ pub fn solvable(derived: &Derived, warnings: &mut Diagnostics) -> Result<Interpr
     let (interpreted, findings) = Interpreted::checked(derived).map_err(Unopened::Findings)?;
     warnings.extend(findings);
     interpreted.ok_or(Unopened::NoOrder)
+}
+
+/// Returns the blocks as [`solvable`] does; also if constant lengths cannot close at `t` (s), which a drawing shows better than a finding.
+///
+/// # Errors
+/// Those of [`solvable`] for all other mechanisms.
+pub fn drawable(
+    derived: &Derived,
+    t: f64,
+    warnings: &mut Diagnostics,
+) -> Result<Interpreted, Unopened> {
+    solvable(derived, warnings).or_else(|reason| {
+        let view = Interpreted::new(derived);
+        view.filter(|view| open_loop(view, t).is_some())
+            .ok_or(reason)
+    })
 }
 
 impl Unopened {

@@ -161,21 +161,22 @@ pub fn determined_with(
 /// Numbers in the blocks become infinite or undefined, or the blocks have no order of solution.
 pub fn interpreted(derived: &Derived, source: &Source) -> Result<Interpreted, Problem> {
     let mut warnings = Diagnostics::new();
-    let interpreted = interpreted_with(derived, source, &mut warnings);
+    let interpreted = opened::solvable(derived, &mut warnings);
     warn(&warnings, source);
-    interpreted
+    interpreted.map_err(|reason| unopened(&reason, source))
 }
 
-/// Returns the blocks as [`interpreted`] does, and collects warnings.
+/// Returns the blocks of a mechanism that is drawn at `t` (s), even if its loops cannot close there, and collects warnings.
 ///
 /// # Errors
-/// Errors of [`interpreted`].
-pub fn interpreted_with(
+/// Errors of [`interpreted`] for all other mechanisms.
+pub fn drawable(
     derived: &Derived,
     source: &Source,
+    t: f64,
     warnings: &mut Diagnostics,
 ) -> Result<Interpreted, Problem> {
-    opened::solvable(derived, warnings).map_err(|reason| unopened(&reason, source))
+    opened::drawable(derived, t, warnings).map_err(|reason| unopened(&reason, source))
 }
 
 /// Returns the pose and the modes that `LOOP=MODE` selects; `None` without such options.

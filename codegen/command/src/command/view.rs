@@ -3,16 +3,13 @@
 use std::path::{Path, PathBuf};
 
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
-use linkwright_solver::open_loop::open_loop;
-use linkwright_solver::{Check, Interpreted, Schedule};
+use linkwright_solver::{Check, Schedule};
 
-use super::description::{
-    chosen, determined_with, interpreted_with, outputs, set_all, source, warn,
-};
+use super::description::{chosen, determined_with, drawable, outputs, set_all, source, warn};
 use super::{Outcome, Problem, print, say, watch};
 use crate::arguments::View;
 use crate::output::{Beginning, Record, Signature};
-use linkwright_page::{Live, Page, page};
+use linkwright_page::{Live, Page, Range, page};
 
 /// Signature of a page.
 const SIGNATURE: Signature = Signature {
@@ -128,12 +125,7 @@ fn made_with(
     let (from, to, step) = (arguments.from, arguments.to, arguments.step);
     let schedule = Schedule::range(from, to, step);
     let schedule = schedule.map_err(|text| Problem(format!("error: {text}")))?;
-    let view = interpreted_with(&derived, source, warnings).or_else(|problem| {
-        // Constant lengths that cannot close are found without solving; the page reports them.
-        let view = Interpreted::new(&derived);
-        let is_open = |view: &Interpreted| open_loop(view, schedule.start.t).is_some();
-        view.filter(is_open).ok_or(problem)
-    })?;
+    let view = drawable(&derived, source, schedule.start.t, warnings)?;
     let chosen = chosen(&arguments.setting.branch, &view, schedule.start.t)?;
     let check = Check::new(view, &schedule, |_| {});
     let findings = match warnings.is_empty() {
@@ -145,7 +137,7 @@ fn made_with(
         &Page {
             check: &check,
             schedule: &schedule,
-            step,
+            range: Range { from, to, step },
             requested: requested.map(|it| it.quantity).collect(),
             chosen,
             findings: &findings,
