@@ -21,6 +21,9 @@ pub struct Answer {
     /// Drawing as SVG.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub drawing: String,
+    /// True if the drawing has no room for the motion, and its names have not been placed.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub sketch: bool,
     /// Parameters and inputs; `None` while one of them moves.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub controls: Option<Vec<Control>>,
@@ -43,6 +46,7 @@ impl Answer {
         Answer {
             players: None,
             drawing: String::new(),
+            sketch: false,
             controls: None,
             range,
             messages,

@@ -20,8 +20,11 @@ const HALVINGS: usize = 7;
 /// Part of the value, or of the characteristic length, that a guessed range extends beyond it.
 const EXTENT: f64 = 0.9;
 
-/// Extent of a guessed range around zero: of an angle (rad), and of a value without a scale.
+/// Extent of a guessed range around zero of a value without a scale.
 const EXTENT_OF_ZERO: f64 = 1.0;
+
+/// Extent of a guessed range of an angle (rad).
+const EXTENT_OF_ANGLE: f64 = std::f64::consts::PI;
 
 /// Part of the way to an end at which the mechanism still closes; at the end itself it is singular.
 const KEPT: f64 = 0.98;
@@ -171,11 +174,11 @@ fn guessed(
     range: Range,
     reach: usize,
 ) -> [f64; 2] {
-    let is_length = quantity.dimension == Dimension::LENGTH;
-    let extent = match (value == 0.0, is_length) {
-        (false, _) => EXTENT * value.abs(),
-        (true, true) => EXTENT * view.system().mechanism.characteristic_length,
-        (true, false) => EXTENT_OF_ZERO,
+    let extent = match quantity.dimension {
+        Dimension::Angle => EXTENT_OF_ANGLE,
+        _ if value != 0.0 => EXTENT * value.abs(),
+        Dimension::LENGTH => EXTENT * view.system().mechanism.characteristic_length,
+        _ => EXTENT_OF_ZERO,
     };
     [-extent, extent].map(|extent| {
         let closes = |part: f64| {

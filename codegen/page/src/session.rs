@@ -259,6 +259,7 @@ impl Moving {
         Answer {
             players: Some(players),
             drawing,
+            sketch: scale.is_some(),
             ..Answer::without_motion(question.range, messages)
         }
     }

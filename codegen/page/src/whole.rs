@@ -40,6 +40,7 @@ const SCRIPT: &str = concat!(
 const LIVE_SCRIPT: &str = concat!(
     include_str!("script/questions.js"),
     include_str!("script/controls.js"),
+    include_str!("script/server.js"),
 );
 const START: &str = include_str!("script/first.js");
 const RELOAD: &str = include_str!("reload.js");

@@ -169,10 +169,9 @@ class Controls {
 
   /// Values that differ from the description, by name, and the range of time.
   question() {
-    const of = (kind) => [...this.controls].filter(([, it]) => it.own.kind === kind && it.value !== null).map(([name, it]) => [name, it.value]);
+    const changed = [...this.controls].filter(([, it]) => it.value !== null);
     return {
-      values: Object.fromEntries(of("parameter")),
-      inputs: Object.fromEntries(of("input")),
+      values: Object.fromEntries(changed.map(([name, it]) => [name, plain(it.value)])),
       range: this.range && { ...this.range, ...this.edited },
     };
   }

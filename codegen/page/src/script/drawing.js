@@ -29,6 +29,20 @@ class Drawing {
     this.tag();
   }
 
+  /// Replaces the mechanism by that of another picture of the same scale; names stay beside their points.
+  static sketch(holder, text) {
+    const old = byId(holder, "mechanism");
+    const template = document.createElement("template");
+    template.innerHTML = text;
+    const mechanism = byId(template.content, "mechanism");
+    const [names, others] = [byId(old, "names"), byId(mechanism, "names")];
+    const points = new Map([...others.querySelectorAll("[data-point]")].map((it) => [it.dataset.point, it.dataset.follows]));
+    for (const name of names.querySelectorAll("[data-point]")) name.dataset.follows = points.get(name.dataset.point) ?? name.dataset.follows;
+    others.replaceWith(names);
+    mechanism.setAttribute("transform", old.getAttribute("transform"));
+    old.replaceWith(mechanism);
+  }
+
   /// Gives a picture the elements of an assembly.
   dress(picture, player) {
     for (const [id, original] of this.originals) {

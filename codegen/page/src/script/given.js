@@ -16,6 +16,6 @@ class Given {
   }
 
   question() {
-    return { values: {}, inputs: {}, range: null };
+    return { values: {}, range: null };
   }
 }

@@ -44,7 +44,11 @@ const mount = (root, first, provider = null) => {
   const controls = provider
     ? new Controls(part("panel"), (detail) => (detail === "moving" ? questions.moving() : questions.ask("resting")))
     : new Given(part("panel"));
-  const question = () => ({ ...controls.question(), assembly: label });
+  const question = (detail = "resting") => {
+    const { values, range } = controls.question();
+    const scale = detail === "moving" ? drawing.stage.scale : null;
+    return { values, range: range ?? data.range, assembly: label, detail, scale };
+  };
   const answers = {
     question,
     answered: (answer) => update(answer),
@@ -117,6 +121,7 @@ const mount = (root, first, provider = null) => {
     if (shown.size === 0) begin();
     for (const curve of curves) curve.rank = curve.kind === leading ? 0 : 1;
     select();
+    if (data.sketch) return;
     assemblies.take(drawing, player);
     chips();
   };
@@ -140,11 +145,16 @@ const mount = (root, first, provider = null) => {
     const isMotion = Array.isArray(answer.assemblies);
     if (isMotion) {
       if (answer.title) root.querySelector("h1").textContent = answer.title;
-      if (answer.drawing) part("drawing").innerHTML = answer.drawing;
-      if (answer.sections) replaceSections(root, answer.sections);
+      if (answer.sketch) Drawing.sketch(part("drawing"), answer.drawing);
+      else if (answer.drawing) part("drawing").innerHTML = answer.drawing;
       take(answer);
     }
-    if (answer.controls || isMotion) controls.take(answer);
+    if (answer.sections) {
+      replaceSections(root, answer.sections);
+      assemblies.take(drawing, player);
+      return;
+    }
+    if (answer.controls) controls.take(answer);
     messages(answer.messages ?? [], !isMotion && (answer.messages ?? []).some((it) => it.severity === "error"));
   };
 

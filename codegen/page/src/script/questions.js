@@ -4,7 +4,7 @@
 const [LATE, REST] = [200, 150];
 
 class Questions {
-  /// `question` gives what is asked now, `answered` takes an answer, `failed` an error, `marked` is told whether the picture is old.
+  /// `question` gives what is asked now with a detail, `answered` takes an answer, `failed` an error, `marked` is told whether the picture is old.
   constructor(provider, { question, answered, failed, marked }, signal) {
     Object.assign(this, { provider, question, answered, failed, marked, signal, next: null, isBusy: false });
     signal.addEventListener("abort", () => {
@@ -31,9 +31,11 @@ class Questions {
       const asked = this.next;
       this.next = null;
       try {
-        const answer = await this.provider.ask({ ...this.question(), detail: asked });
+        const answer = await this.provider.ask(this.question(asked));
         if (this.signal.aborted) break;
         this.answered(answer);
+        // Text follows when nothing newer is asked.
+        if (asked === "resting") this.next ??= "sections";
       } catch (error) {
         if (this.signal.aborted) break;
         this.failed(error);

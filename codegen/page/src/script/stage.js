@@ -8,7 +8,7 @@ class Stage {
     this.mechanism = mechanism;
     this.motion = motion;
     this.scale = Number(mechanism.dataset.scale);
-    this.names = this.all("data-follows").map((element) => ({ element, at: numbers(element.dataset.follows) }));
+    this.names = this.all("data-follows").map((element) => ({ element, at: numbers(element.dataset.follows), first: numbers(element.dataset.first) }));
     this.collect();
   }
 
@@ -87,7 +87,6 @@ class Stage {
     }
     for (const name of this.names) {
       const [x, y] = this.global(q, name.at);
-      name.first ??= [x, y];
       name.element.setAttribute("transform", `translate(${(x - name.first[0]).toFixed(2)} ${(y - name.first[1]).toFixed(2)})`);
     }
   }

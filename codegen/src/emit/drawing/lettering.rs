@@ -159,7 +159,12 @@ pub(super) fn names_text(
         match (written, name.at) {
             (Written::Moving | Written::Motion, Some(at)) => {
                 let [x, y] = [at.local[0], -at.local[1]].map(number);
-                attributes += &format!(" data-follows=\"{} {x} {y}\"{}", at.body, name.point);
+                let first = composed.stance.places[at.body].globally(at.local);
+                let [first_x, first_y] = [first[0], -first[1]].map(number);
+                attributes += &format!(
+                    " data-follows=\"{} {x} {y}\" data-first=\"{first_x} {first_y}\"{}",
+                    at.body, name.point
+                );
             }
             (Written::Frame, Some(at)) => {
                 let [x, y] = moved(&shown.stance, at);

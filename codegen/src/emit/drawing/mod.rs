@@ -19,7 +19,8 @@
 //!   the longest. It has the direction of a force, or is turned by `a` degrees clockwise and mirrored at x for a
 //!   clockwise torque;
 //! - `data-still=""`: valid in this pose only;
-//! - `data-follows="K x y"` on a name, on request: it keeps its place beside the point, and is not turned.
+//! - `data-follows="K x y"` on a name, on request: it keeps its place beside the point, and is not turned; `data-first="x y"` is the
+//!   point where the name was placed.
 
 mod animation;
 mod arrow;
