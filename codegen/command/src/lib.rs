@@ -10,7 +10,7 @@
 //! | feature | use | dependencies |
 //! |---|---|---|
 //! | `png` | `draw` with `--png`, or with a file that ends in `.png` | `epaint_default_fonts`, `resvg` |
-//! | `lsp` | `lsp` | `lsp-server`, `lsp-types` |
+//! | `lsp` | `lsp` | `linkwright-editing`, `lsp-server`, `lsp-types` |
 //! | `calibrate` | `calibrate` | `linkwright-calibrate` |
 //! | `man` | `man` | `clap_mangen` |
 

@@ -99,7 +99,7 @@ const SOLVER: (&str, &[&str]) = (
 );
 
 /// Folders of the packages that are published, each with our packages from which it is built.
-const PACKAGES: [(&str, &[&str]); 12] = [
+const PACKAGES: [(&str, &[&str]); 13] = [
     ("runtime/math", &[]),
     ("runtime", &["linkwright-math"]),
     ("codegen/description", &["linkwright-math"]),
@@ -116,6 +116,7 @@ const PACKAGES: [(&str, &[&str]); 12] = [
         "codegen/calibrate",
         &["linkwright", "linkwright-codegen", "linkwright-solver"],
     ),
+    ("codegen/editing", &["linkwright-codegen"]),
     (
         "codegen/page",
         &["linkwright", "linkwright-codegen", "linkwright-solver"],
@@ -126,6 +127,7 @@ const PACKAGES: [(&str, &[&str]); 12] = [
             "linkwright",
             "linkwright-calibrate",
             "linkwright-codegen",
+            "linkwright-editing",
             "linkwright-page",
             "linkwright-solver",
         ],

@@ -7,12 +7,13 @@ use linkwright_tests::files;
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 /// Packages whose code takes the values of the stages.
-const FOLDERS: [&str; 7] = [
+const FOLDERS: [&str; 8] = [
     "codegen/description/src",
     "codegen/program/src",
     "codegen/src",
     "codegen/solver/src",
     "codegen/calibrate/src",
+    "codegen/editing/src",
     "codegen/page/src",
     "codegen/command/src",
 ];

@@ -26,6 +26,7 @@ const SOURCES: [&str; 9] = [
     "codegen/src",
     "codegen/solver/src",
     "codegen/calibrate/src",
+    "codegen/editing/src",
     "codegen/macros/src",
     "codegen/page/src",
     "codegen/command/src",

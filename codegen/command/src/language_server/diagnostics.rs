@@ -1,6 +1,7 @@
 //! Converts findings to diagnostics of the protocol, with the texts and places of the command line.
 
 use linkwright_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Severity};
+use linkwright_editing::words;
 use lsp_types::{
     self as lsp, DiagnosticRelatedInformation, DiagnosticSeverity, DiagnosticTag, Location,
     NumberOrString, Uri,
@@ -72,13 +73,4 @@ fn diagnostic(found: &Diagnostic, uri: &Uri, text: &Text, shown: Shown) -> lsp::
         tags: is_unused.then(|| vec![DiagnosticTag::UNNECESSARY]),
         ..lsp::Diagnostic::default()
     }
-}
-
-/// Returns the text of a finding, a line each: message, label, background, help.
-pub fn words(found: &Diagnostic) -> String {
-    let mut lines = vec![found.message.clone()];
-    lines.extend((!found.primary.text.is_empty()).then(|| found.primary.text.clone()));
-    lines.extend(found.notes.iter().map(|note| format!("note: {note}")));
-    lines.extend(found.help.iter().map(|help| format!("help: {help}")));
-    lines.join("\n")
 }

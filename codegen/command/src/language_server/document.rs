@@ -8,9 +8,9 @@ use linkwright_codegen::Read;
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::stages::files;
 use linkwright_codegen::stages::syntax::named_files;
+use linkwright_editing::Description;
 use lsp_types::{TextDocumentContentChangeEvent, TextDocumentItem, Uri};
 
-use super::description::Description;
 use super::text::{Encoding, Text};
 
 /// Reason that a document without a file has no tables.

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
+use linkwright_editing::{self as editing, Description};
 use lsp_server::ErrorCode;
 use lsp_types as lsp;
 use lsp_types::Uri;
@@ -10,9 +11,8 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 
-use super::description::Description;
+use super::converted;
 use super::document::Document;
-use super::{completion, definition, formatting, hover, outline, rename};
 
 /// Reason that a request has no answer.
 #[derive(Debug)]
@@ -97,26 +97,28 @@ pub fn answer(method: &str, params: Value, documents: &mut Documents) -> Result<
         "textDocument/hover" => {
             let params: lsp::HoverParams = read(params)?;
             let at = asked(documents, &params.text_document_position_params)?;
-            written(&hover::hover(at.document, &at.description, at.offset))
+            let read = at.document.equations();
+            let hover = editing::hover(&at.description, read, at.offset);
+            written(&hover.map(|it| converted::hover(at.document, it)))
         }
         "textDocument/definition" => {
             let params: lsp::GotoDefinitionParams = read(params)?;
             let at = asked(documents, &params.text_document_position_params)?;
-            let declarations = definition::definitions(&at.description.names, at.offset);
-            written(&definition::locations(at.document, &declarations))
+            let declarations = editing::definitions(&at.description.names, at.offset);
+            written(&converted::locations(at.document, &declarations))
         }
         "textDocument/references" => {
             let params: lsp::ReferenceParams = read(params)?;
             let at = asked(documents, &params.text_document_position)?;
             let is_with_declaration = params.context.include_declaration;
             let names = &at.description.names;
-            let mentions = definition::references(names, at.offset, is_with_declaration);
-            written(&definition::locations(at.document, &mentions))
+            let mentions = editing::references(names, at.offset, is_with_declaration);
+            written(&converted::locations(at.document, &mentions))
         }
         "textDocument/documentHighlight" => {
             let params: lsp::DocumentHighlightParams = read(params)?;
             let at = asked(documents, &params.text_document_position_params)?;
-            let mentions = definition::references(&at.description.names, at.offset, true);
+            let mentions = editing::references(&at.description.names, at.offset, true);
             let ranges = mentions.into_iter().map(|span| lsp::DocumentHighlight {
                 range: at.document.text.range(span),
                 kind: None,
@@ -126,34 +128,46 @@ pub fn answer(method: &str, params: Value, documents: &mut Documents) -> Result<
         "textDocument/completion" => {
             let params: lsp::CompletionParams = read(params)?;
             let at = asked(documents, &params.text_document_position)?;
-            written(&completion::items(at.document, &at.description, at.offset))
+            let completions = editing::completions(&at.description, at.offset);
+            let items = completions.into_iter();
+            let items = items.map(|it| converted::completion(at.document, it));
+            written(&items.collect::<Vec<_>>())
         }
         "textDocument/prepareRename" => {
             let params: lsp::TextDocumentPositionParams = read(params)?;
             let at = asked(documents, &params)?;
-            written(&rename::place(at.document, &at.description, at.offset)?)
+            let (span, name) =
+                editing::renamable(&at.description, at.offset).map_err(Refusal::failed)?;
+            written(&lsp::PrepareRenameResponse::RangeWithPlaceholder {
+                range: at.document.text.range(span),
+                placeholder: name.to_string(),
+            })
         }
         "textDocument/rename" => {
             let params: lsp::RenameParams = read(params)?;
             let at = asked(documents, &params.text_document_position)?;
             let new = params.new_name.as_str();
-            written(&rename::rename(
-                at.document,
-                &at.description,
-                at.offset,
-                new,
-            )?)
+            // A text with equations has no errors.
+            let is_sound = at.document.equations().is_some();
+            let edits = editing::rename(&at.description, is_sound, at.offset, new)
+                .map_err(Refusal::failed)?;
+            written(&converted::workspace_edit(at.document, edits))
         }
         "textDocument/documentSymbol" => {
             let params: lsp::DocumentSymbolParams = read(params)?;
             let document = opened(documents, &params.text_document.uri)?;
             let description = document.description();
-            written(&outline::outline(document, &description))
+            let entries = editing::outline(&description).into_iter();
+            let symbols = entries.map(|it| converted::symbol(document, it));
+            written(&symbols.collect::<Vec<_>>())
         }
         "textDocument/formatting" => {
             let params: lsp::DocumentFormattingParams = read(params)?;
             let document = opened(documents, &params.text_document.uri)?;
-            written(&formatting::edits(document))
+            written(&converted::edits(
+                document,
+                editing::formatted(&document.source()),
+            ))
         }
         _ => Err(Refusal::new(
             ErrorCode::MethodNotFound,

@@ -12,13 +12,14 @@ use linkwright_tests::files;
 use tree::{Declared, Module, Package};
 
 /// Packages whose items users call, with their folders.
-const PUBLIC_PACKAGES: [(&str, &str); 6] = [
+const PUBLIC_PACKAGES: [(&str, &str); 7] = [
     ("linkwright", "runtime"),
     ("linkwright_math", "runtime/math"),
     ("linkwright_codegen", "codegen"),
     ("linkwright_macros", "codegen/macros"),
     ("linkwright_solver", "codegen/solver"),
     ("linkwright_calibrate", "codegen/calibrate"),
+    ("linkwright_editing", "codegen/editing"),
 ];
 
 /// Packages from which they export items, with their folders.

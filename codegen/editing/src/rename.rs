@@ -2,62 +2,52 @@
 //!
 //! The generator reads the changed text and decides if the new name is available. Afterwards every name means the same object as before.
 
-use std::collections::HashMap;
-
 use linkwright_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Severity, Source, Span};
 use linkwright_codegen::read;
 use linkwright_codegen::stages::syntax::{Kind, Lexeme, lexemes, parse};
-use lsp_types::{PrepareRenameResponse, TextEdit, WorkspaceEdit};
 
-use super::description::Description;
-use super::diagnostics::words;
-use super::document::Document;
-use super::names::{Mention, Names, SymbolId};
-use super::requests::Refusal;
+use crate::description::Description;
+use crate::edit::Edit;
+use crate::names::{Mention, Names, SymbolId};
+use crate::words::words;
 
-/// Returns the place of the name at an offset.
+/// Returns the place of the name at an offset, and the name.
 ///
 /// # Errors
-/// No name at the offset can be changed, or the text has errors.
-pub fn place(
-    document: &Document,
-    description: &Description,
-    offset: usize,
-) -> Result<PrepareRenameResponse, Refusal> {
+/// No name at the offset can be changed, or the text has errors; the message is for the user.
+pub fn renamable(description: &Description, offset: usize) -> Result<(Span, &str), String> {
     let mention = mention(description, offset)?;
-    Ok(PrepareRenameResponse::RangeWithPlaceholder {
-        range: document.text.range(mention.span),
-        placeholder: description.names.symbols[mention.symbol].name.clone(),
-    })
+    let name = &description.names.symbols[mention.symbol].name;
+    Ok((mention.span, name))
 }
 
-fn mention(description: &Description, offset: usize) -> Result<Mention, Refusal> {
+fn mention(description: &Description, offset: usize) -> Result<Mention, String> {
     // In a statement with errors, a mention would be missed.
     if !description.is_whole {
         let mut diagnostics = Diagnostics::new();
         let _ = parse(&description.source, &mut diagnostics);
         let first = errors(diagnostics).into_iter().next();
         let why = first.map_or(String::new(), |it| format!(": {}", words(&it)));
-        return Err(Refusal::failed(format!(
+        return Err(format!(
             "the description has an error, correct it first{why}"
-        )));
+        ));
     }
     description
         .names
         .mention_at(offset)
-        .ok_or_else(|| Refusal::failed("expected a name that the description declares".to_string()))
+        .ok_or_else(|| "expected a name that the description declares".to_string())
 }
 
-/// Returns the edits that change a name everywhere.
+/// Returns the edits that change the name at an offset everywhere. The text has no errors if `is_sound`; otherwise they are searched.
 ///
 /// # Errors
 /// The new name is not available; the message is that of a diagnostic.
 pub fn rename(
-    document: &Document,
     description: &Description,
+    is_sound: bool,
     offset: usize,
     new: &str,
-) -> Result<WorkspaceEdit, Refusal> {
+) -> Result<Vec<Edit>, String> {
     let mention = mention(description, offset)?;
     let names = &description.names;
     let places = names.mentions_of(mention.symbol);
@@ -66,16 +56,15 @@ pub fn rename(
         text: replaced(&source.text, &places, new),
         ..source.clone()
     };
-    // A text with equations has no errors.
-    let before = match document.equations() {
-        Some(_) => Vec::new(),
-        None => errors(findings(source)),
+    let before = match is_sound {
+        true => Vec::new(),
+        false => errors(findings(source)),
     };
     if let Some(finding) = hidden(description, &places, &before) {
-        return Err(Refusal::failed(format!(
+        return Err(format!(
             "a statement with an error may use this name, correct it first: {}",
             words(finding)
-        )));
+        ));
     }
     let after = errors(findings(&renamed));
     let mut known: Vec<(Code, String)> = before.iter().map(sentence).collect();
@@ -87,29 +76,26 @@ pub fn rename(
         None => true,
     };
     if let Some(finding) = after.iter().find(is_new) {
-        return Err(Refusal::failed(words(finding)));
+        return Err(words(finding));
     }
     if !is_one_name(new) {
-        return Err(Refusal::failed(format!("`{new}` is not a name")));
+        return Err(format!("`{new}` is not a name"));
     }
     let meant = Description::of(renamed);
     if let Some(other) = other_meaning(names, &meant.names) {
-        return Err(Refusal::failed(match other {
+        return Err(match other {
             Some(symbol) => format!(
                 "`{new}` is already the name of a {}",
                 names.symbols[symbol].sort.noun()
             ),
             None => format!("`{new}` already has a meaning there; choose another name"),
-        }));
+        });
     }
-    let edits = places.iter().map(|&place| TextEdit {
-        range: document.text.range(place),
-        new_text: new.to_string(),
+    let edits = places.iter().map(|&span| Edit {
+        span,
+        text: new.to_string(),
     });
-    Ok(WorkspaceEdit {
-        changes: Some(HashMap::from([(document.uri.clone(), edits.collect())])),
-        ..WorkspaceEdit::default()
-    })
+    Ok(edits.collect())
 }
 
 /// Returns the error of a statement that may use the name at these places without a mention: the generator resolves a statement only up

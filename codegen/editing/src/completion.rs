@@ -8,18 +8,54 @@ use linkwright_codegen::diagnostic::Span;
 use linkwright_codegen::stages::joint::{CONSTRAINTS, DRIVERS, Kind as JointKind, Slot};
 use linkwright_codegen::stages::model::{FUNCTIONS, LAWS, UNITS};
 use linkwright_codegen::stages::syntax::{AXES, BUILT_IN, CLAUSES, KEYWORDS, Kind};
-use lsp_types::{CompletionItem, CompletionItemKind, CompletionTextEdit, Documentation, TextEdit};
 
-use super::description::Description;
-use super::document::Document;
-use super::names::{Sort, SymbolId};
-use super::statement::Statement;
+use crate::description::Description;
+use crate::names::{Sort, SymbolId};
+use crate::statement::Statement;
 
 /// Components of a point.
 const COMPONENTS: [&str; 2] = ["x", "y"];
 
+/// Proposed word.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Completion {
+    /// Word in the list.
+    pub label: String,
+    /// Kind, for a symbol beside the word.
+    pub kind: CompletionKind,
+    /// Kind in words.
+    pub detail: String,
+    /// Documentation, or an example; `None` if there is none.
+    pub documentation: Option<String>,
+    /// Replaced text: the word that has begun.
+    pub replaced: Span,
+    /// New text.
+    pub text: String,
+}
+
+/// Kind of a proposed word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CompletionKind {
+    /// Word that begins a statement or a clause.
+    Keyword,
+    /// Kind of joint or driver.
+    Joint,
+    /// Unit of a number.
+    Unit,
+    /// Function or law of motion.
+    Function,
+    /// Predefined name.
+    BuiltIn,
+    /// Fixed body.
+    Ground,
+    /// Component of a point.
+    Component,
+    /// Name that the description declares.
+    Name(Sort),
+}
+
 /// Returns the words that are valid at an offset.
-pub fn items(document: &Document, description: &Description, offset: usize) -> Vec<CompletionItem> {
+pub fn completions(description: &Description, offset: usize) -> Vec<Completion> {
     let here = description.lexeme_at(offset);
     let written = here.filter(|it| it.start < offset);
     let is_text = written.is_some_and(|it| it.kind == Kind::Text);
@@ -31,28 +67,27 @@ pub fn items(document: &Document, description: &Description, offset: usize) -> V
     let text = number.map_or("", |it| description.written(it));
     // `1.` is a number until a name follows.
     if let Some(body) = text.strip_suffix('.') {
-        let offer = Offer::new(document, description, offset, offset);
+        let offer = Offer::new(description, offset, offset);
         return offer.members(body);
     }
     if let (Some(number), false) = (number, text.bytes().all(|it| it.is_ascii_digit())) {
         let is_digit = |it: char| it.is_ascii_digit() || matches!(it, '.' | '_');
         let digits = text.len() - text.trim_start_matches(is_digit).len();
         let start = (number.start + digits).min(offset);
-        let offer = Offer::new(document, description, start, offset);
-        return offer.words(UNITS, CompletionItemKind::UNIT, "unit");
+        let offer = Offer::new(description, start, offset);
+        return offer.words(UNITS, CompletionKind::Unit, "unit");
     }
     if number.is_some() {
         // More digits, a unit, or the end of a body's name can follow.
-        let offer = Offer::new(document, description, offset, offset);
-        return offer.words(UNITS, CompletionItemKind::UNIT, "unit");
+        let offer = Offer::new(description, offset, offset);
+        return offer.words(UNITS, CompletionKind::Unit, "unit");
     }
     let start = word.map_or(offset, |it| it.start);
-    Offer::new(document, description, start, offset).anything()
+    Offer::new(description, start, offset).anything()
 }
 
 /// Context of the proposals at an offset.
 struct Offer<'a> {
-    document: &'a Document,
     description: &'a Description,
     statement: Statement<'a>,
     /// Replaced text: the word that has begun, up to the offset.
@@ -60,28 +95,22 @@ struct Offer<'a> {
 }
 
 impl<'a> Offer<'a> {
-    fn new(
-        document: &'a Document,
-        description: &'a Description,
-        start: usize,
-        offset: usize,
-    ) -> Offer<'a> {
+    fn new(description: &'a Description, start: usize, offset: usize) -> Offer<'a> {
         Offer {
-            document,
             description,
             statement: Statement::before(description, start),
             replaced: Span::new(start, offset),
         }
     }
 
-    fn anything(&self) -> Vec<CompletionItem> {
+    fn anything(&self) -> Vec<Completion> {
         let statement = &self.statement;
         if let Some((Kind::Mark(b'.'), _)) = statement.last() {
             return self.members(&statement.owner());
         }
         let Some(opening) = statement.opening() else {
             return match (statement.open.is_empty(), statement.around()) {
-                (true, _) => self.words(&["mechanism"], CompletionItemKind::KEYWORD, "statement"),
+                (true, _) => self.words(&["mechanism"], CompletionKind::Keyword, "statement"),
                 (false, Some("body")) => self.named(|sort| sort == Sort::Point),
                 (false, _) => self.statements(),
             };
@@ -117,14 +146,14 @@ impl<'a> Offer<'a> {
         written.iter().any(|it| it.kind == Kind::Mark(b'='))
     }
 
-    fn statements(&self) -> Vec<CompletionItem> {
-        let mut items = self.words(&KEYWORDS, CompletionItemKind::KEYWORD, "statement");
+    fn statements(&self) -> Vec<Completion> {
+        let mut items = self.words(&KEYWORDS, CompletionKind::Keyword, "statement");
         items.extend(self.kinds(CONSTRAINTS, "joint"));
         items
     }
 
     /// Returns proposals for the parentheses of a joint or a driver.
-    fn operand(&self, slot: Option<Slot>) -> Vec<CompletionItem> {
+    fn operand(&self, slot: Option<Slot>) -> Vec<Completion> {
         match slot {
             Some(Slot::Body | Slot::Counterpart | Slot::Carrier) => self.bodies(),
             Some(Slot::Turning) => {
@@ -142,21 +171,21 @@ impl<'a> Offer<'a> {
         }
     }
 
-    fn bodies(&self) -> Vec<CompletionItem> {
+    fn bodies(&self) -> Vec<Completion> {
         let mut items = self.named(|sort| sort == Sort::Body);
-        items.extend(self.words(&["ground"], CompletionItemKind::STRUCT, "fixed body"));
+        items.extend(self.words(&["ground"], CompletionKind::Ground, "fixed body"));
         items
     }
 
     /// Returns all beginnings of a formula or a clause.
-    fn formula(&self) -> Vec<CompletionItem> {
+    fn formula(&self) -> Vec<Completion> {
         let mut items = self.named(|sort| !matches!(sort, Sort::Mechanism | Sort::Motion));
-        items.extend(self.words(FUNCTIONS, CompletionItemKind::FUNCTION, "function"));
-        items.extend(self.words(LAWS, CompletionItemKind::FUNCTION, "law of motion"));
-        items.extend(self.words(&AXES, CompletionItemKind::FUNCTION, "coordinate"));
-        items.extend(self.words(BUILT_IN, CompletionItemKind::CONSTANT, "built-in name"));
-        items.extend(self.words(&CLAUSES, CompletionItemKind::KEYWORD, "keyword"));
-        items.extend(self.words(&["ground"], CompletionItemKind::STRUCT, "fixed body"));
+        items.extend(self.words(FUNCTIONS, CompletionKind::Function, "function"));
+        items.extend(self.words(LAWS, CompletionKind::Function, "law of motion"));
+        items.extend(self.words(&AXES, CompletionKind::Function, "coordinate"));
+        items.extend(self.words(BUILT_IN, CompletionKind::BuiltIn, "built-in name"));
+        items.extend(self.words(&CLAUSES, CompletionKind::Keyword, "keyword"));
+        items.extend(self.words(&["ground"], CompletionKind::Ground, "fixed body"));
         let mut seen = BTreeSet::new();
         items.retain(|item| seen.insert(item.label.clone()));
         items
@@ -165,7 +194,7 @@ impl<'a> Offer<'a> {
     /// Returns proposals behind `OWNER.`: points of a body, bodies and points of a part, components of a point or an origin.
     ///
     /// All repetitions of an owner have the same members.
-    fn members(&self, owner: &str) -> Vec<CompletionItem> {
+    fn members(&self, owner: &str) -> Vec<Completion> {
         if owner == "ground" {
             return self.named(|sort| sort == Sort::Point);
         }
@@ -178,7 +207,7 @@ impl<'a> Offer<'a> {
             .filter(is_body)
             .find(|&it| spelled(it) == owner);
         let points = body.into_iter().flat_map(|it| names.points_of(it));
-        let mut items: Vec<CompletionItem> = points
+        let mut items: Vec<Completion> = points
             .map(|it| {
                 let symbol = &names.symbols[it];
                 let last = symbol.spelled.rsplit('.').next();
@@ -197,7 +226,7 @@ impl<'a> Offer<'a> {
             }
         }
         if seen.is_empty() {
-            items.extend(self.words(&COMPONENTS, CompletionItemKind::FIELD, "component"));
+            items.extend(self.words(&COMPONENTS, CompletionKind::Component, "component"));
         }
         items
     }
@@ -218,7 +247,7 @@ impl<'a> Offer<'a> {
         })
     }
 
-    fn named(&self, wanted: impl Fn(Sort) -> bool) -> Vec<CompletionItem> {
+    fn named(&self, wanted: impl Fn(Sort) -> bool) -> Vec<Completion> {
         let symbols = &self.description.names.symbols;
         let mut seen = BTreeSet::new();
         let known = self.known().filter(|&it| wanted(symbols[it].sort));
@@ -226,53 +255,42 @@ impl<'a> Offer<'a> {
         new.map(|it| self.item(it)).collect()
     }
 
-    fn item(&self, id: SymbolId) -> CompletionItem {
+    fn item(&self, id: SymbolId) -> Completion {
         self.item_called(id, &self.description.names.symbols[id].spelled)
     }
 
-    fn item_called(&self, id: SymbolId, label: &str) -> CompletionItem {
+    fn item_called(&self, id: SymbolId, label: &str) -> Completion {
         let symbol = &self.description.names.symbols[id];
         let docs = symbol.docs.join("\n");
-        CompletionItem {
-            label: label.to_string(),
-            kind: Some(kind(symbol.sort)),
-            detail: Some(symbol.sort.noun().to_string()),
-            documentation: (!docs.is_empty()).then_some(Documentation::String(docs)),
-            text_edit: Some(self.edit(label)),
-            ..CompletionItem::default()
+        Completion {
+            documentation: (!docs.is_empty()).then_some(docs),
+            ..self.word(label, CompletionKind::Name(symbol.sort), symbol.sort.noun())
         }
     }
 
     /// Returns joints or drivers, each with an example.
-    fn kinds(&self, kinds: &[&JointKind], detail: &str) -> Vec<CompletionItem> {
-        let each = kinds.iter().map(|kind| CompletionItem {
-            documentation: Some(Documentation::String(kind.example.to_string())),
-            ..self.word(kind.keyword, CompletionItemKind::CLASS, detail)
+    fn kinds(&self, kinds: &[&JointKind], detail: &str) -> Vec<Completion> {
+        let each = kinds.iter().map(|kind| Completion {
+            documentation: Some(kind.example.to_string()),
+            ..self.word(kind.keyword, CompletionKind::Joint, detail)
         });
         each.collect()
     }
 
-    fn words(&self, words: &[&str], kind: CompletionItemKind, detail: &str) -> Vec<CompletionItem> {
+    fn words(&self, words: &[&str], kind: CompletionKind, detail: &str) -> Vec<Completion> {
         let each = words.iter().map(|word| self.word(word, kind, detail));
         each.collect()
     }
 
-    fn word(&self, word: &str, kind: CompletionItemKind, detail: &str) -> CompletionItem {
-        CompletionItem {
+    fn word(&self, word: &str, kind: CompletionKind, detail: &str) -> Completion {
+        Completion {
             label: word.to_string(),
-            kind: Some(kind),
-            detail: Some(detail.to_string()),
-            text_edit: Some(self.edit(word)),
-            ..CompletionItem::default()
+            kind,
+            detail: detail.to_string(),
+            documentation: None,
+            replaced: self.replaced,
+            text: word.to_string(),
         }
-    }
-
-    /// Returns the edit that completes the word that has begun.
-    fn edit(&self, word: &str) -> CompletionTextEdit {
-        CompletionTextEdit::Edit(TextEdit {
-            range: self.document.text.range(self.replaced),
-            new_text: word.to_string(),
-        })
     }
 }
 
@@ -294,22 +312,4 @@ fn without_indices(name: &str) -> String {
 /// True if symbols of this sort have coordinates.
 fn is_place(sort: Sort) -> bool {
     matches!(sort, Sort::Body | Sort::Point)
-}
-
-fn kind(sort: Sort) -> CompletionItemKind {
-    match sort {
-        Sort::Mechanism | Sort::Motion => CompletionItemKind::MODULE,
-        Sort::Constant => CompletionItemKind::CONSTANT,
-        Sort::Parameter
-        | Sort::Input
-        | Sort::Free
-        | Sort::Angle
-        | Sort::CurveParameter
-        | Sort::Index => CompletionItemKind::VARIABLE,
-        Sort::Table | Sort::Curve => CompletionItemKind::FUNCTION,
-        Sort::Point | Sort::BodyPoint => CompletionItemKind::FIELD,
-        Sort::Body | Sort::Part => CompletionItemKind::STRUCT,
-        Sort::Joint | Sort::Element => CompletionItemKind::INTERFACE,
-        Sort::Driver | Sort::Equation => CompletionItemKind::EVENT,
-    }
 }

@@ -5,7 +5,7 @@
 use linkwright_codegen::diagnostic::Span;
 use linkwright_codegen::stages::syntax::{Kind, Lexeme};
 
-use super::description::Description;
+use crate::description::Description;
 
 /// Open bracket.
 #[derive(Clone, Copy, Debug)]

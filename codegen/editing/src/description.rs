@@ -5,7 +5,7 @@
 use linkwright_codegen::diagnostic::{Diagnostics, Source, Span};
 use linkwright_codegen::stages::syntax::{self, Document, Kind, Lexeme, Statement};
 
-use super::names::Names;
+use crate::names::Names;
 
 /// Description that has been read.
 pub struct Description {

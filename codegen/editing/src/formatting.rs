@@ -1,14 +1,13 @@
 //! Formats a text as edits. A text with errors is left unchanged: its diagnostics report them.
 
-use linkwright_codegen::diagnostic::Span;
-use lsp_types::TextEdit;
+use linkwright_codegen::diagnostic::{Source, Span};
 
-use super::document::Document;
+use crate::edit::Edit;
 
 /// Returns one edit of all lines that change; empty if none does.
-pub fn edits(document: &Document) -> Vec<TextEdit> {
-    let text = document.text.as_str();
-    let Ok(formatted) = linkwright_codegen::format(&document.source()) else {
+pub fn formatted(source: &Source) -> Vec<Edit> {
+    let text = source.text.as_str();
+    let Ok(formatted) = linkwright_codegen::format(source) else {
         return Vec::new();
     };
     if formatted == text {
@@ -20,9 +19,9 @@ pub fn edits(document: &Document) -> Vec<TextEdit> {
         old.split_inclusive('\n').rev(),
         new.split_inclusive('\n').rev(),
     );
-    vec![TextEdit {
-        range: document.text.range(Span::new(before, text.len() - after)),
-        new_text: new[..new.len() - after].to_string(),
+    vec![Edit {
+        span: Span::new(before, text.len() - after),
+        text: new[..new.len() - after].to_string(),
     }]
 }
 

@@ -6,12 +6,10 @@ use linkwright_codegen::stages::expr::{Graph, Number};
 use linkwright_codegen::stages::joint::{CONSTRAINTS, DRIVERS};
 use linkwright_codegen::stages::model::{UNITS, unit};
 use linkwright_codegen::stages::syntax::{Kind, Statement};
-use lsp_types::{Hover, HoverContents, MarkupContent, MarkupKind};
 
-use super::description::Description;
-use super::document::Document;
-use super::equations;
-use super::names::{Sort, SymbolId};
+use crate::description::Description;
+use crate::equations;
+use crate::names::{Sort, SymbolId};
 
 /// Largest number of lines of a declaration.
 const MAX_LINES: usize = 12;
@@ -19,23 +17,24 @@ const MAX_LINES: usize = 12;
 /// Largest number of listed declarations or bodies.
 const MAX_LISTED: usize = 6;
 
-/// Returns the text beside the pointer; `None` if there is nothing to describe.
-pub fn hover(document: &Document, description: &Description, offset: usize) -> Option<Hover> {
-    let about = About {
-        description,
-        read: document.equations(),
-    };
+/// Text beside the pointer.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Hover {
+    /// Described place.
+    pub span: Span,
+    /// Text in Markdown: paragraphs, fenced code, code spans, and the documentation of the description.
+    pub text: String,
+}
+
+/// Returns the text beside the pointer; `None` if there is nothing to describe. The equations `read` are those of this text; `None` if
+/// they have not been derived.
+pub fn hover(description: &Description, read: Option<&Read>, offset: usize) -> Option<Hover> {
+    let about = About { description, read };
     let (span, text) = match description.names.mention_at(offset) {
         Some(mention) => (mention.span, about.symbol(mention.symbol, mention.span)),
         None => about.word(offset)?,
     };
-    Some(Hover {
-        contents: HoverContents::Markup(MarkupContent {
-            kind: MarkupKind::Markdown,
-            value: text,
-        }),
-        range: Some(document.text.range(span)),
-    })
+    Some(Hover { span, text })
 }
 
 struct About<'a> {

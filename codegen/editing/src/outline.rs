@@ -4,17 +4,30 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use linkwright_codegen::diagnostic::Span;
 use linkwright_codegen::stages::syntax::Statement;
-use lsp_types::{DocumentSymbol, SymbolKind};
 
-use super::description::Description;
-use super::document::Document;
-use super::names::{Sort, Symbol, Whole, mechanisms};
+use crate::description::Description;
+use crate::names::{Sort, Symbol, Whole, mechanisms};
 
 /// Largest number of characters of an entry.
 const MAX_CHARACTERS: usize = 60;
 
+/// Statement or point in an outline.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Entry {
+    /// Beginning of the statement, or name of the point.
+    pub name: String,
+    /// Meaning of the declared name; `None` for a statement that does not declare one.
+    pub sort: Option<Sort>,
+    /// Text of the statement.
+    pub span: Span,
+    /// Place of the name, or of the statement.
+    pub selected: Span,
+    /// Points of a body, statements of a mechanism or a motion.
+    pub children: Vec<Entry>,
+}
+
 /// Returns the mechanism with its statements; bodies contain their points, motions their statements.
-pub fn outline(document: &Document, description: &Description) -> Vec<DocumentSymbol> {
+pub fn outline(description: &Description) -> Vec<Entry> {
     let mut declared: BTreeMap<Span, Vec<&Symbol>> = BTreeMap::new();
     for symbol in &description.names.symbols {
         declared.entry(symbol.statement).or_default().push(symbol);
@@ -25,7 +38,6 @@ pub fn outline(document: &Document, description: &Description) -> Vec<DocumentSy
         symbols.dedup_by_key(|it| it.declared);
     }
     let outline = Outline {
-        document,
         description,
         declared,
     };
@@ -34,17 +46,22 @@ pub fn outline(document: &Document, description: &Description) -> Vec<DocumentSy
     };
     let statements = &read.mechanism.statements;
     let mechanisms = mechanisms(&description.source.text, &description.lexemes);
-    let entry = |whole: &Whole| {
+    let mechanism = |whole: &Whole| {
         let name = description.source.text.get(whole.name.range());
         let name = format!("mechanism {}", name.unwrap_or_default());
         let children = outline.statements(statements, whole.span);
-        outline.entry(name, SymbolKind::MODULE, whole.span, whole.name, children)
+        entry(
+            name,
+            Some(Sort::Mechanism),
+            whole.span,
+            whole.name,
+            children,
+        )
     };
-    mechanisms.iter().map(entry).collect()
+    mechanisms.iter().map(mechanism).collect()
 }
 
 struct Outline<'a> {
-    document: &'a Document,
     description: &'a Description,
     /// Declarations of each statement, by place.
     declared: BTreeMap<Span, Vec<&'a Symbol>>,
@@ -52,7 +69,7 @@ struct Outline<'a> {
 
 impl Outline<'_> {
     /// Returns the statements that are written in a range of the text, each once.
-    fn statements(&self, statements: &[Statement], part: Span) -> Vec<DocumentSymbol> {
+    fn statements(&self, statements: &[Statement], part: Span) -> Vec<Entry> {
         let inside = |it: &Span| part.start <= it.start && it.end <= part.end;
         let mut seen = BTreeSet::new();
         let in_range = statements.iter().filter(|it| {
@@ -63,7 +80,7 @@ impl Outline<'_> {
     }
 
     /// Returns one entry, or one for each point of a `point` statement.
-    fn statement(&self, statement: &Statement) -> Vec<DocumentSymbol> {
+    fn statement(&self, statement: &Statement) -> Vec<Entry> {
         let span = statement.span();
         let declared = self.declared.get(&span).map_or(&[][..], Vec::as_slice);
         if let Statement::Points(_) = statement {
@@ -79,16 +96,16 @@ impl Outline<'_> {
             _ => Vec::new(),
         };
         let whole = declared.first().filter(|it| it.written == span);
-        let kind = whole.map_or(SymbolKind::EVENT, |it| kind(it.sort));
+        let sort = whole.map(|it| it.sort);
         let selected = whole.map_or(span, |it| it.declared);
-        vec![self.entry(self.head(span), kind, span, selected, children)]
+        vec![entry(self.head(span), sort, span, selected, children)]
     }
 
-    fn symbol(&self, symbol: &Symbol) -> DocumentSymbol {
+    fn symbol(&self, symbol: &Symbol) -> Entry {
         let name = self.written(symbol.place).to_string();
-        self.entry(
+        entry(
             name,
-            kind(symbol.sort),
+            Some(symbol.sort),
             symbol.written,
             symbol.declared,
             Vec::new(),
@@ -110,43 +127,21 @@ impl Outline<'_> {
             false => head,
         }
     }
-
-    fn entry(
-        &self,
-        name: String,
-        kind: SymbolKind,
-        span: Span,
-        selected: Span,
-        children: Vec<DocumentSymbol>,
-    ) -> DocumentSymbol {
-        let text = &self.document.text;
-        #[expect(deprecated, reason = "the field has to be given")]
-        DocumentSymbol {
-            name,
-            detail: None,
-            kind,
-            tags: None,
-            deprecated: None,
-            range: text.range(span.to(selected)),
-            selection_range: text.range(selected),
-            children: (!children.is_empty()).then_some(children),
-        }
-    }
 }
 
-/// Returns the nearest kind that editors have.
-fn kind(sort: Sort) -> SymbolKind {
-    match sort {
-        Sort::Mechanism => SymbolKind::MODULE,
-        Sort::Motion => SymbolKind::NAMESPACE,
-        Sort::Constant => SymbolKind::CONSTANT,
-        Sort::Parameter | Sort::Input | Sort::Free | Sort::Angle | Sort::Index => {
-            SymbolKind::VARIABLE
-        }
-        Sort::Table | Sort::Curve => SymbolKind::FUNCTION,
-        Sort::Point | Sort::BodyPoint | Sort::CurveParameter => SymbolKind::FIELD,
-        Sort::Body | Sort::Part => SymbolKind::STRUCT,
-        Sort::Joint | Sort::Element => SymbolKind::INTERFACE,
-        Sort::Driver | Sort::Equation => SymbolKind::EVENT,
+/// Creates an entry whose text contains its name.
+fn entry(
+    name: String,
+    sort: Option<Sort>,
+    span: Span,
+    selected: Span,
+    children: Vec<Entry>,
+) -> Entry {
+    Entry {
+        name,
+        sort,
+        span: span.to(selected),
+        selected,
+        children,
     }
 }

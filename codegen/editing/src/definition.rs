@@ -1,10 +1,8 @@
 //! Finds declarations and mentions of a name.
 
 use linkwright_codegen::diagnostic::Span;
-use lsp_types::Location;
 
-use super::document::Document;
-use super::names::Names;
+use crate::names::Names;
 
 /// Returns the declarations of the name at an offset. A point that several bodies list under one name has one on each of them.
 pub fn definitions(names: &Names, offset: usize) -> Vec<Span> {
@@ -28,10 +26,4 @@ pub fn references(names: &Names, offset: usize, is_with_declaration: bool) -> Ve
     let declared = |place: &Span| same.iter().any(|&it| names.symbols[it].declared == *place);
     places.retain(|place| is_with_declaration || !declared(place));
     places
-}
-
-/// Converts places to locations of the protocol.
-pub fn locations(document: &Document, places: &[Span]) -> Vec<Location> {
-    let location = |place: &Span| Location::new(document.uri.clone(), document.text.range(*place));
-    places.iter().map(location).collect()
 }
