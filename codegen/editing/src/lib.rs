@@ -27,6 +27,7 @@ pub mod names;
 mod outline;
 mod rename;
 mod statement;
+mod tokens;
 mod words;
 
 pub use completion::{Completion, CompletionKind, completions};
@@ -37,4 +38,5 @@ pub use formatting::formatted;
 pub use hover::{Hover, hover};
 pub use outline::{Entry, outline};
 pub use rename::{renamable, rename};
+pub use tokens::{Token, TokenKind, tokens};
 pub use words::words;

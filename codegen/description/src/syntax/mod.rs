@@ -50,7 +50,7 @@ pub use forces::{Center, Element, ElementKind, Force, Gravity, Mass, Torque};
 pub use formula::*;
 pub use output::LEVELS;
 pub(crate) use scan::block_comment_length;
-pub use scan::{Kind, Lexeme, lexemes};
+pub use scan::{Comment, Kind, Lexeme, lexemes, lexemes_and_comments};
 pub use scope::{Expanded, ExpandedSort, Expansion, Spellings};
 
 use std::sync::Arc;

@@ -1,6 +1,6 @@
 //! Scans comments: keeps documentation and hides the rest from `syn`.
 
-use super::{Documentation, Scanner};
+use super::{Comment, Documentation, Scanner};
 use crate::diagnostic::{Code, Diagnostic, Span};
 
 impl Scanner<'_> {
@@ -8,7 +8,10 @@ impl Scanner<'_> {
         let length = self.rest().find('\n').unwrap_or(self.rest().len());
         let comment = &self.rest()[..length];
         let inner = comment.starts_with("//!");
-        if inner || comment.starts_with("///") && !comment.starts_with("////") {
+        let is_documentation = inner || comment.starts_with("///") && !comment.starts_with("////");
+        self.note_comment(length, is_documentation);
+        if is_documentation {
+            let comment = &self.rest()[..length];
             let lines = vec![documentation_line(&comment[3..])];
             self.document(inner, lines, length);
         }
@@ -29,12 +32,17 @@ impl Scanner<'_> {
             .help("close the comment with `*/`, or start it with `//`");
             self.scan.report(finding);
             self.scan.damage.push(start);
+            self.note_comment(self.rest().len(), false);
             self.skip(self.rest().len());
             return;
         };
         let comment = &self.rest()[..length];
         let inner = comment.starts_with("/*!");
-        if inner || comment.starts_with("/**") && !comment.starts_with("/***") && length > 4 {
+        let is_documentation =
+            inner || comment.starts_with("/**") && !comment.starts_with("/***") && length > 4;
+        self.note_comment(length, is_documentation);
+        if is_documentation {
+            let comment = &self.rest()[..length];
             let content = comment[3..length - 2].trim();
             let lines = content.lines().map(|line| {
                 let line = line.trim_start();
@@ -44,6 +52,13 @@ impl Scanner<'_> {
             self.document(inner, lines, length);
         }
         self.skip(length);
+    }
+
+    fn note_comment(&mut self, length: usize, is_documentation: bool) {
+        self.scan.comments.push(Comment {
+            span: Span::new(self.at, self.at + length),
+            is_documentation,
+        });
     }
 
     fn document(&mut self, inner: bool, lines: Vec<String>, length: usize) {

@@ -43,6 +43,15 @@ pub struct Lexeme {
     pub first_on_line: bool,
 }
 
+/// A comment with its slashes. One that is not closed reaches to the end of the text.
+#[derive(Debug, Clone, Copy)]
+pub struct Comment {
+    /// Source location.
+    pub span: Span,
+    /// True for documentation.
+    pub is_documentation: bool,
+}
+
 /// A documentation comment.
 #[derive(Debug, Clone)]
 pub(super) struct Documentation {
@@ -75,6 +84,7 @@ pub(super) enum Fill {
 #[derive(Debug, Default)]
 pub(super) struct Scan {
     pub lexemes: Vec<Lexeme>,
+    pub comments: Vec<Comment>,
     pub documentation: Vec<Documentation>,
     /// Edits by position, without overlaps, once [sorted](super::repair).
     pub edits: Vec<Edit>,
@@ -98,6 +108,12 @@ impl Scan {
 /// Returns the words, numbers, marks and brackets of a text without errors. Only white space and comments separate them.
 pub fn lexemes(text: &str) -> Vec<Lexeme> {
     scan(text).lexemes
+}
+
+/// Returns the lexemes of a text, and its comments.
+pub fn lexemes_and_comments(text: &str) -> (Vec<Lexeme>, Vec<Comment>) {
+    let scan = scan(text);
+    (scan.lexemes, scan.comments)
 }
 
 /// Scans a whole text.
