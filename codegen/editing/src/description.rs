@@ -12,11 +12,11 @@ pub struct Description {
     /// Text with the files that it names.
     pub source: Source,
     /// Words, numbers, marks and brackets.
-    pub lexemes: Vec<Lexeme>,
+    pub(crate) lexemes: Vec<Lexeme>,
     /// Statements; `None` if the text has no mechanism.
     pub document: Option<Document>,
     /// True if every statement could be read.
-    pub is_whole: bool,
+    pub(crate) is_whole: bool,
     /// Names.
     pub names: Names,
 }
@@ -38,7 +38,7 @@ impl Description {
     }
 
     /// Returns all statements, each motion before its own.
-    pub fn statements(&self) -> impl Iterator<Item = &Statement> {
+    pub(crate) fn statements(&self) -> impl Iterator<Item = &Statement> {
         let document = self.document.as_ref();
         let outer = document.map_or(&[][..], |it| &it.mechanism.statements);
         outer.iter().flat_map(|statement| {
@@ -51,14 +51,14 @@ impl Description {
     }
 
     /// Returns the innermost statement around a place; `None` if there is none.
-    pub fn statement_around(&self, place: Span) -> Option<Span> {
+    pub(crate) fn statement_around(&self, place: Span) -> Option<Span> {
         let spans = self.statements().map(Statement::span);
         let around = spans.filter(|it| it.start <= place.start && place.end <= it.end);
         around.min_by_key(|it| it.end - it.start)
     }
 
     /// Returns the lexeme that contains an offset or ends there; `None` if there is none.
-    pub fn lexeme_at(&self, offset: usize) -> Option<Lexeme> {
+    pub(crate) fn lexeme_at(&self, offset: usize) -> Option<Lexeme> {
         let after = self.lexemes.partition_point(|it| it.start <= offset);
         let reaching = self.lexemes[..after].iter().rev().take(2);
         let mut touching = reaching.filter(|it| offset <= it.end).copied();
@@ -72,12 +72,12 @@ impl Description {
     }
 
     /// Returns the text of a lexeme.
-    pub fn written(&self, lexeme: Lexeme) -> &str {
+    pub(crate) fn written(&self, lexeme: Lexeme) -> &str {
         &self.source.text[lexeme.start..lexeme.end]
     }
 
     /// True if an offset is inside a comment, which is behind the last lexeme before the offset.
-    pub fn is_in_comment(&self, offset: usize) -> bool {
+    pub(crate) fn is_in_comment(&self, offset: usize) -> bool {
         let after = self.lexemes.partition_point(|it| it.end <= offset);
         let start = after.checked_sub(1).map_or(0, |it| self.lexemes[it].end);
         let mut rest = &self.source.text[start..offset.max(start)];

@@ -4,6 +4,7 @@ mod bounds;
 mod columns;
 mod corpora;
 mod diagnostics;
+mod dragging;
 mod format;
 mod fuzz;
 mod metamorphic;

@@ -12,7 +12,7 @@ use linkwright_codegen::diagnostic::Span;
 use linkwright_codegen::stages::syntax::Document;
 
 use collector::Collector;
-pub use written::{Whole, mechanisms};
+pub(crate) use written::{Whole, mechanisms};
 
 /// Meaning of a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
