@@ -54,6 +54,21 @@ pub enum CompletionKind {
     Name(Sort),
 }
 
+impl CompletionKind {
+    /// Returns the name of the kind in one word.
+    pub fn name(self) -> &'static str {
+        match self {
+            CompletionKind::Keyword => "keyword",
+            CompletionKind::Joint => "joint",
+            CompletionKind::Unit => "unit",
+            CompletionKind::Function => "function",
+            CompletionKind::BuiltIn | CompletionKind::Ground => "constant",
+            CompletionKind::Component => "property",
+            CompletionKind::Name(_) => "variable",
+        }
+    }
+}
+
 /// Returns the words that are valid at an offset.
 pub fn completions(description: &Description, offset: usize) -> Vec<Completion> {
     let here = description.lexeme_at(offset);

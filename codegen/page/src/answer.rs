@@ -18,6 +18,9 @@ pub struct Answer {
     /// Motions; `None` if the description cannot be solved.
     #[serde(flatten)]
     pub players: Option<Players>,
+    /// First paragraph of the documentation, as HTML.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lead: Option<String>,
     /// Drawing as SVG.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub drawing: String,
@@ -45,6 +48,7 @@ impl Answer {
     pub(crate) fn without_motion(range: Range, messages: Vec<Message>) -> Answer {
         Answer {
             players: None,
+            lead: None,
             drawing: String::new(),
             sketch: false,
             controls: None,

@@ -9,6 +9,10 @@
 #![doc(html_root_url = "https://docs.rs/linkwright-page/0.1.0")]
 
 mod answer;
+mod assembly_table;
+mod body;
+pub mod check_text;
+pub mod comma_separated;
 mod constraints;
 mod controls;
 mod equations;
@@ -30,6 +34,7 @@ pub mod units;
 mod whole;
 
 pub use answer::Answer;
+pub use body::skeleton;
 pub use controls::Control;
 pub use message::{Message, messages};
 pub use question::{Detail, Question, Range};

@@ -10,6 +10,20 @@ use nalgebra::DVector;
 use super::number::number;
 use super::{constraints, equations, given, solution, start};
 
+/// Anchors of the sections, and their names in the table of contents.
+const NAMES: [(&str, &str); 10] = [
+    ("about", "About"),
+    ("bodies", "Bodies"),
+    ("given", "Parameters"),
+    ("constraints", "Constraints"),
+    ("equations", "Equations"),
+    ("start", "Start"),
+    ("newton", "Newton-Raphson"),
+    ("derivation", "Solution"),
+    ("singular", "Singular poses"),
+    ("assemblies", "Assemblies"),
+];
+
 /// Section of text of a page.
 #[derive(Clone, Debug)]
 pub struct Section {
@@ -28,6 +42,13 @@ impl Section {
             false => format!("<h2 id=\"{id}\">{heading}</h2>\n{text}"),
         };
         Section { id, name, html }
+    }
+
+    /// Returns all sections without contents.
+    pub fn all_empty() -> Vec<Section> {
+        let all = NAMES.into_iter();
+        all.map(|(id, name)| Section::new(id, name, "", ""))
+            .collect()
     }
 
     /// Returns the section as an element of a page.
@@ -55,52 +76,29 @@ pub fn sections(check: &Check, first: Option<&Instant>, step: f64, is_drawn: boo
         "Position, velocity and acceleration at t = {} s",
         number(first.map_or(check.start, |it| it.t()))
     );
-    let bodies = given::bodies(system);
     let singular = solution::singular(check, determinant(check, first), is_drawn);
-    [
+    let contents = [
         (
-            "about",
-            "About",
             "About this mechanism",
             given::remaining_docs(&system.mechanism.docs),
         ),
-        ("bodies", "Bodies", given::moving(system).0, bodies),
+        (given::moving(system).0, given::bodies(system)),
+        ("Parameters and inputs", given::values(pool, system)),
         (
-            "given",
-            "Parameters",
-            "Parameters and inputs",
-            given::values(pool, system),
-        ),
-        (
-            "constraints",
-            "Constraints",
             "Constraints and degrees of freedom",
             constraints::section(pool, system, check),
         ),
-        (
-            "equations",
-            "Equations",
-            "Equations",
-            equations::section(view.derived()),
-        ),
-        ("start", "Start", &start_heading, start),
-        (
-            "newton",
-            "Newton-Raphson",
-            "The first Newton-Raphson step",
-            newton,
-        ),
-        (
-            "derivation",
-            "Solution",
-            "Solution block by block",
-            solution::derivation(check),
-        ),
-        ("singular", "Singular poses", "Singular poses", singular),
-        ("assemblies", "Assemblies", "Assemblies", assemblies(check)),
-    ]
-    .map(|(id, name, heading, text)| Section::new(id, name, heading, &text))
-    .into()
+        ("Equations", equations::section(view.derived())),
+        (&start_heading, start),
+        ("The first Newton-Raphson step", newton),
+        ("Solution block by block", solution::derivation(check)),
+        ("Singular poses", singular),
+        ("Assemblies", assemblies(check)),
+    ];
+    let named = NAMES.into_iter().zip(contents);
+    named
+        .map(|((id, name), (heading, text))| Section::new(id, name, heading, &text))
+        .collect()
 }
 
 /// Returns the determinant of Φ_q at the start; `None` without a motion.

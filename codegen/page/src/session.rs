@@ -11,6 +11,7 @@ use linkwright_solver::{
 
 use crate::answer::Answer;
 use crate::controls::{Control, assignment, controls};
+use crate::given::leading_docs;
 use crate::message::{Message, messages};
 use crate::picture::picture;
 use crate::players::{Chosen, DRAWN, Players};
@@ -113,6 +114,7 @@ impl Session {
                 });
                 Answer {
                     controls: Some(open.controls(question)),
+                    lead: Some(leading_docs(&moving.interpreted.system().mechanism.docs)),
                     ..answer
                 }
             }

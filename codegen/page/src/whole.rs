@@ -7,13 +7,14 @@ use linkwright_codegen::stages::model::Requested;
 use linkwright_solver::{Check, Instant, Modes, Schedule, View as _};
 
 use super::answer::Answer;
+use super::body::Body;
 use super::controls::{controls, described};
 use super::given;
 use super::picture::picture;
 use super::players::{Chosen, Players};
 use super::question::Range;
 use super::recorded::{Examination, Precision};
-use super::sections::{Section, sections};
+use super::sections::sections;
 
 const STYLE: &str = include_str!("page.css");
 const LIVE_STYLE: &str = include_str!("live.css");
@@ -40,12 +41,10 @@ const SCRIPT: &str = concat!(
 const LIVE_SCRIPT: &str = concat!(
     include_str!("script/questions.js"),
     include_str!("script/controls.js"),
-    include_str!("script/server.js"),
 );
+const SERVER: &str = include_str!("script/server.js");
 const START: &str = include_str!("script/first.js");
 const RELOAD: &str = include_str!("reload.js");
-
-const CURVES_LINK: &str = "<a href=\"#plots\">Curves</a> ";
 
 /// Contents of a page.
 pub struct Page<'a> {
@@ -99,20 +98,15 @@ pub fn page(page: &Page<'_>, live: Live) -> (String, Option<String>) {
         page.range.step,
         page.chosen.is_none(),
     );
-    let contents: String = sections.iter().map(link).collect();
-    let text: String = sections.iter().map(Section::element).collect();
-    let mut body = format!(
-        "<div class=\"page\" data-page=\"\">\n<main>\n<header><h1>{title}</h1>\n{}<nav aria-label=\"Contents\">{CURVES_LINK}{contents}</nav></header>\n\
-         <div class=\"stage\">\n<figure class=\"drawing\" data-part=\"drawing\">{drawing}</figure>\n\
-         <div class=\"messages\" data-part=\"messages\" role=\"status\">\n{}</div>\n{}</div>\n\
-         <section class=\"plots\" id=\"plots\" data-part=\"plots\" data-requested=\"{}\" aria-labelledby=\"curves\">\n<h2 id=\"curves\">Curves</h2>\n{}</section>\n\
-         <article>\n{text}</article>\n</main>\n</div>\n",
-        given::leading_docs(&mechanism.docs),
-        warnings(page, &players),
-        include_str!("controls.html"),
-        requested(&page.requested).join(" "),
-        include_str!("curves.html"),
-    );
+    let mut body = Body {
+        title: &title,
+        lead: &given::leading_docs(&mechanism.docs),
+        drawing: &drawing,
+        messages: &warnings(page, &players),
+        requested: &requested(&page.requested).join(" "),
+        sections: &sections,
+    }
+    .text();
     let error = players.error().map(str::to_string);
     let controls = match live {
         Live::No => described(view),
@@ -132,7 +126,7 @@ pub fn page(page: &Page<'_>, live: Live) -> (String, Option<String>) {
         if live == Live::No {
             String::new()
         } else {
-            compact(LIVE_SCRIPT)
+            compact(LIVE_SCRIPT) + &compact(SERVER)
         },
         compact(START)
     );
@@ -147,16 +141,6 @@ pub fn problem(name: &str, text: &str, version: u64) -> String {
         lines(text)
     );
     shell(&title, &body, Live::Version(version))
-}
-
-/// Returns the link to a section.
-fn link(section: &Section) -> String {
-    let hidden = if section.html.is_empty() {
-        " hidden"
-    } else {
-        ""
-    };
-    format!("<a href=\"#{}\"{hidden}>{}</a> ", section.id, section.name)
 }
 
 /// Returns the requested points and coordinates as a page names them.

@@ -3,6 +3,7 @@
 //! A request and its reply are JSON in the memory of the module: the page reserves room with [`reserve`], writes a request there, calls
 //! [`reply`], and reads as many bytes as it returns at [`replied`]. There is one request at a time.
 
+mod code;
 mod request;
 
 use std::cell::RefCell;

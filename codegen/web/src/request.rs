@@ -1,29 +1,61 @@
 //! Defines the requests of a live page, and finds their replies.
 
-use linkwright_codegen::{Language, Options, Source, generate};
-use linkwright_page::{Message, Question, Session, messages};
-use serde::{Deserialize, Serialize};
+use linkwright_codegen::Source;
+use linkwright_editing::{Description, Edit, completions, handles, hover, moved, tokens};
+use linkwright_page::{Question, Session, skeleton};
+use serde::Deserialize;
+use serde_json::{Value, json};
+
+use crate::code::code;
 
 /// Request of a page.
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "lowercase", deny_unknown_fields)]
 pub enum Request {
-    /// Motion, drawing and sections.
+    /// Elements of a page without a mechanism.
+    Skeleton,
+    /// Motion, drawing and sections: the reply is an answer of `linkwright-page`.
     Ask(Question),
-    /// Generated code.
+    /// Generated code: `rust` or `c`, as an option of the command line.
     Code {
         /// Description.
         question: Question,
-        /// `rust` or `c`, as an option of the command line.
+        /// Language.
         language: String,
     },
-}
-
-/// Files of generated code.
-#[derive(Debug, Serialize)]
-struct Code {
-    files: Vec<[String; 2]>,
-    messages: Vec<Message>,
+    /// Solution in LaTeX, and findings.
+    Latex(Question),
+    /// Table of assemblies and singular poses, as the command `check` prints it.
+    Check(Question),
+    /// Motion as CSV.
+    Csv(Question),
+    /// Tokens of a text, for colors.
+    Tokens(String),
+    /// Proposed words at an offset.
+    Complete {
+        /// Text of the description.
+        text: String,
+        /// Offset in bytes.
+        offset: usize,
+    },
+    /// Text beside the pointer.
+    Hover {
+        /// Description, with its tables.
+        question: Question,
+        /// Offset in bytes.
+        offset: usize,
+    },
+    /// Points that can be dragged.
+    Handles(Question),
+    /// Changes of the text that move a point.
+    Move {
+        /// Description.
+        question: Question,
+        /// Index of its handle.
+        handle: usize,
+        /// New coordinates (m), in the frame of the handle.
+        position: [f64; 2],
+    },
 }
 
 /// Replies to requests, one after another.
@@ -36,37 +68,92 @@ impl Desk {
     /// Returns the reply to a request, both as JSON. A text that is not a request has a reply with the key `refused`.
     pub fn reply(&mut self, request: &[u8]) -> Vec<u8> {
         let reply = match serde_json::from_slice(request) {
-            Err(error) => serde_json::to_vec(&serde_json::json!({ "refused": error.to_string() })),
-            Ok(Request::Ask(question)) => serde_json::to_vec(&self.session.answer(&question)),
-            Ok(Request::Code { question, language }) => {
-                serde_json::to_vec(&code(&question.source(), &language))
+            Err(error) => Ok(json!({ "refused": error.to_string() })),
+            // Numbers of an answer are written once, without a tree of values.
+            Ok(Request::Ask(question)) => {
+                return serde_json::to_vec(&self.session.answer(&question)).unwrap_or_default();
             }
+            Ok(Request::Skeleton) => Ok(Value::from(skeleton())),
+            Ok(Request::Code { question, language }) => {
+                serde_json::to_value(code(&question.source(), &language))
+            }
+            Ok(Request::Tokens(text)) => Ok(tokens(&text)
+                .iter()
+                .map(|it| json!([it.span.start, it.span.end, it.kind.name()]))
+                .collect()),
+            Ok(Request::Complete { text, offset }) => Ok(proposals(text, offset)),
+            Ok(Request::Hover { question, offset }) => Ok(beside(question.source(), offset)),
+            Ok(Request::Handles(question)) => Ok(all_handles(&question)),
+            Ok(Request::Move {
+                question,
+                handle,
+                position,
+            }) => Ok(changes(&question, handle, position)),
         };
-        reply.unwrap_or_default()
+        serde_json::to_vec(&reply.unwrap_or_default()).unwrap_or_default()
     }
 }
 
-/// Returns the code of a description.
-fn code(source: &Source, language: &str) -> Code {
-    let language = Language::ALL
-        .into_iter()
-        .find(|it| it.conventions().option == language);
-    let options = Options {
-        language: language.unwrap_or_default(),
-        ..Options::default()
-    };
-    match generate(source, &options) {
-        Ok(generated) => Code {
-            messages: messages(&generated.warnings),
-            files: generated
-                .files
-                .into_iter()
-                .map(|file| [file.name, file.text])
-                .collect(),
-        },
-        Err(findings) => Code {
-            files: Vec::new(),
-            messages: messages(&findings),
-        },
+fn proposals(text: String, offset: usize) -> Value {
+    let description = Description::of(Source::new("", text));
+    let proposals = completions(&description, offset);
+    let proposals = proposals.into_iter().map(|it| {
+        json!({
+            "label": it.label,
+            "kind": it.kind.name(),
+            "detail": it.detail,
+            "documentation": it.documentation,
+            "start": it.replaced.start,
+            "end": it.replaced.end,
+            "text": it.text,
+        })
+    });
+    proposals.collect()
+}
+
+fn beside(source: Source, offset: usize) -> Value {
+    let read = linkwright_codegen::read(&source).ok();
+    let description = Description::of(source);
+    match hover(&description, read.as_ref(), offset) {
+        Some(it) => json!({ "start": it.span.start, "end": it.span.end, "text": it.text }),
+        None => Value::Null,
     }
+}
+
+/// Returns the handles of a description; none if it has errors.
+fn handles_of(question: &Question) -> Vec<linkwright_editing::Handle> {
+    let source = question.source();
+    let Ok(read) = linkwright_codegen::read(&source) else {
+        return Vec::new();
+    };
+    let description = Description::of(source);
+    let mechanism = read.motions.first().map(|it| &it.system.mechanism);
+    mechanism.map_or(Vec::new(), |mechanism| handles(&description, mechanism))
+}
+
+fn all_handles(question: &Question) -> Value {
+    let handles = handles_of(question).into_iter().map(|it| {
+        let place = it.coordinates.as_ref().ok();
+        json!({
+            "point": it.point,
+            "body": it.body,
+            "start": it.declared.start,
+            "end": it.declared.end,
+            "position": place.map(|both| both.each_ref().map(|it| it.value)),
+            "reason": it.coordinates.as_ref().err(),
+        })
+    });
+    handles.collect()
+}
+
+fn changes(question: &Question, handle: usize, position: [f64; 2]) -> Value {
+    let handles = handles_of(question);
+    let edits = handles
+        .get(handle)
+        .and_then(|handle| moved(&question.text, handle, position));
+    let edits = edits
+        .into_iter()
+        .flatten()
+        .map(|Edit { span, text }| json!({ "start": span.start, "end": span.end, "text": text }));
+    edits.collect()
 }

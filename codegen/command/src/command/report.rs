@@ -10,9 +10,9 @@ use super::{Outcome, Problem, print, say};
 use crate::arguments::Reported;
 use crate::output::{Output, Refused};
 use crate::progress::{PATIENCE, Progress};
-use crate::report::comma_separated::{self, Table};
 use crate::report::json::Object;
 use crate::report::summary::{self, Layout};
+use linkwright_page::comma_separated::{self, Table};
 use linkwright_page::motion::{Followed, Shown, Sink};
 
 /// Size of a table, in gigabytes, above which the size is announced.

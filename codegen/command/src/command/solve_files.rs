@@ -10,7 +10,7 @@ use linkwright_solver::{Schedule, View};
 use super::{Problem, in_folder};
 use crate::arguments::Reported;
 use crate::output::{Output, Outputs, Refused};
-use crate::report::{comma_separated, paths, picture, plot};
+use crate::report::{frame_table, paths, picture, plot};
 use linkwright_page::motion::Followed;
 
 /// Help for a file that cannot be written and was not requested.
@@ -57,7 +57,7 @@ impl Files {
         let frames = frames.filter(|path| path != Path::new("-"));
         let is_asked = reported.csv.is_some() || reported.out.is_some();
         let frames = frames
-            .map(|path| placed(is_asked, outputs.file(&path, comma_separated::SIGNATURE)))
+            .map(|path| placed(is_asked, outputs.file(&path, frame_table::SIGNATURE)))
             .transpose()?;
         let mut files = Files {
             frames,

@@ -3,12 +3,9 @@
 //! No output evaluates more than the motion of points.
 
 pub mod aligned;
-pub mod assembly_table;
 #[cfg(feature = "calibrate")]
 pub mod calibration;
 pub mod check_json;
-pub mod check_text;
-pub mod comma_separated;
 pub mod comparison;
 pub mod comparison_json;
 pub mod comparison_plot;
@@ -16,6 +13,7 @@ pub mod drawing;
 pub mod effort;
 pub mod first_step;
 pub mod forces;
+pub mod frame_table;
 #[cfg(feature = "png")]
 pub mod gif;
 mod hatching;

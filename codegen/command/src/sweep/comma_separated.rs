@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::io::{self, Write};
 
 use super::cells::Cells;
-use crate::report::comma_separated::cause;
+use linkwright_page::comma_separated::cause;
 
 /// Size of the buffer of a row, in bytes.
 const ROW_BYTES: usize = 1 << 10;

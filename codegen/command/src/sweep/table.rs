@@ -14,7 +14,7 @@ use super::run::Solved;
 use super::shown::Quantity;
 use super::varied::{Varied, named};
 use crate::output::{Beginning, Record, Signature};
-use crate::report::comma_separated::cause;
+use linkwright_page::comma_separated::cause;
 
 /// Name of the first column.
 const SET: &str = "set";

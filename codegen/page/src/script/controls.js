@@ -41,8 +41,9 @@ class Control {
   /// Takes what an answer says about it; a value that was set here stays.
   take(own) {
     this.own = own;
-    // Values of the description come with the first answer, and with those that set no value.
-    if (this.value === null) this.given = own.value;
+    // A value that has changed in the description counts more than one that was set before.
+    if (this.given !== undefined && this.given !== own.value) this.value = null;
+    this.given = own.value;
     this.low = own.low ?? Math.min(0, 2 * (own.value ?? 0.5));
     this.high = own.high ?? Math.max(0, 2 * (own.value ?? 0.5));
     if (this.high === this.low) this.high = this.low + 1;
@@ -165,6 +166,20 @@ class Controls {
     if (complaint) return;
     this.edited[name] = range[name];
     this.changed("resting");
+  }
+
+  /// Sets values by name, as a question has them.
+  set(values) {
+    for (const [name, value] of Object.entries(values)) {
+      const number = Number(value);
+      if (Number.isFinite(number)) this.controls.get(name)?.put(number);
+    }
+  }
+
+  /// Returns to the values and the times of the description.
+  forget() {
+    this.edited = {};
+    for (const control of this.controls.values()) control.put(null);
   }
 
   /// Values that differ from the description, by name, and the range of time.

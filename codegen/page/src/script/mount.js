@@ -144,6 +144,7 @@ const mount = (root, first, provider = null) => {
   const update = (answer) => {
     const isMotion = Array.isArray(answer.assemblies);
     if (isMotion) {
+      if (answer.lead !== undefined) part("lead").innerHTML = answer.lead;
       if (answer.title) root.querySelector("h1").textContent = answer.title;
       if (answer.sketch) Drawing.sketch(part("drawing"), answer.drawing);
       else if (answer.drawing) part("drawing").innerHTML = answer.drawing;
@@ -186,6 +187,12 @@ const mount = (root, first, provider = null) => {
     update,
     question,
     ask: (detail = "resting") => questions?.ask(detail),
+    change: () => questions?.moving(),
+    choose: (values) => controls.set(values),
+    forget: () => {
+      label = null;
+      controls.forget();
+    },
     destroy: () => {
       over.abort();
       charts.end();

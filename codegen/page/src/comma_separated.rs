@@ -17,9 +17,8 @@ use std::io::{self, Write};
 use linkwright_codegen::stages::units::{OutputUnit, Unit};
 use linkwright_solver::View;
 
-use crate::output::{Beginning, Record, Signature};
-use linkwright_page::motion::{Followed, Shown, Sink};
-use linkwright_page::units::ColumnUnits;
+use crate::motion::{Followed, Shown, Sink};
+use crate::units::ColumnUnits;
 
 /// Suffixes of a coordinate, its rate and its acceleration.
 const RATES: [&str; 3] = ["", "_d", "_dd"];
@@ -40,13 +39,6 @@ const OTHERS: [&str; 7] = [
     "potential_energy",
     "added_power",
 ];
-
-/// Signature of such a table, also of that of another mechanism.
-pub const SIGNATURE: Signature = Signature {
-    noun: "a table of frames that this command has written",
-    beginning: Beginning::Line(is_header),
-    record: Record::Beside,
-};
 
 /// Table of a motion, written frame by frame.
 pub struct Table<'a> {
@@ -154,8 +146,8 @@ fn header<'a, V: View>(motion: &Followed<V>, units: &'a ColumnUnits) -> Vec<(Str
     names
 }
 
-/// True if these are names of columns in their order.
-fn is_header(line: &str) -> bool {
+/// True if these are names of columns of such a table, also of another mechanism, in their order.
+pub fn is_header(line: &str) -> bool {
     let mut table = csv::ReaderBuilder::new()
         .has_headers(false)
         .from_reader(line.as_bytes());

@@ -9,8 +9,8 @@ use linkwright_solver::search::STARTS;
 use linkwright_solver::warnings::times;
 use linkwright_solver::{Check, View};
 
-use super::assembly_table;
-use linkwright_page::units::{enclosing, si_of};
+use crate::assembly_table;
+use crate::units::{enclosing, si_of};
 
 /// Largest number of listed assemblies.
 const MAX_LISTED: usize = 64;

@@ -10,7 +10,7 @@ use linkwright_codegen::stages::system::{Described, System};
 use linkwright_solver::number::fixed;
 use linkwright_solver::{Assembly, Interpreted, View};
 
-use linkwright_page::units::text_of;
+use crate::units::text_of;
 
 /// Decimals of an angle in degrees, and of any other unknown.
 const DECIMALS_OF_ANGLES: usize = 4;
