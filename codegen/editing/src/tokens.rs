@@ -90,7 +90,35 @@ pub fn tokens(text: &str) -> Vec<Token> {
         }
     }
     tokens.sort_by_key(|it| it.span);
+    let open = unreadable_texts(text, &tokens);
+    if !open.is_empty() {
+        tokens.extend(open);
+        tokens.sort_by_key(|it| it.span);
+    }
     tokens
+}
+
+/// Returns quoted texts that the scan does not read: those without a closing quote, and those that are not paths.
+fn unreadable_texts(text: &str, tokens: &[Token]) -> Vec<Token> {
+    let ends = std::iter::once(0).chain(tokens.iter().map(|it| it.span.range().end));
+    let starts = tokens.iter().map(|it| it.span.range().start);
+    let gaps = ends.zip(starts.chain([text.len()]));
+    let quoted = gaps.flat_map(|(start, end)| {
+        let lines = text[start..end].split_inclusive('\n');
+        let lines = lines.scan(start, |start, line| {
+            let here = *start;
+            *start += line.len();
+            Some((here, line))
+        });
+        lines.filter_map(|(start, line)| {
+            let quote = line.find('"')?;
+            Some(Token {
+                span: Span::new(start + quote, start + line.trim_end().len()),
+                kind: TokenKind::Text,
+            })
+        })
+    });
+    quoted.collect()
 }
 
 /// True if a word begins a statement or a clause. A declared name may be equal to such a word.
@@ -194,7 +222,14 @@ mod tests {
             listed("P: (30mm /* open"),
             "name P\noperator :\noperator (\nnumber 30\nunit mm\ncomment /* open\n"
         );
-        assert_eq!(listed("\u{feff}ä€ 3µm \"x"), "name ä\nnumber 3\nunit µm\n");
+        assert_eq!(
+            listed("\u{feff}ä€ 3µm \"x"),
+            "name ä\nnumber 3\nunit µm\ntext \"x\n"
+        );
+        assert_eq!(
+            listed("table lift = \"a.c\n table"),
+            "keyword table\nname lift\noperator =\ntext \"a.c\nname table\n"
+        );
         assert_eq!(listed(""), "");
     }
 }

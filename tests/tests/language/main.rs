@@ -1,6 +1,7 @@
 //! Descriptions and tables of data: reading, errors, layout, and what stays the same when they are written otherwise.
 
 mod bounds;
+mod coloring;
 mod columns;
 mod corpora;
 mod diagnostics;
