@@ -1,6 +1,6 @@
 //! Finds the points whose coordinates are plain numbers in the text, so that they can be dragged.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use linkwright_codegen::diagnostic::Span;
 use linkwright_codegen::stages::model::Mechanism;
@@ -10,7 +10,7 @@ use linkwright_codegen::stages::syntax::{
 use linkwright_codegen::stages::units::Unit;
 
 use crate::description::Description;
-use crate::names::mechanisms;
+use crate::names::{Symbol, mechanisms};
 
 /// Rounding of moved coordinates, as a share of the characteristic length.
 const RESOLUTION: f64 = 1e-4;
@@ -19,7 +19,7 @@ const RESOLUTION: f64 = 1e-4;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Handle {
     /// Name in the mechanism: `K`, or `K_c1` if bodies have different points of one name. Two bodies that share a point have a handle
-    /// each.
+    /// each. A global point keeps its name if bodies carry it as different points.
     pub point: String,
     /// Body in whose frame the coordinates are; `None` for global coordinates.
     pub body: Option<String>,
@@ -76,6 +76,8 @@ pub fn handles(description: &Description, mechanism: &Mechanism) -> Vec<Handle> 
 struct Finder<'a> {
     description: &'a Description,
     mechanism: &'a Mechanism,
+    /// Names of its points.
+    points: BTreeSet<&'a str>,
     /// Text of the mechanism itself, without its parts.
     whole: Option<Span>,
     /// Braces of repetitions, in written order.
@@ -96,6 +98,7 @@ impl<'a> Finder<'a> {
         Finder {
             description,
             mechanism,
+            points: mechanism.points.iter().map(|it| it.name.as_str()).collect(),
             whole: mechanisms(&description.source.text, &description.lexemes)
                 .last()
                 .map(|it| it.span),
@@ -120,10 +123,22 @@ impl<'a> Finder<'a> {
 
     /// Returns the name of a point in the mechanism.
     fn point(&self, name: &Name, body: Option<&Name>) -> String {
-        let of_body = body.map(|body| format!("{}_{}", name.text, body.text));
-        let mut points = self.mechanism.points.iter().map(|it| &it.name);
-        let of_body = of_body.filter(|it| points.any(|point| point == it));
-        of_body.unwrap_or_else(|| name.text.clone())
+        let plain = &name.text;
+        let Some(body) = body.filter(|_| !self.points.contains(plain.as_str())) else {
+            return plain.clone();
+        };
+        let named = |body: &str| format!("{plain}_{body}");
+        let is_known = |it: &String| self.points.contains(it.as_str());
+        // A point that several bodies share is named after one of them.
+        let names = &self.description.names;
+        let is_declared = |it: &Symbol| it.place == name.span && it.body.is_some();
+        let id = names.symbols.iter().position(is_declared);
+        let shared = id.into_iter().flat_map(|id| names.same(id));
+        let bodies = shared.filter_map(|id| names.symbols[id].body);
+        let mut others = bodies.map(|id| named(&names.symbols[id].name));
+        let of_body = Some(named(&body.text)).filter(is_known);
+        let of_body = of_body.or_else(|| others.find(is_known));
+        of_body.unwrap_or_else(|| plain.clone())
     }
 
     /// Returns the reason that a point is not written for itself; `None` if it is.

@@ -106,14 +106,22 @@ fn bodies_that_share_a_point_have_a_handle_each() {
     let text = "mechanism m {
     body 1 at (0, 0) { O: (0, 0), P: (1, 0) }
     body 2 at (1, 0) { P: (0, 0), Q: (2, 0) }
-    body 3 at (5, 5) { Q: (0, 0) }
+    body 3 at (5, 5) { Q: (0, 0), R: (0, 0) }
+    body 4 at (5, 5) { R: (0, 0) }
+    body 5 at (5, 6) { R: (0, 1) }
     revolute P(1, 2);
+    revolute R(3, 4);
 }";
     let named: Vec<String> = of(text)
         .into_iter()
         .map(|it| format!("{} {}", it.point, it.body.unwrap_or_default()))
         .collect();
-    assert_eq!(named, ["O 1", "P 1", "P 2", "Q_2 2", "Q_3 3"]);
+    assert_eq!(
+        named,
+        [
+            "O 1", "P 1", "P 2", "Q_2 2", "Q_3 3", "R_3 3", "R_3 4", "R_5 5"
+        ]
+    );
 }
 
 #[test]
