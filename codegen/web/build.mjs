@@ -32,17 +32,21 @@ const mechanisms = path.join(folder, "../../mechanisms");
 const names = readdirSync(mechanisms).filter((file) => file.endsWith(".mech")).map((file) => file.replace(/\.mech$/, "")).sort();
 const gallery = [...first, ...names.filter((name) => !first.includes(name))].map((name) => ({ name, text: readFileSync(path.join(mechanisms, `${name}.mech`), "utf8") }));
 
-const module = gzipSync(readFileSync(wasm), { level: 9 }).toString("base64");
+const packed = (contents) => gzipSync(contents, { level: 9 }).toString("base64");
+const script = compact(ofPage("SCRIPT", "LIVE_SCRIPT") + own("saved.js", "solver.js", "playground.js"));
+const unpacked = {
+  gallery,
+  worker: compact(own("worker.js")),
+  scripts: [readFileSync(editor, "utf8"), `"use strict";\n(() => {\n${script}})();\n`],
+};
 const parts = {
   style: compact(ofPage("STYLE", "LIVE_STYLE") + own("playground.css")),
-  gallery: JSON.stringify(gallery).replaceAll("<", "\\u003c"),
-  worker: compact(own("worker.js")),
-  solver: module,
-  editor: readFileSync(editor, "utf8"),
-  script: compact(ofPage("SCRIPT", "LIVE_SCRIPT") + own("saved.js", "solver.js", "playground.js")),
+  solver: packed(readFileSync(wasm)),
+  parts: packed(JSON.stringify(unpacked)),
+  loader: compact(own("loader.js")),
   licenses: readFileSync(licenses, "utf8").replaceAll("<", "‹"),
 };
-for (const [name, text] of Object.entries(parts)) if (/<\/script/i.test(text)) throw new Error(`${name} ends its element`);
+for (const [name, text] of Object.entries(parts)) if (/<\/(script|style)/i.test(text)) throw new Error(`${name} ends its element`);
 const page = inside("page/playground.html").replace(/\{\{(\w+)\}\}/g, (_, name) => parts[name]);
 mkdirSync(path.dirname(output), { recursive: true });
 writeFileSync(output, page);

@@ -43,7 +43,7 @@ export const open = async () => {
     page.on("request", (request) => {
       const asked = new URL(request.url());
       const isOwn = own.protocol === "file:" ? asked.href === own.href : asked.origin === own.origin;
-      if (!isOwn && asked.protocol !== "data:") said.push(`request: ${asked.href}`);
+      if (!isOwn && !["data:", "blob:"].includes(asked.protocol)) said.push(`request: ${asked.href}`);
     });
     await page.goto(url);
     await page.waitForSelector("body[data-ready], #problem");

@@ -12,6 +12,7 @@
 //! | `png` | `draw` with `--png`, or with a file that ends in `.png` | `epaint_default_fonts`, `resvg` |
 //! | `lsp` | `lsp` | `linkwright-editing`, `lsp-server`, `lsp-types` |
 //! | `calibrate` | `calibrate` | `linkwright-calibrate` |
+//! | `live` | `view` with `--live`; needs the page that `codegen/web/build` builds | |
 //! | `man` | `man` | `clap_mangen` |
 
 pub mod arguments;

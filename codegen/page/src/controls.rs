@@ -92,23 +92,25 @@ fn quantities(view: &Interpreted) -> Vec<Quantity<'_>> {
     parameters.chain(inputs).collect()
 }
 
-/// Returns the assignment of a value on a page to a parameter or an input: a number is in the unit of its control.
+/// Returns the assignment of a value on a page to a parameter or an input: a number is in the unit of its control. `None` if the
+/// mechanism has none of this name, as after a change of the text.
 ///
 /// # Errors
-/// The mechanism has no parameter or input of this name, or the text would be read as something else.
-pub fn assignment(view: &Interpreted, name: &str, text: &str) -> Result<String, String> {
+/// The text would be read as something else.
+pub fn assignment(view: &Interpreted, name: &str, text: &str) -> Result<Option<String>, String> {
     let quantities = quantities(view);
-    let quantity = quantities.iter().find(|it| it.name == name);
-    let quantity = quantity.ok_or_else(|| format!("no parameter or input is named `{name}`"))?;
+    let Some(quantity) = quantities.iter().find(|it| it.name == name) else {
+        return Ok(None);
+    };
     let text = text.trim();
     match text.parse::<f64>() {
         Ok(value) if value.is_finite() => {
             let suffix = suffix(&unit_of(view, quantity));
-            Ok(format!("{name} = {text}{suffix}"))
+            Ok(Some(format!("{name} = {text}{suffix}")))
         }
         Ok(_) => Err(format!("`{name}` needs a finite value")),
         Err(_) if text.contains(['\n', '\r']) => Err(format!("`{name}` needs one formula")),
-        Err(_) => Ok(format!("{name} = {text}")),
+        Err(_) => Ok(Some(format!("{name} = {text}"))),
     }
 }
 

@@ -1,6 +1,7 @@
 //! Turns findings into messages of a page.
 
 use linkwright_codegen::diagnostic::{Diagnostic, Diagnostics, Severity};
+use linkwright_solver::Unopened;
 use serde::Serialize;
 
 /// Error or warning, with its place in the description.
@@ -43,6 +44,18 @@ impl Message {
 /// Returns all findings as messages.
 pub fn messages(findings: &Diagnostics) -> Vec<Message> {
     findings.clone().into_sorted().iter().map(of).collect()
+}
+
+/// Returns the messages of a description that cannot be solved.
+pub fn refused(reason: &Unopened, name: &str) -> Vec<Message> {
+    match (reason, reason.message(name)) {
+        (Unopened::Findings(findings), _) => messages(findings),
+        (_, Some((text, help))) => {
+            let help = help.map_or(String::new(), |help| format!("\nhelp: {help}"));
+            vec![Message::error(text + &help)]
+        }
+        (_, None) => Vec::new(),
+    }
 }
 
 fn of(finding: &Diagnostic) -> Message {

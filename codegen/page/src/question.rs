@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::stages::syntax;
-use serde::Deserialize;
+use linkwright_codegen::stages::units::OutputUnits;
+use serde::{Deserialize, Serialize};
 
 /// Name of the description in messages.
 const NAME: &str = "the description";
@@ -18,7 +19,7 @@ const NAME: &str = "the description";
 /// assert_eq!((question.values["rod"].as_str(), question.detail), ("130", Detail::Moving));
 /// # Ok::<(), serde_json::Error>(())
 /// ```
-#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Question {
     /// Text of the description.
@@ -27,9 +28,12 @@ pub struct Question {
     pub files: BTreeMap<String, String>,
     /// Name of the motion; `None` for the only one.
     pub motion: Option<String>,
+    /// Units of values, `mm,deg`; `None` for those of the description.
+    pub units: Option<String>,
     /// Label of the assembly; `None` for that of the design configuration.
     pub assembly: Option<String>,
-    /// Values of parameters and inputs by name: a number in the unit of its control, or a formula of the language.
+    /// Values of parameters and inputs by name: a number in the unit of its control, or a formula of the language. Those of other names
+    /// are left out.
     pub values: BTreeMap<String, String>,
     /// Times of the motion.
     pub range: Range,
@@ -40,7 +44,7 @@ pub struct Question {
 }
 
 /// Times of a motion (s).
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize, serde::Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct Range {
     /// First time.
@@ -52,7 +56,7 @@ pub struct Range {
 }
 
 /// Parts of an answer.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Detail {
     /// One assembly, and a drawing without room for the motion: while a control moves.
@@ -77,7 +81,9 @@ impl Default for Range {
 impl Question {
     /// Returns the description with its tables.
     pub fn source(&self) -> Source {
-        let source = Source::new(NAME, self.text.clone());
+        let units = self.units.as_deref();
+        let units = units.and_then(|it| OutputUnits::listed(it).ok());
+        let source = Source::new(NAME, self.text.clone()).reported_in(units);
         let paths = syntax::named_files(&source.text);
         paths.into_iter().fold(source, |source, path| {
             let bytes = match self.files.get(&path) {

@@ -10,15 +10,21 @@ use linkwright_solver::{
 };
 
 use crate::answer::Answer;
+use crate::check_text;
+use crate::comma_separated::Table;
 use crate::controls::{Control, assignment, controls};
 use crate::given::leading_docs;
-use crate::message::{Message, messages};
+use crate::message::{Message, messages, refused};
+use crate::motion::{Followed, Wanted};
 use crate::picture::picture;
 use crate::players::{Chosen, DRAWN, Players};
 use crate::question::{Detail, Question, Range};
 use crate::recorded::{Examination, Precision};
 use crate::sections::sections;
 use crate::whole::requested;
+
+/// Width of tables of text, in characters.
+const WIDTH: usize = 110;
 
 /// Answers to the questions of a page, with what the next answer needs again.
 ///
@@ -141,6 +147,53 @@ impl Session {
         }
     }
 
+    /// Returns the motion of a question as CSV, as the command `solve` writes it.
+    ///
+    /// # Errors
+    /// The messages of a description that cannot be solved.
+    pub fn table(&mut self, question: &Question) -> Result<String, Vec<Message>> {
+        let moving = self.moving(question)?;
+        let system = moving.interpreted.system();
+        let wanted = Wanted {
+            points: (0..system.outputs.len()).collect(),
+            coordinates: (0..system.coordinates.len()).collect(),
+            monitor: false,
+            curves: false,
+        };
+        let (view, start) = (moving.interpreted.clone(), moving.schedule.start.t);
+        let chosen = moving.chosen.clone().map(|it| it.start);
+        let mut motion = Followed::new(view, wanted, start, chosen);
+        let mut text = Vec::new();
+        let written = Table::new(&motion, false, &mut text).and_then(|mut table| {
+            motion.follow(&moving.schedule, &mut [&mut table], |_| {})?;
+            table.finish()
+        });
+        written.map_err(|error| vec![Message::error(error.to_string())])?;
+        Ok(String::from_utf8_lossy(&text).into_owned())
+    }
+
+    /// Returns the assemblies and the closest approaches to singular poses as text, as the command `check` prints them.
+    ///
+    /// # Errors
+    /// The messages of a description that cannot be solved.
+    pub fn check(&mut self, question: &Question) -> Result<String, Vec<Message>> {
+        let check = self.moving(question)?.check();
+        let mut text = Vec::new();
+        let written = check_text::write(&check, WIDTH, &mut text);
+        written.map_err(|error| vec![Message::error(error.to_string())])?;
+        Ok(String::from_utf8_lossy(&text).into_owned())
+    }
+
+    fn moving(&mut self, question: &Question) -> Result<Moving, Vec<Message>> {
+        let motion = question.motion.as_deref();
+        let open = self.open(question.source(), motion, question.range.from);
+        match &open.result {
+            Ok(opened) => Moving::of(&opened.interpreted, question)
+                .map_err(|message| vec![Message::error(message)]),
+            Err(reason) => Err(refused(reason, &open.source.name)),
+        }
+    }
+
     /// Returns the description as it was opened, anew if it has changed.
     fn open(&mut self, source: Source, motion: Option<&str>, start: f64) -> &mut Open {
         let is_open = |open: &Open| {
@@ -208,8 +261,9 @@ impl Moving {
     fn of(described: &Interpreted, question: &Question) -> Result<Moving, String> {
         let mut interpreted = described.clone();
         for (name, text) in &question.values {
-            let assignment = assignment(described, name, text)?;
-            interpreted.set(name, &assignment)?;
+            if let Some(assignment) = assignment(described, name, text)? {
+                interpreted.set(name, &assignment)?;
+            }
         }
         let Range { from, to, step } = question.range;
         if ![from, to, step].iter().all(|it| it.is_finite()) {
@@ -298,16 +352,4 @@ fn selected(interpreted: &Interpreted, label: &str, t: f64) -> Result<(Instant, 
         let explained = reason.explained(interpreted);
         format!("the mechanism cannot be assembled in this mode: {explained}")
     })
-}
-
-/// Returns the messages of a description that cannot be solved.
-fn refused(reason: &Unopened, name: &str) -> Vec<Message> {
-    match (reason, reason.message(name)) {
-        (Unopened::Findings(findings), _) => messages(findings),
-        (_, Some((text, help))) => {
-            let help = help.map_or(String::new(), |help| format!("\nhelp: {help}"));
-            vec![Message::error(text + &help)]
-        }
-        (_, None) => Vec::new(),
-    }
 }

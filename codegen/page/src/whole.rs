@@ -58,6 +58,8 @@ pub struct Page<'a> {
     pub requested: Vec<Requested>,
     /// Pose and modes at the start; `None` for those of the drawing.
     pub chosen: Option<(Instant, Modes)>,
+    /// Label of the chosen assembly, if it is one of those that the check knows.
+    pub label: Option<&'a str>,
     /// Findings of the description as text for the terminal.
     pub findings: &'a str,
 }
@@ -79,7 +81,7 @@ pub fn page(page: &Page<'_>, live: Live) -> (String, Option<String>) {
     let mechanism = &system.mechanism;
     let range = page.range;
     let chosen = page.chosen.clone().map(|start| Chosen {
-        label: "as chosen".to_string(),
+        label: page.label.unwrap_or("as chosen").to_string(),
         start,
     });
     let mut players = Players::new(

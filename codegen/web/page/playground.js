@@ -3,19 +3,19 @@
 /// Time of rest before the address is renewed, in ms.
 const RENEWAL = 600;
 
-const original = `<!DOCTYPE html>\n${document.documentElement.outerHTML}`;
+const { original, parts } = globalThis.linkwright;
 const stored = (id) => document.getElementById(id).textContent;
 const bar = (name) => document.querySelector(`[data-bar="${name}"]`);
 
 const playground = async () => {
-  const gallery = JSON.parse(stored("gallery"));
+  const { gallery, worker } = parts;
   const start = (await stateOf(location.hash)) ?? checkedState(JSON.parse(stored("start"))) ?? checkedState(gallery[0]);
-  const solver = new Solver(stored("worker"), stored("solver"));
+  const solver = new Solver(worker, stored("solver"));
   const pane = document.getElementById("pane-mechanism");
-  let { files, motion } = start;
+  let { files, motion, units } = start;
   let page = null;
 
-  const about = (text = editor.text()) => ({ text, files, motion });
+  const about = (text = editor.text()) => ({ text, files, motion, units });
   const note = (words) => {
     bar("note").textContent = words;
   };
@@ -76,7 +76,10 @@ const playground = async () => {
 
   // Panes beside the mechanism are filled when they are looked at.
   const panes = {
-    check: async () => (await solver.request("check", { check: { ...(page?.question() ?? {}), ...about() } })).text,
+    check: async () => {
+      const { text, messages } = await solver.request("check", { check: { ...(page?.question() ?? {}), ...about() } });
+      return text || messages.map((it) => it.text).join("\n");
+    },
     rust: () => code("rust"),
     c: () => code("c"),
   };
@@ -173,7 +176,7 @@ const playground = async () => {
     const chosen = checkedState(gallery[target.value]);
     target.value = "";
     if (!chosen) return;
-    ({ files, motion } = chosen);
+    ({ files, motion, units } = chosen);
     page?.forget();
     const end = new TextEncoder().encode(editor.text()).length;
     editor.replace([{ start: 0, end, text: chosen.text }]);
@@ -181,7 +184,7 @@ const playground = async () => {
   addEventListener("hashchange", async () => {
     const next = await stateOf(location.hash);
     if (!next || JSON.stringify(next.text) === JSON.stringify(editor.text())) return;
-    ({ files, motion } = next);
+    ({ files, motion, units } = next);
     page?.forget();
     const end = new TextEncoder().encode(editor.text()).length;
     editor.replace([{ start: 0, end, text: next.text }]);

@@ -16,6 +16,7 @@ const checkedState = (value) => {
     text: value.text,
     files: textsOf(value.files),
     motion: isText(value.motion) ? value.motion : null,
+    units: isText(value.units) ? value.units : null,
     values: textsOf(value.values),
     assembly: isText(value.assembly) ? value.assembly : null,
     range: times.length === 3 && to > from && step > 0 ? { from, to, step } : null,

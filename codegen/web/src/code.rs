@@ -1,7 +1,11 @@
 //! Generates code for a live page.
 
-use linkwright_codegen::{Language, Options, Source, generate};
-use linkwright_page::{Message, messages};
+use linkwright_codegen::stages::emit::derivation::Derivation;
+use linkwright_codegen::stages::finiteness::of_unplanned;
+use linkwright_codegen::stages::structure::Shift;
+use linkwright_codegen::{Diagnostics, Language, Options, Source, generate};
+use linkwright_page::{Message, Question, messages, refused};
+use linkwright_solver::opened::determined;
 use serde::Serialize;
 
 /// Files of generated code, the mechanism's own first, each with its name; and findings.
@@ -9,6 +13,21 @@ use serde::Serialize;
 pub struct Code {
     files: Vec<[String; 2]>,
     messages: Vec<Message>,
+}
+
+/// Returns the solution of a description as a document of LaTeX.
+///
+/// # Errors
+/// The messages of a description that cannot be solved.
+pub fn latex(question: &Question) -> Result<String, Vec<Message>> {
+    let source = question.source();
+    let motion = question.motion.as_deref();
+    let derived = determined(&source, motion, &mut Diagnostics::new());
+    let derived = derived.map_err(|reason| refused(&reason, &source.name))?;
+    let derivation = Derivation::of(derived, Shift::Efforts);
+    derivation
+        .map(|it| it.latex())
+        .map_err(|unplanned| messages(&of_unplanned(unplanned)))
 }
 
 /// Returns the code of a description in a language, named as an option of the command line.

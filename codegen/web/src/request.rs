@@ -2,11 +2,11 @@
 
 use linkwright_codegen::Source;
 use linkwright_editing::{Description, Edit, completions, handles, hover, moved, tokens};
-use linkwright_page::{Question, Session, skeleton};
+use linkwright_page::{Message, Question, Session, skeleton};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use crate::code::code;
+use crate::code::{code, latex};
 
 /// Request of a page.
 #[derive(Debug, Deserialize)]
@@ -77,6 +77,9 @@ impl Desk {
             Ok(Request::Code { question, language }) => {
                 serde_json::to_value(code(&question.source(), &language))
             }
+            Ok(Request::Latex(question)) => Ok(text_or(latex(&question))),
+            Ok(Request::Check(question)) => Ok(text_or(self.session.check(&question))),
+            Ok(Request::Csv(question)) => Ok(text_or(self.session.table(&question))),
             Ok(Request::Tokens(text)) => Ok(tokens(&text)
                 .iter()
                 .map(|it| json!([it.span.start, it.span.end, it.kind.name()]))
@@ -91,6 +94,14 @@ impl Desk {
             }) => Ok(changes(&question, handle, position)),
         };
         serde_json::to_vec(&reply.unwrap_or_default()).unwrap_or_default()
+    }
+}
+
+/// Returns a text, or the messages that take its place.
+fn text_or(result: Result<String, Vec<Message>>) -> Value {
+    match result {
+        Ok(text) => json!({ "text": text, "messages": [] }),
+        Err(messages) => json!({ "text": "", "messages": messages }),
     }
 }
 

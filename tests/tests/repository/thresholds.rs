@@ -19,7 +19,7 @@ use linkwright_tests::files;
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 /// Folders with the sources of the packages that are published.
-const SOURCES: [&str; 9] = [
+const SOURCES: [&str; 10] = [
     "runtime/src",
     "codegen/description/src",
     "codegen/program/src",

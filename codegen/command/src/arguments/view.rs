@@ -38,6 +38,10 @@ pub struct View {
     /// Departures from the description.
     #[command(flatten)]
     pub setting: Setting,
+    /// Write a page that solves the mechanism itself: sliders change parameters and inputs, and the description can be edited. It needs
+    /// no network; the file has two megabytes
+    #[arg(long, conflicts_with = "watch")]
+    pub live: bool,
     /// Replace a file that is not a page of this command
     #[arg(long)]
     pub force: bool,
@@ -55,6 +59,7 @@ Examples:
   linkwright view mechanisms/two_body.mech                          two_body.html, five seconds
   linkwright view mechanisms/jansen.mech --to 2.1 --out walk.html
   linkwright view lift.mech --set L2=360mm --set 'lift=0.5 + 0.1*sin(2*t)'
+  linkwright view mechanisms/four_bar.mech --live -o live.html      a hand-out: change a length, and see
   linkwright view mechanisms/four_bar.mech --watch                  edit, save, see
 
 Exit codes: 0 written, 1 the mechanism cannot be assembled or its motion ends early, which the page reports, 2 bad input.";

@@ -3,10 +3,11 @@
 use super::Problem;
 
 /// Features of the package, each with true if this build has it.
-const FEATURES: [(&str, bool); 5] = [
+const FEATURES: [(&str, bool); 6] = [
     ("png", cfg!(feature = "png")),
     ("lsp", cfg!(feature = "lsp")),
     ("calibrate", cfg!(feature = "calibrate")),
+    ("live", cfg!(feature = "live")),
     ("man", cfg!(feature = "man")),
     ("parquet", cfg!(feature = "parquet")),
 ];

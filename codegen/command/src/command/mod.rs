@@ -16,6 +16,7 @@ pub mod fmt;
 pub mod generate;
 pub mod inspect;
 pub mod left_out;
+mod live;
 #[cfg(feature = "lsp")]
 pub mod lsp;
 #[cfg(feature = "man")]

@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
-use linkwright_solver::{Check, Schedule};
+use linkwright_solver::{Assembly, Check, Instant, Schedule};
 
 use super::description::{chosen, determined_with, drawable, outputs, set_all, source, warn};
+use super::live::live_page;
 use super::{Outcome, Problem, print, say, watch};
 use crate::arguments::View;
 use crate::output::{Beginning, Record, Signature};
@@ -52,7 +53,10 @@ pub fn run(arguments: &View) -> Result<Outcome, Problem> {
     }
     let source =
         source(&arguments.described.file)?.reported_in(arguments.reported_in.units.clone());
-    let made = made(arguments, &source, Live::No)?;
+    let mut made = made(arguments, &source, Live::No)?;
+    if arguments.live {
+        made.html = live_page(arguments, &source, made.assembly.take())?;
+    }
     let path = match &arguments.out {
         Some(path) => path.clone(),
         None => PathBuf::from(format!("{}.html", made.name)),
@@ -98,6 +102,8 @@ pub struct Made {
     pub html: String,
     /// Stem of the file's name.
     pub name: String,
+    /// Label of the chosen assembly; `None` for that of the design configuration.
+    pub assembly: Option<String>,
     /// Reason that the motion ends early or does not begin; `None` if it is complete.
     pub error: Option<String>,
 }
@@ -111,6 +117,15 @@ pub fn made(arguments: &View, source: &Source, live: Live) -> Result<Made, Probl
     let made = made_with(arguments, source, live, &mut warnings);
     warn(&warnings, source);
     made
+}
+
+/// Difference of coordinates (m or rad) below which two assemblies are the same.
+const SAME: f64 = 1e-9;
+
+/// True if two instants are those of one assembly.
+fn is_same(one: &Instant, other: &Instant) -> bool {
+    let mut pairs = one.q().iter().zip(other.q());
+    pairs.all(|(one, other)| (one - other).abs() < SAME)
 }
 
 /// Makes the page as [`made`] does, and collects warnings.
@@ -128,6 +143,11 @@ fn made_with(
     let view = drawable(&derived, source, schedule.start.t, warnings)?;
     let chosen = chosen(&arguments.setting.branch, &view, schedule.start.t)?;
     let check = Check::new(view, &schedule, |_| {});
+    let assembly = chosen.as_ref().and_then(|(instant, _)| {
+        let mut all = check.assemblies.found.iter();
+        let same = all.find(|it| is_same(&it.instant, instant));
+        same.map(Assembly::label)
+    });
     let findings = match warnings.is_empty() {
         true => String::new(),
         false => warnings.render(source),
@@ -140,6 +160,7 @@ fn made_with(
             range: Range { from, to, step },
             requested: requested.map(|it| it.quantity).collect(),
             chosen,
+            label: assembly.as_deref(),
             findings: &findings,
         },
         live,
@@ -148,6 +169,7 @@ fn made_with(
     let motion = motion.map_or(String::new(), |motion| format!("_{}", motion.name));
     Ok(Made {
         html,
+        assembly,
         name: format!("{}{motion}", derived.system.mechanism.name),
         error,
     })

@@ -109,6 +109,12 @@ impl OutputUnits {
         Ok(units)
     }
 
+    /// Returns the chosen units as a list, as [`OutputUnits::listed`] reads it.
+    pub fn listing(&self) -> String {
+        let names = self.chosen.iter().map(|it| it.name.as_str());
+        names.collect::<Vec<_>>().join(",")
+    }
+
     /// Returns the unit chosen for lengths; `None` if none is chosen.
     pub fn of_lengths(&self) -> Option<&OutputUnit> {
         self.chosen.iter().find(|it| it.unit.powers == LENGTH)
