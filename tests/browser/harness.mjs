@@ -1,7 +1,8 @@
 // The command, and a page of it in a browser that reports everything it says and asks for.
 
 import { execFileSync, spawn } from "node:child_process";
-import { mkdtempSync, rmSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
@@ -10,6 +11,8 @@ import { chromium } from "playwright-core";
 export const repository = process.env.REPOSITORY ?? path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../..");
 const command = process.env.LINKWRIGHT ?? path.join(repository, "target/release/linkwright");
 const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
 export const mechanism = (name) => path.join(repository, "mechanisms", `${name}.mech`);
 
@@ -92,4 +95,16 @@ export const showAllCharts = async (page) => {
     document.querySelector(".chooser").open = true;
   });
   await page.waitForFunction(() => [...document.querySelectorAll(".chart")].every((it) => it.querySelector(".cursor")));
+};
+
+/// Violations of the rules of accessibility.
+export const violations = async (page) => {
+  await page.evaluate(axe);
+  return page.evaluate(async () => {
+    // The rule does not read formulas, which browsers do.
+    globalThis.axe.configure({ rules: [{ id: "empty-table-header", selector: "th:not(:has(mi, mn))" }] });
+    for (const section of document.querySelectorAll("article > section")) section.style.contentVisibility = "visible";
+    const { violations: all } = await globalThis.axe.run(document, { resultTypes: ["violations"] });
+    return all.map(({ id, nodes }) => `${id}: ${nodes.length}, ${nodes.slice(0, 3).map((it) => `${it.html.slice(0, 160)} ${it.failureSummary ?? ""}`).join(" | ")}`);
+  });
 };

@@ -31,7 +31,7 @@ pub fn section(pool: &Pool, system: &System, check: &Check) -> String {
             };
             let _ = writeln!(
                 rows,
-                "<tr {}><td><code>{}</code>{docs}</td><td>{}.</td><td class=\"count\">{count}</td></tr>",
+                "<tr {} tabindex=\"0\"><td><code>{}</code>{docs}</td><td>{}.</td><td class=\"count\">{count}</td></tr>",
                 about(system, joint, None),
                 escaped(&labeled.label.replace("->", "→")),
                 capitalized(&words[joint]),

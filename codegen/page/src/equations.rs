@@ -159,14 +159,14 @@ pub fn numbered(system: &System, row: usize, is_first: bool, formula: &str) -> S
 
 /// Returns Φ_q as a table with the names of its rows and columns.
 fn matrix(system: &System, section: &Section, names: &[&str]) -> String {
-    let mut text = String::from("<div class=\"wide\"><table class=\"matrix\"><thead><tr><th></th>");
+    let mut text = String::from("<div class=\"wide\"><table class=\"matrix\"><thead><tr><td></td>");
     for name in names {
         let _ = write!(text, "<th><math>{name}</math></th>");
     }
     text += "</tr></thead><tbody>\n";
     for (index, row) in system.rows.iter().enumerate() {
         let about = about(system, row.joint, Some(index));
-        let _ = write!(text, "<tr {about}><th>{}</th>", index + 1);
+        let _ = write!(text, "<tr {about} tabindex=\"0\"><th>{}</th>", index + 1);
         let mut cells = vec!["<td class=\"zero\">0</td>".to_string(); names.len()];
         for (coordinate, value) in section.slopes(index) {
             cells[coordinate] = format!("<td><math>{value}</math></td>");

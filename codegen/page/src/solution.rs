@@ -17,7 +17,7 @@ pub fn derivation(check: &Check) -> String {
     let (derived, plan) = (check.interpreted.derived(), check.interpreted.plan());
     let derived = Derivation::of_plan(derived.clone(), plan.clone()).html();
     let mut text = format!(
-        "<p>{}.</p>\n<div class=\"wide\"><table><thead><tr><th>Block</th><th>Unknowns</th><th>Method</th><th>Joints</th></tr></thead><tbody>\n{}</tbody></table></div>\n",
+        "<p>{}.</p>\n<div class=\"wide\" tabindex=\"0\"><table><thead><tr><th>Block</th><th>Unknowns</th><th>Method</th><th>Joints</th></tr></thead><tbody>\n{}</tbody></table></div>\n",
         derived.summary, derived.outline
     );
     // The last section is about singular poses, which have their own section of the page.
@@ -33,7 +33,11 @@ pub fn derivation(check: &Check) -> String {
             place + 1,
             joints.join(" "),
             section.heading,
-            section.body
+            // A step is for the keyboard as well.
+            section.body.replace(
+                "<div class=\"equation\">",
+                "<div class=\"equation\" tabindex=\"0\">"
+            )
         );
     }
     text

@@ -27,7 +27,7 @@ pub fn values(view: &Interpreted, instant: &Instant) -> String {
     let system = view.system();
     let message_units = system.mechanism.units.of_messages();
     let mut text = String::from(
-        "<div class=\"wide\"><table class=\"numbers\"><thead><tr><th></th><th>position</th><th></th><th>rate</th><th>acceleration</th><th>unit</th></tr></thead><tbody>\n",
+        "<div class=\"wide\"><table class=\"numbers\"><thead><tr><td></td><th>position</th><td></td><th>rate</th><th>acceleration</th><th>unit</th></tr></thead><tbody>\n",
     );
     for place in 0..system.coordinates.len() {
         let [q, qd, qdd] = instant.coordinate(place).unwrap_or_default();
@@ -158,7 +158,7 @@ fn full(
         )
     });
     format!(
-        "<div class=\"wide\"><math id=\"first-step\"><mrow><mo>(</mo><mtable>{rows}</mtable><mo>)</mo></mrow>{unknowns}<mo>=</mo>{right}</math> <math>{solved}</math></div>\n"
+        "<div class=\"wide\" tabindex=\"0\"><math id=\"first-step\"><mrow><mo>(</mo><mtable>{rows}</mtable><mo>)</mo></mrow>{unknowns}<mo>=</mo>{right}</math> <math>{solved}</math></div>\n"
     )
 }
 
@@ -178,14 +178,14 @@ fn sparse(
     system: &System,
 ) -> String {
     let mut text = String::from(
-        "<div class=\"wide\"><table class=\"numbers\"><thead><tr><th></th><th class=\"left\">entries of Φ<sub>q</sub></th><th>−Φ</th></tr></thead><tbody>\n",
+        "<div class=\"wide\"><table class=\"numbers\"><thead><tr><td></td><th class=\"left\">entries of Φ<sub>q</sub></th><th>−Φ</th></tr></thead><tbody>\n",
     );
     for (index, row) in matrix.row_iter().enumerate() {
         let entries = row.iter().enumerate().filter(|(_, value)| **value != 0.0);
         let entries: Vec<String> = entries
             .map(|(place, value)| {
                 format!(
-                    "<span class=\"entry\"><math>{}</math>: {}</span>",
+                    "<span class=\"entry\"><span class=\"column\"><math>{}</math></span> {}</span>",
                     symbol(pool, system, SymbolRole::Position(place)),
                     number(*value)
                 )
@@ -193,7 +193,7 @@ fn sparse(
             .collect();
         let _ = writeln!(
             text,
-            "<tr data-is=\"e{index}\"><th>{}</th><td class=\"left\">{}</td><td>{}</td></tr>",
+            "<tr data-is=\"e{index}\" tabindex=\"0\"><th>{}</th><td class=\"left\">{}</td><td>{}</td></tr>",
             index + 1,
             entries.join(" "),
             number(right[index])

@@ -173,6 +173,9 @@ fn shell(title: &str, body: &str, live: Live) -> String {
     if live != Live::No {
         style += &compact(LIVE_STYLE);
     }
+    for separator in [":", ";", ","] {
+        style = style.replace(&format!("{separator} "), separator);
+    }
     let (connect, reload) = match live {
         Live::No => ("'none'", String::new()),
         Live::Version(version) => (

@@ -23,23 +23,26 @@ class Assemblies {
   take(drawing, player) {
     this.drawing = drawing;
     const all = drawing.data.assemblies;
-    const labels = all.map((own) => own.label);
+    const holder = this.part("thumbnails");
+    const shape = JSON.stringify(all.map((own) => [own.label, own.error, own.times?.at(-1)]));
+    this.isStale = true;
+    if (shape !== this.shape || holder !== this.holder) this.build(all, holder);
+    this.shape = shape;
+    if (this.isVisible) this.draw();
+    this.mark(player);
+  }
+
+  build(all, holder) {
     const choices = all.map((own) => made("option", { value: own.label, disabled: this.isOpen(own) ? null : "" }, own.label));
     this.list.replaceChildren(...choices);
-    this.list.closest("label").hidden = labels.length < 2;
-    const holder = this.part("thumbnails");
+    this.list.closest("label").hidden = all.length < 2;
     if (holder !== this.holder) {
       this.seen.disconnect();
       this.isVisible = false;
       this.holder = holder;
       if (holder) this.seen.observe(holder);
     }
-    this.isStale = true;
-    if (holder) {
-      holder.replaceChildren(...all.map((own) => this.button(own)));
-      if (this.isVisible) this.draw();
-    }
-    this.mark(player);
+    holder?.replaceChildren(...all.map((own) => this.button(own)));
   }
 
   button(own) {
@@ -59,6 +62,7 @@ class Assemblies {
     this.drawing.data.assemblies.forEach((own, index) => {
       if (!own.times) return;
       const button = this.holder.children[index];
+      button.querySelector("svg")?.remove();
       this.drawing.thumbnail(button, own);
       button.prepend(button.lastChild);
     });

@@ -138,7 +138,9 @@ class Charts {
     );
     this.width = 0;
     this.resized = new ResizeObserver(() => {
-      if (this.samples && this.measure() !== this.width) this.prepare(this.curves, this.samples, this.units);
+      if (!this.samples || this.measure() === this.width) return;
+      this.width = 0;
+      this.prepare(this.curves, this.samples, this.units);
     });
     this.resized.observe(holder);
   }
@@ -169,7 +171,8 @@ class Charts {
       this.holder.replaceChildren(...this.all.map((it) => it.figure));
       for (const chart of before) if (!this.all.includes(chart)) this.seen.unobserve(chart.figure);
     }
-    this.width = this.measure();
+    // To measure is to lay everything out, so that it is done only if the width can have changed.
+    if (!isSame || !this.width) this.width = this.measure();
     this.all.forEach((chart, index) => chart.prepare(wanted[index].own, samples, wanted[index].unit, this.width));
     if (!isSame) {
       for (const chart of this.all) {

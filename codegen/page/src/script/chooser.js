@@ -1,7 +1,7 @@
 // Buttons that choose the curves in the charts and the paths in the drawing.
 
-const chip = (is, of, isPressed, ...contents) => {
-  const own = { type: "button", class: "chip", "data-is": is, "data-of": of, "aria-pressed": String(isPressed) };
+const chip = (name, is, of, isPressed, ...contents) => {
+  const own = { type: "button", class: "chip", "data-is": is, "data-of": of, "aria-pressed": String(isPressed), "aria-label": name };
   return made("button", own, ...contents);
 };
 
@@ -36,11 +36,11 @@ const chooser = (holder, { curves, points }, shown, traced, plot, trace) => {
   for (const [kind, title] of Object.entries(TITLES)) {
     const own = curves.filter((it) => it.kind === kind);
     row(title, own.map((curve) => {
-      const button = chip(curve.is, curve.of, shown.has(curve.name), sample(curve), nameOf(curve));
+      const button = chip(`${curve.letter} ${curve.index}`.trim(), curve.is, curve.of, shown.has(curve.name), sample(curve), nameOf(curve));
       return toggled(shown, curve.name, button, plot);
     }));
   }
   const moving = points.map((point, index) => ({ ...point, index })).filter((it) => it.body > 0);
-  row("Paths in the drawing", moving.map(({ name, body, index }) => toggled(traced, name, chip(`p${index}`, `b${body}`, traced.has(name), name), trace)));
+  row("Paths in the drawing", moving.map(({ name, body, index }) => toggled(traced, name, chip(name, `p${index}`, `b${body}`, traced.has(name), name), trace)));
   holder.replaceChildren(...rows);
 };

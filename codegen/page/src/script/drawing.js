@@ -5,6 +5,20 @@ const LARGEST = 1.9;
 
 const byId = (element, id) => element.querySelector(`[id="${CSS.escape(id)}"]`);
 
+/// Replaces a picture. Its style sheet stays if it is the same, so that the styles of the page need not be computed again.
+const replaceDrawing = (holder, html) => {
+  const parsed = made("template");
+  parsed.innerHTML = html;
+  const next = parsed.content.querySelector("svg");
+  const svg = holder.querySelector("svg");
+  const [style, sheet] = [svg, next].map((it) => it?.querySelector("style"));
+  if (!style || style.textContent !== sheet?.textContent) return holder.replaceChildren(next);
+  sheet.remove();
+  for (const child of [...svg.childNodes]) if (child !== style) child.remove();
+  for (const { name, value } of next.attributes) svg.setAttribute(name, value);
+  return svg.append(...next.childNodes);
+};
+
 class Drawing {
   /// Takes the picture in an element over.
   constructor(holder, motion) {
@@ -26,6 +40,7 @@ class Drawing {
     // Elements that another assembly has in place of some of the drawing's, which are kept.
     const replaced = new Set(this.data.assemblies.flatMap((own) => Object.keys(own.elements ?? {})));
     this.originals = new Map([...replaced].map((id) => [id, byId(this.svg, id)?.outerHTML]));
+    [this.dressed] = this.data.assemblies;
     this.tag();
   }
 
@@ -75,11 +90,12 @@ class Drawing {
 
   /// Shows an assembly with the paths of points.
   pick(player, samples, traced) {
-    if (this.originals.size) {
+    if (this.originals.size && player !== this.dressed) {
       this.dress(this.mechanism, player);
       this.stage.collect();
       this.tag();
     }
+    this.dressed = player;
     this.trace(samples, traced);
     this.frame(player);
   }

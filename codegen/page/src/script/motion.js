@@ -4,9 +4,7 @@ const STILL = [[0, 0, 0], [0, 0, 0], [0, 0, 0]];
 
 const decoded = (stored, wide) => {
   if (typeof stored === "number") return stored;
-  const letters = atob(stored);
-  const bytes = new Uint8Array(letters.length);
-  for (let index = 0; index < letters.length; index += 1) bytes[index] = letters.charCodeAt(index);
+  const bytes = Uint8Array.fromBase64?.(stored) ?? Uint8Array.from(atob(stored), (letter) => letter.charCodeAt(0));
   return wide ? new Float64Array(bytes.buffer) : new Float32Array(bytes.buffer);
 };
 

@@ -147,7 +147,7 @@ const mount = (root, first, provider = null) => {
       if (answer.lead !== undefined) part("lead").innerHTML = answer.lead;
       if (answer.title) root.querySelector("h1").textContent = answer.title;
       if (answer.sketch) Drawing.sketch(part("drawing"), answer.drawing);
-      else if (answer.drawing) part("drawing").innerHTML = answer.drawing;
+      else if (answer.drawing) replaceDrawing(part("drawing"), answer.drawing);
       take(answer);
     }
     if (answer.sections) {
