@@ -45,11 +45,9 @@ fn declared(statements: &[Statement], names: &mut Vec<String>) {
     for statement in statements {
         let mut declarations: Vec<&Name> = Vec::new();
         match statement {
-            Statement::Constant(it)
-            | Statement::Parameter(it)
-            | Statement::Input(it)
-            | Statement::Angle(it) => {
-                declarations.push(&it.name);
+            Statement::Constant(it) | Statement::Angle(it) => declarations.push(&it.name),
+            Statement::Given(it) | Statement::Parameter(it) | Statement::Input(it) => {
+                declarations.push(&it.constant.name);
             }
             Statement::Table(it) => declarations.push(&it.name),
             Statement::Points(it) => declarations.extend(it.points.iter().map(|point| &point.name)),
@@ -103,11 +101,9 @@ impl Renaming {
     fn statements(&mut self, statements: &[Statement]) {
         for statement in statements {
             match statement {
-                Statement::Constant(it)
-                | Statement::Parameter(it)
-                | Statement::Input(it)
-                | Statement::Angle(it) => {
-                    self.name(&it.name);
+                Statement::Constant(it) | Statement::Angle(it) => self.name(&it.name),
+                Statement::Given(it) | Statement::Parameter(it) | Statement::Input(it) => {
+                    self.name(&it.constant.name);
                 }
                 Statement::Table(it) => self.name(&it.name),
                 Statement::Points(it) => it.points.iter().for_each(|point| self.name(&point.name)),

@@ -49,6 +49,7 @@ fn ordered(text: &str, statements: &[Statement], random: &mut Random) -> String 
         matches!(
             it,
             Statement::Constant(_)
+                | Statement::Given(_)
                 | Statement::Parameter(_)
                 | Statement::Input(_)
                 | Statement::Table(_)

@@ -65,6 +65,7 @@ fn statements<'a>(all: &'a [Statement], visit: &mut dyn FnMut(Given<'a>)) {
             Statement::Curve(curve) => of_curve(curve, visit),
             Statement::Motion(motion) => statements(&motion.statements, visit),
             Statement::Constant(_)
+            | Statement::Given(_)
             | Statement::Angle(_)
             | Statement::Parameter(_)
             | Statement::Input(_)
@@ -256,11 +257,12 @@ pub fn each_formula<'a>(all: &'a [Statement], visit: &mut dyn FnMut(&'a Expressi
     };
     for statement in all {
         match statement {
-            Statement::Constant(it)
-            | Statement::Parameter(it)
-            | Statement::Input(it)
-            | Statement::Angle(it) => {
-                visit(&it.value, false);
+            Statement::Constant(it) | Statement::Angle(it) => visit(&it.value, false),
+            Statement::Given(it) | Statement::Parameter(it) | Statement::Input(it) => {
+                visit(&it.constant.value, false);
+                for end in it.range.iter().flatten() {
+                    visit(end, false);
+                }
             }
             Statement::Points(points) => {
                 for point in &points.points {

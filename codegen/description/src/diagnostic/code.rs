@@ -79,7 +79,7 @@ codes! {
     NotConstant = "K23";
     /// A direction of zero length, or other geometry that determines nothing.
     DegenerateGeometry = "K24";
-    /// A value that a joint of this kind cannot have.
+    /// A value that a joint of this kind cannot have, or beyond its range.
     ValueNotAllowed = "K25";
     /// A law of motion or a table whose places do not increase.
     NotIncreasing = "K27";

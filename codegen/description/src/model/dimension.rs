@@ -31,7 +31,7 @@ pub enum Dimension {
 impl Dimension {
     /// Dimension of a length.
     pub const LENGTH: Dimension = Dimension::marked(1, 0, 0);
-    const RATIO: Dimension = Dimension::marked(0, 0, 0);
+    pub(super) const RATIO: Dimension = Dimension::marked(0, 0, 0);
     const TIME: Dimension = Dimension::marked(0, 1, 0);
 
     const FREQUENCY: Dimension = Dimension::marked(0, -1, 0);

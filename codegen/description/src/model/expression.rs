@@ -40,6 +40,12 @@ impl Resolver<'_> {
 
     /// Resolves an expression of t and inputs that must fit `expected`.
     pub(super) fn quantity(&mut self, written: &Expression, expected: Dimension) -> Option<ExprId> {
+        let (value, _) = self.fitting(written, expected)?;
+        Some(value)
+    }
+
+    /// Resolves an expression of t and inputs that must fit `expected`, with its own dimension.
+    pub(super) fn fitting(&mut self, written: &Expression, expected: Dimension) -> Option<Value> {
         let (value, found) = self.value(written)?;
         if !found.fits(expected) {
             let finding = Diagnostic::error(
@@ -67,7 +73,7 @@ impl Resolver<'_> {
             return None;
         }
         self.count_plain(value, found, expected);
-        Some(value)
+        Some((value, found))
     }
 
     /// Counts the implied SI unit of a plain number; zero has no particular unit.

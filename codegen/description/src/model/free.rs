@@ -7,16 +7,19 @@ use super::dimension::Dimension;
 use super::forces::Free;
 use super::parameters::Sort;
 use super::resolve::Resolver;
-use crate::syntax::{self, Constant, Expression, ExpressionKind, Reference};
+use crate::syntax::{self, Adjustable, Constant, Expression, ExpressionKind, Reference};
 
 impl Resolver<'_> {
     pub(super) fn add_free(&mut self, written: &syntax::Free) {
         let drive = &written.drive;
-        let start = Constant {
-            docs: drive.docs.clone(),
-            name: written.name.clone(),
-            value: drive.value.clone(),
-            span: drive.span,
+        let start = Adjustable {
+            constant: Constant {
+                docs: drive.docs.clone(),
+                name: written.name.clone(),
+                value: drive.value.clone(),
+                span: drive.span,
+            },
+            range: None,
         };
         let input = self.add_signal(&start, Sort::Free);
         let joint = self.linkage.joints.len();

@@ -39,6 +39,7 @@ mod not_finite;
 mod operands;
 mod parameters;
 mod points;
+mod ranges;
 mod rates;
 mod request;
 mod resolve;
@@ -63,6 +64,7 @@ pub use mention::Mention;
 pub use motions::{mentions, resolve};
 pub use naming::Naming;
 pub use parameters::field_name;
+pub use ranges::{range_text, si_unit, value_text};
 pub use setting::{follow_points, set};
 pub use table::ENDS_OF_TABLES;
 pub use teeth::{Bearing, PressureAngle, Teeth, WheelAxis};
@@ -151,6 +153,8 @@ pub struct Parameter {
     pub symbol: SymbolId,
     /// Default, a constant in SI units.
     pub nominal: ExprId,
+    /// Both ends of its range, in SI units; `None` if it is not limited.
+    pub range: Option<[f64; 2]>,
     /// Dimension of the value.
     pub dimension: Dimension,
     /// True if a statement refers to the parameter.
@@ -170,6 +174,8 @@ pub struct Input {
     pub symbols: [SymbolId; 3],
     /// Default value at assembly, a constant in SI units.
     pub initial: ExprId,
+    /// Both ends of the range of its values, in SI units; `None` if it is not limited.
+    pub range: Option<[f64; 2]>,
     /// Value, rate and acceleration as expressions of t, used where no caller supplies the signal, as in the interpreter.
     /// Constant at the initial value unless set.
     pub signal: [ExprId; 3],

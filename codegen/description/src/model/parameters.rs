@@ -11,7 +11,7 @@ use super::resolve::Resolver;
 use super::{Input, Mechanism, Parameter};
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::ExprId;
-use crate::syntax::{self, Name};
+use crate::syntax::{Adjustable, Constant, Name};
 
 /// Noun for a declaration, in messages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -36,11 +36,11 @@ impl Sort {
 }
 
 impl Resolver<'_> {
-    pub(super) fn add_parameter(&mut self, written: &syntax::Constant) {
-        let Some((nominal, dimension)) = self.default_of(written, Sort::Parameter) else {
+    pub(super) fn add_parameter(&mut self, written: &Adjustable) {
+        let Some(((nominal, dimension), range)) = self.default_of(written, Sort::Parameter) else {
             return;
         };
-        let name = &written.name;
+        let Constant { name, docs, .. } = &written.constant;
         // The name differs from all coordinates and from other parameters.
         let symbol = self.graph.symbol(&format!("{} parameter", name.text));
         let value = self.graph.constant_value(nominal).unwrap_or(f64::NAN);
@@ -52,23 +52,24 @@ impl Resolver<'_> {
         }
         self.declared.parameters.push(Parameter {
             name: name.text.clone(),
-            docs: written.docs.clone(),
+            docs: docs.clone(),
             symbol,
             nominal,
+            range,
             dimension,
             used: false,
             span: name.span,
         });
     }
 
-    pub(super) fn add_input(&mut self, written: &syntax::Constant) {
+    pub(super) fn add_input(&mut self, written: &Adjustable) {
         self.add_signal(written, Sort::Input);
     }
 
     /// Adds a signal with its value at assembly, at rest; `None` if the name is not permitted.
-    pub(super) fn add_signal(&mut self, written: &syntax::Constant, sort: Sort) -> Option<usize> {
-        let (initial, dimension) = self.default_of(written, sort)?;
-        let name = &written.name;
+    pub(super) fn add_signal(&mut self, written: &Adjustable, sort: Sort) -> Option<usize> {
+        let ((initial, dimension), range) = self.default_of(written, sort)?;
+        let Constant { name, docs, .. } = &written.constant;
         let [value, rate, acceleration] =
             ["", "'", "''"].map(|dots| self.graph.symbol(&format!("{}{dots} input", name.text)));
         let variable = self.graph.variable(value);
@@ -81,9 +82,10 @@ impl Resolver<'_> {
             .insert(value, self.declared.inputs.len());
         self.declared.inputs.push(Input {
             name: name.text.clone(),
-            docs: written.docs.clone(),
+            docs: docs.clone(),
             symbols: [value, rate, acceleration],
             initial,
+            range,
             signal: [initial, self.graph.zero(), self.graph.zero()],
             dimension,
             used: false,
@@ -92,20 +94,26 @@ impl Resolver<'_> {
         Some(self.declared.inputs.len() - 1)
     }
 
-    /// Returns the number that a statement assigns. A number with an error becomes one, so that the name is still declared;
-    /// `None` if the name is not permitted.
-    fn default_of(&mut self, written: &syntax::Constant, sort: Sort) -> Option<Value> {
+    /// Returns the number that a statement assigns, and its range. A number with an error becomes one, so that the name is still
+    /// declared; `None` if the name is not permitted.
+    fn default_of(
+        &mut self,
+        adjustable: &Adjustable,
+        sort: Sort,
+    ) -> Option<(Value, Option<[f64; 2]>)> {
+        let written = &adjustable.constant;
         let name = &written.name;
         if !self.may_be_declared(name) {
             return None;
         }
         self.tell_apart(name, sort);
-        let one = (self.graph.one(), Dimension::Number);
+        let one = ((self.graph.one(), Dimension::Number), None);
         let Some((value, dimension)) = self.value(&written.value) else {
             return Some(one);
         };
         if self.graph.is_constant(value) {
-            return Some((value, dimension));
+            let (range, dimension) = self.limits(adjustable, (value, dimension));
+            return Some(((value, dimension), range));
         }
         let noun = sort.noun();
         let (article, cause) = match sort {

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use super::bodies::coordinate_names;
 use super::bounds::beyond_bounds;
 use super::declared::Declared;
-use super::expression::listed;
+use super::expression::{Value, listed};
 use super::forces::Forces;
 use super::formulas::Formulas;
 use super::linkage::Linkage;
@@ -199,7 +199,10 @@ impl Resolver<'_> {
     fn add(&mut self, statement: &syntax::Statement) {
         let _work = work_at(statement.span());
         match statement {
-            syntax::Statement::Constant(constant) => self.add_constant(constant),
+            syntax::Statement::Constant(constant) => {
+                self.add_constant(constant);
+            }
+            syntax::Statement::Given(given) => self.add_given(given),
             syntax::Statement::Parameter(parameter) => self.add_parameter(parameter),
             syntax::Statement::Input(input) => self.add_input(input),
             syntax::Statement::Table(table) => self.add_table(table),
@@ -232,10 +235,14 @@ impl Resolver<'_> {
         }
     }
 
-    /// Returns the constants of `const` statements.
+    /// Returns the constants of `const` statements, and those that uses of parts give.
     fn constants(&self, statements: &[&syntax::Statement]) -> Vec<Constant> {
         let declared = statements.iter().filter_map(|statement| {
-            let syntax::Statement::Constant(written) = statement else {
+            let (syntax::Statement::Constant(written)
+            | syntax::Statement::Given(syntax::Adjustable {
+                constant: written, ..
+            })) = statement
+            else {
                 return None;
             };
             let (name, &(value, dimension)) =
@@ -251,10 +258,17 @@ impl Resolver<'_> {
         declared.collect()
     }
 
-    fn add_constant(&mut self, constant: &syntax::Constant) {
+    fn add_given(&mut self, given: &syntax::Adjustable) {
+        if let Some(value) = self.add_constant(&given.constant) {
+            self.limits(given, value);
+        }
+    }
+
+    /// Adds a constant; returns its value unless it has an error.
+    fn add_constant(&mut self, constant: &syntax::Constant) -> Option<Value> {
         let name = &constant.name;
         if !self.may_be_declared(name) {
-            return;
+            return None;
         }
         let value = self.value(&constant.value);
         if let Some((value, _)) = value
@@ -270,10 +284,11 @@ impl Resolver<'_> {
                 .help("write the expression where it is used, in a `drive` statement"),
             );
         }
-        let value = value.unwrap_or((self.graph.one(), Dimension::Number));
-        if let Some(duplicate) = self.declared.constants.declare(name, value) {
+        let declared = value.unwrap_or((self.graph.one(), Dimension::Number));
+        if let Some(duplicate) = self.declared.constants.declare(name, declared) {
             self.diagnostics.push(duplicate);
         }
+        value.filter(|(value, _)| self.graph.is_fixed(*value))
     }
 
     /// Reports a predefined name; true if the name may be declared.

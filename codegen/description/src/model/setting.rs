@@ -5,11 +5,14 @@
 //! symbol.
 
 use super::Mechanism;
+use super::dimension::Dimension;
+use super::ranges::{range_text, value_text};
 use super::resolve::Resolver;
 use super::table::{Ends, spline};
 use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 use crate::pool::Pool;
 use crate::syntax::{self, Constant, Statement};
+use crate::units::OutputUnits;
 
 /// Number of points of the polynomial that gives the slope at an end of a measured input.
 const SLOPE_POINT_COUNT: usize = 4;
@@ -136,6 +139,7 @@ fn carry_out(
     let graph = resolver.graph;
     pool.graph = graph;
     let Some(value) = value else { return };
+    let units = mechanism.units.of_messages();
     if let Some(at) = parameter {
         let parameter = &mechanism.parameters[at];
         let Some(number) = pool.graph.constant_value(value) else {
@@ -150,9 +154,22 @@ fn carry_out(
             );
             return;
         };
+        if let Some(outside) = outside(written, number, parameter.range, dimension, units) {
+            diagnostics.push(outside);
+            return;
+        }
         pool.graph.set_nominal(parameter.symbol, number);
     } else if let Some(at) = input {
         let (graph, time) = (&mut pool.graph, mechanism.time);
+        // A law is checked at every frame.
+        let constant = graph.constant_value(value);
+        let range = mechanism.inputs[at].range;
+        if let Some(outside) =
+            constant.and_then(|number| outside(written, number, range, dimension, units))
+        {
+            diagnostics.push(outside);
+            return;
+        }
         let rate = graph.derivative(value, time);
         let acceleration = graph.derivative(rate, time);
         mechanism.inputs[at].signal = [value, rate, acceleration];
@@ -197,6 +214,25 @@ fn slope_at(points: &[[f64; 2]], at: usize) -> f64 {
         value * factors.product::<f64>() / (place - t)
     });
     sum_of_inverses * points[at][1] + rest.sum::<f64>()
+}
+
+/// Returns the error for a value outside of its range; `None` for other values.
+fn outside(
+    written: &Constant,
+    value: f64,
+    range: Option<[f64; 2]>,
+    dimension: Dimension,
+    units: &OutputUnits,
+) -> Option<Diagnostic> {
+    let [low, high] = range.filter(|[low, high]| !(*low..=*high).contains(&value))?;
+    let name = &written.name.text;
+    let range = range_text([low, high], dimension, units);
+    let value = value_text(value, dimension, units);
+    let message = format!("{value} is outside of the range of `{name}`");
+    let finding = Diagnostic::error(Code::ValueNotAllowed, written.value.span, message)
+        .label(format!("`{name}` is {range}"))
+        .help("set a value in the range, or extend the range in the description");
+    Some(finding)
 }
 
 fn unknown(mechanism: &Mechanism, written: &Constant) -> Diagnostic {

@@ -8,7 +8,7 @@ use std::collections::{HashMap, HashSet};
 
 use proc_macro2::Delimiter;
 
-use super::document::{Body, Constant, Member, Operands, Statement};
+use super::document::{Adjustable, Body, Constant, Member, Operands, Statement};
 use super::expression::{after_expression, coordinates, expression};
 use super::formula::{Expression, Name};
 use super::indexed::{indexed, value};
@@ -257,7 +257,8 @@ fn points_of_body(statement: &Statement) -> Option<(String, HashSet<String>)> {
 
 fn valued(statement: &Statement) -> Option<&Constant> {
     match statement {
-        Statement::Constant(constant) | Statement::Parameter(constant) => Some(constant),
+        Statement::Constant(constant) => Some(constant),
+        Statement::Parameter(parameter) => Some(&parameter.constant),
         _ => None,
     }
 }
@@ -296,12 +297,22 @@ fn given_for(used: &Used, statement: &Statement, reader: &Reader<'_>) -> Option<
     Some(argument.1.clone())
 }
 
-/// Replaces the value of a constant or a parameter.
+/// Replaces the value of a constant or a parameter, whose range still limits it.
 fn replace(statement: &mut Statement, given: Expression) {
-    if let Some(constant) = valued(statement) {
-        *statement = Statement::Constant(Constant {
-            value: given,
-            ..constant.clone()
-        });
-    }
+    let Some(constant) = valued(statement) else {
+        return;
+    };
+    let constant = Constant {
+        value: given,
+        ..constant.clone()
+    };
+    *statement = match statement {
+        Statement::Parameter(Adjustable {
+            range: Some(range), ..
+        }) => Statement::Given(Adjustable {
+            constant,
+            range: Some(range.clone()),
+        }),
+        _ => Statement::Constant(constant),
+    };
 }

@@ -6,8 +6,8 @@ use std::cell::Cell;
 use std::collections::{HashMap, HashSet};
 
 use super::document::{
-    Body, Curve, Drive, Joint, Member, Orientation, Origin, OutputItem, Shape, Statement, Table,
-    TablePoints,
+    Body, Constant, Curve, Drive, Joint, Member, Orientation, Origin, OutputItem, Shape, Statement,
+    Table, TablePoints,
 };
 use super::forces::{Center, Element};
 use super::formula::{Component, Direction, Expression, ExpressionKind, Name, Pair, Reference};
@@ -65,12 +65,10 @@ impl<'a> Renaming<'a> {
 
     fn all_of(&mut self, statement: &mut Statement) -> Outcome<()> {
         match statement {
-            Statement::Constant(it)
-            | Statement::Parameter(it)
-            | Statement::Input(it)
-            | Statement::Angle(it) => {
-                self.name(&mut it.name)?;
-                self.formula(&mut it.value)
+            Statement::Constant(it) | Statement::Angle(it) => self.constant(it),
+            Statement::Given(it) | Statement::Parameter(it) | Statement::Input(it) => {
+                self.constant(&mut it.constant)?;
+                self.formulas(it.range.iter_mut().flatten())
             }
             Statement::Table(table) => self.table(table),
             Statement::Points(points) => points.points.iter_mut().try_for_each(|point| {
@@ -229,6 +227,11 @@ impl<'a> Renaming<'a> {
                 &mut choice.otherwise,
             ]),
         }
+    }
+
+    fn constant(&self, constant: &mut Constant) -> Outcome<()> {
+        self.name(&mut constant.name)?;
+        self.formula(&mut constant.value)
     }
 
     fn table(&self, table: &mut Table) -> Outcome<()> {

@@ -81,11 +81,19 @@ impl Collector {
             Statement::Constant(own) => {
                 self.plain(Sort::Constant, &own.name, span, &own.docs);
             }
+            Statement::Given(own) => {
+                self.plain(Sort::Constant, &own.constant.name, span, &own.constant.docs);
+            }
             Statement::Parameter(own) => {
-                self.plain(Sort::Parameter, &own.name, span, &own.docs);
+                self.plain(
+                    Sort::Parameter,
+                    &own.constant.name,
+                    span,
+                    &own.constant.docs,
+                );
             }
             Statement::Input(own) => {
-                self.plain(Sort::Input, &own.name, span, &own.docs);
+                self.plain(Sort::Input, &own.constant.name, span, &own.constant.docs);
             }
             Statement::Table(own) => {
                 self.plain(Sort::Table, &own.name, span, &own.docs);

@@ -27,7 +27,7 @@ pub fn rewritten(
     let mut edits = Vec::new();
     for (name, value) in values {
         let declared = of_motion(&statements, system).find_map(|it| match it {
-            Statement::Parameter(own) if own.name.text == *name => Some(own),
+            Statement::Parameter(own) if own.constant.name.text == *name => Some(&own.constant),
             _ => None,
         });
         let parameter = system

@@ -58,10 +58,12 @@ pub struct MechanismItem {
 pub enum Statement {
     /// `const NAME = EXPRESSION;`
     Constant(Constant),
+    /// Parameter with a range, in a part whose use gives it another value: a constant in that range.
+    Given(Adjustable),
     /// `param NAME = EXPRESSION;`: a constant that can be changed at run time.
-    Parameter(Constant),
+    Parameter(Adjustable),
     /// `input NAME = EXPRESSION;`: a signal supplied at run time, with its value at assembly.
-    Input(Constant),
+    Input(Adjustable),
     /// `table NAME = [(X, Y), (X, Y)];`
     Table(Table),
     /// `point A = (X, Y), B = (X, Y);`
@@ -122,10 +124,10 @@ impl Statement {
     /// Returns the location from the first word to the semicolon or the closing brace.
     pub fn span(&self) -> Span {
         match self {
-            Statement::Constant(statement)
+            Statement::Constant(statement) | Statement::Angle(statement) => statement.span,
+            Statement::Given(statement)
             | Statement::Parameter(statement)
-            | Statement::Input(statement)
-            | Statement::Angle(statement) => statement.span,
+            | Statement::Input(statement) => statement.constant.span,
             Statement::Table(statement) => statement.span,
             Statement::Points(statement) => statement.span,
             Statement::Body(statement) => statement.span,
@@ -159,7 +161,7 @@ pub struct Motion {
     pub span: Span,
 }
 
-/// `const NAME = EXPRESSION;`, and `param`, `input` and `angle` in the same form.
+/// `const NAME = EXPRESSION;`, and `angle` in the same form.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Constant {
     /// The `///` lines above it.
@@ -170,4 +172,13 @@ pub struct Constant {
     pub value: Expression,
     /// The whole statement with its semicolon.
     pub span: Span,
+}
+
+/// `param NAME = EXPRESSION from LOW to HIGH;`, and `input` in the same form.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Adjustable {
+    /// Name and value.
+    pub constant: Constant,
+    /// Both ends of its range; `None` if it is not limited.
+    pub range: Option<[Expression; 2]>,
 }

@@ -10,7 +10,8 @@ fn declared(document: &Document) -> Vec<&str> {
         match statement {
             Statement::Points(it) => names.extend(it.points.iter().map(|it| it.name.text.as_str())),
             Statement::Body(it) => names.push(&it.name.text),
-            Statement::Constant(it) | Statement::Parameter(it) => names.push(&it.name.text),
+            Statement::Constant(it) => names.push(&it.name.text),
+            Statement::Parameter(it) => names.push(&it.constant.name.text),
             Statement::Joint(it) => names.extend(it.name.iter().map(|it| it.text.as_str())),
             _ => names.push("?"),
         }
