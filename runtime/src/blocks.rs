@@ -12,6 +12,7 @@ use crate::motion::PointMotion;
 use crate::settings::Settings;
 use crate::signal::Signal;
 use crate::time_window::TimeWindow;
+use crate::value_range::ValueRange;
 
 /// Equations of a mechanism, solved block by block, and the names of its parts.
 ///
@@ -167,6 +168,16 @@ pub trait Blocks {
     /// Name of the input `index`; `None` beyond the last one.
     fn input_name(&self, index: usize) -> Option<&str>;
 
+    /// Range of the parameter `_index`; `None` if the description gives none.
+    fn parameter_range(&self, _index: usize) -> Option<ValueRange<'_, Self::Scalar>> {
+        None
+    }
+
+    /// Range of the values of the input `_index`; `None` if the description gives none.
+    fn input_range(&self, _index: usize) -> Option<ValueRange<'_, Self::Scalar>> {
+        None
+    }
+
     /// Value, rate and acceleration of the coordinate `index` in a frame; `None` if frames do not hold the coordinate.
     fn coordinate(&self, frame: &Self::Frame, index: usize) -> Option<[Self::Scalar; 3]>;
 
@@ -217,17 +228,24 @@ pub trait Blocks {
     /// Describes a failure in the mechanism's own terms.
     fn explained(&self, failure: &Failure<Self::Scalar>) -> FailureMessage<'_, Self::Scalar> {
         let place = usize::from(failure.block);
+        let input = failure.input.map(usize::from);
         FailureMessage {
             failure: *failure,
-            block: match (failure.input, failure.kind) {
-                (Some(input), _) => self
-                    .input_name(usize::from(input))
+            block: match (input, failure.kind) {
+                (Some(input), _) => self.input_name(input).map(|name| BlockName::new(name, "")),
+                (None, FailureKind::OutsideRange { .. }) => self
+                    .parameter_name(place)
                     .map(|name| BlockName::new(name, "")),
                 (None, FailureKind::NotPositive { .. }) => self.requirement_name(place),
                 (None, FailureKind::LoadNotFinite { load }) => self
                     .load_name(usize::from(load))
                     .map(|name| BlockName::new(name, "")),
                 (None, _) => self.block_name(place),
+            },
+            range: match (input, failure.kind) {
+                (Some(input), FailureKind::OutsideRange { .. }) => self.input_range(input),
+                (None, FailureKind::OutsideRange { .. }) => self.parameter_range(place),
+                _ => None,
             },
         }
     }

@@ -23,7 +23,7 @@ pub struct Failure<T = f64> {
     pub residual: T,
     /// Equation with that residual; the first one that is not finite, if any.
     pub row: u16,
-    /// Index of the input that is not finite; `None` if the failure has another cause.
+    /// Index of the input that is not finite or outside of its range; `None` if the failure has another cause.
     pub input: Option<u16>,
 }
 
@@ -85,6 +85,12 @@ pub enum FailureKind<T = f64> {
         /// Value of the quantity.
         value: T,
     },
+    /// A parameter or an input is outside of the range that the description gives it. [`Failure::input`] is the index of
+    /// the input; if it is `None`, the failure's block is the index of the parameter.
+    OutsideRange {
+        /// Value of the parameter or the input.
+        value: T,
+    },
     /// An input (see [`Failure::input`]), a time, a pose, a residual, an entry of the Jacobian, a velocity or an
     /// acceleration is infinite or NaN; or a scale of the equations is not a positive finite number.
     NotFinite,
@@ -111,9 +117,16 @@ impl<T> FailureKind<T> {
             Self::Undecided => "two assembly modes meet, and the motion does not tell them apart",
             Self::StepTooLarge => "the step is too large for the motion to be followed",
             Self::NotPositive { .. } => "a parameter is not positive",
+            Self::OutsideRange { .. } => "a value is outside of its range",
             Self::NotFinite => "a number is not finite",
             Self::LoadNotFinite { .. } => "a load is not finite",
         }
+    }
+
+    /// True if the description does not permit the value of a parameter or an input, so that no assembly exists.
+    #[doc(hidden)]
+    pub fn rejects_values(&self) -> bool {
+        matches!(self, Self::NotPositive { .. } | Self::OutsideRange { .. })
     }
 
     /// True if a number is refused: the failure does not tell which block has no pose.
@@ -146,7 +159,13 @@ impl<T: Real> fmt::Display for Failure<T> {
             input,
         } = self;
         if let Some(input) = input {
-            return write!(formatter, "not finite: input {input}, t = {time}");
+            return match kind {
+                FailureKind::OutsideRange { value } => write!(
+                    formatter,
+                    "outside of its range: input {input} of {value}, t = {time}"
+                ),
+                _ => write!(formatter, "not finite: input {input}, t = {time}"),
+            };
         }
         let what = match kind {
             FailureKind::Singular {
@@ -167,6 +186,12 @@ impl<T: Real> fmt::Display for Failure<T> {
                 return write!(
                     formatter,
                     "requirement {block}: {value:.1e} is not positive"
+                );
+            }
+            FailureKind::OutsideRange { value } => {
+                return write!(
+                    formatter,
+                    "outside of its range: parameter {block} of {value}"
                 );
             }
             FailureKind::LoadNotFinite { load } => {

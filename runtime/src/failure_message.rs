@@ -7,6 +7,7 @@ use core::fmt;
 
 use crate::failure::{Failure, FailureKind};
 use crate::math::Real;
+use crate::value_range::ValueRange;
 
 /// Name of a block of a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,8 +54,10 @@ impl<'a> BlockName<'a> {
 pub struct FailureMessage<'a, T = f64> {
     /// Failure to describe.
     pub failure: Failure<T>,
-    /// Name of the failed block, or of the input or load that is not finite; `None` if it is unknown.
+    /// Name of the failed block, or of the parameter, input or load that is refused; `None` if it is unknown.
     pub block: Option<BlockName<'a>>,
+    /// Range that the value is outside of; `None` for other failures.
+    pub range: Option<ValueRange<'a, T>>,
 }
 
 impl<T: Real> FailureMessage<'_, T> {
@@ -80,10 +83,43 @@ struct Cause<'a, T> {
     per_meter: f64,
 }
 
+impl<T: Real> Cause<'_, T> {
+    /// Writes that a value is outside of its range, in the unit of the range.
+    fn write_outside(&self, value: T, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let FailureMessage {
+            failure,
+            block,
+            range,
+        } = self.explained;
+        formatter.write_str(match failure.input {
+            Some(_) => "input ",
+            None => "parameter ",
+        })?;
+        if let Some(block) = block {
+            write!(formatter, "{}: ", block.name)?;
+        }
+        let Some(ValueRange {
+            ends: [low, high],
+            unit,
+        }) = range
+        else {
+            return write!(formatter, "{value} is outside of its range");
+        };
+        let space = if unit.is_empty() { "" } else { " " };
+        write!(
+            formatter,
+            "{value}{space}{unit} is outside of its range from {low}{space}{unit} to {high}{space}{unit}"
+        )
+    }
+}
+
 impl<T: Real> fmt::Display for FailureMessage<'_, T> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.failure.kind {
             FailureKind::NotPositive { .. } => write!(formatter, "{}", self.cause()),
+            FailureKind::OutsideRange { .. } if self.failure.input.is_none() => {
+                write!(formatter, "{}", self.cause())
+            }
             _ => write!(
                 formatter,
                 "{}, at t = {} s",
@@ -113,6 +149,9 @@ impl<T: Real> fmt::Display for Cause<'_, T> {
                 "{what} must be positive, and would be {}",
                 Figure(value)
             );
+        }
+        if let FailureKind::OutsideRange { value } = kind {
+            return self.write_outside(value, formatter);
         }
         if self.explained.failure.input.is_some() {
             let name = block.map_or("", |input| input.name);
@@ -213,7 +252,64 @@ mod tests {
             input: None,
         };
         let block = BLOCKS.get(usize::from(block)).copied();
-        FailureMessage { failure, block }.to_string()
+        let range = None;
+        FailureMessage {
+            failure,
+            block,
+            range,
+        }
+        .to_string()
+    }
+
+    #[test]
+    fn a_value_outside_of_its_range_is_told_with_both_ends() {
+        let failure = |input| Failure {
+            kind: FailureKind::OutsideRange { value: 0.165 },
+            time: 0.5,
+            block: 0,
+            iterations: 0,
+            residual: 0.0,
+            row: 0,
+            input,
+        };
+        let range = ValueRange {
+            ends: [0.08, 0.16],
+            unit: "m",
+        };
+        let block = Some(BlockName::new("rod", ""));
+        let text = |input, block, range| {
+            let failure = failure(input);
+            FailureMessage {
+                failure,
+                block,
+                range,
+            }
+            .to_string()
+        };
+        assert_eq!(
+            text(None, block, Some(range)),
+            "parameter rod: 0.165 m is outside of its range from 0.08 m to 0.16 m"
+        );
+        assert_eq!(
+            text(Some(0), block, Some(ValueRange { unit: "", ..range })),
+            "input rod: 0.165 is outside of its range from 0.08 to 0.16, at t = 0.5 s"
+        );
+        assert_eq!(
+            text(Some(0), None, None),
+            "input 0.165 is outside of its range, at t = 0.5 s"
+        );
+        assert_eq!(
+            failure(Some(2)).to_string(),
+            "outside of its range: input 2 of 0.165, t = 0.5"
+        );
+        assert_eq!(
+            failure(None).to_string(),
+            "outside of its range: parameter 0 of 0.165"
+        );
+        for (value, is_outside) in [(0.08, false), (0.16, false), (f64::NAN, false)] {
+            assert_eq!(range.excludes(value), is_outside);
+        }
+        assert!(range.excludes(f64::INFINITY) && range.excludes(0.08_f64.next_down()));
     }
 
     #[test]

@@ -104,6 +104,7 @@ mod table;
 pub mod thresholds;
 mod time_window;
 mod torn;
+mod value_range;
 mod vector;
 mod watch;
 mod way;
@@ -123,6 +124,7 @@ pub use normalized_determinant::NormalizedDeterminant;
 pub use settings::Settings;
 pub use shell::Shell;
 pub use signal::Signal;
+pub use value_range::ValueRange;
 
 /// Includes the module that `linkwright_codegen::build` generated for the mechanism `$name`.
 ///

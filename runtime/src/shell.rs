@@ -13,6 +13,7 @@ use crate::guard::{Guard, Pair};
 use crate::math::Real;
 use crate::settings::Settings;
 use crate::signal::Signal;
+use crate::value_range::first_outside;
 use crate::way::Way;
 
 /// Mechanism in motion: its equations, its last frame, and the parameters, inputs and modes with which the next one is
@@ -71,6 +72,7 @@ impl<B: Blocks> Shell<B> {
         settings: Settings<B::Scalar>,
     ) -> Result<Self, Failure<B::Scalar>> {
         allow(&blocks, parameters, t)?;
+        accept(&blocks, inputs, t)?;
         let mut last = blocks.estimate(estimate, parameters, t);
         blocks.begin(&mut branches, &mut last);
         let mut at = last.clone();
@@ -106,14 +108,15 @@ impl<B: Blocks> Shell<B> {
     /// # Errors
     /// Returns a [`Failure`] if the equations cannot be solved from there. Its time is the end of the motion, or the
     /// last time that could be followed. An input that is not finite is
-    /// [`FailureKind::NotFinite`] at the time `t`, with the input's index. A length that inputs make not positive is
-    /// [`FailureKind::NotPositive`] at that time.
+    /// [`FailureKind::NotFinite`] at the time `t`, with the input's index, and one outside of its range
+    /// [`FailureKind::OutsideRange`]. A length that inputs make not positive is [`FailureKind::NotPositive`] at that time.
     #[inline]
     pub fn advance(
         &mut self,
         t: B::Scalar,
         inputs: &B::Inputs,
     ) -> Result<&B::Frame, Failure<B::Scalar>> {
+        accept(&self.blocks, inputs, t)?;
         let [first, second] = &mut self.frames;
         let (last, at) = match self.second_is_last {
             true => (&*second, first),
@@ -250,6 +253,7 @@ impl<B: Blocks> Shell<B> {
         inputs: &B::Inputs,
         branches: &mut B::Branches,
     ) -> Result<B::Frame, Failure<B::Scalar>> {
+        accept(&self.blocks, inputs, t)?;
         let last = self.frame();
         let mut at = last.clone();
         let conditions = Conditions {
@@ -392,8 +396,8 @@ impl<B: Blocks> Shell<B> {
     /// the same modes, with angles near those of the last frame.
     ///
     /// # Errors
-    /// Returns [`FailureKind::NotPositive`] or [`FailureKind::NotFinite`] for values that a description may not have;
-    /// the parameters are then unchanged.
+    /// Returns [`FailureKind::OutsideRange`], [`FailureKind::NotPositive`] or [`FailureKind::NotFinite`] for values that
+    /// a description may not have; the parameters are then unchanged.
     pub fn set_parameters(&mut self, parameters: &B::Parameters) -> Result<(), Failure<B::Scalar>> {
         let t = B::time(self.frame());
         allow(&self.blocks, parameters, t)?;
@@ -410,6 +414,10 @@ fn allow<B: Blocks>(
     parameters: &B::Parameters,
     t: B::Scalar,
 ) -> Result<(), Failure<B::Scalar>> {
+    let values = (0..parameters.count()).map_while(|index| parameters.value(index));
+    if let Some((place, value)) = first_outside(values, |index| blocks.parameter_range(index)) {
+        return Err(failed(FailureKind::OutsideRange { value }, t, place));
+    }
     if !parameters.are_finite() {
         return Err(failed(FailureKind::NotFinite, t, 0));
     }
@@ -417,6 +425,29 @@ fn allow<B: Blocks>(
         Some((place, value)) => Err(failed(FailureKind::NotPositive { value }, t, place)),
         None => Ok(()),
     }
+}
+
+/// Refuses inputs outside of their ranges. Steps between two frames are exempt: their inputs are interpolated.
+#[inline]
+fn accept<B: Blocks>(
+    blocks: &B,
+    inputs: &B::Inputs,
+    t: B::Scalar,
+) -> Result<(), Failure<B::Scalar>> {
+    match input_outside(blocks, inputs) {
+        Some((place, value)) => Err(Failure {
+            input: Some(place),
+            ..failed(FailureKind::OutsideRange { value }, t, 0)
+        }),
+        None => Ok(()),
+    }
+}
+
+/// Returns the index and the value of the first input outside of its range; `None` if all are in their ranges.
+#[inline]
+pub(crate) fn input_outside<B: Blocks>(blocks: &B, inputs: &B::Inputs) -> Option<(u16, B::Scalar)> {
+    let values = (0..inputs.count()).map_while(|index| Some(inputs.value(index)?.value));
+    first_outside(values, |index| blocks.input_range(index))
 }
 
 /// Solves all blocks if all numbers are finite.

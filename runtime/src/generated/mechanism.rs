@@ -19,6 +19,8 @@ macro_rules! generated_mechanism {
         $(driven: $driven:ident;)?
         $(assemblies: $assemblies:ident;)?
         $(loads: $loads:ident;)?
+        $(parameter_ranges: $parameter_ranges:ident;)?
+        $(input_ranges: $input_ranges:ident;)?
     ) => {
         /// Data with which one instant is solved.
         type Conditions<'a> = $crate::generated::Conditions<
@@ -174,6 +176,19 @@ macro_rules! generated_mechanism {
             $(
                 fn load_name(&self, index: usize) -> Option<&str> {
                     $loads.get(index).copied()
+                }
+            )?
+
+            $(
+                fn parameter_range(&self, index: usize) -> Option<ValueRange> {
+                    $parameter_ranges.get(index).copied().flatten()
+                }
+            )?
+
+            $(
+                #[inline]
+                fn input_range(&self, index: usize) -> Option<ValueRange> {
+                    $input_ranges.get(index).copied().flatten()
                 }
             )?
 

@@ -119,6 +119,8 @@ macro_rules! precision {
             pub type TimeWindow = crate::generated::TimeWindow<Scalar>;
             /// Chord through the values of two frames, with a bound on the deviation from it.
             pub type PathEnclosure = crate::generated::PathEnclosure<Scalar>;
+            /// Range of a parameter or an input.
+            pub type ValueRange = crate::ValueRange<'static, Scalar>;
             /// One Newton-Raphson step.
             pub type Step<const N: usize> = crate::generated::newton::Step<Scalar, Const<N>>;
             /// Smooth curve through N points.

@@ -10,7 +10,7 @@ use super::{Lanes, Mask};
 use crate::blocks::Blocks;
 use crate::failure::Failure;
 use crate::math::Real;
-use crate::shell::Shell;
+use crate::shell::{Shell, input_outside};
 use crate::time_window::TimeWindow;
 
 /// Data with which one instant of N mechanisms is solved.
@@ -208,13 +208,15 @@ impl<B: InLanes<N>, const N: usize> Group<B, N> {
         (failed, at)
     }
 
-    /// Solves the next frames; returns the lanes without a solution.
+    /// Solves the next frames; returns the lanes without a solution, and those with inputs outside of their ranges.
     #[inline(always)]
     fn solve(&mut self, times: &[B::Scalar; N], inputs: &[&B::Inputs; N]) -> Mask<N> {
+        let mut outside = Mask::NONE;
         if self.has_inputs {
             for (lane, inputs) in inputs.iter().enumerate() {
                 self.inputs.set_lane(lane, inputs);
             }
+            outside = Mask::of(|lane| input_outside(&self.blocks, inputs[lane]).is_some());
         }
         let (last, at) = both(&mut self.frames, self.second_is_last);
         let conditions = Conditions {
@@ -223,10 +225,11 @@ impl<B: InLanes<N>, const N: usize> Group<B, N> {
             inputs: &self.inputs,
         };
         let (blocks, signs) = (&self.blocks, &self.signs);
-        vectorized(
+        let unsolved = vectorized(
             #[inline(always)]
             || blocks.solve_lanes(at, last, signs, &conditions),
-        )
+        );
+        unsolved | outside
     }
 
     /// Extends the windows of the lanes that are due, and of others with them, beyond the next frames.

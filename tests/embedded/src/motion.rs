@@ -180,7 +180,8 @@ fn failed<T: Real, B: Machine>(machine: &mut B, failure: &Failure<T>) {
         FailureKind::NotFinite => 10,
         FailureKind::Undecided => 11,
         FailureKind::LoadNotFinite { .. } => 12,
-        _ => 12,
+        FailureKind::OutsideRange { .. } => 13,
+        _ => 14,
     };
     let Failure {
         time,
