@@ -26,7 +26,7 @@ pub mod model {
     #[doc(inline)]
     pub use crate::model::{
         Body, Dimension, ENDS_OF_TABLES, FUNCTIONS, Joint, LAWS, Mechanism, Mention, Requested,
-        Role, follow_points, set, unit,
+        Role, follow_points, range_text, set, si_unit, unit, value_text,
     };
     #[doc(inline)]
     pub use crate::read::mentions;

@@ -2,7 +2,7 @@
 
 use std::convert::Infallible;
 
-use linkwright::{Blocks, FailureKind, Shell};
+use linkwright::{Blocks, Shell};
 use linkwright_codegen::stages::model::Role;
 use linkwright_codegen::stages::system::System;
 use nalgebra::DVector;
@@ -105,7 +105,7 @@ impl Check {
         );
         let (mut range, mut error, mut approaches) = (None, None, Vec::new());
         let failed = assembled.as_ref().err().map(|failure| failure.kind);
-        let is_refused = matches!(failed, Some(FailureKind::NotPositive { .. }));
+        let is_refused = failed.is_some_and(|kind| kind.rejects_values());
         let assemblies = match is_refused {
             true => Assemblies::refused(&interpreted),
             false => assemblies(&interpreted, start),

@@ -8,6 +8,7 @@ use crate::instant::Instant;
 use crate::interpreted::Interpreted;
 use crate::not_finite;
 use crate::number::time;
+use crate::ranges::outside;
 use crate::view::View;
 
 impl Interpreted {
@@ -15,7 +16,7 @@ impl Interpreted {
     pub(crate) fn reason_of_start(&self, failure: &Failure) -> String {
         let cause = self.cause(failure, None);
         // A rejected value is rejected in every assembly.
-        let is_refused = matches!(failure.kind, FailureKind::NotPositive { .. });
+        let is_refused = failure.kind.rejects_values();
         let others = match is_refused {
             true => 0,
             false => assemblies(self, failure.time).found.len(),
@@ -51,6 +52,9 @@ impl Interpreted {
 
     /// Describes a failure without the time, with lengths in the unit of messages.
     pub(crate) fn reported(&self, failure: &Failure) -> String {
+        if let Some(outside) = outside(self.system(), failure) {
+            return outside;
+        }
         let unit = self.system().mechanism.units.of_messages().of("m");
         let explained = self.explained(failure);
         let cause = explained.cause_in(&unit.name, unit.of_si(1.0));

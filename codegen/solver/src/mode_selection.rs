@@ -1,6 +1,6 @@
 //! Selects the modes and the pose of an assembly from texts like `phi2=other` or `loop_p=c`.
 
-use linkwright::{Blocks, Branch, Failure, FailureKind};
+use linkwright::{Blocks, Branch, Failure};
 use linkwright_codegen::diagnostic::nearest;
 
 use crate::instant::Instant;
@@ -86,9 +86,9 @@ impl Unassembled {
         match *self {
             Unassembled::Failed(failure) => {
                 let cause = interpreted.reported(&failure);
-                match failure.kind {
-                    FailureKind::NotPositive { .. } => cause,
-                    _ => format!("{cause}, at t = {} s", time(failure.time)),
+                match failure.kind.rejects_values() {
+                    true => cause,
+                    false => format!("{cause}, at t = {} s", time(failure.time)),
                 }
             }
             Unassembled::NoPose {

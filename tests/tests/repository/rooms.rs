@@ -53,6 +53,7 @@ const SOLVER: (&str, &[&str]) = (
         "condition",
         "number",
         "operation",
+        "ranges",
         "newton",
         "rates",
         "schedule",

@@ -5,7 +5,7 @@
 
 use std::io;
 
-use linkwright::{Blocks as _, Failure};
+use linkwright::{Blocks as _, Failure, FailureKind};
 use linkwright_solver::Interpreted;
 
 use super::cells::{Cells, Column, Kind};
@@ -213,8 +213,8 @@ impl<'a> Table<'a> {
 
 /// Words for the kind of a failure.
 pub fn words(failure: &Failure) -> &'static str {
-    match failure.input {
-        Some(_) => "an input is not finite",
-        None => failure.kind.words(),
+    match (failure.input, failure.kind) {
+        (Some(_), FailureKind::NotFinite) => "an input is not finite",
+        _ => failure.kind.words(),
     }
 }

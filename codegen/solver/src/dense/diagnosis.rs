@@ -10,6 +10,7 @@ use super::Dense;
 use crate::condition::{Condition, Weakness, dimensionless, jacobian};
 use crate::instant::Instant;
 use crate::number::{scientific, time};
+use crate::ranges::outside;
 use crate::singular_participants::SingularParticipants;
 use crate::textbook::TextbookEquations;
 use crate::view::View;
@@ -24,6 +25,9 @@ const NEAR_END: f64 = 1e-5;
 /// Returns the reason that the motion ends at the last instant or does not begin, with the joints concerned.
 pub fn cause(dense: &Dense, failure: &Failure, last: Option<&Instant>) -> String {
     let (system, equations) = (dense.system(), dense.equations());
+    if let Some(outside) = outside(system, failure) {
+        return outside;
+    }
     let (q, t) = match last {
         Some(last) => (DVector::from_column_slice(last.q()), last.t()),
         None => (equations.estimate().clone(), failure.time),

@@ -7,7 +7,7 @@ use std::cell::Cell;
 use std::sync::Arc;
 
 use linkwright::generated::{Conditions, Pair, Start, TimeWindow, block, path};
-use linkwright::{BlockName, Blocks, Equations, Failure, PointMotion};
+use linkwright::{BlockName, Blocks, Equations, Failure, PointMotion, ValueRange};
 use linkwright_codegen::stages::emit::derivation::SingularPose;
 use linkwright_codegen::stages::system::Derived;
 use nalgebra::{DMatrix, DVector, Dyn};
@@ -16,6 +16,7 @@ use crate::forces::DenseForces;
 use crate::instant::{Instant, Layout};
 use crate::measures::Measures;
 use crate::number::time;
+use crate::ranges::Ranges;
 use crate::supplied::{InputSignals, ModeName, Modes, Numbers, ParameterValues, Pose};
 use crate::textbook::TextbookEquations;
 use crate::view::View;
@@ -30,6 +31,7 @@ pub struct Dense {
     forces: Option<DenseForces>,
     residuals: Cell<u64>,
     solves: Cell<u64>,
+    ranges: Ranges,
 }
 
 /// Name of the block.
@@ -53,6 +55,7 @@ impl Dense {
             derived: Arc::new(derived.clone()),
             residuals: Cell::new(0),
             solves: Cell::new(0),
+            ranges: Ranges::of(system),
         }
     }
 
@@ -205,6 +208,14 @@ impl Blocks for Dense {
     fn input_name(&self, index: usize) -> Option<&str> {
         let inputs = &self.system().mechanism.inputs;
         inputs.get(index).map(|it| it.name.as_str())
+    }
+
+    fn parameter_range(&self, index: usize) -> Option<ValueRange<'_>> {
+        self.ranges.parameter(index)
+    }
+
+    fn input_range(&self, index: usize) -> Option<ValueRange<'_>> {
+        self.ranges.input(index)
     }
 
     fn coordinate(&self, frame: &Instant, index: usize) -> Option<[f64; 3]> {

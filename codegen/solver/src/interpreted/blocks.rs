@@ -4,7 +4,9 @@
 use linkwright::generated::{
     Conditions, Pair, PathEnclosure, TimeWindow, failed, first_not_positive,
 };
-use linkwright::{BlockName, Blocks, Branch, Failure, FailureKind, PointMotion, Values};
+use linkwright::{
+    BlockName, Blocks, Branch, Failure, FailureKind, PointMotion, ValueRange, Values,
+};
 use linkwright_codegen::stages::emit::derivation::BlockWords;
 use linkwright_codegen::stages::expr::Register;
 
@@ -209,6 +211,14 @@ impl Blocks for Interpreted {
     fn input_name(&self, index: usize) -> Option<&str> {
         let inputs = &self.system().mechanism.inputs;
         inputs.get(index).map(|it| it.name.as_str())
+    }
+
+    fn parameter_range(&self, index: usize) -> Option<ValueRange<'_>> {
+        self.compiled.ranges.parameter(index)
+    }
+
+    fn input_range(&self, index: usize) -> Option<ValueRange<'_>> {
+        self.compiled.ranges.input(index)
     }
 
     fn coordinate(&self, frame: &Instant, index: usize) -> Option<[f64; 3]> {

@@ -19,6 +19,7 @@ use super::path::InterpretedPath;
 use crate::instant::{Instant, Layout};
 use crate::newton::Newton;
 use crate::operation::{Operation, Writer};
+use crate::ranges::Ranges;
 use crate::reader::Formulas;
 use crate::supplied::{InputSignals, Modes, ParameterValues};
 
@@ -43,6 +44,7 @@ pub(crate) struct Compiled {
     drawn: Option<Formulas>,
     /// Values that parameters must keep positive.
     pub(super) required: Option<Formulas>,
+    pub(super) ranges: Ranges,
     /// Verification of the path; `None` for unguarded mechanisms.
     pub(super) path: Option<InterpretedPath>,
 }
@@ -146,6 +148,7 @@ impl Compiled {
         let required = required.map(|it| formulas(&it.function));
         Compiled {
             required,
+            ranges: Ranges::of(system),
             path: InterpretedPath::new(pool, system, program, &layout),
             last,
             drawn,

@@ -168,10 +168,8 @@ impl Interpreted {
     /// True if the values of parameters and inputs at t = 0 are rejected, or leave a loop open.
     fn is_refused_as_drawn(&self) -> bool {
         self.assembled_as_drawn(0.0).is_err_and(|failure| {
-            matches!(
-                failure.kind,
-                FailureKind::NotPositive { .. } | FailureKind::OutOfReach { .. }
-            )
+            let is_open = matches!(failure.kind, FailureKind::OutOfReach { .. });
+            is_open || failure.kind.rejects_values()
         })
     }
 

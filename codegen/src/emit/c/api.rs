@@ -3,6 +3,7 @@
 use super::assembly;
 use super::points::Offered;
 use super::printer::Printer;
+use super::ranges;
 use super::words::identifier;
 use crate::emit::code::Code;
 use crate::emit::module::path_enclosures::enclosure_count;
@@ -177,6 +178,7 @@ fn motion(printer: &Printer<'_>) -> Vec<Offered> {
         &[&mechanism, &time, &optional.inputs],
     );
     let body = &mut advance.body;
+    ranges::refuse_inputs(printer, body);
     body.line(format!("const {parts} parts = {own}(mechanism);"));
     body.line(format!(
         "linkwright_status status = {}(&parts, t, {inputs});",
@@ -203,6 +205,7 @@ fn motion(printer: &Printer<'_>) -> Vec<Offered> {
             &format!("{frame} *found"),
         ],
     );
+    ranges::refuse_inputs(printer, &mut at.body);
     at.body
         .line(format!("const {parts} parts = {own}(mechanism);"));
     at.body
@@ -291,6 +294,7 @@ fn recover(printer: &Printer<'_>) -> Offered {
     );
     let (parts, own) = (printer.runtime("mechanism"), printer.own("parts_of"));
     let body = &mut offered.body;
+    ranges::refuse_inputs(printer, body);
     body.line(format!("const {parts} parts = {own}(mechanism);"));
     body.line(format!("{} branches;", printer.type_of("Branches")));
     let call = format!(
@@ -342,8 +346,10 @@ fn set_parameters(printer: &Printer<'_>) -> Offered {
         printer.type_of("Frame"),
         printer.function("frame")
     ));
+    let time = "(last != NULL) ? last->t : mechanism->failure.time";
+    ranges::refuse_parameters(printer, time, body);
     body.line(format!(
-        "const linkwright_status status = {}(&parts, parameters, (last != NULL) ? last->t : mechanism->failure.time);",
+        "const linkwright_status status = {}(&parts, parameters, {time});",
         printer.runtime("allow")
     ));
     body.open("if (status == LINKWRIGHT_OK) {");

@@ -3,6 +3,7 @@
 use super::api::{OptionalArguments, function, listed};
 use super::points::Offered;
 use super::printer::Printer;
+use super::ranges;
 use super::words::identifier;
 use crate::emit::code::Code;
 
@@ -173,7 +174,20 @@ fn assemble_with(
             body.line(format!("mechanism->{name} = *{name};"));
         }
     }
-    body.line(format!("status = {allow}(&parts, parts.parameters, t);"));
+    let allowed = format!("status = {allow}(&parts, parts.parameters, t);");
+    let [of_parameters, of_inputs] = ranges::refusals(printer, "t");
+    let checks = [of_parameters, Some(allowed), of_inputs]
+        .into_iter()
+        .flatten();
+    for (place, check) in checks.enumerate() {
+        if place == 0 {
+            body.line(check);
+        } else {
+            body.open("if (status == LINKWRIGHT_OK) {");
+            body.line(check);
+            body.close("}");
+        }
+    }
     body.open("if (status == LINKWRIGHT_OK) {");
     let passed = listed(&[
         "&mechanism->frames[1]",

@@ -1,9 +1,10 @@
-//! Writes tables of names for messages about failures: blocks with their singular poses, requirements, loads and drivers.
+//! Writes tables of names for messages about failures: blocks with their singular poses, requirements, loads, ranges and drivers.
 
 use super::comment::quoted;
 use super::loads;
 use super::parameters::requirement_names;
 use super::printer::Printer;
+use super::ranges;
 use super::transmission::drivers;
 use crate::emit::code::Code;
 use crate::emit::module::documentation;
@@ -32,6 +33,7 @@ pub(super) fn declarations(printer: &Printer<'_>, text: &mut Code) {
         ));
     }
     loads::declaration(printer, text);
+    ranges::declarations(printer, text);
     let drivers = drivers(printer);
     if !drivers.is_empty() {
         text.comment(["Drivers in written order, one for each column of a transmission."]);
@@ -54,6 +56,7 @@ pub(super) fn definitions(printer: &Printer<'_>, text: &mut Code) {
         table(printer, "REQUIREMENTS", &names, text);
     }
     loads::definition(printer, text);
+    ranges::definitions(printer, text);
     let drivers = drivers(printer);
     if !drivers.is_empty() {
         text.gap();

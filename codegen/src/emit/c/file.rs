@@ -5,7 +5,7 @@ use super::printer::Printer;
 use super::words::WORDS;
 use super::{
     api, assemblies, assembly, block, block_names, coordinates, equations, frame, lanes, loads,
-    normalized_determinant, parameters, path, points, runtime, sensitivity, shell, tables,
+    normalized_determinant, parameters, path, points, ranges, runtime, sensitivity, shell, tables,
     textbook, transmission,
 };
 use crate::emit::Form;
@@ -202,6 +202,7 @@ fn definitions(printer: &Printer<'_>, form: Form<'_>, text: &mut Code) {
     block::exchanged(printer, &mut code);
     parameters::accessors(printer, &mut code);
     parameters::requirements(printer, &mut code);
+    ranges::functions(printer, &mut code);
     let values = shell::values(printer, &mut code);
     shell::blocks(printer, values, &mut code);
     api::parts(printer, &mut code);

@@ -26,6 +26,7 @@ mod parameters;
 mod path;
 mod points;
 mod printer;
+mod ranges;
 mod runtime;
 mod sensitivity;
 mod shell;

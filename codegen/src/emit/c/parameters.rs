@@ -19,8 +19,14 @@ pub(super) struct Declared {
     pub inputs: bool,
 }
 
-/// Declared number: name, dimension, documentation and default.
-type Number<'a> = (&'a str, Dimension, &'a Vec<String>, ExprId);
+/// Declared number: name, dimension, documentation, range and default.
+type Number<'a> = (
+    &'a str,
+    Dimension,
+    &'a Vec<String>,
+    Option<[f64; 2]>,
+    ExprId,
+);
 
 impl Printer<'_> {
     pub(super) fn declared(&self) -> Declared {
@@ -33,14 +39,30 @@ impl Printer<'_> {
     fn parameters(&self) -> Vec<Number<'_>> {
         let parameters = self.module.system.mechanism.parameters.iter();
         parameters
-            .map(|it| (it.name.as_str(), it.dimension, &it.docs, it.nominal))
+            .map(|it| {
+                (
+                    it.name.as_str(),
+                    it.dimension,
+                    &it.docs,
+                    it.range,
+                    it.nominal,
+                )
+            })
             .collect()
     }
 
     fn inputs(&self) -> Vec<Number<'_>> {
         let inputs = self.module.system.mechanism.inputs.iter();
         inputs
-            .map(|it| (it.name.as_str(), it.dimension, &it.docs, it.initial))
+            .map(|it| {
+                (
+                    it.name.as_str(),
+                    it.dimension,
+                    &it.docs,
+                    it.range,
+                    it.initial,
+                )
+            })
             .collect()
     }
 
@@ -101,10 +123,10 @@ fn structure(
     text.gap();
     text.comment([title]);
     text.open(format!("typedef struct {structure} {{"));
-    for (name, dimension, docs, value) in fields {
+    for (name, dimension, docs, range, value) in fields {
         let value = printer.default(*value);
         text.comment(documentation::of_number(
-            name, *dimension, value, default, docs,
+            name, *dimension, value, default, *range, docs,
         ));
         text.line(format!("{field_type} {};", identifier(&field_name(name))));
     }

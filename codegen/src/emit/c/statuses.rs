@@ -13,7 +13,7 @@ struct Status {
 }
 
 /// All failures.
-const STATUSES: [Status; 12] = [
+const STATUSES: [Status; 13] = [
     Status {
         name: "LINKWRIGHT_SINGULAR",
         number: 1,
@@ -104,6 +104,15 @@ const STATUSES: [Status; 12] = [
             "failure's column is the index of the load in the table LOADS of the mechanism.",
         ],
         words: "a load is not finite",
+    },
+    Status {
+        name: "LINKWRIGHT_OUTSIDE_RANGE",
+        number: 13,
+        about: &[
+            "A parameter or an input is outside of its range. The value is that number. For an input, the failure's column",
+            "is its index, counted from 1; for a parameter the column is 0, and the block is its index.",
+        ],
+        words: "a value is outside of its range",
     },
 ];
 

@@ -119,10 +119,22 @@ pub(in crate::emit) fn of_number(
     dimension: Dimension,
     value: f64,
     default: &str,
+    range: Option<[f64; 2]>,
     docs: &[String],
 ) -> Vec<String> {
     let unit = dimension.unit();
-    with_docs(format!("`{name}`, in {unit}: {value:?} {default}."), docs)
+    let range = range.map_or(String::new(), |[low, high]| {
+        format!(" From {low:?} to {high:?} {unit}.")
+    });
+    with_docs(
+        format!("`{name}`, in {unit}: {value:?} {default}.{range}"),
+        docs,
+    )
+}
+
+/// Documentation of the ranges of parameters or inputs, as `noun` names one.
+pub(in crate::emit) fn of_ranges(noun: &str) -> String {
+    format!("Range of each {noun}, in the order of the description. A value outside is a failure.")
 }
 
 /// Documentation of the motion of a point, if frames hold all coordinates.

@@ -27,6 +27,7 @@ mod page;
 mod parameters;
 mod path;
 mod points;
+mod ranges;
 mod scope;
 mod sensitivity;
 mod shell;

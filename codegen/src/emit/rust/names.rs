@@ -49,6 +49,7 @@ const TYPES: &[&str] = &[
     "Shell",
     "Signal",
     "TimeWindow",
+    "ValueRange",
     "Start",
     "Step",
     "Table",

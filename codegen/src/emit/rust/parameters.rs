@@ -5,12 +5,22 @@
 use super::code::argument;
 use super::explained::block_name;
 use super::names::identifier;
+use super::ranges;
 use crate::emit::code::Code;
 use crate::emit::module::scope::{Place, Scope};
 use crate::emit::module::{Module, documentation};
 use crate::expr::ExprId;
 use crate::model::{Dimension, field_name};
 use crate::program::Function;
+
+/// Declared number: name, dimension, documentation, default and range.
+type Number<'a> = (
+    &'a str,
+    Dimension,
+    &'a Vec<String>,
+    ExprId,
+    Option<[f64; 2]>,
+);
 
 /// Arguments that functions of the mechanism have beside pose and time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -65,10 +75,26 @@ impl Declared {
 pub(super) fn structures(module: &Module<'_>, code: &mut Code) {
     let mechanism = &module.system.mechanism;
     let parameters = mechanism.parameters.iter();
-    let parameters = parameters.map(|it| (it.name.as_str(), it.dimension, &it.docs, it.nominal));
+    let parameters = parameters.map(|it| {
+        (
+            it.name.as_str(),
+            it.dimension,
+            &it.docs,
+            it.nominal,
+            it.range,
+        )
+    });
     structure(module, "parameters", "unless it is set", parameters, code);
     let inputs = mechanism.inputs.iter();
-    let inputs = inputs.map(|it| (it.name.as_str(), it.dimension, &it.docs, it.initial));
+    let inputs = inputs.map(|it| {
+        (
+            it.name.as_str(),
+            it.dimension,
+            &it.docs,
+            it.initial,
+            it.range,
+        )
+    });
     structure(
         module,
         "inputs",
@@ -76,6 +102,7 @@ pub(super) fn structures(module: &Module<'_>, code: &mut Code) {
         inputs,
         code,
     );
+    ranges::ranges(module, code);
     drawn(module, code);
 }
 
@@ -84,7 +111,7 @@ fn structure<'a>(
     module: &Module<'_>,
     kind: &str,
     default: &str,
-    declared: impl ExactSizeIterator<Item = (&'a str, Dimension, &'a Vec<String>, ExprId)>,
+    declared: impl ExactSizeIterator<Item = Number<'a>>,
     code: &mut Code,
 ) {
     if declared.len() == 0 {
@@ -93,11 +120,11 @@ fn structure<'a>(
     code.gap();
     code.open(format!("::linkwright::generated::{kind}! {{"));
     code.open("Scalar {");
-    for (name, dimension, docs, value) in declared {
+    for (name, dimension, docs, value, range) in declared {
         // Defaults were found to be finite constants when they were read.
         let value = module.pool.graph.constant_value(value).unwrap_or(0.0);
         code.docs(documentation::of_number(
-            name, dimension, value, default, docs,
+            name, dimension, value, default, range, docs,
         ));
         let (field, value) = (identifier(&field_name(name)), module.number(value));
         code.line(format!("{field} = {value},"));

@@ -8,6 +8,7 @@ use super::loads;
 use super::module::derives;
 use super::names::type_name;
 use super::parameters;
+use super::ranges;
 use crate::emit::code::Code;
 use crate::emit::module::checks::final_check;
 use crate::emit::module::drawing::frame_keeps_parameters;
@@ -50,6 +51,9 @@ pub(super) fn mechanism(module: &Module<'_>, code: &mut Code) {
     }
     if module.program.loads.is_some() {
         code.line("loads: LOADS;");
+    }
+    for line in ranges::lines(module) {
+        code.line(line);
     }
     code.close("}");
 }

@@ -59,16 +59,21 @@ pub(crate) fn given(pool: &Pool, system: &System) -> String {
     let mechanism = &system.mechanism;
     let graph = &pool.graph;
     let value = |expr| graph.constant_value(expr).unwrap_or(f64::NAN);
-    let line = |what: &str, name: &str, dimension: Dimension, default: f64| {
-        format!("{what} {name} = {default} {}\n", dimension.unit())
+    let line = |what: &str, name: &str, dimension: Dimension, default: f64, range| {
+        let unit = dimension.unit();
+        let range: Option<[f64; 2]> = range;
+        let range = range.map_or(String::new(), |[low, high]| {
+            format!(" from {low} to {high} {unit}")
+        });
+        format!("{what} {name} = {default} {unit}{range}\n")
     };
     let parameters = mechanism.parameters.iter().map(|own| {
         let default = value(own.nominal);
-        line("parameter", &own.name, own.dimension, default)
+        line("parameter", &own.name, own.dimension, default, own.range)
     });
     let inputs = mechanism.inputs.iter().map(|own| {
         let initial = value(own.initial);
-        line("input", &own.name, own.dimension, initial)
+        line("input", &own.name, own.dimension, initial, own.range)
     });
     let tables = mechanism.tables.iter().map(|own| {
         let spline = graph.spline_of(own.spline);

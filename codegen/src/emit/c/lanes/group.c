@@ -136,6 +136,11 @@ uint32_t $mechanism_group_advance($MechanismGroup *group, const $real times[$LAN
 ?inputs         lane_write(&group->inputs, $LANES, lane, &given[lane], sizeof(given[lane]));
 ?inputs     }
     $own_solve_lanes($passed);
+?ranges     for (size_t lane = 0U; lane < $LANES; lane++) {
+?ranges         linkwright$f_failure failure;
+?ranges         const linkwright_status of_input = $own_refuse_inputs(&given[lane], &failure, times[lane]);
+?ranges         unsolved[lane] |= (of_input == LINKWRIGHT_OK) ? 0U : 1U;
+?ranges     }
     for (size_t lane = 0U; lane < $LANES; lane++) {
         const bool is_inside = fabs$f(times[lane] - group->middles[lane]) <= group->lengths[lane];
         alone |= (is_inside && (unsolved[lane] == 0U)) ? 0U : ((uint32_t)1U << lane);

@@ -4,6 +4,7 @@
 //! mechanism. The other lanes keep their results.
 
 use super::super::printer::{Printer, in_lane};
+use super::super::ranges;
 use super::super::runtime::in_scalar;
 use super::super::words::identifier;
 use super::blocks;
@@ -100,6 +101,7 @@ fn kept<'a>(line: &'a str, printer: &Printer<'_>) -> Option<&'a str> {
         "signs" => !module.program.branches.is_empty(),
         "parameters" => declared.parameters,
         "inputs" => declared.inputs,
+        "ranges" => ranges::limit_inputs(printer),
         "guarded" => is_guarded,
         "guarded_inputs" => is_guarded && declared.inputs,
         "unguarded_inputs" => !is_guarded && declared.inputs,

@@ -92,6 +92,12 @@ LINKWRIGHT_FUNCTION linkwright_status linkwright$f_not_positive($real value, con
     return noted$f(conditions->failure, LINKWRIGHT_NOT_POSITIVE, value, 0U, conditions->t, place);
 }
 
+LINKWRIGHT_FUNCTION linkwright_status linkwright$f_outside_range(linkwright$f_failure *failure, $real value,
+    uint16_t column, $real t, uint16_t place)
+{
+    return noted$f(failure, LINKWRIGHT_OUTSIDE_RANGE, value, column, t, place);
+}
+
 LINKWRIGHT_FUNCTION linkwright_status linkwright$f_not_finite(const linkwright$f_conditions *conditions, uint16_t block)
 {
     return noted$f(conditions->failure, LINKWRIGHT_NOT_FINITE, 0.0$f, 0U, conditions->t, block);
