@@ -9,8 +9,9 @@ typedef struct linkwright$f_failure {
     uint16_t iterations;
     $real residual;
     uint16_t row;
-    /* Value and column of the status; 0 if it has none. The column of LINKWRIGHT_NOT_FINITE and LINKWRIGHT_OUTSIDE_RANGE
-       is the index of the input that is refused, counted from 1, or 0 if no input is the cause. */
+    /* Value and column of the status; 0 if it has none. The column of LINKWRIGHT_NOT_FINITE, and of
+       LINKWRIGHT_OUTSIDE_RANGE, is the index of the input that is refused, counted from 1, or 0 if no input is the
+       cause. */
     $real value;
     uint16_t column;
 } linkwright$f_failure;
@@ -60,8 +61,8 @@ typedef struct linkwright$f_normalized_determinant {
     $real reciprocal_condition;
 } linkwright$f_normalized_determinant;
 
-/* Name of a parameter or an input, its unit of SI (empty for a plain number), and both ends of its range, which belong to
-   it. */
+/* Name of a parameter or an input, its unit of SI (empty for a plain number), and both ends of its range, which belong
+   to it. */
 typedef struct linkwright$f_value_range {
     const char *name;
     const char *unit;
@@ -338,8 +339,8 @@ LINKWRIGHT_FUNCTION linkwright_status linkwright$f_singular_divisor($real value,
 /* Notes that a driven length is not positive, by its index among the quantities that must be positive. */
 LINKWRIGHT_FUNCTION linkwright_status linkwright$f_not_positive($real value, const linkwright$f_conditions *conditions,
     uint16_t place);
-/* Notes that a value is outside of its range: that of an input, whose index counted from 1 is the column, or that of the
-   parameter at a place. */
+/* Notes that a value is outside of its range: that of an input, whose index counted from 1 is the column, or that of
+   the parameter at a place. */
 LINKWRIGHT_FUNCTION linkwright_status linkwright$f_outside_range(linkwright$f_failure *failure, $real value,
     uint16_t column, $real t, uint16_t place);
 /* Notes that a number is not finite. */
