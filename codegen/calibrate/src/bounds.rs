@@ -60,10 +60,9 @@ impl Bounds {
             (false, false) => [variable, 1.0],
             (true, true) => {
                 let half = 0.5 * (self.high - self.low);
-                [
-                    self.low + half * (1.0 + variable.sin()),
-                    half * variable.cos(),
-                ]
+                // Rounding does not leave the bounds, outside of which the parameter may be refused.
+                let value = self.low + half * (1.0 + variable.sin());
+                [value.min(self.high), half * variable.cos()]
             }
             (true, false) => {
                 let above = (start - self.low) * variable.exp();

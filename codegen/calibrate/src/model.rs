@@ -84,9 +84,11 @@ impl Calibrator {
         let symbols: Vec<SymbolId> = places.iter().map(|it| parameters[*it].symbol).collect();
         let points = point_slopes(&view, &symbols);
         let bounds = places.iter().zip(&nominal).map(|(place, value)| {
-            match parameters[*place].dimension == Dimension::LENGTH {
-                true => Bounds::with_sign_of(*value),
-                false => Bounds::NONE,
+            let parameter = &parameters[*place];
+            match parameter.range {
+                Some([low, high]) => Bounds { low, high },
+                None if parameter.dimension == Dimension::LENGTH => Bounds::with_sign_of(*value),
+                None => Bounds::NONE,
             }
         });
         Calibrator {
@@ -109,7 +111,8 @@ impl Calibrator {
 
     /// Sets the bounds of a parameter, by its index among [`Calibrator::names`].
     ///
-    /// Without bounds, a length keeps the sign that it has in the description.
+    /// Without bounds, a parameter stays in its range; without a range, a length keeps the sign that it has in the
+    /// description. A pose outside of a range is not solved.
     #[must_use]
     pub fn within(mut self, place: usize, bounds: Bounds) -> Calibrator {
         if let Some(own) = self.bounds.get_mut(place) {

@@ -4,7 +4,9 @@ use linkwright_codegen::Read;
 use linkwright_codegen::diagnostic::Span;
 use linkwright_codegen::stages::emit::{Notation, text};
 use linkwright_codegen::stages::expr::ExprId;
+use linkwright_codegen::stages::model::{Dimension, range_text};
 use linkwright_codegen::stages::system::Derived;
+use linkwright_codegen::stages::units::OutputUnits;
 
 /// Largest number of equations of a statement.
 const MAX_EQUATIONS: usize = 12;
@@ -58,15 +60,26 @@ fn value(derived: &Derived, name: &str, place: Span) -> Option<String> {
     let mut parameters = mechanism.parameters.iter();
     if let Some(own) = parameters.find(|it| is_own((&it.name, it.span))) {
         let unit = own.dimension.unit();
-        return Some(format!("= {} {unit} unless it is set", plain(own.nominal)?));
+        let value = plain(own.nominal)?;
+        let range = range(own.range, own.dimension);
+        return Some(format!("= {value} {unit} unless it is set{range}"));
     }
     let mut inputs = mechanism.inputs.iter();
     let input = inputs.find(|it| is_own((&it.name, it.span)))?;
     let unit = input.dimension.unit();
+    let value = plain(input.initial)?;
+    let range = range(input.range, input.dimension);
     Some(format!(
-        "= {} {unit}, constant unless it is supplied",
-        plain(input.initial)?
+        "= {value} {unit}, constant unless it is supplied{range}"
     ))
+}
+
+/// Describes a range in SI units; empty without one.
+fn range(ends: Option<[f64; 2]>, dimension: Dimension) -> String {
+    let units = OutputUnits::default();
+    ends.map_or(String::new(), |ends| {
+        format!("; {}", range_text(ends, dimension, &units))
+    })
 }
 
 /// Returns the names of a body's coordinates in the equations; `None` if no body of this name is declared at the place.

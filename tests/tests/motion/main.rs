@@ -17,6 +17,7 @@ mod joints;
 mod laws;
 mod math;
 mod motions;
+mod ranges;
 mod references;
 mod rods;
 mod same_bits;

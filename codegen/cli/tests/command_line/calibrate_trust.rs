@@ -138,7 +138,8 @@ fn bounds_hold_and_are_read_with_units() {
         .run("calibrate a.mech data.csv --param L --bound L=41mm..43mm --set L=50mm")
         .exits_with(1);
     assert!(
-        ran.stderr.contains("`L` begins outside of its bounds"),
+        ran.stderr
+            .contains("`L` does not begin strictly within its bounds"),
         "{}",
         ran.stderr
     );

@@ -4,6 +4,7 @@ mod animate;
 mod branch;
 #[cfg(feature = "calibrate")]
 mod calibrate;
+mod calibrate_ranges;
 #[cfg(feature = "calibrate")]
 mod calibrate_trust;
 mod check;

@@ -286,3 +286,58 @@ fn a_spring_without_a_length_is_named() {
         "{stderr}"
     );
 }
+
+/// A crank with ranges.
+const LIMITED: &str = "mechanism crank {
+    param L = 500mm from 400mm to 600mm;
+    input angle = 30deg from -90deg to 90deg;
+    body 1 at (0, 0) { P: (L, 0) }
+    absolute_x(1) = 0;
+    absolute_y(1) = 0;
+    drive phi(1) = angle;
+}
+";
+
+#[test]
+fn a_value_outside_of_its_range_is_refused_with_both_ends() {
+    let folder = Folder::new("set_ranges", LIMITED);
+    for (options, expected) in [
+        ("--set L=601mm", "601 mm is outside of the range of `L`"),
+        ("--set L=0.39", "`L` is from 400 mm to 600 mm"),
+        (
+            "--set angle=-91deg",
+            "-91 deg is outside of the range of `angle`",
+        ),
+        ("--set angle=2", "`angle` is from -90 deg to 90 deg"),
+    ] {
+        let ran = folder.run(&format!("solve a.mech {options}")).exits_with(2);
+        assert!(ran.stderr.contains("error[K25]"), "{}", ran.stderr);
+        assert!(ran.stderr.contains(expected), "{options}: {}", ran.stderr);
+    }
+    for end in ["L=400mm", "L=0.6", "angle=90deg", "angle=-pi/2"] {
+        folder
+            .run(&format!("solve a.mech --csv - --set {end}"))
+            .exits_with(0);
+    }
+}
+
+/// The crank is at 87.2° at 0.7 s, and would be at 96.8° a tenth later.
+#[test]
+fn a_law_that_leaves_its_range_ends_the_motion() {
+    let folder = Folder::new("set_range_of_a_law", LIMITED);
+    for options in ["", " --formulation textbook"] {
+        let law = "--set angle=20deg+96deg*t/1s";
+        let ran = folder.run(&format!(
+            "solve a.mech --csv - {law} --to 1 --step 0.1{options}"
+        ));
+        let ran = ran.exits_with(1);
+        assert!(
+            ran.stderr
+                .contains("input angle: 96.8 deg is outside of its range from -90 deg to 90 deg"),
+            "{}",
+            ran.stderr
+        );
+        let last = ran.stdout.lines().last().expect("a row");
+        assert!(last.starts_with("0.7"), "{last}");
+    }
+}

@@ -307,7 +307,7 @@ fn bad_input_has_a_reason_and_leaves_no_files() {
             "--vary L3=1..2:many",
             "`many` in `--vary L3=1..2:many` is not a number of values",
         ),
-        ("--vary L3", "is not a range"),
+        ("--vary L3", "has no range in the description"),
         ("--vary L3=..2:3", "is not a range"),
         (
             "--vary L3=1deg..2deg:3",

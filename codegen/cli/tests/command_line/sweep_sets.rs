@@ -146,3 +146,58 @@ fn a_varied_input_is_at_rest() {
         ran.stderr
     );
 }
+
+/// A slide on a line, moved by an input.
+const LIMITED: &str = "mechanism slide {
+    param offset = 71mm from 7.1mm to 160mm;
+    input stroke = 0deg from -10deg to 10deg;
+    body 1 at (0, 0) { P: (offset, 0) }
+    absolute_x(1) = 0;
+    absolute_y(1) = 0;
+    drive phi(1) = stroke;
+}
+";
+
+#[test]
+fn ranges_of_the_description_are_swept_and_kept() {
+    let folder = Folder::new("sweep_ranges", LIMITED);
+    let of = |options: &str| {
+        table(
+            &folder,
+            &format!("{options} --units=mm,deg --to 0 --show P_x,phi1"),
+        )
+    };
+    let swept = of("--vary offset:3 --vary stroke:3");
+    assert_eq!(
+        swept.numbers("offset (mm)"),
+        [7.1, 7.1, 7.1, 83.55, 83.55, 83.55, 160.0, 160.0, 160.0]
+    );
+    assert_eq!(swept.numbers("stroke (deg)")[..3], [-10.0, 0.0, 10.0]);
+    // Rounding in the unit of the column does not leave the range.
+    assert!(
+        swept
+            .numbers("P_x_max (mm)")
+            .iter()
+            .all(|it| it.is_finite())
+    );
+    assert_eq!(of("--vary offset --vary stroke --samples 8").rows.len(), 8);
+    std::fs::write(folder.file("sets.csv"), "offset (mm)\n7\n7.1\n160\n161\n").expect("written");
+    let rows = of("--rows sets.csv");
+    let failures = rows.column("failure");
+    let outside = "a value is outside of its range";
+    assert_eq!(failures, [outside, "", "", outside]);
+    assert_eq!(rows.column("failure_block"), ["offset", "", "", "offset"]);
+    for (options, expected) in [
+        (
+            "--vary offset=7mm..100mm:3",
+            "`offset` is from 7.1 mm to 160 mm",
+        ),
+        ("--vary offset", "has no number of values"),
+        ("--vary offset:1", "has two ends, but one value"),
+        ("--vary offset:x", "is not a number of values"),
+        ("--vary ofset:3", "is not a range"),
+    ] {
+        let ran = folder.run(&format!("sweep a.mech {options}")).exits_with(2);
+        assert!(ran.stderr.contains(expected), "{options}: {}", ran.stderr);
+    }
+}

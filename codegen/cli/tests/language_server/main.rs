@@ -11,6 +11,7 @@ mod layout;
 mod lifecycle;
 mod meaning;
 mod names;
+mod ranges;
 mod renaming;
 mod repeated;
 mod robustness;

@@ -149,7 +149,7 @@ pub struct Calibrate {
     /// Folder for the plots: an SVG for each column, with both curves and the residuals
     #[arg(long, value_name = "DIR")]
     pub plot: Option<PathBuf>,
-    /// Bounds of a parameter, `L2=1mm..2mm`, `L2=0..` or `L2=..` [default: lengths keep their signs]
+    /// Bounds of a parameter, `L2=1mm..2mm`, `L2=0..` or `L2=..` within its range [default: its range; without one, lengths keep their signs]
     #[arg(
         long,
         value_name = "PARAMETER=LOW..HIGH",

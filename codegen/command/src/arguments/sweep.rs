@@ -22,8 +22,9 @@ pub struct Sweep {
     /// Units of the report.
     #[command(flatten)]
     pub reported_in: ReportedIn,
-    /// Range of a parameter or an input, with its number of values; both ends are among them. May be repeated: the last
-    /// range varies fastest. An input is constant during a motion
+    /// Range of a parameter or an input, with its number of values; both ends are among them. Without ends, `NAME:COUNT`,
+    /// they are those of its range in the description. May be repeated: the last range varies fastest. An input is
+    /// constant during a motion
     #[arg(
         long,
         value_name = "NAME=FIRST..LAST:COUNT",
@@ -87,6 +88,7 @@ const SWEEP_EXAMPLES: &str = "\
 Examples:
   linkwright sweep lift.mech --vary L3=100mm..140mm:41 --show phi_rocker    41 couplers: a table and a picture
   linkwright sweep lift.mech --vary L3=100mm..140mm:41 --vary L4=60mm..100mm:41 --show P_y
+  linkwright sweep lift.mech --vary L3:41                                   L3 from end to end of its range
   linkwright sweep lift.mech --rows sets.csv --instants --csv - > frames.csv
   linkwright sweep lift.mech --rows sets.csv --instants -o frames.parquet
   linkwright sweep lift.mech --vary L3=100mm..140mm --vary L4=60mm..100mm --samples 10000 --seed 7

@@ -15,6 +15,9 @@ const OPTION: &str = "--vary";
 /// Relative difference of a number that is read in two ways: rounding of the factor of its unit.
 const ROUNDED: f64 = 1e-14;
 
+/// Number of digits of ends in a unit: one less than those that identify a number.
+const DIGITS: usize = 15;
+
 /// Parameter or input by its index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
@@ -31,6 +34,8 @@ pub struct Varied {
     pub name: String,
     /// Its index.
     pub place: Place,
+    /// Both ends of the range that the description gives it, in SI units; `None` if it is not limited.
+    range: Option<[f64; 2]>,
     /// Unit of given values.
     given: Unit,
     /// Unit of its column if given values have no unit; `None` if the column has their unit.
@@ -93,18 +98,27 @@ impl Varied {
             (Some(column), _) => column.name.clone(),
             (None, written) => written.map_or(String::new(), |(text, _)| text.to_string()),
         };
+        let mechanism = &derived.system.mechanism;
+        let range = match place {
+            Place::Parameter(at) => mechanism.parameters[at].range,
+            Place::Input(at) => mechanism.inputs[at].range,
+        };
         Varied {
             name: name.to_string(),
             place,
+            range,
             given: written.map_or(Unit::coherent([0; 4]), |(_, unit)| unit),
             column,
             unit,
         }
     }
 
-    /// Returns a given value in SI units.
+    /// Returns a given value in SI units. Rounding in its unit does not leave the range.
     pub fn si(&self, given: f64) -> f64 {
-        self.given.si(given)
+        let value = self.given.si(given);
+        let mut ends = self.range.into_iter().flatten();
+        let end = ends.find(|end| (value - end).abs() <= ROUNDED * end.abs());
+        end.unwrap_or(value)
     }
 
     /// Returns a given value in the unit of the column.
@@ -112,6 +126,27 @@ impl Varied {
         match &self.column {
             None => given,
             Some(unit) => unit.of_si(given),
+        }
+    }
+
+    /// Returns what is varied with values given in the unit of its column, in which ends of a range are mostly round numbers.
+    fn in_column_unit(self, range: [f64; 2]) -> (Varied, [f64; 2]) {
+        let unit = self.column.as_ref();
+        let unit = unit.and_then(|it| Some((it, Unit::parse(&it.name)?)));
+        match unit {
+            Some((column, given)) => {
+                let ends = range.map(|end| column.rounded(end, DIGITS));
+                let column = None;
+                (
+                    Varied {
+                        given,
+                        column,
+                        ..self
+                    },
+                    ends,
+                )
+            }
+            None => (self, range),
         }
     }
 
@@ -130,7 +165,8 @@ pub fn named(name: &str, unit: &str) -> String {
 }
 
 impl Range {
-    /// Reads `NAME=FIRST..LAST:COUNT`, or `NAME=FIRST..LAST`.
+    /// Reads `NAME=FIRST..LAST:COUNT`, or `NAME=FIRST..LAST`. Without `=` and ends, they are those of the range in the
+    /// description.
     ///
     /// # Errors
     /// The printed message.
@@ -140,7 +176,9 @@ impl Range {
                 "error: `{OPTION} {text}` is not a range\n  = help: write it as in `{OPTION} rod=100mm..200mm:101`"
             )
         };
-        let (name, range) = text.split_once('=').ok_or_else(form)?;
+        let Some((name, range)) = text.split_once('=') else {
+            return Range::of_description(derived, text).unwrap_or_else(|| Err(form()));
+        };
         let (first, rest) = range.split_once("..").ok_or_else(form)?;
         let (last, count) = match rest.rsplit_once(':') {
             Some((last, count)) => (last, Some(read_count(text, count.trim())?)),
@@ -188,22 +226,55 @@ impl Range {
         if !(ends[1] - ends[0]).is_finite() {
             return Err(format!("error: `{OPTION} {text}` is not a finite range"));
         }
-        match count {
-            Some(0) => Err(format!(
-                "error: `{OPTION} {text}` has no values\n  = help: write the number of values behind `:`, at least 2"
-            )),
-            Some(1) if ends[0] != ends[1] => Err(format!(
-                "error: `{OPTION} {text}` has two ends, but one value\n  = help: write at least 2 values, or equal ends"
-            )),
-            Some(2..) | None if ends[0] == ends[1] => Err(format!(
-                "error: the range `{OPTION} {text}` is empty\n  = help: write different ends, or set the value with `--set`"
-            )),
-            count => Ok(Range {
-                varied,
-                ends,
-                count,
-            }),
-        }
+        counted(text, (varied, ends), count)
+    }
+}
+
+impl Range {
+    /// Reads `NAME:COUNT` or `NAME`, with the ends of the description; `None` for another name.
+    fn of_description(derived: &Derived, text: &str) -> Option<Result<Range, String>> {
+        let (name, count) = match text.split_once(':') {
+            Some((name, count)) => (name, Some(count.trim())),
+            None => (text, None),
+        };
+        let name = name.trim();
+        let (place, dimension) = place(derived, name)?;
+        let varied = Varied::new(derived, name, place, dimension, None);
+        let Some(range) = varied.range else {
+            return Some(Err(format!(
+                "error: `{name}` has no range in the description\n  = help: write both ends, as in `{OPTION} rod=100mm..200mm:101`"
+            )));
+        };
+        let count = match count.map(|count| read_count(text, count)) {
+            Some(Err(message)) => return Some(Err(message)),
+            Some(Ok(count)) => Some(count),
+            None => None,
+        };
+        Some(counted(text, varied.in_column_unit(range), count))
+    }
+}
+
+/// Returns a range, of whose values there are enough.
+fn counted(
+    text: &str,
+    (varied, ends): (Varied, [f64; 2]),
+    count: Option<u64>,
+) -> Result<Range, String> {
+    match count {
+        Some(0) => Err(format!(
+            "error: `{OPTION} {text}` has no values\n  = help: write the number of values behind `:`, at least 2"
+        )),
+        Some(1) if ends[0] != ends[1] => Err(format!(
+            "error: `{OPTION} {text}` has two ends, but one value\n  = help: write at least 2 values, or equal ends"
+        )),
+        Some(2..) | None if ends[0] == ends[1] => Err(format!(
+            "error: the range `{OPTION} {text}` is empty\n  = help: write different ends, or set the value with `--set`"
+        )),
+        count => Ok(Range {
+            varied,
+            ends,
+            count,
+        }),
     }
 }
 

@@ -63,6 +63,22 @@ fn formulas_are_written_as_in_a_textbook() {
 }
 
 #[test]
+fn ranges_are_written_between_blanks_and_stay_in_columns() {
+    let written = inside(
+        "param rod=120mm   from 80mm to  -(2*80mm) ;\ninput a = -1 from - 2 to+2;\nparam from = 3 from from to to;\nparam crank = 20mm from  10mm to 30mm;\nparam r=5mm from   1mm to  9mm;",
+    );
+    let expected = "    param rod = 120mm from 80mm to -(2*80mm);
+    input a = -1 from -2 to +2;
+    param from = 3 from from to to;
+    param crank = 20mm from 10mm to 30mm;
+    param r = 5mm from 1mm to 9mm;
+";
+    assert_eq!(written, expected);
+    let aligned = "    param rod   = 120mm from 80mm  to 160mm;\n    param crank =  40mm from 5.5mm to  60mm;\n";
+    assert_eq!(inside(aligned), aligned);
+}
+
+#[test]
 fn a_joint_without_a_name_stands_apart_from_several_operands() {
     let written = inside(
         "translational(1,2)along A->B;\nabsolute_x (1)=0;\nrevolute 1 ( ground,a );\nredundant weld(1 ,2);\nredundant revolute Q (1, 2);",

@@ -161,7 +161,11 @@ fn groups_in_c_have_the_bits_of_mechanisms_alone() {
         mechanisms > 80 && counts["solved"] > 30_000,
         "{mechanisms} {counts:?}"
     );
-    assert!(counts.len() >= 9, "{counts:?}");
+    assert!(counts.len() >= 10, "{counts:?}");
+    assert!(
+        counts.contains_key("a value is outside of its range"),
+        "{counts:?}"
+    );
 }
 
 /// Vectorized loops for the processor of this machine have the bits of mechanisms alone.

@@ -176,6 +176,7 @@ fn groups_have_the_bits_of_mechanisms_alone() {
         "NotFinite",
         "NotPositive",
         "OutOfReach",
+        "OutsideRange",
         "Singular",
         "StepTooLarge",
         "Undecided",

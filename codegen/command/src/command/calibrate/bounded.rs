@@ -2,11 +2,14 @@
 
 use linkwright_calibrate::{Bounds, Calibrator};
 use linkwright_codegen::stages::columns::Unit;
-use linkwright_codegen::stages::model::Dimension;
+use linkwright_codegen::stages::model::{Dimension, range_text};
 use linkwright_codegen::stages::system::System;
 
 use super::Problem;
 use crate::data::number_and_unit;
+
+/// Relative difference of a number that is read in two ways: rounding of the factor of its unit.
+const ROUNDED: f64 = 1e-14;
 
 /// Returns the calibrator with the bounds of the options.
 pub fn bounded(
@@ -31,15 +34,16 @@ pub fn bounded(
         let fitted = calibrator.names().iter().position(|it| it == name);
         let place = fitted.ok_or_else(|| refused("is not one of `--param`"))?;
         let mut parameters = system.mechanism.parameters.iter();
-        let dimension = parameters
-            .find(|it| it.name == name)
-            .map_or(Dimension::Number, |it| it.dimension);
+        let parameter = parameters.find(|it| it.name == name);
+        let dimension = parameter.map_or(Dimension::Number, |it| it.dimension);
+        let range = parameter.and_then(|it| it.range);
+        let widest = range.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
         let end = |text: &str, none: f64| match text.trim() {
             "" => Some(none),
-            text => value(text, dimension),
+            text => value(text, dimension).map(|it| on_end(it, widest)),
         };
-        let low = end(low, f64::NEG_INFINITY);
-        let high = end(high, f64::INFINITY);
+        let low = end(low, widest[0]);
+        let high = end(high, widest[1]);
         let (Some(low), Some(high)) = (low, high) else {
             return Err(refused(
                 "has an end that is not a number with a unit of the parameter",
@@ -48,9 +52,23 @@ pub fn bounded(
         if low >= high {
             return Err(refused("is empty"));
         }
+        if low < widest[0] || widest[1] < high {
+            let units = system.mechanism.units.of_messages();
+            return Err(Problem(format!(
+                "error: `--bound {option}` exceeds the range of `{name}`, which is {}\n  = help: choose bounds in the range, or extend the range in the description",
+                range_text(widest, dimension, units)
+            )));
+        }
         calibrator = calibrator.within(place, Bounds { low, high });
     }
     Ok(calibrator)
+}
+
+/// Returns an end of the range in place of a value that differs from it by rounding alone; other values stay as they are.
+fn on_end(value: f64, range: [f64; 2]) -> f64 {
+    let mut ends = range.into_iter();
+    let near = ends.find(|end| (value - end).abs() <= ROUNDED * end.abs());
+    near.filter(|end| end.is_finite()).unwrap_or(value)
 }
 
 /// Reads a number with or without a unit; the result is in SI units.

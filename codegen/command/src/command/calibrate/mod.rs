@@ -107,7 +107,7 @@ pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
         Ok(fit) => fit,
         Err(unfit) => {
             let why = match unfit {
-                Unfit::OutsideBounds(name) => format!("error: `{name}` begins outside of its bounds\n  = help: begin within them with `--set`, or move them with `--bound`"),
+                Unfit::OutsideBounds(name) => format!("error: `{name}` does not begin strictly within its bounds\n  = help: begin within them with `--set`, or move them with `--bound`"),
                 Unfit::Unsolved(why) => format!("error: `{title}` {why}\n  = help: check with `linkwright compare` how far it moves as measured, or begin with other values by `--set`"),
                 Unfit::TooFew(values, parameters) => format!("error: {values} measured values are too few for {parameters} parameters"),
                 Unfit::NoParameters => "error: no parameter is selected for the fit".to_string(),
