@@ -74,9 +74,9 @@ fn a_motion_ends_at_the_first_frame_outside_of_a_range() {
         let instant = other.advance(t, &of(t)).expect("in the range");
         assert_eq!(frame.q.to_array()[..], *instant.frame().q.as_slice());
         let inputs = of(t);
-        let given: [&InputSignals; 8] =
+        let supplied: [&InputSignals; 8] =
             std::array::from_fn(|lane| if lane == 0 { &inputs } else { &rest });
-        assert!(group.advance(&[t; 8], &given).is_empty());
+        assert!(group.advance(&[t; 8], &supplied).is_empty());
     }
     let t = (last + 1.0) * STEP;
     let (before, outside) = (*one.frame(), pushed(t));
@@ -98,14 +98,17 @@ fn a_motion_ends_at_the_first_frame_outside_of_a_range() {
     assert_eq!(*one.frame(), before);
     assert_eq!(other.advance(t, &of(t)).expect_err("outside"), expected);
     let inputs = of(t);
-    let given: [&InputSignals; 8] =
+    let supplied: [&InputSignals; 8] =
         std::array::from_fn(|lane| if lane == 0 { &inputs } else { &rest });
     assert_eq!(
-        group.advance(&[t; 8], &given).lanes().collect::<Vec<_>>(),
+        group
+            .advance(&[t; 8], &supplied)
+            .lanes()
+            .collect::<Vec<_>>(),
         [0]
     );
     assert_eq!((group.failure(0), group.failure(7)), (Some(expected), None));
-    let (failed, _) = group.frames_at(&[t; 8], &given);
+    let (failed, _) = group.frames_at(&[t; 8], &supplied);
     assert_eq!(failed.lanes().collect::<Vec<_>>(), [0]);
     let words = format!(
         "input extension: {} m is outside of its range from 0.025 m to 0.075 m, at t = {t} s",

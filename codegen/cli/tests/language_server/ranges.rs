@@ -34,7 +34,7 @@ fn names_in_ranges_are_described_found_and_renamed() {
     let definition = client.ask_at("definition", UNSAVED, place(LIMITED, "longest;", 0));
     let definition = definition.expect("an answer");
     assert_eq!(
-        definition["range"]["start"],
+        definition[0]["range"]["start"],
         json!({ "line": 2, "character": 10 })
     );
     let expected = LIMITED.replace("least", "shortest");

@@ -5,6 +5,7 @@
 
 mod driving;
 mod mapping;
+mod range_ends;
 mod scale;
 mod sizes;
 
@@ -22,6 +23,7 @@ use linkwright_solver::observable::Named;
 use crate::arguments::{Mark, Separator, Table};
 pub use driving::{MeasuredInput, powers};
 pub use mapping::How;
+pub use range_ends::{ROUNDED_END, on_end};
 pub use scale::{Origin, Scale};
 pub use sizes::{number_and_unit, sizes};
 

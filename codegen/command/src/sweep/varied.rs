@@ -7,15 +7,12 @@ use linkwright_codegen::stages::model::{Dimension, set};
 use linkwright_codegen::stages::system::Derived;
 use linkwright_codegen::stages::units::OutputUnit;
 
-use crate::data::{number_and_unit, powers};
+use crate::data::{ROUNDED_END, number_and_unit, on_end, powers};
 
 /// Option in messages.
 const OPTION: &str = "--vary";
 
-/// Relative difference of a number that is read in two ways: rounding of the factor of its unit.
-const ROUNDED: f64 = 1e-14;
-
-/// Number of digits of ends in a unit: one less than those that identify a number.
+/// Number of digits of ends in a unit: two fewer than identify a number.
 const DIGITS: usize = 15;
 
 /// Parameter or input by its index.
@@ -116,9 +113,7 @@ impl Varied {
     /// Returns a given value in SI units. Rounding in its unit does not leave the range.
     pub fn si(&self, given: f64) -> f64 {
         let value = self.given.si(given);
-        let mut ends = self.range.into_iter().flatten();
-        let end = ends.find(|end| (value - end).abs() <= ROUNDED * end.abs());
-        end.unwrap_or(value)
+        self.range.map_or(value, |range| on_end(value, range))
     }
 
     /// Returns a given value in the unit of the column.
@@ -213,7 +208,7 @@ impl Range {
             for ((number, end), si) in numbers.iter_mut().zip(units).zip(values) {
                 let (own, its_unit) = end?;
                 let is_same = its_unit == text_of_unit || own == 0.0;
-                let is_close = (unit.si(own) - si).abs() <= ROUNDED * si.abs();
+                let is_close = (unit.si(own) - si).abs() <= ROUNDED_END * si.abs();
                 *number = (is_same && is_close).then_some(own)?;
             }
             Some((unit, numbers))

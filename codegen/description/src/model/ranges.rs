@@ -7,7 +7,7 @@ use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::syntax::{Adjustable, Expression};
 use crate::units::OutputUnits;
 
-/// Number of digits of printed values: one less than those that identify a number, so that factors of units leave no rounding.
+/// Number of digits of printed values: two fewer than identify a number, so that factors of units leave no rounding.
 const DIGITS: usize = 15;
 
 impl Resolver<'_> {

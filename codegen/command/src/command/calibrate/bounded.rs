@@ -6,10 +6,7 @@ use linkwright_codegen::stages::model::{Dimension, range_text};
 use linkwright_codegen::stages::system::System;
 
 use super::Problem;
-use crate::data::number_and_unit;
-
-/// Relative difference of a number that is read in two ways: rounding of the factor of its unit.
-const ROUNDED: f64 = 1e-14;
+use crate::data::{number_and_unit, on_end};
 
 /// Returns the calibrator with the bounds of the options.
 pub fn bounded(
@@ -62,13 +59,6 @@ pub fn bounded(
         calibrator = calibrator.within(place, Bounds { low, high });
     }
     Ok(calibrator)
-}
-
-/// Returns an end of the range in place of a value that differs from it by rounding alone; other values stay as they are.
-fn on_end(value: f64, range: [f64; 2]) -> f64 {
-    let mut ends = range.into_iter();
-    let near = ends.find(|end| (value - end).abs() <= ROUNDED * end.abs());
-    near.filter(|end| end.is_finite()).unwrap_or(value)
 }
 
 /// Reads a number with or without a unit; the result is in SI units.
