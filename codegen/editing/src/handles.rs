@@ -92,7 +92,7 @@ impl<'a> Finder<'a> {
             .statements()
             .filter_map(|statement| match statement {
                 Statement::Constant(it) => Some((it.name.text.as_str(), "constant")),
-                Statement::Parameter(it) => Some((it.name.text.as_str(), "parameter")),
+                Statement::Parameter(it) => Some((it.constant.name.text.as_str(), "parameter")),
                 _ => None,
             });
         Finder {

@@ -65,6 +65,8 @@ struct Quantity<'a> {
     /// Value in SI units; `None` for a function of time.
     value: Option<f64>,
     law: Option<ExprId>,
+    /// Range of the description, in SI units.
+    range: Option<[f64; 2]>,
 }
 
 /// Returns the parameters and inputs in the order of the description.
@@ -77,6 +79,7 @@ fn quantities(view: &Interpreted) -> Vec<Quantity<'_>> {
         dimension: it.dimension,
         value: pool.graph.nominal(it.symbol),
         law: None,
+        range: it.range,
     });
     let inputs = mechanism.inputs.iter().map(|it| {
         let value = pool.graph.constant_value(it.signal[0]);
@@ -87,6 +90,7 @@ fn quantities(view: &Interpreted) -> Vec<Quantity<'_>> {
             dimension: it.dimension,
             value,
             law: value.is_none().then_some(it.signal[0]),
+            range: it.range,
         }
     });
     parameters.chain(inputs).collect()
@@ -134,7 +138,11 @@ fn all(view: &Interpreted, ends: impl Fn(&Quantity<'_>, f64) -> Option<[f64; 2]>
     let quantities = quantities(view);
     let controls = quantities.iter().map(|quantity| {
         let unit = unit_of(view, quantity);
-        let ends = quantity.value.and_then(|value| ends(quantity, value));
+        let declared = quantity
+            .range
+            .map(|both| both.map(|it| unit.rounded(it, 12)));
+        let guess = || quantity.value.and_then(|value| ends(quantity, value));
+        let ends = declared.or_else(guess);
         let docs = quantity.docs.iter().map(|it| it.trim());
         Control {
             name: quantity.name.to_string(),
@@ -143,7 +151,7 @@ fn all(view: &Interpreted, ends: impl Fn(&Quantity<'_>, f64) -> Option<[f64; 2]>
             unit: unit.name.clone(),
             low: ends.map(|it| it[0]),
             high: ends.map(|it| it[1]),
-            guessed: true,
+            guessed: declared.is_none(),
             docs: docs.collect::<Vec<_>>().join(" "),
             law: quantity.law.map(|law| {
                 let (pool, system) = (view.pool(), view.system());
