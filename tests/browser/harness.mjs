@@ -45,7 +45,7 @@ export const open = async () => {
     const own = new URL(url);
     page.on("request", (request) => {
       const asked = new URL(request.url());
-      const isOwn = own.protocol === "file:" ? asked.href === own.href : asked.origin === own.origin;
+      const isOwn = own.protocol === "file:" ? asked.pathname === own.pathname : asked.origin === own.origin;
       if (!isOwn && !["data:", "blob:"].includes(asked.protocol)) said.push(`request: ${asked.href}`);
     });
     await page.goto(url);

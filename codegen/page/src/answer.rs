@@ -35,6 +35,9 @@ pub struct Answer {
     /// Errors and warnings of the description and of its motion.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub messages: Vec<Message>,
+    /// Names of the motions of the description if the question names none of several; the answer is about the first.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub motions: Vec<String>,
     /// Quantities of `output` statements, whose curves are displayed first, as scripts name them.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub requested: Vec<String>,
@@ -55,6 +58,7 @@ impl Answer {
             range,
             messages,
             requested: Vec::new(),
+            motions: Vec::new(),
             sections: BTreeMap::new(),
         }
     }

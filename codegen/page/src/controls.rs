@@ -27,7 +27,7 @@ const EXTENT_OF_ZERO: f64 = 1.0;
 const EXTENT_OF_ANGLE: f64 = std::f64::consts::PI;
 
 /// Part of the way to an end at which the mechanism still closes; at the end itself it is singular.
-const KEPT: f64 = 0.98;
+const CLOSING_PART: f64 = 0.98;
 
 /// Number of significant digits of a guessed end.
 const DIGITS: i32 = 3;
@@ -209,7 +209,7 @@ fn guessed(
                 false => bad = middle,
             }
         }
-        value + KEPT * good * extent
+        value + CLOSING_PART * good * extent
     })
 }
 

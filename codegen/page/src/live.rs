@@ -16,11 +16,11 @@ const START: [&str; 2] = [
 struct Start<'a> {
     #[serde(flatten)]
     question: &'a Question,
-    /// True if the page shows the mechanism, and its description on request.
+    /// True if the description is hidden at first.
     is_page: bool,
 }
 
-/// Returns the built page `playground` with the description, values, assembly and times of a question inside; `None` if it is no such page.
+/// Returns the built page `playground` with a question inside: description, values, assembly and times; `None` for another page.
 pub fn live(playground: &str, question: &Question) -> Option<String> {
     let (before, rest) = playground.split_once(START[0])?;
     let (_, after) = rest.split_once(START[1])?;

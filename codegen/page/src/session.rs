@@ -58,6 +58,8 @@ struct Open {
     motion: Option<String>,
     start: f64,
     result: Result<Opened, Unopened>,
+    /// Names of the motions if there are several and none is chosen.
+    motions: Vec<String>,
     /// Controls at the values of the description, with the times for which their ranges are guessed.
     controls: Option<(Range, Vec<Control>)>,
     /// Last check, for the sections of its question.
@@ -143,6 +145,7 @@ impl Session {
         };
         Answer {
             requested,
+            motions: open.motions.clone(),
             ..answer
         }
     }
@@ -202,6 +205,13 @@ impl Session {
         let opened = self.opened.take().filter(is_open);
         let opened = opened.unwrap_or_else(|| {
             let mut result = Opened::read_to_draw(&source, motion, start);
+            let mut motions = Vec::new();
+            if let Err(Unopened::Several(names)) = &result {
+                motions = names.clone();
+                // The first one, until another is chosen.
+                let first = names.first().map(String::as_str);
+                result = Opened::read_to_draw(&source, first, start);
+            }
             if let Ok(opened) = &mut result {
                 for assignment in &self.assignments {
                     // Descriptions without such a parameter have their own values.
@@ -213,6 +223,7 @@ impl Session {
                 motion: motion.map(str::to_string),
                 start,
                 result,
+                motions,
                 controls: None,
                 checked: None,
             }

@@ -28,12 +28,28 @@ const playground = async () => {
     hover: (text, offset) => solver.request("hover", { hover: { question: about(text), offset } }),
   });
 
+  /// Offers the motions of a description that has several. They are listed by an answer to a question that names none.
+  const listMotions = (names) => {
+    if (motion) return;
+    const list = bar("motion");
+    list.closest("label").hidden = names.length === 0;
+    if (list.dataset.names === names.join()) return;
+    list.dataset.names = names.join();
+    list.replaceChildren(...names.map((it) => made("option", { value: it }, it)));
+  };
+  bar("motion").addEventListener("change", ({ target }) => {
+    motion = target.value;
+    page?.forget();
+    changed();
+  });
+
   const provider = {
     ask: async (question) => {
       const text = editor.text();
       const answer = await solver.request(`ask ${question.detail}`, { ask: { ...question, ...about(text) } });
       if (answer.refused) throw new Error(answer.refused);
       editor.show(answer.messages ?? [], text);
+      listMotions(answer.motions ?? []);
       return answer;
     },
   };
@@ -48,6 +64,7 @@ const playground = async () => {
     const answer = await provider.ask(question).catch((error) => ({ messages: [{ severity: "error", text: error.message }] }));
     if (!answer.assemblies) {
       root.querySelector("[data-part=messages]").replaceChildren(...(answer.messages ?? []).map((it) => made("p", { class: it.severity }, it.text)));
+      document.body.dataset.ready = "";
       return;
     }
     root.querySelector("[data-part=messages]").replaceChildren();

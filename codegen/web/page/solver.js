@@ -7,7 +7,7 @@ class Solver {
   /// `script` is the text of the worker, `packed` its module: gzip in Base64.
   constructor(script, packed) {
     this.url = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
-    Object.assign(this, { packed, worker: null, current: null, waiting: [] });
+    Object.assign(this, { packed, limit: PATIENCE, worker: null, current: null, waiting: [] });
   }
 
   /// The reply to a request. A newer request of the same kind takes the place of one that waits, whose reply is then that of the newer.
@@ -28,7 +28,7 @@ class Solver {
     this.current = this.waiting.shift();
     this.worker ??= this.start();
     this.worker.postMessage({ request: this.current.text });
-    this.patience = setTimeout(() => this.fail(`this takes longer than ${PATIENCE / 1000} s`), PATIENCE);
+    this.patience = setTimeout(() => this.fail(`this takes longer than ${this.limit / 1000} s`), this.limit);
   }
 
   start() {

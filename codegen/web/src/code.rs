@@ -5,6 +5,7 @@ use linkwright_codegen::stages::finiteness::of_unplanned;
 use linkwright_codegen::stages::structure::Shift;
 use linkwright_codegen::{Diagnostics, Language, Options, Source, generate};
 use linkwright_page::{Message, Question, messages, refused};
+use linkwright_solver::Unopened;
 use linkwright_solver::opened::determined;
 use serde::Serialize;
 
@@ -22,7 +23,11 @@ pub struct Code {
 pub fn latex(question: &Question) -> Result<String, Vec<Message>> {
     let source = question.source();
     let motion = question.motion.as_deref();
-    let derived = determined(&source, motion, &mut Diagnostics::new());
+    let read = |motion: Option<&str>| determined(&source, motion, &mut Diagnostics::new());
+    let derived = read(motion).or_else(|reason| match &reason {
+        Unopened::Several(names) => read(names.first().map(String::as_str)),
+        _ => Err(reason),
+    });
     let derived = derived.map_err(|reason| refused(&reason, &source.name))?;
     let derivation = Derivation::of(derived, Shift::Efforts);
     derivation

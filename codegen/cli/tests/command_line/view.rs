@@ -297,7 +297,7 @@ fn only_pages_of_ours_are_replaced_and_options_are_checked() {
         .exits_with(0)
         .stdout;
     let page = played(&other);
-    assert_eq!(page["assemblies"][0]["label"], "as chosen");
+    assert_eq!(page["assemblies"][0]["label"], "−");
     assert_eq!(page["assemblies"][0]["times"][0], 0.2);
     for (wrong, words) in [
         ("--branch phi2=up", "no assembly mode"),

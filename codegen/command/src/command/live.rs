@@ -54,7 +54,7 @@ pub fn live_page(
         let control = controls.iter().find(|it| it.name == name);
         let value = control.and_then(|it| it.value).ok_or_else(|| {
             refused(
-                format!("`--set {assignment}` is no number"),
+                format!("`--set {assignment}` does not set a number"),
                 "a live page sets numbers; write a function of t into the description",
             )
         })?;

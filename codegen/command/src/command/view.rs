@@ -120,12 +120,12 @@ pub fn made(arguments: &View, source: &Source, live: Live) -> Result<Made, Probl
 }
 
 /// Difference of coordinates (m or rad) below which two assemblies are the same.
-const SAME: f64 = 1e-9;
+const ASSEMBLY_TOLERANCE: f64 = 1e-9;
 
 /// True if two instants are those of one assembly.
 fn is_same(one: &Instant, other: &Instant) -> bool {
     let mut pairs = one.q().iter().zip(other.q());
-    pairs.all(|(one, other)| (one - other).abs() < SAME)
+    pairs.all(|(one, other)| (one - other).abs() < ASSEMBLY_TOLERANCE)
 }
 
 /// Makes the page as [`made`] does, and collects warnings.
