@@ -6,7 +6,7 @@ use linkwright_codegen::stages::system::System;
 
 /// Range with its unit.
 #[derive(Clone, Debug)]
-struct Range {
+struct OwnedRange {
     ends: [f64; 2],
     unit: String,
 }
@@ -14,15 +14,15 @@ struct Range {
 /// Ranges of parameters and inputs, in the order of the description.
 #[derive(Clone, Debug)]
 pub(crate) struct Ranges {
-    parameters: Vec<Option<Range>>,
-    inputs: Vec<Option<Range>>,
+    parameters: Vec<Option<OwnedRange>>,
+    inputs: Vec<Option<OwnedRange>>,
 }
 
 impl Ranges {
     /// Returns the ranges of a system.
     pub(crate) fn of(system: &System) -> Ranges {
         let range = |ends: Option<[f64; 2]>, dimension: Dimension| {
-            ends.map(|ends| Range {
+            ends.map(|ends| OwnedRange {
                 ends,
                 unit: si_unit(dimension),
             })
@@ -74,7 +74,7 @@ pub(crate) fn outside(system: &System, failure: &Failure) -> Option<String> {
     Some(format!("{label}: {value} is outside of its range {range}"))
 }
 
-fn of_runtime(ranges: &[Option<Range>], index: usize) -> Option<ValueRange<'_>> {
+fn of_runtime(ranges: &[Option<OwnedRange>], index: usize) -> Option<ValueRange<'_>> {
     let range = ranges.get(index)?.as_ref()?;
     Some(ValueRange {
         ends: range.ends,

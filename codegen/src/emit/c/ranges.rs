@@ -9,7 +9,7 @@ use crate::model::{Dimension, field_name, si_unit};
 
 /// Parameters, or else inputs.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Sort {
+enum Limited {
     Parameters,
     Inputs,
 }
@@ -21,13 +21,14 @@ struct Ranged<'a> {
     ends: Option<[f64; 2]>,
 }
 
-const SORTS: [Sort; 2] = [Sort::Parameters, Sort::Inputs];
+/// All that may have ranges.
+const LIMITED: [Limited; 2] = [Limited::Parameters, Limited::Inputs];
 
-impl Sort {
+impl Limited {
     fn noun(self) -> &'static str {
         match self {
-            Sort::Parameters => "parameter",
-            Sort::Inputs => "input",
+            Limited::Parameters => "parameter",
+            Limited::Inputs => "input",
         }
     }
 
@@ -39,7 +40,7 @@ impl Sort {
     fn all<'a>(self, printer: &Printer<'a>) -> Vec<Ranged<'a>> {
         let mechanism = &printer.module.system.mechanism;
         let all: Vec<Ranged<'a>> = match self {
-            Sort::Parameters => {
+            Limited::Parameters => {
                 let parameters = mechanism.parameters.iter();
                 parameters
                     .map(|it| Ranged {
@@ -49,7 +50,7 @@ impl Sort {
                     })
                     .collect()
             }
-            Sort::Inputs => {
+            Limited::Inputs => {
                 let inputs = mechanism.inputs.iter();
                 inputs
                     .map(|it| Ranged {
@@ -73,24 +74,24 @@ impl Sort {
 
 /// Declares the tables of ranges in the header.
 pub(super) fn declarations(printer: &Printer<'_>, text: &mut Code) {
-    for sort in SORTS {
-        let count = sort.all(printer).len();
+    for limited in LIMITED {
+        let count = limited.all(printer).len();
         if count > 0 {
-            text.comment([documentation::of_ranges(sort.noun())]);
-            text.line(format!("extern {};", declared(sort, count, printer)));
+            text.comment([documentation::of_ranges(limited.noun())]);
+            text.line(format!("extern {};", declared(limited, count, printer)));
         }
     }
 }
 
 /// Defines the tables of ranges.
 pub(super) fn definitions(printer: &Printer<'_>, text: &mut Code) {
-    for sort in SORTS {
-        let all = sort.all(printer);
+    for limited in LIMITED {
+        let all = limited.all(printer);
         if all.is_empty() {
             continue;
         }
         text.gap();
-        text.open(format!("{} = {{", declared(sort, all.len(), printer)));
+        text.open(format!("{} = {{", declared(limited, all.len(), printer)));
         for it in all {
             let [low, high] = it.ends.unwrap_or([0.0; 2]).map(|end| printer.number(end));
             text.line(format!(
@@ -104,38 +105,38 @@ pub(super) fn definitions(printer: &Printer<'_>, text: &mut Code) {
     }
 }
 
-fn declared(sort: Sort, count: usize, printer: &Printer<'_>) -> String {
+fn declared(limited: Limited, count: usize, printer: &Printer<'_>) -> String {
     format!(
         "const {} {}[{count}]",
         printer.runtime("value_range"),
-        printer.constant(&sort.table())
+        printer.constant(&limited.table())
     )
 }
 
 /// Writes the functions that refuse values outside of their ranges.
 pub(super) fn functions(printer: &Printer<'_>, text: &mut Code) {
-    for sort in SORTS {
-        let all = sort.all(printer);
+    for limited in LIMITED {
+        let all = limited.all(printer);
         if !all.is_empty() {
-            function(sort, &all, printer, text);
+            function(limited, &all, printer, text);
         }
     }
 }
 
-fn function(sort: Sort, all: &[Ranged<'_>], printer: &Printer<'_>, text: &mut Code) {
+fn function(limited: Limited, all: &[Ranged<'_>], printer: &Printer<'_>, text: &mut Code) {
     let (real, note) = (printer.real(), printer.runtime("outside_range"));
-    let (kind, values, member) = match sort {
-        Sort::Parameters => ("Parameters", "parameters", ""),
-        Sort::Inputs => ("Inputs", "inputs", ".value"),
+    let (kind, values, member) = match limited {
+        Limited::Parameters => ("Parameters", "parameters", ""),
+        Limited::Inputs => ("Inputs", "inputs", ".value"),
     };
     text.gap();
     text.comment([format!(
         "Notes the first {} outside of its range; returns LINKWRIGHT_OK if there is none.",
-        sort.noun()
+        limited.noun()
     )]);
     text.line(format!(
         "LINKWRIGHT_FUNCTION static linkwright_status {}(const {} *{values}, {} *failure, {real} t)",
-        sort.function(printer),
+        limited.function(printer),
         printer.type_of(kind),
         printer.runtime("failure")
     ));
@@ -144,9 +145,9 @@ fn function(sort: Sort, all: &[Ranged<'_>], printer: &Printer<'_>, text: &mut Co
         let Some(ends) = it.ends else { continue };
         let [low, high] = ends.map(|end| printer.number(end));
         let value = format!("{values}->{}{member}", identifier(&field_name(it.name)));
-        let (column, place) = match sort {
-            Sort::Parameters => (0, index),
-            Sort::Inputs => (index + 1, 0),
+        let (column, place) = match limited {
+            Limited::Parameters => (0, index),
+            Limited::Inputs => (index + 1, 0),
         };
         text.open(format!("if (({value} < {low}) || ({value} > {high})) {{"));
         text.line(format!(
@@ -160,24 +161,24 @@ fn function(sort: Sort, all: &[Ranged<'_>], printer: &Printer<'_>, text: &mut Co
 
 /// Returns the statements that set `status` to the failure of a parameter and of an input; `None` without ranges.
 pub(super) fn refusals(printer: &Printer<'_>, time: &str) -> [Option<String>; 2] {
-    SORTS.map(|sort| Some(format!("status = {};", call(sort, time, printer)?)))
+    LIMITED.map(|limited| Some(format!("status = {};", call(limited, time, printer)?)))
 }
 
 /// Writes the statements of a function that return the failure of a parameter; nothing without ranges.
 pub(super) fn refuse_parameters(printer: &Printer<'_>, time: &str, body: &mut Code) {
-    refuse(Sort::Parameters, time, printer, body);
+    refuse(Limited::Parameters, time, printer, body);
 }
 
 /// Writes the statements of a function that return the failure of an input; nothing without ranges.
 pub(super) fn refuse_inputs(printer: &Printer<'_>, body: &mut Code) {
-    refuse(Sort::Inputs, "t", printer, body);
+    refuse(Limited::Inputs, "t", printer, body);
 }
 
-fn refuse(sort: Sort, time: &str, printer: &Printer<'_>, body: &mut Code) {
-    let Some(call) = call(sort, time, printer) else {
+fn refuse(limited: Limited, time: &str, printer: &Printer<'_>, body: &mut Code) {
+    let Some(call) = call(limited, time, printer) else {
         return;
     };
-    let noun = sort.noun();
+    let noun = limited.noun();
     body.line(format!("const linkwright_status of_{noun} = {call};"));
     body.open(format!("if (of_{noun} != LINKWRIGHT_OK) {{"));
     body.line(format!("return of_{noun};"));
@@ -185,13 +186,13 @@ fn refuse(sort: Sort, time: &str, printer: &Printer<'_>, body: &mut Code) {
 }
 
 /// Returns the call that notes the first value outside of its range; `None` without ranges.
-fn call(sort: Sort, time: &str, printer: &Printer<'_>) -> Option<String> {
-    let (noun, function) = (sort.noun(), sort.function(printer));
-    let is_limited = !sort.all(printer).is_empty();
+fn call(limited: Limited, time: &str, printer: &Printer<'_>) -> Option<String> {
+    let (noun, function) = (limited.noun(), limited.function(printer));
+    let is_limited = !limited.all(printer).is_empty();
     is_limited.then(|| format!("{function}({noun}s, &mechanism->failure, {time})"))
 }
 
 /// True if an input has a range.
 pub(super) fn limit_inputs(printer: &Printer<'_>) -> bool {
-    !Sort::Inputs.all(printer).is_empty()
+    !Limited::Inputs.all(printer).is_empty()
 }
