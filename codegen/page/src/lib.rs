@@ -13,6 +13,7 @@ mod assembly_table;
 mod body;
 pub mod check_text;
 pub mod comma_separated;
+mod compact;
 mod constraints;
 mod controls;
 mod equations;

@@ -5,6 +5,7 @@ use linkwright_solver::drawn::pose;
 use linkwright_solver::open_loop::open_loop;
 use linkwright_solver::{Interpreted, View as _};
 
+use super::compact::dense;
 use super::number::number;
 use super::players::{Player, Players};
 
@@ -57,5 +58,11 @@ pub fn picture(view: &Interpreted, players: &mut Players, t: f64, scale: Option<
     }
     // Prints are dark on white.
     let picture = moving.picture;
-    picture.replace("@media (prefers", "@media screen and (prefers")
+    let picture = picture.replace("@media (prefers", "@media screen and (prefers");
+    let parts = picture.split_once("<style>");
+    let parts = parts.and_then(|(head, rest)| Some((head, rest.split_once("</style>")?)));
+    match parts {
+        Some((head, (style, rest))) => format!("{head}<style>{}</style>{rest}", dense(style)),
+        None => picture,
+    }
 }

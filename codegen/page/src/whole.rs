@@ -8,6 +8,7 @@ use linkwright_solver::{Check, Instant, Modes, Schedule, View as _};
 
 use super::answer::Answer;
 use super::body::Body;
+use super::compact::{compact, dense};
 use super::controls::{controls, described};
 use super::given;
 use super::picture::picture;
@@ -159,23 +160,10 @@ fn lines(text: &str) -> String {
     text.lines().map(|line| escaped(line) + "\n").collect()
 }
 
-/// Removes indentation and lines of comments. No line of a script or a style sheet depends on its indentation.
-fn compact(text: &str) -> String {
-    let lines = text.lines().map(str::trim_start);
-    let kept =
-        lines.filter(|line| !line.is_empty() && !line.starts_with("//") && !line.starts_with("/*"));
-    kept.map(|line| format!("{line}\n")).collect()
-}
-
 /// Returns the frame of every page. The page cannot load anything, whatever names and documentation contain.
 fn shell(title: &str, body: &str, live: Live) -> String {
-    let mut style = compact(STYLE);
-    if live != Live::No {
-        style += &compact(LIVE_STYLE);
-    }
-    for separator in [":", ";", ","] {
-        style = style.replace(&format!("{separator} "), separator);
-    }
+    let live_style = if live == Live::No { "" } else { LIVE_STYLE };
+    let style = dense(&compact(STYLE)) + &dense(&compact(live_style));
     let (connect, reload) = match live {
         Live::No => ("'none'", String::new()),
         Live::Version(version) => (

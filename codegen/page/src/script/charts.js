@@ -2,22 +2,35 @@
 
 const COLORS = 7;
 const DASHES = ["", "8 4", "2 3", "10 3 2 3", "14 5"];
-const [LEFT, RIGHT, TOP, HEIGHT] = [62, 64, 8, 132];
+const [LEFT, RIGHT, TOP] = [62, 64, 8];
+/// Height of a chart of this width.
+const heightOf = (width) => Math.round(Math.max(132, Math.min(220, width / 4)));
 /// Distance in pixels from the window in which charts are drawn already.
 const NEAR = 300;
 
 /// Attributes that give a curve its color and its dashes.
 const lookOf = ({ order }) => [`curve-${order % COLORS}`, DASHES[order % DASHES.length]];
 
-const labeled = (parent, curve, x, y) => {
-  const label = drawn("text", { x, y, class: "label" }, parent);
-  label.append(curve.letter);
-  if (curve.index) drawn("tspan", { dy: 3, "font-size": "0.8em" }, label).textContent = curve.index;
+/// Round numbers in a range, about as many as requested.
+const ticks = (from, to, count) => {
+  const every = round((to - from) / count);
+  const found = [];
+  for (let k = Math.ceil(from / every - 1e-9); k * every <= to + 1e-9 * every; k += 1) found.push(k * every);
+  return found;
+};
+
+/// Heights in a chart as text, to a tenth of a pixel. They are few, and numbers take long to write.
+const heights = [];
+const tenth = (height) => {
+  const tenths = Math.round(height * 10);
+  heights[tenths] ??= String(tenths / 10);
+  return heights[tenths];
 };
 
 class Chart {
-  constructor(kind, level, seek) {
-    Object.assign(this, { kind, level, seek, isVisible: false, isStale: true, dots: [] });
+  /// `seek` is called with a share of the range of time, `changed` after elements have been made.
+  constructor(kind, level, seek, changed) {
+    Object.assign(this, { kind, level, seek, changed, isVisible: false, isStale: true, dots: [] });
     this.caption = made("figcaption");
     this.figure = made("figure", { class: "chart" }, this.caption);
     this.svg = drawn("svg", { role: "img" }, this.figure);
@@ -38,16 +51,16 @@ class Chart {
 
   /// Takes new values, which are drawn later.
   prepare(curves, samples, [unit, scale], width) {
-    Object.assign(this, { curves, samples, scale, width, isStale: true });
+    Object.assign(this, { curves, samples, scale, width, height: heightOf(width), isStale: true });
     this.title = `${TITLES[this.kind]}${this.level ? `: ${LEVELS[this.level]}` : ""}`;
     this.unit = unit;
     this.caption.textContent = unit ? `${this.title}, ${unit}` : this.title;
-    this.svg.setAttribute("viewBox", `0 0 ${width} ${HEIGHT + TOP + 22}`);
+    this.svg.setAttribute("viewBox", `0 0 ${width} ${this.height + TOP + 22}`);
   }
 
   draw() {
     this.isStale = false;
-    const { svg, curves, samples, scale, width } = this;
+    const { svg, curves, samples, scale, width, height } = this;
     const values = curves.map((curve) => curve.values(samples, this.level).map((value) => scale * value));
     const ranges = values.map(rangeOf);
     let [low, high] = [Math.min(...ranges.map(([it]) => it)), Math.max(...ranges.map(([, it]) => it))];
@@ -55,60 +68,95 @@ class Chart {
     if (high - low < 1e-6 * Math.max(1e-3 * scale, Math.abs(high))) [low, high] = [low - 1e-3 * scale, high + 1e-3 * scale];
     const [first, last] = [samples.times[0], samples.times.at(-1)];
     const x = (time) => LEFT + ((time - first) / (last - first)) * (width - LEFT - RIGHT);
-    const y = (value) => TOP + (1 - (value - low) / (high - low)) * HEIGHT;
+    const y = (value) => TOP + (1 - (value - low) / (high - low)) * height;
     Object.assign(this, { x, y });
     const about = curves.map((curve, place) => `${curve.letter}${curve.index} from ${text(ranges[place][0])} to ${text(ranges[place][1])}`);
     svg.setAttribute("aria-label", `${this.title} over time: ${about.join(", ")} ${this.kind === "determinants" ? "" : this.unit}`);
-    svg.replaceChildren();
-    this.grid([low, high], [first, last]);
-    const xs = samples.times.map((time) => hundredths(x(time)));
-    this.dots = curves.map((curve, place) => {
-      const [color, dashes] = lookOf(curve);
-      const group = drawn("g", { class: `curve ${color}`, "data-is": curve.is, "data-of": curve.of }, svg);
-      const ys = values[place].map(y);
-      // A wide line for the pointer needs fewer points.
-      const coarse = (all) => all.filter((_, index) => index % 4 === 0 || index === all.length - 1);
-      drawn("path", { class: "hit", d: pathThrough(coarse(xs), coarse(ys)) }, group);
-      drawn("path", { class: "line", d: pathThrough(xs, ys), "stroke-dasharray": dashes }, group);
-      return { dot: drawn("circle", { r: 3.5 }, group), curve, group, y: ys.at(-1) };
+    this.build();
+    this.verticals(first, last);
+    this.horizontals(low, high);
+    const steps = samples.times.map((time, index) => `${index ? "L" : "M"}${hundredths(x(time))} `);
+    this.dots.forEach((own, place) => {
+      let [line, hit] = ["", ""];
+      values[place].forEach((value, index) => {
+        const step = steps[index] + tenth(y(value));
+        line += step;
+        // A wide line for the pointer needs fewer points.
+        if (index % 4 === 0 || index === steps.length - 1) hit += step;
+      });
+      own.curve = curves[place];
+      own.y = y(values[place].at(-1));
+      own.hit.setAttribute("d", hit);
+      own.line.setAttribute("d", line);
     });
     this.label();
-    this.cursor = drawn("path", { class: "cursor", d: `M0 ${TOP}V${TOP + HEIGHT}` }, svg);
   }
 
-  grid([low, high], [first, last]) {
-    const { width, x, y } = this;
-    const grid = drawn("g", { class: "grid" }, this.svg);
-    const ticks = (from, to, count) => {
-      const every = round((to - from) / count);
-      const found = [];
-      for (let k = Math.ceil(from / every - 1e-9); k * every <= to + 1e-9 * every; k += 1) found.push(k * every);
-      return found;
-    };
-    for (const value of ticks(low, high, 4)) {
-      drawn("path", { d: `M${LEFT} ${y(value)}H${width - RIGHT}` }, grid);
-      drawn("text", { x: LEFT - 6, y: y(value) + 4, "text-anchor": "end" }, grid).textContent = text(value);
+  /// Makes the elements of the curves, which stay while the curves do.
+  build() {
+    const shape = JSON.stringify(this.curves.map(({ is, name, order }) => [is, name, order]));
+    if (shape === this.shape) return;
+    this.shape = shape;
+    this.frame = null;
+    const { svg } = this;
+    svg.replaceChildren();
+    this.grids = [drawn("g", { class: "grid" }, svg), drawn("g", { class: "grid" }, svg)];
+    this.dots = this.curves.map((curve) => {
+      const [color, dashes] = lookOf(curve);
+      const group = drawn("g", { class: `curve ${color}`, "data-is": curve.is, "data-of": curve.of }, svg);
+      const hit = drawn("path", { class: "hit" }, group);
+      const line = drawn("path", { class: "line", "stroke-dasharray": dashes }, group);
+      const dot = drawn("circle", { r: 3.5 }, group);
+      const label = drawn("text", { class: "label" }, group);
+      label.append(curve.letter);
+      if (curve.index) drawn("tspan", { dy: 3, "font-size": "0.8em" }, label).textContent = curve.index;
+      return { hit, line, dot, label, curve };
+    });
+    this.cursor = drawn("path", { class: "cursor" }, svg);
+    this.changed();
+  }
+
+  /// Lines and numbers of times, which are those of all motions of a range.
+  verticals(first, last) {
+    const frame = `${first} ${last} ${this.width}`;
+    if (frame === this.frame) return;
+    this.frame = frame;
+    const [grid] = this.grids;
+    const bottom = TOP + this.height;
+    this.cursor.setAttribute("d", `M0 ${TOP}V${bottom}`);
+    grid.replaceChildren();
+    for (const time of ticks(first, last, this.width < 500 ? 4 : 10)) {
+      const x = this.x(time);
+      drawn("path", { d: `M${x} ${TOP}V${bottom}` }, grid);
+      drawn("text", { x, y: bottom + 16, "text-anchor": "middle" }, grid).textContent = text(time);
     }
-    for (const time of ticks(first, last, width < 500 ? 4 : 10)) {
-      drawn("path", { d: `M${x(time)} ${TOP}V${TOP + HEIGHT}` }, grid);
-      drawn("text", { x: x(time), y: TOP + HEIGHT + 16, "text-anchor": "middle" }, grid).textContent = text(time);
+  }
+
+  horizontals(low, high) {
+    const [, grid] = this.grids;
+    grid.replaceChildren();
+    for (const value of ticks(low, high, 4)) {
+      const y = this.y(value);
+      drawn("path", { d: `M${LEFT} ${y}H${this.width - RIGHT}` }, grid);
+      drawn("text", { x: LEFT - 6, y: y + 4, "text-anchor": "end" }, grid).textContent = text(value);
     }
   }
 
   /// Puts names at the ends of the curves, one below the other where these are close.
   label() {
     const ends = [...this.dots].sort((a, b) => a.y - b.y);
-    const room = Math.min(13, (HEIGHT + 8) / Math.max(1, ends.length));
+    const room = Math.min(13, (this.height + 8) / Math.max(1, ends.length));
     let taken = TOP - 6;
     for (const end of ends) {
       taken = Math.max(end.y + 4, taken + room);
       end.at = taken;
     }
-    let limit = TOP + HEIGHT + 8;
+    let limit = TOP + this.height + 8;
     for (const end of ends.reverse()) {
       end.at = Math.min(end.at, limit);
       limit = end.at - room;
-      labeled(end.group, end.curve, this.width - RIGHT + 6, end.at);
+      end.label.setAttribute("x", this.width - RIGHT + 6);
+      end.label.setAttribute("y", hundredths(end.at));
     }
   }
 
@@ -123,7 +171,6 @@ class Chart {
 }
 
 class Charts {
-  /// `changed` is called after charts have been drawn.
   constructor(holder, seek, changed) {
     Object.assign(this, { holder, seek, changed, charts: new Map(), all: [], t: null });
     this.seen = new IntersectionObserver(
@@ -163,7 +210,7 @@ class Charts {
     const before = this.all;
     this.all = wanted.map(({ kind, level }) => {
       const key = `${kind} ${level}`;
-      if (!this.charts.has(key)) this.charts.set(key, new Chart(kind, level, this.seek));
+      if (!this.charts.has(key)) this.charts.set(key, new Chart(kind, level, this.seek, this.changed));
       return this.charts.get(key);
     });
     const isSame = before.length === this.all.length && before.every((it, index) => it === this.all[index]);
@@ -188,7 +235,6 @@ class Charts {
   draw(everything = false) {
     const stale = this.all.filter((it) => it.isStale && (it.isVisible || everything));
     for (const chart of stale) chart.draw();
-    if (stale.length) this.changed();
     if (this.t !== null) this.show(this.t);
   }
 
