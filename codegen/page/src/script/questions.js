@@ -24,26 +24,26 @@ class Questions {
     if (this.signal.aborted) return;
     if (detail === "resting") clearTimeout(this.resting);
     this.next = detail;
-    this.late ??= setTimeout(() => this.marked(true), LATE);
     if (this.isBusy) return;
     this.isBusy = true;
-    while (this.next && !this.signal.aborted) {
-      const asked = this.next;
-      this.next = null;
-      try {
-        const answer = await this.provider.ask(this.question(asked));
-        if (this.signal.aborted) break;
-        this.answered(answer);
-        // Text follows when nothing newer is asked.
-        if (asked === "resting") this.next ??= "sections";
-      } catch (error) {
-        if (this.signal.aborted) break;
-        this.failed(error);
-      }
-    }
+    while (this.next && !this.signal.aborted) await this.put();
     this.isBusy = false;
+  }
+
+  async put() {
+    const detail = this.next;
+    this.next = null;
+    this.late = setTimeout(() => this.marked(true), LATE);
+    try {
+      const answer = await this.provider.ask(this.question(detail));
+      if (this.signal.aborted) return;
+      this.answered(answer);
+      // Text follows when nothing newer is asked.
+      if (detail === "resting") this.next ??= "sections";
+    } catch (error) {
+      if (!this.signal.aborted) this.failed(error);
+    }
     clearTimeout(this.late);
-    this.late = undefined;
     if (!this.signal.aborted) this.marked(false);
   }
 }

@@ -24,8 +24,13 @@ const replaceSections = (root, sections) => {
     if (link) link.hidden = !html;
   }
   if (!visible || before >= 0) return;
-  const moved = visible.getBoundingClientRect().top - before;
-  if (Math.abs(moved) > 1) scrollBy({ top: moved, behavior: "instant" });
+  const keep = () => {
+    const moved = visible.getBoundingClientRect().top - before;
+    if (Math.abs(moved) > 1) scrollBy({ top: moved, behavior: "instant" });
+  };
+  keep();
+  // Sections above take the heights that they have outside of the window after the next frame.
+  requestAnimationFrame(() => requestAnimationFrame(keep));
 };
 
 /// The cells of the picture of Φ_q: pointing at one shows its entry.
