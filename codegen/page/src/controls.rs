@@ -176,7 +176,7 @@ fn suffix(unit: &OutputUnit) -> String {
     }
 }
 
-/// Returns ends between which the motion is as long as with the present value, in SI units.
+/// Returns ends between which the motion reaches the instants that it reaches now, in SI units.
 fn guessed(
     view: &Interpreted,
     quantity: &Quantity<'_>,

@@ -10,7 +10,7 @@ const START: [&str; 2] = [
     "</script>",
 ];
 
-/// What a page starts with.
+/// First state of a page.
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
 struct Start<'a> {

@@ -153,7 +153,8 @@ const mount = (root, first, provider = null) => {
     if (answer.sections) {
       replaceSections(root, answer.sections);
       assemblies.take(drawing, player);
-      return;
+      // Messages are those of the motion.
+      if (!isMotion) return;
     }
     if (answer.controls) controls.take(answer);
     messages(answer.messages ?? [], !isMotion && (answer.messages ?? []).some((it) => it.severity === "error"));

@@ -33,7 +33,8 @@ class Questions {
   async put() {
     const detail = this.next;
     this.next = null;
-    this.late = setTimeout(() => this.marked(true), LATE);
+    // Sections leave the picture as it is.
+    if (detail !== "sections") this.late = setTimeout(() => this.marked(true), LATE);
     try {
       const answer = await this.provider.ask(this.question(detail));
       if (this.signal.aborted) return;

@@ -157,12 +157,9 @@ fn answer(stream: &TcpStream, port: u16, shared: &Shared, patience: Duration) ->
                 Err(reason) => plain(reply_to, "400 Bad Request", &reason),
             };
         }
-        ["POST", ..] if head.is_ours(port) => {
-            return plain(reply_to, "404 Not Found", "questions go to /ask");
-        }
-        ["POST", ..] => "",
+        ["POST", "/ask", _] => "",
         _ => {
-            let text = "only GET and POST are answered";
+            let text = "only GET is answered, and POST at /ask";
             return plain(reply_to, "405 Method Not Allowed", text);
         }
     };
