@@ -122,7 +122,7 @@ test("indices of φ and y hang as low as those of x", async () => {
   await page.close();
 });
 
-test("a cell of the pattern of the Jacobian shows its entry and lights its row", async () => {
+test("a cell of the pattern of the Jacobian shows its entry and lights its row and its body", async () => {
   const page = await visit("excavator");
   const cells = await page.$$eval(".pattern rect[data-entry]", (all) => all.map((it) => it.dataset.entry));
   const entries = await page.$$eval(".entry[data-entry]", (all) => all.map((it) => it.dataset.entry));
@@ -133,6 +133,8 @@ test("a cell of the pattern of the Jacobian shows its entry and lights its row",
   assert.equal((await page.textContent(".pattern output")).replace(/\s+/g, ""), "∂Φ1∂φc3=−0.2cosφc3");
   const lit = await page.$$eval("#phi ~ .equation.lit", (all) => all.map((it) => it.dataset.is));
   assert.ok(lit.includes("j0 e0"), String(lit));
+  const bodies = await page.$$eval("[id=mechanism] g.lit[id^='body-']", (all) => all.map((it) => it.id));
+  assert.deepEqual(bodies, ["body-c3"]);
   await page.close();
 });
 

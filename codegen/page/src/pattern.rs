@@ -97,9 +97,11 @@ fn figure(system: &System, section: &Section) -> String {
             about(system, system.rows[row].joint, Some(row))
         );
         for (column, _) in section.slopes(row) {
+            let body = system.coordinates[column].describes.body();
+            let of = body.map_or(String::new(), |body| format!(" data-of=\"b{body}\""));
             let _ = write!(
                 text,
-                "<rect data-is=\"q{column} e{row}\" data-entry=\"{row} {column}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>",
+                "<rect data-is=\"q{column} e{row}\"{of} data-entry=\"{row} {column}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>",
                 column * CELL + 1,
                 row * CELL + 1,
                 CELL - 2,
