@@ -52,7 +52,7 @@ impl Interpreted {
 
     /// Describes a failure without the time, with lengths in the unit of messages.
     pub(crate) fn reported(&self, failure: &Failure) -> String {
-        if let Some(outside) = outside(self.system(), failure) {
+        if let Some(outside) = outside(&self.system().mechanism, failure) {
             return outside;
         }
         let unit = self.system().mechanism.units.of_messages().of("m");

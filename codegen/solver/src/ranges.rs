@@ -1,7 +1,8 @@
 //! Holds the ranges of parameters and inputs in the form of the runtime, and words the failures of values outside of them.
 
+use linkwright::generated::failed;
 use linkwright::{Failure, FailureKind, ValueRange};
-use linkwright_codegen::stages::model::{Dimension, range_text, si_unit, value_text};
+use linkwright_codegen::stages::model::{Dimension, Mechanism, range_text, si_unit, value_text};
 use linkwright_codegen::stages::system::System;
 
 /// Range with its unit.
@@ -45,14 +46,26 @@ impl Ranges {
     pub(crate) fn input(&self, index: usize) -> Option<ValueRange<'_>> {
         of_runtime(&self.inputs, index)
     }
+
+    /// Returns the failure of the first input whose value at time `t` (s) is outside of its range; `None` if all are inside.
+    pub(crate) fn refused(&self, values: impl Iterator<Item = f64>, t: f64) -> Option<Failure> {
+        let is_outside = |(index, value): &(u16, f64)| {
+            let range = self.input(usize::from(*index));
+            range.is_some_and(|it| it.excludes(*value))
+        };
+        let (input, value) = (0..).zip(values).find(is_outside)?;
+        Some(Failure {
+            input: Some(input),
+            ..failed(FailureKind::OutsideRange { value }, t, 0)
+        })
+    }
 }
 
 /// Describes a value outside of its range, in the units of messages; `None` for another failure.
-pub(crate) fn outside(system: &System, failure: &Failure) -> Option<String> {
+pub(crate) fn outside(mechanism: &Mechanism, failure: &Failure) -> Option<String> {
     let FailureKind::OutsideRange { value } = failure.kind else {
         return None;
     };
-    let mechanism = &system.mechanism;
     let (label, range, dimension) = match failure.input.map(usize::from) {
         Some(input) => {
             let input = mechanism.inputs.get(input)?;

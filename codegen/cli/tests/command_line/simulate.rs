@@ -288,3 +288,45 @@ fn a_missing_statement_is_written_out() {
         ran.stderr
     );
 }
+
+/// A pendulum on a cart that a signal moves within 10 mm.
+const CART: &str = "mechanism pendulum {
+    input push = 0mm from -10mm to 10mm;
+    point O = (0, 0);
+    body cart at (0, 0) { C: (0, 0) }
+    body bob at (0, 0, -80deg) { C: (0, 0), P: (500mm, 0) }
+    absolute_y(cart) = 0;
+    absolute_angle(cart) = 0;
+    drive x(cart) = push;
+    revolute C(cart, bob);
+    free swing: phi(bob) = -80deg;
+    mass bob = 1kg at P;
+    gravity = (0, -9.81);
+}
+";
+
+/// The signal passes 10 mm after 0.5 s.
+#[test]
+fn a_signal_that_leaves_its_range_ends_the_simulation() {
+    let folder = Folder::new("simulate_range", CART);
+    let run = |law: &str| {
+        folder.run(&format!(
+            "simulate a.mech --to 1 --step 0.2 --json --set {law}"
+        ))
+    };
+    let report = json(&run("push=9mm*sin(t/1s)").exits_with(0).stdout);
+    assert_eq!(report["frames"].as_array().expect("frames").len(), 6);
+    let ran = run("push=20mm*t/1s").exits_with(1);
+    assert!(
+        ran.stderr.contains(
+            "cannot be simulated beyond t = 0.4 s: input push: 12 mm is outside of its range from -10 mm to 10 mm"
+        ),
+        "{}",
+        ran.stderr
+    );
+    let frames = json(&ran.stdout)["frames"]
+        .as_array()
+        .expect("frames")
+        .len();
+    assert_eq!(frames, 3);
+}

@@ -25,7 +25,7 @@ const NEAR_END: f64 = 1e-5;
 /// Returns the reason that the motion ends at the last instant or does not begin, with the joints concerned.
 pub fn cause(dense: &Dense, failure: &Failure, last: Option<&Instant>) -> String {
     let (system, equations) = (dense.system(), dense.equations());
-    if let Some(outside) = outside(system, failure) {
+    if let Some(outside) = outside(&system.mechanism, failure) {
         return outside;
     }
     let (q, t) = match last {

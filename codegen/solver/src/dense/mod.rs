@@ -86,6 +86,13 @@ impl Dense {
         view
     }
 
+    /// Returns the failure of an instant with an input outside of its range; `None` without one.
+    pub(crate) fn refused(&self, instant: &Instant) -> Option<Failure> {
+        let inputs = self.layout.inputs(instant);
+        let values = inputs.0.iter().map(|signal| signal.value);
+        self.ranges.refused(values, instant.t())
+    }
+
     /// Equations.
     #[doc(hidden)]
     pub fn equations(&self) -> &TextbookEquations {

@@ -265,11 +265,17 @@ impl Simulation {
 
     /// Moves the mechanism to a time on the segment, or at its end.
     fn show(&mut self, t: f64) -> Result<&Instant, Stop> {
-        self.frame = match t == self.reached.t() {
+        let frame = match t == self.reached.t() {
             true => self.reached.clone(),
             false => self.on_segment(t)?.0,
         };
-        Ok(&self.frame)
+        match self.view.refused(&frame) {
+            Some(failure) => Err(Stop::OutsideRange(failure)),
+            None => {
+                self.frame = frame;
+                Ok(&self.frame)
+            }
+        }
     }
 
     /// Returns the frame at a time on the segment, and the work (J).

@@ -10,6 +10,7 @@ use crate::instant::Instant;
 use crate::interpreted::Interpreted;
 use crate::not_finite;
 use crate::number::time;
+use crate::ranges::outside;
 use crate::singular_participants::SingularParticipants;
 use crate::view::View;
 
@@ -26,6 +27,8 @@ pub enum Stop {
     NothingFree,
     /// The mechanism cannot be assembled at the start.
     NotAssembled(Failure),
+    /// The law of an input leaves its range.
+    OutsideRange(Failure),
     /// The equations of joints and of drivers that are not free lose rank, and no continuation of the motion is verified as smooth.
     LosesRank {
         /// Time (s).
@@ -72,7 +75,7 @@ impl Stop {
     pub fn time(&self) -> f64 {
         match self {
             Stop::NothingFree => 0.0,
-            Stop::NotAssembled(failure) => failure.time,
+            Stop::NotAssembled(failure) | Stop::OutsideRange(failure) => failure.time,
             Stop::LosesRank { t }
             | Stop::Unsettled { t }
             | Stop::Massless { t, .. }
@@ -123,6 +126,10 @@ impl Stop {
         match self {
             Stop::NothingFree => "no coordinate is free".to_string(),
             Stop::NotAssembled(_) => "the mechanism cannot be assembled".to_string(),
+            Stop::OutsideRange(failure) => {
+                let cause = outside(mechanism, failure);
+                cause.unwrap_or_else(|| failure.kind.words().to_string())
+            }
             Stop::LosesRank { .. } => format!(
                 "the mechanism is singular at about t = {at} s, where the joints lose rank, and no smooth path beyond is certain"
             ),
