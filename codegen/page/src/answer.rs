@@ -7,6 +7,7 @@ use serde::Serialize;
 use crate::controls::Control;
 use crate::message::Message;
 use crate::players::Players;
+use crate::pull::Pulled;
 use crate::question::Range;
 
 /// Answer of a page.
@@ -32,6 +33,9 @@ pub struct Answer {
     pub controls: Option<Vec<Control>>,
     /// Times of the motion.
     pub range: Range,
+    /// Inputs and time to which a point has been pulled; `None` if the question does not pull.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pulled: Option<Pulled>,
     /// Errors and warnings of the description and of its motion.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub messages: Vec<Message>,
@@ -56,6 +60,7 @@ impl Answer {
             sketch: false,
             controls: None,
             range,
+            pulled: None,
             messages,
             requested: Vec::new(),
             motions: Vec::new(),

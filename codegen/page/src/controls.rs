@@ -109,7 +109,7 @@ pub fn assignment(view: &Interpreted, name: &str, text: &str) -> Result<Option<S
     let text = text.trim();
     match text.parse::<f64>() {
         Ok(value) if value.is_finite() => {
-            let suffix = suffix(&unit_of(view, quantity));
+            let suffix = suffix(&unit_of(view, quantity.dimension));
             Ok(Some(format!("{name} = {text}{suffix}")))
         }
         Ok(_) => Err(format!("`{name}` needs a finite value")),
@@ -122,7 +122,7 @@ pub fn assignment(view: &Interpreted, name: &str, text: &str) -> Result<Option<S
 pub fn controls(view: &Interpreted, range: Range) -> Vec<Control> {
     let reach = reach(view, range);
     all(view, |quantity, value| {
-        let unit = unit_of(view, quantity);
+        let unit = unit_of(view, quantity.dimension);
         let ends = guessed(view, quantity, value, range, reach);
         let [low, high] = ends.map(|it| unit.of_si(it));
         Some(rounded(low, unit.of_si(value), high))
@@ -137,7 +137,7 @@ pub fn described(view: &Interpreted) -> Vec<Control> {
 fn all(view: &Interpreted, ends: impl Fn(&Quantity<'_>, f64) -> Option<[f64; 2]>) -> Vec<Control> {
     let quantities = quantities(view);
     let controls = quantities.iter().map(|quantity| {
-        let unit = unit_of(view, quantity);
+        let unit = unit_of(view, quantity.dimension);
         let declared = quantity
             .range
             .map(|both| both.map(|it| unit.rounded(it, 12)));
@@ -163,9 +163,9 @@ fn all(view: &Interpreted, ends: impl Fn(&Quantity<'_>, f64) -> Option<[f64; 2]>
 }
 
 /// Returns the unit in which a value is shown and typed.
-fn unit_of(view: &Interpreted, quantity: &Quantity<'_>) -> OutputUnit {
+pub fn unit_of(view: &Interpreted, dimension: Dimension) -> OutputUnit {
     let units = view.system().mechanism.units.of_messages();
-    units.of(&quantity.dimension.unit_if_known())
+    units.of(&dimension.unit_if_known())
 }
 
 /// Returns the unit behind a number in a description; empty for SI units without a name.

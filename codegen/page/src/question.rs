@@ -41,6 +41,23 @@ pub struct Question {
     pub detail: Detail,
     /// Pixels per metre of a moving drawing, those of the one before it; `None` to fill the picture.
     pub scale: Option<f64>,
+    /// Point that is pulled before the rest is answered.
+    pub pull: Option<Pull>,
+}
+
+/// Pull of a point.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Pull {
+    /// Name of the point.
+    pub point: String,
+    /// Position to which it is pulled (m).
+    pub to: [f64; 2],
+    /// Time of the pose from which it is pulled (s).
+    pub t: f64,
+    /// Inputs that may move, by name, with the ends of their ranges in the units of their controls. Functions of time stay.
+    #[serde(default)]
+    pub ranges: BTreeMap<String, [f64; 2]>,
 }
 
 /// Times of a motion (s).
@@ -79,6 +96,16 @@ impl Default for Range {
 }
 
 impl Question {
+    /// Returns the question with other values, in the units of their controls.
+    pub(crate) fn with(&self, values: &[(String, f64)]) -> Question {
+        let mut question = self.clone();
+        let texts = values
+            .iter()
+            .map(|(name, it)| (name.clone(), format!("{it:e}")));
+        question.values.extend(texts);
+        question
+    }
+
     /// Returns the description with its tables.
     pub fn source(&self) -> Source {
         let units = self.units.as_deref();

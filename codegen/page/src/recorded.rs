@@ -214,14 +214,7 @@ fn unexamined(
     chosen: Option<(Instant, Modes)>,
     mut kept: Kept,
 ) -> Result<Track, String> {
-    let (pose, modes) = match chosen {
-        Some((instant, modes)) => (Numbers(instant.q().to_vec()), modes),
-        None => (
-            view.drawn_pose(&view.nominal_parameters()),
-            view.drawn_branches(),
-        ),
-    };
-    let mut moved = Moved::assemble(view.clone(), &pose, modes, schedule.start.t)?;
+    let mut moved = at_start(view, chosen, schedule.start.t)?;
     let laws = view.input_laws();
     let measures = view.measures();
     let mut see = |moved: &Moved<Interpreted>| {
@@ -248,6 +241,25 @@ fn unexamined(
         error: end.map(|end| moved.ended(&end)),
         warnings: Vec::new(),
     })
+}
+
+/// Assembles the mechanism at `t` (s) near a chosen pose, or as in the design configuration.
+///
+/// # Errors
+/// The reason that it cannot be assembled.
+pub fn at_start(
+    view: &Interpreted,
+    chosen: Option<(Instant, Modes)>,
+    t: f64,
+) -> Result<Moved<Interpreted>, String> {
+    let (pose, modes) = match chosen {
+        Some((instant, modes)) => (Numbers(instant.q().to_vec()), modes),
+        None => (
+            view.drawn_pose(&view.nominal_parameters()),
+            view.drawn_branches(),
+        ),
+    };
+    Moved::assemble(view.clone(), &pose, modes, t)
 }
 
 /// Instant, its measures and its forces.

@@ -18,6 +18,7 @@ use crate::message::{Message, messages, refused};
 use crate::motion::{Followed, Wanted};
 use crate::picture::picture;
 use crate::players::{Chosen, DRAWN, Players};
+use crate::pull::{Pulled, Scene, pulled};
 use crate::question::{Detail, Question, Range};
 use crate::recorded::{Examination, Precision};
 use crate::sections::sections;
@@ -100,7 +101,7 @@ impl Session {
             }
         };
         let mut findings = messages(&opened.warnings);
-        let moving = match Moving::of(&opened.interpreted, question) {
+        let (moving, pulled) = match Moving::pulled(&opened.interpreted, question) {
             Ok(moving) => moving,
             Err(message) => {
                 findings.push(Message::error(message));
@@ -146,6 +147,7 @@ impl Session {
         Answer {
             requested,
             motions: open.motions.clone(),
+            pulled,
             ..answer
         }
     }
@@ -294,6 +296,32 @@ impl Moving {
             schedule,
             chosen,
         })
+    }
+
+    /// Applies a question after its pull, if it has one.
+    ///
+    /// # Errors
+    /// Those of [`Moving::of`] and of [`pulled`].
+    fn pulled(
+        described: &Interpreted,
+        question: &Question,
+    ) -> Result<(Moving, Option<Pulled>), String> {
+        let moving = Moving::of(described, question)?;
+        let Some(pull) = &question.pull else {
+            return Ok((moving, None));
+        };
+        let with = |values: &[(String, f64)]| Moving::of(described, &question.with(values));
+        let pulled = pulled(&moving.scene(), question, pull, |values| {
+            with(values).map(|it| it.scene())
+        })?;
+        Ok((with(&pulled.values)?, Some(pulled)))
+    }
+
+    fn scene(&self) -> Scene {
+        Scene {
+            view: self.interpreted.clone(),
+            chosen: self.chosen.as_ref().map(|it| it.start.clone()),
+        }
     }
 
     /// Looks for assemblies and singular poses.
