@@ -33,7 +33,7 @@ const names = readdirSync(mechanisms).filter((file) => file.endsWith(".mech")).m
 const gallery = [...first, ...names.filter((name) => !first.includes(name))].map((name) => ({ name, text: readFileSync(path.join(mechanisms, `${name}.mech`), "utf8") }));
 
 const packed = (contents) => gzipSync(contents, { level: 9 }).toString("base64");
-const script = compact(ofPage("SCRIPT", "LIVE_SCRIPT") + own("saved.js", "solver.js", "playground.js"));
+const script = compact(ofPage("SCRIPT", "LIVE_SCRIPT") + own("saved.js", "solver.js", "dragging.js", "playground.js"));
 const unpacked = {
   gallery,
   worker: compact(own("worker.js")),

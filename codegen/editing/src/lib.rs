@@ -39,7 +39,7 @@ pub use edit::Edit;
 pub use formatting::formatted;
 pub use handles::{Coordinate, Handle, handles};
 pub use hover::{Hover, hover};
-pub use moved::moved;
+pub use moved::{moved, step};
 pub use outline::{Entry, outline};
 pub use rename::{renamable, rename};
 pub use tokens::{Token, TokenKind, tokens};

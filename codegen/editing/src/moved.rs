@@ -23,17 +23,17 @@ pub fn moved(text: &str, handle: &Handle, position: [f64; 2]) -> Option<Vec<Edit
     Some(edits)
 }
 
+/// Returns the rounding of a moved coordinate, in m.
+pub fn step(coordinate: &Coordinate) -> f64 {
+    let unit = 1.0 / coordinate.measured.of_si(1.0);
+    unit / 10_f64.powi(decimals(coordinate) as i32)
+}
+
 /// Returns the edit of one coordinate; `None` if its number is kept.
 fn edit(coordinate: &Coordinate, value: f64) -> Option<Edit> {
     let Coordinate { measured, unit, .. } = coordinate;
-    let there = decimals(&coordinate.digits);
-    let resolution = measured.of_si(coordinate.resolution);
-    let (mut needed, mut step) = (0, 1.0);
-    while step > resolution && needed < f64::DIGITS as usize {
-        step /= 10.0;
-        needed += 1;
-    }
-    let decimals = needed.max(there).min(f64::DIGITS as usize);
+    let there = written_decimals(&coordinate.digits);
+    let decimals = decimals(coordinate);
     let [new, old] = [value, coordinate.value].map(|it| measured.of_si(it));
     let mut number = format!("{new:.decimals$}");
     if (new - old).abs() * 10_f64.powi(decimals as i32) < 0.5 {
@@ -54,8 +54,20 @@ fn edit(coordinate: &Coordinate, value: f64) -> Option<Edit> {
     })
 }
 
+/// Returns the largest number of decimals that a moved coordinate has in its unit.
+fn decimals(coordinate: &Coordinate) -> usize {
+    let resolution = coordinate.measured.of_si(coordinate.resolution);
+    let (mut needed, mut step) = (0, 1.0);
+    while step > resolution && needed < f64::DIGITS as usize {
+        step /= 10.0;
+        needed += 1;
+    }
+    let there = written_decimals(&coordinate.digits);
+    needed.max(there).min(f64::DIGITS as usize)
+}
+
 /// Returns the number of decimals of digits with an exponent.
-fn decimals(digits: &str) -> usize {
+fn written_decimals(digits: &str) -> usize {
     let (digits, exponent) = digits.split_once(['e', 'E']).unwrap_or((digits, "0"));
     let written = digits.split_once('.').map_or(0, |(_, it)| it.len());
     let exponent: i64 = exponent.parse().unwrap_or(0);

@@ -1,7 +1,7 @@
 //! Points that can be dragged, the reasons of those that cannot, and the numbers that are written.
 
 use linkwright_codegen::{Source, read};
-use linkwright_editing::{Description, Handle, handles, moved};
+use linkwright_editing::{Description, Handle, handles, moved, step};
 
 fn of(text: &str) -> Vec<Handle> {
     let source = Source::new("text", text);
@@ -166,4 +166,22 @@ fn another_text_is_not_changed() {
     assert_eq!(moved(&text[1..], &handle, [0.0, 0.0]), None);
     assert_eq!(moved(&text, &handle, [f64::NAN, 0.0]), None);
     assert_eq!(moved("", &handle, [0.0, 0.0]), None);
+}
+
+#[test]
+fn a_step_is_the_least_change_that_is_written() {
+    let text = crank("", "P = (120mm, 0.5)", "B: (12.3456mm, 1mm)");
+    for (point, steps) in [("P", [1e-5, 1e-5]), ("B", [1e-7, 1e-5])] {
+        let handle = handle(&text, point);
+        let coordinates = handle.coordinates.clone().expect("plain numbers");
+        for (place, coordinate) in coordinates.iter().enumerate() {
+            let length = step(coordinate);
+            assert!((length - steps[place]).abs() < 1e-18, "{point}: {length:e}");
+            let mut position = coordinates.each_ref().map(|it| it.value);
+            position[place] += 0.4 * length;
+            assert_eq!(moved(&text, &handle, position), Some(Vec::new()));
+            position[place] += 0.6 * length;
+            assert_eq!(moved(&text, &handle, position).map(|it| it.len()), Some(1));
+        }
+    }
 }

@@ -17,7 +17,7 @@ use super::question::Range;
 use super::recorded::{Examination, Precision};
 use super::sections::sections;
 
-const STYLE: &str = include_str!("page.css");
+const STYLE: &str = concat!(include_str!("page.css"), include_str!("pulling.css"));
 const LIVE_STYLE: &str = include_str!("live.css");
 
 /// Scripts of every page; each uses those before it.
@@ -35,6 +35,8 @@ const SCRIPT: &str = concat!(
     include_str!("script/values.js"),
     include_str!("script/given.js"),
     include_str!("script/sections.js"),
+    include_str!("script/scene.js"),
+    include_str!("script/pulling.js"),
     include_str!("script/mount.js"),
 );
 

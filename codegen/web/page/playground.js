@@ -14,6 +14,9 @@ const playground = async () => {
   const pane = document.getElementById("pane-mechanism");
   let { files, motion, units } = start;
   let page = null;
+  let dragging = null;
+  /// Text that the drawing is of.
+  let drawnOf = null;
 
   const about = (text = editor.text()) => ({ text, files, motion, units });
   const note = (words) => {
@@ -50,12 +53,25 @@ const playground = async () => {
       if (answer.refused) throw new Error(answer.refused);
       editor.show(answer.messages ?? [], text);
       listMotions(answer.motions ?? []);
+      if (answer.assemblies) drawnOf = text;
       return answer;
     },
   };
 
   pane.innerHTML = await solver.request("skeleton", "skeleton");
   const root = pane.firstElementChild;
+
+  const hooks = {
+    text: () => editor.text(),
+    isCurrent: () => drawnOf === editor.text(),
+    isGiven: () => Object.keys(page.question().values).length === 0,
+    handles: (text) => solver.request("handles", { handles: about(text) }),
+    move: (text, handle, position) => solver.request("move", { move: { question: about(text), handle, position } }),
+    replace: (changes, isJoined) => editor.replace(changes, isJoined),
+    undo: () => editor.undo(),
+    hold: (isHeld) => page.hold(isHeld),
+    note,
+  };
 
   /// Shows the first answer that has a motion; until then, only its messages.
   const begin = async () => {
@@ -74,6 +90,7 @@ const playground = async () => {
     page = mount(root, answer, provider);
     page.choose(values);
     page.ask("sections");
+    dragging = new Dragging(page.scene, hooks, new AbortController().signal);
     document.body.dataset.ready = "";
   };
 
@@ -87,6 +104,7 @@ const playground = async () => {
     note("");
     if (page) page.change();
     else begin();
+    dragging?.refresh();
     refresh();
     renew();
   };
@@ -149,6 +167,7 @@ const playground = async () => {
     svg: () => {
       const svg = root.querySelector("[data-part=drawing] svg").cloneNode(true);
       svg.querySelectorAll(".lit").forEach((it) => it.classList.remove("lit"));
+      svg.querySelector(".handles")?.remove();
       download(`${name()}.svg`, [new XMLSerializer().serializeToString(svg)], "image/svg+xml");
     },
   };

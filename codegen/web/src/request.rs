@@ -1,7 +1,7 @@
 //! Defines the requests of a live page, and finds their replies.
 
 use linkwright_codegen::Source;
-use linkwright_editing::{Description, Edit, completions, handles, hover, moved, tokens};
+use linkwright_editing::{Description, Edit, completions, handles, hover, moved, step, tokens};
 use linkwright_page::{Message, Question, Session, skeleton};
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -151,6 +151,7 @@ fn all_handles(question: &Question) -> Value {
             "start": it.declared.start,
             "end": it.declared.end,
             "position": place.map(|both| both.each_ref().map(|it| it.value)),
+            "step": place.map(|both| both.each_ref().map(step)),
             "reason": it.coordinates.as_ref().err(),
         })
     });

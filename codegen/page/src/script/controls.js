@@ -176,6 +176,12 @@ class Controls {
     }
   }
 
+  /// Ends of the inputs that have one value, by name.
+  ranges() {
+    const inputs = [...this.controls].filter(([, it]) => it.own.kind === "input" && it.current !== null);
+    return Object.fromEntries(inputs.map(([name, it]) => [name, [it.low, it.high]]));
+  }
+
   /// Returns to the values and the times of the description.
   forget() {
     this.edited = {};

@@ -19,10 +19,12 @@ const mount = (root, first, provider = null) => {
 
   const pointing = new Pointing(root, signal);
   const values = new Values(part("live"), () => pointing.forget());
+  const scene = new Scene(part("drawing"), () => ({ data, motion, drawing, player, t: clock.t }));
   const show = (t) => {
     const q = drawing.show(player, t);
     charts.show(t);
     values.show(q);
+    scene.changed();
   };
   const clock = new Clock(root, part, show, signal);
   const charts = new Charts(
@@ -44,13 +46,27 @@ const mount = (root, first, provider = null) => {
   const controls = provider
     ? new Controls(part("panel"), (detail) => (detail === "moving" ? questions.moving() : questions.ask("resting")))
     : new Given(part("panel"));
+  const pulling = new Pulling(
+    scene,
+    {
+      ranges: () => (provider ? controls.ranges() : {}),
+      pause: () => clock.pause(),
+      go: (t) => clock.go(t),
+      ask: () => questions.moving(),
+      hold: (isHeld) => questions?.hold(isHeld),
+    },
+    signal,
+  );
   const question = (detail = "resting") => {
     const { values, range } = controls.question();
     const scale = detail === "moving" ? drawing.stage.scale : null;
     return { values, range: range ?? data.range, assembly: label, detail, scale };
   };
   const answers = {
-    question,
+    question: (detail) => {
+      const pull = detail === "sections" ? null : pulling.question();
+      return { ...question(detail), ...(pull && { pull }) };
+    },
     answered: (answer) => update(answer),
     failed: (error) => messages([{ severity: "error", code: "", text: error.message }], true),
     marked: (isOld) => mark("late", isOld),
@@ -148,6 +164,10 @@ const mount = (root, first, provider = null) => {
       if (answer.title) root.querySelector("h1").textContent = answer.title;
       if (answer.sketch) Drawing.sketch(part("drawing"), answer.drawing);
       else if (answer.drawing) replaceDrawing(part("drawing"), answer.drawing);
+      if (answer.pulled) {
+        controls.set(Object.fromEntries(answer.pulled.values));
+        clock.t = answer.pulled.t;
+      }
       take(answer);
     }
     if (answer.sections) {
@@ -189,6 +209,8 @@ const mount = (root, first, provider = null) => {
     question,
     ask: (detail = "resting") => questions?.ask(detail),
     change: () => questions?.moving(),
+    scene,
+    hold: (isHeld) => questions?.hold(isHeld),
     choose: (values) => controls.set(values),
     forget: () => {
       label = null;

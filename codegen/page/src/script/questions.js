@@ -6,7 +6,7 @@ const [LATE, REST] = [200, 150];
 class Questions {
   /// `question` gives what is asked now with a detail, `answered` takes an answer, `failed` an error, `marked` is told whether the picture is old.
   constructor(provider, { question, answered, failed, marked }, signal) {
-    Object.assign(this, { provider, question, answered, failed, marked, signal, next: null, isBusy: false });
+    Object.assign(this, { provider, question, answered, failed, marked, signal, next: null, isBusy: false, isHeld: false });
     signal.addEventListener("abort", () => {
       clearTimeout(this.resting);
       clearTimeout(this.late);
@@ -16,13 +16,24 @@ class Questions {
   /// Asks while something moves, and completely once it rests.
   moving() {
     clearTimeout(this.resting);
-    this.resting = setTimeout(() => this.ask("resting"), REST);
+    this.isWaiting = true;
+    if (!this.isHeld) this.resting = setTimeout(() => this.ask("resting"), REST);
     this.ask("moving");
+  }
+
+  /// While something is held, nothing is asked completely: the picture keeps its scale below the pointer.
+  hold(isHeld) {
+    this.isHeld = isHeld;
+    clearTimeout(this.resting);
+    if (!isHeld && this.isWaiting) this.ask("resting");
   }
 
   async ask(detail) {
     if (this.signal.aborted) return;
-    if (detail === "resting") clearTimeout(this.resting);
+    if (detail === "resting") {
+      clearTimeout(this.resting);
+      this.isWaiting = false;
+    }
     this.next = detail;
     if (this.isBusy) return;
     this.isBusy = true;
