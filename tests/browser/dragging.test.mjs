@@ -262,9 +262,10 @@ test("points of formulas say why they have no handle", { skip: isSkipped }, asyn
   const { at } = await onScreen(page, solved(mechanism("two_body"), 0).points.Q.position);
   await page.mouse.move(...at);
   await page.mouse.move(at[0] + 1, at[1]);
-  assert.match(await page.textContent("[data-bar=note]"), /^Q of 2: .*formula/);
+  assert.match(await page.locator(".reason").innerText(), /^Q of 2: .*formula/);
+  assert.deepEqual((await onScreen(page, solved(mechanism("two_body"), 0).points.Q.position)).at, at, "nothing moves for it");
   await page.mouse.move(at[0] + 120, at[1] + 90);
-  assert.equal(await page.textContent("[data-bar=note]"), "");
+  assert.ok(await page.locator(".reason").isHidden());
   await page.close();
 });
 

@@ -8,10 +8,12 @@ const WAYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDow
 
 class Dragging {
   /// `text` returns the description, `replace` changes it and `undo` takes the last change back; `isCurrent` is true while the drawing
-  /// is of the text, `isGiven` while all values are those of the text. `handles` and `move` ask the solver. `hold` is told while a point is held; `note` shows a sentence.
+  /// is of the text, `isGiven` while all values are those of the text. `handles` and `move` ask the solver. `hold` is told while a point is held.
   constructor(scene, hooks, signal) {
-    Object.assign(this, { scene, hooks, signal, of: null, items: [], dragged: null, busy: null, isNoted: false });
+    Object.assign(this, { scene, hooks, signal, of: null, items: [], dragged: null, busy: null });
     this.group = drawn("g", { class: "handles", role: "group", "aria-label": "Points to move" });
+    this.reason = made("div", { class: "reason", role: "status", hidden: "" });
+    document.body.append(this.reason);
     const on = (event, action, options = {}) => scene.holder.addEventListener(event, action, { signal, ...options });
     on("pointermove", (event) => this.hover(event));
     on("pointerleave", () => this.hover(null));
@@ -126,9 +128,14 @@ class Dragging {
     this.scene.holder.classList.toggle("draggable", Boolean(item?.own.position));
     const near = new Set(event && this.isReady ? this.scene.near(event, this.items.filter((it) => it.position), VISIBLE).map((it) => String(it.item.index)) : []);
     for (const element of this.group.children) element.classList.toggle("near", near.has(element.dataset.index));
-    const words = item?.own.reason ? `${item.name}: ${item.own.reason}` : "";
-    if (words || this.isNoted) this.hooks.note(words);
-    this.isNoted = words !== "";
+    this.explain(item?.own.reason ? `${item.name}: ${item.own.reason}` : "", event);
+  }
+
+  /// Says beside the pointer why a point has no handle. The page does not move for it, or the pointer would be elsewhere.
+  explain(words, pointer) {
+    if (this.reason.textContent !== words) this.reason.textContent = words;
+    this.reason.hidden = words === "";
+    if (words) Object.assign(this.reason.style, { left: `${pointer.clientX + 14}px`, top: `${pointer.clientY + 14}px` });
   }
 
   press(event) {

@@ -70,7 +70,6 @@ const playground = async () => {
     replace: (changes, isJoined) => editor.replace(changes, isJoined),
     undo: () => editor.undo(),
     hold: (isHeld) => page.hold(isHeld),
-    note,
   };
 
   /// Shows the first answer that has a motion; until then, only its messages.
