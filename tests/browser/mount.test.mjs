@@ -58,9 +58,9 @@ const provide = (page) =>
           if (question.detail === "sections") return resolve({ sections: {} });
           asked.push(question);
           waiting.push(() => {
-            const chosen = (own) => Number(question.values[own.name] ?? own.value);
             try {
-              resolve(respond({ ...answer, controls: answer.controls.map((own) => ({ ...own, value: chosen(own) })) }));
+              // Values of controls are those of the description.
+              resolve(respond({ ...answer }));
             } catch (error) {
               reject(error);
             }

@@ -62,7 +62,7 @@ test("a file, a server and WebAssembly answer alike", { skip: !process.env.SOLVE
       inFile.forEach((all, place) => {
         // A column that is constant in single precision alone is one number.
         const same = all.length === single[place].length ? single[place] : [...new Set(single[place])];
-        assert.deepEqual(all, same, `${name}, column ${place}`);
+        assert.deepEqual(place === 0 ? all : all.map(Math.fround), same, `${name}, column ${place}`);
       });
     } finally {
       server.end();

@@ -46,7 +46,7 @@ pub struct Question {
 }
 
 /// Pull of a point.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct Pull {
     /// Name of the point.
