@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use linkwright::math::Real;
 use linkwright_codegen::stages::emit::drawing::{ActingLoads, Pose};
 use linkwright_codegen::stages::emit::mathml::symbol;
 use linkwright_codegen::stages::joint::Quantity;
@@ -317,7 +318,7 @@ fn points(view: &Interpreted, instant: &Instant) -> Vec<Point> {
             let local = match bodies[body].pose {
                 Some([Some(at_x), Some(at_y), Some(angle)]) => {
                     let q = instant.q();
-                    let (sine, cosine) = q[angle].sin_cos();
+                    let (sine, cosine) = Real::sin_cos(q[angle]);
                     let [x, y] = [x - q[at_x], y - q[at_y]];
                     [cosine * x + sine * y, cosine * y - sine * x]
                 }

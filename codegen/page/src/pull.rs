@@ -24,7 +24,7 @@ const MAX_STEPS: usize = 40;
 const MAX_TRIALS: usize = 16;
 
 /// Largest change of a variable in a step, in parts of its range.
-const LONGEST: f64 = 0.05;
+const MAX_STEP_LENGTH: f64 = 0.05;
 
 /// First damping, relative to the largest second derivative.
 const FIRST_DAMPING: f64 = 1e-4;
@@ -35,11 +35,11 @@ const LEAST_DAMPING: f64 = 1e-12;
 /// Factors of the damping after steps that succeed and that fail.
 const RELAXATION: [f64; 2] = [0.1, 4.0];
 
-/// Distance that counts as zero, in characteristic lengths.
-const REACHED: f64 = 1e-12;
+/// Distance from the goal that counts as zero, in characteristic lengths.
+const RESOLUTION: f64 = 1e-12;
 
 /// Distance between two solutions of one pose, in characteristic lengths.
-const SAME: f64 = 1e-6;
+const AGREEMENT: f64 = 1e-6;
 
 /// Inputs and time to which a pull leads.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -113,14 +113,15 @@ pub fn pulled(
         false => puller.nearest(start.clone(), false),
     };
     let by_all = puller.nearest(by_inputs.clone(), true);
-    let is_shown = |pose: &Pose| {
+    let is_in_motion = |pose: &Pose| {
         let result = puller.result(pose);
         let scene = scene_with(&result.values);
-        let shown = scene.and_then(|scene| puller.start(&scene, result.t));
-        shown.is_ok_and(|it| (it.residual - pose.residual).norm() <= SAME * puller.length)
+        let pose_of_scene = scene.and_then(|scene| puller.start(&scene, result.t));
+        pose_of_scene
+            .is_ok_and(|it| (it.residual - pose.residual).norm() <= AGREEMENT * puller.length)
     };
     let poses = [by_all, by_inputs];
-    let pose = poses.iter().find(|it| is_shown(it)).unwrap_or(&start);
+    let pose = poses.iter().find(|it| is_in_motion(it)).unwrap_or(&start);
     Ok(puller.result(pose))
 }
 
@@ -247,7 +248,7 @@ impl<'a> Puller<'a> {
         let count = self.inputs.len() + usize::from(has_time);
         let mut damping = FIRST_DAMPING;
         for _ in 0..MAX_STEPS {
-            if pose.residual.norm() <= REACHED * self.length {
+            if pose.residual.norm() <= RESOLUTION * self.length {
                 break;
             }
             let Some(derivatives) = self.derivatives(&pose) else {
@@ -284,7 +285,7 @@ impl<'a> Puller<'a> {
 
     /// Returns the pose after a step; `None` if it is too long, leaves the path or does not approach the goal.
     fn trial(&self, pose: &Pose, free: &[usize], step: &DVector<f64>) -> Option<Pose> {
-        let is_short = step.amax() <= LONGEST;
+        let is_short = step.amax() <= MAX_STEP_LENGTH;
         let mut values = pose.values.clone();
         for (variable, part) in free.iter().zip(step.iter()) {
             let [low, high] = self.ends[*variable];

@@ -8,7 +8,8 @@ const WAYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDow
 
 class Dragging {
   /// `text` returns the description, `replace` changes it and `undo` takes the last change back; `isCurrent` is true while the drawing
-  /// is of the text, `isGiven` while all values are those of the text. `handles` and `move` ask the solver. `hold` is told while a point is held.
+  /// is of the text, `isGiven` while all values are those of the text. `handles` and `move` ask the solver; `hold` is told while a point is
+  /// held.
   constructor(scene, hooks, signal) {
     Object.assign(this, { scene, hooks, signal, of: null, items: [], dragged: null, busy: null });
     this.group = drawn("g", { class: "handles", role: "group", "aria-label": "Points to move" });
@@ -50,6 +51,7 @@ class Dragging {
     if (text === this.of || text === this.asked) return;
     this.asked = text;
     const all = await this.hooks.handles(text).catch(() => []);
+    if (this.asked === text) this.asked = null;
     // A reply about an older text is dropped.
     if (text !== this.hooks.text() || this.signal.aborted) return;
     this.of = text;
@@ -69,7 +71,6 @@ class Dragging {
       ...movable.map(({ index, name }) => {
         const element = drawn("g", { class: "handle", tabindex: 0, role: "button", "aria-roledescription": "movable point", "aria-label": name, "data-index": index });
         drawn("circle", { r: 7 }, element);
-        drawn("title", {}, element).textContent = `${name}: drag it, or press arrow keys`;
         return element;
       }),
     );
@@ -140,8 +141,9 @@ class Dragging {
 
   press(event) {
     const item = event.button === 0 && event.isPrimary ? this.point(event) : null;
+    // Nothing is pulled while handles are on their way.
+    if (item || this.dragged || (this.isActive && !this.isReady)) event.stopPropagation();
     if (!item) return;
-    event.stopPropagation();
     dragPoint(this.scene, item.position, event, this.signal, {
       begun: () => this.begin(item),
       moved: (to) => this.aim(to),
