@@ -6,7 +6,7 @@ import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { folder, linkwright, mechanism, repository, serve } from "./harness.mjs";
 
-const MECHANISMS = ["four_bar", "excavator", "jansen", "platform_3rpr", "ankle"];
+const MECHANISMS = ["four_bar", "excavator", "jansen", "platform_3rpr", "stephenson"];
 
 /// The solver as a page runs it, without a browser.
 const solver = async () => {
