@@ -27,7 +27,7 @@ const view = (...args) => execFileSync(live, ["view", ...args], { encoding: "utf
 
 test("a live page shows the mechanism, its values and its times, and moves when a slider does", { skip }, async () => {
   const file = made.file("live.html");
-  view(`${repository}/tests/descriptions/four_bar_given.mech`, "--live", "--set", "L2=13cm", "--to", "2", "--branch", "loop_c=other", "-o", file);
+  view(`${repository}/tests/descriptions/four_bar_given.mech`, "--live", "--set", "L2=13cm", "--to", "2", "--branch", "phi_coupler_phi_rocker=other", "-o", file);
   const page = await browser.visit(`file://${file}`);
   const question = await page.evaluate(() => linkwright.page().question());
   assert.deepEqual([question.values, question.range], [{ L2: "130" }, { from: 0, to: 2, step: 0.01 }]);

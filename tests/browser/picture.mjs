@@ -1,5 +1,6 @@
 // Writes the pictures of pages that README.md and the guide show: `npm run picture`. Those of `rustdoc` are in the folder DOCUMENTATION.
 
+import { readFileSync } from "node:fs";
 import path from "node:path";
 import { folder, linkwright, mechanism, open, repository, seek } from "./harness.mjs";
 
@@ -15,6 +16,18 @@ await page.evaluate(() => document.getElementById("block-2").scrollIntoView());
 await page.hover('#block-2 .equation:nth-of-type(3)');
 await page.waitForTimeout(300);
 await page.screenshot({ path: path.join(pictures, "view.png") });
+if (process.env.PLAYGROUND) {
+  const playground = await browser.visit(`file://${process.env.PLAYGROUND}`, { viewport: { width: 1560, height: 760 } });
+  // The example of the guide.
+  const [, text] = readFileSync(path.join(repository, "codegen/guide/live.md"), "utf8").match(/```mech\n(.*?)```/s);
+  await playground.evaluate((next) => {
+    const { editor } = globalThis.linkwright;
+    editor.replace([{ start: 0, end: new TextEncoder().encode(editor.text()).length, text: next }]);
+  }, text);
+  await playground.waitForTimeout(2500);
+  await seek(playground, 0.4);
+  await playground.screenshot({ path: path.join(pictures, "playground.png") });
+}
 const documented = await browser.show(`file://${documentation}/linkwright_mechanisms/four_bar/index.html`, {
   viewport: { width: 1100, height: 1300 },
 });

@@ -34,7 +34,7 @@ const write = (page, text) =>
 const titled = (page, title) => page.waitForFunction((name) => document.querySelector("#pane-mechanism h1")?.textContent === name, title, { timeout: PATIENCE });
 /// Waits until nothing is computed.
 const rested = (page) =>
-  page.waitForFunction(() => !linkwright.solver.current && linkwright.solver.waiting.length === 0 && !document.querySelector(".page.old"), null, { timeout: PATIENCE });
+  page.waitForFunction(() => [linkwright.solver, linkwright.patient].every((it) => !it.current && it.waiting.length === 0) && !document.querySelector(".page.old"), null, { timeout: PATIENCE });
 const rest = async (page) => {
   await page.waitForTimeout(300);
   await rested(page);

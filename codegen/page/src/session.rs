@@ -159,7 +159,7 @@ impl Session {
     pub fn table(&mut self, question: &Question) -> Result<String, Vec<Message>> {
         let moving = self.moving(question)?;
         let system = moving.interpreted.system();
-        let wanted = Wanted {
+        let selection = Wanted {
             points: (0..system.outputs.len()).collect(),
             coordinates: (0..system.coordinates.len()).collect(),
             monitor: false,
@@ -167,7 +167,7 @@ impl Session {
         };
         let (view, start) = (moving.interpreted.clone(), moving.schedule.start.t);
         let chosen = moving.chosen.clone().map(|it| it.start);
-        let mut motion = Followed::new(view, wanted, start, chosen);
+        let mut motion = Followed::new(view, selection, start, chosen);
         let mut text = Vec::new();
         let written = Table::new(&motion, false, &mut text).and_then(|mut table| {
             motion.follow(&moving.schedule, &mut [&mut table], |_| {})?;

@@ -11,6 +11,8 @@ const playground = async () => {
   const { gallery, worker } = parts;
   const start = (await stateOf(location.hash)) ?? checkedState(JSON.parse(stored("start"))) ?? checkedState(gallery[0]);
   const solver = new Solver(worker, stored("solver"));
+  // What rests takes longer, and has a thread of its own, so that what moves never waits for it.
+  const patient = new Solver(worker, stored("solver"));
   const pane = document.getElementById("pane-mechanism");
   let { files, motion, units } = start;
   let page = null;
@@ -49,7 +51,7 @@ const playground = async () => {
   const provider = {
     ask: async (question) => {
       const text = editor.text();
-      const answer = await solver.request(`ask ${question.detail}`, { ask: { ...question, ...about(text) } });
+      const answer = await (question.detail === "moving" ? solver : patient).request(`ask ${question.detail}`, { ask: { ...question, ...about(text) } });
       if (answer.refused) throw new Error(answer.refused);
       editor.show(answer.messages ?? [], text);
       listMotions(answer.motions ?? []);
@@ -75,7 +77,7 @@ const playground = async () => {
   /// Shows the first answer that has a motion; until then, only its messages.
   const begin = async () => {
     const { values, assembly, range } = start;
-    const question = { values, assembly, ...(range ? { range } : {}), detail: "resting" };
+    const question = { values, assembly, ...(range ? { range } : {}), detail: "moving" };
     const answer = await provider.ask(question).catch((error) => ({ messages: [{ severity: "error", text: error.message }] }));
     if (!answer.assemblies) {
       root.querySelector("[data-part=messages]").replaceChildren(...(answer.messages ?? []).map((it) => made("p", { class: it.severity }, it.text)));
@@ -83,12 +85,11 @@ const playground = async () => {
       return;
     }
     root.querySelector("[data-part=messages]").replaceChildren();
-    root.querySelector("[data-part=lead]").innerHTML = answer.lead;
     root.querySelector("h1").textContent = answer.title;
     root.querySelector("[data-part=drawing]").innerHTML = answer.drawing;
     page = mount(root, answer, provider);
     page.choose(values);
-    page.ask("sections");
+    page.ask("resting");
     dragging = new Dragging(page.scene, hooks, new AbortController().signal);
     document.body.dataset.ready = "";
   };
@@ -111,14 +112,14 @@ const playground = async () => {
   // Panes beside the mechanism are filled when they are looked at.
   const panes = {
     check: async () => {
-      const { text, messages } = await solver.request("check", { check: { ...(page?.question() ?? {}), ...about() } });
+      const { text, messages } = await patient.request("check", { check: { ...(page?.question() ?? {}), ...about() } });
       return text || messages.map((it) => it.text).join("\n");
     },
     rust: () => code("rust"),
     c: () => code("c"),
   };
   const code = async (language) => {
-    const { files: all, messages } = await solver.request(language, { code: { question: about(), language } });
+    const { files: all, messages } = await patient.request(language, { code: { question: about(), language } });
     return all.length ? all.map(([, text]) => text).join("\n") : messages.map((it) => it.text).join("\n");
   };
   let selected = "mechanism";
@@ -171,12 +172,12 @@ const playground = async () => {
     },
   };
   const generated = async (language) => {
-    const { files: all, messages } = await solver.request(language, { code: { question: about(), language } });
+    const { files: all, messages } = await patient.request(language, { code: { question: about(), language } });
     if (all.length === 0) return note(messages.map((it) => it.text).join(" "));
     return all.forEach(([file, text]) => download(file, [text], "text/plain"));
   };
   const downloadText = async (kind, file, request) => {
-    const { text, messages } = await solver.request(kind, request);
+    const { text, messages } = await patient.request(kind, request);
     if (messages.length && !text) return note(messages.map((it) => it.text).join(" "));
     return download(file, [text], "text/plain");
   };
@@ -224,7 +225,7 @@ const playground = async () => {
     const end = new TextEncoder().encode(editor.text()).length;
     editor.replace([{ start: 0, end, text: next.text }]);
   });
-  globalThis.linkwright = { editor, solver, page: () => page };
+  globalThis.linkwright = { editor, solver, patient, page: () => page };
   await begin();
 };
 

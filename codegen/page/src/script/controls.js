@@ -105,12 +105,13 @@ class Control {
 
 class Controls {
   constructor(panel, changed) {
-    Object.assign(this, { panel, changed, controls: new Map(), shape: null, edited: {} });
+    Object.assign(this, { panel, changed, controls: new Map(), shape: null, edited: {}, awaited: {} });
   }
 
+  /// Takes the controls of an answer; one about what moves has none.
   take(data) {
-    const all = data.controls ?? [];
     this.range = data.range ?? null;
+    const all = data.controls ?? [];
     this.panel.hidden = all.length === 0 && !this.range;
     const shape = JSON.stringify(all.map((own) => [own.kind, own.name]));
     if (shape !== this.shape) this.build(all, shape);
@@ -128,6 +129,9 @@ class Controls {
         return [own.name, kept ?? new Control(own, this.changed)];
       }),
     );
+    const { awaited } = this;
+    this.awaited = {};
+    this.set(awaited);
     this.panel.replaceChildren(...[...this.controls.values()].map((it) => it.row));
     if (this.range) this.panel.append(this.rangeRow());
   }
@@ -172,7 +176,10 @@ class Controls {
   set(values) {
     for (const [name, value] of Object.entries(values)) {
       const number = Number(value);
-      if (Number.isFinite(number)) this.controls.get(name)?.put(number);
+      const control = this.controls.get(name);
+      if (!Number.isFinite(number)) continue;
+      if (control) control.put(number);
+      else this.awaited[name] = plain(number);
     }
   }
 
@@ -185,6 +192,7 @@ class Controls {
   /// Returns to the values and the times of the description.
   forget() {
     this.edited = {};
+    this.awaited = {};
     for (const control of this.controls.values()) control.put(null);
   }
 
@@ -192,7 +200,7 @@ class Controls {
   question() {
     const changed = [...this.controls].filter(([, it]) => it.value !== null);
     return {
-      values: Object.fromEntries(changed.map(([name, it]) => [name, plain(it.value)])),
+      values: { ...this.awaited, ...Object.fromEntries(changed.map(([name, it]) => [name, plain(it.value)])) },
       range: this.range && { ...this.range, ...this.edited },
     };
   }

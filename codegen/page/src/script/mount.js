@@ -121,7 +121,9 @@ const mount = (root, first, provider = null) => {
 
   /// Takes a motion, the drawing of which is in the page already.
   const take = (answer) => {
-    const isFirst = data === null;
+    // Another mechanism begins with its own curves.
+    const names = (it) => it?.coordinates.map((own) => own.name).join();
+    const isFirst = names(data) !== names(answer);
     data = answer;
     motion = new Motion(data);
     drawing = new Drawing(part("drawing"), motion);
@@ -130,6 +132,8 @@ const mount = (root, first, provider = null) => {
     values.take(data);
     curves = curvesOf(motion);
     if (isFirst) {
+      shown.clear();
+      traced.clear();
       label = data.assemblies[0]?.label ?? null;
       for (const point of data.points.filter((it) => it.free).slice(0, 3)) traced.add(point.name);
       clock.t = data.assemblies.find((it) => it.times)?.times[0] ?? 0;

@@ -1,4 +1,4 @@
-// Questions to a provider: at most one is under way, and then the newest is asked.
+// Questions to a provider: at most one is under way of what moves, and then the newest is asked.
 
 /// Time after which an answer that has not come makes the picture an old one, and time of rest before a complete question, in ms.
 const [LATE, REST] = [200, 150];
@@ -6,7 +6,7 @@ const [LATE, REST] = [200, 150];
 class Questions {
   /// `question` gives what is asked now with a detail, `answered` takes an answer, `failed` an error, `marked` is told whether the picture is old.
   constructor(provider, { question, answered, failed, marked }, signal) {
-    Object.assign(this, { provider, question, answered, failed, marked, signal, next: null, isBusy: false, isHeld: false });
+    Object.assign(this, { provider, question, answered, failed, marked, signal, next: null, current: null, round: 0, isHeld: false });
     signal.addEventListener("abort", () => {
       clearTimeout(this.resting);
       clearTimeout(this.late);
@@ -35,27 +35,33 @@ class Questions {
       this.isWaiting = false;
     }
     this.next = detail;
-    if (this.isBusy) return;
-    this.isBusy = true;
-    while (this.next && !this.signal.aborted) await this.put();
-    this.isBusy = false;
+    // What moves does not wait for an answer about what rested, which is left out then.
+    if (this.current && !(detail === "moving" && this.current !== "moving")) return;
+    this.round += 1;
+    const { round } = this;
+    while (this.next && round === this.round && !this.signal.aborted) await this.put(round);
+    if (round === this.round) this.current = null;
   }
 
-  async put() {
+  async put(round) {
     const detail = this.next;
+    const isLeftOut = () => this.signal.aborted || round !== this.round;
     this.next = null;
+    this.current = detail;
+    clearTimeout(this.late);
     // Sections leave the picture as it is.
     if (detail !== "sections") this.late = setTimeout(() => this.marked(true), LATE);
     try {
       const answer = await this.provider.ask(this.question(detail));
-      if (this.signal.aborted) return;
+      if (isLeftOut()) return;
       this.answered(answer);
       // Text follows when nothing newer is asked.
       if (detail === "resting") this.next ??= "sections";
     } catch (error) {
-      if (!this.signal.aborted) this.failed(error);
+      if (isLeftOut()) return;
+      this.failed(error);
     }
     clearTimeout(this.late);
-    if (!this.signal.aborted) this.marked(false);
+    this.marked(false);
   }
 }
