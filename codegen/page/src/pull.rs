@@ -6,9 +6,9 @@
 
 use std::convert::Infallible;
 
-use linkwright::{PointMotion, Shell, Signal};
+use linkwright::{PointMotion, Settings, Shell, Signal};
 use linkwright_solver::{
-    InputLaws, InputSignals, Instant, Interpreted, Modes, Schedule, View as _, follow,
+    InputLaws, InputSignals, Instant, Interpreted, Modes, Numbers, Schedule, View as _, follow,
 };
 use nalgebra::{DMatrix, DVector, Vector2};
 use serde::Serialize;
@@ -25,6 +25,9 @@ const MAX_TRIALS: usize = 16;
 
 /// Largest change of a variable in a step, in parts of its range.
 const MAX_STEP_LENGTH: f64 = 0.05;
+
+/// Number of attempts of a trial: a path that needs more is rejected at once, and a shorter one is tried.
+const ATTEMPTS: u16 = 1;
 
 /// First damping, relative to the largest second derivative.
 const FIRST_DAMPING: f64 = 1e-4;
@@ -166,15 +169,27 @@ impl<'a> Puller<'a> {
             Ok::<(), Infallible>(())
         });
         let Ok(end) = end;
-        match end {
-            Some(end) => Err(moved.ended(&end)),
-            None => {
-                let signals = laws.at(t);
-                let inputs = self.inputs.iter().map(|it| signals.0[*it].value);
-                let values = inputs.chain([t]).collect();
-                Ok(self.pose(moved.fuller().clone(), values))
-            }
+        if let Some(end) = end {
+            return Err(moved.ended(&end));
         }
+        let (last, signals) = (moved.fuller(), laws.at(t));
+        let mut shell = Shell::assemble(
+            scene.view.clone(),
+            last.parameters(),
+            &Numbers(last.frame().q().to_vec()),
+            last.branches().clone(),
+            t,
+            &signals,
+            Settings {
+                substeps: ATTEMPTS,
+                ..Settings::default()
+            },
+        )
+        .map_err(|failure| scene.view.not_assembled(&failure))?;
+        shell.resume(last.frame(), last.branches(), &signals);
+        let inputs = self.inputs.iter().map(|it| signals.0[*it].value);
+        let values = inputs.chain([t]).collect();
+        Ok(self.pose(shell, values))
     }
 
     fn pose(&self, shell: Shell<Interpreted>, values: Vec<f64>) -> Pose {
@@ -246,15 +261,17 @@ impl<'a> Puller<'a> {
     /// Returns the nearest pose to which steps downhill lead.
     fn nearest(&self, mut pose: Pose, has_time: bool) -> Pose {
         let count = self.inputs.len() + usize::from(has_time);
-        let mut damping = FIRST_DAMPING;
-        for _ in 0..MAX_STEPS {
-            if pose.residual.norm() <= RESOLUTION * self.length {
-                break;
-            }
+        let (mut damping, mut steps) = (FIRST_DAMPING, 0);
+        while pose.residual.norm() > RESOLUTION * self.length && steps < MAX_STEPS {
             let Some(derivatives) = self.derivatives(&pose) else {
                 break;
             };
             let free = self.free(&pose, &derivatives, count);
+            // Inputs alone have been moved before.
+            if has_time && steps == 0 && free.last() != Some(&self.inputs.len()) {
+                break;
+            }
+            steps += 1;
             let mut next = None;
             for _ in 0..MAX_TRIALS {
                 let step = derivatives.step(pose.residual, &free, damping);
@@ -278,7 +295,10 @@ impl<'a> Puller<'a> {
         let moves = |&it: &usize| {
             let ([low, high], value) = (self.ends[it], pose.values[it]);
             let slope = derivatives.first[it].dot(&pose.residual);
-            !(low >= high || value <= low && slope >= 0.0 || value >= high && slope <= 0.0)
+            !(low >= high
+                || slope == 0.0
+                || value <= low && slope >= 0.0
+                || value >= high && slope <= 0.0)
         };
         (0..count).filter(moves).collect()
     }
