@@ -269,7 +269,7 @@ test("points of formulas say why they have no handle", { skip: isSkipped }, asyn
   await page.close();
 });
 
-test("away from the start, and with other values, points pull the time", { skip: isSkipped }, async () => {
+test("away from the start, points pull the time", { skip: isSkipped }, async () => {
   const page = await visitPlayground(FOUR_BAR);
   await ready(page);
   await seek(page, 0.3);
