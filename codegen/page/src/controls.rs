@@ -233,10 +233,10 @@ fn reach(view: &Interpreted, range: Range) -> usize {
 
 /// Rounds both ends toward the value, so that they read well.
 fn rounded(low: f64, value: f64, high: f64) -> [f64; 2] {
-    let place = 10.0_f64.powi((high - low).log10().floor() as i32 + 1 - DIGITS);
-    if !(place.is_finite() && place > 0.0) {
+    if !(low < high) {
         return [low, high];
     }
+    let place = 10.0_f64.powi((high - low).log10().floor() as i32 + 1 - DIGITS);
     // A division by a power of ten is rounded once, a product with its inverse twice.
     let steps = |end: f64| end / place;
     let [least, most] = [steps(low).ceil(), steps(high).floor()];

@@ -47,7 +47,7 @@ mod tests {
             ..Question::default()
         };
         let filled = live(&page, &question).expect("a page");
-        assert_eq!(filled.matches("script>").count(), 1, "{filled}");
+        assert_eq!(filled.matches("</script").count(), 1, "{filled}");
         let inside = &filled[3 + START[0].len()..filled.len() - 4 - START[1].len()];
         let read: serde_json::Value = serde_json::from_str(inside).expect("JSON");
         assert_eq!(

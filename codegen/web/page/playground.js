@@ -95,7 +95,11 @@ const playground = async () => {
   };
 
   let renewal = 0;
-  const state = () => ({ ...about(), ...(page?.question() ?? {}), detail: undefined, scale: undefined });
+  const state = () => {
+    const { values, range, assembly } = page?.question() ?? start;
+    // That of the design configuration needs no label.
+    return { ...about(), values, range, assembly: assembly?.endsWith("as drawn") ? null : assembly };
+  };
   const renew = () => {
     clearTimeout(renewal);
     renewal = setTimeout(async () => history.replaceState(null, "", `#${await addressOf(state())}`), RENEWAL);
