@@ -233,7 +233,7 @@ fn reach(view: &Interpreted, range: Range) -> usize {
 
 /// Rounds both ends toward the value, so that they read well.
 fn rounded(low: f64, value: f64, high: f64) -> [f64; 2] {
-    if !(low < high) {
+    if low.partial_cmp(&high) != Some(std::cmp::Ordering::Less) {
         return [low, high];
     }
     let place = 10.0_f64.powi((high - low).log10().floor() as i32 + 1 - DIGITS);

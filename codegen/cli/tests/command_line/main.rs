@@ -4,6 +4,7 @@ mod animate;
 mod branch;
 #[cfg(feature = "calibrate")]
 mod calibrate;
+#[cfg(feature = "calibrate")]
 mod calibrate_ranges;
 #[cfg(feature = "calibrate")]
 mod calibrate_trust;
