@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { after, before, test } from "node:test";
-import { folder, mechanism, open, repository, solved } from "./harness.mjs";
+import { folder, mechanism, open, repository, solved, violations } from "./harness.mjs";
 
 const file = process.env.PLAYGROUND;
 const skip = !file && "PLAYGROUND names no page";
@@ -226,6 +226,23 @@ test("a thousand moves of a slider leave the memory as it was", { skip }, async 
   assert.ok(last < first + 1_500_000, `${first} and ${last} bytes`);
   await page.close();
 });
+
+for (const options of [{}, { colorScheme: "dark", viewport: { width: 375, height: 800 } }]) {
+  test(`axe finds nothing in the playground ${JSON.stringify(options)}`, { skip }, async () => {
+    const page = await visit("", options);
+    await write(page, given());
+    await titled(page, "four_bar_given");
+    await rest(page);
+    assert.deepEqual(await violations(page), []);
+    await write(page, given().replace("revolute D(ground, rocker);", "revolute D(ground, rocke);"));
+    await page.waitForSelector(".cm-lintRange-error", { timeout: PATIENCE });
+    assert.deepEqual(await violations(page), []);
+    await page.click("#tab-rust");
+    await page.waitForFunction(() => document.querySelector("#pane-rust > pre").textContent !== "");
+    assert.deepEqual(await violations(page), []);
+    await page.close();
+  });
+}
 
 test("code, checks and downloads are those of the command", { skip }, async () => {
   const page = await visit();

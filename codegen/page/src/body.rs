@@ -17,6 +17,8 @@ pub struct Body<'a> {
     pub requested: &'a str,
     /// Sections of text.
     pub sections: &'a [Section],
+    /// True for a part of a document that has its own main element.
+    pub is_part: bool,
 }
 
 impl Body<'_> {
@@ -32,15 +34,16 @@ impl Body<'_> {
             requested,
             ..
         } = self;
+        let element = if self.is_part { "div" } else { "main" };
         let (controls, curves) = (include_str!("controls.html"), include_str!("curves.html"));
         format!(
-            "<div class=\"page\" data-page=\"\">\n<main>\n<header><h1>{title}</h1>\n<div data-part=\"lead\">{lead}</div>\
+            "<div class=\"page\" data-page=\"\">\n<{element} class=\"layout\">\n<header><h1>{title}</h1>\n<div data-part=\"lead\">{lead}</div>\
              <nav aria-label=\"Contents\"><a href=\"#plots\">Curves</a> {contents}</nav></header>\n\
              <div class=\"stage\">\n<figure class=\"drawing\" data-part=\"drawing\">{drawing}</figure>\n\
              <div class=\"messages\" data-part=\"messages\" role=\"status\">\n{messages}</div>\n{controls}</div>\n\
              <section class=\"plots\" id=\"plots\" data-part=\"plots\" data-requested=\"{requested}\" aria-labelledby=\"curves\">\n\
              <h2 id=\"curves\">Curves</h2>\n{curves}</section>\n\
-             <article>\n{text}</article>\n</main>\n</div>\n"
+             <article>\n{text}</article>\n</{element}>\n</div>\n"
         )
     }
 }
@@ -49,6 +52,7 @@ impl Body<'_> {
 pub fn skeleton() -> String {
     Body {
         sections: &Section::all_empty(),
+        is_part: true,
         ..Body::default()
     }
     .text()

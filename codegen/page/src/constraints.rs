@@ -14,7 +14,7 @@ use super::equations::about;
 /// Returns the table of constraints and drivers, and the count of degrees of freedom.
 pub fn section(pool: &Pool, system: &System, check: &Check) -> String {
     let words = constraints_in_html(pool, system);
-    let mut text = String::from("<div class=\"wide\"><table>\n");
+    let mut text = String::from("<div class=\"wide\" tabindex=\"0\"><table>\n");
     for (role, title) in [
         (Role::Constraint, "Joints, Φ<sup>K</sup>"),
         (Role::Driver, "Drivers, Φ<sup>D</sup>"),

@@ -159,7 +159,9 @@ pub fn numbered(system: &System, row: usize, is_first: bool, formula: &str) -> S
 
 /// Returns Φ_q as a table with the names of its rows and columns.
 fn matrix(system: &System, section: &Section, names: &[&str]) -> String {
-    let mut text = String::from("<div class=\"wide\"><table class=\"matrix\"><thead><tr><td></td>");
+    let mut text = String::from(
+        "<div class=\"wide\" tabindex=\"0\"><table class=\"matrix\"><thead><tr><td></td>",
+    );
     for name in names {
         let _ = write!(text, "<th><math>{name}</math></th>");
     }

@@ -73,7 +73,7 @@ pub fn bodies(system: &System) -> String {
     match rows.is_empty() {
         true => String::new(),
         false => format!(
-            "<div class=\"wide\"><table><thead><tr><th>{one}</th><th>Points</th><td></td></tr></thead><tbody>\n{rows}</tbody></table></div>\n"
+            "<div class=\"wide\" tabindex=\"0\"><table><thead><tr><th>{one}</th><th>Points</th><td></td></tr></thead><tbody>\n{rows}</tbody></table></div>\n"
         ),
     }
 }
@@ -118,7 +118,7 @@ pub fn values(pool: &Pool, system: &System) -> String {
     match rows.is_empty() {
         true => String::new(),
         false => format!(
-            "<div class=\"wide\"><table><thead><tr><td></td><th>Name</th><th>Value</th><th>Unit</th><td></td></tr></thead><tbody>\n{rows}</tbody></table></div>\n"
+            "<div class=\"wide\" tabindex=\"0\"><table><thead><tr><td></td><th>Name</th><th>Value</th><th>Unit</th><td></td></tr></thead><tbody>\n{rows}</tbody></table></div>\n"
         ),
     }
 }

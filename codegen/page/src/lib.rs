@@ -16,6 +16,7 @@ pub mod comma_separated;
 mod compact;
 mod constraints;
 mod controls;
+mod dense_script;
 mod equations;
 mod given;
 mod live;

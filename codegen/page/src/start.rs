@@ -27,7 +27,7 @@ pub fn values(view: &Interpreted, instant: &Instant) -> String {
     let system = view.system();
     let message_units = system.mechanism.units.of_messages();
     let mut text = String::from(
-        "<div class=\"wide\"><table class=\"numbers\"><thead><tr><td></td><th>position</th><td></td><th>rate</th><th>acceleration</th><th>unit</th></tr></thead><tbody>\n",
+        "<div class=\"wide\" tabindex=\"0\"><table class=\"numbers\"><thead><tr><td></td><th>position</th><td></td><th>rate</th><th>acceleration</th><th>unit</th></tr></thead><tbody>\n",
     );
     for place in 0..system.coordinates.len() {
         let [q, qd, qdd] = instant.coordinate(place).unwrap_or_default();
@@ -55,7 +55,7 @@ pub fn values(view: &Interpreted, instant: &Instant) -> String {
     let [position, velocity, acceleration] = units.each_ref().map(|it| escaped(&it.name));
     let _ = writeln!(
         text,
-        "<div class=\"wide\"><table class=\"numbers\"><thead><tr><th>Point</th><th>position, {position}</th><th>velocity, {velocity}</th><th>acceleration, {acceleration}</th></tr></thead><tbody>"
+        "<div class=\"wide\" tabindex=\"0\"><table class=\"numbers\"><thead><tr><th>Point</th><th>position, {position}</th><th>velocity, {velocity}</th><th>acceleration, {acceleration}</th></tr></thead><tbody>"
     );
     for (place, (output, motion)) in system.outputs.iter().zip(&points).enumerate() {
         let PointMotion {
@@ -178,7 +178,7 @@ fn sparse(
     system: &System,
 ) -> String {
     let mut text = String::from(
-        "<div class=\"wide\"><table class=\"numbers\"><thead><tr><td></td><th class=\"left\">entries of Φ<sub>q</sub></th><th>−Φ</th></tr></thead><tbody>\n",
+        "<div class=\"wide\" tabindex=\"0\"><table class=\"numbers\"><thead><tr><td></td><th class=\"left\">entries of Φ<sub>q</sub></th><th>−Φ</th></tr></thead><tbody>\n",
     );
     for (index, row) in matrix.row_iter().enumerate() {
         let entries = row.iter().enumerate().filter(|(_, value)| **value != 0.0);

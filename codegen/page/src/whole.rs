@@ -10,6 +10,7 @@ use super::answer::Answer;
 use super::body::Body;
 use super::compact::{compact, dense};
 use super::controls::{controls, described};
+use super::dense_script::dense_script;
 use super::given;
 use super::picture::picture;
 use super::players::{Chosen, Players};
@@ -110,6 +111,7 @@ pub fn page(page: &Page<'_>, live: Live) -> (String, Option<String>) {
         messages: &warnings(page, &players),
         requested: &requested(&page.requested).join(" "),
         sections: &sections,
+        is_part: false,
     }
     .text();
     let error = players.error().map(str::to_string);
@@ -127,13 +129,13 @@ pub fn page(page: &Page<'_>, live: Live) -> (String, Option<String>) {
         body,
         "<script type=\"application/json\" id=\"data\">{}</script>\n<script>\n\"use strict\";\n(() => {{\n{}{}{}}})();\n</script>",
         data.replace('<', "\\u003c"),
-        compact(SCRIPT),
+        dense_script(&compact(SCRIPT)),
         if live == Live::No {
             String::new()
         } else {
-            compact(LIVE_SCRIPT) + &compact(SERVER)
+            dense_script(&(compact(LIVE_SCRIPT) + &compact(SERVER)))
         },
-        compact(START)
+        dense_script(&compact(START))
     );
     (shell(&title, &body, live), error)
 }

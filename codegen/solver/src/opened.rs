@@ -12,8 +12,9 @@ use crate::open_loop::open_loop;
 /// Motion of a description that can be solved.
 ///
 /// ```
+/// use linkwright::Blocks;
 /// use linkwright_codegen::Source;
-/// use linkwright_solver::{Opened, View};
+/// use linkwright_solver::Opened;
 ///
 /// let text = "
 ///     mechanism crank {

@@ -53,7 +53,7 @@ export const createEditor = (parent, options) => {
     indentUnit.of("    "),
     EditorState.languageData.of(language),
     EditorView.lineWrapping,
-    EditorView.contentAttributes.of({ "aria-label": options.label ?? "Description of the mechanism", "aria-describedby": describing.id }),
+    EditorView.contentAttributes.of({ tabindex: "0", "aria-label": options.label ?? "Description of the mechanism", "aria-describedby": describing.id }),
     // Tab is not bound, so that it leaves the editor.
     keymap.of([...closeBracketsKeymap, ...defaultKeymap, ...searchKeymap, ...historyKeymap, ...completionKeymap, ...lintKeymap]),
     autocompletion({ override: [completionSource(options.complete)], icons: false }),

@@ -42,6 +42,8 @@ class Dragging {
     const { svg, mechanism } = this.scene.state().drawing;
     if (this.group.parentNode !== svg) {
       svg.append(this.group);
+      // What contains handles is no picture alone.
+      svg.setAttribute("role", "group");
       this.focus();
     }
     this.group.setAttribute("transform", mechanism.getAttribute("transform") ?? "");

@@ -33,7 +33,8 @@ class Chart {
     Object.assign(this, { kind, level, seek, changed, isVisible: false, isStale: true, dots: [] });
     this.caption = made("figcaption");
     this.figure = made("figure", { class: "chart" }, this.caption);
-    this.svg = drawn("svg", { role: "img" }, this.figure);
+    // Its values are told when it is drawn.
+    this.svg = drawn("svg", { role: "img", "aria-label": kind }, this.figure);
     this.svg.addEventListener("pointerdown", (event) => {
       this.point(event);
       this.svg.setPointerCapture(event.pointerId);

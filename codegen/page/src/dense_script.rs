@@ -1,0 +1,158 @@
+//! Removes the spaces of a script that only its authors need: those beside signs, outside of texts and patterns.
+//!
+//! Lines stay, because a statement may end with its line.
+
+/// Signs beside which a space means nothing.
+const SIGNS: &str = "=+-*/%<>!?:&|,;(){}[]";
+
+/// Signs after which a slash begins a pattern.
+const BEFORE_PATTERNS: &str = "(,=:[!&|?{};>";
+
+/// Returns a script without these spaces.
+pub fn dense_script(script: &str) -> String {
+    let mut scanner = Scanner {
+        rest: script.chars().collect(),
+        place: 0,
+        dense: String::with_capacity(script.len()),
+    };
+    scanner.code(false);
+    scanner.dense
+}
+
+struct Scanner {
+    rest: Vec<char>,
+    place: usize,
+    dense: String,
+}
+
+impl Scanner {
+    /// Takes code until its end, or until the brace that closes an expression in a template.
+    fn code(&mut self, is_in_template: bool) {
+        let mut depth = 0_usize;
+        while let Some(letter) = self.peek() {
+            match letter {
+                '"' | '\'' => self.text(letter),
+                '`' => self.template(),
+                '/' if self.begins_pattern() => self.pattern(),
+                ' ' => self.space(),
+                '}' if is_in_template && depth == 0 => return,
+                _ => {
+                    match letter {
+                        '{' => depth += 1,
+                        '}' => depth = depth.saturating_sub(1),
+                        _ => {}
+                    }
+                    self.take();
+                }
+            }
+        }
+    }
+
+    fn peek(&self) -> Option<char> {
+        self.rest.get(self.place).copied()
+    }
+
+    fn take(&mut self) -> Option<char> {
+        let letter = self.peek()?;
+        self.place += 1;
+        self.dense.push(letter);
+        Some(letter)
+    }
+
+    /// Takes a text in quotation marks.
+    fn text(&mut self, mark: char) {
+        self.take();
+        while let Some(letter) = self.take() {
+            match letter {
+                '\\' => {
+                    self.take();
+                }
+                _ if letter == mark => return,
+                _ => {}
+            }
+        }
+    }
+
+    /// Takes a template, with the code in it.
+    fn template(&mut self) {
+        self.take();
+        while let Some(letter) = self.take() {
+            match letter {
+                '\\' => {
+                    self.take();
+                }
+                '`' => return,
+                '$' if self.peek() == Some('{') => {
+                    self.take();
+                    self.code(true);
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn begins_pattern(&self) -> bool {
+        let before = self.dense.trim_end_matches(' ');
+        before.ends_with("return") || before.ends_with(|it| BEFORE_PATTERNS.contains(it))
+    }
+
+    /// Takes a pattern between slashes.
+    fn pattern(&mut self) {
+        self.take();
+        let mut is_in_class = false;
+        while let Some(letter) = self.take() {
+            match letter {
+                '\\' => {
+                    self.take();
+                }
+                '[' => is_in_class = true,
+                ']' => is_in_class = false,
+                '/' if !is_in_class => return,
+                _ => {}
+            }
+        }
+    }
+
+    /// Leaves spaces out beside a sign, unless two signs would become one.
+    fn space(&mut self) {
+        while self.peek() == Some(' ') {
+            self.place += 1;
+        }
+        let (before, after) = (self.dense.chars().next_back(), self.peek());
+        let is_sign = |it: Option<char>| it.is_some_and(|it| SIGNS.contains(it));
+        let would_join = before == after && matches!(before, Some('+' | '-'));
+        if would_join || !(is_sign(before) || is_sign(after)) {
+            self.dense.push(' ');
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::dense_script;
+
+    #[test]
+    fn spaces_beside_signs_go_and_others_stay() {
+        for (script, dense) in [
+            ("const a = b + c;", "const a=b+c;"),
+            ("a - -b + +c - d", "a- -b+ +c-d"),
+            ("return x / 2 / y;", "return x/2/y;"),
+            ("if (a in b) { f(); }", "if(a in b){f();}"),
+            ("s = \"a + b\" + 'c : d';", "s=\"a + b\"+'c : d';"),
+            ("s = \"\\\" + \" + b", "s=\"\\\" + \"+b"),
+            (
+                "`a + ${b + c} + ${ { d: 1 }.d } e`",
+                "`a + ${b+c} + ${{d:1}.d} e`",
+            ),
+            ("`${`x + ${y + z}`} + w` + v", "`${`x + ${y+z}`} + w`+v"),
+            (
+                "d.replace(/([-\\d.]+) ([/ ]+)/g, w)",
+                "d.replace(/([-\\d.]+) ([/ ]+)/g,w)",
+            ),
+            ("return / : /.test(a) ? b : c", "return/ : /.test(a)?b:c"),
+            ("a = b\nc = d", "a=b\nc=d"),
+        ] {
+            assert_eq!(dense_script(script), dense, "{script}");
+        }
+    }
+}
