@@ -33,6 +33,7 @@ test("a live page shows the mechanism, its values and its times, and moves when 
   assert.deepEqual([question.values, question.range], [{ L2: "130" }, { from: 0, to: 2, step: 0.01 }]);
   assert.equal(question.assembly, "+");
   assert.ok(await page.$eval(".split", (it) => it.classList.contains("whole")), "the description is hidden at first");
+  await page.waitForSelector(".control");
   const place = () => page.$eval('[data-part=drawing] [id="body-coupler"]', (it) => it.getAttribute("transform"));
   const before = await place();
   await page.evaluate(() => {

@@ -175,6 +175,7 @@ test("charts are drawn when they come into view, and for paper", async () => {
 test("values are a table for readers of screens, and motion can be reduced", async () => {
   const page = await visit("two_body", { reducedMotion: "reduce" });
   await page.click(".live summary");
+  await page.waitForSelector(".live tbody tr");
   const rows = await page.$$eval(".live tbody tr", (all) => all.map((row) => row.innerText));
   assert.equal(rows.length, 6);
   assert.equal(await page.locator(".live th[scope=row]").count(), 6);

@@ -87,7 +87,7 @@ const mount = (root, first, provider = null) => {
       const title = made("b", {}, own.severity === "error" ? "Error:" : "Warning:");
       const isBlock = own.text.includes("\n");
       return isBlock
-        ? made("pre", { class: own.severity, "data-code": own.code }, own.text)
+        ? made("pre", { class: own.severity, tabindex: 0, "data-code": own.code }, own.text)
         : made("p", { class: own.severity, "data-code": own.code }, title, ` ${own.text}`);
     });
     part("messages").replaceChildren(...rows);
