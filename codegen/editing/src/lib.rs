@@ -30,7 +30,6 @@ mod outline;
 mod rename;
 mod statement;
 mod tokens;
-mod words;
 
 pub use completion::{Completion, CompletionKind, completions};
 pub use definition::{definitions, references};
@@ -43,4 +42,3 @@ pub use moved::{moved, step};
 pub use outline::{Entry, outline};
 pub use rename::{renamable, rename};
 pub use tokens::{Token, TokenKind, tokens};
-pub use words::words;

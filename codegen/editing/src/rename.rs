@@ -9,7 +9,6 @@ use linkwright_codegen::stages::syntax::{Kind, Lexeme, lexemes, parse};
 use crate::description::Description;
 use crate::edit::Edit;
 use crate::names::{Mention, Names, SymbolId};
-use crate::words::words;
 
 /// Returns the place of the name at an offset, and the name.
 ///
@@ -27,7 +26,7 @@ fn mention(description: &Description, offset: usize) -> Result<Mention, String> 
         let mut diagnostics = Diagnostics::new();
         let _ = parse(&description.source, &mut diagnostics);
         let first = errors(diagnostics).into_iter().next();
-        let why = first.map_or(String::new(), |it| format!(": {}", words(&it)));
+        let why = first.map_or(String::new(), |it| format!(": {}", it.words()));
         return Err(format!(
             "the description has an error, correct it first{why}"
         ));
@@ -63,7 +62,7 @@ pub fn rename(
     if let Some(finding) = hidden(description, &places, &before) {
         return Err(format!(
             "a statement with an error may use this name, correct it first: {}",
-            words(finding)
+            finding.words()
         ));
     }
     let after = errors(findings(&renamed));
@@ -76,7 +75,7 @@ pub fn rename(
         None => true,
     };
     if let Some(finding) = after.iter().find(is_new) {
-        return Err(words(finding));
+        return Err(finding.words());
     }
     if !is_one_name(new) {
         return Err(format!("`{new}` is not a name"));

@@ -48,28 +48,20 @@ pub fn messages(findings: &Diagnostics) -> Vec<Message> {
 
 /// Returns the messages of a description that cannot be solved.
 pub fn refused(reason: &Unopened, name: &str) -> Vec<Message> {
-    match (reason, reason.message(name)) {
-        (Unopened::Findings(findings), _) => messages(findings),
-        (_, Some((text, help))) => {
+    match reason.message(name) {
+        Err(findings) => messages(findings),
+        Ok((text, help)) => {
             let help = help.map_or(String::new(), |help| format!("\nhelp: {help}"));
             vec![Message::error(text + &help)]
         }
-        (_, None) => Vec::new(),
     }
 }
 
 fn of(finding: &Diagnostic) -> Message {
-    let mut text = finding.message.clone();
-    if !finding.primary.text.is_empty() {
-        text = format!("{text}: {}", finding.primary.text);
-    }
-    for help in &finding.help {
-        text = format!("{text}\nhelp: {help}");
-    }
     Message {
         severity: finding.severity.word(),
         code: Some(finding.code.name()),
-        text,
+        text: finding.words(),
         start: Some(finding.primary.span.start),
         end: Some(finding.primary.span.end),
     }

@@ -164,14 +164,17 @@ pub fn drawable(
 }
 
 impl Unopened {
-    /// Returns the sentence and its help, without those of findings, which have places in the text.
-    pub fn message(&self, description: &str) -> Option<(String, Option<String>)> {
+    /// Returns the sentence and its help.
+    ///
+    /// # Errors
+    /// The findings, each of which has a sentence and a place in the text.
+    pub fn message(&self, description: &str) -> Result<(String, Option<String>), &Diagnostics> {
         let listed = |names: &[String]| {
             let quoted = names.iter().map(|it| format!("`{it}`"));
             quoted.collect::<Vec<_>>().join(", ")
         };
-        Some(match self {
-            Unopened::Findings(_) => return None,
+        Ok(match self {
+            Unopened::Findings(findings) => return Err(findings),
             Unopened::NoMotion { motions, .. } if motions.is_empty() => {
                 ("the mechanism has no motions".to_string(), None)
             }

@@ -221,11 +221,9 @@ pub fn assembled(
 
 /// Returns the error of a description that cannot be solved, with the option that helps.
 pub fn unopened(reason: &Unopened, source: &Source) -> Problem {
-    let Some((message, help)) = reason.message(&source.name) else {
-        return match reason {
-            Unopened::Findings(found) => rendered(found, source),
-            _ => Problem(String::new()),
-        };
+    let (message, help) = match reason.message(&source.name) {
+        Ok(message) => message,
+        Err(findings) => return rendered(findings, source),
     };
     let help = match reason {
         Unopened::Several(names) => {

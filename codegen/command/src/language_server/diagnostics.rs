@@ -1,7 +1,6 @@
 //! Converts findings to diagnostics of the protocol, with the texts and places of the command line.
 
 use linkwright_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Severity};
-use linkwright_editing::words;
 use lsp_types::{
     self as lsp, DiagnosticRelatedInformation, DiagnosticSeverity, DiagnosticTag, Location,
     NumberOrString, Uri,
@@ -47,7 +46,7 @@ fn diagnostic(found: &Diagnostic, uri: &Uri, text: &Text, shown: Shown) -> lsp::
         };
         (location, words)
     });
-    let mut message = words(found);
+    let mut message = found.words();
     let related = match shown.related_places {
         true => Some(
             places

@@ -151,6 +151,16 @@ impl Diagnostic {
         [span.start, span.end].map(|offset| lines.position(offset))
     }
 
+    /// Returns the text for an editor that marks the place itself, a line each: message, label, background, help.
+    #[doc(hidden)]
+    pub fn words(&self) -> String {
+        let mut lines = vec![self.message.clone()];
+        lines.extend((!self.primary.text.is_empty()).then(|| self.primary.text.clone()));
+        lines.extend(self.notes.iter().map(|note| format!("note: {note}")));
+        lines.extend(self.help.iter().map(|help| format!("help: {help}")));
+        lines.join("\n")
+    }
+
     /// Renders the finding in the format of rustc, without color, ending in a line break.
     pub fn render(&self, source: &Source) -> String {
         render::one(self, &source::Lines::of(source))
