@@ -22,6 +22,7 @@ mod given;
 mod live;
 mod message;
 pub mod motion;
+mod moving;
 mod number;
 mod pattern;
 mod picture;

@@ -4,23 +4,19 @@
 //! drawing alone. An answer depends on its question only, not on earlier ones.
 
 use linkwright_codegen::diagnostic::Source;
-use linkwright_solver::{
-    Assembly, Check, Instant, Interpreted, ModeSelection, Modes, Opened, Schedule, Unopened,
-    View as _,
-};
+use linkwright_solver::{Check, Instant, Opened, Unopened, View as _};
 
 use crate::answer::Answer;
 use crate::check_text;
 use crate::comma_separated::Table;
-use crate::controls::{Control, assignment, controls};
+use crate::controls::{Control, controls};
 use crate::given::leading_docs;
 use crate::message::{Message, messages, refused};
 use crate::motion::{Followed, Wanted};
-use crate::picture::picture;
-use crate::players::{Chosen, DRAWN, Players};
-use crate::pull::{Pulled, Scene, pulled};
+use crate::moving::Moving;
+use crate::players::Players;
 use crate::question::{Detail, Question, Range};
-use crate::recorded::{Examination, Precision};
+use crate::recorded::Examination;
 use crate::sections::sections;
 use crate::whole::requested;
 
@@ -128,16 +124,9 @@ impl Session {
                 }
             }
             Detail::Sections => {
-                let checked = open.checked.take().filter(|it| it.is_of(question));
-                let checked = checked.unwrap_or_else(|| Checked {
-                    question: question.clone(),
-                    first: moving.players(&[], Examination::None).first().cloned(),
-                    check: moving.check(),
-                });
-                let (check, first) = (&checked.check, checked.first.as_ref());
                 let is_drawn = moving.chosen.is_none();
-                let sections = sections(check, first, range.step, is_drawn);
-                open.checked = Some(checked);
+                let Checked { check, first, .. } = open.checked(&moving, question);
+                let sections = sections(check, first.as_ref(), range.step, is_drawn);
                 Answer {
                     sections: sections.into_iter().map(|it| (it.id, it.html)).collect(),
                     ..Answer::without_motion(range, findings)
@@ -157,7 +146,7 @@ impl Session {
     /// # Errors
     /// The messages of a description that cannot be solved.
     pub fn table(&mut self, question: &Question) -> Result<String, Vec<Message>> {
-        let moving = self.moving(question)?;
+        let (_, moving) = self.moving(question)?;
         let system = moving.interpreted.system();
         let selection = Wanted {
             points: (0..system.outputs.len()).collect(),
@@ -182,21 +171,23 @@ impl Session {
     /// # Errors
     /// The messages of a description that cannot be solved.
     pub fn check(&mut self, question: &Question) -> Result<String, Vec<Message>> {
-        let check = self.moving(question)?.check();
+        let (open, moving) = self.moving(question)?;
         let mut text = Vec::new();
-        let written = check_text::write(&check, WIDTH, &mut text);
+        let check = &open.checked(&moving, question).check;
+        let written = check_text::write(check, WIDTH, &mut text);
         written.map_err(|error| vec![Message::error(error.to_string())])?;
         Ok(String::from_utf8_lossy(&text).into_owned())
     }
 
-    fn moving(&mut self, question: &Question) -> Result<Moving, Vec<Message>> {
+    fn moving(&mut self, question: &Question) -> Result<(&mut Open, Moving), Vec<Message>> {
         let motion = question.motion.as_deref();
         let open = self.open(question.source(), motion, question.range.from);
-        match &open.result {
+        let moving = match &open.result {
             Ok(opened) => Moving::of(&opened.interpreted, question)
-                .map_err(|message| vec![Message::error(message)]),
-            Err(reason) => Err(refused(reason, &open.source.name)),
-        }
+                .map_err(|message| vec![Message::error(message)])?,
+            Err(reason) => return Err(refused(reason, &open.source.name)),
+        };
+        Ok((open, moving))
     }
 
     /// Returns the description as it was opened, anew if it has changed.
@@ -245,6 +236,16 @@ impl Open {
         let kept = kept.unwrap_or_else(|| (range, controls(&opened.interpreted, range)));
         self.controls.insert(kept).1.clone()
     }
+
+    /// Returns the check of a question: the last one, if it is that.
+    fn checked(&mut self, moving: &Moving, question: &Question) -> &Checked {
+        let last = self.checked.take().filter(|it| it.is_of(question));
+        self.checked.insert(last.unwrap_or_else(|| Checked {
+            question: question.clone(),
+            first: moving.players(&[], Examination::None).first().cloned(),
+            check: moving.check(),
+        }))
+    }
 }
 
 impl Checked {
@@ -257,138 +258,4 @@ impl Checked {
         };
         self.question == question
     }
-}
-
-/// Mechanism with the values, the assembly and the times of a question.
-struct Moving {
-    interpreted: Interpreted,
-    schedule: Schedule,
-    chosen: Option<Chosen>,
-}
-
-impl Moving {
-    /// Applies a question to a description.
-    ///
-    /// # Errors
-    /// A sentence: a value, the times or the assembly cannot be used.
-    fn of(described: &Interpreted, question: &Question) -> Result<Moving, String> {
-        let mut interpreted = described.clone();
-        for (name, text) in &question.values {
-            if let Some(assignment) = assignment(described, name, text)? {
-                interpreted.set(name, &assignment)?;
-            }
-        }
-        let Range { from, to, step } = question.range;
-        if ![from, to, step].iter().all(|it| it.is_finite()) {
-            return Err("the times need finite numbers".to_string());
-        }
-        let schedule = Schedule::range(from, to, step)?;
-        let others = question.assembly.as_deref();
-        let chosen = match others.filter(|label| !label.ends_with(DRAWN.trim_start())) {
-            None => None,
-            Some(label) => Some(Chosen {
-                start: selected(&interpreted, label, from)?,
-                label: label.replace('−', "-"),
-            }),
-        };
-        Ok(Moving {
-            interpreted,
-            schedule,
-            chosen,
-        })
-    }
-
-    /// Applies a question after its pull, if it has one.
-    ///
-    /// # Errors
-    /// Those of [`Moving::of`] and of [`pulled`].
-    fn pulled(
-        described: &Interpreted,
-        question: &Question,
-    ) -> Result<(Moving, Option<Pulled>), String> {
-        let moving = Moving::of(described, question)?;
-        let Some(pull) = &question.pull else {
-            return Ok((moving, None));
-        };
-        let with = |values: &[(String, f64)]| Moving::of(described, &question.with(values));
-        let pulled = pulled(&moving.scene(), question, pull, |values| {
-            with(values).map(|it| it.scene())
-        })?;
-        Ok((with(&pulled.values)?, Some(pulled)))
-    }
-
-    fn scene(&self) -> Scene {
-        Scene {
-            view: self.interpreted.clone(),
-            chosen: self.chosen.as_ref().map(|it| it.start.clone()),
-        }
-    }
-
-    /// Looks for assemblies and singular poses.
-    fn check(&self) -> Check {
-        Check::new(self.interpreted.clone(), &self.schedule, |_| {})
-    }
-
-    /// Follows the motion, and draws it.
-    fn answer(
-        &self,
-        known: &[Assembly],
-        examination: Examination,
-        question: &Question,
-        mut messages: Vec<Message>,
-    ) -> Answer {
-        let mut players = self.players(known, examination);
-        let scale = match question.detail {
-            Detail::Moving => question.scale,
-            _ => None,
-        };
-        let start = self.schedule.start.t;
-        let drawing = picture(&self.interpreted, &mut players, start, scale);
-        let warnings = players.drawn().map_or(&[][..], |it| &it.warnings);
-        for warning in warnings.iter().map(Message::warning) {
-            if !messages.contains(&warning) {
-                messages.push(warning);
-            }
-        }
-        messages.extend(players.error().map(Message::error));
-        Answer {
-            players: Some(players),
-            drawing,
-            sketch: scale.is_some(),
-            ..Answer::without_motion(question.range, messages)
-        }
-    }
-
-    fn players(&self, known: &[Assembly], examination: Examination) -> Players {
-        Players::new(
-            &self.interpreted,
-            known,
-            &self.schedule,
-            self.chosen.clone(),
-            Precision::Double,
-            examination,
-        )
-    }
-}
-
-/// Returns the pose and the modes of an assembly with this label at `t` (s).
-fn selected(interpreted: &Interpreted, label: &str, t: f64) -> Result<(Instant, Modes), String> {
-    let names = interpreted.mode_names();
-    let letters: Vec<char> = label.chars().collect();
-    if names.len() != letters.len() {
-        return Err(format!("no assembly is labeled `{label}`"));
-    }
-    let wishes = names.iter().zip(&letters).map(|(name, letter)| {
-        let mode = match letter {
-            '+' => "positive".to_string(),
-            '-' | '−' => "negative".to_string(),
-            letter => letter.to_string(),
-        };
-        format!("{}={mode}", name.name)
-    });
-    let selection = ModeSelection::read(interpreted, &wishes.collect::<Vec<_>>())?;
-    selection.assembled(interpreted, t).map_err(|reason| {
-        let explained = reason.explained(interpreted);
-        format!("the mechanism cannot be assembled in this mode: {explained}")
-    })
 }
