@@ -1,7 +1,9 @@
 //! Defines the requests of a live page, and finds their replies.
 
-use linkwright_codegen::Source;
-use linkwright_editing::{Description, Edit, completions, handles, hover, moved, step, tokens};
+use linkwright_codegen::{Read, Source};
+use linkwright_editing::{
+    Description, Edit, Handle, completions, handles, hover, moved, step, tokens,
+};
 use linkwright_page::{Message, Question, Session, skeleton};
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -59,9 +61,33 @@ pub enum Request {
 }
 
 /// Replies to requests, one after another.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub struct Desk {
     session: Session,
+    text: Option<ReadText>,
+}
+
+/// Text that was read last, for hover texts and handles.
+struct ReadText {
+    description: Description,
+    /// Equations; `None` if the text has errors.
+    read: Option<Read>,
+    /// Points that can be dragged; none if the text has errors.
+    handles: Vec<Handle>,
+}
+
+impl ReadText {
+    fn of(source: Source) -> ReadText {
+        let read = linkwright_codegen::read(&source).ok();
+        let description = Description::of(source);
+        let first = read.as_ref().and_then(|it| it.motions.first());
+        let handles = first.map(|it| handles(&description, &it.system.mechanism));
+        ReadText {
+            handles: handles.unwrap_or_default(),
+            read,
+            description,
+        }
+    }
 }
 
 impl Desk {
@@ -85,15 +111,26 @@ impl Desk {
                 .map(|it| json!([it.span.start, it.span.end, it.kind.name()]))
                 .collect()),
             Ok(Request::Complete { text, offset }) => Ok(proposals(text, offset)),
-            Ok(Request::Hover { question, offset }) => Ok(beside(question.source(), offset)),
-            Ok(Request::Handles(question)) => Ok(all_handles(&question)),
+            Ok(Request::Hover { question, offset }) => Ok(beside(self.read(&question), offset)),
+            Ok(Request::Handles(question)) => Ok(all_handles(self.read(&question))),
             Ok(Request::Move {
                 question,
                 handle,
                 position,
-            }) => Ok(changes(&question, handle, position)),
+            }) => Ok(changes(self.read(&question), handle, position)),
         };
         serde_json::to_vec(&reply.unwrap_or_default()).unwrap_or_default()
+    }
+}
+
+impl Desk {
+    /// Returns the description of a question, read anew if it has changed.
+    fn read(&mut self, question: &Question) -> &ReadText {
+        let source = question.source();
+        let last = self.text.take();
+        let last = last.filter(|it| it.description.source == source);
+        self.text
+            .insert(last.unwrap_or_else(|| ReadText::of(source)))
     }
 }
 
@@ -122,28 +159,15 @@ fn proposals(text: String, offset: usize) -> Value {
     proposals.collect()
 }
 
-fn beside(source: Source, offset: usize) -> Value {
-    let read = linkwright_codegen::read(&source).ok();
-    let description = Description::of(source);
-    match hover(&description, read.as_ref(), offset) {
+fn beside(text: &ReadText, offset: usize) -> Value {
+    match hover(&text.description, text.read.as_ref(), offset) {
         Some(it) => json!({ "start": it.span.start, "end": it.span.end, "text": it.text }),
         None => Value::Null,
     }
 }
 
-/// Returns the handles of a description; none if it has errors.
-fn handles_of(question: &Question) -> Vec<linkwright_editing::Handle> {
-    let source = question.source();
-    let Ok(read) = linkwright_codegen::read(&source) else {
-        return Vec::new();
-    };
-    let description = Description::of(source);
-    let mechanism = read.motions.first().map(|it| &it.system.mechanism);
-    mechanism.map_or(Vec::new(), |mechanism| handles(&description, mechanism))
-}
-
-fn all_handles(question: &Question) -> Value {
-    let handles = handles_of(question).into_iter().map(|it| {
+fn all_handles(text: &ReadText) -> Value {
+    let handles = text.handles.iter().map(|it| {
         let place = it.coordinates.as_ref().ok();
         json!({
             "point": it.point,
@@ -158,11 +182,9 @@ fn all_handles(question: &Question) -> Value {
     handles.collect()
 }
 
-fn changes(question: &Question, handle: usize, position: [f64; 2]) -> Value {
-    let handles = handles_of(question);
-    let edits = handles
-        .get(handle)
-        .and_then(|handle| moved(&question.text, handle, position));
+fn changes(text: &ReadText, handle: usize, position: [f64; 2]) -> Value {
+    let handle = text.handles.get(handle);
+    let edits = handle.and_then(|it| moved(&text.description.source.text, it, position));
     let edits = edits
         .into_iter()
         .flatten()
