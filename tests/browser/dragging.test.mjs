@@ -4,27 +4,14 @@
 
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { folder, linkwright, mechanism, open, seek, serve, solved } from "./harness.mjs";
+import { linkwright, mechanism, prepare, seek, serve, solved } from "./harness.mjs";
 
 const playground = process.env.PLAYGROUND;
 const isSkipped = playground ? false : "PLAYGROUND is not set";
 
-let browser;
-let made;
-
-before(async () => {
-  browser = await open();
-  made = folder();
-});
-
-after(async () => {
-  // The playground starts its solver from a text of its own.
-  assert.deepEqual(browser.said.filter((it) => !it.startsWith("request: blob:")), []);
-  await browser.close();
-  made.remove();
-});
+const { browser, made } = prepare();
 
 /// The pixels of the screen of a position in m, and the scale in pixels per metre.
 const onScreen = (page, [x, y]) =>

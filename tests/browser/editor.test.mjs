@@ -4,9 +4,9 @@
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { gzipSync } from "node:zlib";
-import { folder, open, repository } from "./harness.mjs";
+import { prepare, repository } from "./harness.mjs";
 
 const sources = path.join(repository, "codegen/web/editor");
 const bundle = process.env.EDITOR_BUNDLE ?? path.join(sources, "bundle/editor.js");
@@ -60,20 +60,7 @@ window.editor = createEditor(document.getElementById("editor"), {
 document.body.dataset.ready = "";
 </script></body></html>`;
 
-let browser;
-let made;
-
-before(async () => {
-  browser = await open();
-  made = folder();
-  writeFileSync(made.file("editor.html"), html(readFileSync(bundle, "utf8")));
-});
-
-after(async () => {
-  await browser.close();
-  made.remove();
-  assert.deepEqual(browser.said, [], "nothing is said on the console, and nothing is asked for");
-});
+const { browser, made } = prepare(() => writeFileSync(made.file("editor.html"), html(readFileSync(bundle, "utf8"))));
 
 const visit = () => browser.visit(`file://${made.file("editor.html")}`);
 

@@ -1,10 +1,12 @@
 // The command, and a page of it in a browser that reports everything it says and asks for.
 
+import assert from "node:assert/strict";
 import { execFileSync, spawn } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import path from "node:path";
+import { after, before } from "node:test";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
 
@@ -59,6 +61,27 @@ export const open = async () => {
     return page;
   };
   return { visit, show, said, close: () => browser.close() };
+};
+
+/// A browser and a folder for all tests of a file, in which nothing is said on the console and nothing is asked for. `begin` and `end` do
+/// what a file needs besides.
+export const prepare = (begin = () => {}, end = () => {}) => {
+  let [opened, made] = [null, null];
+  before(async () => {
+    opened = await open();
+    made = folder();
+    await begin();
+  });
+  after(async () => {
+    await opened.close();
+    await end();
+    made.remove();
+    assert.deepEqual(opened.said, [], "nothing is said on the console, and nothing is asked for");
+  });
+  return {
+    browser: { visit: (...args) => opened.visit(...args), show: (...args) => opened.show(...args) },
+    made: { file: (name) => made.file(name) },
+  };
 };
 
 /// Moves the slider of a page.

@@ -3,25 +3,13 @@
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
-import { after, before, test } from "node:test";
-import { folder, mechanism, open, repository } from "./harness.mjs";
+import { test } from "node:test";
+import { mechanism, prepare, repository } from "./harness.mjs";
 
 const live = process.env.LIVE_LINKWRIGHT;
 const skip = !live && "LIVE_LINKWRIGHT names no command";
 
-let browser;
-let made;
-
-before(async () => {
-  browser = await open();
-  made = folder();
-});
-
-after(async () => {
-  await browser.close();
-  made.remove();
-  assert.deepEqual(browser.said, [], "nothing is said on the console, and nothing is asked for");
-});
+const { browser, made } = prepare();
 
 const view = (...args) => execFileSync(live, ["view", ...args], { encoding: "utf8" });
 

@@ -3,23 +3,11 @@
 
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
-import { after, before, test } from "node:test";
-import { folder, linkwright, mechanism, open, seek, showAllCharts, violations } from "./harness.mjs";
+import { test } from "node:test";
+import { linkwright, mechanism, prepare, seek, showAllCharts, violations } from "./harness.mjs";
 
-let browser;
-let made;
+const { browser, made } = prepare();
 const pages = new Map();
-
-before(async () => {
-  browser = await open();
-  made = folder();
-});
-
-after(async () => {
-  await browser.close();
-  made.remove();
-  assert.deepEqual(browser.said, [], "nothing is said on the console, and nothing is asked for");
-});
 
 /// The page of a description; one with an error is written, too.
 const visit = async (name, options, description = mechanism(name)) => {

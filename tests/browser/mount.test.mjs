@@ -1,20 +1,12 @@
 // Pages as scripts mount them: two beside one another, updates in place, and values that a provider answers for.
 
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { mechanism, open, seek, serve, violations } from "./harness.mjs";
+import { test } from "node:test";
+import { mechanism, prepare, seek, serve, violations } from "./harness.mjs";
 
-let browser;
 const servers = new Map();
-
-before(async () => {
-  browser = await open();
-});
-
-after(async () => {
-  await browser.close();
+const { browser } = prepare(undefined, () => {
   for (const server of servers.values()) server.end();
-  assert.deepEqual(browser.said, [], "nothing is said on the console, and nothing is asked for");
 });
 
 /// A served page, whose scripts can mount it again. In the window are `root`, `answer` as a provider would give it, and `mount`.

@@ -2,22 +2,10 @@
 
 import assert from "node:assert/strict";
 import { writeFileSync } from "node:fs";
-import { after, before, test } from "node:test";
-import { folder, linkwright, mechanism, open, seek, showAllCharts, solved } from "./harness.mjs";
+import { test } from "node:test";
+import { linkwright, mechanism, prepare, seek, showAllCharts, solved } from "./harness.mjs";
 
-let browser;
-let made;
-
-before(async () => {
-  browser = await open();
-  made = folder();
-});
-
-after(async () => {
-  await browser.close();
-  made.remove();
-  assert.deepEqual(browser.said, [], "nothing is said on the console, and nothing is asked for");
-});
+const { browser, made } = prepare();
 
 const visit = async (name, options) => {
   const file = made.file(`${name}.html`);

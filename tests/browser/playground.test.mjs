@@ -1,28 +1,16 @@
 // The playground as a reader uses it: one file that is opened from disk.
 
 import assert from "node:assert/strict";
-import { readFileSync, writeFileSync } from "node:fs";
-import { after, before, test } from "node:test";
-import { folder, mechanism, open, repository, solved, violations } from "./harness.mjs";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+import { linkwright, mechanism, prepare, repository, solved, violations } from "./harness.mjs";
 
 const file = process.env.PLAYGROUND;
 const skip = !file && "PLAYGROUND names no page";
 /// Bytes that the page may have, and time for what is computed.
 const [LARGEST, PATIENCE] = [2_300_000, 20_000];
 
-let browser;
-let made;
-
-before(async () => {
-  browser = await open();
-  made = folder();
-});
-
-after(async () => {
-  await browser.close();
-  made.remove();
-  assert.deepEqual(browser.said, [], "nothing is said on the console, and nothing is asked for");
-});
+const { browser, made } = prepare();
 
 const visit = (fragment = "", options = {}) => browser.visit(`file://${file}${fragment}`, options);
 const textOf = (page) => page.evaluate(() => linkwright.editor.text());
@@ -41,6 +29,15 @@ const rest = async (page) => {
 };
 
 const given = () => readFileSync(`${repository}/tests/descriptions/four_bar_given.mech`, "utf8");
+
+/// The playground with a description that has parameters and an input.
+const visitGiven = async (options = {}) => {
+  const page = await visit("", options);
+  await write(page, given());
+  await titled(page, "four_bar_given");
+  await rest(page);
+  return page;
+};
 
 test("the file is small, and holds everything", { skip }, () => {
   const html = readFileSync(file, "utf8");
@@ -64,10 +61,7 @@ test("an error is underlined where it is, and the motion comes back with its end
 });
 
 test("sliders of a parameter and of an input move the joints to where the solver puts them", { skip }, async () => {
-  const page = await visit();
-  await write(page, given());
-  await titled(page, "four_bar_given");
-  await rest(page);
+  const page = await visitGiven();
   const set = (name, value) =>
     page.evaluate(
       ([of, next]) => {
@@ -95,10 +89,7 @@ test("sliders of a parameter and of an input move the joints to where the solver
 });
 
 test("an address and a saved page hold the text, the values and the times", { skip }, async () => {
-  const page = await visit();
-  await write(page, given());
-  await titled(page, "four_bar_given");
-  await rest(page);
+  const page = await visitGiven();
   await page.evaluate(() => linkwright.page().choose({ L2: 133 }));
   await page.click("[data-bar=share]");
   await page.waitForFunction(() => location.hash.length > 100);
@@ -197,10 +188,7 @@ test("every example is solved and drawn", { skip }, async () => {
 });
 
 test("a thousand moves of a slider leave the memory as it was", { skip }, async () => {
-  const page = await visit();
-  await write(page, given());
-  await titled(page, "four_bar_given");
-  await rest(page);
+  const page = await visitGiven();
   const session = await page.context().newCDPSession(page);
   const used = async () => {
     await session.send("HeapProfiler.collectGarbage");
@@ -229,10 +217,7 @@ test("a thousand moves of a slider leave the memory as it was", { skip }, async 
 
 for (const options of [{}, { colorScheme: "dark", viewport: { width: 375, height: 800 } }]) {
   test(`axe finds nothing in the playground ${JSON.stringify(options)}`, { skip }, async () => {
-    const page = await visit("", options);
-    await write(page, given());
-    await titled(page, "four_bar_given");
-    await rest(page);
+    const page = await visitGiven(options);
     assert.deepEqual(await violations(page), []);
     await write(page, given().replace("revolute D(ground, rocker);", "revolute D(ground, rocke);"));
     await page.waitForSelector(".cm-lintRange-error", { timeout: PATIENCE });
@@ -246,18 +231,34 @@ for (const options of [{}, { colorScheme: "dark", viewport: { width: 375, height
 
 test("code, checks and downloads are those of the command", { skip }, async () => {
   const page = await visit();
-  for (const [tab, expected] of [["check", /degrees of freedom: KDOF/], ["rust", /mechanism!/], ["c", /four_bar/]]) {
+  const path = mechanism("four_bar");
+  const code = (language) => {
+    const target = made.file(`four_bar.${language === "rust" ? "rs" : "c"}`);
+    linkwright("generate", path, "--lang", language, "-o", target);
+    return readFileSync(target, "utf8");
+  };
+  for (const [tab, expected] of [["check", linkwright("check", path)], ["rust", code("rust")], ["c", code("c")]]) {
     await page.click(`#tab-${tab}`);
-    await page.waitForFunction(([name, pattern]) => new RegExp(pattern).test(document.querySelector(`#pane-${name} > pre`).textContent), [tab, expected.source], { timeout: PATIENCE });
+    const pane = `#pane-${tab} > pre`;
+    await page.waitForFunction((it) => document.querySelector(it).textContent !== "", pane, { timeout: PATIENCE });
+    const text = await page.$eval(pane, (it) => it.textContent);
+    // Files of C follow one another.
+    assert.equal(tab === "c" ? text.slice(0, expected.length) : text, expected, tab);
   }
   await page.click("#tab-mechanism");
-  for (const [kind, expected] of [["mech", /^\/\/! A four-bar/], ["latex", /\\documentclass/], ["csv", /^t,/], ["svg", /^<svg/]]) {
+  const downloads = [
+    ["mech", readFileSync(path, "utf8")],
+    ["latex", linkwright("plan", path, "--format", "latex")],
+    ["csv", linkwright("solve", path, "--csv", "-")],
+  ];
+  const downloaded = async (kind) => {
     const downloading = page.waitForEvent("download");
     await page.selectOption("[data-bar=download]", kind);
     const target = made.file(`download.${kind}`);
     await (await downloading).saveAs(target);
-    assert.match(readFileSync(target, "utf8"), expected, kind);
-  }
-  writeFileSync(made.file("four_bar.mech"), readFileSync(mechanism("four_bar")));
+    return readFileSync(target, "utf8");
+  };
+  for (const [kind, expected] of downloads) assert.equal(await downloaded(kind), expected, kind);
+  assert.match(await downloaded("svg"), /^<svg/);
   await page.close();
 });

@@ -3,27 +3,19 @@
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import http from "node:http";
-import { after, before, test } from "node:test";
-import { folder, mechanism, open, seek, serve } from "./harness.mjs";
+import { test } from "node:test";
+import { mechanism, prepare, seek, serve } from "./harness.mjs";
 
-let browser;
-let made;
 let server;
 const text = readFileSync(mechanism("two_body"), "utf8");
 
-before(async () => {
-  browser = await open();
-  made = folder();
-  writeFileSync(made.file("a.mech"), text);
-  server = await serve(made.file("a.mech"));
-});
-
-after(async () => {
-  assert.deepEqual(browser.said, [], "nothing is said on the console, and nothing is asked for elsewhere");
-  await browser.close();
-  server.end();
-  made.remove();
-});
+const { browser, made } = prepare(
+  async () => {
+    writeFileSync(made.file("a.mech"), text);
+    server = await serve(made.file("a.mech"));
+  },
+  () => server.end(),
+);
 
 /// Saves a text; how long the page takes until something holds, in ms.
 const saved = async (page, next, holds, argument) => {
