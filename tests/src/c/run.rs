@@ -13,7 +13,7 @@ use linkwright_codegen::{Language, OutputFile, Scalar};
 
 use super::case::{Case, SCALARS};
 use super::{header, program_c, program_rust};
-use crate::files;
+use crate::{description, files};
 
 /// Warnings with which generated C compiles, all of them errors.
 pub const FLAGS: [&str; 10] = [
@@ -127,12 +127,21 @@ fn motions(
         .collect()
 }
 
-/// Builds all programs in `folder`, runs them, and returns the differences, a line each.
+/// Builds all programs in `folder`, those of cargo in `target`, runs them, and returns the differences, a line each.
 ///
 /// # Errors
 /// A file cannot be written, a program does not compile, or a program fails.
-pub fn differences(folder: &Path, repository: &Path, cases: &[Case]) -> io::Result<Vec<String>> {
+pub fn differences(
+    folder: &Path,
+    target: &Path,
+    repository: &Path,
+    cases: &[Case],
+) -> io::Result<Vec<String>> {
     let answers = folder.join("answers");
+    // Those of descriptions that are not selected any more are none of these answers.
+    if answers.exists() {
+        fs::remove_dir_all(&answers)?;
+    }
     fs::create_dir_all(&answers)?;
     // Every case in f64 and every second one in f32, with each compiler in turn.
     let compilers = &compilers();
@@ -157,19 +166,18 @@ pub fn differences(folder: &Path, repository: &Path, cases: &[Case]) -> io::Resu
     }
     let motions: Vec<_> = prepared.iter().flat_map(|it| it.motions.clone()).collect();
     files::write_if_changed(&source.join("main.rs"), &program_rust::main(&motions))?;
-    compile_runtime(folder, &prepared[0].c)?;
     // One thread builds and runs Rust, the others compile C.
     let next = AtomicUsize::new(0);
     let compile_all = || -> io::Result<()> {
         while let Some(it) = prepared.get(next.fetch_add(1, Ordering::Relaxed)) {
-            compile(folder, it)?;
+            compile(it)?;
         }
         Ok(())
     };
     thread::scope(|scope| -> io::Result<()> {
         let compiling = [scope.spawn(compile_all), scope.spawn(compile_all)];
-        build_package(folder, repository)?;
-        run(Command::new(folder.join("target/debug/called")).arg(&answers))?;
+        build_package(folder, target, repository)?;
+        run(Command::new(target.join("debug/called")).arg(&answers))?;
         for thread in compiling {
             let ended = thread.join();
             ended.map_err(|_| io::Error::other("a thread has panicked"))??;
@@ -184,7 +192,7 @@ pub fn differences(folder: &Path, repository: &Path, cases: &[Case]) -> io::Resu
 }
 
 /// The package of the Rust modules.
-fn build_package(folder: &Path, repository: &Path) -> io::Result<()> {
+fn build_package(folder: &Path, target: &Path, repository: &Path) -> io::Result<()> {
     let package = folder.join("package");
     let runtime = repository.join("runtime");
     let manifest = format!(
@@ -194,13 +202,13 @@ fn build_package(folder: &Path, repository: &Path) -> io::Result<()> {
     fs::copy(repository.join("Cargo.lock"), package.join("Cargo.lock"))?;
     run(Command::new("cargo")
         .args(["build", "--quiet", "--offline", "--target-dir"])
-        .arg(folder.join("target"))
+        .arg(target)
         .current_dir(&package)
         .env("RUSTFLAGS", "-Awarnings"))
 }
 
 /// Compiles the C files of a case and its programs, one for each motion.
-fn compile(folder: &Path, prepared: &Prepared<'_>) -> io::Result<()> {
+fn compile(prepared: &Prepared<'_>) -> io::Result<()> {
     let (place, name, compiler) = (&prepared.place, &prepared.case.name, prepared.compiler);
     for file in &prepared.c {
         files::write_if_changed(&place.join(&file.name), &file.text)?;
@@ -221,7 +229,7 @@ fn compile(folder: &Path, prepared: &Prepared<'_>) -> io::Result<()> {
         run(Command::new(compiler)
             .args(["-std=c99", "-O1"])
             .arg(&main)
-            .args([&object, &runtime_object(folder, compiler)])
+            .args([&object, &runtime_object(compiler)])
             .arg("-lm")
             .arg("-o")
             .arg(place.join(format!("{program}-{compiler}"))))?;
@@ -251,25 +259,32 @@ fn in_c(answers: &Path, prepared: &Prepared<'_>) -> io::Result<Vec<String>> {
     Ok(differing)
 }
 
-fn runtime_object(folder: &Path, compiler: &str) -> PathBuf {
-    folder.join(format!("c/runtime/linkwright-{compiler}.o"))
+/// Object of the C runtime for a compiler, compiled once in a process: its text is equal for all mechanisms.
+///
+/// # Panics
+/// If it does not compile.
+pub fn runtime_object(compiler: &str) -> PathBuf {
+    static PLACE: OnceLock<PathBuf> = OnceLock::new();
+    let compiled = || compiled_runtime().unwrap_or_else(|error| panic!("{error}"));
+    let place = PLACE.get_or_init(compiled);
+    place.join(format!("linkwright-{compiler}.o"))
 }
 
-/// Compiles the runtime, which is equal for all mechanisms, from the files of one.
-fn compile_runtime(folder: &Path, files: &[OutputFile]) -> io::Result<()> {
-    let shared = folder.join("c/runtime");
-    for file in files {
-        files::write_if_changed(&shared.join(&file.name), &file.text)?;
+/// Folder of the C runtime and of its objects.
+fn compiled_runtime() -> io::Result<PathBuf> {
+    let place = folder("c_runtime")?;
+    let case = Case::new("four_bar", description::source("four_bar"), 1.0);
+    for file in case.files(Language::C, Scalar::F64) {
+        files::write_if_changed(&place.join(&file.name), &file.text)?;
     }
     for compiler in compilers() {
         run(Command::new(compiler)
             .args(FLAGS)
-            .arg("-c")
-            .arg(shared.join("linkwright.c"))
-            .arg("-o")
-            .arg(runtime_object(folder, compiler)))?;
+            .args(["-c", "linkwright.c", "-o"])
+            .arg(format!("linkwright-{compiler}.o"))
+            .current_dir(&place))?;
     }
-    Ok(())
+    Ok(place)
 }
 
 /// The first line that differs.

@@ -7,7 +7,7 @@ use std::process::Command;
 
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::{Language, Options, generate};
-use linkwright_tests::c::run::{FLAGS, compilers, run};
+use linkwright_tests::c::run::{FLAGS, compilers, run, runtime_object};
 use linkwright_tests::files;
 
 /// The block after a line.
@@ -45,14 +45,10 @@ fn the_controller_in_c_prints_what_its_page_says() {
     for compiler in compilers() {
         let mut command = Command::new(compiler);
         command.args(&FLAGS[..5]).arg("-Werror");
-        command.args([
-            "main.c",
-            "loader.c",
-            "linkwright.c",
-            "-lm",
-            "-o",
-            "controller",
-        ]);
+        command
+            .args(["main.c", "loader.c"])
+            .arg(runtime_object(compiler));
+        command.args(["-lm", "-o", "controller"]);
         run(command.current_dir(&folder)).unwrap_or_else(|error| panic!("{error}"));
         let output = Command::new(folder.join("controller"))
             .output()

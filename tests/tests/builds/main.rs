@@ -8,4 +8,5 @@ mod freestanding;
 mod lanes;
 mod lints;
 mod macros;
+mod representatives;
 mod work;

@@ -46,8 +46,10 @@ fn other_compilers_take_it_and_fuse_nothing() {
     }
     accepted(&place, "linkwright", "-ULINKWRIGHT_FUNCTION");
     accepted(&place, "linkwright", "-DLINKWRIGHT_FUNCTION=");
-    vectors += fused_nothing(&place, "linkwright", 0);
-    vectors += fused_nothing(&place, "linkwright", 1);
+    // All options with all compilers.
+    for number in 0..6 {
+        vectors += fused_nothing(&place, "linkwright", number);
+    }
     for file in ["linkwright.c", "linkwright.h"] {
         let text = fs::read_to_string(place.join(file)).expect("written");
         assert!(text.is_ascii(), "{file}");
@@ -66,43 +68,42 @@ fn accepted(folder: &Path, name: &str, function: &str) {
     run(command.current_dir(folder)).unwrap_or_else(|error| panic!("{error}"));
 }
 
-/// Compiles a file for processors with fused operations, of which none may be in it; the number of operations on vectors. Compilers take
-/// turns, beginning with the one of this number.
-fn fused_nothing(folder: &Path, name: &str, first: usize) -> usize {
+/// Compiles a file for processors with fused operations, of which none may be in it; the number of operations on vectors. The number of
+/// the file selects the compiler and its options.
+fn fused_nothing(folder: &Path, name: &str, number: usize) -> usize {
     if !cfg!(target_arch = "x86_64") {
         return 0;
     }
-    let mut vectors = 0;
     let options = [
         ["-std=c99", "-O2", "-mfma"],
         ["-std=c99", "-O3", "-march=haswell"],
         ["-std=c99", "-O2", "-march=native"],
     ];
-    for (number, options) in options.into_iter().enumerate() {
-        let compiler = compilers()[(first + number) % compilers().len()];
-        let mut command = Command::new(compiler);
-        command.args(options).args(["-S", &format!("{name}.c")]);
-        let listing = format!("{name}.s");
-        run(command.args(["-o", &listing]).current_dir(folder))
-            .unwrap_or_else(|error| panic!("{error}"));
-        let text = fs::read_to_string(folder.join(listing)).expect("a listing");
-        let operations = text
-            .lines()
-            .filter_map(|line| line.split_whitespace().next());
-        for operation in operations {
-            let is_fused = [
-                "vfmadd",
-                "vfmsub",
-                "vfnmadd",
-                "vfnmsub",
-                "vfmaddsub",
-                "vfmsubadd",
-            ]
-            .iter()
-            .any(|it| operation.starts_with(it));
-            assert!(!is_fused, "{name} with {compiler} {options:?}: {operation}");
-            vectors += usize::from(operation.starts_with("vmul"));
-        }
+    let options = options[number % options.len()];
+    let compiler = compilers()[number % compilers().len()];
+    let mut command = Command::new(compiler);
+    command.args(options).args(["-S", &format!("{name}.c")]);
+    let listing = format!("{name}.s");
+    run(command.args(["-o", &listing]).current_dir(folder))
+        .unwrap_or_else(|error| panic!("{error}"));
+    let text = fs::read_to_string(folder.join(listing)).expect("a listing");
+    let operations = text
+        .lines()
+        .filter_map(|line| line.split_whitespace().next());
+    let mut vectors = 0;
+    for operation in operations {
+        let is_fused = [
+            "vfmadd",
+            "vfmsub",
+            "vfnmadd",
+            "vfnmsub",
+            "vfmaddsub",
+            "vfmsubadd",
+        ]
+        .iter()
+        .any(|it| operation.starts_with(it));
+        assert!(!is_fused, "{name} with {compiler} {options:?}: {operation}");
+        vectors += usize::from(operation.starts_with("vmul"));
     }
     vectors
 }

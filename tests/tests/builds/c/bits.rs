@@ -12,6 +12,7 @@ use linkwright_tests::pantograph::Pantograph;
 use linkwright_tests::{description, files};
 
 use super::{compile, folder, run_as_cpp, write_double};
+use crate::representatives::{representatives, target_of_modules};
 
 /// Number of random mechanisms, largest number of bodies, and first seed.
 const RANDOM: usize = 8;
@@ -21,7 +22,7 @@ const SEED: u64 = 14;
 #[test]
 fn frames_and_failures_have_the_bits_of_rust() {
     let named = |name: &str| Case::new(name, description::source(name), 2.0);
-    let names = [description::names(), description::of_tests()].concat();
+    let names = representatives(false);
     let names = names.iter().map(String::as_str);
     // Some have too many joints.
     let random = (0..)
@@ -34,9 +35,9 @@ fn frames_and_failures_have_the_bits_of_rust() {
     let chain = Pantograph::new(9, 0.875).text("");
     let chain = Case::new("chain", Source::new("chain.mech", chain), 2.0);
     let cases: Vec<Case> = names.map(named).chain(random).chain([chain]).collect();
-    assert!(cases.len() > 110 && !compilers().is_empty());
+    assert!(cases.len() > 30 && !compilers().is_empty());
     let folder = folder("bits");
-    let differing = differences(&folder, &files::repository(), &cases);
+    let differing = differences(&folder, &target_of_modules(), &files::repository(), &cases);
     let differing = differing.unwrap_or_else(|error| panic!("{error}"));
     assert!(differing.is_empty(), "{}", differing.join("\n"));
     // Otherwise nothing would have been tested: frames, and the usual kinds of failure of such mechanisms.

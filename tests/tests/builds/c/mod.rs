@@ -12,7 +12,7 @@ use std::process::Command;
 
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::{Language, Options, Scalar, generate};
-use linkwright_tests::c::run::{FLAGS, compilers, run};
+use linkwright_tests::c::run::{FLAGS, compilers, run, runtime_object};
 use linkwright_tests::description;
 
 /// Descriptions that only tests need: parameters, inputs, tables, laws, cams, transmissions, sensitivities, forces, single outputs, lengths
@@ -86,10 +86,15 @@ fn write_double(folder: &Path, name: &str) {
     write(folder, &description::source(name), name, Scalar::F64);
 }
 
-/// Compiles files of a folder to objects with every compiler of C.
+/// Compiles files of a folder to objects with every compiler of C; the object of the runtime is shared.
 fn compile(folder: &Path, names: &[&str]) {
     for compiler in compilers() {
         for name in names {
+            if *name == "linkwright" {
+                let object = folder.join(format!("linkwright-{compiler}.o"));
+                fs::copy(runtime_object(compiler), object).expect("copied");
+                continue;
+            }
             let mut command = Command::new(compiler);
             command.args(FLAGS).arg("-c").arg(format!("{name}.c"));
             let object = format!("{name}-{compiler}.o");
