@@ -1,9 +1,13 @@
 //! Removes the spaces of a script that only its authors need: those beside signs, outside of texts and patterns.
 //!
-//! Lines stay, because a statement may end with its line.
+//! A line ends where a statement may end with it; after a sign that a statement or a list goes on after, the next one follows. The last
+//! statement of a block needs no semicolon.
 
 /// Signs beside which a space means nothing.
 const SIGNS: &str = "=+-*/%<>!?:&|,;(){}[]";
+
+/// Signs after which the end of a line means nothing.
+const BEFORE_LINES: &str = ";,{([?:&|=";
 
 /// Signs after which a slash begins a pattern.
 const BEFORE_PATTERNS: &str = "(,=:[!&|?{};>";
@@ -35,11 +39,17 @@ impl Scanner {
                 '`' => self.template(),
                 '/' if self.begins_pattern() => self.pattern(),
                 ' ' => self.space(),
+                '\n' if self.dense.ends_with(|it| BEFORE_LINES.contains(it)) => self.place += 1,
                 '}' if is_in_template && depth == 0 => return,
                 _ => {
                     match letter {
                         '{' => depth += 1,
-                        '}' => depth = depth.saturating_sub(1),
+                        '}' => {
+                            depth = depth.saturating_sub(1);
+                            if self.dense.ends_with(';') {
+                                self.dense.pop();
+                            }
+                        }
                         _ => {}
                     }
                     self.take();
@@ -137,7 +147,12 @@ mod tests {
             ("const a = b + c;", "const a=b+c;"),
             ("a - -b + +c - d", "a- -b+ +c-d"),
             ("return x / 2 / y;", "return x/2/y;"),
-            ("if (a in b) { f(); }", "if(a in b){f();}"),
+            ("if (a in b) { f(); }", "if(a in b){f()}"),
+            (
+                "if (a) {\nf();\ng(b,\nc);\n}\nh();\n",
+                "if(a){f();g(b,c)}\nh();",
+            ),
+            ("s = \";\"\nt = `;\n}`\n", "s=\";\"\nt=`;\n}`\n"),
             ("s = \"a + b\" + 'c : d';", "s=\"a + b\"+'c : d';"),
             ("s = \"\\\" + \" + b", "s=\"\\\" + \"+b"),
             (

@@ -35,16 +35,18 @@ const SCRIPT: &str = concat!(
     include_str!("script/clock.js"),
     include_str!("script/values.js"),
     include_str!("script/given.js"),
-    include_str!("script/sections.js"),
+    include_str!("script/entries.js"),
     include_str!("script/scene.js"),
     include_str!("script/pulling.js"),
     include_str!("script/mount.js"),
 );
 
-/// Scripts of a page whose values can be changed.
+/// Scripts of a page whose values can be changed, after those of every page.
 const LIVE_SCRIPT: &str = concat!(
     include_str!("script/questions.js"),
     include_str!("script/controls.js"),
+    include_str!("script/replacing.js"),
+    include_str!("script/answering.js"),
 );
 const SERVER: &str = include_str!("script/server.js");
 const START: &str = include_str!("script/first.js");

@@ -5,20 +5,6 @@ const LARGEST = 1.9;
 
 const byId = (element, id) => element.querySelector(`[id="${CSS.escape(id)}"]`);
 
-/// Replaces a picture. Its style sheet stays if it is the same, so that the styles of the page need not be computed again.
-const replaceDrawing = (holder, html) => {
-  const parsed = made("template");
-  parsed.innerHTML = html;
-  const next = parsed.content.querySelector("svg");
-  const svg = holder.querySelector("svg");
-  const [style, sheet] = [svg, next].map((it) => it?.querySelector("style"));
-  if (!style || style.textContent !== sheet?.textContent) return holder.replaceChildren(next);
-  sheet.remove();
-  for (const child of [...svg.childNodes]) if (child !== style) child.remove();
-  for (const { name, value } of next.attributes) svg.setAttribute(name, value);
-  return svg.append(...next.childNodes);
-};
-
 class Drawing {
   /// Takes the picture in an element over.
   constructor(holder, motion) {
@@ -42,20 +28,6 @@ class Drawing {
     this.originals = new Map([...replaced].map((id) => [id, byId(this.svg, id)?.outerHTML]));
     [this.dressed] = this.data.assemblies;
     this.tag();
-  }
-
-  /// Replaces the mechanism by that of another picture of the same scale; names stay beside their points.
-  static sketch(holder, text) {
-    const old = byId(holder, "mechanism");
-    const template = document.createElement("template");
-    template.innerHTML = text;
-    const mechanism = byId(template.content, "mechanism");
-    const [names, others] = [byId(old, "names"), byId(mechanism, "names")];
-    const points = new Map([...others.querySelectorAll("[data-point]")].map((it) => [it.dataset.point, it.dataset.follows]));
-    for (const name of names.querySelectorAll("[data-point]")) name.dataset.follows = points.get(name.dataset.point) ?? name.dataset.follows;
-    others.replaceWith(names);
-    mechanism.setAttribute("transform", old.getAttribute("transform"));
-    old.replaceWith(mechanism);
   }
 
   /// Gives a picture the elements of an assembly.

@@ -2,7 +2,8 @@
 
 /// Shows data in an element of the structure of a page. A provider answers questions; a file has none.
 ///
-/// Returns `update(answer)`, which replaces what the answer has and keeps the rest; `ask(detail)`, `question()` and `destroy()`.
+/// Returns `question()`, `ask(detail)` and `destroy()`; where the scripts of answers are, `update(answer)` replaces what the answer has and
+/// keeps the rest.
 const mount = (root, first, provider = null) => {
   const part = (name) => root.querySelector(`[data-part="${name}"]`);
   const over = new AbortController();
@@ -62,38 +63,6 @@ const mount = (root, first, provider = null) => {
     const scale = detail === "moving" ? drawing.stage.scale : null;
     return { values, range: range ?? data.range, assembly: label, detail, scale };
   };
-  const answers = {
-    question: (detail) => {
-      const pull = detail === "sections" ? null : pulling.question();
-      return { ...question(detail), ...(pull && { pull }) };
-    },
-    answered: (answer) => update(answer),
-    failed: (error) => messages([{ severity: "error", code: "", text: error.message }], true),
-    marked: (isOld) => mark("late", isOld),
-  };
-  const questions = provider && new Questions(provider, answers, signal);
-
-  /// Marks the picture as one of other values than those that are asked for.
-  const reasons = new Set();
-  const mark = (reason, isSet) => {
-    if (isSet) reasons.add(reason);
-    else reasons.delete(reason);
-    root.classList.toggle("old", reasons.size > 0);
-    part("drawing").setAttribute("aria-busy", String(reasons.has("late")));
-  };
-
-  const messages = (all, isOld) => {
-    const rows = all.map((own) => {
-      const title = made("b", {}, own.severity === "error" ? "Error:" : "Warning:");
-      const isBlock = own.text.includes("\n");
-      return isBlock
-        ? made("pre", { class: own.severity, tabindex: 0, "data-code": own.code }, own.text)
-        : made("p", { class: own.severity, "data-code": own.code }, title, ` ${own.text}`);
-    });
-    part("messages").replaceChildren(...rows);
-    mark("failed", isOld);
-  };
-
   /// Shows the selected assembly, or the first that moves.
   const select = () => {
     const all = data.assemblies;
@@ -161,28 +130,9 @@ const mount = (root, first, provider = null) => {
     chooser(part("chips"), { curves, points: data.points }, shown, traced, plot, trace);
   };
 
-  const update = (answer) => {
-    const isMotion = Array.isArray(answer.assemblies);
-    if (isMotion) {
-      if (answer.lead !== undefined) part("lead").innerHTML = answer.lead;
-      if (answer.title) root.querySelector("h1").textContent = answer.title;
-      if (answer.sketch) Drawing.sketch(part("drawing"), answer.drawing);
-      else if (answer.drawing) replaceDrawing(part("drawing"), answer.drawing);
-      if (answer.pulled) {
-        controls.set(Object.fromEntries(answer.pulled.values));
-        clock.t = answer.pulled.t;
-      }
-      take(answer);
-    }
-    if (answer.sections) {
-      replaceSections(root, answer.sections);
-      assemblies.take(drawing, player);
-      // Messages are those of the motion.
-      if (!isMotion) return;
-    }
-    if (answer.controls) controls.take(answer);
-    messages(answer.messages ?? [], !isMotion && (answer.messages ?? []).some((it) => it.severity === "error"));
-  };
+  const takeSections = () => assemblies.take(drawing, player);
+  const live = mount.answering?.({ root, part, clock, controls, pulling, question, take, takeSections }, provider, signal);
+  const questions = live?.questions;
 
   part("names").addEventListener("change", (event) => {
     drawing.mechanism.querySelector("[id=names]").style.display = event.target.checked ? "" : "none";
@@ -207,9 +157,9 @@ const mount = (root, first, provider = null) => {
 
   take(first);
   controls.take(first);
-  if (first.messages) messages(first.messages, false);
+  if (first.messages) live.messages(first.messages, false);
   return {
-    update,
+    update: live?.update,
     question,
     ask: (detail = "resting") => questions?.ask(detail),
     change: () => questions?.moving(),

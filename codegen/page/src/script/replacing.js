@@ -1,4 +1,32 @@
-// Sections of text: their replacement keeps what is open, focused and looked at.
+// Pictures and sections in place of others: what is open, focused and looked at stays.
+
+/// Replaces a picture. Its style sheet stays if it is the same, so that the styles of the page need not be computed again.
+const replaceDrawing = (holder, html) => {
+  const parsed = made("template");
+  parsed.innerHTML = html;
+  const next = parsed.content.querySelector("svg");
+  const svg = holder.querySelector("svg");
+  const [style, sheet] = [svg, next].map((it) => it?.querySelector("style"));
+  if (!style || style.textContent !== sheet?.textContent) return holder.replaceChildren(next);
+  sheet.remove();
+  for (const child of [...svg.childNodes]) if (child !== style) child.remove();
+  for (const { name, value } of next.attributes) svg.setAttribute(name, value);
+  return svg.append(...next.childNodes);
+};
+
+/// Replaces the mechanism by that of another picture of the same scale; names stay beside their points.
+const replaceMechanism = (holder, text) => {
+  const old = byId(holder, "mechanism");
+  const template = document.createElement("template");
+  template.innerHTML = text;
+  const mechanism = byId(template.content, "mechanism");
+  const [names, others] = [byId(old, "names"), byId(mechanism, "names")];
+  const points = new Map([...others.querySelectorAll("[data-point]")].map((it) => [it.dataset.point, it.dataset.follows]));
+  for (const name of names.querySelectorAll("[data-point]")) name.dataset.follows = points.get(name.dataset.point) ?? name.dataset.follows;
+  others.replaceWith(names);
+  mechanism.setAttribute("transform", old.getAttribute("transform"));
+  old.replaceWith(mechanism);
+};
 
 const FOCUSABLE = "a, button, input, select, summary, [tabindex]";
 
@@ -31,19 +59,4 @@ const replaceSections = (root, sections) => {
   keep();
   // Sections above take the heights that they have outside of the window after the next frame.
   requestAnimationFrame(() => requestAnimationFrame(keep));
-};
-
-/// The cells of the picture of Φ_q: pointing at one shows its entry.
-const showEntry = (root, target) => {
-  const cell = target.closest?.(".pattern [data-entry]");
-  if (!cell || !root.contains(cell)) return;
-  const figure = cell.closest("figure");
-  const output = figure.querySelector("output");
-  const entry = root.querySelector(`.entry[data-entry="${cell.dataset.entry}"]`);
-  const [row, column] = numbers(cell.dataset.entry);
-  if (!entry || output.dataset.entry === cell.dataset.entry) return;
-  output.dataset.entry = cell.dataset.entry;
-  const name = root.querySelector(`.names [data-q="${column}"]`)?.outerHTML ?? "";
-  const slope = `<math><mfrac><mrow><mo>∂</mo><msub><mi mathvariant="normal">Φ</mi><mn>${row + 1}</mn></msub></mrow><mrow><mo>∂</mo>${name}</mrow></mfrac><mo>=</mo></math>`;
-  output.innerHTML = `${slope} ${entry.querySelector(".value").innerHTML}`;
 };
