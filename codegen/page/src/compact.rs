@@ -1,12 +1,14 @@
 //! Removes from scripts and style sheets what only their authors need.
 
 /// Separators of a style sheet with and without spaces.
-const DENSE: [(&str, &str); 5] = [
+const DENSE: [(&str, &str); 7] = [
     ("; }", "}"),
     (" { ", "{"),
     (": ", ":"),
     ("; ", ";"),
     (", ", ","),
+    (" > ", ">"),
+    ("\n", ""),
 ];
 
 /// Removes indentation and lines of comments. No line of a script or a style sheet depends on its indentation.

@@ -44,6 +44,7 @@ impl Scanner {
                 _ => {
                     match letter {
                         '{' => depth += 1,
+                        '>' => self.unwrap_parameter(),
                         '}' => {
                             depth = depth.saturating_sub(1);
                             if self.dense.ends_with(';') {
@@ -56,6 +57,21 @@ impl Scanner {
                 }
             }
         }
+    }
+
+    /// Removes the parentheses of a single parameter before the end of an arrow.
+    fn unwrap_parameter(&mut self) {
+        let Some(before) = self.dense.strip_suffix(")=") else {
+            return;
+        };
+        let Some((before, name)) = before.rsplit_once('(') else {
+            return;
+        };
+        let is_word = |it: char| it.is_alphanumeric() || it == '_';
+        if name.is_empty() || !name.chars().all(is_word) || before.ends_with(is_word) {
+            return;
+        }
+        self.dense = format!("{before}{name}=");
     }
 
     fn peek(&self) -> Option<char> {
@@ -151,6 +167,11 @@ mod tests {
             (
                 "if (a) {\nf();\ng(b,\nc);\n}\nh();\n",
                 "if(a){f();g(b,c)}\nh();",
+            ),
+            ("all.map((it) => it.a)", "all.map(it=>it.a)"),
+            (
+                "f = async (it) => g((a, b) => a)",
+                "f=async(it)=>g((a,b)=>a)",
             ),
             ("s = \";\"\nt = `;\n}`\n", "s=\";\"\nt=`;\n}`\n"),
             ("s = \"a + b\" + 'c : d';", "s=\"a + b\"+'c : d';"),
