@@ -102,6 +102,29 @@ pub enum FailureKind<T = f64> {
 }
 
 impl<T> FailureKind<T> {
+    /// Name of the kind in tables, JSON and other languages, in lower case with underscores: `out_of_reach`. It never changes.
+    ///
+    /// ```
+    /// assert_eq!(linkwright::FailureKind::OutOfReach { by: 0.01 }.name(), "out_of_reach");
+    /// ```
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Singular { .. } => "singular",
+            Self::Diverged => "diverged",
+            Self::Cycling => "cycling",
+            Self::Stalled => "stalled",
+            Self::IterationLimit => "iteration_limit",
+            Self::OutOfReach { .. } => "out_of_reach",
+            Self::WrongBranch => "wrong_branch",
+            Self::Undecided => "undecided",
+            Self::StepTooLarge => "step_too_large",
+            Self::NotPositive { .. } => "not_positive",
+            Self::OutsideRange { .. } => "outside_range",
+            Self::NotFinite => "not_finite",
+            Self::LoadNotFinite { .. } => "load_not_finite",
+        }
+    }
+
     /// Words for the kind, without its figure: `Newton-Raphson diverges`.
     ///
     /// All messages take the words from here, so each kind is worded in one place.

@@ -17,14 +17,7 @@ use std::io::{self, Write};
 use linkwright_codegen::stages::units::{OutputUnit, Unit};
 use linkwright_solver::View;
 
-use crate::motion::{Followed, Shown, Sink};
-use crate::units::ColumnUnits;
-
-/// Suffixes of a coordinate, its rate and its acceleration.
-const RATES: [&str; 3] = ["", "_d", "_dd"];
-
-/// Suffixes of a point's components.
-const OF_POINT: [&str; 6] = ["_x", "_y", "_vx", "_vy", "_ax", "_ay"];
+use crate::motion::{Columns, Followed, OF_POINT, RATES, Shown, Sink};
 
 /// Approximate number of bytes of a number and its separator.
 const BYTES: u64 = 20;
@@ -44,7 +37,8 @@ const OTHERS: [&str; 7] = [
 pub struct Table<'a> {
     writer: csv::Writer<&'a mut dyn Write>,
     fields: Vec<String>,
-    units: ColumnUnits,
+    columns: Columns,
+    units: Vec<OutputUnit>,
 }
 
 impl<'a> Table<'a> {
@@ -58,17 +52,27 @@ impl<'a> Table<'a> {
         output: &'a mut dyn Write,
     ) -> io::Result<Table<'a>> {
         let mut writer = csv::Writer::from_writer(output);
-        let units = ColumnUnits::of(motion);
-        let is_named = has_units || motion.system().mechanism.units.requested.is_some();
-        let header = header(motion, &units).into_iter();
+        let columns = Columns::of(motion);
+        let units = &motion.system().mechanism.units;
+        let is_named = has_units || units.requested.is_some();
+        let units = units.of_tables();
+        let units: Vec<OutputUnit> = columns
+            .columns
+            .iter()
+            .map(|it| units.of(&it.unit))
+            .collect();
+        let named = columns.columns.iter().zip(&units);
+        let named = named.map(|(column, unit)| (column.name.as_str(), unit.name.as_str()));
+        let header = [("t", "s")].into_iter().chain(named);
         let header = header.map(|(name, unit)| match is_named && !unit.is_empty() {
             true => format!("{name} ({unit})"),
-            false => name,
+            false => name.to_string(),
         });
         writer.write_record(header).map_err(cause)?;
         Ok(Table {
             writer,
             fields: Vec::new(),
+            columns,
             units,
         })
     }
@@ -84,66 +88,21 @@ impl<'a> Table<'a> {
 
 impl Sink for Table<'_> {
     fn take(&mut self, shown: &Shown<'_>) -> io::Result<()> {
-        let (fields, units) = (&mut self.fields, &self.units);
+        let fields = &mut self.fields;
         fields.clear();
         fields.push(number(shown.instant.t()));
-        let levels = [shown.instant.q(), shown.instant.qd(), shown.instant.qdd()];
-        for (level, values) in levels.into_iter().enumerate() {
-            let units = units.coordinates.iter().map(|it| &it[level]);
-            fields.extend(written(Some(values), units));
-        }
-        for motion in shown.motions {
-            let values = [motion.position, motion.velocity, motion.acceleration];
-            for (values, unit) in values.iter().zip(&units.points) {
-                fields.extend(written(Some(values), [unit; 2]));
-            }
-        }
-        fields.extend(written(shown.derivatives, &units.derivatives));
-        fields.extend(written(shown.forces, &units.forces));
-        fields.extend(shown.measures.iter().map(|value| number(*value)));
+        let values = self.columns.values(shown).zip(&self.units);
+        fields.extend(values.map(|(value, unit)| match value {
+            Some(value) => number(unit.of_si(value)),
+            None => String::new(),
+        }));
         self.writer.write_record(fields).map_err(cause)
     }
 }
 
 /// Returns the approximate number of bytes of a table of `frames` frames.
 pub fn size<V: View>(motion: &Followed<V>, frames: usize) -> u64 {
-    (header(motion, &ColumnUnits::of(motion)).len() * frames) as u64 * BYTES
-}
-
-/// Returns values in their units; empty cells without values.
-fn written<'a>(
-    values: Option<&[f64]>,
-    units: impl IntoIterator<Item = &'a OutputUnit>,
-) -> impl Iterator<Item = String> {
-    let units = units.into_iter().enumerate();
-    units.map(move |(place, unit)| {
-        values.map_or(String::new(), |values| number(unit.of_si(values[place])))
-    })
-}
-
-/// Returns the names of the columns, each with its unit.
-fn header<'a, V: View>(motion: &Followed<V>, units: &'a ColumnUnits) -> Vec<(String, &'a str)> {
-    let mut names = vec![("t".to_string(), "s")];
-    for (level, suffix) in RATES.iter().enumerate() {
-        let coordinates = motion.system().coordinates.iter().zip(&units.coordinates);
-        let named =
-            coordinates.map(|(it, own)| (format!("{}{suffix}", it.name), own[level].name.as_str()));
-        names.extend(named);
-    }
-    for name in motion.point_names() {
-        let columns = OF_POINT.iter().zip(0..);
-        let unit = |component: usize| units.points[component / 2].name.as_str();
-        names.extend(
-            columns.map(|(suffix, component)| (format!("{name}{suffix}"), unit(component))),
-        );
-    }
-    let unit = |unit: &'a OutputUnit| unit.name.as_str();
-    let derivatives = motion.derivative_names.iter().zip(&units.derivatives);
-    names.extend(derivatives.map(|((name, _), own)| (name.clone(), unit(own))));
-    let forces = motion.force_names.iter().zip(&units.forces);
-    names.extend(forces.map(|((name, _), own)| (name.clone(), unit(own))));
-    names.extend(motion.measure_names.iter().map(|name| (name.clone(), "")));
-    names
+    ((1 + Columns::of(motion).columns.len()) * frames) as u64 * BYTES
 }
 
 /// True if these are names of columns of such a table, also of another mechanism, in their order.

@@ -11,6 +11,7 @@
 mod answer;
 mod assembly_table;
 mod body;
+pub mod check_json;
 pub mod check_text;
 pub mod comma_separated;
 mod compact;

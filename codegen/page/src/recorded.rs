@@ -259,7 +259,7 @@ pub fn at_start(
             view.drawn_branches(),
         ),
     };
-    Moved::assemble(view.clone(), &pose, modes, t)
+    Moved::assemble(view.clone(), &pose, modes, t).map_err(|refused| refused.reason)
 }
 
 /// Instant, its measures and its forces.

@@ -52,7 +52,8 @@ pub fn si_of(quantity: Quantity) -> &'static str {
     si_levels(quantity)[0]
 }
 
-fn si_levels(quantity: Quantity) -> [&'static str; 3] {
+/// Returns the SI units of a coordinate of this quantity, its rate and its acceleration.
+pub fn si_levels(quantity: Quantity) -> [&'static str; 3] {
     match quantity {
         Quantity::Angle => ANGLES,
         Quantity::Length => LENGTHS,

@@ -129,7 +129,7 @@ pub use dense::Dense;
 pub use instant::Instant;
 pub use interpreted::Interpreted;
 pub use mode_selection::{ModeSelection, Unassembled};
-pub use moved::Moved;
+pub use moved::{Moved, Unmoved};
 pub use observable::Observable;
 pub use opened::{Opened, Unopened};
 pub use schedule::{Leg, Schedule};

@@ -23,6 +23,15 @@ pub struct Moved<V: View> {
     first_failing: Option<Program>,
 }
 
+/// Mechanism that cannot be assembled.
+#[derive(Clone, Debug)]
+pub struct Unmoved {
+    /// Failure of the assembly.
+    pub failure: Failure,
+    /// Reason in words.
+    pub reason: String,
+}
+
 /// Program that is written out, in motion.
 #[derive(Clone)]
 struct EmittedMotion<V: View> {
@@ -43,8 +52,8 @@ impl<V: View> Moved<V> {
     /// Assembles the mechanism with its nominal parameters at the time `t` (s), near a pose and in these modes.
     ///
     /// # Errors
-    /// The reason that it cannot be assembled, in words.
-    pub fn assemble(blocks: V, pose: &Pose, modes: Modes, t: f64) -> Result<Moved<V>, String> {
+    /// The reason that it cannot be assembled.
+    pub fn assemble(blocks: V, pose: &Pose, modes: Modes, t: f64) -> Result<Moved<V>, Unmoved> {
         let laws = blocks.input_laws();
         let inputs = laws.at(t);
         let emitted = blocks.emitted().map(|emitted| {
@@ -55,15 +64,19 @@ impl<V: View> Moved<V> {
         let fuller = assembled(blocks.clone(), pose, modes, t, &inputs);
         let fuller = fuller.map_err(|failure| {
             let reason = blocks.not_assembled(&failure);
-            match &emitted {
+            let reason = match &emitted {
                 Some((_, Ok(_))) => format!("{reason}{UNAFFECTED}"),
                 _ => reason,
-            }
+            };
+            Unmoved { failure, reason }
         })?;
         let emitted = match emitted {
             None => None,
             Some((emitted, shell)) => {
-                let shell = shell.map_err(|failure| emitted.blocks.not_assembled(&failure))?;
+                let shell = shell.map_err(|failure| Unmoved {
+                    reason: emitted.blocks.not_assembled(&failure),
+                    failure,
+                })?;
                 Some(EmittedMotion {
                     joined: emitted.joined(fuller.frame(), shell.frame()),
                     emitted,

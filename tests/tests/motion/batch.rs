@@ -193,6 +193,13 @@ fn sets_may_have_inputs_of_their_own() {
             _ => assert_eq!((row, outcome.failure), (&[expected; 2][..], None)),
         }
     }
+    // Those of each set at each instant.
+    let mut values = [0.0; 10];
+    let outcomes = batch.solve(&[], &inputs, &mut values).expect("lengths");
+    assert_eq!((values[2], values[3]), (0.2, 0.30000000000000004));
+    assert_eq!(outcomes[2].solved, 0);
+    assert!(outcomes[2].failure.is_some() && values[4..6].iter().all(|it| it.is_nan()));
+    assert_eq!(values[8..], [0.8, 0.9]);
     let mut values = [0.0; 3];
     assert_eq!(
         batch.solve(&[], &inputs, &mut values),
@@ -205,7 +212,8 @@ fn sets_may_have_inputs_of_their_own() {
     assert_eq!(
         batch.solve(&[], &inputs, &mut values),
         Err(WrongLength::Inputs {
-            expected: 2,
+            sets: 2,
+            instants: 2,
             found: 10
         })
     );

@@ -68,3 +68,27 @@ fn a_kind_of_failure_is_listed_in_two_files_and_named_where_it_is_raised() {
         assert_eq!(naming(kind), expected.collect(), "{kind}");
     }
 }
+
+#[test]
+fn a_kind_of_failure_has_one_name_in_all_languages() {
+    let root = files::repository();
+    let read = |path: &str| fs::read_to_string(root.join(path)).expect("a source file");
+    let in_rust = read(LISTS[1]);
+    let name = in_rust.split("pub fn name(").nth(1).expect("the names");
+    let name = name.split("pub fn ").next().expect("an end");
+    let in_rust: BTreeSet<String> = name
+        .split('"')
+        .skip(1)
+        .step_by(2)
+        .map(|it| format!("LINKWRIGHT_{}", it.to_uppercase()))
+        .collect();
+    let in_c = read(LISTS[0]);
+    let names = in_c
+        .lines()
+        .filter_map(|it| it.trim().strip_prefix("name: \""));
+    let in_c: BTreeSet<String> = names
+        .map(|it| it.trim_end_matches("\",").to_string())
+        .collect();
+    assert_eq!(in_rust.len(), 13);
+    assert_eq!(in_rust, in_c);
+}

@@ -6,9 +6,9 @@ use super::description::{determined, interpreted, outputs, set_all, source};
 use super::{Outcome, Problem, in_folder, print, say};
 use crate::arguments::Check as Arguments;
 use crate::progress::Progress;
-use crate::report::{check_json, drawing, picture, proof_text};
+use crate::report::{drawing, picture, proof_text};
 use crate::terminal;
-use linkwright_page::{check_text, motion};
+use linkwright_page::{check_json, check_text, motion};
 
 /// Width of tables in characters, unless the terminal is narrower.
 const WIDTH: usize = 110;

@@ -18,6 +18,7 @@
 //! | `simulation` | of a simulated motion: `evaluations`, `steps`, `implicit_steps` among them, `rejected`, `energy_drift` in J, and `kinetic_energy`, the largest |
 //! | `warnings` | sentences |
 //! | `error` | only if the motion ends early: the reason; `frames` then holds the solved part |
+//! | `failure` | then also `{kind, t, block}`: the name of its kind, the time that cannot be reached, and the index of the block, null for a simulated motion |
 
 use std::io::{self, Write};
 
@@ -31,7 +32,7 @@ use linkwright_solver::residuals::Residuals;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
-use linkwright_page::motion::{Followed, Shown, Simulated, Sink};
+use linkwright_page::motion::{EarlyEnd, Followed, Shown, Simulated, Sink};
 use linkwright_page::units::{ColumnUnits, UnitNames};
 
 /// Values that are known before the motion is followed.
@@ -66,6 +67,8 @@ struct Tail<'a> {
     warnings: &'a [String],
     #[serde(skip_serializing_if = "Option::is_none")]
     error: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    failure: Option<EarlyEnd>,
 }
 
 #[derive(Serialize)]
@@ -253,6 +256,7 @@ impl<'a> Object<'a> {
             simulation: motion.simulated.as_ref().map(Integration::from),
             warnings: &motion.warnings,
             error: motion.error.as_deref(),
+            failure: motion.failure,
         })?;
         writeln!(self.output, "],{}", tail.trim_start_matches('{'))
     }

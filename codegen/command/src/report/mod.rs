@@ -5,7 +5,6 @@
 pub mod aligned;
 #[cfg(feature = "calibrate")]
 pub mod calibration;
-pub mod check_json;
 pub mod comparison;
 pub mod comparison_json;
 pub mod comparison_plot;

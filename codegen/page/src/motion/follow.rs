@@ -10,7 +10,7 @@ use linkwright_solver::number::time;
 use linkwright_solver::warnings::warnings;
 use linkwright_solver::{Instant, Movable, Schedule, View, follow};
 
-use super::{Followed, Row, Shown, Sink, of_coordinate};
+use super::{EarlyEnd, Followed, Row, Shown, Sink, of_coordinate};
 
 /// Measure below which a warning is given: results there have three correct digits fewer than elsewhere.
 const WARNING_LIMIT: f64 = 1e-3;
@@ -55,6 +55,7 @@ impl<V: View> Followed<V> {
                 Ok::<(), io::Error>(())
             })?;
             approaches.extend(watch.map_or(Vec::new(), |it| it.finish(moved.fuller())));
+            self.failure = end.as_ref().map(|end| EarlyEnd::from(&end.failure));
             error = end.map(|end| moved.ended(&end));
         }
         for (instant, sizes) in earlier.iter().rev() {
@@ -80,6 +81,7 @@ impl<V: View> Followed<V> {
                 }
             })?;
             approaches.extend(watch.map_or(Vec::new(), |it| it.finish(moved.fuller())));
+            self.failure = end.as_ref().map(|end| EarlyEnd::from(&end.failure));
             error = end.map(|end| moved.ended(&end));
         }
         self.warnings = warnings(&approaches, self.view.singular_poses(), WARNING_LIMIT);

@@ -1,5 +1,6 @@
 //! Holds a motion from its start on: the source of all reports and pictures.
 
+use linkwright::Failure;
 use linkwright_codegen::stages::system::System;
 use linkwright_solver::condition::Condition;
 use linkwright_solver::condition::{dimensionless, jacobian};
@@ -7,10 +8,42 @@ use linkwright_solver::measures::{MeasuredPart, Measures};
 use linkwright_solver::pressure::PressureCheck;
 use linkwright_solver::residuals::ResidualCheck;
 use linkwright_solver::textbook::TextbookEquations;
-use linkwright_solver::{Instant, Modes, Movable, Moved, Numbers, View};
+use linkwright_solver::{Instant, Modes, Movable, Moved, Numbers, Stop, View};
 use nalgebra::DVector;
+use serde::Serialize;
 
 use super::{Course, Rows, Simulated, Wanted};
+
+/// Failure that ends a motion early, as tables and JSON name it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct EarlyEnd {
+    /// Name of the kind of failure: that of [`linkwright::FailureKind::name`] or [`linkwright_solver::Stop::name`].
+    pub kind: &'static str,
+    /// Time that cannot be reached (s).
+    pub t: f64,
+    /// Index of the block, of the quantity that is not positive, or of the parameter outside of its range; `None` for a simulated motion.
+    pub block: Option<u16>,
+}
+
+impl From<&Failure> for EarlyEnd {
+    fn from(failure: &Failure) -> EarlyEnd {
+        EarlyEnd {
+            kind: failure.kind.name(),
+            t: failure.time,
+            block: Some(failure.block),
+        }
+    }
+}
+
+impl From<&Stop> for EarlyEnd {
+    fn from(stop: &Stop) -> EarlyEnd {
+        EarlyEnd {
+            kind: stop.name(),
+            t: stop.time(),
+            block: None,
+        }
+    }
+}
 
 /// Motion that is being followed, and its findings.
 pub struct Followed<V: View> {
@@ -54,6 +87,8 @@ pub struct Followed<V: View> {
     pub warnings: Vec<String>,
     /// Reason of an early end; `None` if the motion is complete.
     pub error: Option<String>,
+    /// Failure of an early end; `None` if the motion is complete, or only its forces are not.
+    pub failure: Option<EarlyEnd>,
     /// Cost of the integration; `None` if drivers determine the motion.
     pub simulated: Option<Simulated>,
     /// First load that is not finite, and its time (s).
@@ -94,9 +129,9 @@ impl<V: View> Followed<V> {
             |part: &MeasuredPart| format!("normalized_determinant_{}", part.unknowns.join("_"));
         let measured = measures.iter().flat_map(Measures::parts);
         let monitored = measured.filter(|_| wanted.monitor);
-        let (moved, error) = match assembled {
+        let (moved, refused) = match assembled {
             Ok(moved) => (Some(moved), None),
-            Err(reason) => (None, Some(reason)),
+            Err(refused) => (None, Some(refused)),
         };
         Followed {
             condition: Condition::of(&matrix),
@@ -120,7 +155,8 @@ impl<V: View> Followed<V> {
             infinite_load: None,
             last: None,
             measures,
-            error,
+            failure: refused.as_ref().map(|it| EarlyEnd::from(&it.failure)),
+            error: refused.map(|it| it.reason),
             moved,
             wanted,
             view,
@@ -149,6 +185,7 @@ impl<V: View> Followed<V> {
             smallest_measure: self.smallest_measure,
             warnings: self.warnings,
             error: self.error,
+            failure: self.failure,
             simulated: self.simulated,
             infinite_load: self.infinite_load,
             last: self.last,

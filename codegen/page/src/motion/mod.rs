@@ -2,6 +2,7 @@
 //!
 //! Instants are handed on when they are solved, and are not kept: a motion of any length takes the same memory.
 
+mod columns;
 mod course;
 mod curve;
 mod follow;
@@ -11,9 +12,10 @@ mod rows;
 mod selection;
 mod simulated;
 
+pub use columns::{Column, Columns, OF_POINT, RATES};
 pub use course::Course;
 pub use curve::{Curve, Extreme};
-pub use followed::Followed;
+pub use followed::{EarlyEnd, Followed};
 pub use path::Path;
 pub use rows::{Row, Rows};
 pub use selection::{named_point, points, shown};

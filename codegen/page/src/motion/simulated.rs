@@ -8,7 +8,7 @@ use linkwright_solver::{
     Dense, Instant, Interpreted, Method, Modes, Schedule, Simulation, SimulationOptions, Stop, View,
 };
 
-use super::{Followed, Sink, Wanted};
+use super::{EarlyEnd, Followed, Sink, Wanted};
 
 /// Cost of an integration, and its conservation of energy.
 #[derive(Clone, Debug, Default)]
@@ -74,6 +74,7 @@ impl Followed<Dense> {
         let mut simulation = match Simulation::new(described, chosen, end, options) {
             Ok(simulation) => simulation,
             Err(stop) => {
+                self.failure = Some(EarlyEnd::from(&stop));
                 self.error = Some(stop.not_begun(described));
                 return Ok(());
             }
@@ -97,6 +98,7 @@ impl Followed<Dense> {
         }
         simulated.effort = simulation.effort();
         self.say_passed(simulation.passed());
+        self.failure = stop.as_ref().map(EarlyEnd::from);
         self.error = stop.map(|stop| stop.explained(simulation.view(), simulation.frame()));
         self.simulated = Some(simulated);
         self.finish();

@@ -101,10 +101,12 @@ pub enum WrongLength {
         /// Length of the slice.
         found: usize,
     },
-    /// Inputs: expected none, or those of each set.
+    /// Inputs: expected none, those of each set, or those of each set at each instant.
     Inputs {
         /// Number of sets.
-        expected: usize,
+        sets: usize,
+        /// Number of instants.
+        instants: usize,
         /// Length of the slice.
         found: usize,
     },
@@ -133,7 +135,7 @@ impl Batch<'_> {
     /// solution are NaN.
     ///
     /// `parameters` holds the parameters of each set in the order of the description, one set after another. `inputs` holds the inputs of each
-    /// set, which stay as they are; if it is empty, inputs follow the laws of the description.
+    /// set, which stay as they are, or those of each set at each instant, set by set; if it is empty, inputs follow the laws of the description.
     ///
     /// # Errors
     /// Returns [`WrongLength`] if a slice does not have the length that belongs to the number of sets; nothing is computed then.
@@ -150,6 +152,7 @@ impl Batch<'_> {
             parameters,
             parameter_count: self.blocks.nominal_parameters().count(),
             inputs,
+            inputs_of_set: inputs.len() / count.max(1),
             laws: match inputs.is_empty() {
                 true => self.times.iter().map(|&t| laws.at(t)).collect(),
                 false => Vec::new(),
@@ -214,9 +217,11 @@ impl Batch<'_> {
                 found: parameters.len(),
             });
         }
-        if !(inputs.is_empty() || inputs.len() == count) {
+        let instants = self.times.len();
+        if ![0, count, count * instants].contains(&inputs.len()) {
             return Err(WrongLength::Inputs {
-                expected: count,
+                sets: count,
+                instants,
                 found: inputs.len(),
             });
         }
@@ -239,8 +244,10 @@ struct Task<'a> {
 struct Supplied<'a> {
     parameters: &'a [f64],
     parameter_count: usize,
-    /// Inputs by set; empty if they follow their laws.
+    /// Inputs by set, or by set and instant; empty if they follow their laws.
     inputs: &'a [InputSignals],
+    /// Number of inputs of a set: 0, 1, or one per instant.
+    inputs_of_set: usize,
     /// Inputs by instant; empty if each set has its own.
     laws: Vec<InputSignals>,
 }
@@ -251,9 +258,10 @@ impl Supplied<'_> {
     }
 
     fn inputs(&self, set: usize, instant: usize) -> &InputSignals {
-        match self.inputs.get(set) {
-            Some(inputs) => inputs,
-            None => &self.laws[instant],
+        match self.inputs_of_set {
+            0 => &self.laws[instant],
+            1 => &self.inputs[set],
+            count => &self.inputs[set * count + instant],
         }
     }
 }
@@ -267,10 +275,14 @@ impl Display for WrongLength {
             WrongLength::Parameters { expected, found } => {
                 write!(f, "expected {expected} parameters, found {found}")
             }
-            WrongLength::Inputs { expected, found } => {
+            WrongLength::Inputs {
+                sets,
+                instants,
+                found,
+            } => {
                 write!(
                     f,
-                    "expected inputs of {expected} sets or none, found {found}"
+                    "expected inputs of {sets} sets, of {sets} sets at {instants} instants each, or none, found {found}"
                 )
             }
         }

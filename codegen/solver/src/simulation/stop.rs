@@ -86,6 +86,22 @@ impl Stop {
         }
     }
 
+    /// Name of the reason in tables and JSON, in lower case with underscores: `loses_rank`; that of the failure if the mechanism cannot be
+    /// assembled or an input leaves its range.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Stop::NothingFree => "nothing_free",
+            Stop::NotAssembled(failure) | Stop::OutsideRange(failure) => failure.kind.name(),
+            Stop::LosesRank { .. } => "loses_rank",
+            Stop::Unsettled { .. } => "unsettled",
+            Stop::Massless { .. } => "massless",
+            Stop::NotFinite { .. } => "not_finite",
+            Stop::TooShort { .. } => "too_short",
+            Stop::Rounded { .. } => "rounded",
+            Stop::Unbalanced { .. } => "unbalanced",
+        }
+    }
+
     /// Reports that the motion does not begin, with the reason.
     pub fn not_begun(&self, view: &Interpreted) -> String {
         match self {

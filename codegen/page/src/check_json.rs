@@ -30,7 +30,7 @@ use linkwright_solver::proof::{Enclosed, Proof};
 use linkwright_solver::{Check, View};
 use serde::Serialize;
 
-use linkwright_page::units::{enclosing, of_coordinate, si_of};
+use crate::units::{enclosing, of_coordinate, si_of};
 
 #[derive(Serialize)]
 struct Object<'a> {
