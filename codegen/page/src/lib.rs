@@ -43,6 +43,7 @@ pub use answer::Answer;
 pub use body::skeleton;
 pub use controls::Control;
 pub use live::live;
+pub use moving::labeled;
 pub use message::{Message, messages, refused};
 pub use pull::Pulled;
 pub use question::{Detail, Pull, Question, Range};

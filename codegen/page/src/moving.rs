@@ -44,7 +44,7 @@ impl Moving {
         let chosen = match others.filter(|label| !label.ends_with(DRAWN.trim_start())) {
             None => None,
             Some(label) => Some(Chosen {
-                start: selected(&interpreted, label, from)?,
+                start: labeled(&interpreted, label, from)?,
                 label: label.replace('−', "-"),
             }),
         };
@@ -129,8 +129,11 @@ impl Moving {
     }
 }
 
-/// Returns the pose and the modes of an assembly with this label at `t` (s).
-fn selected(interpreted: &Interpreted, label: &str, t: f64) -> Result<(Instant, Modes), String> {
+/// Returns the pose and the modes of the assembly with this label, `+-`, at `t` (s).
+///
+/// # Errors
+/// A sentence: the label is of another mechanism, or the mechanism cannot be assembled so.
+pub fn labeled(interpreted: &Interpreted, label: &str, t: f64) -> Result<(Instant, Modes), String> {
     let names = interpreted.mode_names();
     let letters: Vec<char> = label.chars().collect();
     if names.len() != letters.len() {

@@ -1,0 +1,87 @@
+"""Solver of Linkwright; the package documents it."""
+
+from os import PathLike
+from typing import Any
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+_Array = NDArray[np.float64]
+
+class Solved:
+    columns: list[tuple[str, str, bool]]
+    values: _Array
+    failure: tuple[str, float, int | None] | None
+    error: str | None
+    warnings: list[str]
+    residual: float
+    reciprocal_condition: float
+    simulation: tuple[tuple[int, int, int, int], float] | None
+
+class Mechanism:
+    @staticmethod
+    def load(path: str | PathLike[str], choices: dict[str, Any]) -> Mechanism: ...
+    @staticmethod
+    def loads(
+        text: str, name: str, tables: list[tuple[str, bytes]], choices: dict[str, Any]
+    ) -> Mechanism: ...
+    text: str
+    file: str
+    tables: list[tuple[str, bytes]]
+    name: str
+    motion: str | None
+    assembly: str | None
+    docs: str
+    warnings: list[dict[str, Any]]
+    coordinates: list[str]
+    points: list[str]
+    rows: list[str]
+    is_free: bool
+    controls: list[tuple[str, str, float | None, str, tuple[float, float] | None, str]]
+    quantities: list[tuple[str, str, bool]]
+    drawn_pose: list[float]
+    def solve(self, times: _Array, start: float, step: float | None) -> Solved: ...
+    def simulate(
+        self, times: _Array, relative: float, absolute: float, method: str
+    ) -> Solved: ...
+    def solve_sets(
+        self,
+        parameters: _Array,
+        inputs: _Array | None,
+        times: _Array,
+        names: list[str],
+        threads: int,
+        progress: Callable[[int], object] | None,
+    ) -> tuple[_Array, NDArray[np.int64], list[str], _Array, NDArray[np.int64]]: ...
+    def check(self, start: float, end: float, step: float, prove: bool) -> tuple[str, str]: ...
+    def assemblies(self, t: float) -> tuple[list[tuple[str, list[float], bool]], bool]: ...
+    def evaluate(
+        self, pose: _Array, rates: _Array, t: float
+    ) -> tuple[_Array, _Array, _Array, _Array]: ...
+    def expressions(
+        self,
+    ) -> tuple[
+        list[tuple[str, str, list[int]]],
+        list[int],
+        list[tuple[int, int, int]],
+        list[int],
+        list[int],
+    ]: ...
+    def equations_as(self, form: str) -> str: ...
+    def derivation_as(self, form: str) -> str: ...
+    def code(self, language: str, single: bool) -> list[tuple[str, str]]: ...
+    def quantity_of(self, name: str) -> tuple[str, str] | None: ...
+    def differences(
+        self, name: str, times: _Array, measured: _Array, solved: _Array
+    ) -> tuple[str, int, float, float, float] | None: ...
+    def fit(
+        self,
+        times: _Array,
+        measured: list[tuple[str, _Array, float | None]],
+        bounds: list[tuple[str, float, float]],
+        step: float,
+    ) -> dict[str, Any]: ...
+    def drawing(self, t: float) -> str: ...
+    def page(self, start: float, end: float, step: float) -> str: ...
