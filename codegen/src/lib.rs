@@ -50,6 +50,8 @@ pub use linkwright_description::diagnostic;
 pub use linkwright_description::diagnostic::{Code, Diagnostic, Diagnostics, Position, Source};
 #[doc(inline)]
 pub use linkwright_description::format::format;
+#[doc(hidden)]
+pub use read::Requests;
 pub use read::{Read, read};
 #[doc(inline)]
 pub use system::Derived;
@@ -186,7 +188,7 @@ pub fn generate(source: &Source, options: &Options) -> Result<Generated, Diagnos
     let Read {
         motions,
         mut warnings,
-    } = read_for(source, options.language, None)?;
+    } = read_for(source, options.language, Requests::default())?;
     check_all(&motions)?;
     let range = match options.scalar {
         Scalar::F64 => finiteness::Range::F64,

@@ -42,7 +42,16 @@ impl Read {
     /// # Errors
     /// Those of [`read`].
     pub fn along(source: &Source, parameters: &[&str]) -> Result<Self, Diagnostics> {
-        read_for(source, Language::default(), Some(parameters))
+        Read::requesting(source, Requests::along(parameters))
+    }
+
+    /// Derives the equations with these requests.
+    ///
+    /// # Errors
+    /// Those of [`read`].
+    #[doc(hidden)]
+    pub fn requesting(source: &Source, requests: Requests<'_>) -> Result<Self, Diagnostics> {
+        read_for(source, Language::default(), requests)
     }
 
     /// Checks that the equations of each motion determine every coordinate exactly once, and that the numbers of their
@@ -81,12 +90,31 @@ impl Read {
     }
 }
 
+/// Requests besides those of a description.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Requests<'a> {
+    /// Parameters of sensitivities in place of the requested ones; `None` for these. Unknown names are ignored.
+    pub along: Option<&'a [&'a str]>,
+    /// True to add driving forces.
+    pub efforts: bool,
+}
+
+impl<'a> Requests<'a> {
+    fn along(parameters: &'a [&'a str]) -> Requests<'a> {
+        Requests {
+            along: Some(parameters),
+            efforts: false,
+        }
+    }
+}
+
 /// Derives the equations of a description, whether or not they determine the motion.
 ///
 /// # Errors
 /// Every error of the text and of its names, values and forms.
 pub fn read(source: &Source) -> Result<Read, Diagnostics> {
-    read_for(source, Language::default(), None)
+    read_for(source, Language::default(), Requests::default())
 }
 
 /// Returns the uses of names in a document, also in one with errors, each after the use or the declaration that it refers to.
@@ -94,18 +122,18 @@ pub fn mentions(document: &syntax::Document) -> Vec<model::Mention> {
     model::mentions(document, &Language::default().conventions().naming)
 }
 
-/// Derives the equations with names for a language, perhaps with sensitivities to other parameters.
+/// Derives the equations with names for a language, and with requests.
 pub(crate) fn read_for(
     source: &Source,
     language: Language,
-    along: Option<&[&str]>,
+    requests: Requests<'_>,
 ) -> Result<Read, Diagnostics> {
     internal::reads(source);
     let mut diagnostics = Diagnostics::new();
     let Some(document) = syntax::parse(source, &mut diagnostics) else {
         return Err(diagnostics);
     };
-    let read = resolved(&document, source, language, along, diagnostics);
+    let read = resolved(&document, source, language, requests, diagnostics);
     let respelled = |findings: Diagnostics| findings.respelled(&document.spellings);
     match read {
         Ok(Read { motions, warnings }) => Ok(Read {
@@ -121,7 +149,7 @@ fn resolved(
     document: &syntax::Document,
     source: &Source,
     language: Language,
-    along: Option<&[&str]>,
+    requests: Requests<'_>,
     mut diagnostics: Diagnostics,
 ) -> Result<Read, Diagnostics> {
     let mut resolving = Diagnostics::new();
@@ -134,9 +162,13 @@ fn resolved(
     let Some(mut resolved) = resolved else {
         return Err(diagnostics);
     };
-    for (_, mechanism) in along.and(Some(&mut resolved)).into_iter().flatten() {
+    for (_, mechanism) in &mut resolved {
+        mechanism.forces.efforts |= requests.efforts;
+        let Some(along) = requests.along else {
+            continue;
+        };
         let index = |name: &&str| mechanism.parameters.iter().position(|it| it.name == *name);
-        let mut requested: Vec<usize> = along.into_iter().flatten().filter_map(index).collect();
+        let mut requested: Vec<usize> = along.iter().filter_map(index).collect();
         requested.sort_unstable();
         requested.dedup();
         mechanism.sensitivities = requested;

@@ -16,15 +16,20 @@ const FRAMES: usize = 1 << 21;
 /// Smallest number of sets for each thread between such looks.
 const SETS: usize = 64;
 
-/// Results of a batch: values by set, instant and quantity, and of each set the number of solved instants, the name of its failure (empty
-/// without one), its time (s) and its block.
+/// Results of a batch: values by set, instant and quantity, and of each set the number of solved instants, the index of the name of its
+/// failure, its time (s) and its block; and the names of failures, of which the first is empty.
 type Solved<'py> = (
     Bound<'py, PyArray3<f64>>,
     Bound<'py, PyArray1<i64>>,
-    Vec<&'static str>,
+    Bound<'py, PyArray1<u8>>,
     Bound<'py, PyArray1<f64>>,
     Bound<'py, PyArray1<i64>>,
+    Vec<&'static str>,
 );
+
+/// Number of threads, and a function that receives the number of completed sets.
+#[derive(FromPyObject)]
+pub struct Work(usize, Option<Py<PyAny>>);
 
 #[pymethods]
 impl Mechanism {
@@ -41,8 +46,7 @@ impl Mechanism {
     }
 
     /// Solves all sets at these times (s), each from its assembly at the first time on. `parameters` is sets by parameters, `inputs` is
-    /// sets by 1 or by instants, by inputs, by value, rate and acceleration. `progress` receives the number of completed sets.
-    #[pyo3(signature = (parameters, inputs, times, names, threads, progress))]
+    /// sets by 1 or by instants, by inputs, by value, rate and acceleration.
     fn solve_sets<'py>(
         &self,
         py: Python<'py>,
@@ -50,9 +54,9 @@ impl Mechanism {
         inputs: Option<PyReadonlyArray4<'py, f64>>,
         times: PyReadonlyArray1<'py, f64>,
         names: Vec<String>,
-        threads: usize,
-        progress: Option<Py<PyAny>>,
+        work: Work,
     ) -> PyResult<Solved<'py>> {
+        let Work(threads, progress) = work;
         let times = instants(&times)?;
         let view = self.view();
         let observables = self.named(&names)?;
@@ -115,15 +119,25 @@ impl Mechanism {
                 .map_or((f64::NAN, -1), |it| (it.time, i64::from(it.block)))
         };
         let (ends, blocks): (Vec<f64>, Vec<i64>) = outcomes.iter().map(failure).unzip();
-        let kinds = outcomes.iter();
-        let kinds = kinds.map(|it| it.failure.map_or("", |it| it.kind.name()));
+        let mut names = vec![""];
+        let kinds = outcomes.iter().map(|it| {
+            let name = it.failure.map_or("", |it| it.kind.name());
+            let place = names.iter().position(|it| *it == name);
+            // There are fewer kinds than numbers of a byte.
+            place.unwrap_or_else(|| {
+                names.push(name);
+                names.len() - 1
+            }) as u8
+        });
+        let kinds: Vec<u8> = kinds.collect();
         let solved = outcomes.iter().map(|it| it.solved as i64);
         Ok((
             values.reshape([sets, times.len(), observables.len()])?,
             PyArray1::from_vec(py, solved.collect()),
-            kinds.collect(),
+            PyArray1::from_vec(py, kinds),
             PyArray1::from_vec(py, ends),
             PyArray1::from_vec(py, blocks),
+            names,
         ))
     }
 }

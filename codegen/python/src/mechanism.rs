@@ -9,7 +9,7 @@ use linkwright::Blocks as _;
 use linkwright_codegen::stages::model::{Dimension, set};
 use linkwright_codegen::stages::system::Derived;
 use linkwright_codegen::stages::{files, pool::Pool};
-use linkwright_codegen::{Diagnostics, Read, Source};
+use linkwright_codegen::{Diagnostics, Read, Requests, Source};
 use linkwright_solver::opened::{determined, solvable};
 use linkwright_solver::{Instant, Interpreted, Modes, Unopened};
 use pyo3::exceptions::PyOSError;
@@ -116,17 +116,21 @@ fn opened(
 ) -> Result<(Derived, Interpreted), Unopen> {
     let motion = choices.motion.as_deref();
     let mut derived = determined(source, motion, warnings).map_err(Unopen::Reason)?;
-    if let Some(names) = &choices.along {
-        let names: Vec<&str> = names.iter().map(String::as_str).collect();
-        let read = Read::along(source, &names).map_err(Unopen::Findings)?;
-        let along = match motion {
+    if choices.along.is_some() || choices.efforts {
+        let names = choices.along.as_ref();
+        let names: Option<Vec<&str>> = names.map(|it| it.iter().map(String::as_str).collect());
+        let requests = Requests {
+            along: names.as_deref(),
+            efforts: choices.efforts,
+        };
+        let read = Read::requesting(source, requests).map_err(Unopen::Findings)?;
+        let requested = match motion {
             Some(name) => read.motion(name).cloned(),
             None => read.only(),
         };
         // The motion exists: it was determined before.
-        derived = along.ok_or(Unopen::Reason(Unopened::NoOrder))?;
+        derived = requested.ok_or(Unopen::Reason(Unopened::NoOrder))?;
     }
-    derived.system.mechanism.forces.efforts |= choices.efforts;
     for assignment in &choices.assignments {
         let Derived { pool, system } = &mut derived;
         set(pool, &mut system.mechanism, "value", assignment).map_err(Unopen::Value)?;

@@ -75,7 +75,7 @@ class Batch(Columns):
     @property
     def failed(self) -> NDArray[np.bool_]:
         """True for each set whose motion ends early, (N,)."""
-        return self.failure_kind != ""
+        return np.not_equal(self.failure_kind, "")
 
     def __len__(self) -> int:
         return len(self.values)
@@ -115,26 +115,23 @@ class Outcomes:
     def __init__(
         self,
         solved: NDArray[np.int64],
-        kinds: list[str],
+        kinds: NDArray[np.uint8],
         time: Array,
         block: NDArray[np.int64],
+        names: list[str],
     ) -> None:
         self.solved = solved
-        self.kind = np.array(kinds, dtype=np.str_)
+        self.kind: NDArray[np.str_] = np.array(names, dtype=np.str_)[kinds]
         self.time = time
         self.block = block
 
-    def joined(self, other: Outcomes) -> Outcomes:
-        """Return the outcomes of motions that are followed in two directions."""
+    def join(self, other: Outcomes) -> None:
+        """Add the outcomes of motions that are followed in the other direction; the first failure counts."""
         complete = self.kind == ""
-        joined = Outcomes(
-            self.solved + other.solved,
-            [],
-            np.where(complete, other.time, self.time),
-            np.where(complete, other.block, self.block),
-        )
-        joined.kind = np.where(complete, other.kind, self.kind)
-        return joined
+        self.solved = self.solved + other.solved
+        self.time = np.where(complete, other.time, self.time)
+        self.block = np.where(complete, other.block, self.block)
+        self.kind = np.where(complete, other.kind, self.kind)
 
     def without_start(self) -> Outcomes:
         """Return the outcomes without the instant of the start."""
@@ -195,8 +192,7 @@ def solve_sets(
             chosen,
             times,
             names,
-            thread_count(threads),
-            report and (lambda sets: report(done + sets)),
+            (thread_count(threads), report and (lambda sets: report(done + sets))),
         )
         return solved[0], Outcomes(*solved[1:])
 
@@ -212,15 +208,17 @@ def solve_sets(
             parts.append((times, solved if begins else solved[:, 1:]))
             if not begins:
                 own = own.without_start()
-            outcome = own if outcome is None else outcome.joined(own)
+            if outcome is None:
+                outcome = own
+            else:
+                outcome.join(own)
     finally:
         close()
     units = {name: mechanism.quantities[name] for name in names}
     if outcome is None:
         empty = np.empty((count, 0, len(names)))
-        outcome = Outcomes(
-            np.zeros(count, np.int64), [""] * count, np.full(count, np.nan), np.full(count, -1)
-        )
+        none = np.zeros(count, np.int64)
+        outcome = Outcomes(none, none.astype(np.uint8), np.full(count, np.nan), none - 1, [""])
         return Batch(mechanism, t, empty, units, arrays, outcome)
     if len(parts) == 1 and np.array_equal(parts[0][0], t):
         found = parts[0][1]

@@ -52,9 +52,10 @@ class Mechanism:
         inputs: _Array | None,
         times: _Array,
         names: list[str],
-        threads: int,
-        progress: Callable[[int], object] | None,
-    ) -> tuple[_Array, NDArray[np.int64], list[str], _Array, NDArray[np.int64]]: ...
+        work: tuple[int, Callable[[int], object] | None],
+    ) -> tuple[
+        _Array, NDArray[np.int64], NDArray[np.uint8], _Array, NDArray[np.int64], list[str]
+    ]: ...
     def check(self, start: float, end: float, step: float, prove: bool) -> tuple[str, str]: ...
     def assemblies(self, t: float) -> tuple[list[tuple[str, list[float], bool]], bool]: ...
     def evaluate(

@@ -108,7 +108,7 @@ def loads(
 
 
 def _choices(**changed: Any) -> dict[str, Any]:
-    first = {"motion": None, "assignments": [], "assembly": None, "along": None, "efforts": False}
+    first: dict[str, Any] = {"motion": None, "assignments": [], "assembly": None, "along": None, "efforts": False}
     return {**first, **changed}
 
 

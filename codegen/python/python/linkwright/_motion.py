@@ -128,7 +128,8 @@ class Motion(Columns):
     def solved(self) -> NDArray[np.bool_]:
         """True for each instant with a pose, (T,)."""
         coordinates = len(self.mechanism.coordinates)
-        return ~np.isnan(self.values[:, :coordinates]).any(axis=1)
+        finite = np.isfinite(self.values[:, :coordinates])
+        return np.asarray(finite.all(axis=1), dtype=np.bool_)
 
     def __len__(self) -> int:
         return len(self.t)

@@ -1,0 +1,139 @@
+"""Batches of any shape, and of wrong ones."""
+
+from __future__ import annotations
+
+import threading
+import time
+
+import linkwright
+import numpy as np
+import pytest
+from conftest import FOUR_BAR, TURNED
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+M = linkwright.loads(FOUR_BAR)
+T = np.linspace(0.0, 0.5, 6)
+
+
+@settings(max_examples=60, deadline=None)
+@given(
+    rods=st.lists(
+        st.one_of(
+            st.floats(0.08, 0.16),
+            st.floats(allow_nan=True, allow_infinity=True),
+        ),
+        max_size=40,
+    ),
+    dtype=st.sampled_from(["f8", "f4", ">f8", "i8", "O"]),
+    stride=st.sampled_from([1, 2, -1]),
+    threads=st.integers(1, 4),
+)
+def test_rows_depend_on_themselves_alone(
+    rods: list[float], dtype: str, stride: int, threads: int
+) -> None:
+    if dtype == "i8":
+        rods = [it for it in rods if abs(it) < 1e9]
+    with np.errstate(over="ignore"):
+        given_values = np.array(rods, dtype=dtype)[::stride]
+        values = given_values.astype("f8")
+    batch = M.solve(T, {"rod": given_values}, outputs=["phi_rocker", "P"], threads=threads)
+    assert batch["phi_rocker"].shape == (len(values), len(T))
+    assert batch["P"].shape == (len(values), len(T), 2)
+    good = (values >= 0.08) & (values <= 0.16)
+    assert (batch.failure_kind[~good] != "").all()
+    assert np.isnan(batch.values[batch.failed & (batch.solved == 0)]).all()
+    for row, value in enumerate(values):
+        alone = M.solve(T, {"rod": [value]}, outputs=["phi_rocker", "P"], threads=1)
+        np.testing.assert_array_equal(batch.values[row], alone.values[0])
+        assert batch.failure_kind[row] == alone.failure_kind[0]
+        assert batch.solved[row] == alone.solved[0]
+
+
+@given(count=st.integers(0, 5), sets=st.integers(0, 5))
+@settings(max_examples=20, deadline=None)
+def test_empty_shapes(count: int, sets: int) -> None:
+    batch = M.solve(np.arange(count) / 10, {"rod": np.full(sets, 0.12)})
+    # One set is meant by one value, none by none.
+    assert batch.values.shape == (sets, count, len(M.quantities))
+    assert len(batch) == sets and batch.failed.sum() == 0
+
+
+def test_a_large_batch_on_two_threads() -> None:
+    rods = np.linspace(0.08, 0.16, 20_000)
+    one = M.solve(T, {"rod": rods}, outputs=["phi_rocker"], threads=1)
+    two = M.solve(T, {"rod": rods}, outputs=["phi_rocker"], threads=2)
+    np.testing.assert_array_equal(one.values, two.values)
+
+
+def test_wrong_arguments_are_named() -> None:
+    cases = [
+        (dict(values={"rodd": [1.0]}), "did you mean 'rod'"),
+        (dict(values={"rod": [[1.0]]}), "2 dimensions"),
+        (dict(values={"rod": [0.1, 0.12], "crank_length": [0.04] * 3}), "different numbers of sets"),
+        (dict(values={}, outputs=["phi_roker"]), "did you mean 'phi_rocker'"),
+        (dict(values={}, threads=0), "at least one"),
+        (dict(values={}, inputs={"x": 1.0}), "no input is named"),
+    ]
+    for arguments, message in cases:
+        with pytest.raises(ValueError, match=message):
+            M.solve(T, **arguments)
+    with pytest.raises(ValueError, match="not a finite time"):
+        M.solve([0.0, np.nan])
+    with pytest.raises(ValueError, match="2 dimensions"):
+        M.solve([[0.0]])
+    with pytest.raises(ValueError):
+        M.solve(T, {"rod": ["long"]})
+    turned = linkwright.loads(TURNED)
+    with pytest.raises(ValueError, match="3 values for 6 instants"):
+        turned.solve(T, inputs={"angle": np.zeros((1, 3))})
+    with pytest.raises(ValueError, match="give inputs by"):
+        turned.solve(T, {"angle": [0.1]})
+
+
+def test_failures_of_rows() -> None:
+    rods = np.array([0.12, 0.0805, np.nan, 0.5])
+    batch = M(crank_length=0.0999).solve(np.linspace(0, 2, 101), {"rod": rods})
+    kinds = list(batch.failure_kind)
+    assert kinds[2] == "not_finite" and kinds[3] == "outside_range"
+    assert kinds[1] in ("out_of_reach", "singular") and 0 < batch.solved[1] < 101
+    assert np.isfinite(batch.failure_time[1]) and batch.failure_block[1] >= 0
+    with pytest.warns(linkwright.MotionWarning):
+        alone = M(crank_length=0.0999, rod=0.0805).solve(np.linspace(0, 2, 101))
+    assert alone.failed is not None
+    assert (alone.failed.kind, alone.failed.time) == (kinds[1], batch.failure_time[1])
+
+
+def test_the_interpreter_is_released() -> None:
+    """Another thread counts while a batch is solved."""
+    counted = 0
+    stop = threading.Event()
+
+    def count() -> None:
+        nonlocal counted
+        while not stop.is_set():
+            counted += 1
+            time.sleep(1e-4)
+
+    thread = threading.Thread(target=count)
+    thread.start()
+    before = counted
+    M.solve(np.linspace(0, 2, 400), {"rod": np.linspace(0.08, 0.16, 4000)}, threads=1)
+    during = counted - before
+    stop.set()
+    thread.join()
+    assert during > 10
+
+
+def test_progress_is_reported() -> None:
+    seen: list[tuple[int, int]] = []
+    M.solve(T, {"rod": np.full(300, 0.12)}, progress=lambda done, total: seen.append((done, total)))
+    assert seen[-1] == (300, 300)
+
+
+def test_an_exception_of_the_progress_ends_the_batch() -> None:
+    def fail(done: int, total: int) -> None:
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        M.solve(T, {"rod": np.full(300, 0.12)}, progress=fail)
