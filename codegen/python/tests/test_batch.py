@@ -29,9 +29,7 @@ T = np.linspace(0.0, 0.5, 6)
     stride=st.sampled_from([1, 2, -1]),
     threads=st.integers(1, 4),
 )
-def test_rows_depend_on_themselves_alone(
-    rods: list[float], dtype: str, stride: int, threads: int
-) -> None:
+def test_rows_depend_on_themselves_alone(rods: list[float], dtype: str, stride: int, threads: int) -> None:
     if dtype == "i8":
         rods = [it for it in rods if abs(it) < 1e9]
     with np.errstate(over="ignore"):
@@ -68,12 +66,12 @@ def test_a_large_batch_on_two_threads() -> None:
 
 def test_wrong_arguments_are_named() -> None:
     cases = [
-        (dict(values={"rodd": [1.0]}), "did you mean 'rod'"),
-        (dict(values={"rod": [[1.0]]}), "2 dimensions"),
-        (dict(values={"rod": [0.1, 0.12], "crank_length": [0.04] * 3}), "different numbers of sets"),
-        (dict(values={}, outputs=["phi_roker"]), "did you mean 'phi_rocker'"),
-        (dict(values={}, threads=0), "at least one"),
-        (dict(values={}, inputs={"x": 1.0}), "no input is named"),
+        ({"values": {"rodd": [1.0]}}, "did you mean 'rod'"),
+        ({"values": {"rod": [[1.0]]}}, "2 dimensions"),
+        ({"values": {"rod": [0.1, 0.12], "crank_length": [0.04] * 3}}, "different numbers of sets"),
+        ({"values": {}, "outputs": ["phi_roker"]}, "did you mean 'phi_rocker'"),
+        ({"values": {}, "threads": 0}, "at least one"),
+        ({"values": {}, "inputs": {"x": 1.0}}, "no input is named"),
     ]
     for arguments, message in cases:
         with pytest.raises(ValueError, match=message):

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import linkwright
 import pytest
-from conftest import FOUR_BAR, REPOSITORY, command
+from conftest import FOUR_BAR, REPOSITORY
 
 
 def test_an_error_has_its_place_and_the_text_of_the_command(tmp_path: Path) -> None:
@@ -16,19 +16,17 @@ def test_an_error_has_its_place_and_the_text_of_the_command(tmp_path: Path) -> N
     with pytest.raises(linkwright.DescriptionError) as caught:
         linkwright.load(path)
     error = caught.value
-    line = next(
-        place for place, it in enumerate(path.read_text().splitlines(), 1) if "couple," in it
-    )
+    line = next(place for place, it in enumerate(path.read_text().splitlines(), 1) if "couple," in it)
     assert error.line == line and error.column > 0 and error.code.startswith("K")
     assert "did you mean `coupler`" in str(error)
     assert isinstance(error, ValueError)
 
 
 def test_other_reasons_are_sentences(tmp_path: Path) -> None:
-    with pytest.raises(linkwright.DescriptionError, match="K32|determine"):
+    with pytest.raises(linkwright.DescriptionError, match="K32"):
         linkwright.loads(FOUR_BAR.replace("drive phi(crank) = 40deg + 3*t;", ""))
     motions = REPOSITORY / "mechanisms/excavator_motions.mech"
-    with pytest.raises(linkwright.DescriptionError, match="has .* motions"):
+    with pytest.raises(linkwright.DescriptionError, match=r"has \d motions"):
         linkwright.load(motions)
     with pytest.raises(linkwright.DescriptionError, match="no motion is named"):
         linkwright.load(motions, motion="flying")

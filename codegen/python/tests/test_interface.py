@@ -212,9 +212,7 @@ def test_sensitivities_are_exact(m: linkwright.Mechanism) -> None:
 
 
 def test_efforts_of_a_weight() -> None:
-    text = TURNED.replace(
-        "drive", "gravity = (0, -9.81);\nmass arm = 2kg at A;\ndrive lift:"
-    )
+    text = TURNED.replace("drive", "gravity = (0, -9.81);\nmass arm = 2kg at A;\ndrive lift:")
     weighed = linkwright.loads(text)
     effort = weighed.effort([0.0])
     # The torque that carries 2 kg on an arm of 40 mm at 0.3 rad.

@@ -34,9 +34,7 @@ def test_threads_are_those_of_the_environment(monkeypatch: pytest.MonkeyPatch) -
     assert thread_count(5) == 5
 
 
-def killed_once(
-    mechanism: linkwright.Mechanism, rods: np.ndarray, place: int, folder: str
-) -> np.ndarray:
+def killed_once(mechanism: linkwright.Mechanism, rods: np.ndarray, place: int, folder: str) -> np.ndarray:
     """Solve a piece; the first process that gets the third piece is killed."""
     import study_with_dask
 
@@ -47,9 +45,7 @@ def killed_once(
     return study_with_dask.swing(mechanism, rods)
 
 
-def test_dask_solves_the_pieces_of_a_killed_worker_again(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_dask_solves_the_pieces_of_a_killed_worker_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     distributed = pytest.importorskip("dask.distributed")
     import study_with_dask
 
@@ -57,13 +53,9 @@ def test_dask_solves_the_pieces_of_a_killed_worker_again(
     monkeypatch.setenv("PYTHONPATH", os.pathsep.join([str(EXAMPLES), str(Path(__file__).parent)]))
     m, rods = study_with_dask.LINKAGE, np.linspace(0.10, 0.14, 1_000_000)
     pieces = np.array_split(rods, 20)
-    cluster = distributed.LocalCluster(
-        n_workers=2, threads_per_worker=1, dashboard_address=None, silence_logs=50
-    )
+    cluster = distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None, silence_logs=50)
     with cluster, distributed.Client(cluster) as client:
-        parts = client.map(
-            killed_once, [m] * 20, pieces, list(range(20)), [str(tmp_path)] * 20, pure=False
-        )
+        parts = client.map(killed_once, [m] * 20, pieces, list(range(20)), [str(tmp_path)] * 20, pure=False)
         swings = np.concatenate(client.gather(parts))
     assert (tmp_path / "killed").exists()
     np.testing.assert_array_equal(swings, study_with_dask.swing(m, rods))

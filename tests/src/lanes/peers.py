@@ -1,6 +1,6 @@
 """Times NumPy and pylinkage on chains of dyads and on the four-bar.
 
-`peers.py numpy` and `peers.py pylinkage` print, each on a line: `version PROGRAM VERSION`, `first MECHANISM MS`, `time METHOD MECHANISM NS`, and
+`peers.py numpy [SETS…]` and `peers.py pylinkage` print, each on a line: `version PROGRAM VERSION`, `first MECHANISM MS`, `time METHOD MECHANISM NS`, and
 `value METHOD MECHANISM NUMBERS`, by which the caller checks the last instant.
 """
 
@@ -12,8 +12,8 @@ BEGUN = time.perf_counter()
 CHAINS = [1, 7, 17]
 INSTANTS = 200
 STEP = 0.01
-# Numbers of mechanisms in a batch, of which the faster counts: one that fits into a cache, and that of the interpreter's batches.
-SETS = [32, 512]
+# Numbers of mechanisms in a batch, of which the fastest counts: one that fits into a cache, and that of the interpreter's batches.
+SETS = [int(it) for it in sys.argv[2:]] or [32, 512]
 RUNS = 7
 
 # Pins on the ground, and tips in the design, of even and odd links.

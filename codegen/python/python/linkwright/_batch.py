@@ -174,7 +174,7 @@ def solve_sets(
     count = sizes.pop() if sizes else 1
     table = np.empty((count, len(mechanism.parameters)))
     for place, (name, parameter) in enumerate(mechanism.parameters.items()):
-        table[:, place] = arrays[name] if name in arrays else parameter.value
+        table[:, place] = arrays.get(name, parameter.value)
     names = requested(mechanism, outputs)
     ahead = np.unique(t[t >= start])
     before = np.unique(t[t < start])[::-1]
@@ -237,9 +237,7 @@ def one_dimensional(name: str, values: ArrayLike) -> Array:
     return array
 
 
-def signals_of(
-    mechanism: Mechanism, inputs: Mapping[str, Any], instants: int
-) -> tuple[Array | None, set[int]]:
+def signals_of(mechanism: Mechanism, inputs: Mapping[str, Any], instants: int) -> tuple[Array | None, set[int]]:
     """Return value, rate and acceleration of all inputs, (sets, 1 or T, inputs, 3), and the numbers of sets."""
     if not inputs:
         return None, set()
@@ -297,9 +295,7 @@ def requested(mechanism: Mechanism, outputs: Sequence[str] | None) -> list[str]:
     return list(names)
 
 
-def reporting(
-    progress: Progress, total: int
-) -> tuple[Callable[[int], object] | None, Callable[[], object]]:
+def reporting(progress: Progress, total: int) -> tuple[Callable[[int], object] | None, Callable[[], object]]:
     """Return a function that receives the number of completed sets, and one that ends the report."""
     if progress is False:
         return None, lambda: None

@@ -1,14 +1,13 @@
 """Solver of Linkwright; the package documents it."""
 
-from os import PathLike
-from typing import Any
-
 from collections.abc import Callable
+from os import PathLike
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-_Array = NDArray[np.float64]
+_Array: TypeAlias = NDArray[np.float64]
 
 class Solved:
     columns: list[tuple[str, str, bool]]
@@ -24,9 +23,7 @@ class Mechanism:
     @staticmethod
     def load(path: str | PathLike[str], choices: dict[str, Any]) -> Mechanism: ...
     @staticmethod
-    def loads(
-        text: str, name: str, tables: list[tuple[str, bytes]], choices: dict[str, Any]
-    ) -> Mechanism: ...
+    def loads(text: str, name: str, tables: list[tuple[str, bytes]], choices: dict[str, Any]) -> Mechanism: ...
     text: str
     file: str
     tables: list[tuple[str, bytes]]
@@ -43,9 +40,7 @@ class Mechanism:
     quantities: list[tuple[str, str, bool]]
     drawn_pose: list[float]
     def solve(self, times: _Array, start: float, step: float | None) -> Solved: ...
-    def simulate(
-        self, times: _Array, relative: float, absolute: float, method: str
-    ) -> Solved: ...
+    def simulate(self, times: _Array, relative: float, absolute: float, method: str) -> Solved: ...
     def solve_sets(
         self,
         parameters: _Array,
@@ -53,14 +48,10 @@ class Mechanism:
         times: _Array,
         names: list[str],
         work: tuple[int, Callable[[int], object] | None],
-    ) -> tuple[
-        _Array, NDArray[np.int64], NDArray[np.uint8], _Array, NDArray[np.int64], list[str]
-    ]: ...
+    ) -> tuple[_Array, NDArray[np.int64], NDArray[np.uint8], _Array, NDArray[np.int64], list[str]]: ...
     def check(self, start: float, end: float, step: float, prove: bool) -> tuple[str, str]: ...
     def assemblies(self, t: float) -> tuple[list[tuple[str, list[float], bool]], bool]: ...
-    def evaluate(
-        self, pose: _Array, rates: _Array, t: float
-    ) -> tuple[_Array, _Array, _Array, _Array]: ...
+    def evaluate(self, pose: _Array, rates: _Array, t: float) -> tuple[_Array, _Array, _Array, _Array]: ...
     def expressions(
         self,
     ) -> tuple[

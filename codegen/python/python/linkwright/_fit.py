@@ -67,15 +67,15 @@ class Fit:
 
     def __init__(self, mechanism: Mechanism, columns: list[str], found: dict[str, Any]) -> None:
         names = found["names"]
-        self.values: dict[str, float] = dict(zip(names, found["values"]))
-        self.deviations: dict[str, float | None] = dict(zip(names, found["deviations"]))
-        self.intervals: dict[str, list[float] | None] = dict(zip(names, found["intervals"]))
-        self.at_bound: dict[str, float | None] = dict(zip(names, found["at_bound"]))
+        self.values: dict[str, float] = dict(zip(names, found["values"], strict=False))
+        self.deviations: dict[str, float | None] = dict(zip(names, found["deviations"], strict=False))
+        self.intervals: dict[str, list[float] | None] = dict(zip(names, found["intervals"], strict=False))
+        self.at_bound: dict[str, float | None] = dict(zip(names, found["at_bound"], strict=False))
         self.correlations: Array = np.array(found["correlations"], dtype=np.float64)
         self.is_trusted: bool = found["is_trusted"]
         self.undetermined: tuple[str, ...] = tuple(found["undetermined"])
         residuals = [np.array(it, dtype=np.float64) for it in found["residuals"]]
-        self.residuals: dict[str, Array] = dict(zip(columns, residuals))
+        self.residuals: dict[str, Array] = dict(zip(columns, residuals, strict=False))
         self.freedom: int = found["freedom"]
         self.evaluations: int = found["evaluations"]
         self.mechanism = mechanism(**self.values)

@@ -116,9 +116,7 @@ def _contents(tables: Mapping[str, bytes | str]) -> list[tuple[str, bytes]]:
     return [(path, it.encode() if isinstance(it, str) else it) for path, it in tables.items()]
 
 
-def _opened(
-    text: str, name: str, tables: list[tuple[str, bytes]], choices: dict[str, Any]
-) -> Mechanism:
+def _opened(text: str, name: str, tables: list[tuple[str, bytes]], choices: dict[str, Any]) -> Mechanism:
     return Mechanism(_core.Mechanism.loads(text, name, tables, choices), choices)
 
 
@@ -271,9 +269,7 @@ class Mechanism:
         return self._changed(assembly=label)
 
     @overload
-    def solve(
-        self, t: ArrayLike, values: None = None, *, start: float = ..., step: float | None = ...
-    ) -> Motion: ...
+    def solve(self, t: ArrayLike, values: None = None, *, start: float = ..., step: float | None = ...) -> Motion: ...
 
     @overload
     def solve(
@@ -373,9 +369,7 @@ class Mechanism:
         if laws and signals:
             raise ValueError("inputs are either laws as text or numbers, not both")
         mechanism = self._with(laws)
-        return solve_sets(
-            mechanism, instants, values, signals, outputs, float(start), threads, progress
-        )
+        return solve_sets(mechanism, instants, values, signals, outputs, float(start), threads, progress)
 
     def simulate(
         self,
@@ -405,9 +399,7 @@ class Mechanism:
         solved = self._core.simulate(instants, float(rtol), float(atol), method)
         return Motion(self, instants, solved)._warn()
 
-    def check(
-        self, start: float = 0.0, end: float = 5.0, step: float = 0.01, *, prove: bool = False
-    ) -> Check:
+    def check(self, start: float = 0.0, end: float = 5.0, step: float = 0.01, *, prove: bool = False) -> Check:
         """Look for assemblies at `start`, and for singular poses of the motion up to `end` (s).
 
         Parameters
@@ -484,9 +476,7 @@ class Mechanism:
         """Return γ, (n,), at a pose, its rates and a time (s): the accelerations solve Φ_q q̈ = γ."""
         return self._evaluated(pose, rate, t)[3]
 
-    def _evaluated(
-        self, pose: ArrayLike | None, rate: ArrayLike | None, t: float
-    ) -> tuple[Array, Array, Array, Array]:
+    def _evaluated(self, pose: ArrayLike | None, rate: ArrayLike | None, t: float) -> tuple[Array, Array, Array, Array]:
         q = self._core.drawn_pose if pose is None else pose
         qd = np.zeros(len(self.coordinates)) if rate is None else rate
         both = [np.ascontiguousarray(it, dtype=np.float64) for it in (q, qd)]
@@ -509,9 +499,7 @@ class Mechanism:
         """Return the generated files of C by name; in single precision on request."""
         return dict(self._core.code("c", single))
 
-    def compare(
-        self, data: Data, *, start: float | None = None, step: float = 0.01
-    ) -> Mapping[str, Difference]:
+    def compare(self, data: Data, *, start: float | None = None, step: float = 0.01) -> Mapping[str, Difference]:
         """Compare measured values with the motion.
 
         Parameters
@@ -580,9 +568,7 @@ class Mechanism:
         for name in known:
             if name not in columns:
                 raise ValueError(unknown("column", name, tuple(columns)))
-        measured = [
-            (quantity, values, known.get(column)) for column, (quantity, values) in columns.items()
-        ]
+        measured = [(quantity, values, known.get(column)) for column, (quantity, values) in columns.items()]
         limits = [(name, float(low), float(high)) for name, (low, high) in (bounds or {}).items()]
         along = self._changed(along=names)
         found = along._core.fit(times, measured, limits, float(step))
@@ -590,7 +576,7 @@ class Mechanism:
 
     def _measured(self, data: Data) -> tuple[Array, dict[str, tuple[str, Array]]]:
         """Return the times, and by column its quantity and values."""
-        names = [str(it) for it in data.keys()]
+        names = [str(it) for it in data]
         if "t" not in names:
             raise ValueError(f"the data have no times in a column `t`; there are: {', '.join(names)}")
         times = _instants(data["t"])

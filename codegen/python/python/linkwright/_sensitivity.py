@@ -42,9 +42,7 @@ class Sensitivity:
 
     def _all(self, suffix: str) -> Array:
         coordinates = self.motion.mechanism.coordinates
-        rows = [
-            [self[name + suffix, parameter] for parameter in self.parameters] for name in coordinates
-        ]
+        rows = [[self[name + suffix, parameter] for parameter in self.parameters] for name in coordinates]
         shape = (len(coordinates), len(self.parameters), len(self.motion.t))
         return np.moveaxis(np.array(rows, dtype=np.float64).reshape(shape), 2, 0)
 
