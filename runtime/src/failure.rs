@@ -108,41 +108,38 @@ impl<T> FailureKind<T> {
     /// assert_eq!(linkwright::FailureKind::OutOfReach { by: 0.01 }.name(), "out_of_reach");
     /// ```
     pub fn name(&self) -> &'static str {
-        match self {
-            Self::Singular { .. } => "singular",
-            Self::Diverged => "diverged",
-            Self::Cycling => "cycling",
-            Self::Stalled => "stalled",
-            Self::IterationLimit => "iteration_limit",
-            Self::OutOfReach { .. } => "out_of_reach",
-            Self::WrongBranch => "wrong_branch",
-            Self::Undecided => "undecided",
-            Self::StepTooLarge => "step_too_large",
-            Self::NotPositive { .. } => "not_positive",
-            Self::OutsideRange { .. } => "outside_range",
-            Self::NotFinite => "not_finite",
-            Self::LoadNotFinite { .. } => "load_not_finite",
-        }
+        self.spelled()[0]
     }
 
     /// Words for the kind, without its figure: `Newton-Raphson diverges`.
     ///
     /// All messages take the words from here, so each kind is worded in one place.
     pub fn words(&self) -> &'static str {
+        self.spelled()[1]
+    }
+
+    /// Returns name and words.
+    fn spelled(&self) -> [&'static str; 2] {
         match self {
-            Self::Singular { .. } => "its Jacobian is singular",
-            Self::Diverged => "Newton-Raphson diverges",
-            Self::Cycling => "Newton-Raphson cycles",
-            Self::Stalled => "Newton-Raphson stalls",
-            Self::IterationLimit => "Newton-Raphson does not converge",
-            Self::OutOfReach { .. } => "out of reach",
-            Self::WrongBranch => "only another assembly mode is found",
-            Self::Undecided => "two assembly modes meet, and the motion does not tell them apart",
-            Self::StepTooLarge => "the step is too large for the motion to be followed",
-            Self::NotPositive { .. } => "a parameter is not positive",
-            Self::OutsideRange { .. } => "a value is outside of its range",
-            Self::NotFinite => "a number is not finite",
-            Self::LoadNotFinite { .. } => "a load is not finite",
+            Self::Singular { .. } => ["singular", "its Jacobian is singular"],
+            Self::Diverged => ["diverged", "Newton-Raphson diverges"],
+            Self::Cycling => ["cycling", "Newton-Raphson cycles"],
+            Self::Stalled => ["stalled", "Newton-Raphson stalls"],
+            Self::IterationLimit => ["iteration_limit", "Newton-Raphson does not converge"],
+            Self::OutOfReach { .. } => ["out_of_reach", "out of reach"],
+            Self::WrongBranch => ["wrong_branch", "only another assembly mode is found"],
+            Self::Undecided => [
+                "undecided",
+                "two assembly modes meet, and the motion does not tell them apart",
+            ],
+            Self::StepTooLarge => [
+                "step_too_large",
+                "the step is too large for the motion to be followed",
+            ],
+            Self::NotPositive { .. } => ["not_positive", "a parameter is not positive"],
+            Self::OutsideRange { .. } => ["outside_range", "a value is outside of its range"],
+            Self::NotFinite => ["not_finite", "a number is not finite"],
+            Self::LoadNotFinite { .. } => ["load_not_finite", "a load is not finite"],
         }
     }
 

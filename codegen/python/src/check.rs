@@ -43,9 +43,9 @@ impl Mechanism {
         let view = self.view();
         py.detach(move || {
             let search = assemblies(&view, t);
-            let found = search.found.iter();
-            let found = found.map(|it| (it.label(), it.instant.q().to_vec(), it.drawn));
-            (found.collect(), search.are_all())
+            let assemblies = search.found.iter();
+            let listed = assemblies.map(|it| (it.label(), it.instant.q().to_vec(), it.drawn));
+            (listed.collect(), search.are_all())
         })
     }
 }

@@ -111,9 +111,9 @@ impl Mechanism {
         single: bool,
     ) -> PyResult<Vec<(String, String)>> {
         let mut languages = Language::ALL.into_iter();
-        let found = languages.find(|it| it.conventions().option == language);
-        let language =
-            found.ok_or_else(|| refused(format!("no code is generated in `{language}`")))?;
+        let language_of_name = languages.find(|it| it.conventions().option == language);
+        let language = language_of_name
+            .ok_or_else(|| refused(format!("no code is generated in `{language}`")))?;
         let options = Options {
             language,
             scalar: if single { Scalar::F32 } else { Scalar::F64 },

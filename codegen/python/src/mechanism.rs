@@ -39,7 +39,7 @@ type Control = (
     String,
 );
 
-/// What a mechanism is made with besides its text.
+/// Choices with which a mechanism is made from its text.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct Choices {

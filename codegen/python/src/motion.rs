@@ -137,8 +137,8 @@ impl Mechanism {
         let view = self.view();
         let chosen = self.chosen(&view, start)?;
         let (motion, frames) = py.detach(move || {
-            let wanted = everything(&view);
-            let mut motion = Followed::new(view, wanted, start, chosen);
+            let selection = everything(&view);
+            let mut motion = Followed::new(view, selection, start, chosen);
             let mut frames = Frames::new(Columns::of(&motion));
             let mut interrupt = Interrupt::new();
             let mut stopped = None;

@@ -22,7 +22,7 @@ impl Mechanism {
                 Some((instant, modes)) => (Numbers(instant.q().to_vec()), modes),
                 None => (view.drawn_pose(&parameters), view.drawn_branches()),
             };
-            let shown = match Moved::assemble(view.clone(), &start, modes, t) {
+            let drawn = match Moved::assemble(view.clone(), &start, modes, t) {
                 Ok(moved) => pose(&view, moved.instant()),
                 Err(_) => Pose::drawn(view.pool(), view.system()),
             };
@@ -30,7 +30,7 @@ impl Mechanism {
                 caption: view.system().mechanism.title(),
                 ..Options::default()
             };
-            draw(view.pool(), view.system(), &shown, &[], &[], &options)
+            draw(view.pool(), view.system(), &drawn, &[], &[], &options)
         }))
     }
 

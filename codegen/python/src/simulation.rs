@@ -50,8 +50,8 @@ impl Mechanism {
         };
         let chosen = self.chosen(&view, 0.0)?;
         let (motion, frames) = py.detach(move || {
-            let wanted = everything(&view);
-            let mut motion = Followed::moved_by_forces(&view, wanted, chosen.clone());
+            let selection = everything(&view);
+            let mut motion = Followed::moved_by_forces(&view, selection, chosen.clone());
             let mut frames = Frames::new(Columns::of(&motion));
             let listeners = Listeners {
                 reached: &mut |_| {},

@@ -1,4 +1,4 @@
-"""What a user of notebooks meets."""
+"""Objects as a user of notebooks meets them."""
 
 from __future__ import annotations
 
