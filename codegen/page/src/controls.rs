@@ -1,4 +1,4 @@
-//! Describes the parameters and inputs of a mechanism as controls of a page.
+//! Describes the parameters, inputs and starts of free coordinates of a mechanism as controls of a page.
 
 use linkwright::Blocks as _;
 use linkwright_codegen::stages::emit::Notation;
@@ -9,6 +9,7 @@ use linkwright_codegen::stages::units::{OutputUnit, Unit};
 use linkwright_solver::{Interpreted, Movable as _, Moved, Schedule, View as _};
 use serde::Serialize;
 
+use crate::forced::is_moved_by_forces;
 use crate::question::Range;
 
 /// Number of instants for which an end of a guessed range must close.
@@ -32,12 +33,12 @@ const CLOSING_PART: f64 = 0.98;
 /// Number of significant digits of a guessed end.
 const DIGITS: i32 = 3;
 
-/// Parameter or input with its range, in the unit that is shown.
+/// Parameter, input or start of a free coordinate with its range, in the unit that is shown.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Control {
     /// Name in the description.
     pub name: String,
-    /// `parameter` or `input`.
+    /// `parameter`, `input`, or `start` of a free coordinate.
     pub kind: &'static str,
     /// Value; `None` for an input that is a function of time.
     pub value: Option<f64>,
@@ -56,7 +57,7 @@ pub struct Control {
     pub law: Option<String>,
 }
 
-/// Parameter or input.
+/// Parameter, input or start of a free coordinate.
 struct Quantity<'a> {
     name: &'a str,
     kind: &'static str,
@@ -67,6 +68,8 @@ struct Quantity<'a> {
     law: Option<ExprId>,
     /// Range of the description, in SI units.
     range: Option<[f64; 2]>,
+    /// Rate of a free coordinate at the start, in SI units; 0 for others.
+    rate: f64,
 }
 
 /// Returns the parameters and inputs in the order of the description.
@@ -80,24 +83,33 @@ fn quantities(view: &Interpreted) -> Vec<Quantity<'_>> {
         value: pool.graph.nominal(it.symbol),
         law: None,
         range: it.range,
+        rate: 0.0,
     });
-    let inputs = mechanism.inputs.iter().map(|it| {
-        let value = pool.graph.constant_value(it.signal[0]);
+    let free = &mechanism.forces.free;
+    let starts = view.input_laws().at(0.0);
+    let inputs = mechanism.inputs.iter().enumerate().map(move |(index, it)| {
+        let is_free = free.iter().any(|it| it.input == index);
+        let start = starts.0[index];
+        let value = match is_free {
+            true => Some(start.value),
+            false => pool.graph.constant_value(it.signal[0]),
+        };
         Quantity {
             name: &it.name,
-            kind: "input",
+            kind: if is_free { "start" } else { "input" },
             docs: &it.docs,
             dimension: it.dimension,
             value,
             law: value.is_none().then_some(it.signal[0]),
             range: it.range,
+            rate: if is_free { start.rate } else { 0.0 },
         }
     });
     parameters.chain(inputs).collect()
 }
 
-/// Returns the assignment of a value on a page to a parameter or an input: a number is in the unit of its control. `None` if the
-/// mechanism has none of this name, as after a change of the text.
+/// Returns the assignment of a value on a page to a parameter or an input: a number is in the unit of its control, and starts a free
+/// coordinate with the rate that it has. `None` if the mechanism has none of this name, as after a change of the text.
 ///
 /// # Errors
 /// The text would be read as something else.
@@ -110,7 +122,11 @@ pub fn assignment(view: &Interpreted, name: &str, text: &str) -> Result<Option<S
     match text.parse::<f64>() {
         Ok(value) if value.is_finite() => {
             let suffix = suffix(&unit_of(view, quantity.dimension));
-            Ok(Some(format!("{name} = {text}{suffix}")))
+            let course = match quantity.rate {
+                0.0 => String::new(),
+                rate => format!(" + ({rate:e})*t"),
+            };
+            Ok(Some(format!("{name} = {text}{suffix}{course}")))
         }
         Ok(_) => Err(format!("`{name}` needs a finite value")),
         Err(_) if text.contains(['\n', '\r']) => Err(format!("`{name}` needs one formula")),
@@ -120,6 +136,14 @@ pub fn assignment(view: &Interpreted, name: &str, text: &str) -> Result<Option<S
 
 /// Returns all controls, with guessed ranges over which the mechanism still closes during the motion.
 pub fn controls(view: &Interpreted, range: Range) -> Vec<Control> {
+    let range = match is_moved_by_forces(view) {
+        // What forces do decides how long the motion is: only its start must close.
+        true => Range {
+            to: range.from,
+            ..range
+        },
+        false => range,
+    };
     let reach = reach(view, range);
     all(view, |quantity, value| {
         let unit = unit_of(view, quantity.dimension);

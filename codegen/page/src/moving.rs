@@ -6,12 +6,14 @@ use linkwright_solver::{
 
 use crate::answer::Answer;
 use crate::controls::assignment;
+use crate::forced::{begins_at, checked, is_moved_by_forces};
 use crate::message::Message;
 use crate::picture::picture;
 use crate::players::{Chosen, DRAWN, Players};
 use crate::pull::{Pulled, Scene, pulled};
 use crate::question::{Detail, Question, Range};
 use crate::recorded::{Examination, Precision};
+use crate::restarted::restarted;
 
 /// Mechanism with the values, the assembly and the times of a question.
 pub struct Moving {
@@ -30,8 +32,15 @@ impl Moving {
     /// A sentence: a value, the times or the assembly cannot be used.
     pub fn of(described: &Interpreted, question: &Question) -> Result<Moving, String> {
         let mut interpreted = described.clone();
-        for (name, text) in &question.values {
-            if let Some(assignment) = assignment(described, name, text)? {
+        let inputs = &described.system().mechanism.inputs;
+        let free = described.system().mechanism.forces.free.iter();
+        let free: Vec<&str> = free.map(|it| inputs[it.input].name.as_str()).collect();
+        let is_free = |name: &String| free.contains(&name.as_str());
+        let (starts, others): (Vec<_>, Vec<_>) =
+            question.values.iter().partition(|(name, _)| is_free(name));
+        // The rate of a free coordinate may depend on parameters.
+        for (name, text) in others.into_iter().chain(starts) {
+            if let Some(assignment) = assignment(&interpreted, name, text)? {
                 interpreted.set(name, &assignment)?;
             }
         }
@@ -40,6 +49,9 @@ impl Moving {
             return Err("the times need finite numbers".to_string());
         }
         let schedule = Schedule::range(from, to, step)?;
+        if !free.is_empty() {
+            begins_at(from)?;
+        }
         let others = question.assembly.as_deref();
         let chosen = match others.filter(|label| !label.ends_with(DRAWN.trim_start())) {
             None => None,
@@ -67,6 +79,9 @@ impl Moving {
         let Some(pull) = &question.pull else {
             return Ok((moving, None));
         };
+        if is_moved_by_forces(described) {
+            return restarted(described, moving, question, pull);
+        }
         let with = |values: &[(String, f64)]| Moving::of(described, &question.with(values));
         let pulled = pulled(&moving.scene(), question, pull, |values| {
             with(values).map(|it| it.scene())
@@ -74,7 +89,8 @@ impl Moving {
         Ok((with(&pulled.values)?, Some(pulled)))
     }
 
-    fn scene(&self) -> Scene {
+    /// Returns the mechanism at the start of its motion.
+    pub fn scene(&self) -> Scene {
         Scene {
             view: self.interpreted.clone(),
             chosen: self.chosen.as_ref().map(|it| it.start.clone()),
@@ -83,7 +99,7 @@ impl Moving {
 
     /// Looks for assemblies and singular poses.
     pub fn check(&self) -> Check {
-        Check::new(self.interpreted.clone(), &self.schedule, |_| {})
+        checked(&self.interpreted, &self.schedule)
     }
 
     /// Follows the motion, and draws it.

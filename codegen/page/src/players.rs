@@ -13,6 +13,7 @@ use linkwright_solver::{Assembly, Instant, Interpreted, Modes, Schedule, View as
 use serde::Serialize;
 
 use super::equations::moved;
+use super::forced::is_moved_by_forces;
 use super::recorded::{Columns, Examination, Precision, Recorded, recorded};
 use super::shown_units::{ShownUnits, shown_units};
 
@@ -179,6 +180,8 @@ impl Players {
             assemblies.push(player(assembly.label(), motion));
         }
         arrows(view, &mut assemblies, &mut columns);
+        // Singular poses of a driven mechanism are no obstacles for forces.
+        let measures = view.measures().filter(|_| !is_moved_by_forces(view));
         Players {
             title: system.mechanism.title(),
             bodies: bodies(system),
@@ -195,7 +198,7 @@ impl Players {
                 .collect(),
             units: shown_units(system),
             forces: linkwright_solver::forces::names(view.pool(), system),
-            measures: view.measures().map_or(Vec::new(), |measures| {
+            measures: measures.map_or(Vec::new(), |measures| {
                 let parts = measures.parts();
                 let several = |block| parts.iter().filter(|it| it.block == block).count() > 1;
                 let named = parts.iter().map(|part| match several(part.block) {

@@ -44,15 +44,21 @@ const RESOLUTION: f64 = 1e-12;
 /// Distance between two solutions of one pose, in characteristic lengths.
 const AGREEMENT: f64 = 1e-6;
 
-/// Inputs and time to which a pull leads.
+/// Inputs, starts of free coordinates and time to which a pull leads.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Pulled {
-    /// Names of inputs with their values, in the unit of their controls.
+    /// Names of inputs and free coordinates with their values, in the unit of their controls.
     pub values: Vec<(String, f64)>,
     /// Time (s).
     pub t: f64,
     /// Distance that remains (m).
     pub distance: f64,
+    /// True if a motion under forces starts at the pose when the point is released.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub starts: bool,
+    /// Label of the assembly; `None` for that of the question.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub assembly: Option<String>,
 }
 
 /// Mechanism with its values, and the start of its motion.
@@ -137,9 +143,11 @@ impl<'a> Puller<'a> {
             return Err("a pull needs finite numbers".to_string());
         }
         let (mut inputs, mut ends) = (Vec::new(), Vec::new());
+        let free = &mechanism.forces.free;
         for (index, input) in mechanism.inputs.iter().enumerate() {
             let is_constant = view.pool().graph.constant_value(input.signal[0]).is_some();
-            if let Some(range) = pull.ranges.get(&input.name).filter(|_| is_constant) {
+            let is_movable = is_constant || free.iter().any(|it| it.input == index);
+            if let Some(range) = pull.ranges.get(&input.name).filter(|_| is_movable) {
                 let unit = unit_of(view, input.dimension);
                 inputs.push(index);
                 ends.push(range.map(|it| it / unit.of_si(1.0)));
@@ -331,6 +339,8 @@ impl<'a> Puller<'a> {
             values: values.collect(),
             t: pose.values[self.inputs.len()],
             distance: pose.residual.norm(),
+            starts: false,
+            assembly: None,
         }
     }
 }

@@ -32,8 +32,8 @@ pub struct Question {
     pub units: Option<String>,
     /// Label of the assembly; `None` for that of the design configuration.
     pub assembly: Option<String>,
-    /// Values of parameters and inputs by name: a number in the unit of its control, or a formula of the language. Those of other names
-    /// are left out.
+    /// Values of parameters, inputs and starts of free coordinates by name: a number in the unit of its control, or a formula of the
+    /// language. Those of other names are left out.
     pub values: BTreeMap<String, String>,
     /// Times of the motion.
     pub range: Range,
@@ -55,7 +55,8 @@ pub struct Pull {
     pub to: [f64; 2],
     /// Time of the pose from which it is pulled (s).
     pub t: f64,
-    /// Inputs that may move, by name, with the ends of their ranges in the units of their controls. Functions of time stay.
+    /// Inputs that may move, by name, with the ends of their ranges in the units of their controls. Functions of time stay, and free
+    /// coordinates move whatever their ranges.
     #[serde(default)]
     pub ranges: BTreeMap<String, [f64; 2]>,
 }

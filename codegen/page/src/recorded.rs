@@ -15,6 +15,7 @@ use linkwright_solver::{
 };
 use serde::Serialize;
 
+use crate::forced::{followed, is_moved_by_forces};
 use crate::motion::{Followed, Shown, Sink, Wanted};
 
 /// Precision of the numbers of columns.
@@ -129,10 +130,13 @@ pub enum Examination {
 }
 
 /// Kept instants of a motion, and findings.
-struct Track {
-    kept: Vec<KeptInstant>,
-    error: Option<String>,
-    warnings: Vec<String>,
+pub struct Track {
+    /// Instants with their measures and forces.
+    pub kept: Vec<KeptInstant>,
+    /// Reason of an early end.
+    pub error: Option<String>,
+    /// Warnings.
+    pub warnings: Vec<String>,
 }
 
 /// Follows a motion and keeps at most `most` of its instants.
@@ -154,6 +158,7 @@ pub fn recorded(
         last: None,
     };
     let track = match examination {
+        _ if is_moved_by_forces(view) => followed(view, schedule, chosen, kept)?,
         Examination::Full => examined(view, schedule, chosen, kept)?,
         Examination::None => unexamined(view, schedule, chosen, kept)?,
     };
@@ -173,7 +178,8 @@ pub fn recorded(
     let coordinates = coordinates.collect();
     let measures = (0..measured).map(|part| column(&|(_, measures, _)| measures[part]));
     let measures = measures.collect();
-    let forces = (0..exerted).map(|place| column(&|(.., forces)| forces[place]));
+    let force = |forces: &[f64], place| forces.get(place).copied().unwrap_or(f64::NAN);
+    let forces = (0..exerted).map(|place| column(&|(.., forces)| force(forces, place)));
     let forces = forces.collect();
     Ok(Recorded {
         times: kept.iter().map(|(it, ..)| it.t()).collect(),
@@ -199,8 +205,8 @@ fn examined(
         curves: false,
     };
     let mut motion = Followed::new(view.clone(), selection, schedule.start.t, chosen);
-    let followed = motion.follow(schedule, &mut [&mut kept], |_| {});
-    followed.map_err(|error| error.to_string())?;
+    let ended = motion.follow(schedule, &mut [&mut kept], |_| {});
+    ended.map_err(|error| error.to_string())?;
     Ok(Track {
         kept: kept.all(),
         error: motion.error,
@@ -263,10 +269,10 @@ pub fn at_start(
 }
 
 /// Instant, its measures and its forces.
-type KeptInstant = (Instant, Vec<f64>, Vec<f64>);
+pub type KeptInstant = (Instant, Vec<f64>, Vec<f64>);
 
 /// Every `every`-th instant, and the last.
-struct Kept {
+pub struct Kept {
     every: usize,
     count: usize,
     instants: Vec<KeptInstant>,
@@ -287,7 +293,7 @@ impl Kept {
     }
 
     /// Returns all kept instants, the last one among them.
-    fn all(mut self) -> Vec<KeptInstant> {
+    pub fn all(mut self) -> Vec<KeptInstant> {
         self.instants.extend(self.last.take());
         self.instants
     }

@@ -10,9 +10,10 @@ use crate::answer::Answer;
 use crate::check_text;
 use crate::comma_separated::Table;
 use crate::controls::{Control, controls};
+use crate::forced::{OPTIONS, is_moved_by_forces, limited};
 use crate::given::leading_docs;
 use crate::message::{Message, messages, refused};
-use crate::motion::{Followed, Wanted};
+use crate::motion::{Followed, Listeners, Sink, Wanted};
 use crate::moving::Moving;
 use crate::players::Players;
 use crate::question::{Detail, Question, Range};
@@ -141,7 +142,7 @@ impl Session {
         }
     }
 
-    /// Returns the motion of a question as CSV, as the command `solve` writes it.
+    /// Returns the motion of a question as CSV, as the command `solve` writes it, or under forces the command `simulate`.
     ///
     /// # Errors
     /// The messages of a description that cannot be solved.
@@ -154,14 +155,30 @@ impl Session {
             monitor: false,
             curves: false,
         };
-        let (view, start) = (moving.interpreted.clone(), moving.schedule.start.t);
+        let (view, schedule) = (&moving.interpreted, &moving.schedule);
         let chosen = moving.chosen.clone().map(|it| it.start);
-        let mut motion = Followed::new(view, selection, start, chosen);
         let mut text = Vec::new();
-        let written = Table::new(&motion, false, &mut text).and_then(|mut table| {
-            motion.follow(&moving.schedule, &mut [&mut table], |_| {})?;
-            table.finish()
-        });
+        let written = match is_moved_by_forces(view) {
+            true => {
+                let mut motion = Followed::moved_by_forces(view, selection, chosen.clone());
+                Table::new(&motion, false, &mut text).and_then(|mut table| {
+                    let listeners = Listeners {
+                        reached: &mut |_| {},
+                        taken: &mut limited,
+                    };
+                    let sinks: &mut [&mut dyn Sink] = &mut [&mut table];
+                    motion.simulate((view, chosen), schedule, OPTIONS, sinks, listeners)?;
+                    table.finish()
+                })
+            }
+            false => {
+                let mut motion = Followed::new(view.clone(), selection, schedule.start.t, chosen);
+                Table::new(&motion, false, &mut text).and_then(|mut table| {
+                    motion.follow(schedule, &mut [&mut table], |_| {})?;
+                    table.finish()
+                })
+            }
+        };
         written.map_err(|error| vec![Message::error(error.to_string())])?;
         Ok(String::from_utf8_lossy(&text).into_owned())
     }

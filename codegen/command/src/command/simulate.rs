@@ -1,5 +1,7 @@
 //! Simulates a description with free coordinates under its forces, and reports the motion as text, CSV and plots.
 
+use std::ops::ControlFlow;
+
 use linkwright_codegen::stages::model::Role;
 use linkwright_codegen::stages::system::System;
 use linkwright_solver::simulation::Effort;
@@ -83,6 +85,7 @@ pub fn run(arguments: &Simulate) -> Result<Outcome, Problem> {
                 "warning: this takes long: more than a million evaluations so far\n  = help: {hint}"
             ));
         }
+        ControlFlow::Continue(())
     };
     report(
         reported,

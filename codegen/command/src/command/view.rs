@@ -3,14 +3,14 @@
 use std::path::{Path, PathBuf};
 
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
-use linkwright_solver::{Assembly, Check, Instant, Schedule};
+use linkwright_solver::{Assembly, Instant, Schedule};
 
 use super::description::{chosen, determined_with, drawable, outputs, set_all, source, warn};
 use super::live::live_page;
 use super::{Outcome, Problem, print, say, watch};
 use crate::arguments::View;
 use crate::output::{Beginning, Record, Signature};
-use linkwright_page::{Live, Page, Range, page};
+use linkwright_page::{Live, Page, Range, checked, page};
 
 /// Signature of a page.
 const SIGNATURE: Signature = Signature {
@@ -142,7 +142,7 @@ fn made_with(
     let schedule = schedule.map_err(|text| Problem(format!("error: {text}")))?;
     let view = drawable(&derived, source, schedule.start.t, warnings)?;
     let chosen = chosen(&arguments.setting.branch, &view, schedule.start.t)?;
-    let check = Check::new(view, &schedule, |_| {});
+    let check = checked(&view, &schedule);
     let assembly = chosen.as_ref().and_then(|(instant, _)| {
         let mut all = check.assemblies.found.iter();
         let same = all.find(|it| is_same(&it.instant, instant));

@@ -19,7 +19,7 @@ pub use followed::{EarlyEnd, Followed};
 pub use path::Path;
 pub use rows::{Row, Rows};
 pub use selection::{named_point, points, shown};
-pub use simulated::{Listeners, Simulated};
+pub use simulated::{Ending, Listeners, Simulated, advance};
 
 use std::io;
 

@@ -1,6 +1,7 @@
 //! Moves a mechanism by forces, and checks its energy.
 
 use std::io;
+use std::ops::ControlFlow;
 
 use linkwright_solver::number::time;
 use linkwright_solver::simulation::Effort;
@@ -27,20 +28,46 @@ pub struct Simulated {
 pub struct Listeners<'a> {
     /// Receives the number of visited times of the schedule.
     pub reached: &'a mut dyn FnMut(usize),
-    /// Receives the cost of all steps, after each step.
-    pub taken: &'a mut dyn FnMut(&Effort),
+    /// Receives the cost of all steps, after each step; a break ends the motion with its reason.
+    pub taken: &'a mut dyn FnMut(&Effort) -> ControlFlow<String>,
+}
+
+/// End of a simulated motion before its last time.
+#[derive(Clone, Debug)]
+pub struct Ending {
+    /// Failure; `None` if a listener has ended the motion.
+    pub failure: Option<EarlyEnd>,
+    /// Reason as a sentence.
+    pub reason: String,
 }
 
 /// Moves the mechanism to a time, and reports the cost after each step.
-fn advance(
+///
+/// # Errors
+/// The motion ends earlier; the mechanism is then at its last frame.
+pub fn advance(
     simulation: &mut Simulation,
     t: f64,
-    taken: &mut dyn FnMut(&Effort),
-) -> Result<(), Stop> {
-    while simulation.step_toward(t)? {
-        taken(&simulation.effort());
+    taken: &mut dyn FnMut(&Effort) -> ControlFlow<String>,
+) -> Result<(), Ending> {
+    let ending = |stop: &Stop, simulation: &Simulation| Ending {
+        failure: Some(EarlyEnd::from(stop)),
+        reason: stop.explained(simulation.view(), simulation.frame()),
+    };
+    loop {
+        match simulation.step_toward(t) {
+            Ok(false) => break,
+            Ok(true) => {
+                if let ControlFlow::Break(reason) = taken(&simulation.effort()) {
+                    let failure = None;
+                    return Err(Ending { failure, reason });
+                }
+            }
+            Err(stop) => return Err(ending(&stop, simulation)),
+        }
     }
-    simulation.advance(t).map(|_| ())
+    let stop = simulation.advance(t).err();
+    stop.map_or(Ok(()), |stop| Err(ending(&stop, simulation)))
 }
 
 impl Followed<Dense> {
@@ -83,11 +110,12 @@ impl Followed<Dense> {
             method: options.method,
             ..Simulated::default()
         };
-        let (mut first, mut stop) = (None, None);
+        let mut first = None;
         for t in std::iter::once(0.0).chain(visits) {
             if t > 0.0 {
-                if let Err(end) = advance(&mut simulation, t, listeners.taken) {
-                    stop = Some(end);
+                if let Err(ending) = advance(&mut simulation, t, listeners.taken) {
+                    self.failure = ending.failure;
+                    self.error = Some(ending.reason);
                     break;
                 }
                 self.visits += 1;
@@ -98,8 +126,6 @@ impl Followed<Dense> {
         }
         simulated.effort = simulation.effort();
         self.say_passed(simulation.passed());
-        self.failure = stop.as_ref().map(EarlyEnd::from);
-        self.error = stop.map(|stop| stop.explained(simulation.view(), simulation.frame()));
         self.simulated = Some(simulated);
         self.finish();
         Ok(())
