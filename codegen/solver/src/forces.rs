@@ -11,6 +11,7 @@ use linkwright_codegen::stages::system::{Carried, Component, System};
 use nalgebra::{DMatrix, DVector};
 
 use crate::instant::{Instant, Layout};
+use crate::product::product;
 use crate::reader::Reader;
 
 /// Returns the columns, each with its unit: driving forces with their powers, then reactions, then energies. Empty if none is requested.
@@ -198,7 +199,7 @@ impl DenseForces {
                     weighed[(place, *row)] += self.weights[place] * factor;
                 }
             }
-            let of_units = &weighed * &units;
+            let of_units = product(&weighed, &units);
             let mut shares = -of_units.tr_mul(&(&weighed * &multipliers));
             multipliers::solve(&of_units.tr_mul(&of_units), &mut shares).ok()?;
             multipliers += units * shares;

@@ -51,6 +51,7 @@ mod mode_selection;
 mod moved;
 mod newton;
 mod operation;
+mod product;
 mod ranges;
 mod schedule;
 mod supplied;

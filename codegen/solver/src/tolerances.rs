@@ -1,5 +1,7 @@
 //! Measures the error of a step in tolerances, and finds the length of the next step.
 
+use linkwright::math::Real;
+
 use crate::rates::Rates;
 
 /// Largest ratio of the lengths of successive steps.
@@ -41,7 +43,7 @@ impl Tolerances {
 pub(crate) fn next_length(length: f64, error: f64, power: f64, kept: f64, held: bool) -> f64 {
     // An error that is not finite counts as infinite.
     let allowed = match error.is_finite() {
-        true => SAFETY * error.max(f64::MIN_POSITIVE).powf(-1.0 / power),
+        true => SAFETY * Real::powf(error.max(f64::MIN_POSITIVE), -1.0 / power),
         false => kept,
     };
     let most = if held { 1.0 } else { LARGEST_GROWTH };

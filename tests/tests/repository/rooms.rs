@@ -52,6 +52,7 @@ const SOLVER: (&str, &[&str]) = (
         "comparison",
         "condition",
         "number",
+        "product",
         "operation",
         "ranges",
         "newton",

@@ -5,6 +5,8 @@
 //! tried again with a smaller length. A step counts only after the mechanism has been moved along it.
 mod coefficients;
 
+use linkwright::math::Real;
+
 use coefficients::{DENSE, DENSE_STAGES, END, FIFTH, STAGES, Stage, THIRD, Term};
 
 use crate::rates::Rates;
@@ -93,7 +95,7 @@ pub fn first_length<R: Rates>(
     let bent = tolerances.mean(&bend, [state; 2], rates) / tried;
     let largest = steep.max(bent);
     let allowed = match largest > 0.0 {
-        true => (FIRST_PART / largest).powf(1.0 / 8.0),
+        true => Real::powf(FIRST_PART / largest, 1.0 / 8.0),
         false => longest,
     };
     Ok(allowed.min(tried / FIRST_PART).min(longest))

@@ -5,6 +5,8 @@
 //! polynomial motion of that degree: all points lie on the constraints, its highest coefficients are within tolerances, and the
 //! constraints have a singular pose in the middle. If branches only come close, none of the three holds.
 
+use linkwright::math::Real;
+
 use super::equations::MotionEquations;
 use super::right_side::RightSide;
 use super::solved::Solved;
@@ -67,7 +69,7 @@ fn integrated(values: &[f64], first: f64) -> Vec<f64> {
 fn points() -> Vec<(f64, f64)> {
     let count = POINTS as f64;
     let nodes = (0..POINTS).map(|place| {
-        let mut x = -(std::f64::consts::PI * (place as f64 + 0.75) / (count + 0.5)).cos();
+        let mut x = -Real::cos(std::f64::consts::PI * (place as f64 + 0.75) / (count + 0.5));
         let mut slope = 1.0;
         for _ in 0..20 {
             let values = legendre(0.5 * (x + 1.0), POINTS);

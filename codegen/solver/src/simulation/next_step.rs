@@ -3,6 +3,8 @@
 //! A step ends before the pose in which constraints are expected to lose rank, so that none is skipped. A step counts if the energy at
 //! its end balances.
 
+use linkwright::math::Real;
+
 use super::crossing::Crossing;
 use super::right_side::RightSide;
 use super::solved::Solved;
@@ -73,7 +75,8 @@ impl Simulation {
 
     /// Returns the distance from the loss of rank at which the null space has as many digits as the tolerances require.
     fn near(&self) -> f64 {
-        let near = CROSSING_DISTANCE * (f64::EPSILON / self.options.tolerances.relative).cbrt();
+        let rounding = f64::EPSILON / self.options.tolerances.relative;
+        let near = CROSSING_DISTANCE * Real::powf(rounding, 1.0 / 3.0);
         near.clamp(CROSSING_BOUNDS[0], CROSSING_BOUNDS[1])
     }
 
@@ -184,7 +187,7 @@ impl Simulation {
     /// Compares the energy of a frame with the work.
     fn weigh(&mut self, solved: &Solved, work: f64) -> Result<(), Stop> {
         let rates = self.right_side.level(&solved.instant, 1);
-        let rate = rates.iter().fold(0.0, |size: f64, it| size.hypot(*it));
+        let rate = rates.iter().fold(0.0, |size, it| Real::hypot(size, *it));
         match self
             .balance
             .see(solved.energies, work, rate, &self.options.tolerances)

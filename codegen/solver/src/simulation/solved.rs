@@ -9,6 +9,7 @@ use super::equations::MotionEquations;
 use super::massless::{SMALLEST_PIVOT, unresisted};
 use super::stop::Stop;
 use crate::instant::Instant;
+use crate::product::product;
 
 /// Largest number of corrections of a pose.
 const CORRECTIONS: usize = 16;
@@ -110,7 +111,7 @@ impl Chart {
         for (at, mut row) in moved.row_iter_mut().enumerate() {
             row *= scales[at];
         }
-        let mass = moved.tr_mul(&(&dynamics.mass * &moved));
+        let mass = moved.tr_mul(&product(&dynamics.mass, &moved));
         let force = moved.tr_mul(&(&dynamics.loads - &dynamics.mass * &bends));
         if mass.iter().any(|entry| !entry.is_finite()) {
             return Err(Stop::NotFinite { t });

@@ -6,6 +6,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::equations::MotionEquations;
 use crate::instant::Instant;
+use crate::product::product;
 
 /// Smallest part of a gradient along the tangent, and outside the selected gradients.
 const ALONG: f64 = 0.1;
@@ -33,7 +34,7 @@ impl Straight {
         let elongated = equations
             .elongations
             .at(instant, &equations.coordinate_scales);
-        let along = &elongated.gradients * &basis;
+        let along = product(&elongated.gradients, &basis);
         let damping = damping(equations, instant, &basis);
         let mut left: DMatrix<f64> = DMatrix::identity(count, count);
         let mut chosen = Vec::new();
@@ -63,7 +64,7 @@ impl Straight {
             chosen.push((place, norm));
             left = without(&left, &direction);
         }
-        (Straight { chosen }, basis * left)
+        (Straight { chosen }, product(&basis, &left))
     }
 
     /// True if no coordinate is an elongation.
@@ -117,7 +118,7 @@ fn damping(equations: &MotionEquations, instant: &Instant, basis: &DMatrix<f64>)
         (loads(-&column) - loads(column)).scale(0.5)
     });
     let columns: Vec<DVector<f64>> = columns.collect();
-    basis.transpose() * DMatrix::from_columns(&columns)
+    basis.tr_mul(&DMatrix::from_columns(&columns))
 }
 
 /// Returns an orthonormal basis of the span of a basis, without a direction.
@@ -128,5 +129,5 @@ fn without(basis: &DMatrix<f64>, direction: &DVector<f64>) -> DMatrix<f64> {
     DMatrix::from_columns(&[inside])
         .col_piv_qr()
         .q_tr_mul(&mut whole);
-    basis * whole.rows(1, count - 1).transpose()
+    product(basis, &whole.rows(1, count - 1).transpose())
 }
