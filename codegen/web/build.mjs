@@ -32,7 +32,23 @@ const mechanisms = path.join(folder, "../../mechanisms");
 const names = readdirSync(mechanisms).filter((file) => file.endsWith(".mech")).map((file) => file.replace(/\.mech$/, "")).sort();
 const gallery = [...first, ...names.filter((name) => !first.includes(name))].map((name) => ({ name, text: readFileSync(path.join(mechanisms, `${name}.mech`), "utf8") }));
 
-const packed = (contents) => gzipSync(contents, { level: 9 }).toString("base64");
+const zipped = (contents) => gzipSync(contents, { level: 9 });
+
+/// Base 85: five letters from # to x without < for four bytes, and one letter more than bytes at the end. It is shorter than Base64.
+const letters = (bytes) => {
+  let text = "";
+  for (let at = 0; at < bytes.length; at += 4) {
+    const count = Math.min(4, bytes.length - at);
+    const group = Buffer.alloc(4);
+    bytes.copy(group, 0, at, at + count);
+    const number = group.readUInt32BE();
+    for (let place = 4; place >= 4 - count; place -= 1) {
+      const digit = Math.floor(number / 85 ** place) % 85;
+      text += String.fromCharCode(digit < 25 ? digit + 35 : digit + 36);
+    }
+  }
+  return text;
+};
 const script = compact(ofPage("SCRIPT", "LIVE_SCRIPT") + own("saved.js", "solver.js", "dragging.js", "playground.js"));
 const unpacked = {
   gallery,
@@ -41,8 +57,8 @@ const unpacked = {
 };
 const parts = {
   style: compact(ofPage("STYLE", "LIVE_STYLE") + own("playground.css")),
-  solver: packed(readFileSync(wasm)),
-  parts: packed(JSON.stringify(unpacked)),
+  solver: letters(zipped(readFileSync(wasm))),
+  parts: zipped(JSON.stringify(unpacked)).toString("base64"),
   loader: compact(own("loader.js")),
   licenses: readFileSync(licenses, "utf8").replaceAll("<", "‹"),
 };

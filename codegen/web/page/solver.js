@@ -4,7 +4,7 @@
 const PATIENCE = 15000;
 
 class Solver {
-  /// `script` is the text of the worker, `packed` its module: gzip in Base64.
+  /// `script` is the text of the worker, `packed` its module: gzip in base 85.
   constructor(script, packed) {
     this.url = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
     Object.assign(this, { packed, limit: PATIENCE, worker: null, current: null, waiting: [] });

@@ -3,11 +3,19 @@
 
 let solver = null;
 
-const bytesOf = (letters) => {
-  if (Uint8Array.fromBase64) return Uint8Array.fromBase64(letters);
-  const text = atob(letters);
-  const bytes = new Uint8Array(text.length);
-  for (let index = 0; index < text.length; index += 1) bytes[index] = text.charCodeAt(index);
+/// Bytes of a text in base 85, as the build writes it.
+const bytesOf = (text) => {
+  const bytes = new Uint8Array(Math.floor((text.length * 4) / 5));
+  const group = new DataView(new ArrayBuffer(4));
+  for (let at = 0, from = 0; from < text.length; at += 4, from += 5) {
+    let number = 0;
+    for (let place = from; place < from + 5; place += 1) {
+      const code = place < text.length ? text.charCodeAt(place) : 120;
+      number = 85 * number + code - (code < 60 ? 35 : 36);
+    }
+    group.setUint32(0, number);
+    bytes.set(new Uint8Array(group.buffer, 0, Math.min(4, bytes.length - at)), at);
+  }
   return bytes;
 };
 
