@@ -128,6 +128,81 @@ test("a point pulls inputs of a page that is served", async () => {
   server.end();
 });
 
+/// A pendulum that forces move.
+const PENDULUM = `mechanism pendulum {
+    point O = (0, 0);
+    body bob at O { O, S: (0, -2) }
+    revolute O(ground, bob);
+    free swing: phi(bob) = 30deg;
+    mass bob = 3kg at S inertia 0.5;
+    gravity = (0, -9.81);
+}
+`;
+
+const bobOf = (angle) => [2 * Math.sin(angle), -2 * Math.cos(angle)];
+
+/// The start of the pendulum in the field of its control, in rad.
+const swing = async (page) => (Number(await page.inputValue(".control input[type=text]")) * Math.PI) / 180;
+
+const isPlaying = async (page) => (await page.getAttribute("[data-part=play]", "aria-pressed")) === "true";
+
+/// Angle of the bob as it is shown, from where its dot is.
+const shown = (page) =>
+  page.evaluate(() => {
+    const [dot] = document.querySelectorAll("circle.now");
+    return Math.atan2(Number(dot.getAttribute("cx")), Number(dot.getAttribute("cy")));
+  });
+
+/// Lifts the bob to a direction, lets go, and tests where it is, that it swings from there, and that the start of the description returns.
+const lift = async (page) => {
+  await seek(page, 0.4);
+  const start = await shown(page);
+  const [from, to] = [await onScreen(page, bobOf(start)), await onScreen(page, bobOf(1.4))];
+  await drag(page, from.at, to.at, { isHeld: true });
+  const near = (angle, goal) => Math.abs(angle - goal) < 2 / from.scale;
+  await page.waitForFunction((goal) => Math.abs((Number(document.querySelector(".control input[type=text]").value) * Math.PI) / 180 - goal) < 0.01, 1.4);
+  assert.ok(near(await swing(page), 1.4), `it is lifted to ${await swing(page)}`);
+  // It waits there while it is held.
+  await page.waitForTimeout(300);
+  assert.ok(near(await shown(page), 1.4), `it is shown at ${await shown(page)}`);
+  assert.equal(await isPlaying(page), false);
+  await page.mouse.up();
+  await page.waitForFunction(() => document.querySelector("[data-part=play]").getAttribute("aria-pressed") === "true");
+  // Released at rest, it is on the other side after half a period.
+  let least = 2;
+  for (let waited = 0; waited < 4000 && least > -1.3; waited += 20) {
+    await page.waitForTimeout(20);
+    least = Math.min(least, await shown(page));
+  }
+  assert.ok(least < -1.3 && least > -1.4 - 2 / from.scale, `it swings to ${least}`);
+  await page.click("[data-part=play]");
+  await page.click('[aria-label="reset swing"]');
+  await page.waitForFunction(() => document.querySelector(".control input[type=text]").value === "30");
+};
+
+test("a pendulum of a page that is served is lifted, and swings when it is released", async () => {
+  writeFileSync(made.file("pendulum.mech"), PENDULUM);
+  const server = await serve(made.file("pendulum.mech"));
+  const page = await browser.visit(server.url);
+  await lift(page);
+  await page.close();
+  server.end();
+});
+
+test("a pendulum in a file pulls the time of its motion", async () => {
+  writeFileSync(made.file("pendulum.mech"), PENDULUM);
+  linkwright("view", made.file("pendulum.mech"), "--out", made.file("pendulum.html"));
+  const page = await browser.visit(pathToFileURL(made.file("pendulum.html")).href);
+  await seek(page, 0.2);
+  const [from, to] = [await onScreen(page, bobOf(await shown(page))), await onScreen(page, bobOf(-0.2))];
+  await drag(page, from.at, to.at);
+  // It falls to the other side, and has the direction of the pointer there.
+  assert.ok(Math.abs((await shown(page)) + 0.2) < 2 / from.scale, `it is at ${await shown(page)}`);
+  assert.ok((await time(page)) > 0.2);
+  assert.equal(await isPlaying(page), false);
+  await page.close();
+});
+
 const visitPlayground = async (text) => {
   const page = await browser.visit(pathToFileURL(playground).href);
   if (text) await setText(page, text);
@@ -253,6 +328,29 @@ test("points of formulas say why they have no handle", { skip: isSkipped }, asyn
   assert.deepEqual((await onScreen(page, solved(mechanism("two_body"), 0).points.Q.position)).at, at, "nothing moves for it");
   await page.mouse.move(at[0] + 120, at[1] + 90);
   assert.ok(await page.locator(".reason").isHidden());
+  await page.close();
+});
+
+test("a pendulum is lifted, and its start is part of the address", { skip: isSkipped }, async () => {
+  const page = await visitPlayground(PENDULUM);
+  await page.waitForFunction(() => document.querySelector(".page h1").textContent === "pendulum");
+  await ready(page);
+  await lift(page);
+  assert.equal(await textOf(page), PENDULUM);
+  await seek(page, 0.4);
+  const [from, to] = [await onScreen(page, bobOf(await shown(page))), await onScreen(page, bobOf(-1))];
+  await drag(page, from.at, to.at);
+  await page.waitForFunction(() => document.querySelector("[data-part=play]").getAttribute("aria-pressed") === "true");
+  const lifted = await swing(page);
+  assert.ok(Math.abs(lifted + 1) < 2 / from.scale, `it is lifted to ${lifted}`);
+  await page.click("[data-bar=share]");
+  await page.waitForFunction(() => location.hash.length > 1);
+  const next = await browser.visit(page.url());
+  await next.waitForFunction(() => document.querySelector(".control input[type=text]")?.value !== "30");
+  assert.ok(Math.abs((await swing(next)) - lifted) < 1e-9);
+  await seek(next, 0);
+  assert.ok(Math.abs((await shown(next)) - lifted) < 1e-3, `it starts at ${await shown(next)}`);
+  await next.close();
   await page.close();
 });
 

@@ -38,7 +38,7 @@ const DIGITS: i32 = 3;
 pub struct Control {
     /// Name in the description.
     pub name: String,
-    /// `parameter`, `input`, or `start` of a free coordinate.
+    /// `parameter`, `input` or `free coordinate`, whose value is its start.
     pub kind: &'static str,
     /// Value; `None` for an input that is a function of time.
     pub value: Option<f64>,
@@ -96,7 +96,7 @@ fn quantities(view: &Interpreted) -> Vec<Quantity<'_>> {
         };
         Quantity {
             name: &it.name,
-            kind: if is_free { "start" } else { "input" },
+            kind: if is_free { "free coordinate" } else { "input" },
             docs: &it.docs,
             dimension: it.dimension,
             value,

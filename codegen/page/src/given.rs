@@ -94,10 +94,15 @@ pub fn values(pool: &Pool, system: &System) -> String {
             escaped(&own.docs.join(" "))
         );
     }
-    for own in &mechanism.inputs {
+    let free = &mechanism.forces.free;
+    for (index, own) in mechanism.inputs.iter().enumerate() {
+        let kind = match free.iter().any(|it| it.input == index) {
+            true => "free coordinate",
+            false => "input",
+        };
         let _ = writeln!(
             rows,
-            "<tr><td>input</td><td><b>{}</b></td><td><math>{}</math></td><td>{}</td><td>{}</td></tr>",
+            "<tr><td>{kind}</td><td><b>{}</b></td><td><math>{}</math></td><td>{}</td><td>{}</td></tr>",
             escaped(&own.name),
             mathml::formula(pool, system, &[], own.signal[0]),
             escaped(&own.dimension.unit()),

@@ -183,10 +183,15 @@ class Controls {
     }
   }
 
-  /// Ends of the inputs that have one value, by name.
+  /// Ends of the inputs and free coordinates that have one value, by name.
   ranges() {
-    const inputs = [...this.controls].filter(([, it]) => it.own.kind === "input" && it.current !== null);
+    const inputs = [...this.controls].filter(([, it]) => it.own.kind !== "parameter" && it.current !== null);
     return Object.fromEntries(inputs.map(([name, it]) => [name, [it.low, it.high]]));
+  }
+
+  /// True if forces move coordinates of the mechanism.
+  get isFree() {
+    return [...this.controls.values()].some((it) => it.own.kind === "free coordinate");
   }
 
   /// Returns to the values and the times of the description.

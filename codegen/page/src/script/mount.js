@@ -17,6 +17,8 @@ const mount = (root, first, provider = null) => {
   let curves = [];
   let label = null;
   let leading = null;
+  /// True while a motion under forces waits at a pose, and from the release of a point until the motion that follows comes.
+  let [isHeld, isReleased] = [false, false];
 
   const pointing = new Pointing(root, signal);
   const values = new Values(part("live"), () => pointing.forget());
@@ -51,10 +53,16 @@ const mount = (root, first, provider = null) => {
     scene,
     {
       ranges: () => (provider ? controls.ranges() : {}),
-      pause: () => clock.pause(),
+      pause: () => {
+        isReleased = false;
+        clock.pause();
+      },
       go: (t) => clock.go(t),
       ask: () => questions.moving(),
       hold: (isHeld) => questions?.hold(isHeld),
+      released: () => {
+        isReleased = controls.isFree === true;
+      },
     },
     signal,
   );
@@ -73,7 +81,7 @@ const mount = (root, first, provider = null) => {
     clock.take(player?.times ?? null);
     root.classList.toggle("still", !player);
     if (player) drawing.pick(player, samples, indices());
-    plot();
+    if (!isHeld) plot();
     pointing.forget();
     if (player) clock.go(clock.t);
   };
@@ -130,8 +138,16 @@ const mount = (root, first, provider = null) => {
     chooser(part("chips"), { curves, points: data.points }, shown, traced, plot, trace);
   };
 
+  const takeAnswer = (answer) => {
+    label = answer.pulled?.assembly ?? label;
+    isHeld = Boolean(answer.sketch && answer.pulled?.starts);
+    take(answer);
+    if (!isReleased || answer.sketch) return;
+    isReleased = false;
+    if (!clock.isPlaying) clock.toggle();
+  };
   const takeSections = () => assemblies.take(drawing, player);
-  const live = mount.answering?.({ root, part, clock, controls, pulling, question, take, takeSections }, provider, signal);
+  const live = mount.answering?.({ root, part, clock, controls, pulling, question, take: takeAnswer, takeSections }, provider, signal);
   const questions = live?.questions;
 
   part("names").addEventListener("change", (event) => {

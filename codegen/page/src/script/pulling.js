@@ -33,7 +33,7 @@ const pulledTime = (motion, player, index, [x, y], start) => {
 
 class Pulling {
   /// `ranges` returns the ends of the inputs that can move, by name; `pause` stops the motion, `go` shows a time; `ask` asks for the
-  /// answer to a pull, and `hold` is told while a point is held.
+  /// answer to a pull, `hold` is told while a point is held, and `released` when it is let go.
   constructor(scene, hooks, signal) {
     Object.assign(this, { scene, hooks, signal, goal: null });
     const on = (event, action, options = {}) => scene.holder.addEventListener(event, action, { signal, ...options });
@@ -81,7 +81,8 @@ class Pulling {
         classList.add("pulling");
       },
       moved: (to) => this.pull(point, to),
-      ended: () => {
+      ended: (isReleased) => {
+        if (isReleased) this.hooks.released();
         this.hooks.hold(false);
         classList.remove("pulling");
       },
