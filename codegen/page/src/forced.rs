@@ -73,7 +73,7 @@ pub fn followed(
     mut kept: Kept,
 ) -> Result<Track, String> {
     begins_at(schedule.start.t)?;
-    let wanted = Wanted {
+    let selection = Wanted {
         points: Vec::new(),
         coordinates: Vec::new(),
         monitor: false,
@@ -83,7 +83,7 @@ pub fn followed(
         Some((_, modes)) => modes.clone(),
         None => view.drawn_branches(),
     };
-    let mut motion = Followed::moved_by_forces(view, wanted, chosen.clone());
+    let mut motion = Followed::moved_by_forces(view, selection, chosen.clone());
     let listeners = Listeners {
         reached: &mut |_| {},
         taken: &mut limited,
