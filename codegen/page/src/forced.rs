@@ -12,11 +12,17 @@ use linkwright_solver::{
 use crate::motion::{Followed, Listeners, Wanted};
 use crate::recorded::{Kept, Track};
 
-/// Tolerances and method of a motion under forces, which are those of the command `simulate` without options.
+/// Relative tolerance of a step, which is that of the command `simulate` without options.
+const RELATIVE: f64 = 1e-10;
+
+/// Absolute tolerance of a step, which is that of the command `simulate` without options.
+const ABSOLUTE: f64 = 1e-12;
+
+/// Tolerances and method of a motion under forces.
 pub const OPTIONS: SimulationOptions = SimulationOptions {
     tolerances: Tolerances {
-        relative: 1e-10,
-        absolute: 1e-12,
+        relative: RELATIVE,
+        absolute: ABSOLUTE,
     },
     method: Method::Automatic,
 };

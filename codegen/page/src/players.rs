@@ -180,7 +180,7 @@ impl Players {
             assemblies.push(player(assembly.label(), motion));
         }
         arrows(view, &mut assemblies, &mut columns);
-        // Singular poses of a driven mechanism are no obstacles for forces.
+        // Forces lead through singular poses of the mechanism that is driven.
         let measures = view.measures().filter(|_| !is_moved_by_forces(view));
         Players {
             title: system.mechanism.title(),

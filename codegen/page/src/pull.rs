@@ -139,9 +139,7 @@ impl<'a> Puller<'a> {
         let mechanism = &view.system().mechanism;
         let point = mechanism.points.iter().position(|it| it.name == pull.point);
         let point = point.ok_or_else(|| format!("no point is named `{}`", pull.point))?;
-        if !pull.to.iter().all(|it| it.is_finite()) || !pull.t.is_finite() {
-            return Err("a pull needs finite numbers".to_string());
-        }
+        pull.require_finite()?;
         let (mut inputs, mut ends) = (Vec::new(), Vec::new());
         let free = &mechanism.forces.free;
         for (index, input) in mechanism.inputs.iter().enumerate() {

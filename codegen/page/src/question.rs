@@ -96,6 +96,20 @@ impl Default for Range {
     }
 }
 
+impl Pull {
+    /// Rejects numbers that are not finite.
+    ///
+    /// # Errors
+    /// A sentence.
+    pub(crate) fn require_finite(&self) -> Result<(), String> {
+        let mut numbers = self.to.iter().chain([&self.t]);
+        match numbers.all(|it| it.is_finite()) {
+            true => Ok(()),
+            false => Err("a pull needs finite numbers".to_string()),
+        }
+    }
+}
+
 impl Question {
     /// Returns the question with other values, in the units of their controls.
     pub(crate) fn with(&self, values: &[(String, f64)]) -> Question {

@@ -2,6 +2,8 @@
 //!
 //! The motion is held at the pose it has. Free coordinates are inputs of every solution, so that a pull moves them as it moves inputs.
 
+use std::collections::BTreeMap;
+
 use linkwright_codegen::stages::model::{Dimension, Mechanism};
 use linkwright_codegen::stages::system::Described;
 use linkwright_solver::{Assembly, Instant, Interpreted, Simulation, View as _};
@@ -32,6 +34,7 @@ pub fn restarted(
     question: &Question,
     pull: &Pull,
 ) -> Result<(Moving, Option<Pulled>), String> {
+    pull.require_finite()?;
     let reached = at(&moving, pull.t)?;
     let start = Question {
         range: Range {
@@ -170,7 +173,7 @@ fn follows_time(view: &Interpreted) -> bool {
 }
 
 /// Returns the ranges of a pull, with those of free coordinates around their values: nothing else limits them than the path.
-fn with_ranges(view: &Interpreted, pull: &Pull) -> std::collections::BTreeMap<String, [f64; 2]> {
+fn with_ranges(view: &Interpreted, pull: &Pull) -> BTreeMap<String, [f64; 2]> {
     let mechanism = &view.system().mechanism;
     let laws = view.input_laws().at(0.0);
     let mut ranges = pull.ranges.clone();

@@ -253,6 +253,15 @@ fn drivers_return_to_the_start_of_the_motion() {
 }
 
 #[test]
+fn a_pull_needs_finite_numbers() {
+    for (to, t) in [([f64::NAN, 0.0], 0.0), ([1.0, 0.0], f64::NAN)] {
+        let question = pull(&question(PENDULUM), "S", to, t, Detail::Moving);
+        let answer = Session::default().answer(&question);
+        assert_eq!(answer.messages[0].text, "a pull needs finite numbers");
+    }
+}
+
+#[test]
 fn a_motion_under_forces_begins_at_zero() {
     let mut question = question(PENDULUM);
     question.range.from = 1.0;

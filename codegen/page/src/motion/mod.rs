@@ -19,7 +19,8 @@ pub use followed::{EarlyEnd, Followed};
 pub use path::Path;
 pub use rows::{Row, Rows};
 pub use selection::{named_point, points, shown};
-pub use simulated::{Ending, Listeners, Simulated, advance};
+pub(crate) use simulated::advance;
+pub use simulated::{Listeners, Simulated};
 
 use std::io;
 
