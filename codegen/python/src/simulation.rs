@@ -1,5 +1,7 @@
 //! Simulates a mechanism with free coordinates under its forces.
 
+use std::ops::ControlFlow;
+
 use linkwright_page::motion::{Columns, Followed, Listeners};
 use linkwright_solver::{Method, SimulationOptions, Tolerances, View as _};
 use numpy::PyReadonlyArray1;
@@ -55,7 +57,7 @@ impl Mechanism {
             let mut frames = Frames::new(Columns::of(&motion));
             let listeners = Listeners {
                 reached: &mut |_| {},
-                taken: &mut |_| {},
+                taken: &mut |_| ControlFlow::Continue(()),
             };
             let started = (&view, chosen);
             motion

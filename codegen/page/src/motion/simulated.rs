@@ -34,7 +34,7 @@ pub struct Listeners<'a> {
 
 /// End of a simulated motion before its last time.
 #[derive(Clone, Debug)]
-pub struct Ending {
+pub(crate) struct Ending {
     /// Failure; `None` if a listener has ended the motion.
     pub failure: Option<EarlyEnd>,
     /// Reason as a sentence.
