@@ -14,6 +14,7 @@ mod interrupt;
 mod mechanism;
 mod motion;
 mod page;
+mod sets;
 mod simulation;
 
 use pyo3::prelude::*;
@@ -25,4 +26,6 @@ mod _core {
     use crate::mechanism::Mechanism;
     #[pymodule_export]
     use crate::motion::Solved;
+    #[pymodule_export]
+    use crate::sets::{axis, extremes, samples};
 }

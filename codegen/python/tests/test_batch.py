@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import threading
 import time
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Any
 
 import linkwright
 import numpy as np
 import pytest
-from conftest import FOUR_BAR, TURNED
+from conftest import FOUR_BAR, TURNED, command
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -135,3 +140,68 @@ def test_an_exception_of_the_progress_ends_the_batch() -> None:
 
     with pytest.raises(KeyboardInterrupt):
         M.solve(T, {"rod": np.full(300, 0.12)}, progress=fail)
+
+
+def swept_by_command(folder: Path, *arguments: str) -> list[dict[str, str]]:
+    """Return the rows of the table of `linkwright sweep`."""
+    (folder / "four_bar.mech").write_text(FOUR_BAR)
+    shared = ["--to", "0.5", "--step", "0.1", "--show", "phi_rocker", "--csv", "-"]
+    printed = command("sweep", "four_bar.mech", *arguments, *shared, folder=folder)
+    rows = csv.DictReader(io.StringIO(printed))
+    return [{name.split(" (")[0]: cell for name, cell in row.items()} for row in rows]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "ranges", "choices"),
+    [
+        (
+            ["--vary", "rod=0.1..0.14:7", "--vary", "crank_length=0.03..0.05:4"],
+            {"rod": (0.1, 0.14, 7), "crank_length": (0.03, 0.05, 4)},
+            {},
+        ),
+        (["--vary", "rod:5"], {"rod": 5}, {}),
+        (
+            ["--vary", "rod=0.1..0.14", "--vary", "crank_length=0.03..0.05", "--samples", "16", "--seed", "7"],
+            {"rod": (0.1, 0.14), "crank_length": (0.03, 0.05)},
+            {"samples": 16, "seed": 7},
+        ),
+    ],
+)
+def test_a_sweep_is_that_of_the_command(
+    arguments: list[str], ranges: dict[str, Any], choices: dict[str, Any], tmp_path: Path
+) -> None:
+    table = swept_by_command(tmp_path, *arguments)
+    batch = M.sweep(T, ranges, outputs=["phi_rocker"], **choices)
+    assert len(table) == len(batch)
+    extremes = batch.extremes("phi_rocker")
+    for place, row in enumerate(table):
+        for name in ranges:
+            assert float(row[name]) == batch.parameters[name][place]
+        if row["failure"]:
+            assert batch.failed[place]
+            continue
+        for column, values in {
+            "phi_rocker_min": extremes.minimum,
+            "phi_rocker_min_t": extremes.minimum_time,
+            "phi_rocker_max": extremes.maximum,
+            "phi_rocker_max_t": extremes.maximum_time,
+        }.items():
+            assert float(row[column]) == values[place], column
+
+
+def test_wrong_ranges_are_named() -> None:
+    with pytest.raises(ValueError, match="no range in the description"):
+        M.sweep(T, {"crank_length": 5})
+    with pytest.raises(ValueError, match="two ends and a number"):
+        M.sweep(T, {"rod": (0.1, 0.12)})
+    with pytest.raises(ValueError, match="two ends"):
+        M.sweep(T, {"rod": (0.1, 0.12, 4)}, samples=3)
+    with pytest.raises(TypeError, match="did you mean 'rod'"):
+        M.sweep(T, {"rodd": 5})
+
+
+def test_threads_of_python_share_a_mechanism() -> None:
+    expected = M.solve(T).values
+    with ThreadPoolExecutor(4) as pool:
+        for values in pool.map(lambda _: M.solve(T).values, range(64)):
+            np.testing.assert_array_equal(values, expected)

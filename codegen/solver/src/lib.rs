@@ -112,6 +112,8 @@ pub mod residuals;
 #[doc(hidden)]
 pub mod search;
 #[doc(hidden)]
+pub mod sets;
+#[doc(hidden)]
 pub mod simulation;
 #[doc(hidden)]
 pub mod singular_participants;

@@ -58,6 +58,7 @@ const SOLVER: (&str, &[&str]) = (
         "newton",
         "rates",
         "schedule",
+        "sets",
         "singular_participants",
         "supplied",
         "instant",

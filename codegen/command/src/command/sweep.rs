@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use std::thread;
 
 use linkwright_codegen::stages::system::Derived;
+use linkwright_solver::sets::Extremes;
 use linkwright_solver::{Interpreted, Numbers, Observable, Schedule};
 
 use super::description::{assembled, determined, interpreted, selected, set_all, source};
@@ -18,8 +19,8 @@ use crate::progress::Progress;
 #[cfg(feature = "parquet")]
 use crate::sweep::ParquetRows;
 use crate::sweep::{
-    Continuation, CsvCells, Extremes, Grid, Pictured, Range, Samples, Sets, Solved, Start, Summary,
-    Sweep, Table, continuation, definition, quantities,
+    Continuation, CsvCells, Grid, Pictured, Range, Samples, Sets, Solved, Start, Summary, Sweep,
+    Table, continuation, definition, quantities,
 };
 
 /// Solves all sets.

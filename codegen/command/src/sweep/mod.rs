@@ -7,7 +7,6 @@ mod cells;
 mod comma_separated;
 mod continued;
 mod definition;
-mod extremes;
 #[cfg(feature = "parquet")]
 mod parquet_rows;
 mod pictured;
@@ -15,7 +14,6 @@ mod rows;
 mod run;
 mod sets;
 mod shown;
-mod sobol;
 mod summary;
 mod table;
 mod varied;
@@ -23,7 +21,6 @@ mod varied;
 pub use comma_separated::CsvCells;
 pub use continued::{Continuation, continuation};
 pub use definition::definition;
-pub use extremes::Extremes;
 #[cfg(feature = "parquet")]
 pub use parquet_rows::{PARQUET_SIGNATURE, ParquetRows};
 pub use pictured::Pictured;

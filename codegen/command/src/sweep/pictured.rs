@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::extremes::Extremes;
+use linkwright_solver::sets::Extremes;
+
 use super::run::Solved;
 use super::sets::Sets;
 use super::shown::Quantity;

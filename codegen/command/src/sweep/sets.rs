@@ -1,6 +1,7 @@
 //! Makes sets of values by their index: of a grid, of the rows of a file, or of a sequence of samples.
 
-use super::sobol::{BITS, MAX_DIMENSIONS, Sobol};
+use linkwright_solver::sets::{Axis, BITS, MAX_DIMENSIONS, Sobol};
+
 use super::varied::{Range, Varied};
 
 /// Sets of values of what is varied.
@@ -28,15 +29,6 @@ pub struct Grid {
     count: u64,
 }
 
-/// Evenly spaced values, both ends included.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Axis {
-    /// Ends.
-    pub ends: [f64; 2],
-    /// Number of values.
-    pub count: u64,
-}
-
 /// Samples of a sequence that fills ranges evenly.
 #[derive(Clone, Debug)]
 pub struct Samples {
@@ -44,26 +36,6 @@ pub struct Samples {
     ends: Vec<[f64; 2]>,
     sobol: Sobol,
     count: u64,
-}
-
-impl Axis {
-    /// Returns the value of this index.
-    pub fn value(&self, index: u64) -> f64 {
-        let [first, last] = self.ends;
-        let steps = self.count.saturating_sub(1);
-        match index {
-            0 => first,
-            index if index == steps => last,
-            index => {
-                let share = index as f64 / steps as f64;
-                let sum = first * (steps - index) as f64 + last * index as f64;
-                match sum.is_finite() {
-                    true => sum / steps as f64,
-                    false => first * (1.0 - share) + last * share,
-                }
-            }
-        }
-    }
 }
 
 impl Grid {
@@ -193,10 +165,11 @@ impl Sets {
             }
             Sets::Samples(samples) => {
                 let ends = samples.ends.iter().enumerate();
-                given.extend(ends.map(|(dimension, [first, last])| {
-                    let share = samples.sobol.coordinate(set as u32, dimension);
-                    first * (1.0 - share) + last * share
-                }));
+                given.extend(
+                    ends.map(|(dimension, ends)| {
+                        samples.sobol.within(set as u32, dimension, *ends)
+                    }),
+                );
             }
         }
     }

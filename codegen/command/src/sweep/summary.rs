@@ -7,7 +7,8 @@ use linkwright::Blocks as _;
 use linkwright_solver::Interpreted;
 use linkwright_solver::number::{counted, time};
 
-use super::extremes::Extremes;
+use linkwright_solver::sets::Extremes;
+
 use super::run::Solved;
 use super::shown::Quantity;
 use super::table::words;

@@ -7,9 +7,9 @@ use std::io;
 
 use linkwright::{Blocks as _, Failure, FailureKind};
 use linkwright_solver::Interpreted;
+use linkwright_solver::sets::Extremes;
 
 use super::cells::{Cells, Column, Kind};
-use super::extremes::Extremes;
 use super::run::Solved;
 use super::shown::Quantity;
 use super::varied::{Varied, named};

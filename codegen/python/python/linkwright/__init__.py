@@ -21,7 +21,7 @@ interpreter while they solve.
 
 from __future__ import annotations
 
-from linkwright._batch import Batch
+from linkwright._batch import Batch, Extremes
 from linkwright._checked import Assembly, Check
 from linkwright._equations import Equations
 from linkwright._errors import (
@@ -45,6 +45,7 @@ __all__ = [
     "DescriptionWarning",
     "Difference",
     "Equations",
+    "Extremes",
     "Failure",
     "Finding",
     "Fit",

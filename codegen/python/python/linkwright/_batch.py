@@ -5,11 +5,13 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from linkwright import _core
 from linkwright._columns import COMPONENTS, Array, Columns, unknown
 
 if TYPE_CHECKING:
@@ -80,6 +82,19 @@ class Batch(Columns):
     def __len__(self) -> int:
         return len(self.values)
 
+    def extremes(self, name: str) -> Extremes:
+        """Return the smallest and the largest value of a quantity over the instants of each set, with their times.
+
+        Parameters
+        ----------
+        name : str
+            Quantity; not a point, which has two components.
+        """
+        if name not in self._places:
+            raise KeyError(unknown("quantity", name, self.names))
+        found = _core.extremes(self.t, self[name])
+        return Extremes(*found.T)
+
     def to_structured(self) -> NDArray[np.void]:
         """Return a structured array of N * T records: the set, `t` and all quantities."""
         sets, instants = self.values.shape[:2]
@@ -107,6 +122,24 @@ class Batch(Columns):
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)
+
+
+@dataclass(frozen=True)
+class Extremes:
+    """Smallest and largest value of a quantity in each set, each the first of equal ones; NaN for a set that ends early.
+
+    Attributes
+    ----------
+    minimum, maximum : ndarray, (N,)
+        Values in the SI unit of the quantity.
+    minimum_time, maximum_time : ndarray, (N,)
+        Their instants (s).
+    """
+
+    minimum: Array
+    minimum_time: Array
+    maximum: Array
+    maximum_time: Array
 
 
 class Outcomes:

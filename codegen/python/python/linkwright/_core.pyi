@@ -9,6 +9,10 @@ from numpy.typing import NDArray
 
 _Array: TypeAlias = NDArray[np.float64]
 
+def axis(first: float, last: float, count: int) -> _Array: ...
+def samples(ranges: list[tuple[float, float]], count: int, seed: int | None) -> _Array: ...
+def extremes(times: _Array, values: _Array) -> _Array: ...
+
 class Solved:
     columns: list[tuple[str, str, bool]]
     values: _Array

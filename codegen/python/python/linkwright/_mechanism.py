@@ -371,6 +371,66 @@ class Mechanism:
         mechanism = self._with(laws)
         return solve_sets(mechanism, instants, values, signals, outputs, float(start), threads, progress)
 
+    def sweep(
+        self,
+        t: ArrayLike,
+        ranges: Mapping[str, tuple[float, float, int] | tuple[float, float] | int],
+        *,
+        samples: int | None = None,
+        seed: int | None = None,
+        outputs: Sequence[str] | None = None,
+        start: float = 0.0,
+        threads: int | None = None,
+        progress: Progress = False,
+    ) -> Batch:
+        """Solve for ranges of parameters and inputs: all combinations of their values, or samples of Sobol's sequence.
+
+        The sets are those of ``linkwright sweep``, in its order: the last range varies fastest. `Batch.extremes` has what that command writes.
+
+        Parameters
+        ----------
+        t : array_like, (T,)
+            Instants (s).
+        ranges : mapping of str to tuple
+            First value, last value and number of values by name; the number alone for the range of the description. Samples have no number
+            of values. An input is constant during a motion.
+        samples : int, optional
+            Number of samples within the ranges.
+        seed : int, optional
+            Seed that scrambles the samples; without it, the sequence itself.
+        outputs, start, threads, progress
+            As in `solve`.
+
+        Examples
+        --------
+        >>> batch = m.sweep(t, {"rod": (0.10, 0.14, 41), "crank_length": (0.03, 0.05, 21)}, outputs=["phi_rocker"])
+        >>> swing = batch.extremes("phi_rocker").maximum.reshape(41, 21)
+        """
+        ends: list[tuple[float, float]] = []
+        counts: list[int] = []
+        for name, given in ranges.items():
+            self._check_name(name)
+            parts = given if isinstance(given, tuple) else (given,)
+            own = self.parameters.get(name) or self.inputs[name]
+            if len(parts) < 2:
+                if own.low is None or own.high is None:
+                    raise ValueError(f"{name} has no range in the description; give its first and its last value")
+                parts = (own.low, own.high, *parts)
+            if len(parts) != (2 if samples is not None else 3):
+                wanted = "two ends" if samples is not None else "two ends and a number of values"
+                raise ValueError(f"the range of {name} needs {wanted}")
+            ends.append((float(parts[0]), float(parts[1])))
+            counts.extend(int(it) for it in parts[2:])
+        if samples is not None:
+            columns = list(_core.samples(ends, samples, seed).T)
+        else:
+            axes = [_core.axis(*both, count) for both, count in zip(ends, counts, strict=True)]
+            columns = [it.ravel() for it in np.meshgrid(*axes, indexing="ij")]
+        sets = dict(zip(ranges, columns, strict=True))
+        values = {name: it for name, it in sets.items() if name in self.parameters}
+        inputs = {name: it for name, it in sets.items() if name in self.inputs}
+        return solve_sets(self, _instants(t), values, inputs, outputs, float(start), threads, progress)
+
     def simulate(
         self,
         t: ArrayLike,

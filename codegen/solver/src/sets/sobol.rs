@@ -80,6 +80,12 @@ impl Sobol {
         };
         f64::from(bits) / (1_u64 << BITS) as f64
     }
+
+    /// Returns a value of the sample with this index, between two ends.
+    pub fn within(&self, index: u32, dimension: usize, [first, last]: [f64; 2]) -> f64 {
+        let share = self.coordinate(index, dimension);
+        first * (1.0 - share) + last * share
+    }
 }
 
 /// Returns the direction numbers of a dimension by the recurrence of its polynomial.
