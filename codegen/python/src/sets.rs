@@ -47,8 +47,8 @@ pub fn extremes<'py>(
     let times: Vec<f64> = times.as_array().to_vec();
     let values = values.as_array();
     let rows = values.outer_iter().map(|row| {
-        let found = Extremes::of(&times, row.iter().copied());
-        let both = found.map(|it| [it.minimum, it.maximum]);
+        let extremes = Extremes::of(&times, row.iter().copied());
+        let both = extremes.map(|it| [it.minimum, it.maximum]);
         both.unwrap_or([[f64::NAN; 2]; 2]).as_flattened().to_vec()
     });
     PyArray2::from_vec2(py, &rows.collect::<Vec<_>>()).map_err(|error| refused(error.to_string()))
