@@ -110,7 +110,7 @@ pub fn instants(times: &PyReadonlyArray1<'_, f64>) -> PyResult<Vec<f64>> {
 pub fn schedule(start: f64, times: &[f64], step: Option<f64>) -> PyResult<Schedule> {
     let farthest = times.iter().map(|t| (t - start).abs()).fold(0.0, f64::max);
     // A step that leads beyond every instant adds no time.
-    let step = step.unwrap_or(2.0 * farthest + 1.0);
+    let step = step.unwrap_or((2.0 * farthest + 1.0).min(f64::MAX));
     Schedule::instants(start, times, step).map_err(refused)
 }
 

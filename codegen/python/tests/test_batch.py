@@ -76,6 +76,8 @@ def test_wrong_arguments_are_named() -> None:
         ({"values": {"rod": [0.1, 0.12], "crank_length": [0.04] * 3}}, "different numbers of sets"),
         ({"values": {}, "outputs": ["phi_roker"]}, "did you mean 'phi_rocker'"),
         ({"values": {}, "threads": 0}, "at least one"),
+        ({"values": {}, "start": np.nan}, "start is nan"),
+        ({"step": -1.0}, "step is -1.0"),
         ({"values": {}, "inputs": {"x": 1.0}}, "no input is named"),
     ]
     for arguments, message in cases:
@@ -85,6 +87,10 @@ def test_wrong_arguments_are_named() -> None:
         M.solve([0.0, np.nan])
     with pytest.raises(ValueError, match="2 dimensions"):
         M.solve([[0.0]])
+    with pytest.raises(TypeError, match="complex"):
+        M.solve(T, {"rod": [0.12 + 1j]})
+    with pytest.raises(ValueError, match="rod is nan"):
+        M(rod=np.nan)
     with pytest.raises(ValueError):
         M.solve(T, {"rod": ["long"]})
     turned = linkwright.loads(TURNED)
@@ -196,6 +202,8 @@ def test_wrong_ranges_are_named() -> None:
         M.sweep(T, {"rod": (0.1, 0.12)})
     with pytest.raises(ValueError, match="two ends"):
         M.sweep(T, {"rod": (0.1, 0.12, 4)}, samples=3)
+    with pytest.raises(ValueError, match="negative"):
+        M.sweep(T, {"rod": (0.1, 0.12, -3)})
     with pytest.raises(TypeError, match="did you mean 'rod'"):
         M.sweep(T, {"rodd": 5})
 

@@ -6,6 +6,7 @@ import os
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from operator import index
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -175,6 +176,7 @@ class Outcomes:
 def thread_count(threads: int | None) -> int:
     """Return the requested number of threads; otherwise that of the environment, or one per processor of this process."""
     if threads is not None:
+        threads = index(threads)
         if threads < 1:
             raise ValueError(f"threads is {threads}, but at least one is needed")
         return threads
@@ -263,8 +265,15 @@ def solve_sets(
     return Batch(mechanism, t, found, units, arrays, outcome)
 
 
+def real(name: str, values: ArrayLike) -> Array:
+    """Return real numbers as an array; complex ones would lose a part."""
+    if np.iscomplexobj(values):
+        raise TypeError(f"{name} has complex values")
+    return np.asarray(values, dtype=np.float64)
+
+
 def one_dimensional(name: str, values: ArrayLike) -> Array:
-    array = np.atleast_1d(np.asarray(values, dtype=np.float64))
+    array = np.atleast_1d(real(name, values))
     if array.ndim != 1:
         raise ValueError(f"{name} has {array.ndim} dimensions; the sets are along one")
     return array
@@ -282,7 +291,7 @@ def signals_of(mechanism: Mechanism, inputs: Mapping[str, Any], instants: int) -
             raise ValueError(f"{name} takes a value, a rate and an acceleration, not {len(parts)} arrays")
         arrays = []
         for part in parts:
-            array = np.asarray(part, dtype=np.float64)
+            array = real(name, part)
             if array.ndim == 0:
                 array = array.reshape(1, 1)
             elif array.ndim == 1:

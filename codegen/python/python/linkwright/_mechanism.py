@@ -8,6 +8,7 @@ import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from operator import index
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Union, overload
 
@@ -15,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from linkwright import _core
-from linkwright._batch import Batch, Progress, solve_sets
+from linkwright._batch import Batch, Progress, real, solve_sets
 from linkwright._checked import Assembly, Check
 from linkwright._columns import Array, unknown
 from linkwright._equations import Equations, SymbolicEquations, symbolic
@@ -252,11 +253,16 @@ class Mechanism:
         assignments = list(self._choices["assignments"])
         for name, value in values.items():
             self._check_name(name)
-            text = value if isinstance(value, str) else repr(float(value))
+            text = value if isinstance(value, str) else repr(_finite(name, value))
             if "\n" in text or "\r" in text or ";" in text:
                 raise ValueError(f"{name} takes one value of the language")
             assignments.append(f"{name} = {text}")
         return self._changed(assignments=assignments)
+
+    def _solved(self, instants: Array, start: float, step: float | None) -> _core.Solved:
+        if step is not None and not step > 0:
+            raise ValueError(f"step is {step}, but a positive time is needed")
+        return self._core.solve(instants, _finite("start", start), step)
 
     def _check_name(self, name: str) -> None:
         if name not in self.parameters and name not in self.inputs:
@@ -354,8 +360,7 @@ class Mechanism:
         """
         instants = _instants(t)
         if values is None and inputs is None and outputs is None:
-            solved = self._core.solve(instants, float(start), step)
-            return Motion(self, instants, solved)._warn()
+            return Motion(self, instants, self._solved(instants, start, step))._warn()
         values, inputs = values or {}, inputs or {}
         for name in values:
             if name not in self.parameters:
@@ -369,7 +374,8 @@ class Mechanism:
         if laws and signals:
             raise ValueError("inputs are either laws as text or numbers, not both")
         mechanism = self._with(laws)
-        return solve_sets(mechanism, instants, values, signals, outputs, float(start), threads, progress)
+        start = _finite("start", start)
+        return solve_sets(mechanism, instants, values, signals, outputs, start, threads, progress)
 
     def sweep(
         self,
@@ -420,16 +426,17 @@ class Mechanism:
                 wanted = "two ends" if samples is not None else "two ends and a number of values"
                 raise ValueError(f"the range of {name} needs {wanted}")
             ends.append((float(parts[0]), float(parts[1])))
-            counts.extend(int(it) for it in parts[2:])
+            counts.extend(_count(f"the number of values of {name}", it) for it in parts[2:])
         if samples is not None:
-            columns = list(_core.samples(ends, samples, seed).T)
+            columns = list(_core.samples(ends, _count("samples", samples), seed).T)
         else:
             axes = [_core.axis(*both, count) for both, count in zip(ends, counts, strict=True)]
             columns = [it.ravel() for it in np.meshgrid(*axes, indexing="ij")]
         sets = dict(zip(ranges, columns, strict=True))
         values = {name: it for name, it in sets.items() if name in self.parameters}
         inputs = {name: it for name, it in sets.items() if name in self.inputs}
-        return solve_sets(self, _instants(t), values, inputs, outputs, float(start), threads, progress)
+        start = _finite("start", start)
+        return solve_sets(self, _instants(t), values, inputs, outputs, start, threads, progress)
 
     def simulate(
         self,
@@ -474,7 +481,7 @@ class Mechanism:
 
     def assemblies(self, t: float = 0.0) -> tuple[Assembly, ...]:
         """Return all assemblies that are found at `t` (s)."""
-        found, _ = self._core.assemblies(float(t))
+        found, _ = self._core.assemblies(_finite("t", t))
         return tuple(Assembly(label, np.array(pose), drawn) for label, pose, drawn in found)
 
     def sensitivity(
@@ -501,7 +508,7 @@ class Mechanism:
                 raise ValueError(unknown("parameter", name, tuple(self.parameters)))
         along = self._changed(along=names)
         instants = _instants(t)
-        motion = Motion(along, instants, along._core.solve(instants, float(start), step))._warn()
+        motion = Motion(along, instants, along._solved(instants, start, step))._warn()
         return Sensitivity(motion, tuple(it for it in self.parameters if it in names))
 
     def effort(self, t: ArrayLike, *, start: float = 0.0) -> Mapping[str, Array]:
@@ -516,7 +523,7 @@ class Mechanism:
         """
         driven = self._changed(efforts=True)
         instants = _instants(t)
-        motion = Motion(driven, instants, driven._core.solve(instants, float(start), None))._warn()
+        motion = Motion(driven, instants, driven._solved(instants, start, None))._warn()
         names = [it for it in motion.names if it.startswith(("effort_", "power_"))]
         return {name: motion[name] for name in names}
 
@@ -579,7 +586,7 @@ class Mechanism:
         """
         times, columns = self._measured(data)
         first = float(times.min(initial=np.inf)) if start is None else float(start)
-        motion = Motion(self, times, self._core.solve(times, first, step))._warn()
+        motion = Motion(self, times, self._solved(times, first, step))._warn()
         found = {}
         for column, (quantity, values) in columns.items():
             solved = np.ascontiguousarray(motion[quantity])
@@ -658,7 +665,7 @@ class Mechanism:
 
     def drawing(self, t: float = 0.0) -> str:
         """Return the drawing at `t` (s) as SVG."""
-        return self._core.drawing(float(t))
+        return self._core.drawing(_finite("t", t))
 
     def page(self, start: float = 0.0, end: float = 5.0, step: float = 0.01) -> str:
         """Return the page of the motion between two times (s): one HTML file that loads nothing, as ``linkwright view`` writes it."""
@@ -673,8 +680,22 @@ class Mechanism:
         return f"<Mechanism {self.name}{motion}{': ' + values if values else ''}>"
 
 
+def _finite(name: str, value: float) -> float:
+    number = float(value)
+    if not np.isfinite(number):
+        raise ValueError(f"{name} is {number}, not a finite number")
+    return number
+
+
+def _count(name: str, value: int) -> int:
+    count = index(value)
+    if count < 0:
+        raise ValueError(f"{name} is negative: {count}")
+    return count
+
+
 def _instants(t: ArrayLike) -> Array:
-    instants = np.atleast_1d(np.asarray(t, dtype=np.float64))
+    instants = np.atleast_1d(real("t", t))
     if instants.ndim != 1:
         raise ValueError(f"t has {instants.ndim} dimensions; instants are along one")
     return np.ascontiguousarray(instants)
