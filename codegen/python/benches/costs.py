@@ -1,7 +1,7 @@
 """Compares the package with NumPy, SciPy and pylinkage, and writes `report.md`.
 
 `python benches/costs.py PEERS` needs SciPy and pylinkage with numba beside the package; PEERS is `tests/src/lanes/peers.py`, which times hand-written
-NumPy and pylinkage. All runs are on one core, one after another, in one run; `costs.py --short` prints ratios without writing.
+NumPy and pylinkage. All runs are on one core, one after another, in one run.
 """
 
 from __future__ import annotations
@@ -152,8 +152,7 @@ def overhead(m: linkwright.Mechanism) -> float:
 
 
 def main() -> None:
-    is_short = "--short" in sys.argv
-    script = Path(next((it for it in sys.argv[1:] if it != "--short"), REPOSITORY / "tests/src/lanes/peers.py"))
+    script = Path(sys.argv[1]) if len(sys.argv) > 1 else REPOSITORY / "tests/src/lanes/peers.py"
     m = four_bar()
     all_levels, positions = batch(m, "rod", 0.12, LEVELS), batch(m, "rod", 0.12, ANGLES)
     numpy_times, _numpy_facts = peers(script, "numpy")
@@ -166,15 +165,14 @@ def main() -> None:
             "> 1",
         )
     ]
-    if not is_short:
-        large, _ = peers(script, "numpy", LARGE)
-        own = batch(m, "rod", 0.12, LEVELS, (LARGE,))
-        rows.append((f"the same, {LARGE} sets", "NumPy, closed form by hand", large["closed", "four_bar"], own, "> 1"))
-        linkage, facts = peers(script, "pylinkage")
-        step = linkage["step_fast", "four_bar"]
-        rows.append(("four-bar, with rates", "pylinkage `step_fast`, positions alone", step, all_levels, "≥ 4"))
-        rows.append(("four-bar, positions", "pylinkage `step_fast`", step, positions, "≥ 1.5"))
-        rows.append(("four-bar, two angles", "SciPy `fsolve` from the last angles", fsolve(), all_levels, "≥ 200"))
+    large, _ = peers(script, "numpy", LARGE)
+    own = batch(m, "rod", 0.12, LEVELS, (LARGE,))
+    rows.append((f"the same, {LARGE} sets", "NumPy, closed form by hand", large["closed", "four_bar"], own, "> 1"))
+    linkage, facts = peers(script, "pylinkage")
+    step = linkage["step_fast", "four_bar"]
+    rows.append(("four-bar, with rates", "pylinkage `step_fast`, positions alone", step, all_levels, "≥ 4"))
+    rows.append(("four-bar, positions", "pylinkage `step_fast`", step, positions, "≥ 1.5"))
+    rows.append(("four-bar, two angles", "SciPy `fsolve` from the last angles", fsolve(), all_levels, "≥ 200"))
     for dyads in (1, 7, 17):
         c = linkwright.loads(chain(dyads))
         own = batch(c, "scale", 1.0, [f"T{dyads}"])
@@ -199,8 +197,6 @@ def main() -> None:
         f"- a batch of 100,000 poses takes {100 * overhead(m):.1f} % longer than its call of Rust; aim: below 5 %",
     ]
     print("\n".join([*lines, "", *calls]))
-    if is_short:
-        return
     commit = subprocess.run(
         ["git", "rev-parse", "--short=12", "HEAD"], cwd=HERE, capture_output=True, text=True, check=True
     ).stdout.strip()
