@@ -49,8 +49,14 @@ fn a_resumed_table_is_that_of_one_run() {
 
         let lines: Vec<usize> = whole.match_indices('\n').map(|it| it.0 + 1).collect();
         let mut lengths = vec![0, 1, lines[0] / 2, part.len()];
-        for end in lines {
-            lengths.extend([end.saturating_sub(1), end, end + 2, end + 20]);
+        // Before, at and beyond the ends of lines, in turn.
+        for (number, end) in lines.into_iter().enumerate() {
+            lengths.push(match number % 4 {
+                0 => end - 1,
+                1 => end,
+                2 => end + 2,
+                _ => end + 20,
+            });
         }
         lengths.retain(|it| *it <= whole.len());
         lengths.sort_unstable();
