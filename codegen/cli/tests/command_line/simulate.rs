@@ -235,7 +235,7 @@ fn many_evaluations_are_answered_by_another_method() {
 ";
     let folder = Folder::new("simulate_long", text);
     let ran = folder
-        .run("simulate a.mech --no-files --to 0.6 --step 0.6 --method dop853")
+        .run("simulate a.mech --no-files --to 0.55 --step 0.55 --method dop853")
         .exits_with(0);
     assert_eq!(
         ran.stderr.matches("million evaluations").count(),
@@ -255,7 +255,7 @@ fn many_evaluations_are_answered_by_another_method() {
         ran.stdout
     );
     let ran = folder
-        .run("simulate a.mech --no-files --to 0.6 --step 0.6")
+        .run("simulate a.mech --no-files --to 0.55 --step 0.55")
         .exits_with(0);
     assert!(ran.stderr.is_empty(), "{}", ran.stderr);
     assert!(!ran.stdout.contains("hint"), "{}", ran.stdout);
