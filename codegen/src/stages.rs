@@ -8,7 +8,7 @@ pub use crate::checks::{check, check_all, findings_of};
 pub mod expr {
     #[doc(inline)]
     pub use crate::expr::{
-        Assembler, Code, Computation, ExprId, Factor, Graph, Lanes, Node, Number, Recorder,
+        Assembler, Code, Computation, ExprId, Factor, Graph, Lanes, Node, Number, Reads, Recorder,
         Register, SplineId, SymbolId, Tape,
     };
 }

@@ -50,7 +50,7 @@ pub fn limited(effort: &Effort) -> ControlFlow<String> {
     match effort.evaluations > MAX_EVALUATIONS {
         false => ControlFlow::Continue(()),
         true => ControlFlow::Break(format!(
-            "is followed no further on a page: its forces have been evaluated {MAX_EVALUATIONS} times; `linkwright simulate` goes on"
+            "is followed no further on a page: its forces have been evaluated {MAX_EVALUATIONS} times; a simulation outside of a page goes on"
         )),
     }
 }

@@ -2,9 +2,9 @@
 
 use linkwright::Blocks as _;
 use linkwright_codegen::stages::emit::drawing::{Options, Pose, draw};
-use linkwright_page::{Live, Page, Range, page};
+use linkwright_page::{Live, Page, Range, checked, page};
 use linkwright_solver::drawn::pose;
-use linkwright_solver::{Check, Movable as _, Moved, Numbers, Schedule, View as _};
+use linkwright_solver::{Movable as _, Moved, Numbers, Schedule, View as _};
 use pyo3::prelude::*;
 
 use crate::findings::refused;
@@ -44,7 +44,7 @@ impl Mechanism {
             .and(self.assembly_label())
             .map(str::to_string);
         Ok(py.detach(move || {
-            let check = Check::new(view, &schedule, |_| {});
+            let check = checked(&view, &schedule);
             let contents = Page {
                 check: &check,
                 schedule: &schedule,

@@ -2,7 +2,9 @@
 
 use std::cell::RefCell;
 
-use linkwright_codegen::stages::expr::{Code, ExprId, Graph, Lanes, Recorder, Register, SymbolId};
+use linkwright_codegen::stages::expr::{
+    Code, ExprId, Graph, Lanes, Reads, Recorder, Register, SymbolId,
+};
 use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::program::{Function, Program};
 use linkwright_codegen::stages::system::System;
@@ -104,6 +106,26 @@ impl Formulas {
             read,
             results,
         }
+    }
+
+    /// Returns the code without what only other results than these need.
+    pub fn limited_to(&self, results: &[usize]) -> Formulas {
+        let mut reads = Reads::new(&self.code);
+        let needed = results.iter().filter_map(|it| self.results.get(*it));
+        reads.add(needed.copied());
+        reads.add_range(&self.code, 0..self.code.length());
+        let (code, _) = self.code.reduced(&reads);
+        let read = self.read.iter().copied();
+        Formulas {
+            code,
+            read: read.filter(|(register, _)| reads.has(*register)).collect(),
+            results: self.results.clone(),
+        }
+    }
+
+    /// Slots of instants that are read.
+    pub fn slots(&self) -> impl Iterator<Item = usize> + '_ {
+        self.read.iter().map(|(_, slot)| *slot)
     }
 
     /// Registers of all lanes before the first evaluation.

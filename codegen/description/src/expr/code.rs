@@ -80,6 +80,16 @@ pub enum Computation {
     Floor(Register),
     /// −1 if the first is less than the second, otherwise 0.
     Less([Register; 2]),
+    /// The product of the first two, plus the third.
+    MultiplyAdd([Register; 3]),
+    /// The product of the first two less the third.
+    MultiplySubtract([Register; 3]),
+    /// The first less the product of the others.
+    SubtractMultiply([Register; 3]),
+    /// The product of the first two, plus that of the last two.
+    AddProducts([Register; 4]),
+    /// The product of the first two less that of the last two.
+    SubtractProducts([Register; 4]),
     /// The second operand if the first one is negative, otherwise the third.
     Choose([Register; 3]),
     /// A derivative, by its order, of the spline of this number in the code.
@@ -196,6 +206,24 @@ impl Code {
             Computation::Subtract([a, b]) => registers[target] = both(of(a), of(b), |a, b| a - b),
             Computation::Multiply([a, b]) => registers[target] = both(of(a), of(b), |a, b| a * b),
             Computation::Divide([a, b]) => registers[target] = both(of(a), of(b), |a, b| a / b),
+            // Products are rounded before they are added.
+            Computation::MultiplyAdd([a, b, c]) => {
+                registers[target] = both(products(of(a), of(b)), of(c), |product, c| product + c);
+            }
+            Computation::MultiplySubtract([a, b, c]) => {
+                registers[target] = both(products(of(a), of(b)), of(c), |product, c| product - c);
+            }
+            Computation::SubtractMultiply([a, b, c]) => {
+                registers[target] = both(of(a), products(of(b), of(c)), |a, product| a - product);
+            }
+            Computation::AddProducts([a, b, c, d]) => {
+                let [first, second] = [products(of(a), of(b)), products(of(c), of(d))];
+                registers[target] = both(first, second, |first, second| first + second);
+            }
+            Computation::SubtractProducts([a, b, c, d]) => {
+                let [first, second] = [products(of(a), of(b)), products(of(c), of(d))];
+                registers[target] = both(first, second, |first, second| first - second);
+            }
             Computation::Power([base, exponent]) => {
                 registers[target] = both(of(base), of(exponent), double::powf);
             }
@@ -261,4 +289,10 @@ fn both<const N: usize, R: Numbers<N>>(
     R::of(std::array::from_fn(|lane| {
         function(first[lane], second[lane])
     }))
+}
+
+/// Multiplies in each lane.
+#[inline(always)]
+fn products<const N: usize>(first: [f64; N], second: [f64; N]) -> [f64; N] {
+    std::array::from_fn(|lane| first[lane] * second[lane])
 }

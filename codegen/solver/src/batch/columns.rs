@@ -2,7 +2,7 @@
 
 use linkwright_codegen::stages::expr::Lanes;
 
-use crate::interpreted::{InstantLanes, Interpreted};
+use crate::interpreted::{InstantLanes, Interpreted, point_result};
 use crate::observable::Observable;
 use crate::reader::Formulas;
 
@@ -29,21 +29,22 @@ enum Source {
 impl Columns {
     pub fn new(blocks: &Interpreted, observables: &[Observable]) -> Columns {
         let slot = |slot: Option<usize>| slot.map_or(Source::None, Source::Slot);
-        let formulas = blocks.point_formulas();
+        let formulas = blocks.points_of(observables);
         let source = |it: &Observable| match *it {
             Observable::Coordinate { place, level } => slot(blocks.coordinate_slot(place, level)),
-            Observable::Point { place, axis, level } => match formulas {
-                Some(_) => Source::Point(6 * place + 2 * level + axis),
+            Observable::Point { place, axis, level } => match &formulas {
+                Some(_) => Source::Point(point_result(place, level, axis)),
                 None => slot(blocks.point_slot(place, level, axis)),
             },
             Observable::Force(force) => slot(blocks.force_slot(force)),
         };
         let sources: Vec<Source> = observables.iter().map(source).collect();
-        let needed = sources.iter().any(|it| matches!(it, Source::Point(_)));
-        let formulas = formulas.filter(|_| needed);
         Columns {
             values: vec![Lanes::splat(f64::NAN); sources.len()],
-            points: formulas.map(|it| (it.clone(), it.lanes())),
+            points: formulas.map(|it| {
+                let registers = it.lanes();
+                (it, registers)
+            }),
             sources,
         }
     }

@@ -132,7 +132,7 @@ impl Batch<'_> {
     }
 
     /// Solves all sets; overwrites `values` by set, then by instant, then by observable, in SI units (m, rad, s). Values of instants without a
-    /// solution are NaN.
+    /// solution are NaN. What no observable needs is not computed, so a set does not fail where only that is infinite.
     ///
     /// `parameters` holds the parameters of each set in the order of the description, one set after another. `inputs` holds the inputs of each
     /// set, which stay as they are, or those of each set at each instant, set by set; if it is empty, inputs follow the laws of the description.
@@ -172,7 +172,8 @@ impl Batch<'_> {
             pose: self.pose.as_ref(),
             settings: self.settings,
         };
-        let workers = (0..threads).map(|_| Worker::new(task, self.blocks.clone()));
+        let blocks = self.blocks.limited_to(self.observables);
+        let workers = (0..threads).map(|_| Worker::new(task, blocks.clone()));
         let work = |mut worker: Worker<'_>| {
             while let Some((piece, (outcomes, values))) = next() {
                 worker.solve(Piece {

@@ -16,6 +16,7 @@ use linkwright_codegen::stages::solved::Solved;
 use linkwright_codegen::stages::system::System;
 
 use super::path::InterpretedPath;
+use super::reduced::Reduced;
 use crate::instant::{Instant, Layout};
 use crate::newton::Newton;
 use crate::operation::{Operation, Writer};
@@ -128,12 +129,20 @@ impl Compiled {
         let signs = program.branches.iter();
         let signs = signs.map(|it| writer.found(it.symbol)).collect();
         writer.last(system.mechanism.time);
-        let blocks = InterpretedBlock::all(program, pool, system, &mut writer);
+        let mut blocks = InterpretedBlock::all(program, pool, system, &mut writer);
         let kept = layout.symbols()[layout.solved()].iter();
         let kept = kept
             .map(|&symbol| writer.assembler.symbol(symbol))
             .collect();
-        let (code, last) = writer.finish();
+        let (mut code, last) = writer.finish();
+        let kept: Vec<Register> = kept;
+        let operations: Vec<&[Operation]> = blocks.iter().map(|it| &it.operations[..]).collect();
+        if let Some(reduced) = Reduced::new(&code, &operations, kept.iter().copied()) {
+            for (block, operations) in blocks.iter_mut().zip(reduced.operations) {
+                block.operations = operations;
+            }
+            code = reduced.code;
+        }
         let last = last.into_iter().map(|(symbol, register)| {
             let slot = layout.slot(symbol);
             (
@@ -195,6 +204,13 @@ impl Compiled {
         for (&register, branch) in self.signs.iter().zip(&modes.closed) {
             put(register, branch.sign());
         }
+    }
+
+    /// Returns the slots of instants with the registers that they are taken from.
+    pub(super) fn stored(&self) -> impl Iterator<Item = (usize, Register)> + '_ {
+        let registers = [&self.time].into_iter();
+        let registers = registers.chain(&self.given).chain(&self.kept);
+        registers.copied().enumerate()
     }
 
     /// Takes out what an instant keeps.

@@ -5,13 +5,13 @@
 
 use linkwright::generated::TimeWindow;
 use linkwright::lanes::{InLanes, LaneValues, Mask, ReadLanes};
-use linkwright_codegen::stages::expr::Lanes;
+use linkwright_codegen::stages::expr::{Code, Lanes, Register};
 
 use super::Interpreted;
-use super::compiled::Compiled;
 use super::path::InterpretedPath;
 use crate::instant::Instant;
-use crate::operation::{LANES, run_lanes};
+use crate::observable::Observable;
+use crate::operation::{LANES, Operation, run_lanes};
 use crate::reader::Formulas;
 use crate::supplied::{InputSignals, Modes, ParameterValues};
 
@@ -104,7 +104,10 @@ impl InLanes<LANES> for Interpreted {
         let mechanism = &compiled.solved.system().mechanism;
         let instants = InstantLanes {
             values: vec![ZERO; compiled.layout.symbols().len()],
-            registers: compiled.code.lanes(),
+            registers: match &self.limited {
+                Some(limited) => limited.reduced.code.lanes(),
+                None => compiled.code.lanes(),
+            },
             path_registers: compiled
                 .path
                 .as_ref()
@@ -126,7 +129,7 @@ impl InLanes<LANES> for Interpreted {
         signs: &ModeLanes,
         conditions: &Conditions<'_>,
     ) -> Mask<LANES> {
-        solve(&self.compiled, at, last, signs, conditions)
+        solve(self, at, last, signs, conditions)
     }
 
     #[inline(always)]
@@ -148,12 +151,13 @@ impl InLanes<LANES> for Interpreted {
 /// Solves all blocks; returns the lanes that fail or are not finite.
 #[inline(always)]
 fn solve(
-    compiled: &Compiled,
+    interpreted: &Interpreted,
     at: &mut InstantLanes,
     last: &InstantLanes,
     signs: &ModeLanes,
     conditions: &Conditions<'_>,
 ) -> Mask<LANES> {
+    let compiled = &*interpreted.compiled;
     if compiled.blocks.iter().any(|it| it.newton.is_some()) {
         return Mask::ALL;
     }
@@ -170,25 +174,51 @@ fn solve(
     for (register, sign) in compiled.signs.iter().zip(&signs.0) {
         registers[register.index()] = *sign;
     }
-    let mut failed = Mask::NONE;
-    for block in &compiled.blocks {
-        for operation in &block.operations {
-            failed |= run_lanes(operation, &compiled.code, registers);
+    match &interpreted.limited {
+        Some(limited) => {
+            let blocks = limited.reduced.operations.iter().map(|it| &it[..]);
+            let failed = run(&limited.reduced.code, blocks, registers);
+            failed | store(limited.stored.iter().copied(), &mut at.values, registers)
+        }
+        None => {
+            let blocks = compiled.blocks.iter().map(|it| &it.operations[..]);
+            let failed = run(&compiled.code, blocks, registers);
+            failed | store(compiled.stored(), &mut at.values, registers)
         }
     }
+}
+
+/// Runs the operations of all blocks; returns the lanes that fail.
+#[inline(always)]
+fn run<'a>(
+    code: &Code,
+    blocks: impl Iterator<Item = &'a [Operation]>,
+    registers: &mut [Lanes],
+) -> Mask<LANES> {
+    let mut failed = Mask::NONE;
+    for operation in blocks.flatten() {
+        failed |= run_lanes(operation, code, registers);
+    }
+    failed
+}
+
+/// Writes registers into the slots of instants; returns the lanes that are not finite.
+#[inline(always)]
+fn store(
+    stored: impl Iterator<Item = (usize, Register)>,
+    values: &mut [Lanes],
+    registers: &[Lanes],
+) -> Mask<LANES> {
     // Sums of finite products with zero are zero; others are NaN. Sums that do not wait for one another take less time.
     let mut sums = [ZERO; 4];
-    let kept = [&compiled.time]
-        .into_iter()
-        .chain(&compiled.given)
-        .chain(&compiled.kept);
-    for (place, (value, register)) in at.values.iter_mut().zip(kept).enumerate() {
-        *value = registers[register.index()];
-        sums[place % 4] = sums[place % 4] + 0.0 * *value;
+    for (place, (slot, register)) in stored.enumerate() {
+        let value = registers[register.index()];
+        values[slot] = value;
+        sums[place % 4] = sums[place % 4] + 0.0 * value;
     }
     let [a, b, c, d] = sums;
     let sum = (a + b) + (c + d);
-    failed | Mask::of(|lane| sum.0[lane].is_nan())
+    Mask::of(|lane| sum.0[lane].is_nan())
 }
 
 impl Interpreted {
@@ -207,8 +237,20 @@ impl Interpreted {
         *self.forces.get(index)?
     }
 
-    /// Returns the code that computes all points of eight instants; `None` if instants keep them.
-    pub(crate) fn point_formulas(&self) -> Option<&Formulas> {
-        self.points.computed()
+    /// Returns the code that computes the points among observables, by the index of [`point_result`]; `None` if instants keep points, or if
+    /// there are none.
+    pub(crate) fn points_of(&self, observables: &[Observable]) -> Option<Formulas> {
+        let results = observables.iter().filter_map(|it| match *it {
+            Observable::Point { place, axis, level } => Some(point_result(place, level, axis)),
+            _ => None,
+        });
+        let results: Vec<usize> = results.collect();
+        let formulas = self.points.computed().filter(|_| !results.is_empty());
+        formulas.map(|it| it.limited_to(&results))
     }
+}
+
+/// Returns the index of a component of a point among the results of all points.
+pub(crate) fn point_result(point: usize, level: usize, axis: usize) -> usize {
+    6 * point + 2 * level + axis
 }

@@ -8,9 +8,11 @@ mod beside;
 mod blocks;
 mod compiled;
 mod lanes;
+mod limited;
 mod loads;
 mod path;
 mod points;
+mod reduced;
 mod run;
 mod view;
 
@@ -38,11 +40,12 @@ use crate::reader::Reader;
 use crate::supplied::{InputSignals, Modes, Pose};
 use crate::view::View;
 use compiled::Compiled;
+use limited::Limited;
 use loads::LoadReader;
 use path::InterpretedPath;
 use points::Points;
 
-pub(crate) use lanes::InstantLanes;
+pub(crate) use lanes::{InstantLanes, point_result};
 
 /// Mechanism that is solved block by block, in SI units: m, rad, s.
 ///
@@ -72,6 +75,8 @@ pub(crate) use lanes::InstantLanes;
 #[derive(Clone, Debug)]
 pub struct Interpreted {
     compiled: Arc<Compiled>,
+    /// Part of the operations that run; `None` for all.
+    limited: Option<Arc<Limited>>,
     registers: RefCell<Vec<f64>>,
     path_registers: RefCell<[Vec<f64>; 2]>,
     points: Points,
@@ -204,6 +209,7 @@ impl Interpreted {
                 path.map_or_else(Default::default, InterpretedPath::registers),
             ),
             compiled: Arc::new(compiled),
+            limited: None,
             residuals: Cell::new(0),
             solves: Cell::new(0),
         }

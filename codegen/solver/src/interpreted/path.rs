@@ -91,6 +91,14 @@ impl InterpretedPath {
         })
     }
 
+    /// Slots of instants that are read.
+    pub fn slots(&self) -> impl Iterator<Item = usize> + '_ {
+        let checks = [Some(&self.whole), self.closed.as_ref()].into_iter();
+        let read = checks.flatten().flat_map(|it| it.read.iter().flatten());
+        let read = read.map(|(_, slot)| *slot);
+        read.chain(self.enclosures.iter().map(|(slot, _)| *slot))
+    }
+
     /// Returns the registers of both verifications.
     pub fn registers(&self) -> [Vec<f64>; 2] {
         let closed = self.closed.as_ref();

@@ -25,9 +25,13 @@ impl Interpreted {
     ) -> Result<(), Failure> {
         let Compiled { code, blocks, .. } = &*self.compiled;
         let block = &blocks[index];
+        let (code, operations) = match &self.limited {
+            Some(limited) => (&limited.reduced.code, &limited.reduced.operations[index]),
+            None => (code, &block.operations),
+        };
         let number = u16::try_from(index).unwrap_or(u16::MAX);
         let mut factorization = None;
-        for operation in &block.operations {
+        for operation in operations {
             match (operation, &block.newton) {
                 (Operation::Newton, Some(newton)) => {
                     let mode = &mut modes.iterated[block.iterated];
