@@ -8,8 +8,8 @@ pub use crate::checks::{check, check_all, findings_of};
 pub mod expr {
     #[doc(inline)]
     pub use crate::expr::{
-        Assembler, Code, Computation, ExprId, Factor, Graph, Lanes, Node, Number, Reads, Recorder,
-        Register, SplineId, SymbolId, Tape,
+        Assembler, Code, Computation, ExprId, Factor, Graph, LANES, Lanes, Node, Number, Reads,
+        Recorder, Register, SplineId, SymbolId, Tape,
     };
 }
 

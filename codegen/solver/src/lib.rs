@@ -32,7 +32,7 @@
 //! - [`View`] is what both formulations provide. [`Dense`] is the other one, the textbook formulation as one system.
 //! - [`Moved`] moves the program that is written out, and computes beside it what an `output` omits.
 //! - [`follow`] moves a mechanism over the times of a [`Schedule`] and finds the end of its motion.
-//! - [`Batch`] solves many sets of parameters at once, in eight lanes and on several threads.
+//! - [`Batch`] solves many sets of parameters at once, in sixteen lanes and on several threads.
 //! - [`Check`] looks for assemblies and singular poses over a schedule.
 //! - [`Simulation`] integrates the motion of free coordinates under forces.
 //! - [`Observable`] names a quantity of a frame, and [`Comparison`] compares its values with measured ones.

@@ -2,6 +2,7 @@
 
 use linkwright::lanes::Group;
 use linkwright::{Blocks, Failure, FailureKind, Mechanism, Settings, Shell, Signal, Values};
+use linkwright_codegen::stages::expr::LANES;
 use linkwright_solver::{InputSignals, Interpreted};
 use linkwright_tests::description;
 
@@ -54,8 +55,8 @@ fn a_motion_ends_at_the_first_frame_outside_of_a_range() {
     .expect("drawn");
     let mut other = assembled(&blocks, &of(0.0));
     // The last lane stays in its range.
-    let mut group: Group<Interpreted, 8> = Group::new(blocks.clone());
-    for lane in [0, 7] {
+    let mut group: Group<Interpreted, LANES> = Group::new(blocks.clone());
+    for lane in [0, LANES - 1] {
         group.put(lane, assembled(&blocks, &of(0.0)));
     }
     let rest = InputSignals(vec![Signal::constant(0.05)]);
@@ -74,9 +75,9 @@ fn a_motion_ends_at_the_first_frame_outside_of_a_range() {
         let instant = other.advance(t, &of(t)).expect("in the range");
         assert_eq!(frame.q.to_array()[..], *instant.frame().q.as_slice());
         let inputs = of(t);
-        let supplied: [&InputSignals; 8] =
+        let supplied: [&InputSignals; LANES] =
             std::array::from_fn(|lane| if lane == 0 { &inputs } else { &rest });
-        assert!(group.advance(&[t; 8], &supplied).is_empty());
+        assert!(group.advance(&[t; LANES], &supplied).is_empty());
     }
     let t = (last + 1.0) * STEP;
     let (before, outside) = (*one.frame(), pushed(t));
@@ -98,17 +99,20 @@ fn a_motion_ends_at_the_first_frame_outside_of_a_range() {
     assert_eq!(*one.frame(), before);
     assert_eq!(other.advance(t, &of(t)).expect_err("outside"), expected);
     let inputs = of(t);
-    let supplied: [&InputSignals; 8] =
+    let supplied: [&InputSignals; LANES] =
         std::array::from_fn(|lane| if lane == 0 { &inputs } else { &rest });
     assert_eq!(
         group
-            .advance(&[t; 8], &supplied)
+            .advance(&[t; LANES], &supplied)
             .lanes()
             .collect::<Vec<_>>(),
         [0]
     );
-    assert_eq!((group.failure(0), group.failure(7)), (Some(expected), None));
-    let (failed, _) = group.frames_at(&[t; 8], &supplied);
+    assert_eq!(
+        (group.failure(0), group.failure(LANES - 1)),
+        (Some(expected), None)
+    );
+    let (failed, _) = group.frames_at(&[t; LANES], &supplied);
     assert_eq!(failed.lanes().collect::<Vec<_>>(), [0]);
     let words = format!(
         "input extension: {} m is outside of its range from 0.025 m to 0.075 m, at t = {t} s",

@@ -11,7 +11,7 @@ use super::values::{step, time};
 /// Solves the motion for many sets of parameters and inputs, and writes a table of their extremes.
 ///
 /// Sets are all combinations of evenly spaced values, the rows of a file, or samples of Sobol's sequence. All threads
-/// solve, eight sets at once each; the numbers do not depend on it. A set that cannot be solved has a row with the
+/// solve, sixteen sets at once each; the numbers do not depend on it. A set that cannot be solved has a row with the
 /// reason.
 #[derive(Args, Debug)]
 #[command(after_help = SWEEP_EXAMPLES)]

@@ -96,8 +96,11 @@ pub enum Computation {
     Spline(Register, u32, u8),
 }
 
-/// Contents of a register in eight lanes: of eight mechanisms that are solved in step.
-pub type Lanes = linkwright_math::Lanes<f64, 8>;
+/// Number of lanes: two of the widest vectors, so that one of them is computed while the other waits for its operands.
+pub const LANES: usize = 16;
+
+/// Contents of a register in sixteen lanes: of sixteen mechanisms that are solved in step.
+pub type Lanes = linkwright_math::Lanes<f64, LANES>;
 
 /// Contents of a register, one number for each lane.
 trait Numbers<const N: usize>: Copy {
@@ -130,24 +133,24 @@ impl Numbers<1> for f64 {
     }
 }
 
-impl Numbers<8> for Lanes {
+impl Numbers<LANES> for Lanes {
     #[inline(always)]
-    fn numbers(self) -> [f64; 8] {
+    fn numbers(self) -> [f64; LANES] {
         self.0
     }
 
     #[inline(always)]
-    fn of(numbers: [f64; 8]) -> Lanes {
+    fn of(numbers: [f64; LANES]) -> Lanes {
         linkwright_math::Lanes(numbers)
     }
 
     #[inline(always)]
-    fn sines_cosines(angles: [f64; 8]) -> [[f64; 8]; 2] {
+    fn sines_cosines(angles: [f64; LANES]) -> [[f64; LANES]; 2] {
         double::sines_cosines(angles)
     }
 
     #[inline(always)]
-    fn arctangents(y: [f64; 8], x: [f64; 8]) -> [f64; 8] {
+    fn arctangents(y: [f64; LANES], x: [f64; LANES]) -> [f64; LANES] {
         double::arctangents(y, x)
     }
 }
@@ -158,7 +161,7 @@ impl Code {
         &self.initial
     }
 
-    /// All registers in eight lanes, as they are before the first instruction.
+    /// All registers in sixteen lanes, as they are before the first instruction.
     pub fn lanes(&self) -> Vec<Lanes> {
         self.initial.iter().map(|&it| Lanes::splat(it)).collect()
     }
@@ -179,7 +182,7 @@ impl Code {
         }
     }
 
-    /// Runs instructions in eight lanes at once, each with the bits of [`Code::run`].
+    /// Runs instructions in sixteen lanes at once, each with the bits of [`Code::run`].
     ///
     /// It is inlined: code compiled for wider vectors has to contain it.
     ///

@@ -49,7 +49,7 @@ pub use assembler::Assembler;
 pub use bounds::{Excess, MAX_DEPTH, MAX_STORED_TERMS};
 pub use choice::Comparison;
 pub use circles::Circle;
-pub use code::{Code, Computation, Lanes, Register};
+pub use code::{Code, Computation, LANES, Lanes, Register};
 pub use graph::Graph;
 pub use hashing::{IdMap, IdSet};
 pub use node::{ExprId, Factor, Node, SymbolId, Term};

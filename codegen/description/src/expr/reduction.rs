@@ -1,6 +1,6 @@
 //! Reduces code to what is read of it: leaves out instructions, and joins products with the sums that alone read them.
 //!
-//! What is read keeps its bits: a joined instruction rounds the products as they were rounded before.
+//! Results that are read keep their bits: a joined instruction rounds the products as they were rounded before.
 
 use std::ops::Range;
 
@@ -161,7 +161,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_read_keeps_its_bits() {
+    fn results_that_are_read_keep_their_bits() {
         let graph = Graph::new();
         let mut state = 1_u64;
         let mut random = |count: usize| {

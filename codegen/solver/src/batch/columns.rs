@@ -1,4 +1,4 @@
-//! Reads observables from the instants of eight mechanisms.
+//! Reads observables from the instants of sixteen mechanisms.
 
 use linkwright_codegen::stages::expr::Lanes;
 

@@ -1,4 +1,4 @@
-//! Solves the motion of many sets of parameters and inputs, eight at once and on several threads.
+//! Solves the motion of many sets of parameters and inputs, sixteen at once and on several threads.
 //!
 //! The result of a set has the bits of a [`Shell`](linkwright::Shell) of its own: it depends neither on other sets nor on the number of
 //! threads.

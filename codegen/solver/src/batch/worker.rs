@@ -1,14 +1,14 @@
-//! Solves sets one after another in a group of eight lanes, on one thread.
+//! Solves sets one after another in a group of sixteen lanes, on one thread.
 //!
 //! A lane takes the next set as soon as its own has ended, so lanes are at different instants.
 
 use linkwright::lanes::{Group, Mask};
 use linkwright::{Blocks, Failure, Shell};
+use linkwright_codegen::stages::expr::LANES;
 
 use super::columns::Columns;
 use super::{Outcome, Supplied, Task};
 use crate::interpreted::Interpreted;
-use crate::operation::LANES;
 use crate::supplied::{InputSignals, Modes, Numbers, Pose};
 
 /// Lanes of a thread.

@@ -1,21 +1,21 @@
-//! Solves a frame of eight mechanisms of the same program at once.
+//! Solves a frame of sixteen mechanisms of the same program at once.
 //!
 //! A lane has the bits of the scalar blocks, whatever the other lanes do. Programs with Newton-Raphson reject all lanes, which the scalar
 //! blocks solve instead.
 
 use linkwright::generated::TimeWindow;
 use linkwright::lanes::{InLanes, LaneValues, Mask, ReadLanes};
-use linkwright_codegen::stages::expr::{Code, Lanes, Register};
+use linkwright_codegen::stages::expr::{Code, LANES, Lanes, Register};
 
 use super::Interpreted;
 use super::path::InterpretedPath;
 use crate::instant::Instant;
 use crate::observable::Observable;
-use crate::operation::{LANES, Operation, run_lanes};
+use crate::operation::{Operation, run_lanes};
 use crate::reader::Formulas;
 use crate::supplied::{InputSignals, Modes, ParameterValues};
 
-/// Instants of eight mechanisms, with the registers that they are solved in.
+/// Instants of sixteen mechanisms, with the registers that they are solved in.
 #[derive(Clone, Debug)]
 pub struct InstantLanes {
     /// Values in the order of instants.
@@ -29,11 +29,11 @@ pub struct InstantLanes {
 #[derive(Clone, Debug)]
 pub struct ModeLanes(Vec<Lanes>);
 
-/// Parameters of eight mechanisms.
+/// Parameters of sixteen mechanisms.
 #[derive(Clone, Debug)]
 pub struct ParameterLanes(Vec<Lanes>);
 
-/// Inputs of eight mechanisms: value, rate and acceleration of each.
+/// Inputs of sixteen mechanisms: value, rate and acceleration of each.
 #[derive(Clone, Debug)]
 pub struct InputLanes(Vec<[Lanes; 3]>);
 
@@ -90,7 +90,7 @@ impl LaneValues<InputSignals> for InputLanes {
     }
 }
 
-/// Data with which eight instants are solved.
+/// Data with which sixteen instants are solved.
 type Conditions<'a> = linkwright::lanes::Conditions<'a, Lanes, ParameterLanes, InputLanes>;
 
 impl InLanes<LANES> for Interpreted {

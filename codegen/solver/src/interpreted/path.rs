@@ -4,14 +4,14 @@
 
 use linkwright::generated::{Pair, PathEnclosure, TimeWindow, required};
 use linkwright::lanes::Mask;
-use linkwright_codegen::stages::expr::{Code, Lanes, Register, SymbolId};
+use linkwright_codegen::stages::expr::{Code, LANES, Lanes, Register, SymbolId};
 use linkwright_codegen::stages::pool::{Pool, SymbolRole};
 use linkwright_codegen::stages::program::{Function, Program};
 use linkwright_codegen::stages::system::System;
 
 use super::Interpreted;
 use crate::instant::{Instant, Layout};
-use crate::operation::{LANES, Operation, Writer, run, run_lanes};
+use crate::operation::{Operation, Writer, run, run_lanes};
 
 /// Path of a mechanism.
 #[derive(Clone, Debug)]

@@ -1,18 +1,15 @@
-//! Executes operations of closed forms in eight lanes at once.
+//! Executes operations of closed forms in sixteen lanes at once.
 //!
 //! A lane that does not fail has the bits of [`run`](super::run). Checks return the lanes that fail; their registers then hold
 //! arbitrary numbers.
 
 use linkwright::generated::{exceeds_rounding, multipliers};
 use linkwright::lanes::Mask;
-use linkwright_codegen::stages::expr::{Code, Lanes, Register};
+use linkwright_codegen::stages::expr::{Code, LANES, Lanes, Register};
 use linkwright_math::double;
 use nalgebra::{DMatrix, DVector};
 
 use super::Operation;
-
-/// Number of lanes.
-pub(crate) const LANES: usize = 8;
 
 /// Runs an operation; returns the lanes that fail, all of them for an operation of Newton-Raphson.
 #[inline(always)]

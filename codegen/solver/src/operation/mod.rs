@@ -17,7 +17,7 @@ use linkwright_codegen::stages::expr::{Code, Register};
 use nalgebra::{DMatrix, DVector};
 
 pub(crate) use isolation::Isolation;
-pub(crate) use lanes::{LANES, run_lanes};
+pub(crate) use lanes::run_lanes;
 pub(crate) use writer::Writer;
 
 /// Operation of a block.
