@@ -319,6 +319,7 @@ class Mechanism:
         """Solve the motion at the instants `t`.
 
         The mechanism is assembled at `start` and followed from there to the instants, in both directions. It never changes its assembly.
+        Coordinates that are free keep their first rate; `simulate` moves them by forces.
 
         Parameters
         ----------
@@ -328,8 +329,8 @@ class Mechanism:
             Values of parameters, in SI units: one per set. With `values`, `inputs` or `outputs` the result is a `Batch` of N sets.
         inputs : mapping of str to array_like, optional
             Inputs of the batch: a value, or a tuple of value, rate and acceleration, each a number, one per set (N,), or one per set and
-            instant (N, T); N may be 1. Inputs without an entry stay at their values. A law as text belongs to the mechanism,
-            ``m(boom="0.2*sin(t)")``.
+            instant (N, T); N may be 1. Those by instant hold at the start as at the instant nearest to it. Inputs without an entry stay at
+            their values. Text is a law of all sets, ``inputs={"boom": "0.2*sin(t)"}``.
         outputs : sequence of str, optional
             Quantities of the batch; the name of a point stands for its x and y. All without it.
         start : float, optional
