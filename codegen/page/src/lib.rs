@@ -50,5 +50,6 @@ pub use message::{Message, messages, refused};
 pub use moving::labeled;
 pub use pull::Pulled;
 pub use question::{Detail, Pull, Question, Range};
+pub use recorded::at_start;
 pub use session::Session;
 pub use whole::{Live, Page, page, problem};

@@ -16,8 +16,8 @@ use crate::motion::instants;
 /// Measured quantity: its name, values in SI units (NaN if missing), and the standard deviation of one value.
 type Measured<'py> = (String, PyReadonlyArray1<'py, f64>, Option<f64>);
 
-/// Difference of a column: its quantity, number of values, root mean square, largest difference and its time (s).
-type Compared = (String, usize, f64, f64, f64);
+/// Differences of a column: number of values, root mean square, largest difference and its time (s).
+type Compared = (usize, f64, f64, f64);
 
 #[pymethods]
 impl Mechanism {
@@ -50,7 +50,7 @@ impl Mechanism {
         let differences =
             pairs.map(|(t, (measured, solved))| (*t, difference(*measured, *solved, is_angle)));
         let compared = Comparison::of(differences);
-        Ok(compared.map(|it| (name.to_string(), it.count, it.rms, it.largest, it.at)))
+        Ok(compared.map(|it| (it.count, it.rms, it.largest, it.at)))
     }
 
     /// Fits the parameters by which this mechanism is differentiated. `bounds` are by name; `step` is the largest time between frames (s).

@@ -6,9 +6,9 @@ use std::path::PathBuf;
 use std::sync::Mutex;
 
 use linkwright::Blocks as _;
+use linkwright_codegen::stages::files;
 use linkwright_codegen::stages::model::{Dimension, set};
 use linkwright_codegen::stages::system::Derived;
-use linkwright_codegen::stages::{files, pool::Pool};
 use linkwright_codegen::{Diagnostics, Read, Requests, Source};
 use linkwright_solver::opened::{determined, solvable};
 use linkwright_solver::{Instant, Interpreted, Modes, Unopened};
@@ -252,28 +252,24 @@ impl Mechanism {
     fn controls(&self) -> Vec<Control> {
         let Derived { pool, system } = &self.derived;
         let mechanism = &system.mechanism;
-        let value = |pool: &Pool, expr| pool.graph.constant_value(expr);
+        let control = |kind, name: &str, value, dimension, range, docs: &[String]| -> Control {
+            let unit = Dimension::unit_if_known(dimension);
+            (name.to_string(), kind, value, unit, range, joined(docs))
+        };
         let parameters = mechanism.parameters.iter().map(|it| {
             let value = pool.graph.nominal(it.symbol);
-            (
-                it.name.clone(),
+            control(
                 "parameter",
+                &it.name,
                 value,
-                unit(it.dimension),
+                it.dimension,
                 it.range,
-                joined(&it.docs),
+                &it.docs,
             )
         });
         let inputs = mechanism.inputs.iter().map(|it| {
-            let value = value(pool, it.signal[0]);
-            (
-                it.name.clone(),
-                "input",
-                value,
-                unit(it.dimension),
-                it.range,
-                joined(&it.docs),
-            )
+            let value = pool.graph.constant_value(it.signal[0]);
+            control("input", &it.name, value, it.dimension, it.range, &it.docs)
         });
         parameters.chain(inputs).collect()
     }
@@ -284,11 +280,6 @@ impl Mechanism {
         let view = self.view();
         view.drawn_pose(&view.nominal_parameters()).0
     }
-}
-
-/// Returns the SI unit of a value; empty for a pure number.
-fn unit(dimension: Dimension) -> String {
-    dimension.unit_if_known()
 }
 
 fn joined(lines: &[String]) -> String {

@@ -10,7 +10,6 @@ use pyo3::prelude::*;
 
 use crate::findings::refused;
 use crate::frames::Frames;
-use crate::interrupt::Interrupt;
 use crate::mechanism::Mechanism;
 
 /// Solved motion: columns, values and findings.
@@ -140,15 +139,8 @@ impl Mechanism {
             let selection = everything(&view);
             let mut motion = Followed::new(view, selection, start, chosen);
             let mut frames = Frames::new(Columns::of(&motion));
-            let mut interrupt = Interrupt::new();
-            let mut stopped = None;
-            let followed = motion.follow(&schedule, &mut [&mut frames], |_| {
-                stopped = stopped.take().or_else(|| interrupt.check().err());
-            });
-            match stopped {
-                Some(error) => Err(error),
-                None => followed.map(|()| (motion, frames)).map_err(ended),
-            }
+            let followed = motion.follow(&schedule, &mut [&mut frames], |_| {});
+            followed.map(|()| (motion, frames)).map_err(ended)
         })?;
         Solved::of(py, motion, &frames, &times)
     }

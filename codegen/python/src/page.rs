@@ -1,10 +1,9 @@
 //! Draws a mechanism and writes its page, for notebooks.
 
-use linkwright::Blocks as _;
 use linkwright_codegen::stages::emit::drawing::{Options, Pose, draw};
-use linkwright_page::{Live, Page, Range, checked, page};
+use linkwright_page::{Live, Page, Range, at_start, checked, page};
 use linkwright_solver::drawn::pose;
-use linkwright_solver::{Movable as _, Moved, Numbers, Schedule, View as _};
+use linkwright_solver::{Movable as _, Schedule, View as _};
 use pyo3::prelude::*;
 
 use crate::findings::refused;
@@ -17,12 +16,7 @@ impl Mechanism {
         let view = self.view();
         let chosen = self.chosen(&view, t)?;
         Ok(py.detach(move || {
-            let parameters = view.nominal_parameters();
-            let (start, modes) = match chosen {
-                Some((instant, modes)) => (Numbers(instant.q().to_vec()), modes),
-                None => (view.drawn_pose(&parameters), view.drawn_branches()),
-            };
-            let drawn = match Moved::assemble(view.clone(), &start, modes, t) {
+            let drawn = match at_start(&view, chosen, t) {
                 Ok(moved) => pose(&view, moved.instant()),
                 Err(_) => Pose::drawn(view.pool(), view.system()),
             };

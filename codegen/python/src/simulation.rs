@@ -9,6 +9,7 @@ use pyo3::prelude::*;
 
 use crate::findings::refused;
 use crate::frames::Frames;
+use crate::interrupt::Interrupt;
 use crate::mechanism::Mechanism;
 use crate::motion::{Solved, ended, everything, instants, schedule};
 
@@ -55,15 +56,25 @@ impl Mechanism {
             let selection = everything(&view);
             let mut motion = Followed::moved_by_forces(&view, selection, chosen.clone());
             let mut frames = Frames::new(Columns::of(&motion));
+            let (mut interrupt, mut interrupted) = (Interrupt::new(), None);
             let listeners = Listeners {
                 reached: &mut |_| {},
-                taken: &mut |_| ControlFlow::Continue(()),
+                // There may be many steps before the next instant.
+                taken: &mut |_| match interrupt.check() {
+                    Ok(()) => ControlFlow::Continue(()),
+                    Err(error) => {
+                        interrupted = Some(error);
+                        ControlFlow::Break(String::new())
+                    }
+                },
             };
             let started = (&view, chosen);
-            motion
-                .simulate(started, &schedule, options, &mut [&mut frames], listeners)
-                .map(|()| (motion, frames))
-                .map_err(ended)
+            let simulated =
+                motion.simulate(started, &schedule, options, &mut [&mut frames], listeners);
+            match interrupted {
+                Some(error) => Err(error),
+                None => simulated.map(|()| (motion, frames)).map_err(ended),
+            }
         })?;
         Solved::of(py, motion, &frames, &times)
     }

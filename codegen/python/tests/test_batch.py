@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import csv
 import io
+import os
+import signal
 import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
@@ -13,7 +15,7 @@ from typing import Any
 import linkwright
 import numpy as np
 import pytest
-from conftest import FOUR_BAR, TURNED, command
+from conftest import FOUR_BAR, PENDULUM, TURNED, command
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -213,3 +215,17 @@ def test_threads_of_python_share_a_mechanism() -> None:
     with ThreadPoolExecutor(4) as pool:
         for values in pool.map(lambda _: M.solve(T).values, range(64)):
             np.testing.assert_array_equal(values, expected)
+
+
+def test_ctrl_c_ends_a_motion_and_a_simulation() -> None:
+    pendulum = linkwright.loads(PENDULUM)
+    for work in (
+        lambda: M.solve(np.linspace(0, 1e4, 3_000_000)),
+        lambda: pendulum.simulate([1e5]),
+    ):
+        timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
+        begun = time.monotonic()
+        timer.start()
+        with pytest.raises(KeyboardInterrupt):
+            work()
+        assert time.monotonic() - begun < 3

@@ -1,7 +1,7 @@
 //! Selects descriptions whose modules contain all that the modules of the others contain.
 //!
-//! What an emitter writes is seen in short sequences of tokens: which function of the runtime is called with what, and how a statement is
-//! put together. Of every description that is left out, each sequence of three tokens of its module in C is in the module of a
+//! Short sequences of tokens show how an emitter writes: the functions of the runtime that it calls, their operands, and the parts of its
+//! statements. Of every description that is left out, each sequence of three tokens of its module in C is in the module of a
 //! representative. Names of the mechanism, numbers and texts count as equal to one another. Rust is emitted from the same programs.
 
 use std::collections::{HashMap, HashSet};

@@ -33,7 +33,7 @@ impl<V: View> Followed<V> {
         };
         let laws = self.view.input_laws();
         let mut watch = self.measures.clone().map(|it| Watch::new(it, laws.clone()));
-        let mut error = None;
+        let mut ended = None;
         let mut approaches = Vec::new();
         let mut earlier: Vec<(Instant, Vec<f64>)> = Vec::new();
         let start = moved.instant().clone();
@@ -55,8 +55,7 @@ impl<V: View> Followed<V> {
                 Ok::<(), io::Error>(())
             })?;
             approaches.extend(watch.map_or(Vec::new(), |it| it.finish(moved.fuller())));
-            self.failure = end.as_ref().map(|end| EarlyEnd::from(&end.failure));
-            error = end.map(|end| moved.ended(&end));
+            ended = end.map(|end| (EarlyEnd::from(&end.failure), moved.ended(&end)));
         }
         for (instant, sizes) in earlier.iter().rev() {
             self.show(instant, sizes, sinks)?;
@@ -67,7 +66,7 @@ impl<V: View> Followed<V> {
         if schedule.start.wanted {
             self.show(&start, &sizes, sinks)?;
         }
-        if error.is_none() {
+        if ended.is_none() {
             let end = follow(&mut moved, &laws, &schedule.forward, |moved, wanted| {
                 let instant = moved.instant();
                 let sizes = watch
@@ -81,11 +80,10 @@ impl<V: View> Followed<V> {
                 }
             })?;
             approaches.extend(watch.map_or(Vec::new(), |it| it.finish(moved.fuller())));
-            self.failure = end.as_ref().map(|end| EarlyEnd::from(&end.failure));
-            error = end.map(|end| moved.ended(&end));
+            ended = end.map(|end| (EarlyEnd::from(&end.failure), moved.ended(&end)));
         }
         self.warnings = warnings(&approaches, self.view.singular_poses(), WARNING_LIMIT);
-        self.error = error;
+        (self.failure, self.error) = ended.unzip();
         self.finish();
         self.view = moved.fuller().blocks().clone();
         Ok(())

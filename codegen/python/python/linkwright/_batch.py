@@ -118,12 +118,6 @@ class Batch(Columns):
         end = f", {ended} end early" if ended else ""
         return f"<Batch of {self.mechanism.name}: {len(self)} sets at {len(self.t)} instants{end}>"
 
-    def __getstate__(self) -> dict[str, Any]:
-        return self.__dict__
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        self.__dict__.update(state)
-
 
 @dataclass(frozen=True)
 class Extremes:

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 from linkwright import _core
 from linkwright._batch import Batch, Progress, real, solve_sets
 from linkwright._checked import Assembly, Check
-from linkwright._columns import Array, unknown
+from linkwright._columns import COMPONENTS, Array, unknown
 from linkwright._equations import Equations, SymbolicEquations, symbolic
 from linkwright._errors import DescriptionWarning, Finding
 from linkwright._fit import Difference, Fit
@@ -226,8 +226,7 @@ class Mechanism:
     def measures(self) -> Mapping[str, str]:
         """SI units of the quantities besides coordinates and points, by name: driving forces, reactions, energies."""
         known = {f"{name}{it}" for name in self.coordinates for it in ("", "_d", "_dd")}
-        ends = ("_x", "_y", "_vx", "_vy", "_ax", "_ay")
-        known |= {f"{name}{it}" for name in self.points for it in ends}
+        known |= {f"{name}{it}" for name in self.points for both in COMPONENTS for it in both}
         return MappingProxyType({name: it for name, it in self.quantities.items() if name not in known})
 
     def __call__(self, **values: Value) -> Mechanism:
@@ -593,7 +592,7 @@ class Mechanism:
             solved = np.ascontiguousarray(motion[quantity])
             compared = self._core.differences(quantity, times, values, solved)
             if compared is not None:
-                found[column] = Difference(*compared)
+                found[column] = Difference(quantity, *compared)
         return found
 
     def calibrate(

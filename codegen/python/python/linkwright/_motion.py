@@ -5,7 +5,7 @@ from __future__ import annotations
 import html
 import warnings
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -167,9 +167,3 @@ class Motion(Columns):
         span = f", t = {self.t.min():g} to {self.t.max():g} s" if len(self.t) else ""
         end = f", {self.failed.kind} at t = {self.failed.time:g} s" if self.failed else ""
         return f"<Motion of {self.mechanism.name}: {len(self.t)} instants{span}{end}>"
-
-    def __getstate__(self) -> dict[str, Any]:
-        return self.__dict__
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        self.__dict__.update(state)
