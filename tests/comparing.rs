@@ -4,6 +4,7 @@
 //! without a list of names.
 
 use linkwright_codegen::stages::emit::rust::type_name;
+use linkwright_codegen::stages::model::Mechanism;
 use linkwright_codegen::stages::program::{Kept, Output, Program, Reaction};
 use linkwright_codegen::stages::solved::Solved;
 use linkwright_codegen::stages::structure::Shift;
@@ -35,12 +36,15 @@ pub fn write(own: &str, others: &str) {
                     continue;
                 };
                 let program = solved.program();
-                let (outputs, forces) = (outputs(program), forces(program));
+                let (outputs, reported) = (
+                    outputs(program),
+                    reported(program, &solved.system().mechanism),
+                );
                 let derivatives = derivatives(program);
                 list.push_str(&format!(
                     "    Compared {{\n        name: {name:?},\n        motion: {place},\n        compare: |derived| compare::<{path}::{mechanism_type}>(\n            derived,\n            |it| {{ {} }},\n            |it| {{ {} }},\n            |it| {{ {} }},\n        ),\n    }},\n",
                     collected(&outputs),
-                    collected(&forces),
+                    collected(&reported),
                     collected(&derivatives),
                 ));
             }
@@ -82,8 +86,8 @@ fn outputs(program: &Program) -> Vec<String> {
     values
 }
 
-/// Expressions for the forces of a frame, in the order of the interpreter's columns.
-fn forces(program: &Program) -> Vec<String> {
+/// Expressions for the forces and measures of a frame, in the order of the interpreter's columns; NaN for measures that `output` omits.
+fn reported(program: &Program, mechanism: &Mechanism) -> Vec<String> {
     let forces = &program.forces;
     let mut values = Vec::new();
     for effort in &forces.efforts {
@@ -105,6 +109,14 @@ fn forces(program: &Program) -> Vec<String> {
         let names = ["kinetic_energy", "potential_energy", "added_power"];
         values.extend(names.map(|it| format!("vec![it.{it}()]")));
     }
+    let measurements = 0..mechanism.measurements.len();
+    values.extend(measurements.map(|place| {
+        let mut measures = program.measures.iter();
+        match measures.find(|it| it.measurement == place) {
+            Some(measure) => format!("vec![it.measure_{}()]", measure.name),
+            None => "vec![f64::NAN]".to_string(),
+        }
+    }));
     values
 }
 
@@ -120,8 +132,13 @@ fn derivatives(program: &Program) -> Vec<String> {
     let sensitivities = program.sensitivities.iter();
     let sensitivities = sensitivities.filter(|it| it.coordinates.is_some());
     let sensitivities = sensitivities.flat_map(|it| {
-        ["position", "velocity"]
-            .map(|level| format!("it.sensitivity_{}().{level}.to_array().to_vec()", it.name))
+        let levels = ["position", "velocity"];
+        let coordinates =
+            levels.map(|level| format!("it.sensitivity_{}().{level}.to_array().to_vec()", it.name));
+        let measures = it.quantities.iter().filter(|it| it.is_measure);
+        let measures =
+            measures.map(move |of| format!("vec![it.{}_sensitivity_{}()]", of.name, it.name));
+        coordinates.into_iter().chain(measures)
     });
     transmissions.chain(sensitivities).collect()
 }

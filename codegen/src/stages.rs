@@ -25,8 +25,9 @@ pub mod joint {
 pub mod model {
     #[doc(inline)]
     pub use crate::model::{
-        Body, Dimension, ENDS_OF_TABLES, FUNCTIONS, Joint, LAWS, Mechanism, Mention, Requested,
-        Role, follow_points, range_text, set, si_unit, unit, value_text,
+        Body, Dimension, ENDS_OF_TABLES, FUNCTIONS, Joint, LAWS, Limit, MEASURE_FUNCTIONS,
+        Measurement, Mechanism, Mention, Requested, Role, follow_points, range_text, set, si_unit,
+        unit, value_text,
     };
     #[doc(inline)]
     pub use crate::read::mentions;
@@ -55,7 +56,9 @@ pub mod pool {
 /// Equations of the textbook formulation.
 pub mod system {
     #[doc(inline)]
-    pub use crate::system::{Carried, Cause, Component, Derived, Described, Passing, Row, System};
+    pub use crate::system::{
+        Carried, Cause, Component, Derived, Described, ForceColumn, Passing, Row, System,
+    };
 }
 
 /// Order of solution: blocks and their subsystems.

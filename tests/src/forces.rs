@@ -7,7 +7,7 @@
 use linkwright::{Settings, Shell};
 use linkwright_codegen::diagnostic::Source;
 use linkwright_codegen::stages::system::Derived;
-use linkwright_solver::forces::names;
+use linkwright_solver::reported::names;
 use linkwright_solver::{Instant, Interpreted, View};
 use nalgebra::{DMatrix, DVector};
 
@@ -66,7 +66,7 @@ impl Followed {
     /// # Panics
     /// If one is unknown.
     pub fn all(&self) -> Vec<(&str, f64)> {
-        let values = self.view.forces(self.instant()).expect("known");
+        let values = self.view.reported(self.instant()).expect("known");
         assert_eq!(values.len(), self.names.len());
         let names = self.names.iter().map(String::as_str);
         names.zip(values).collect()

@@ -83,9 +83,9 @@ pub fn coordinate(simulation: &Simulation, name: &str) -> [f64; 2] {
 /// If it is not requested.
 pub fn force(simulation: &Simulation, name: &str) -> f64 {
     let view = simulation.view();
-    let names = linkwright_solver::forces::names(view.pool(), view.system());
+    let names = linkwright_solver::reported::names(view.pool(), view.system());
     let place = names.iter().position(|(own, _)| own == name);
-    let values = view.forces(simulation.frame()).expect("known");
+    let values = view.reported(simulation.frame()).expect("known");
     values[place.unwrap_or_else(|| panic!("no {name}"))]
 }
 

@@ -299,7 +299,7 @@ impl Calibrator {
                     moved.sum::<f64>() + direct[parameter]
                 }));
             }
-            Observable::Force(_) => slopes.extend((0..count).map(|_| f64::NAN)),
+            Observable::Reported(_) => slopes.extend((0..count).map(|_| f64::NAN)),
         }
     }
 }

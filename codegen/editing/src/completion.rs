@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 
 use linkwright_codegen::diagnostic::Span;
 use linkwright_codegen::stages::joint::{CONSTRAINTS, DRIVERS, Kind as JointKind, Slot};
-use linkwright_codegen::stages::model::{FUNCTIONS, LAWS, UNITS};
+use linkwright_codegen::stages::model::{FUNCTIONS, LAWS, MEASURE_FUNCTIONS, UNITS};
 use linkwright_codegen::stages::syntax::{AXES, BUILT_IN, CLAUSES, KEYWORDS, Kind};
 
 use crate::description::Description;
@@ -161,6 +161,11 @@ impl<'a> Offer<'a> {
         written.iter().any(|it| it.kind == Kind::Mark(b'='))
     }
 
+    /// True inside a `measure` statement.
+    fn is_measure(&self) -> bool {
+        self.statement.opening() == Some("measure")
+    }
+
     fn statements(&self) -> Vec<Completion> {
         let mut items = self.words(&KEYWORDS, CompletionKind::Keyword, "statement");
         items.extend(self.kinds(CONSTRAINTS, "joint"));
@@ -196,6 +201,10 @@ impl<'a> Offer<'a> {
     fn formula(&self) -> Vec<Completion> {
         let mut items = self.named(|sort| !matches!(sort, Sort::Mechanism | Sort::Motion));
         items.extend(self.words(FUNCTIONS, CompletionKind::Function, "function"));
+        if self.is_measure() {
+            let functions = CompletionKind::Function;
+            items.extend(self.words(MEASURE_FUNCTIONS, functions, "function of measures"));
+        }
         items.extend(self.words(LAWS, CompletionKind::Function, "law of motion"));
         items.extend(self.words(&AXES, CompletionKind::Function, "coordinate"));
         items.extend(self.words(BUILT_IN, CompletionKind::BuiltIn, "built-in name"));

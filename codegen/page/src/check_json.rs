@@ -17,8 +17,10 @@
 //! | `proof` | with `--prove`: `{status, from, to, windows, shortest_window, determinants, coordinates, points, unproven}` |
 //! | `status` there | `proven`, or `sampled` if the motion cannot be proven |
 //! | `determinants` there | `{block, unknowns, at_least, located}` each: a lower bound of the magnitude of the normalized determinant in the whole range, and the smallest located value |
-//! | `coordinates`, `points` there | by name, bounds in the whole range, in `units`; `{x, y}` for points |
+//! | `coordinates`, `points`, `measures` there | by name, bounds in the whole range, in `units`; `{x, y}` for points; of measures those of positions |
 //! | `unproven` there | `{from, to, block, reason}`: the first window that cannot be proven |
+//! | `measures` | `{measure, unit, smallest: {value, t}, largest: {value, t}}` each, between frames too, if there are any |
+//! | `broken_limits` | `{measure, limit, intervals, beyond, t}` each: first and last time of each interval, and the largest excess with its time, if there are any |
 //! | `warnings`, `error` | sentences; `error` only if the motion ends early |
 
 use std::collections::BTreeMap;
@@ -30,6 +32,7 @@ use linkwright_solver::proof::{Enclosed, Proof};
 use linkwright_solver::{Check, View};
 use serde::Serialize;
 
+use crate::measured::{Broken, Extremes, broken, extremes};
 use crate::units::{enclosing, of_coordinate, si_of};
 
 #[derive(Serialize)]
@@ -50,6 +53,10 @@ struct Object<'a> {
     assemblies_undecided: Vec<BTreeMap<&'a str, [f64; 2]>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     proof: Option<ProofObject<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    measures: Vec<Extremes<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    broken_limits: Vec<Broken<'a>>,
     warnings: &'a [String],
     #[serde(skip_serializing_if = "Option::is_none")]
     error: Option<&'a str>,
@@ -103,6 +110,8 @@ struct ProofObject<'a> {
     coordinates: Option<BTreeMap<&'a str, [f64; 2]>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     points: Option<BTreeMap<&'a str, Point>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    measures: Option<BTreeMap<&'a str, [f64; 2]>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     unproven: Option<Unproven<'a>>,
 }
@@ -172,6 +181,14 @@ fn proof_object<'a>(check: &'a Check, proof: &'a Proof) -> ProofObject<'a> {
                 .collect()
         }),
         points,
+        measures: proven.filter(|it| !it.measures.is_empty()).map(|proven| {
+            let measurements = &check.interpreted.system().mechanism.measurements;
+            let all = proven.measures.iter().map(|(place, own)| {
+                let unit = units.of(&measurements[*place].unit());
+                (own.name.as_str(), enclosing(&unit, own.bounds))
+            });
+            all.collect()
+        }),
         unproven: proof.unproven.as_ref().map(|it| Unproven {
             from: it.window[0],
             to: it.window[1],
@@ -258,6 +275,8 @@ pub fn write(check: &Check, proof: Option<&Proof>, output: &mut dyn Write) -> io
             })
             .collect(),
         proof: proof.map(|proof| proof_object(check, proof)),
+        measures: extremes(check),
+        broken_limits: broken(check),
         warnings: &check.warnings,
         error: check.error.as_deref(),
     };

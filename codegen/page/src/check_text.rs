@@ -10,6 +10,7 @@ use linkwright_solver::warnings::times;
 use linkwright_solver::{Check, View};
 
 use crate::assembly_table;
+use crate::measured;
 use crate::units::{enclosing, si_of};
 
 /// Largest number of listed assemblies.
@@ -41,7 +42,8 @@ pub fn write(check: &Check, width: usize, output: &mut dyn Write) -> io::Result<
         return Ok(());
     }
     assemblies(check, width, output)?;
-    approaches(check, output)
+    approaches(check, output)?;
+    measured::write(check, output)
 }
 
 fn blocks(check: &Check, output: &mut dyn Write) -> io::Result<()> {

@@ -22,6 +22,7 @@ mod equations;
 mod forced;
 mod given;
 mod live;
+mod measured;
 mod message;
 pub mod motion;
 mod moving;

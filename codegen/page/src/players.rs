@@ -51,9 +51,9 @@ pub struct Players {
     joints: Vec<Joint>,
     measures: Vec<String>,
     units: ShownUnits,
-    /// Requested forces, each with its SI unit.
+    /// Requested forces and measures, each with its SI unit.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    forces: Vec<(String, &'static str)>,
+    forces: Vec<(String, String)>,
     /// True if columns hold `f64`.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     wide: bool,
@@ -197,7 +197,7 @@ impl Players {
                 })
                 .collect(),
             units: shown_units(system),
-            forces: linkwright_solver::forces::names(view.pool(), system),
+            forces: linkwright_solver::reported::names(view.pool(), system),
             measures: measures.map_or(Vec::new(), |measures| {
                 let parts = measures.parts();
                 let several = |block| parts.iter().filter(|it| it.block == block).count() > 1;

@@ -226,7 +226,7 @@ fn unexamined(
     let mut see = |moved: &Moved<Interpreted>| {
         kept.keep(|| {
             let instant = moved.instant().clone();
-            let forces = view.forces(&instant).unwrap_or_default();
+            let forces = view.reported(&instant).unwrap_or_default();
             let samples = measures.iter().flat_map(|measures| {
                 let samples = measures.at(moved.fuller().frame());
                 let parts = measures.parts().iter().zip(samples);
@@ -302,7 +302,7 @@ impl Kept {
 impl Sink for Kept {
     fn take(&mut self, shown: &Shown<'_>) -> io::Result<()> {
         self.keep(|| {
-            let forces = shown.forces.unwrap_or_default().to_vec();
+            let forces = shown.reported.unwrap_or_default().to_vec();
             (shown.instant.clone(), shown.measures.to_vec(), forces)
         });
         Ok(())

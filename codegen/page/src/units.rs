@@ -81,8 +81,8 @@ pub struct ColumnUnits {
     pub points: [OutputUnit; 3],
     /// Units of transmissions and sensitivities.
     pub derivatives: Vec<OutputUnit>,
-    /// Units of forces.
-    pub forces: Vec<OutputUnit>,
+    /// Units of forces and measures.
+    pub reported: Vec<OutputUnit>,
 }
 
 impl ColumnUnits {
@@ -92,14 +92,14 @@ impl ColumnUnits {
         let units = system.mechanism.units.of_tables();
         let coordinates = 0..system.coordinates.len();
         let derivatives = motion.derivative_names.iter();
-        let forces = motion.force_names.iter();
+        let reported = motion.reported_names.iter();
         ColumnUnits {
             coordinates: coordinates
                 .map(|it| Units::of(system, it, &units).levels)
                 .collect(),
             points: LENGTHS.map(|it| units.of(it)),
             derivatives: derivatives.map(|(_, si)| units.of(si)).collect(),
-            forces: forces.map(|(_, si)| units.of(si)).collect(),
+            reported: reported.map(|(_, si)| units.of(si)).collect(),
         }
     }
 

@@ -157,6 +157,7 @@ pub fn requested(requested: &[Requested]) -> Vec<String> {
     let names = requested.iter().map(|quantity| match quantity {
         Requested::Point(point) => format!("p{point}"),
         Requested::Coordinate(coordinate) => format!("q{coordinate}"),
+        Requested::Measure(measure) => format!("m{measure}"),
     });
     names.collect()
 }

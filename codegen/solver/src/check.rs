@@ -12,6 +12,7 @@ use crate::assemblies::{Assemblies, assemblies};
 use crate::checked_part::CheckedPart;
 use crate::condition::{Condition, dimensionless, jacobian};
 use crate::interpreted::Interpreted;
+use crate::measure_watch::{MeasureRanges, MeasureWatch};
 use crate::proof::Proof;
 use crate::schedule::Schedule;
 use crate::textbook::TextbookEquations;
@@ -69,6 +70,9 @@ pub struct Check {
     pub range: Option<[f64; 2]>,
     /// Assemblies at the start.
     pub assemblies: Assemblies,
+    /// Extremes of measures, and broken limits.
+    #[doc(hidden)]
+    pub measured: MeasureRanges,
     /// Warnings.
     pub warnings: Vec<String>,
     /// Reason of an early end of the motion; `None` if it is complete.
@@ -104,6 +108,7 @@ impl Check {
             Default::default(),
         );
         let (mut range, mut error, mut approaches) = (None, None, Vec::new());
+        let mut measuring = MeasureWatch::new(&interpreted);
         let failed = assembled.as_ref().err().map(|failure| failure.kind);
         let is_refused = failed.is_some_and(|kind| kind.rejects_values());
         let assemblies = match is_refused {
@@ -115,9 +120,11 @@ impl Check {
             Ok(mut shell) => {
                 let mut watch = Watch::new(interpreted.measured(), laws.clone());
                 watch.see(&shell);
+                measuring.iter_mut().for_each(|it| it.see(&shell));
                 let (mut count, mut last) = (1, start);
                 let seen = |shell: &Shell<Interpreted>, _| {
                     watch.see(shell);
+                    measuring.iter_mut().for_each(|it| it.see(shell));
                     count += 1;
                     last = shell.frame().t();
                     reached(count);
@@ -126,6 +133,7 @@ impl Check {
                 if let Ok(Some(end)) = follow(&mut shell, &laws, &schedule.forward, seen) {
                     // The last pose of a motion that ends early counts too.
                     watch.see(&shell);
+                    measuring.iter_mut().for_each(|it| it.see(&shell));
                     error = Some(interpreted.ended(&end.failure, &end.last));
                 }
                 range = Some([start, last]);
@@ -136,6 +144,7 @@ impl Check {
         Check {
             kinematic_freedom,
             net_freedom,
+            measured: measuring.map(MeasureWatch::finish).unwrap_or_default(),
             warnings: warnings(&approaches, poses, WARNING_MEASURE),
             parts: parts(&interpreted, &approaches),
             start,

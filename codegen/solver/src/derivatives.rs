@@ -1,7 +1,7 @@
 //! Evaluates the requests of `transmission` and `sensitivity` statements as named columns.
 //!
-//! A transmission is the derivative of a point or coordinate by the value of a driver. A sensitivity is that of a coordinate and its
-//! rate by a parameter. Both hold at a fixed time, in SI units.
+//! A transmission is the derivative of a point or coordinate by the value of a driver. A sensitivity is that of a coordinate, its
+//! rate or a measure by a parameter. Both hold at a fixed time, in SI units.
 
 use linkwright_codegen::stages::model::Requested;
 use linkwright_codegen::stages::program::{Found, Program};
@@ -11,8 +11,8 @@ use crate::instant::Layout;
 
 /// Returns the names of derivatives, each with its SI unit: `K_x per length(N, M)`, `phi2 per L2`, `phi2_d per L2`.
 ///
-/// Transmissions come first, quantity by quantity and driver by driver, then for each parameter all coordinates and all of their
-/// rates. Empty if nothing is requested.
+/// Transmissions come first, quantity by quantity and driver by driver, then for each parameter all coordinates, all of their
+/// rates, and the measures of positions and rates. Empty if nothing is requested.
 pub fn names(system: &System) -> Vec<(String, String)> {
     let mechanism = &system.mechanism;
     let (drivers, parameters): (Vec<_>, Vec<_>) = system
@@ -40,6 +40,11 @@ pub fn names(system: &System) -> Vec<(String, String)> {
                 )
             }));
         }
+        let measures = mechanism.measurements.iter().filter(|it| it.order <= 1);
+        names.extend(measures.map(|it| {
+            let unit = quotient(&it.unit(), &of_cause);
+            (format!("{} per {by}", it.name), unit)
+        }));
     }
     names
 }
@@ -101,6 +106,10 @@ fn components(system: &System, requested: Requested) -> Vec<(String, String)> {
             let coordinate = &system.coordinates[place];
             vec![(coordinate.name.clone(), coordinate.quantity.unit())]
         }
+        Requested::Measure(place) => {
+            let measure = &system.mechanism.measurements[place];
+            vec![(measure.name.clone(), measure.unit())]
+        }
     }
 }
 
@@ -134,6 +143,9 @@ pub(crate) fn of_program(program: &Program, layout: &Layout) -> Vec<Derivative> 
             let coordinates = sensitivity.coordinates.iter().flatten();
             all.extend(coordinates.map(|both| derivative(&both[level])));
         }
+        let quantities = sensitivity.quantities.iter();
+        let measures = quantities.filter(|it| it.is_measure);
+        all.extend(measures.flat_map(|it| &it.levels).flatten().map(derivative));
     }
     all
 }

@@ -4,10 +4,10 @@
 
 use linkwright::generated::multipliers;
 use linkwright_codegen::stages::expr::ExprId;
+use linkwright_codegen::stages::joint::Quantity;
 use linkwright_codegen::stages::model::Role;
 use linkwright_codegen::stages::pool::Pool;
-use linkwright_codegen::stages::program::Program;
-use linkwright_codegen::stages::system::{Carried, Component, System};
+use linkwright_codegen::stages::system::{Carried, Component, ForceColumn, System};
 use nalgebra::{DMatrix, DVector};
 
 use crate::instant::{Instant, Layout};
@@ -15,49 +15,34 @@ use crate::product::product;
 use crate::reader::Reader;
 
 /// Returns the columns, each with its unit: driving forces with their powers, then reactions, then energies. Empty if none is requested.
-pub fn names(pool: &Pool, system: &System) -> Vec<(String, &'static str)> {
-    let requests = &system.mechanism.forces;
-    let mut names = Vec::new();
-    if requests.efforts {
-        for (_, joint, quantity) in system.driven() {
-            let slug = &system.mechanism.joints[joint].slug;
-            let unit = match quantity.power_of_length() {
+pub(crate) fn names(pool: &Pool, system: &System) -> Vec<(String, String)> {
+    // Reactions need expressions that nothing else needs, so a draft receives them.
+    let mut pool = pool.draft();
+    let slug = |joint: usize| &system.mechanism.joints[joint].slug;
+    let named = |column: ForceColumn| match column {
+        ForceColumn::Effort(joint) => {
+            let mut driven = system.driven();
+            let quantity = driven.find(|it| it.1 == joint).map(|it| it.2);
+            let unit = match quantity.map_or(0, Quantity::power_of_length) {
                 0 => "N*m",
                 _ => "N",
             };
-            names.push((format!("effort_{slug}"), unit));
-            names.push((format!("power_{slug}"), "W"));
+            (format!("effort_{}", slug(joint)), unit)
         }
-    }
-    if !requests.reactions.is_empty() {
-        // Reactions need expressions that nothing else needs, so a draft receives them.
-        let mut pool = pool.draft();
-        for &joint in &requests.reactions {
-            let components = system
-                .passing(joint, &system.vector_form.rows, &mut pool)
-                .carried
-                .components();
-            let slug = &system.mechanism.joints[joint].slug;
-            let components = components.iter();
-            names.extend(
-                components.map(|it| (format!("reaction_{slug}_{}", it.suffix()), it.unit())),
-            );
-        }
-    }
-    if requests.energy {
-        names.extend([
-            ("kinetic_energy".to_string(), "J"),
-            ("potential_energy".to_string(), "J"),
-            ("added_power".to_string(), "W"),
-        ]);
-    }
-    names
-}
-
-/// Returns the indices in instants of a program's columns; `None` for a column that the program does not compute.
-pub(crate) fn of_program(program: &Program, layout: &Layout) -> Vec<Option<usize>> {
-    let fields = program.forces.asked().into_iter();
-    fields.map(|field| layout.slot(field)).collect()
+        ForceColumn::Power(joint) => (format!("power_{}", slug(joint)), "W"),
+        ForceColumn::Reaction(joint, component) => (
+            format!("reaction_{}_{}", slug(joint), component.suffix()),
+            component.unit(),
+        ),
+        ForceColumn::KineticEnergy => ("kinetic_energy".to_string(), "J"),
+        ForceColumn::PotentialEnergy => ("potential_energy".to_string(), "J"),
+        ForceColumn::AddedPower => ("added_power".to_string(), "W"),
+    };
+    let columns = system.force_columns(&mut pool).into_iter();
+    let columns = columns.map(named);
+    columns
+        .map(|(name, unit)| (name, unit.to_string()))
+        .collect()
 }
 
 /// Columns from the textbook formulation: Φ_qᵀ λ = Q − M q̈ as one dense system.

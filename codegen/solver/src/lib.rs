@@ -44,6 +44,7 @@
 mod batch;
 mod emitted;
 mod explained;
+mod forces;
 mod instant;
 mod interpreted;
 mod known_poses;
@@ -84,7 +85,7 @@ pub mod every_pose;
 #[doc(hidden)]
 pub mod first_step;
 #[doc(hidden)]
-pub mod forces;
+pub mod measure_watch;
 #[doc(hidden)]
 pub mod measures;
 #[doc(hidden)]
@@ -107,6 +108,8 @@ pub mod radau;
 pub mod rates;
 #[doc(hidden)]
 pub mod reader;
+#[doc(hidden)]
+pub mod reported;
 #[doc(hidden)]
 pub mod residuals;
 #[doc(hidden)]

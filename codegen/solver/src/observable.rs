@@ -1,5 +1,5 @@
 //! Lists the measurable quantities of a motion by their names in tables of frames: coordinates, their rates and accelerations, points,
-//! and requested forces.
+//! requested forces, and measures.
 //!
 //! Names of other programs are guessed from an object and a component; the caller reports the use of a guess.
 
@@ -57,8 +57,8 @@ pub enum Observable {
         /// 0 for position, 1 for velocity, 2 for acceleration.
         level: usize,
     },
-    /// Requested force: index among the columns of forces in tables of frames.
-    Force(usize),
+    /// Requested force or measure: index among their columns in tables of frames.
+    Reported(usize),
 }
 
 /// Observable with its name.
@@ -71,7 +71,7 @@ pub struct Named {
     /// Powers of m, s, kg and rad.
     pub powers: [i32; 4],
     /// Unit in tables of frames.
-    pub unit: &'static str,
+    pub unit: String,
 }
 
 /// Interpretation of a name.
@@ -108,7 +108,7 @@ pub fn all(pool: &Pool, system: &System) -> Vec<Named> {
                 name: format!("{}{suffix}", coordinate.name),
                 observable: Observable::Coordinate { place, level },
                 powers: [length, [0, -1, -2][level], 0, angle],
-                unit: units[level],
+                unit: units[level].to_string(),
             });
         }
     }
@@ -119,16 +119,16 @@ pub fn all(pool: &Pool, system: &System) -> Vec<Named> {
                     name: format!("{}_{component}", output.name),
                     observable: Observable::Point { place, axis, level },
                     powers: [1, [0, -1, -2][level], 0, 0],
-                    unit: LENGTHS[level],
+                    unit: LENGTHS[level].to_string(),
                 });
             }
         }
     }
-    for (place, (name, unit)) in crate::forces::names(pool, system).into_iter().enumerate() {
-        let powers = Unit::parse(unit).map_or([0; 4], |it| it.powers);
+    for (place, (name, unit)) in crate::reported::names(pool, system).into_iter().enumerate() {
+        let powers = Unit::parse(&unit).map_or([0; 4], |it| it.powers);
         all.push(Named {
             name,
-            observable: Observable::Force(place),
+            observable: Observable::Reported(place),
             powers,
             unit,
         });
@@ -162,15 +162,15 @@ impl Observable {
         }
     }
 
-    /// Returns the values of observables at an instant, in SI units; NaN for forces if the equations are singular.
+    /// Returns the values of observables at an instant, in SI units; NaN for forces and measures if the equations are singular.
     pub fn values<V: View>(view: &V, observables: &[Observable], instant: &Instant) -> Vec<f64> {
         let has = |is: fn(&Observable) -> bool| observables.iter().any(is);
         let points = match has(|it| matches!(it, Observable::Point { .. })) {
             true => view.points(instant),
             false => Vec::new(),
         };
-        let forces = match has(|it| matches!(it, Observable::Force(_))) {
-            true => view.forces(instant).unwrap_or_default(),
+        let reported = match has(|it| matches!(it, Observable::Reported(_))) {
+            true => view.reported(instant).unwrap_or_default(),
             false => Vec::new(),
         };
         let value = |observable: &Observable| match *observable {
@@ -180,7 +180,7 @@ impl Observable {
             Observable::Point { place, axis, level } => points
                 .get(place)
                 .map(|it| [it.position, it.velocity, it.acceleration][level][axis]),
-            Observable::Force(place) => forces.get(place).copied(),
+            Observable::Reported(place) => reported.get(place).copied(),
         };
         let results = observables.iter().map(value);
         results.map(|it| it.unwrap_or(f64::NAN)).collect()

@@ -94,10 +94,10 @@ pub trait View:
     #[doc(hidden)]
     fn derivatives(&self, instant: &Instant) -> Option<Vec<f64>>;
 
-    /// Returns the requested driving forces, reactions and energies, in the order of [`crate::forces::names`]; `None` if the equations
-    /// are singular.
+    /// Returns the requested driving forces, reactions and energies, and the measures, in the order of [`crate::reported::names`];
+    /// `None` if the equations are singular.
     #[doc(hidden)]
-    fn forces(&self, instant: &Instant) -> Option<Vec<f64>>;
+    fn reported(&self, instant: &Instant) -> Option<Vec<f64>>;
 
     /// Returns the distances of its subsystems from singular; `None` if the formulation has no subsystems.
     #[doc(hidden)]

@@ -10,6 +10,7 @@ pub(super) mod documentation;
 pub(super) mod drawing;
 pub(super) mod facts;
 pub(super) mod forces;
+pub(super) mod limits;
 pub(super) mod needs;
 pub(super) mod path_enclosures;
 pub(super) mod scope;

@@ -45,7 +45,9 @@ fn declared(statements: &[Statement], names: &mut Vec<String>) {
     for statement in statements {
         let mut declarations: Vec<&Name> = Vec::new();
         match statement {
-            Statement::Constant(it) | Statement::Angle(it) => declarations.push(&it.name),
+            Statement::Constant(it) | Statement::Angle(it) | Statement::Measure(it) => {
+                declarations.push(&it.name);
+            }
             Statement::Given(it) | Statement::Parameter(it) | Statement::Input(it) => {
                 declarations.push(&it.constant.name);
             }
@@ -72,6 +74,7 @@ fn declared(statements: &[Statement], names: &mut Vec<String>) {
             | Statement::Gravity(_)
             | Statement::Force(_)
             | Statement::Torque(_)
+            | Statement::Limit(_)
             | Statement::Units(_) => {}
             Statement::Element(it) => declarations.extend(&it.name),
         }
@@ -101,7 +104,9 @@ impl Renaming {
     fn statements(&mut self, statements: &[Statement]) {
         for statement in statements {
             match statement {
-                Statement::Constant(it) | Statement::Angle(it) => self.name(&it.name),
+                Statement::Constant(it) | Statement::Angle(it) | Statement::Measure(it) => {
+                    self.name(&it.name);
+                }
                 Statement::Given(it) | Statement::Parameter(it) | Statement::Input(it) => {
                     self.name(&it.constant.name);
                 }
@@ -132,6 +137,7 @@ impl Renaming {
                     // Its formulas are visited with all others.
                     let (Shape::Parametric(_) | Shape::Polar(_)) = it.shape;
                 }
+                Statement::Limit(it) => self.name(&it.measure),
                 Statement::Request(it) => {
                     self.items(&it.items);
                     it.names.iter().for_each(|name| self.name(name));

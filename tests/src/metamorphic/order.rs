@@ -91,6 +91,8 @@ fn ordered(text: &str, statements: &[Statement], random: &mut Random) -> String 
         matches!(
             it,
             Statement::Request(_)
+                | Statement::Measure(_)
+                | Statement::Limit(_)
                 | Statement::Mass(_)
                 | Statement::Gravity(_)
                 | Statement::Element(_)

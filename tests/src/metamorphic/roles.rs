@@ -70,6 +70,8 @@ fn statements<'a>(all: &'a [Statement], visit: &mut dyn FnMut(Given<'a>)) {
             | Statement::Parameter(_)
             | Statement::Input(_)
             | Statement::Table(_)
+            | Statement::Measure(_)
+            | Statement::Limit(_)
             | Statement::Request(_)
             | Statement::Mass(_)
             | Statement::Gravity(_)
@@ -258,6 +260,7 @@ pub fn each_formula<'a>(all: &'a [Statement], visit: &mut dyn FnMut(&'a Expressi
     for statement in all {
         match statement {
             Statement::Constant(it) | Statement::Angle(it) => visit(&it.value, false),
+            Statement::Measure(it) => visit(&it.value, true),
             Statement::Given(it) | Statement::Parameter(it) | Statement::Input(it) => {
                 visit(&it.constant.value, false);
                 for end in it.range.iter().flatten() {
@@ -330,6 +333,9 @@ pub fn each_formula<'a>(all: &'a [Statement], visit: &mut dyn FnMut(&'a Expressi
                 visit(&force.components.y, true);
             }
             Statement::Torque(torque) => visit(&torque.value, true),
+            Statement::Limit(limit) => {
+                limit.ends.iter().flatten().for_each(|it| visit(it, false));
+            }
             // Its points are numbers.
             Statement::Table(_) | Statement::Request(_) | Statement::Units(_) => {}
         }

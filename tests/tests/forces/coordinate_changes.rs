@@ -373,7 +373,7 @@ fn reactions_and_efforts_stay_those_of_the_description() {
         changed.advance(t).expect("no end");
         assert_eq!(names(&changed), described);
         let [own, others] =
-            [&changed, &reference].map(|it| it.view().forces(it.frame()).expect("known"));
+            [&changed, &reference].map(|it| it.view().reported(it.frame()).expect("known"));
         let largest = others.iter().map(|it| it.abs()).fold(0.0, f64::max);
         for (name, (one, other)) in described.iter().zip(own.iter().zip(&others)) {
             assert!(

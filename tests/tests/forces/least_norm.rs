@@ -323,7 +323,7 @@ fn redundant_joints_carry_the_smallest_forces_that_balance_every_body() {
             let components: Vec<f64> = [of("reaction"), of("effort")].concat();
             let components = DVector::from_vec(components);
             // All equations at once give equal forces.
-            let at_once = dense.forces(followed.instant()).expect("regular");
+            let at_once = dense.reported(followed.instant()).expect("regular");
             for ((name, one), other) in all.iter().zip(at_once) {
                 assert!(
                     (one - other).abs() <= 1e-11 * components.amax(),

@@ -16,6 +16,7 @@ mod interpreters;
 mod joints;
 mod laws;
 mod math;
+mod measures;
 mod motions;
 mod ranges;
 mod references;

@@ -6,7 +6,9 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use linkwright_codegen::stages::joint::{CONSTRAINTS, DRIVERS};
-use linkwright_codegen::stages::model::{ENDS_OF_TABLES, FUNCTIONS, LAWS, UNITS};
+use linkwright_codegen::stages::model::{
+    ENDS_OF_TABLES, FUNCTIONS, LAWS, MEASURE_FUNCTIONS, UNITS,
+};
 use linkwright_codegen::stages::syntax::{AXES, BUILT_IN, CLAUSES, KEYWORDS, LEVELS};
 use serde_json::Value;
 
@@ -24,7 +26,7 @@ fn lists() -> Vec<(&'static str, Vec<&'static str>)> {
         ("joints", CONSTRAINTS.iter().map(keyword).collect()),
         ("drivers", DRIVERS.iter().map(keyword).collect()),
         ("quantities", UNITS.to_vec()),
-        ("functions", FUNCTIONS.to_vec()),
+        ("functions", [FUNCTIONS, MEASURE_FUNCTIONS].concat()),
         ("laws", LAWS.to_vec()),
         ("coordinates", AXES.to_vec()),
         ("clauses", CLAUSES.to_vec()),

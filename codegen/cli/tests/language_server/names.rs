@@ -6,7 +6,9 @@ use linkwright_codegen::stages::emit::{Notation, text};
 use linkwright_codegen::stages::files;
 use linkwright_codegen::stages::files::attach_files;
 use linkwright_codegen::stages::joint::{CONSTRAINTS, DRIVERS};
-use linkwright_codegen::stages::model::{ENDS_OF_TABLES, FUNCTIONS, LAWS, UNITS};
+use linkwright_codegen::stages::model::{
+    ENDS_OF_TABLES, FUNCTIONS, LAWS, MEASURE_FUNCTIONS, UNITS,
+};
 use linkwright_codegen::stages::syntax::{
     AXES, BUILT_IN, CLAUSES, KEYWORDS, Kind, LEVELS, lexemes, parse,
 };
@@ -54,7 +56,7 @@ fn names(source: &Source) -> Names {
 /// Words of the language that may occur anywhere in a statement.
 fn is_word_of_the_language(word: &str) -> bool {
     let kinds = CONSTRAINTS.iter().chain(DRIVERS).map(|it| it.keyword);
-    let words = [FUNCTIONS, LAWS, BUILT_IN, UNITS].concat();
+    let words = [FUNCTIONS, MEASURE_FUNCTIONS, LAWS, BUILT_IN, UNITS].concat();
     let mut words = words
         .into_iter()
         .chain(KEYWORDS)

@@ -22,7 +22,7 @@ pub struct Files {
     pub frames: Option<Output>,
     points: Vec<Picture>,
     coordinates: Vec<Picture>,
-    forces: Vec<Picture>,
+    reported: Vec<Picture>,
     paths: Option<Picture>,
     folder: PathBuf,
 }
@@ -63,7 +63,7 @@ impl Files {
             frames,
             points: Vec::new(),
             coordinates: Vec::new(),
-            forces: Vec::new(),
+            reported: Vec::new(),
             paths: None,
             folder: reported.plot.clone().or(default).unwrap_or_default(),
         };
@@ -80,9 +80,9 @@ impl Files {
         let coordinate_names = coordinates.iter();
         let coordinate_names = coordinate_names.map(|&it| system.coordinates[it].name.as_str());
         let paths = (!points.is_empty()).then_some("paths");
-        let forces = linkwright_solver::forces::names(pool, system);
-        let forces = forces.iter().map(|(name, _)| name.as_str());
-        let names = distinct(names.chain(coordinate_names).chain(forces).chain(paths));
+        let columns = linkwright_solver::reported::names(pool, system);
+        let columns = columns.iter().map(|(name, _)| name.as_str());
+        let names = distinct(names.chain(coordinate_names).chain(columns).chain(paths));
         let is_asked = reported.plot.is_some() || reported.out.is_some();
         let mut pictures = Vec::with_capacity(names.len());
         for name in names {
@@ -91,7 +91,7 @@ impl Files {
             pictures.push(Picture { name, output });
         }
         files.paths = paths.and_then(|_| pictures.pop());
-        files.forces = pictures.split_off(points.len() + coordinates.len());
+        files.reported = pictures.split_off(points.len() + coordinates.len());
         files.coordinates = pictures.split_off(points.len());
         files.points = pictures;
         Ok(files)
@@ -119,11 +119,11 @@ impl Files {
         let points = plot::points(motion, course, units).map_err(refused)?;
         let is_drawn: Vec<bool> = points.iter().map(Option::is_some).collect();
         let coordinates = plot::coordinates(motion, course, units).map_err(refused)?;
-        let forces = plot::forces(motion, course, units).map_err(refused)?;
+        let reported = plot::reported(motion, course, units).map_err(refused)?;
         let paths = paths::paths(motion, course, &is_drawn, &units.of("m")).map_err(refused)?;
         let pictures = self.points.into_iter().zip(points);
         let pictures = pictures.chain(self.coordinates.into_iter().zip(coordinates));
-        let pictures = pictures.chain(self.forces.into_iter().zip(forces));
+        let pictures = pictures.chain(self.reported.into_iter().zip(reported));
         let pictures = pictures.chain(self.paths.into_iter().zip([paths]));
         let mut names = Vec::new();
         for (Picture { name, output }, text) in pictures {

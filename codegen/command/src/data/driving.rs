@@ -24,7 +24,7 @@ pub struct MeasuredInput {
 /// Powers of m, s, kg and rad of an input; those of its column if the description does not state them.
 pub fn powers(dimension: Dimension, column: Option<[i32; 4]>) -> [i32; 4] {
     match dimension {
-        Dimension::Angle => [0, 0, 0, 1],
+        Dimension::Angle | Dimension::AngleRate(_) => dimension.column_powers(),
         Dimension::Marked { length, time, mass } => [length, time, mass, 0],
         Dimension::Number | Dimension::OfTime => column.unwrap_or([0; 4]),
     }

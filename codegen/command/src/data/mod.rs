@@ -124,7 +124,7 @@ impl Data {
         let mut measured = Vec::with_capacity(mapped.measured.len());
         for (column, quantity, how) in mapped.measured {
             let source = &columns.columns[column];
-            let scale = units.of(&columns, column, quantity.powers, quantity.unit);
+            let scale = units.of(&columns, column, quantity.powers, &quantity.unit);
             let scale = scale.map_err(|message| {
                 at(column, format!("{message}: it measures `{}`", quantity.name), "give its unit with `--unit` and its quantity with `--column`, or leave it out with `--skip`")
             })?;

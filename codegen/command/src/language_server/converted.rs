@@ -81,6 +81,7 @@ fn item_kind(kind: CompletionKind) -> CompletionItemKind {
             | Sort::Free
             | Sort::Angle
             | Sort::CurveParameter
+            | Sort::Measure
             | Sort::Index => CompletionItemKind::VARIABLE,
             Sort::Table | Sort::Curve => CompletionItemKind::FUNCTION,
             Sort::Point | Sort::BodyPoint => CompletionItemKind::FIELD,
@@ -115,9 +116,9 @@ fn symbol_kind(sort: Option<Sort>) -> SymbolKind {
         Some(Sort::Mechanism) => SymbolKind::MODULE,
         Some(Sort::Motion) => SymbolKind::NAMESPACE,
         Some(Sort::Constant) => SymbolKind::CONSTANT,
-        Some(Sort::Parameter | Sort::Input | Sort::Free | Sort::Angle | Sort::Index) => {
-            SymbolKind::VARIABLE
-        }
+        Some(
+            Sort::Parameter | Sort::Input | Sort::Free | Sort::Angle | Sort::Measure | Sort::Index,
+        ) => SymbolKind::VARIABLE,
         Some(Sort::Table | Sort::Curve) => SymbolKind::FUNCTION,
         Some(Sort::Point | Sort::BodyPoint | Sort::CurveParameter) => SymbolKind::FIELD,
         Some(Sort::Body | Sort::Part) => SymbolKind::STRUCT,

@@ -11,8 +11,10 @@
 //! | `rcond_dimensionless` | `rcond` with lengths divided by the characteristic length |
 //! | `derivatives`, `derivative_units` | names and units of the requested transmissions and sensitivities, if any |
 //! | `forces` | names of the quantities that `effort`, `reaction` and `energy` statements request, each with its unit, if any |
-//! | `frames` | `{t, q, qd, qdd, points: {NAME: {position, velocity, acceleration}}}` each; pairs are (x, y); and `derivatives` and `forces`, null where Φ_q is singular |
+//! | `measures` | names of the `measure` statements, each with its unit, if any |
+//! | `frames` | `{t, q, qd, qdd, points: {NAME: {position, velocity, acceleration}}}` each; pairs are (x, y); and `derivatives`, `forces` and `measures`, null where Φ_q is singular |
 //! | `residuals` | the largest over all frames, in SI units: `position`, `scaled`, `velocity`, `acceleration`, and `monitored` if equations are redundant |
+//! | `extremes` | of measures: `{measure, smallest: {value, t}, largest: {value, t}}` each, over all frames |
 //! | `pressure_angles` | of bodies that touch along curves: `{joint, angle, t}` each, the largest angle, in rad or the requested unit, and its time; null at rest |
 //! | `newton_steps` | total number of Newton-Raphson steps |
 //! | `simulation` | of a simulated motion: `evaluations`, `steps`, `implicit_steps` among them, `rejected`, `energy_drift` in J, and `kinetic_energy`, the largest |
@@ -53,12 +55,16 @@ struct Head<'a> {
     derivative_units: Vec<&'a str>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     forces: Vec<(&'a str, &'a str)>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    measures: Vec<(&'a str, &'a str)>,
 }
 
 /// Values that are known after the motion.
 #[derive(Serialize)]
 struct Tail<'a> {
     residuals: Largest,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    extremes: Vec<Extremes<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pressure_angles: Vec<Pressure<'a>>,
     newton_steps: u64,
@@ -69,6 +75,19 @@ struct Tail<'a> {
     error: Option<&'a str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     failure: Option<EarlyEnd>,
+}
+
+#[derive(Serialize)]
+struct Extremes<'a> {
+    measure: &'a str,
+    smallest: Extreme,
+    largest: Extreme,
+}
+
+#[derive(Serialize)]
+struct Extreme {
+    value: f64,
+    t: f64,
 }
 
 #[derive(Serialize)]
@@ -133,6 +152,8 @@ struct Frame<'a> {
     derivatives: Option<Option<Vec<f64>>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     forces: Option<Option<Vec<f64>>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    measures: Option<Option<Vec<f64>>>,
 }
 
 struct Points<'a>(&'a [String], &'a [PointMotion], &'a [OutputUnit; 3]);
@@ -179,7 +200,8 @@ pub struct Object<'a> {
     output: &'a mut dyn Write,
     points: Vec<String>,
     has_derivatives: bool,
-    has_forces: bool,
+    /// Number of forces, which precede measures.
+    forces: usize,
     units: ColumnUnits,
     is_first: bool,
 }
@@ -193,7 +215,10 @@ impl<'a> Object<'a> {
         let coordinates = &motion.system().coordinates;
         let units = ColumnUnits::of(motion);
         let derivatives = motion.derivative_names.iter();
-        let forces = motion.force_names.iter().zip(&units.forces);
+        let reported = motion.reported_names.iter().zip(&units.reported);
+        let reported = reported.map(|(it, unit)| (it.0.as_str(), unit.name.as_str()));
+        let mut forces: Vec<_> = reported.collect();
+        let measures = forces.split_off(motion.force_count());
         let constrained = equation_count(motion.system(), Role::Constraint);
         let head = serde_json::to_string(&Head {
             mechanism: motion.name(),
@@ -210,9 +235,8 @@ impl<'a> Object<'a> {
                 .iter()
                 .map(|it| it.name.as_str())
                 .collect(),
-            forces: forces
-                .map(|(it, unit)| (it.0.as_str(), unit.name.as_str()))
-                .collect(),
+            forces,
+            measures,
         })?;
         // The object is continued.
         write!(output, "{},\"frames\":[", head.trim_end_matches('}'))?;
@@ -220,7 +244,7 @@ impl<'a> Object<'a> {
             output,
             points: motion.point_names().map(str::to_string).collect(),
             has_derivatives: !motion.derivative_names.is_empty(),
-            has_forces: !motion.force_names.is_empty(),
+            forces: motion.force_count(),
             units,
             is_first: true,
         })
@@ -243,7 +267,22 @@ impl<'a> Object<'a> {
         let unit = motion.system().mechanism.units.of_tables().of("rad");
         let angles = motion.pressure.largest.iter();
         let angles = angles.map(|it| Pressure::new(it, &unit));
+        let first = motion.force_count();
+        let measures = motion.reported_names.iter().zip(&motion.extremes);
+        let measures = measures.zip(&self.units.reported).skip(first);
+        let extremes = measures.map(|(((name, _), [low, high]), unit)| {
+            let [smallest, largest] = [low, high].map(|&(value, t)| Extreme {
+                value: unit.of_si(value),
+                t,
+            });
+            Extremes {
+                measure: name,
+                smallest,
+                largest,
+            }
+        });
         let tail = serde_json::to_string(&Tail {
+            extremes: extremes.collect(),
             residuals: Largest {
                 position,
                 scaled,
@@ -272,7 +311,13 @@ impl Sink for Object<'_> {
             scaled(values, units.coordinates.iter().map(|it| &it[level]))
         };
         let derivatives = shown.derivatives.map(|it| scaled(it, &units.derivatives));
-        let forces = shown.forces.map(|it| scaled(it, &units.forces));
+        let reported = shown.reported.map(|it| scaled(it, &units.reported));
+        let has_measures = units.reported.len() > self.forces;
+        let measures = has_measures.then(|| Some(reported.as_ref()?.get(self.forces..)?.to_vec()));
+        let forces = reported.map(|mut it| {
+            it.truncate(self.forces);
+            it
+        });
         let frame = Frame {
             t: shown.instant.t(),
             q: level(0, shown.instant.q()),
@@ -280,7 +325,8 @@ impl Sink for Object<'_> {
             qdd: level(2, shown.instant.qdd()),
             points: Points(&self.points, shown.motions, &units.points),
             derivatives: self.has_derivatives.then_some(derivatives),
-            forces: self.has_forces.then_some(forces),
+            forces: (self.forces > 0).then_some(forces),
+            measures,
         };
         Ok(serde_json::to_writer(&mut *self.output, &frame)?)
     }

@@ -11,7 +11,6 @@ pub mod comparison_plot;
 pub mod drawing;
 pub mod effort;
 pub mod first_step;
-pub mod forces;
 pub mod frame_table;
 #[cfg(feature = "png")]
 pub mod gif;
@@ -25,5 +24,6 @@ pub mod plot;
 pub mod proof_text;
 #[cfg(feature = "png")]
 pub mod raster;
+pub mod reported;
 pub mod summary;
 pub mod sweep_plot;

@@ -154,16 +154,16 @@ pub fn coordinates<V: View>(
     pictures.collect()
 }
 
-/// Draws each requested force; `None` for powers, which the driving forces show, and for constant values.
+/// Draws each requested force and each measure; `None` for powers, which the driving forces show, and for constant values.
 ///
 /// # Errors
 /// Errors of the drawing library.
-pub fn forces<V: View>(
+pub fn reported<V: View>(
     motion: &Followed<V>,
     course: &Course,
     units: &OutputUnits,
 ) -> Result<Vec<Option<String>>, String> {
-    let pictures = course.forces.iter().zip(&motion.force_names);
+    let pictures = course.reported.iter().zip(&motion.reported_names);
     let pictures = pictures.map(|(curve, (name, si))| {
         let unit = units.of(si);
         let values = scaled(curve.component(0), &unit);

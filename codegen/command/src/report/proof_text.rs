@@ -92,6 +92,31 @@ fn write_proven(check: &Check, proven: &Proven, output: &mut dyn Write) -> io::R
             range(y.bounds, &length)
         )?;
     }
+    let mechanism = &check.interpreted.system().mechanism;
+    if !proven.measures.is_empty() {
+        writeln!(output, "  measures")?;
+    }
+    for (place, own) in &proven.measures {
+        let unit = units.of(&mechanism.measurements[*place].unit());
+        let space = if unit.name.is_empty() { "" } else { " " };
+        let range = range(own.bounds, &unit);
+        writeln!(output, "    {} in {range}{space}{}", own.name, unit.name)?;
+    }
+    let limits = mechanism.limits.iter().filter_map(|limit| {
+        let mut measures = proven.measures.iter();
+        let (_, own) = measures.find(|it| it.0 == limit.measurement)?;
+        let holds = own.bounds.iter().all(|it| limit.margin(*it) >= 0.0);
+        let verdict = if holds { "never broken" } else { "not proven" };
+        Some((own, limit, verdict))
+    });
+    for (own, limit, verdict) in limits {
+        writeln!(
+            output,
+            "    limit of {}, {}: {verdict}",
+            own.name,
+            limit.text(&units)
+        )?;
+    }
     Ok(())
 }
 

@@ -63,7 +63,7 @@ pub fn quantities(derived: &Derived, names: &[String]) -> Result<Vec<Quantity>, 
         Some(Quantity {
             name: named.name.clone(),
             observable,
-            unit: units.of(named.unit),
+            unit: units.of(&named.unit),
         })
     };
     Ok(observables.into_iter().filter_map(quantity).collect())

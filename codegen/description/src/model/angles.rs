@@ -74,21 +74,26 @@ impl Resolver<'_> {
         false
     }
 
-    /// True unless an earlier angle has the name of this value or point, which is reported.
+    /// True unless an earlier angle or measure has the name of this value or point, which is reported.
     pub(super) fn is_no_angle(&mut self, name: &Name) -> bool {
-        let Some(angle) = self.angle_named(&name.text) else {
+        let angle = self.angle_named(&name.text);
+        let angle = angle.map(|it| (self.linkage.bodies[it.0].span, "an angle", "the angle"));
+        let measure = self.declared.measures.declaration(&name.text);
+        let measure = measure.map(|(earlier, _)| (earlier.span, "a measure", "the measure"));
+        let Some((earlier, sort, label)) = angle.or(measure) else {
             return true;
         };
-        let earlier = self.linkage.bodies[angle.0].span;
         self.diagnostics.push(
             Diagnostic::error(
                 Code::DuplicateName,
                 name.span,
-                format!("an angle is named `{}`, too", name.text),
+                format!("{sort} is named `{}`, too", name.text),
             )
             .label("declared again here")
-            .also(earlier, "the angle")
-            .help("formulas name an angle alone: give one of them another name"),
+            .also(earlier, label)
+            .help(format!(
+                "formulas name {sort} alone: give one of them another name"
+            )),
         );
         false
     }

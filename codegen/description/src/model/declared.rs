@@ -8,7 +8,7 @@ use super::curve::DrawnCurve;
 use super::expression::Value;
 use super::namespace::Namespace;
 use super::parameters::Fields;
-use super::{Input, Parameter, Table};
+use super::{Input, Limit, Measurement, Parameter, Table};
 use crate::diagnostic::{Attachment, Span, Suggestions};
 use crate::expr::SymbolId;
 use crate::joint::geometry::{BodyId, Vector};
@@ -49,6 +49,10 @@ pub(super) struct Declared<'a> {
     pub equations: Namespace<()>,
     /// Names of springs and dampers.
     pub elements: Namespace<()>,
+    /// Measures, as indices into `measurements`; `None` for a statement with an error.
+    pub measures: Namespace<Option<usize>>,
+    pub measurements: Vec<Measurement>,
+    pub limits: Vec<Limit>,
     /// Files that the description names.
     pub attachments: &'a [Attachment],
     suggestions: Suggestions,
@@ -74,6 +78,9 @@ impl Declared<'_> {
             drivers: Namespace::new("driver"),
             equations: Namespace::new("equation"),
             elements: Namespace::new("spring or damper"),
+            measures: Namespace::new("measure"),
+            measurements: Vec::new(),
+            limits: Vec::new(),
             attachments: &[],
             suggestions: Suggestions::default(),
         };

@@ -17,6 +17,8 @@ pub enum Dimension {
     OfTime,
     /// Value in a unit of angles, or of a function that returns an angle.
     Angle,
+    /// Rate of an angle (1), or its acceleration (2).
+    AngleRate(u8),
     /// Powers of meter, second and kilogram; all zero for ratios, which may be angles.
     Marked {
         /// Power of the meter.
@@ -45,6 +47,8 @@ impl Dimension {
     pub const INERTIA: Dimension = Dimension::marked(2, 0, 1);
     /// Dimension of a force.
     pub const FORCE: Dimension = Dimension::marked(1, -2, 1);
+    /// Dimension of a power.
+    pub(super) const POWER: Dimension = Dimension::marked(2, -3, 1);
     /// Dimension of a torque, and of a torsional stiffness, since an angle has no unit.
     pub const TORQUE: Dimension = Dimension::marked(2, -2, 1);
     /// Dimension of a force over a length.
@@ -83,7 +87,7 @@ impl Dimension {
             Dimension::Angle => Quantity::Angle,
             Dimension::LENGTH => Quantity::Length,
             Dimension::Marked { length, .. } => Quantity::Power(length),
-            Dimension::Number | Dimension::OfTime => Quantity::Power(0),
+            Dimension::Number | Dimension::OfTime | Dimension::AngleRate(_) => Quantity::Power(0),
         }
     }
 
@@ -92,6 +96,7 @@ impl Dimension {
         match self {
             Dimension::Number | Dimension::OfTime => None,
             Dimension::Angle => Some([0; 3]),
+            Dimension::AngleRate(order) => Some([0, -i32::from(order), 0]),
             Dimension::Marked { length, time, mass } => Some([length, time, mass]),
         }
     }
@@ -120,7 +125,7 @@ impl Dimension {
             Dimension::Number => 0,
             Dimension::OfTime => 1,
             Dimension::Marked { .. } => 2,
-            Dimension::Angle => 3,
+            Dimension::Angle | Dimension::AngleRate(_) => 3,
         };
         if says(other) > says(self) {
             other
@@ -149,6 +154,23 @@ impl Dimension {
             return Dimension::Angle;
         }
         Dimension::of_powers(powers)
+    }
+
+    /// Returns the dimension of the rate of a value.
+    pub fn rate(self) -> Dimension {
+        match self {
+            Dimension::Number | Dimension::OfTime => Dimension::OfTime,
+            Dimension::Angle => Dimension::AngleRate(1),
+            Dimension::AngleRate(order) => Dimension::AngleRate(order + 1),
+            marked => marked.times(Dimension::TIME, -1),
+        }
+    }
+
+    /// Returns the powers of m, s, kg and rad in tables of frames; plain numbers have none.
+    pub fn column_powers(self) -> [i32; 4] {
+        let [length, time, mass] = self.powers().unwrap_or_default();
+        let is_angle = matches!(self, Dimension::Angle | Dimension::AngleRate(_));
+        [length, time, mass, i32::from(is_angle)]
     }
 
     /// Returns the dimension of a power with the exponent `numerator`/`denominator`; `None` if the power of a unit is not an
@@ -184,11 +206,42 @@ impl Dimension {
         }
     }
 
+    /// Returns the SI unit in tables of frames, as a quotient: `m/s`, `N`, `rad/s²`; empty for plain numbers.
+    pub fn column_unit(self) -> String {
+        let powers = self.column_powers();
+        match powers {
+            [1, -2, 1, 0] => return "N".to_string(),
+            [2, -2, 1, 0] => return "N*m".to_string(),
+            [2, -3, 1, 0] => return "W".to_string(),
+            [0, -2, 1, 0] => return "N/m".to_string(),
+            _ => {}
+        }
+        let [length, time, mass, angle] = powers;
+        let named = [("kg", mass), ("m", length), ("rad", angle), ("s", time)];
+        let factors = |sign: i32| {
+            let parts = named.iter().filter(|(_, power)| power * sign > 0);
+            let parts = parts.map(|(unit, power)| match power * sign {
+                1 => unit.to_string(),
+                2 => format!("{unit}²"),
+                3 => format!("{unit}³"),
+                power => format!("{unit}^{power}"),
+            });
+            parts.collect::<Vec<_>>()
+        };
+        match (factors(1).join("*"), factors(-1).join("/")) {
+            (above, below) if below.is_empty() => above,
+            (above, below) if above.is_empty() => format!("1/{below}"),
+            (above, below) => format!("{above}/{below}"),
+        }
+    }
+
     /// Returns the SI unit of a value of this dimension, for documentation.
     pub fn unit(self) -> String {
         match self {
             Dimension::Number | Dimension::OfTime => "SI units".to_string(),
             Dimension::Angle => "rad".to_string(),
+            Dimension::AngleRate(1) => "rad/s".to_string(),
+            Dimension::AngleRate(order) => format!("rad/s^{order}"),
             Dimension::RATIO => "1 or rad".to_string(),
             Dimension::FORCE => "N".to_string(),
             Dimension::TORQUE => "N*m".to_string(),
@@ -216,6 +269,8 @@ impl Dimension {
             Dimension::Number => "a plain number".to_string(),
             Dimension::OfTime => "a product with `t`".to_string(),
             Dimension::Angle => "an angle".to_string(),
+            Dimension::AngleRate(1) => "an angular velocity".to_string(),
+            Dimension::AngleRate(_) => "an angular acceleration".to_string(),
             Dimension::RATIO => "a plain number or an angle".to_string(),
             Dimension::LENGTH => "a length".to_string(),
             Dimension::TIME => "a time".to_string(),

@@ -1,10 +1,12 @@
-//! Collects the points of moving bodies in an equation, with symbols for their rotated local vectors.
+//! Collects the points of moving bodies in an equation, a load or a measure, with symbols for their rotated local vectors.
 //!
 //! Every point becomes a mark, and the components of R s become symbols. The equation can thus be stated in the textbook
 //! formulation and in the vector form. Sine and cosine of a body's angle are components of a rotated unit vector.
 
 use std::collections::HashMap;
 
+use super::measure::MeasureTerms;
+use super::measurement::ArmSymbols;
 use super::resolve::Resolver;
 use crate::expr::{ExprId, SymbolId};
 use crate::joint::geometry::{BodyId, Mark, Vector, add};
@@ -21,22 +23,58 @@ pub(super) struct KinematicTerms {
     pub rated: Vec<ExprId>,
     /// Index of each mark; never iterated.
     places: HashMap<(BodyId, Vector), usize>,
-    /// Number of the load being resolved, which may contain rates; `None` for an equation.
-    load: Option<usize>,
+    formula: FormulaKind,
+}
+
+/// Kind of the formula being resolved, which determines the functions in it.
+#[derive(Debug, Default)]
+enum FormulaKind {
+    #[default]
+    Equation,
+    /// Number of the force or torque, which may contain rates.
+    Load(usize),
+    /// Terms of a measure, which may contain rates, accelerations and forces.
+    Measure(MeasureTerms),
 }
 
 impl KinematicTerms {
     /// Creates the terms of a force or a torque.
     pub(super) fn of_load(number: usize) -> KinematicTerms {
         KinematicTerms {
-            load: Some(number),
+            formula: FormulaKind::Load(number),
             ..KinematicTerms::default()
+        }
+    }
+
+    /// Creates the terms of a measure.
+    pub(super) fn of_measure(terms: MeasureTerms) -> KinematicTerms {
+        KinematicTerms {
+            formula: FormulaKind::Measure(terms),
+            ..KinematicTerms::default()
+        }
+    }
+
+    /// Returns the terms of a measure; `None` for other formulas.
+    pub(super) fn measure(&mut self) -> Option<&mut MeasureTerms> {
+        match &mut self.formula {
+            FormulaKind::Measure(terms) => Some(terms),
+            FormulaKind::Equation | FormulaKind::Load(_) => None,
+        }
+    }
+
+    /// Returns the terms of a measure with its points, and the symbols of their rotated local vectors.
+    pub(super) fn into_measure(self) -> Option<(MeasureTerms, Vec<(Mark, ArmSymbols)>)> {
+        match self.formula {
+            FormulaKind::Measure(terms) => {
+                Some((terms, self.marks.into_iter().zip(self.arms).collect()))
+            }
+            FormulaKind::Equation | FormulaKind::Load(_) => None,
         }
     }
 
     /// True for the terms of a force or a torque.
     pub(super) fn is_of_load(&self) -> bool {
-        self.load.is_some()
+        matches!(self.formula, FormulaKind::Load(_))
     }
 }
 
@@ -89,10 +127,15 @@ impl Resolver<'_> {
             return mark.arm;
         }
         // The name begins with a digit, so it differs from all coordinates.
-        let load = self.formulas.kinematic.as_ref().and_then(|it| it.load);
-        let name = match load {
-            Some(load) => format!("{load} load arm {at}"),
-            None => format!("{} arm {at}", self.linkage.joints.len()),
+        let formula = self.formulas.kinematic.as_ref().map(|it| &it.formula);
+        let name = match formula {
+            Some(FormulaKind::Load(load)) => format!("{load} load arm {at}"),
+            Some(FormulaKind::Measure(_)) => {
+                format!("{} measure arm {at}", self.declared.measurements.len())
+            }
+            Some(FormulaKind::Equation) | None => {
+                format!("{} arm {at}", self.linkage.joints.len())
+            }
         };
         let symbols = ["x", "y"].map(|axis| self.graph.symbol(&format!("{name} {axis}")));
         if let Some(kinematic) = &mut self.formulas.kinematic {

@@ -46,12 +46,30 @@ fn is_place(written: &Expression) -> bool {
 impl Resolver<'_> {
     /// Returns the variable distance between two points or positions.
     pub(super) fn live_distance(&mut self, ends: [&Expression; 2]) -> Option<Value> {
+        if self.formulas.kinematic.as_mut()?.measure().is_some() {
+            let gap = self.gap(ends)?;
+            let names = ends.map(|end| match &end.kind {
+                ExpressionKind::Reference(reference) => reference.name.text.to_lowercase(),
+                _ => "place".to_string(),
+            });
+            let length = self.length_in_measure(names.join("_"), gap)?;
+            return Some((length, Dimension::LENGTH));
+        }
         let square = self.square_of_distance(ends)?;
         Some((self.graph.sqrt(square), Dimension::LENGTH))
     }
 
     /// Returns the square of the variable distance.
     pub(super) fn square_of_distance(&mut self, ends: [&Expression; 2]) -> Option<ExprId> {
+        let gap = self.gap(ends)?;
+        let squares = gap.into_iter();
+        let squares = squares.map(|gap| self.graph.power(gap, Rational::integer(2)));
+        let squares: Vec<ExprId> = squares.collect();
+        Some(self.graph.sum(&squares))
+    }
+
+    /// Returns the components of the vector between two positions.
+    fn gap(&mut self, ends: [&Expression; 2]) -> Option<Vec<ExprId>> {
         // Both ends are resolved even after an error, so that all errors are reported at once.
         let [from, to] = ends.map(|end| self.live_place(end));
         let (from, to) = (from?, to?);
@@ -69,15 +87,9 @@ impl Resolver<'_> {
             );
             return None;
         }
-        let squares: Vec<ExprId> = from
-            .into_iter()
-            .zip(to)
-            .map(|(from, to)| {
-                let gap = self.graph.subtract(to, from);
-                self.graph.power(gap, Rational::integer(2))
-            })
-            .collect();
-        Some(self.graph.sum(&squares))
+        let ends = from.into_iter().zip(to);
+        let gap = ends.map(|(from, to)| self.graph.subtract(to, from));
+        Some(gap.collect())
     }
 
     /// Returns the components of a position: two of a point, two or three of a tuple of formulas.

@@ -39,6 +39,9 @@ impl Resolver<'_> {
         arguments: &[Expression],
         span: Span,
     ) -> Option<Option<Value>> {
+        if let Some(value) = self.measure_call(function, arguments, span) {
+            return Some(value);
+        }
         let is_load = self.formulas.kinematic.as_ref()?.is_of_load();
         let name = function.text.as_str();
         if is_load && name == "rate" {
@@ -139,6 +142,11 @@ impl Resolver<'_> {
     /// Resolves a name in an equation that is not a constant: `K.x`; reports an error for others.
     pub(super) fn live_name(&mut self, reference: &Reference) -> Option<Value> {
         let name = &reference.name;
+        if reference.body.is_none()
+            && let Some(value) = self.measure_named(name)
+        {
+            return value;
+        }
         if let Some(owner) = &reference.body {
             let owner = Reference {
                 body: None,
@@ -180,6 +188,15 @@ impl Resolver<'_> {
             finding("body").help(format!(
                 "write one of its coordinates: `x({text})`, `y({text})` or `phi({text})`"
             ))
+        } else if let Some((declaration, _)) = self.declared.measures.found(text) {
+            Diagnostic::error(
+                Code::OutsideGrammar,
+                reference.span,
+                "only a measure may contain another one",
+            )
+            .label("this is a measure")
+            .also(declaration, "declared here")
+            .help("write the formula of the measure itself")
         } else {
             self.unknown_in_equation(name)
         };
@@ -202,7 +219,9 @@ impl Resolver<'_> {
             .iter()
             .map(|(name, _)| name.text.as_str());
         let marks = self.linkage.bodies.iter().flat_map(|body| &body.marks);
+        let measures = self.declared.measures.iter();
         let known = constants
+            .chain(measures.map(|(name, _)| name.text.as_str()))
             .chain(drawn)
             .chain(marks.map(|mark| mark.name.as_str()));
         match self.declared.nearest_known(&name.text, known) {
@@ -260,12 +279,8 @@ impl Resolver<'_> {
     }
 
     fn report_rate(&mut self, name: &Name) {
-        let is_load = self
-            .formulas
-            .kinematic
-            .as_ref()
-            .is_some_and(|it| it.is_of_load());
-        if is_load {
+        let kinematic = self.formulas.kinematic.as_mut();
+        if kinematic.is_some_and(|it| it.is_of_load() || it.measure().is_some()) {
             self.diagnostics.push(
                 Diagnostic::error(
                     Code::UnknownFunction,

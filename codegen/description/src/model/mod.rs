@@ -24,6 +24,7 @@ mod free;
 mod joints;
 mod kinematic;
 mod law;
+mod limit;
 mod lines;
 mod linkage;
 mod live_direction;
@@ -31,6 +32,9 @@ mod live_distance;
 mod live_name;
 mod loads;
 mod marks;
+mod measure;
+mod measure_functions;
+mod measurement;
 mod mention;
 mod motions;
 mod namespace;
@@ -60,6 +64,9 @@ pub use call::FUNCTIONS;
 pub use dimension::{Dimension, unit};
 pub use forces::{Forces, Mass};
 pub use law::LAWS;
+pub use limit::Limit;
+pub use measure_functions::MEASURE_FUNCTIONS;
+pub use measurement::{ForceTerm, MeasureTerm, Measurement, ReactionPart};
 pub use mention::Mention;
 pub use motions::{mentions, resolve};
 pub use naming::Naming;
@@ -108,6 +115,10 @@ pub struct Mechanism {
     pub joints: Vec<Joint>,
     /// Declared points whose motion can be requested, without duplicates.
     pub points: Vec<Point>,
+    /// Quantities of `measure` statements, in source order.
+    pub measurements: Vec<Measurement>,
+    /// Ranges of measures, in source order; at most one for each measure.
+    pub limits: Vec<Limit>,
     /// Requested outputs; all quantities if empty.
     pub requests: Vec<Request>,
     /// Quantities of `transmission` statements, without duplicates.
@@ -325,6 +336,8 @@ pub enum Requested {
     Point(usize),
     /// Coordinate of a body: its index in q.
     Coordinate(usize),
+    /// Measure: an index into the mechanism's measurements.
+    Measure(usize),
 }
 
 impl Mechanism {

@@ -40,7 +40,7 @@ impl Resolver<'_> {
     }
 
     /// Returns an end in SI units, and adds its dimension; `None` if it has an error.
-    fn end(&mut self, written: &Expression, dimension: &mut Dimension) -> Option<f64> {
+    pub(super) fn end(&mut self, written: &Expression, dimension: &mut Dimension) -> Option<f64> {
         let (end, found) = self.fitting(written, *dimension)?;
         if self.graph.is_constant(end) {
             *dimension = dimension.joined(found);

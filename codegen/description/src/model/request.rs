@@ -69,6 +69,13 @@ impl Resolver<'_> {
     pub(super) fn requested(&mut self, item: &OutputItem, points: &Named<'_>) -> Option<Requested> {
         let (axis, bodies, span) = match item {
             OutputItem::Point(reference) => {
+                if reference.body.is_none()
+                    && let Some((declaration, place)) =
+                        self.declared.measures.found(&reference.name.text)
+                {
+                    self.note_use(&reference.name, declaration);
+                    return place.map(Requested::Measure);
+                }
                 let angle = self.angle_named(&reference.name.text);
                 let angle = angle.filter(|_| reference.body.is_none());
                 let Some(angle) = angle else {
@@ -138,6 +145,8 @@ impl Resolver<'_> {
             let diagnostic = Diagnostic::error(Code::UnknownName, reference.span, message)
                 .label("not a point of this mechanism");
             let known = points.points.iter().map(|point| point.name.as_str());
+            let measures = self.declared.measures.iter();
+            let known = known.chain(measures.map(|(name, _)| name.text.as_str()));
             let meant = self.declared.nearest_known(&reference.name.text, known);
             self.diagnostics.push(match meant {
                 Some(meant) => diagnostic.help(format!("did you mean `{meant}`?")),

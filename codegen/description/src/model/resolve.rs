@@ -108,6 +108,7 @@ pub(super) fn resolve_statements<'a>(
         );
     }
     let points = resolver.output_points();
+    resolver.reject_columns(&points);
     let outputs = statements
         .iter()
         .filter_map(|it| it.request(RequestKind::Output));
@@ -159,6 +160,8 @@ pub(super) fn resolve_statements<'a>(
             .map(|(joint, _)| joint)
             .collect(),
         points,
+        measurements: resolver.declared.measurements,
+        limits: resolver.declared.limits,
         requests,
         transmissions,
         sensitivities,
@@ -219,6 +222,8 @@ impl Resolver<'_> {
             syntax::Statement::Element(element) => self.add_element(element),
             syntax::Statement::Force(force) => self.add_force(force),
             syntax::Statement::Torque(torque) => self.add_torque(torque),
+            syntax::Statement::Measure(measure) => self.add_measure(measure),
+            syntax::Statement::Limit(limit) => self.add_limit(limit),
             // Points are known after all bodies, and parameters may follow.
             syntax::Statement::Request(_) | syntax::Statement::Units(_) => {}
             // The statements of motions are passed separately.

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::request::Named;
 use super::resolve::Resolver;
-use super::{Point, Requested, Role};
+use super::{Point, Requested, Role, field_name};
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::syntax::{OutputItem, RequestKind, Statement};
 
@@ -27,6 +27,12 @@ impl Resolver<'_> {
                 let Some(quantity) = self.requested(item, points) else {
                     continue;
                 };
+                if let Requested::Measure(measure) = quantity
+                    && self.declared.measurements[measure].order > 0
+                {
+                    self.report_moving_measure(place(item));
+                    continue;
+                }
                 match spans.get(&quantity) {
                     Some(&earlier) => self.diagnostics.push(
                         Diagnostic::error(
@@ -66,10 +72,19 @@ impl Resolver<'_> {
         }
     }
 
+    fn report_moving_measure(&mut self, span: Span) {
+        self.diagnostics.push(
+            Diagnostic::error(Code::WrongForm, span, "this measure has no transmission")
+                .label("contains rates or forces")
+                .help("request the transmission of a measure of positions"),
+        );
+    }
+
     /// Returns the stem of the function names of a quantity: `k` of the point `K`, `phi_c1` of the angle of the body `c1`.
     pub(super) fn generated_name(&self, quantity: Requested, points: &[Point]) -> String {
         match quantity {
             Requested::Point(place) => points[place].name.to_lowercase(),
+            Requested::Measure(place) => field_name(&self.declared.measurements[place].name),
             Requested::Coordinate(place) => {
                 let bodies = self.linkage.bodies.iter();
                 let mut coordinates = bodies.flat_map(|body| body.coordinates).flatten();

@@ -3,9 +3,9 @@
 
 use std::collections::BTreeMap;
 
-use super::Role;
 use super::forces::Forces;
 use super::resolve::Resolver;
+use super::{ForceTerm, Role};
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::syntax::{Name, RequestKind, Statement};
 
@@ -24,12 +24,18 @@ impl Resolver<'_> {
             }
             forces.gravity = Some(gravity);
         }
-        forces.efforts = self.has(RequestKind::Effort, statements);
+        let measures = |is: fn(&ForceTerm) -> bool| self.measured_forces().any(|it| is(&it.0));
+        let of_driver = measures(|it| matches!(it, ForceTerm::Effort(_) | ForceTerm::Power(_)));
+        forces.efforts = of_driver || self.has(RequestKind::Effort, statements);
         forces.energy = self.has(RequestKind::Energy, statements);
         let every = self.has(RequestKind::Reactions, statements);
         forces.reactions = self.reactions(statements, every);
         forces.least_norm = self.has(RequestKind::LeastNorm, statements);
-        let requests = asking(statements);
+        let mut requests = asking(statements);
+        requests.extend(self.measured_forces().map(|(force, span)| match force {
+            ForceTerm::Effort(_) | ForceTerm::Power(_) => ("effort", span),
+            ForceTerm::Reaction(..) => ("reaction", span),
+        }));
         if let Some((word, span)) = requests.first() {
             let word = *word;
             let acts = !forces.masses.is_empty() || !forces.loads.is_empty();
@@ -81,13 +87,29 @@ impl Resolver<'_> {
         forces
     }
 
-    /// Returns the joints whose reactions are requested.
-    fn reactions(&mut self, statements: &[&Statement], every: bool) -> Vec<usize> {
+    /// Returns the indices of the joints that are constraints.
+    pub(super) fn constraint_places(&self) -> Vec<usize> {
         let joints = self.linkage.joints.iter().enumerate();
         let constraints = joints.filter(|(_, (joint, _))| joint.role == Role::Constraint);
-        let constraints: Vec<usize> = constraints.map(|(place, _)| place).collect();
+        constraints.map(|(place, _)| place).collect()
+    }
+
+    /// Returns the forces that measures contain, each with the name of its measure.
+    fn measured_forces(&self) -> impl Iterator<Item = (ForceTerm, Span)> {
+        let measures = self.declared.measurements.iter();
+        measures.flat_map(|it| it.forces().map(|force| (force, it.span)))
+    }
+
+    /// Returns the joints whose reactions are requested.
+    fn reactions(&mut self, statements: &[&Statement], every: bool) -> Vec<usize> {
+        let constraints = self.constraint_places();
         let mut named: BTreeMap<String, Span> = BTreeMap::new();
-        let mut joints: Vec<usize> = Vec::new();
+        let measured = self.measured_forces().map(|(force, _)| force);
+        let measured = measured.filter_map(|force| match force {
+            ForceTerm::Reaction(joint, _) => Some(joint),
+            _ => None,
+        });
+        let mut joints: Vec<usize> = measured.collect();
         for statement in statements {
             let Some(reaction) = statement.request(RequestKind::Reaction) else {
                 continue;
@@ -130,7 +152,7 @@ impl Resolver<'_> {
         joints
     }
 
-    fn report_unknown_joint(&mut self, name: &Name, constraints: &[usize]) {
+    pub(super) fn report_unknown_joint(&mut self, name: &Name, constraints: &[usize]) {
         let message = format!("no joint is named `{}`", name.text);
         let finding = Diagnostic::error(Code::UnknownName, name.span, message)
             .label("not a joint of this mechanism");

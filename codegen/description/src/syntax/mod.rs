@@ -21,6 +21,7 @@ mod files;
 mod forces;
 mod formula;
 mod indexed;
+mod limit;
 mod literal;
 mod motion;
 mod output;
@@ -48,6 +49,7 @@ pub use files::named_files;
 pub(crate) use files::{is_relative, leaves_folder};
 pub use forces::{Center, Element, ElementKind, Force, Gravity, Mass, Torque};
 pub use formula::*;
+pub use limit::Limit;
 pub use output::LEVELS;
 pub(crate) use scan::block_comment_length;
 pub use scan::{Comment, Kind, Lexeme, lexemes, lexemes_and_comments};
@@ -67,7 +69,7 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 pub const MAX_DEPTH: usize = 128;
 
 /// Words that start a statement. A statement that starts with any other word is a joint.
-pub const KEYWORDS: [&str; 32] = [
+pub const KEYWORDS: [&str; 34] = [
     "const",
     "param",
     "input",
@@ -96,6 +98,8 @@ pub const KEYWORDS: [&str; 32] = [
     "reactions",
     "least_norm",
     "energy",
+    "measure",
+    "limit",
     "units",
     "motion",
     "repeat",
@@ -109,7 +113,7 @@ pub const BUILT_IN: &[&str] = &["t", "pi"];
 pub const AXES: [&str; 3] = ["x", "y", "phi"];
 
 /// Words within statements; each is special only in its position.
-pub const CLAUSES: [&str; 18] = [
+pub const CLAUSES: [&str; 19] = [
     "at",
     "turned",
     "facing",
@@ -128,6 +132,7 @@ pub const CLAUSES: [&str; 18] = [
     "if",
     "else",
     "pressure_angle",
+    "stop",
 ];
 
 /// Parses a description. Never panics and never overflows the stack, whatever the text.

@@ -65,7 +65,9 @@ impl<'a> Renaming<'a> {
 
     fn all_of(&mut self, statement: &mut Statement) -> Outcome<()> {
         match statement {
-            Statement::Constant(it) | Statement::Angle(it) => self.constant(it),
+            Statement::Constant(it) | Statement::Angle(it) | Statement::Measure(it) => {
+                self.constant(it)
+            }
             Statement::Given(it) | Statement::Parameter(it) | Statement::Input(it) => {
                 self.constant(&mut it.constant)?;
                 self.formulas(it.range.iter_mut().flatten())
@@ -88,6 +90,10 @@ impl<'a> Renaming<'a> {
                 self.formulas([&mut equation.left, &mut equation.right])
             }
             Statement::Curve(curve) => self.curve(curve),
+            Statement::Limit(limit) => {
+                self.name(&mut limit.measure)?;
+                self.formulas(limit.ends.iter_mut().flatten())
+            }
             Statement::Request(request) => {
                 self.items(&mut request.items)?;
                 self.names(&mut request.names)

@@ -15,6 +15,7 @@ use super::expression::{after_expression, coordinates, expression};
 use super::forces::{self, ElementKind, valued};
 use super::formula::{Expression, Name};
 use super::indexed;
+use super::limit::limit;
 use super::motion::motion;
 use super::output::request;
 use super::reader::Outcome;
@@ -59,6 +60,8 @@ pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
         "damper" => forces::element(tokens, docs, ElementKind::Damper, first.span),
         "force" => forces::force(tokens, docs, first.span),
         "torque" => forces::torque(tokens, docs, first.span),
+        "measure" => constant(tokens, docs, first.span, "a measure").map(Statement::Measure),
+        "limit" => limit(tokens, docs, first.span),
         "units" => units(tokens, docs, first.span),
         "motion" => motion(tokens, docs, first.span),
         word => match REQUESTS.into_iter().find(|it| it.0 == word) {

@@ -122,6 +122,9 @@ impl Collector {
             Statement::Angle(own) => {
                 self.plain(Sort::Angle, &own.name, span, &own.docs);
             }
+            Statement::Measure(own) => {
+                self.plain(Sort::Measure, &own.name, span, &own.docs);
+            }
             Statement::Curve(own) => {
                 self.plain(Sort::Curve, &own.name, span, &own.docs);
                 self.plain(Sort::CurveParameter, &own.parameter, span, &[]);
@@ -164,6 +167,7 @@ impl Collector {
             | Statement::Gravity(_)
             | Statement::Force(_)
             | Statement::Torque(_)
+            | Statement::Limit(_)
             | Statement::Units(_) => {}
         }
     }

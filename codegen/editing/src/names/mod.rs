@@ -51,6 +51,8 @@ pub enum Sort {
     Equation,
     /// Spring or damper.
     Element,
+    /// Quantity of the motion.
+    Measure,
     /// Mechanism as a part of another.
     Part,
     /// Index of repeated statements.
@@ -78,6 +80,7 @@ impl Sort {
             Sort::Driver => "driver",
             Sort::Equation => "equation",
             Sort::Element => "spring or damper",
+            Sort::Measure => "measure",
             Sort::Part => "part",
             Sort::Index => "index of a repetition",
         }

@@ -1,7 +1,7 @@
 //! Names the columns of a motion, and reads their values from its instants.
 //!
 //! All tables of a motion have these columns in this order, after the time: coordinates, their rates and accelerations, points, derivatives,
-//! forces, measures.
+//! forces, measures, distances from singular poses.
 
 use linkwright_codegen::stages::joint::Quantity;
 use linkwright_solver::View;
@@ -32,7 +32,7 @@ pub struct Columns {
     /// Names and units.
     pub columns: Vec<Column>,
     derivatives: usize,
-    forces: usize,
+    reported: usize,
 }
 
 impl Column {
@@ -67,14 +67,14 @@ impl Columns {
         }
         let derivatives = motion.derivative_names.iter();
         columns.extend(derivatives.map(|(name, unit)| Column::new(name.clone(), unit)));
-        let forces = motion.force_names.iter();
-        columns.extend(forces.map(|(name, unit)| Column::new(name.clone(), unit)));
+        let reported = motion.reported_names.iter();
+        columns.extend(reported.map(|(name, unit)| Column::new(name.clone(), unit)));
         let measures = motion.measure_names.iter();
         columns.extend(measures.map(|name| Column::new(name.clone(), "")));
         Columns {
             columns,
             derivatives: motion.derivative_names.len(),
-            forces: motion.force_names.len(),
+            reported: motion.reported_names.len(),
         }
     }
 
@@ -88,7 +88,7 @@ impl Columns {
         let known = coordinates.chain(points.flatten()).map(Some);
         known
             .chain(optional(shown.derivatives, self.derivatives))
-            .chain(optional(shown.forces, self.forces))
+            .chain(optional(shown.reported, self.reported))
             .chain(shown.measures.iter().copied().map(Some))
     }
 }

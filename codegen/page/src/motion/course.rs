@@ -14,18 +14,18 @@ pub struct Course {
     pub paths: Vec<Path>,
     /// Value, rate and acceleration of each selected coordinate.
     pub coordinates: Vec<Curve<3>>,
-    /// Requested forces.
-    pub forces: Vec<Curve<1>>,
+    /// Requested forces and measures.
+    pub reported: Vec<Curve<1>>,
 }
 
 impl Course {
-    /// Creates an empty course of the selection `wanted` and of `forces` forces.
-    pub fn of(wanted: &Wanted, forces: usize) -> Course {
+    /// Creates an empty course of the selection `wanted` and of so many forces and measures.
+    pub fn of(wanted: &Wanted, reported: usize) -> Course {
         Course {
             points: vec![Curve::default(); wanted.points.len()],
             paths: vec![Path::default(); wanted.points.len()],
             coordinates: vec![Curve::default(); wanted.coordinates.len()],
-            forces: vec![Curve::default(); forces],
+            reported: vec![Curve::default(); reported],
         }
     }
 
@@ -35,11 +35,11 @@ impl Course {
         instant: &Instant,
         motions: &[PointMotion],
         coordinates: &[usize],
-        forces: &[f64],
+        reported: &[f64],
     ) {
         let t = instant.t();
-        for (curve, force) in self.forces.iter_mut().zip(forces) {
-            curve.push(t, [*force]);
+        for (curve, value) in self.reported.iter_mut().zip(reported) {
+            curve.push(t, [*value]);
         }
         for ((curve, path), motion) in self.points.iter_mut().zip(&mut self.paths).zip(motions) {
             let ([x, y], [vx, vy], [ax, ay]) =

@@ -3,6 +3,7 @@
 use std::io;
 
 use linkwright::PointMotion;
+use linkwright_codegen::stages::model::value_text;
 use linkwright_solver::approach::Watch;
 use linkwright_solver::measures::Measures;
 use linkwright_solver::not_finite::load;
@@ -91,7 +92,7 @@ impl<V: View> Followed<V> {
 
     /// Adds the warnings that need all instants.
     pub(super) fn finish(&mut self) {
-        let pulls = self.force_names.iter().zip(&self.pulls);
+        let pulls = self.reported_names.iter().zip(&self.pulls);
         let pulls = pulls.filter_map(|((name, _), t)| Some((name, (*t)?)));
         let parted = pulls.map(|(name, t)| {
             let t = time(t);
@@ -100,6 +101,8 @@ impl<V: View> Followed<V> {
             )
         });
         self.warnings.extend(parted);
+        let broken = self.broken_limits();
+        self.warnings.extend(broken);
         if let (None, Some((load, t))) = (&self.error, &self.infinite_load) {
             let t = time(*t);
             self.error = Some(format!(
@@ -107,9 +110,35 @@ impl<V: View> Followed<V> {
             ));
         }
         if let (Some(last), Some(number)) = (&self.last, self.count.checked_sub(1)) {
-            let row = self.row(number, last, self.motions(last), self.forces(last));
+            let row = self.row(number, last, self.motions(last), self.reported(last));
             self.rows.end(row);
         }
+    }
+
+    /// Returns a sentence for each limit that a shown instant breaks.
+    fn broken_limits(&self) -> Vec<String> {
+        let mechanism = &self.system().mechanism;
+        let units = mechanism.units.of_tables();
+        let first = self.force_count();
+        let broken = mechanism.limits.iter().filter_map(|limit| {
+            let [low, high] = self.extremes[first + limit.measurement];
+            let worst = match limit.margin(low.0) < limit.margin(high.0) {
+                true => low,
+                false => high,
+            };
+            // Without an instant, both are infinite.
+            if worst.1.is_nan() || limit.margin(worst.0) >= 0.0 {
+                return None;
+            }
+            let measurement = &mechanism.measurements[limit.measurement];
+            let (value, t) = (value_text(worst.0, limit.dimension, &units), time(worst.1));
+            Some(format!(
+                "{} is {value} at t = {t} s, beyond its limit: {}",
+                measurement.name,
+                limit.text(&units)
+            ))
+        });
+        broken.collect()
     }
 
     pub(super) fn show(
@@ -137,14 +166,27 @@ impl<V: View> Followed<V> {
                 self.smallest_measure = Some((place, instant.t(), *measure));
             }
         }
-        let forces = self.forces(instant);
-        self.see_infinite(instant, forces.as_deref());
-        for (largest, force) in self.largest_forces.iter_mut().zip(forces.iter().flatten()) {
+        let reported = self.reported(instant);
+        self.see_infinite(instant, reported.as_deref());
+        for (largest, force) in self
+            .largest_reported
+            .iter_mut()
+            .zip(reported.iter().flatten())
+        {
             if force.abs() > largest.0.abs() {
                 *largest = (*force, instant.t());
             }
         }
-        let pressures = self.force_names.iter().zip(forces.iter().flatten());
+        let extremes = self.extremes.iter_mut().zip(reported.iter().flatten());
+        for ([low, high], &value) in extremes {
+            if value < low.0 {
+                *low = (value, instant.t());
+            }
+            if value > high.0 {
+                *high = (value, instant.t());
+            }
+        }
+        let pressures = self.reported_names.iter().zip(reported.iter().flatten());
         for (pulls, ((name, _), force)) in self.pulls.iter_mut().zip(pressures) {
             if name.ends_with("_pressure") && *force < 0.0 {
                 pulls.get_or_insert(instant.t());
@@ -153,8 +195,8 @@ impl<V: View> Followed<V> {
         if is_row || self.course.is_some() || !sinks.is_empty() {
             let motions = self.motions(instant);
             if let Some(course) = &mut self.course {
-                let forces = forces.as_deref().unwrap_or_default();
-                course.push(instant, &motions, &self.wanted.coordinates, forces);
+                let reported = reported.as_deref().unwrap_or_default();
+                course.push(instant, &motions, &self.wanted.coordinates, reported);
             }
             if !sinks.is_empty() {
                 let is_requested = !self.derivative_names.is_empty();
@@ -166,7 +208,7 @@ impl<V: View> Followed<V> {
                     instant,
                     motions: &motions,
                     derivatives: derivatives.as_deref(),
-                    forces: forces.as_deref(),
+                    reported: reported.as_deref(),
                     measures: &measures,
                 };
                 for sink in sinks.iter_mut() {
@@ -174,7 +216,7 @@ impl<V: View> Followed<V> {
                 }
             }
             if is_row {
-                let row = self.row(self.count, instant, motions, forces);
+                let row = self.row(self.count, instant, motions, reported);
                 self.rows.push(row);
             }
         }
@@ -208,11 +250,11 @@ impl<V: View> Followed<V> {
         self.wanted.points.iter().map(|&point| all[point]).collect()
     }
 
-    /// Returns the requested forces; `None` if they are undetermined.
-    fn forces(&self, instant: &Instant) -> Option<Vec<f64>> {
-        match self.force_names.is_empty() {
+    /// Returns the requested forces and the measures; `None` if they are undetermined.
+    fn reported(&self, instant: &Instant) -> Option<Vec<f64>> {
+        match self.reported_names.is_empty() {
             true => Some(Vec::new()),
-            false => self.view.forces(instant),
+            false => self.view.reported(instant),
         }
     }
 
@@ -221,7 +263,7 @@ impl<V: View> Followed<V> {
         number: usize,
         instant: &Instant,
         motions: Vec<PointMotion>,
-        forces: Option<Vec<f64>>,
+        reported: Option<Vec<f64>>,
     ) -> Row {
         let coordinates = self.wanted.coordinates.iter();
         Row {
@@ -229,7 +271,7 @@ impl<V: View> Followed<V> {
             t: instant.t(),
             motions,
             coordinates: coordinates.map(|it| of_coordinate(instant, *it)).collect(),
-            forces: forces.unwrap_or_else(|| vec![f64::NAN; self.force_names.len()]),
+            reported: reported.unwrap_or_else(|| vec![f64::NAN; self.reported_names.len()]),
         }
     }
 }

@@ -73,10 +73,12 @@ pub struct Followed<V: View> {
     pub pressure: PressureCheck,
     /// Names of the requested transmissions and sensitivities, each with its SI unit.
     pub derivative_names: Vec<(String, String)>,
-    /// Names of the requested forces, each with its unit.
-    pub force_names: Vec<(String, &'static str)>,
-    /// Largest magnitude of each force, and its time (s).
-    pub largest_forces: Vec<(f64, f64)>,
+    /// Names of the requested forces and measures, each with its unit.
+    pub reported_names: Vec<(String, String)>,
+    /// Largest magnitude of each of them, and its time (s).
+    pub largest_reported: Vec<(f64, f64)>,
+    /// Smallest and largest value of each of them, each with its time (s).
+    pub extremes: Vec<[(f64, f64); 2]>,
     /// First time (s) at which bodies that press on one another would have to pull, by index of the force; `None` if there is none.
     pub pulls: Vec<Option<f64>>,
     /// Names of the measures; empty unless they are requested.
@@ -99,6 +101,9 @@ pub struct Followed<V: View> {
     pub(super) measures: Option<Measures>,
 }
 
+/// Extremes before any value.
+const NO_EXTREMES: [(f64, f64); 2] = [(f64::INFINITY, f64::NAN), (f64::NEG_INFINITY, f64::NAN)];
+
 impl<V: View> Followed<V> {
     /// Assembles the mechanism at the start, from the design configuration or from a pose and modes.
     pub fn new(
@@ -120,10 +125,10 @@ impl<V: View> Followed<V> {
         };
         let textbook = TextbookEquations::new(view.pool(), system);
         let matrix = jacobian(&textbook, &q, start);
-        let force_names = linkwright_solver::forces::names(view.pool(), system);
+        let reported_names = linkwright_solver::reported::names(view.pool(), system);
         let course = wanted
             .curves
-            .then(|| Course::of(&wanted, force_names.len()));
+            .then(|| Course::of(&wanted, reported_names.len()));
         let measures = view.measures();
         let name =
             |part: &MeasuredPart| format!("normalized_determinant_{}", part.unknowns.join("_"));
@@ -145,9 +150,10 @@ impl<V: View> Followed<V> {
             residuals: ResidualCheck::new(view.pool(), system, view.layout()),
             pressure: PressureCheck::new(view.pool(), system, view.layout()),
             derivative_names: linkwright_solver::derivatives::names(system),
-            largest_forces: vec![(0.0, start); force_names.len()],
-            pulls: vec![None; force_names.len()],
-            force_names,
+            largest_reported: vec![(0.0, start); reported_names.len()],
+            extremes: vec![NO_EXTREMES; reported_names.len()],
+            pulls: vec![None; reported_names.len()],
+            reported_names,
             measure_names: monitored.map(name).collect(),
             smallest_measure: None,
             warnings: Vec::new(),
@@ -161,6 +167,12 @@ impl<V: View> Followed<V> {
             wanted,
             view,
         }
+    }
+
+    /// Number of requested forces, which precede the measures among [`Followed::reported_names`].
+    pub fn force_count(&self) -> usize {
+        let measures = self.system().mechanism.measurements.len();
+        self.reported_names.len().saturating_sub(measures)
     }
 
     /// Converts a motion without instants to another formulation of the same mechanism.
@@ -178,8 +190,9 @@ impl<V: View> Followed<V> {
             rows: self.rows,
             course: self.course,
             derivative_names: self.derivative_names,
-            force_names: self.force_names,
-            largest_forces: self.largest_forces,
+            reported_names: self.reported_names,
+            largest_reported: self.largest_reported,
+            extremes: self.extremes,
             pulls: self.pulls,
             measure_names: self.measure_names,
             smallest_measure: self.smallest_measure,

@@ -48,8 +48,8 @@ pub struct Shown<'a> {
     pub motions: &'a [PointMotion],
     /// Requested transmissions and sensitivities in the order of their names; `None` if the equations are singular.
     pub derivatives: Option<&'a [f64]>,
-    /// Driving forces, reactions and energies in the order of their names; `None` if the equations are singular.
-    pub forces: Option<&'a [f64]>,
+    /// Driving forces, reactions, energies and measures in the order of their names; `None` if the equations are singular.
+    pub reported: Option<&'a [f64]>,
     /// Distance of each block from a singular pose; empty unless it is requested.
     pub measures: &'a [f64],
 }

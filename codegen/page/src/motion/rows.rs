@@ -16,8 +16,8 @@ pub struct Row {
     pub motions: Vec<PointMotion>,
     /// Value, rate and acceleration of each selected coordinate.
     pub coordinates: Vec<[f64; 3]>,
-    /// Requested forces; NaN if they are undetermined.
-    pub forces: Vec<f64>,
+    /// Requested forces and measures; NaN if they are undetermined.
+    pub reported: Vec<f64>,
 }
 
 /// Every instant of a short motion; of a long one every tenth, every hundredth, …

@@ -133,11 +133,11 @@ impl Followed<Dense> {
 
     /// Compares the energy of a frame with that of the first one.
     fn weigh(&self, simulation: &mut Simulation, first: &mut Option<f64>, found: &mut Simulated) {
-        let Some(forces) = self.view.forces(simulation.frame()) else {
+        let Some(forces) = self.view.reported(simulation.frame()) else {
             return;
         };
         let value = |name: &str| {
-            let place = self.force_names.iter().position(|(own, _)| own == name);
+            let place = self.reported_names.iter().position(|(own, _)| own == name);
             place.map_or(0.0, |place| forces[place])
         };
         let kinetic = value("kinetic_energy");

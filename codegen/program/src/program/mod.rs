@@ -17,6 +17,7 @@ mod function;
 mod lengths;
 mod loads;
 mod lower;
+mod measures;
 mod outputs;
 pub mod passes;
 mod path;
@@ -40,6 +41,7 @@ pub use function::{Function, Level, Statement};
 pub use lengths::Lengths;
 pub use loads::Loads;
 pub use lower::{Kept, lower};
+pub use measures::Measure;
 pub use outputs::Output;
 pub use passes::constants::{Constant, ConstantPart, Constants};
 pub use passes::costs::{LARGEST_PRODUCT, Operations};
@@ -76,6 +78,8 @@ pub struct Program {
     pub sensitivities: Vec<Sensitivity>,
     /// Driving forces, reactions and stored energy, as far as they are requested.
     pub forces: Forces,
+    /// Requested measures, in written order.
+    pub measures: Vec<Measure>,
     /// Kept and omitted calculations, with their costs.
     pub report: Report,
     /// Constants of all functions, each once, except for short decimals.

@@ -48,6 +48,8 @@ pub(super) fn outputs(pool: &mut Pool, system: &System) -> Option<(Vec<Output>, 
     let mut outputs: Vec<Output> = Vec::new();
     for request in highest_levels(&system.mechanism.requests) {
         let output = match request.quantity {
+            // A block of its own computes measures.
+            Requested::Measure(_) => continue,
             Requested::Coordinate(place) => {
                 let unknown = &system.vector_form.unknowns[place];
                 let all = [unknown.position, unknown.rate, unknown.acceleration];

@@ -9,8 +9,7 @@ use super::function::{Level, Statement};
 use super::outputs::highest_levels;
 use super::transmissions::described;
 use crate::expr::{ExprId, Node, SymbolId};
-use crate::joint::Quantity;
-use crate::model::{Request, Requested};
+use crate::model::{Dimension, Request, Requested};
 use crate::pool::Pool;
 use crate::system::{Cause, System};
 
@@ -36,15 +35,17 @@ pub struct Sensitivity {
     pub quantities: Vec<SensitiveQuantity>,
 }
 
-/// Point or coordinate with its derivatives.
+/// Point, coordinate or measure with its derivatives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SensitiveQuantity {
     /// Base of function names: `k`, `phi_c1`.
     pub name: String,
     /// Description: `the point K`, `the coordinate phi_c1`.
     pub what: String,
-    /// Quantities of the components: x and y of a point, or the coordinate itself.
-    pub components: Vec<Quantity>,
+    /// True for a measure, which has one derivative.
+    pub is_measure: bool,
+    /// Dimensions of the components: x and y of a point, or the coordinate or measure itself.
+    pub components: Vec<Dimension>,
     /// Derivatives by level, position and velocity as far as requested, then by component.
     pub levels: Vec<Vec<Found>>,
 }
@@ -74,14 +75,21 @@ pub(super) fn sensitivities(
         return None;
     }
     let whole = system.mechanism.requests.is_empty();
-    let requests: Vec<Request> = if whole {
+    let mut requests: Vec<Request> = if whole {
         let points = (0..system.mechanism.points.len()).map(Requested::Point);
+        let measures = (0..system.measures.values.len()).map(Requested::Measure);
         points
+            .chain(measures)
             .map(|quantity| Request { quantity, level: 1 })
             .collect()
     } else {
         highest_levels(&system.mechanism.requests)
     };
+    // Derivatives exist for positions and rates.
+    requests.retain(|request| match request.quantity {
+        Requested::Measure(measure) => system.mechanism.measurements[measure].order <= 1,
+        Requested::Point(_) | Requested::Coordinate(_) => true,
+    });
     let mut statements = Vec::new();
     let mut all = Vec::new();
     for direction in 0..system.directions.len() {
@@ -102,8 +110,12 @@ pub(super) fn sensitivities(
             .map(|request| {
                 let about = described(request.quantity, system);
                 SensitiveQuantity {
-                    name: about.name,
+                    name: match request.quantity {
+                        Requested::Measure(_) => format!("measure_{}", about.name),
+                        Requested::Point(_) | Requested::Coordinate(_) => about.name,
+                    },
                     what: about.what,
+                    is_measure: matches!(request.quantity, Requested::Measure(_)),
                     components: about.rows,
                     levels: Vec::new(),
                 }
@@ -119,6 +131,14 @@ pub(super) fn sensitivities(
                     continue;
                 }
                 let values = match request.quantity {
+                    Requested::Measure(measure) => {
+                        // A measure has one derivative, at the level at which the derivatives of its terms are known.
+                        if system.mechanism.measurements[measure].order != level {
+                            continue;
+                        }
+                        let value = system.measures.values[measure];
+                        vec![derivatives.along(value, direction, pool, system)]
+                    }
                     Requested::Point(place) => {
                         let position = system.vector_form.points[place];
                         let along =
@@ -135,7 +155,10 @@ pub(super) fn sensitivities(
                 let suffix = ["", "_rate"][level];
                 let components = values.into_iter().zip(["_x", "_y"]);
                 let components = components.map(|(value, axis)| {
-                    let what = format!("point_{}{axis}{suffix}", quantity.name);
+                    let what = match request.quantity {
+                        Requested::Measure(_) => quantity.name.clone(),
+                        _ => format!("point_{}{axis}{suffix}", quantity.name),
+                    };
                     kept(value, &what, direction, derivatives, &mut statements, pool)
                 });
                 quantity.levels.push(components.collect());

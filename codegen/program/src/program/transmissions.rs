@@ -4,20 +4,19 @@ use super::block::Block;
 use super::directional_derivatives::DirectionalDerivatives;
 use super::function::{Level, Statement};
 use crate::expr::SymbolId;
-use crate::joint::Quantity;
-use crate::model::Requested;
+use crate::model::{Dimension, Requested, field_name};
 use crate::pool::Pool;
 use crate::system::System;
 
-/// Rates of a point or a coordinate per rate of each driver.
+/// Rates of a point, a coordinate or a measure per rate of each driver.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Transmission {
     /// Base of function names: `k`, `phi_c1`.
     pub name: String,
     /// Description: `the point K`, `the coordinate phi_c1`.
     pub what: String,
-    /// Quantities of the rows: x and y of a point, or the coordinate itself.
-    pub rows: Vec<Quantity>,
+    /// Dimensions of the rows: x and y of a point, or the coordinate or measure itself.
+    pub rows: Vec<Dimension>,
     /// Fields of each column, one column per driver, in written order.
     pub columns: Vec<Vec<SymbolId>>,
 }
@@ -59,6 +58,11 @@ pub(super) fn transmissions(
                     let value = derivatives.of_unknown(unknown, direction, pool);
                     (vec![""], vec![value])
                 }
+                Requested::Measure(place) => {
+                    let measure = system.measures.values[place];
+                    let value = derivatives.along(measure, direction, pool, system);
+                    (vec![""], vec![value])
+                }
             };
             let mut column = Vec::with_capacity(values.len());
             for (component, value) in components.into_iter().zip(values) {
@@ -82,7 +86,7 @@ pub(super) fn described(quantity: Requested, system: &System) -> Transmission {
             (
                 name.to_lowercase(),
                 format!("the point {name}"),
-                vec![Quantity::Length; 2],
+                vec![Dimension::LENGTH; 2],
             )
         }
         Requested::Coordinate(place) => {
@@ -90,7 +94,15 @@ pub(super) fn described(quantity: Requested, system: &System) -> Transmission {
             (
                 unknown.name.clone(),
                 format!("the coordinate {}", unknown.name),
-                vec![unknown.quantity],
+                vec![Dimension::of(unknown.quantity)],
+            )
+        }
+        Requested::Measure(place) => {
+            let measure = &system.mechanism.measurements[place];
+            (
+                field_name(&measure.name),
+                format!("the measure {}", measure.name),
+                vec![measure.dimension],
             )
         }
     };

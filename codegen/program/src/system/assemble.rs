@@ -6,6 +6,7 @@ use std::ops::Range;
 use super::direction::{directions, rate_jacobian};
 use super::forces::forces;
 use super::length::lengths;
+use super::measures::{Measures, measures};
 use super::pressure::pressures;
 use super::row_name::RowNames;
 use super::{Described, Entry, Output, Row, System, Unknown, VectorForm};
@@ -110,7 +111,7 @@ pub fn assemble_without(pool: &mut Pool, mechanism: Mechanism, monitored_rows: &
     let vector_form = VectorForm::new(&mechanism, &coordinates, &dropped, pool);
     let forces = forces(&mechanism, &vector_form, pool);
     pool.is_beyond(mechanism.span);
-    System {
+    let mut system = System {
         mechanism,
         coordinates,
         rows,
@@ -120,9 +121,14 @@ pub fn assemble_without(pool: &mut Pool, mechanism: Mechanism, monitored_rows: &
         rate_jacobian,
         pressures,
         forces,
+        measures: Measures::default(),
         vector_form,
         lengths,
+    };
+    if pool.exceeded().is_none() {
+        system.measures = measures(&system, pool);
     }
+    system
 }
 
 /// Records the roles of the coordinates, t, the parameters and the inputs.

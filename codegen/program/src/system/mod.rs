@@ -12,6 +12,7 @@ mod drawn;
 mod forces;
 mod length;
 mod mark_names;
+mod measures;
 mod orientation;
 mod own_columns;
 mod pressure;
@@ -26,6 +27,7 @@ pub use assemble::{assemble, assemble_without};
 pub use carried::{Carried, Component};
 pub use direction::{Cause, Direction};
 pub use forces::{Forces, Passing, Weight};
+pub use measures::{Definition, ForceColumn, Measures};
 pub use pressure::Pressure;
 pub use tooth_force::ToothForce;
 pub use vector_form::{VectorForm, VectorRow};
@@ -58,6 +60,8 @@ pub struct System {
     pub pressures: Vec<Pressure>,
     /// Loads and energies; `None` if no forces are requested.
     pub forces: Option<Forces>,
+    /// Quantities of `measure` statements.
+    pub measures: Measures,
     /// Constraints in vector form.
     pub vector_form: VectorForm,
     /// Lengths whose maximum is the scale of lengths. Empty if no parameter changes them; the scale is then the largest design

@@ -36,7 +36,7 @@ impl Columns {
                 Some(_) => Source::Point(point_result(place, level, axis)),
                 None => slot(blocks.point_slot(place, level, axis)),
             },
-            Observable::Force(force) => slot(blocks.force_slot(force)),
+            Observable::Reported(column) => slot(blocks.reported_slot(column)),
         };
         let sources: Vec<Source> = observables.iter().map(source).collect();
         Columns {

@@ -17,6 +17,7 @@ use crate::instant::{Instant, Layout};
 use crate::measures::Measures;
 use crate::number::time;
 use crate::ranges::Ranges;
+use crate::reported::DenseMeasures;
 use crate::supplied::{InputSignals, ModeName, Modes, Numbers, ParameterValues, Pose};
 use crate::textbook::TextbookEquations;
 use crate::view::View;
@@ -29,6 +30,7 @@ pub struct Dense {
     layout: Arc<Layout>,
     equations: TextbookEquations,
     forces: Option<DenseForces>,
+    measured: Option<DenseMeasures>,
     residuals: Cell<u64>,
     solves: Cell<u64>,
     ranges: Ranges,
@@ -50,6 +52,7 @@ impl Dense {
         let layout = Layout::new(system, &[]);
         Dense {
             forces: DenseForces::new(pool, system, &layout),
+            measured: DenseMeasures::new(pool, system),
             layout: Arc::new(layout),
             equations: TextbookEquations::new(pool, system),
             derived: Arc::new(derived.clone()),
@@ -275,19 +278,28 @@ impl View for Dense {
         if drivers < self.system().directions.len() {
             let rates = self.equations.sensitivity_rates(&frame, &responses).ok()?;
             let responses = responses.column_iter().skip(drivers);
-            for (response, rate) in responses.zip(rates.column_iter()) {
+            for (parameter, (response, rate)) in responses.zip(rates.column_iter()).enumerate() {
                 values.extend(response.iter());
                 values.extend(rate.iter());
+                if let Some(measures) = &self.measured {
+                    let moved = [response.iter(), rate.iter()];
+                    values.extend(measures.along(instant, parameter, moved));
+                }
             }
         }
         Some(values)
     }
 
-    fn forces(&self, instant: &Instant) -> Option<Vec<f64>> {
-        match &self.forces {
-            Some(forces) => forces.at(instant),
-            None => Some(Vec::new()),
+    fn reported(&self, instant: &Instant) -> Option<Vec<f64>> {
+        let mut reported = match &self.forces {
+            Some(forces) => forces.at(instant)?,
+            None => Vec::new(),
+        };
+        if let Some(measures) = &self.measured {
+            let values = measures.at(instant, &reported);
+            reported.extend(values);
         }
+        Some(reported)
     }
 
     fn measures(&self) -> Option<Measures> {

@@ -16,7 +16,7 @@ pub(super) fn beside(blocks: Interpreted, fuller: &Interpreted) -> Emitted<Inter
     };
     let coordinates = fuller.system().coordinates.iter();
     let coordinates = coordinates.flat_map(|it| [it.position, it.rate, it.acceleration]);
-    let forces = fuller.forces.iter().zip(&blocks.forces);
+    let forces = fuller.reported.iter().zip(&blocks.reported);
     let forces = forces.filter_map(|(fuller, emitted)| Some([(*fuller)?, (*emitted)?]));
     let equal = coordinates.filter_map(slots).chain(forces).collect();
     let points = points(&blocks, fuller);

@@ -232,9 +232,9 @@ impl Interpreted {
         self.points.slot(point, level, axis)
     }
 
-    /// Returns the index in instants of a requested force; `None` if the program does not compute it.
-    pub(crate) fn force_slot(&self, index: usize) -> Option<usize> {
-        *self.forces.get(index)?
+    /// Returns the index in instants of a requested force or measure; `None` if the program does not compute it.
+    pub(crate) fn reported_slot(&self, index: usize) -> Option<usize> {
+        *self.reported.get(index)?
     }
 
     /// Returns the code that computes the points among observables, by the index of [`point_result`]; `None` if instants keep points, or if

@@ -77,7 +77,7 @@ impl Interpreted {
         let slots = observables.iter().filter_map(|it| match *it {
             Observable::Coordinate { place, level } => self.coordinate_slot(place, level),
             Observable::Point { place, axis, level } => self.point_slot(place, level, axis),
-            Observable::Force(force) => self.force_slot(force),
+            Observable::Reported(column) => self.reported_slot(column),
         });
         let of_points = formulas.iter().flat_map(|it| it.slots());
         slots.chain(of_points).collect()

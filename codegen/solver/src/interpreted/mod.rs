@@ -33,10 +33,10 @@ use linkwright_codegen::stages::system::Derived;
 
 use crate::derivatives::{Derivative, of_program};
 use crate::emitted::Emitted;
-use crate::forces;
 use crate::instant::Instant;
 use crate::measures::{Measures, measured};
 use crate::reader::Reader;
+use crate::reported;
 use crate::supplied::{InputSignals, Modes, Pose};
 use crate::view::View;
 use compiled::Compiled;
@@ -83,8 +83,8 @@ pub struct Interpreted {
     /// Evaluator of loads for failures; `None` if no load may become infinite.
     loads: Option<LoadReader>,
     derivatives: Vec<Derivative>,
-    /// Indices in instants of the requested forces.
-    forces: Vec<Option<usize>>,
+    /// Indices in instants of the requested forces and measures.
+    reported: Vec<Option<usize>>,
     /// Program that is written out; `None` if it omits nothing that this one computes for reports.
     emitted: Option<Box<Emitted<Interpreted>>>,
     residuals: Cell<u64>,
@@ -202,7 +202,11 @@ impl Interpreted {
             points: Points::new(&compiled),
             loads: LoadReader::new(&compiled),
             derivatives: of_program(compiled.solved.program(), &compiled.layout),
-            forces: forces::of_program(compiled.solved.program(), &compiled.layout),
+            reported: reported::of_program(
+                compiled.solved.program(),
+                compiled.solved.system(),
+                &compiled.layout,
+            ),
             emitted: None,
             registers: RefCell::new(compiled.code.registers().to_vec()),
             path_registers: RefCell::new(

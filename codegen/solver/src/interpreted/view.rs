@@ -63,9 +63,10 @@ impl View for Interpreted {
         Some(derivatives.map(value).collect())
     }
 
-    fn forces(&self, instant: &Instant) -> Option<Vec<f64>> {
-        let slots = self.forces.iter();
-        slots.map(|slot| Some(instant.values()[(*slot)?])).collect()
+    fn reported(&self, instant: &Instant) -> Option<Vec<f64>> {
+        let slots = self.reported.iter();
+        let value = |slot: &Option<usize>| slot.map_or(f64::NAN, |slot| instant.values()[slot]);
+        Some(slots.map(value).collect())
     }
 
     fn measures(&self) -> Option<Measures> {

@@ -1,4 +1,4 @@
-//! Bounds determinants, coordinates and points in each window of a motion, and limits the width of these bounds.
+//! Bounds determinants, coordinates, points and measures of positions in each window of a motion, and limits the width of these bounds.
 
 use linkwright_codegen::stages::assemblies::Interval;
 use linkwright_codegen::stages::expr::ExprId;
@@ -46,6 +46,8 @@ pub(super) struct Claims {
     /// True for each coordinate that is an angle.
     are_angles: Vec<bool>,
     points: Vec<(usize, Functions)>,
+    /// Quantities of `measure` statements: indices into the measurements of positions, with their functions.
+    quantities: Vec<(usize, Functions)>,
 }
 
 impl Claims {
@@ -75,7 +77,15 @@ impl Claims {
             let position = system.outputs[point].position;
             (point, writing.functions(&position))
         };
+        let points = points.iter().map(functions).collect();
+        let measurements = system.mechanism.measurements.iter().enumerate();
+        let positions = measurements.filter(|(_, measurement)| measurement.order == 0);
+        let quantities = positions.map(|(place, _)| {
+            let value = writing.without_definitions(system.measures.values[place]);
+            (place, writing.functions(&[value]))
+        });
         Claims {
+            quantities: quantities.collect(),
             measures,
             located,
             are_angles: {
@@ -84,11 +94,11 @@ impl Claims {
                     .map(|it| it.quantity == Quantity::Angle)
                     .collect()
             },
-            points: points.iter().map(functions).collect(),
+            points,
         }
     }
 
-    /// Returns the bounds in a window: of magnitudes of measures, of coordinates, of points.
+    /// Returns the bounds in a window: of determinants, of coordinates, of points, of quantities.
     pub fn bounds(&self, verified: &Verified) -> Vec<Bounds> {
         let measures = self.measures.iter().map(|(part, functions)| {
             let values = verified.values(functions);
@@ -108,7 +118,10 @@ impl Claims {
             let values = verified.values(functions);
             [bounds(values[0]), bounds(values[1])]
         });
-        measures.chain(coordinates).chain(points).collect()
+        let quantities = self.quantities.iter();
+        let quantities = quantities.map(|(_, functions)| bounds(verified.values(functions)[0]));
+        let places = coordinates.chain(points);
+        measures.chain(places).chain(quantities).collect()
     }
 
     /// Returns the ranges that frames sweep, without those of measures.
@@ -197,7 +210,14 @@ impl Claims {
                 enclosed(name.clone(), false, at + 1),
             ]
         });
+        let first = self.are_angles.len() + 2 * self.points.len();
+        let quantities = self.quantities.iter().enumerate();
+        let quantities = quantities.map(|(place, (measurement, _))| {
+            let name = system.mechanism.measurements[*measurement].name.clone();
+            (*measurement, enclosed(name, false, first + place))
+        });
         Proven {
+            measures: quantities.collect(),
             determinants: determinants.collect(),
             coordinates: coordinates.collect(),
             points: points.collect(),

@@ -74,6 +74,12 @@ impl<'a> Writing<'a> {
         self.pool.graph.substitute(expr, &self.given)
     }
 
+    /// Returns a measure without symbols of its definitions.
+    pub fn without_definitions(&mut self, measure: ExprId) -> ExprId {
+        let measures = &self.system.measures;
+        measures.expanded(measure, &mut self.pool.graph)
+    }
+
     /// Returns `unknown − value`.
     pub fn definition(&mut self, unknown: usize, value: ExprId) -> ExprId {
         let position = self.system.vector_form.unknowns[unknown].position;

@@ -40,6 +40,8 @@ pub struct Proven {
     pub coordinates: Vec<Enclosed>,
     /// Components of each requested point.
     pub points: Vec<[Enclosed; 2]>,
+    /// Measures of positions, each with its index among the mechanism's measurements, in SI units.
+    pub measures: Vec<(usize, Enclosed)>,
 }
 
 /// Bound on a normalized determinant.

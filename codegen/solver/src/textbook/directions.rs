@@ -26,6 +26,8 @@ pub(super) struct Directions {
     rate_jacobian: Tape,
     rate_places: Vec<(usize, usize)>,
     transmissions: Vec<Requested>,
+    /// Derivatives of the measures among the transmissions in all coordinates, measure by measure.
+    slopes: Tape,
 }
 
 impl Directions {
@@ -48,7 +50,20 @@ impl Directions {
                 entries.map(move |entry| ((row, entry.coordinate), entry.value))
             })
             .unzip();
+        let mut draft = pool.draft();
+        let mut slopes = Vec::new();
+        for requested in &system.mechanism.transmissions {
+            let Requested::Measure(measure) = *requested else {
+                continue;
+            };
+            let value = system.measures.values[measure];
+            let value = system.measures.expanded(value, &mut draft.graph);
+            let value = draft.written_out(value);
+            let coordinates = system.coordinates.iter();
+            slopes.extend(coordinates.map(|it| draft.graph.derivative(value, it.position)));
+        }
         Directions {
+            slopes: Tape::new(&draft.graph, &slopes),
             columns: Tape::new(graph, &columns),
             count: system.directions.len(),
             driven: system.driven().count(),
@@ -142,7 +157,17 @@ impl TextbookEquations {
                 })
             })
             .collect();
+        let transmitted = self.directions.transmissions.iter();
+        let measures = transmitted.filter(|it| matches!(it, Requested::Measure(_)));
+        let mut slopes = DVector::zeros(self.dimension * measures.count());
+        self.evaluate(&self.directions.slopes, q, None, t, &mut slopes);
+        let mut slopes = slopes.as_slice().chunks_exact(self.dimension.max(1));
         let matrix = |quantity: &Requested| match *quantity {
+            Requested::Measure(_) => {
+                let slopes = slopes.next().unwrap_or_default();
+                let driven = responses.columns(0, self.directions.driven);
+                DMatrix::from_row_slice(1, slopes.len(), slopes) * driven
+            }
             Requested::Point(place) => {
                 DMatrix::from_fn(2, self.directions.driven, |row, column| {
                     along[column][place].velocity[row]

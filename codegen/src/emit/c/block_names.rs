@@ -1,6 +1,7 @@
 //! Writes tables of names for messages about failures: blocks with their singular poses, requirements, loads, ranges and drivers.
 
 use super::comment::quoted;
+use super::limits;
 use super::loads;
 use super::parameters::requirement_names;
 use super::printer::Printer;
@@ -43,6 +44,15 @@ pub(super) fn declarations(printer: &Printer<'_>, text: &mut Code) {
             drivers.len()
         ));
     }
+    let limits = limits::names(printer);
+    if !limits.is_empty() {
+        text.comment([crate::emit::module::limits::NAMES]);
+        text.line(format!(
+            "extern const char *const {}[{}];",
+            printer.constant("LIMITS"),
+            limits.len()
+        ));
+    }
 }
 
 /// Defines the tables.
@@ -65,6 +75,16 @@ pub(super) fn definitions(printer: &Printer<'_>, text: &mut Code) {
             printer.constant("DRIVERS"),
             drivers.len(),
             drivers.join(", ")
+        ));
+    }
+    let limits = limits::names(printer);
+    if !limits.is_empty() {
+        text.gap();
+        text.line(format!(
+            "const char *const {}[{}] = {{{}}};",
+            printer.constant("LIMITS"),
+            limits.len(),
+            limits.join(", ")
         ));
     }
 }

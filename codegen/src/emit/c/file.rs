@@ -4,9 +4,9 @@ use super::constants::Constant;
 use super::printer::Printer;
 use super::words::WORDS;
 use super::{
-    api, assemblies, assembly, block, block_names, coordinates, equations, frame, lanes, loads,
-    normalized_determinant, parameters, path, points, ranges, runtime, sensitivity, shell, tables,
-    textbook, transmission,
+    api, assemblies, assembly, block, block_names, coordinates, equations, frame, lanes, limits,
+    loads, normalized_determinant, parameters, path, points, ranges, runtime, sensitivity, shell,
+    tables, textbook, transmission,
 };
 use crate::emit::Form;
 use crate::emit::code::Code;
@@ -49,8 +49,10 @@ fn offered(printer: &Printer<'_>) -> Vec<points::Offered> {
     all.extend(points::offered(printer));
     all.extend(transmission::offered(printer));
     let kept = force_functions(printer.module).into_iter();
+    let kept = kept.chain(accessors::measures(printer.module));
     let kept = kept.chain(accessors::sensitivities(printer.module));
     all.extend(kept.map(|it| printer.accessor(it)));
+    all.extend(limits::offered(printer));
     all.extend(normalized_determinant::offered(printer));
     all.extend(textbook::offered(printer));
     all

@@ -19,6 +19,7 @@ mod file;
 mod frame;
 mod isolation;
 mod lanes;
+mod limits;
 mod loads;
 mod newton;
 mod normalized_determinant;

@@ -100,6 +100,27 @@ pub(in crate::emit) fn of_output(output: &Output) -> Vec<Accessor> {
     }
 }
 
+/// Returns the functions of all measures.
+pub(in crate::emit) fn measures(module: &Module<'_>) -> Vec<Accessor> {
+    let measures = module.program.measures.iter();
+    let functions = measures.map(|measure| {
+        let measurement = &module.system.mechanism.measurements[measure.measurement];
+        let mut docs = vec![match measurement.unit() {
+            plain if plain.is_empty() => format!("Measure {}.", measurement.name),
+            unit => format!("Measure {}, in {unit}.", measurement.name),
+        }];
+        if !measurement.docs.is_empty() {
+            docs.push(String::new());
+            docs.extend(measurement.docs.iter().cloned());
+        }
+        Accessor {
+            docs,
+            ..Accessor::of_fields(format!("measure_{}", measure.name), &[measure.field], "")
+        }
+    });
+    functions.collect()
+}
+
 /// Returns the functions of all sensitivities.
 pub(in crate::emit) fn sensitivities(module: &Module<'_>) -> Vec<Accessor> {
     let all = module.program.sensitivities.iter();

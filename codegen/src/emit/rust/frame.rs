@@ -1,5 +1,6 @@
 //! Writes the frame: the structure of one solved instant, and its methods.
 
+use super::limits::limits;
 use super::lints;
 use super::module::derives;
 use super::names::identifier;
@@ -23,6 +24,8 @@ pub(super) fn frame(module: &Module<'_>, code: &mut Code) {
     transmissions(module, &mut methods);
     methods.accessors(accessors::sensitivities(module), module);
     methods.accessors(force_functions(module), module);
+    methods.accessors(accessors::measures(module), module);
+    limits(module, &mut methods);
     smallest_determinant(module, &mut methods);
     if !methods.is_empty() {
         let allow = lints::unused_item(&methods);

@@ -16,6 +16,7 @@ mod file;
 mod frame;
 mod functions;
 mod lanes;
+mod limits;
 mod lints;
 mod loads;
 mod markdown;

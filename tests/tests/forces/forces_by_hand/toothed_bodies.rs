@@ -163,7 +163,7 @@ fn balance(case: &Case) {
         assert!(motion.advance(t));
         let [size, worst] = imbalance(case, &motion, t);
         assert!(worst <= 1e-12 * size, "{worst} beside {size} at t = {t}");
-        let at_once = dense.forces(motion.instant()).expect("regular");
+        let at_once = dense.reported(motion.instant()).expect("regular");
         for ((name, one), other) in motion.all().into_iter().zip(at_once) {
             assert!((one - other).abs() <= 1e-11 * size, "{name}: {one} {other}");
         }

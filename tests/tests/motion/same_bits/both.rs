@@ -197,7 +197,7 @@ where
             }
         }
         let requests = [
-            ((self.forces)(frame), view.forces(instant)),
+            ((self.forces)(frame), view.reported(instant)),
             ((self.derivatives)(frame), view.derivatives(instant)),
         ];
         for (pair, (own, same)) in pairs[2..].iter_mut().zip(requests) {

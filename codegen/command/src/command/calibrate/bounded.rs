@@ -69,7 +69,7 @@ fn value(text: &str, dimension: Dimension) -> Option<f64> {
         unit => {
             let unit = Unit::parse(unit)?;
             let powers = match dimension {
-                Dimension::Angle => [0, 0, 0, 1],
+                Dimension::Angle | Dimension::AngleRate(_) => dimension.column_powers(),
                 Dimension::Marked { length, time, mass } => [length, time, mass, unit.powers[3]],
                 Dimension::Number | Dimension::OfTime => unit.powers,
             };

@@ -14,7 +14,7 @@ use linkwright_solver::number::{counted, fixed, scientific, time};
 
 use super::effort::hint;
 use super::first_step;
-use super::forces;
+use super::reported;
 use crate::arguments::Reported;
 use linkwright_page::motion::Followed;
 use linkwright_page::units::text_of;
@@ -69,7 +69,7 @@ pub fn write<V: View>(
         return Ok(());
     }
     motions(motion, layout, output)?;
-    forces::write(motion, &layout.units, output)?;
+    reported::write(motion, &layout.units, output)?;
     writeln!(output)?;
     pressure_angles(motion, layout, output)?;
     closest(motion, output)?;

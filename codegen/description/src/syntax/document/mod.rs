@@ -19,6 +19,7 @@ use std::sync::Arc;
 
 use super::forces::{Element, Force, Gravity, Mass, Torque};
 use super::formula::{Expression, Name};
+use super::limit::Limit;
 use super::scope::{Expansion, Spellings};
 use crate::diagnostic::{Attachment, Span};
 use crate::units::OutputUnits;
@@ -92,6 +93,10 @@ pub enum Statement {
     Force(Force),
     /// `torque on 1 = VALUE;`
     Torque(Torque),
+    /// `measure stroke = distance(A, B);`: a named quantity of the motion.
+    Measure(Constant),
+    /// `limit stroke from 20mm to 80mm;`: range of a measure.
+    Limit(Limit),
     /// `output K, phi(1);`, `sensitivity L2;`, `reaction P;`, `monitor;`
     Request(Request),
     /// `units mm, deg;`
@@ -124,7 +129,9 @@ impl Statement {
     /// Returns the location from the first word to the semicolon or the closing brace.
     pub fn span(&self) -> Span {
         match self {
-            Statement::Constant(statement) | Statement::Angle(statement) => statement.span,
+            Statement::Constant(statement)
+            | Statement::Angle(statement)
+            | Statement::Measure(statement) => statement.span,
             Statement::Given(statement)
             | Statement::Parameter(statement)
             | Statement::Input(statement) => statement.constant.span,
@@ -141,6 +148,7 @@ impl Statement {
             Statement::Element(statement) => statement.span,
             Statement::Force(statement) => statement.span,
             Statement::Torque(statement) => statement.span,
+            Statement::Limit(statement) => statement.span,
             Statement::Request(statement) => statement.span,
             Statement::Units(statement) => statement.span,
             Statement::Motion(statement) => statement.span,
@@ -161,7 +169,7 @@ pub struct Motion {
     pub span: Span,
 }
 
-/// `const NAME = EXPRESSION;`, and `angle` in the same form.
+/// `const NAME = EXPRESSION;`, and `angle` and `measure` in the same form.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Constant {
     /// The `///` lines above it.

@@ -21,6 +21,8 @@ pub(super) struct DirectionalDerivatives {
     turned: HashMap<SymbolId, Turned>,
     /// Values of locals that depend on parameters alone.
     fixed: HashMap<SymbolId, ExprId>,
+    /// Components of the vectors whose lengths are named; only looked up.
+    lengths: HashMap<SymbolId, Vec<ExprId>>,
     /// Names of all values that a frame could keep; only looked up.
     taken: HashSet<String>,
     /// Symbols of derivatives of unknowns and of their rates; only looked up.
@@ -75,6 +77,7 @@ impl DirectionalDerivatives {
             directions,
             turned: HashMap::new(),
             fixed: HashMap::new(),
+            lengths: HashMap::new(),
             taken: HashSet::new(),
             found: HashSet::new(),
         };
@@ -173,6 +176,7 @@ impl DirectionalDerivatives {
         let zero = pool.graph.zero();
         match pool.role(symbol) {
             SymbolRole::Position(unknown) => along.values[unknown].unwrap_or(zero),
+            SymbolRole::Rate(unknown) => along.rates[unknown].unwrap_or(zero),
             SymbolRole::Arm(place) => {
                 let arm = pool.arms()[place].clone();
                 let graph = &mut pool.graph;
@@ -192,6 +196,17 @@ impl DirectionalDerivatives {
             SymbolRole::Time | SymbolRole::Parameter(_) | SymbolRole::Input { .. } => zero,
             _ if self.directions.iter().any(|other| other.symbol == symbol) => zero,
             _ => {
+                if let Some(components) = self.lengths.get(&symbol) {
+                    let mut terms = Vec::with_capacity(components.len());
+                    for &component in components {
+                        let along = self.along(component, direction, pool, system);
+                        terms.push(pool.graph.multiply(component, along));
+                    }
+                    let graph = &mut pool.graph;
+                    let sum = graph.sum(&terms);
+                    let length = graph.variable(symbol);
+                    return graph.divide(sum, length);
+                }
                 if let Some(&value) = self.fixed.get(&symbol) {
                     return self.along(value, direction, pool, system);
                 }
@@ -224,7 +239,12 @@ impl DirectionalDerivatives {
         self.found.contains(&symbol)
     }
 
-    /// Records the value of a local that depends on parameters alone.
+    /// Records a symbol that is the length of a vector with these components.
+    pub(super) fn fix_length(&mut self, symbol: SymbolId, components: Vec<ExprId>) {
+        self.lengths.insert(symbol, components);
+    }
+
+    /// Records the value of a local value.
     pub(super) fn fix(&mut self, symbol: SymbolId, value: ExprId) {
         self.fixed.insert(symbol, value);
     }

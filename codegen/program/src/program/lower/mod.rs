@@ -92,6 +92,7 @@ pub fn lower(pool: &mut Pool, system: &System, plan: &SolvedPlan, kept: Kept) ->
         transmissions: stated.transmissions,
         sensitivities: stated.sensitivities,
         forces: stated.forces,
+        measures: stated.measures,
         report,
     };
     program.loads = loads(pool, system, &program);

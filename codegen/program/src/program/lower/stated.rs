@@ -8,6 +8,7 @@ use crate::pool::Pool;
 use crate::program::block::{Block, Lowering, Measured};
 use crate::program::forces::{Forces, forces};
 use crate::program::forms::Form;
+use crate::program::measures::{Measure, MeasureStatements};
 use crate::program::outputs::{Output, outputs};
 use crate::program::passes::liveness::prune;
 use crate::program::passes::zeros::propagate;
@@ -25,6 +26,7 @@ pub(super) struct Stated {
     pub transmissions: Vec<Transmission>,
     pub sensitivities: Vec<Sensitivity>,
     pub forces: Forces,
+    pub measures: Vec<Measure>,
     /// Requested fields, without the coordinates that are kept in the absence of outputs.
     asked: IdSet<SymbolId>,
 }
@@ -39,6 +41,9 @@ impl Stated {
             .collect();
         let forms = blocks.iter().map(|block| block.forms.clone()).collect();
         let requested = outputs(lowering.pool, lowering.system);
+        let mut measured =
+            MeasureStatements::new(lowering.pool, lowering.system, &mut lowering.derivatives);
+        let measuring = measured.of_motion();
         let (transmissions, transmitting) =
             transmissions(lowering.pool, lowering.system, &mut lowering.derivatives).unzip();
         let (sensitivities, sensing) =
@@ -50,6 +55,8 @@ impl Stated {
         let transposed: Vec<_> = blocks.iter().map(|it| it.transposed.clone()).collect();
         let (forces, exerting) = forces(lowering, plan, &transposed).unzip();
         let forces = forces.unwrap_or_default();
+        let measuring_forces = measured.of_forces(&forces, lowering.pool, lowering.system);
+        let measures = measured.measures;
         // Zero loads have zero reactions.
         let exerts = exerting.is_some();
         blocks.extend(exerting);
@@ -59,6 +66,7 @@ impl Stated {
         fields.extend(transmissions.iter().flat_map(Transmission::fields));
         fields.extend(sensitivities.iter().flat_map(Sensitivity::fields));
         fields.extend(forces.fields());
+        fields.extend(measures.iter().map(|it| it.field));
         fields.extend(
             blocks
                 .iter()
@@ -68,7 +76,9 @@ impl Stated {
         let (outputs, last) = requested.unzip();
         fields.extend(outputs.iter().flatten().flat_map(Output::fields));
         blocks.extend(last);
+        blocks.extend(measuring);
         blocks.extend(transmitting.into_iter().chain(sensing).chain(exerting));
+        blocks.extend(measuring_forces);
         Stated {
             blocks,
             forms,
@@ -76,6 +86,7 @@ impl Stated {
             transmissions,
             sensitivities,
             forces,
+            measures,
             asked: fields,
         }
     }

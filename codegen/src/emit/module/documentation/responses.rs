@@ -1,7 +1,7 @@
 //! Writes the documentation of transmissions and sensitivities.
 
 use crate::emit::module::Module;
-use crate::joint::Quantity;
+use crate::model::Dimension;
 use crate::program::{SensitiveQuantity, Sensitivity, Transmission};
 use crate::system::System;
 
@@ -12,12 +12,12 @@ pub(in crate::emit) fn of_transmission(
 ) -> [Vec<String>; 2] {
     let Transmission { what, rows, .. } = transmission;
     let is_point = rows.len() == 2;
-    let unit = |quantity: Quantity| match quantity.unit() {
+    let unit = |dimension: Dimension| match dimension.column_unit() {
         plain if plain.is_empty() => "1".to_string(),
         unit => unit,
     };
     let drivers = system.driven().map(|(_, joint, quantity)| {
-        let unit = format!("{}/{}", unit(rows[0]), unit(quantity));
+        let unit = format!("{}/{}", unit(rows[0]), unit(Dimension::of(quantity)));
         format!("`{}` ({unit})", system.mechanism.joints[joint].label)
     });
     let listed: Vec<String> = drivers
@@ -34,7 +34,7 @@ pub(in crate::emit) fn of_transmission(
     ];
     let load = match (is_point, rows[0]) {
         (true, _) => format!("a force (N) at {what}"),
-        (false, Quantity::Angle) => format!("a torque (N·m) on {what}"),
+        (false, Dimension::Angle) => format!("a torque (N·m) on {what}"),
         (false, _) => format!("a force (N) along {what}"),
     };
     let forces = vec![format!(
@@ -82,21 +82,18 @@ pub(in crate::emit) fn of_quantity(
             ),
         }];
     }
-    let measured = match quantity.components[0] {
-        Quantity::Angle => "rad",
-        _ => "m",
+    let measured = match quantity.components[0].column_unit() {
+        plain if plain.is_empty() => "1".to_string(),
+        unit => unit,
     };
-    let levels = [
-        ("", "coordinate", ""),
-        ("_rate", "rate of the coordinate", "/s"),
-    ];
+    let levels = [("", "", ""), ("_rate", "the rate of ", "/s")];
     let levels = levels.into_iter().take(quantity.levels.len());
     levels
-        .map(|(suffix, what, per_second)| {
+        .map(|(suffix, rate, per_second)| {
             (
                 format!("{name}{suffix}_sensitivity_{label}"),
                 format!(
-                    "Derivative of the {what} {name} with respect to the parameter {parameter} (in {unit}), in {measured}{per_second} per unit."
+                    "Derivative of {rate}{what} with respect to the parameter {parameter} (in {unit}), in {measured}{per_second} per unit."
                 ),
             )
         })

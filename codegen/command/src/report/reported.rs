@@ -1,4 +1,4 @@
-//! Writes driving forces and reactions along a motion as tables, with the largest magnitude of each.
+//! Writes forces and measures along a motion as tables, with the largest magnitude of each force and the range of each measure.
 
 use std::io::{self, Write};
 
@@ -12,10 +12,10 @@ use linkwright_page::motion::Followed;
 /// Width of a table in characters.
 const WIDEST: usize = 100;
 
-/// Largest number of forces that are printed as tables; of more, only the largest values are printed.
+/// Largest number of columns that are printed as tables; of more, only the extreme values are printed.
 const TABLED: usize = 12;
 
-/// Writes the requested forces, if any.
+/// Writes the requested forces and the measures, if any.
 ///
 /// # Errors
 /// Errors of `output`.
@@ -24,23 +24,43 @@ pub fn write<V: View>(
     units: &OutputUnits,
     output: &mut dyn Write,
 ) -> io::Result<()> {
-    if motion.force_names.is_empty() {
+    if motion.reported_names.is_empty() {
         return Ok(());
     }
-    if motion.force_names.len() <= TABLED {
+    if motion.reported_names.len() <= TABLED {
         tables(motion, units, output)?;
     }
-    writeln!(output, "\nlargest forces")?;
-    let width = motion.force_names.iter().map(|(name, _)| name.len()).max();
-    let width = width.unwrap_or(0);
-    for ((name, si), (value, t)) in motion.force_names.iter().zip(&motion.largest_forces) {
+    let width = motion.reported_names.iter().map(|(name, _)| name.len());
+    let width = width.max().unwrap_or(0);
+    let forces = motion.force_count();
+    if forces > 0 {
+        writeln!(output, "\nlargest forces")?;
+    }
+    let names = motion.reported_names.iter().take(forces);
+    for ((name, si), (value, t)) in names.zip(&motion.largest_reported) {
         let (t, unit) = (time(*t), units.of(si));
+        let value = short(unit.of_si(*value));
         writeln!(
             output,
-            "  {name:width$}  {} {} at t = {t} s",
-            short(unit.of_si(*value)),
+            "  {name:width$}  {value} {} at t = {t} s",
             unit.name
         )?;
+    }
+    if motion.reported_names.len() > forces {
+        writeln!(output, "\nmeasures")?;
+    }
+    let measures = motion.reported_names.iter().zip(&motion.extremes);
+    for ((name, si), extremes) in measures.skip(forces) {
+        let unit = units.of(si);
+        let [low, high] = extremes.map(|(value, t)| {
+            let value = short(unit.of_si(value));
+            let unit = match unit.name.as_str() {
+                "" => String::new(),
+                name => format!(" {name}"),
+            };
+            format!("{value}{unit} at t = {} s", time(t))
+        });
+        writeln!(output, "  {name:width$}  from {low} to {high}")?;
     }
     Ok(())
 }
@@ -55,14 +75,14 @@ fn tables<V: View>(
     let times: Vec<f64> = rows.iter().map(|row| row.t).collect();
     let times = Column::of_times(&times);
     let columns = motion
-        .force_names
+        .reported_names
         .iter()
         .enumerate()
         .map(|(place, (name, si))| {
             let unit = units.of(si);
-            let values = rows.iter().map(|row| unit.of_si(row.forces[place]));
+            let values = rows.iter().map(|row| unit.of_si(row.reported[place]));
             let values: Vec<f64> = values.collect();
-            let (largest, _) = motion.largest_forces[place];
+            let (largest, _) = motion.largest_reported[place];
             let largest = unit.of_si(largest.abs());
             Column::new(format!("{name} ({})", unit.name), &values, largest)
         });

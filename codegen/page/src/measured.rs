@@ -1,0 +1,136 @@
+//! Writes the extremes of measures and the broken limits of a motion, as text and for JSON.
+
+use std::io::{self, Write};
+
+use linkwright_codegen::stages::units::OutputUnit;
+use linkwright_solver::measure_watch::TimedValue;
+use linkwright_solver::number::time;
+use linkwright_solver::{Check, View};
+use serde::Serialize;
+
+/// Digits of a printed value.
+const DIGITS: usize = 9;
+
+/// Extremes of a measure.
+#[derive(Serialize)]
+pub struct Extremes<'a> {
+    measure: &'a str,
+    unit: String,
+    smallest: Timed,
+    largest: Timed,
+}
+
+/// Value at a time.
+#[derive(Serialize)]
+pub struct Timed {
+    value: f64,
+    t: f64,
+}
+
+/// Broken limit.
+#[derive(Serialize)]
+pub struct Broken<'a> {
+    measure: &'a str,
+    limit: String,
+    intervals: &'a [[f64; 2]],
+    beyond: f64,
+    t: f64,
+}
+
+/// Returns the extremes of all measures.
+pub fn extremes(check: &Check) -> Vec<Extremes<'_>> {
+    let mechanism = &check.interpreted.system().mechanism;
+    let units = mechanism.units.of_tables();
+    let ranges = check.measured.ranges.iter().map(|range| {
+        let measurement = &mechanism.measurements[range.measurement];
+        let unit = units.of(&measurement.unit());
+        let timed = |it: TimedValue| Timed {
+            value: unit.of_si(it.value),
+            t: it.t,
+        };
+        Extremes {
+            measure: &measurement.name,
+            smallest: timed(range.smallest),
+            largest: timed(range.largest),
+            unit: unit.name.clone(),
+        }
+    });
+    ranges.collect()
+}
+
+/// Returns the broken limits.
+pub fn broken(check: &Check) -> Vec<Broken<'_>> {
+    let mechanism = &check.interpreted.system().mechanism;
+    let units = mechanism.units.of_tables();
+    let broken = check.measured.broken.iter().map(|broken| {
+        let limit = &mechanism.limits[broken.limit];
+        let measurement = &mechanism.measurements[limit.measurement];
+        let unit = units.of(&measurement.unit());
+        Broken {
+            measure: &measurement.name,
+            limit: limit.text(&units),
+            intervals: &broken.intervals,
+            beyond: unit.of_si(-limit.margin(broken.worst.value)),
+            t: broken.worst.t,
+        }
+    });
+    broken.collect()
+}
+
+/// Writes the extremes of measures, and where limits are broken; nothing if nothing is measured.
+///
+/// # Errors
+/// Errors of `output`.
+pub fn write(check: &Check, output: &mut dyn Write) -> io::Result<()> {
+    let mechanism = &check.interpreted.system().mechanism;
+    let units = mechanism.units.of_tables();
+    let ranges = &check.measured.ranges;
+    if let (Some([from, to]), false) = (check.range, ranges.is_empty()) {
+        let [from, to] = [from, to].map(time);
+        writeln!(
+            output,
+            "\nmeasures from t = {from} s to {to} s, between frames too"
+        )?;
+    }
+    let names = mechanism.measurements.iter().map(|it| it.name.len());
+    let width = names.max().unwrap_or(0);
+    for range in ranges {
+        let measurement = &mechanism.measurements[range.measurement];
+        let unit = units.of(&measurement.unit());
+        let [low, high] = [range.smallest, range.largest].map(|it| text(it, &unit));
+        writeln!(
+            output,
+            "  {:width$}  from {low} to {high}",
+            measurement.name
+        )?;
+    }
+    for broken in &check.measured.broken {
+        let limit = &mechanism.limits[broken.limit];
+        let measurement = &mechanism.measurements[limit.measurement];
+        let unit = units.of(&measurement.unit());
+        let beyond = unit.rounded(-limit.margin(broken.worst.value), DIGITS);
+        let name = match unit.name.as_str() {
+            "" => String::new(),
+            name => format!(" {name}"),
+        };
+        writeln!(
+            output,
+            "broken: `{}` must be {}; it is beyond by up to {beyond}{name}, at t = {} s",
+            measurement.name,
+            limit.text(&units),
+            time(broken.worst.t)
+        )?;
+        for [first, last] in &broken.intervals {
+            let [first, last] = [*first, *last].map(time);
+            writeln!(output, "  from t = {first} s to {last} s")?;
+        }
+    }
+    Ok(())
+}
+
+/// Returns a value with its unit and its time.
+fn text(it: TimedValue, unit: &OutputUnit) -> String {
+    let value = unit.rounded(it.value, DIGITS);
+    let space = if unit.name.is_empty() { "" } else { " " };
+    format!("{value}{space}{} at t = {} s", unit.name, time(it.t))
+}
