@@ -39,12 +39,15 @@ mod goodness;
 mod identification;
 mod model;
 mod rounding;
+mod table;
 mod weights;
 
 pub use bounds::Bounds;
 pub use goodness::{ColumnGoodness, Goodness};
 pub use identification::{Identification, Indistinct};
 pub use model::{Calibrator, NotDerived};
+#[doc(hidden)]
+pub use table::leave_out_underived;
 
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
 use linkwright_solver::{Observable, View as _};

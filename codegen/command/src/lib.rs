@@ -18,7 +18,6 @@
 pub mod arguments;
 pub mod colors;
 pub mod command;
-pub mod data;
 #[cfg(feature = "lsp")]
 pub mod language_server;
 pub mod output;

@@ -73,6 +73,8 @@ pub mod comparison;
 #[doc(hidden)]
 pub mod condition;
 #[doc(hidden)]
+pub mod data;
+#[doc(hidden)]
 pub mod dense;
 #[doc(hidden)]
 pub mod derivatives;

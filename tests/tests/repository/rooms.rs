@@ -82,6 +82,7 @@ const SOLVER: (&str, &[&str]) = (
         "dense",
         "drawn",
         "observable",
+        "data",
         "interpreted",
         "not_finite",
         "batch",

@@ -3,6 +3,8 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
+use linkwright_codegen::stages::columns::{Decimal, Delimiter, Known};
+use linkwright_solver::data::{ArgumentNames, Reading};
 
 use super::described::Described;
 use super::setting::Setting;
@@ -37,6 +39,40 @@ pub struct Table {
     /// Decimal mark [default: the one that gives a table of numbers]
     #[arg(long, value_enum)]
     pub decimal: Option<Mark>,
+}
+
+impl Table {
+    /// Returns the requested reading.
+    pub fn reading(&self) -> Reading {
+        Reading {
+            column: self.column.clone(),
+            skip: self.skip.clone(),
+            time: self.time.clone(),
+            shift: self.shift,
+            unit: self.unit.clone(),
+            dialect: Known {
+                delimiter: self.delimiter.map(|it| match it {
+                    Separator::Comma => Delimiter::Comma,
+                    Separator::Semicolon => Delimiter::Semicolon,
+                    Separator::Tab => Delimiter::Tab,
+                    Separator::Bar => Delimiter::Bar,
+                    Separator::Spaces => Delimiter::Spaces,
+                }),
+                decimal: self.decimal.map(|it| match it {
+                    Mark::Point => Decimal::Point,
+                    Mark::Comma => Decimal::Comma,
+                }),
+                may_be_single: false,
+            },
+            names: ArgumentNames {
+                column: "--column",
+                quantity: "--column COLUMN=QUANTITY",
+                unit: "--unit",
+                skip: "--skip",
+                time: "--time",
+            },
+        }
+    }
 }
 
 /// Separator of cells.

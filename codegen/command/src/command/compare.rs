@@ -1,20 +1,17 @@
 //! Compares a measured motion with the solved one.
 
-use std::io;
-
-use linkwright_solver::Observable;
-use linkwright_solver::comparison::difference;
-use linkwright_solver::{Comparison, Interpreted, Schedule};
+use linkwright_codegen::stages::system::Derived;
+use linkwright_page::motion::{Followed, Wanted};
+use linkwright_solver::Schedule;
+use linkwright_solver::data::{Data, bytes, sizes};
 
 use super::description::{chosen, determined, interpreted, outputs_besides, set_all, source};
 use super::{Outcome, Problem, in_folder, print, say};
-use crate::arguments::Compare;
-use crate::data::{Data, sizes};
+use crate::arguments::{Compare, Table};
 use crate::output::Output;
 use crate::progress::Progress;
 use crate::report::comparison::{self, Column, Report};
 use crate::report::{comparison_json, comparison_plot, picture};
-use linkwright_page::motion::{Followed, Shown, Sink, Wanted};
 
 /// Compares a table with a description and reports the differences.
 ///
@@ -26,7 +23,7 @@ pub fn run(arguments: &Compare) -> Result<Outcome, Problem> {
         source(&arguments.described.file)?.reported_in(arguments.reported_in.units.clone());
     let derived = determined(&source, arguments.described.motion.as_deref())?;
     let derived = set_all(derived, &arguments.setting.set)?;
-    let data = Data::read(&arguments.table, &derived.pool, &derived.system).map_err(Problem)?;
+    let data = read(&arguments.table, &derived)?;
     let derived = data.drive(derived).map_err(Problem)?;
     let tolerances = sizes("--tolerance", &arguments.tolerance, &data).map_err(Problem)?;
     let start = arguments.from.unwrap_or(data.times[0]);
@@ -53,42 +50,18 @@ pub fn run(arguments: &Compare) -> Result<Outcome, Problem> {
         monitor: false,
         curves: false,
     };
-    let mut collected = Collected {
-        view: interpreted.clone(),
-        observables: data
-            .measured
-            .iter()
-            .map(|it| it.quantity.observable)
-            .collect(),
-        times: Vec::new(),
-        values: Vec::new(),
-    };
     let mut motion = Followed::new(interpreted, selection, start, chosen);
     let mut progress = Progress::new(schedule.visits());
-    motion
-        .follow(&schedule, &mut [&mut collected], |count| {
-            progress.reached(count)
-        })
+    let compared = motion
+        .compare(&data, &schedule, &mut [], |count| progress.reached(count))
         .map_err(Problem::of)?;
     progress.finish();
-    let columns = data.measured.iter().enumerate().map(|(place, measured)| {
-        let is_angle = measured.quantity.observable.is_angle(&derived.system);
-        let solved: Vec<Option<f64>> = data
-            .times
-            .iter()
-            .map(|t| Some(collected.at(*t)?[place]).filter(|it| it.is_finite()))
-            .collect();
-        let rows = data.times.iter().zip(measured.values.iter().zip(&solved));
-        let differences = rows.filter_map(|(t, (measured, solved))| {
-            Some((*t, difference((*measured)?, (*solved)?, is_angle)))
-        });
-        Column {
-            comparison: Comparison::of(differences),
-            tolerance: tolerances[place],
-            measured,
-            is_angle,
-            solved,
-        }
+    let measured = data.measured.iter().zip(&tolerances);
+    let columns = compared.into_iter().zip(measured);
+    let columns = columns.map(|(compared, (measured, tolerance))| Column {
+        compared,
+        tolerance: *tolerance,
+        measured,
     });
     let report = Report {
         title: motion.title(),
@@ -127,30 +100,13 @@ pub fn run(arguments: &Compare) -> Result<Outcome, Problem> {
     })
 }
 
-/// Compared values, instant by instant.
-struct Collected {
-    view: Interpreted,
-    observables: Vec<Observable>,
-    times: Vec<f64>,
-    values: Vec<Vec<f64>>,
-}
-
-impl Collected {
-    /// Returns the values at a visited time; `None` if the time was not visited.
-    fn at(&self, t: f64) -> Option<&[f64]> {
-        let place = self.times.binary_search_by(|it| it.total_cmp(&t)).ok()?;
-        self.values.get(place).map(Vec::as_slice)
-    }
-}
-
-impl Sink for Collected {
-    fn take(&mut self, shown: &Shown<'_>) -> io::Result<()> {
-        self.times.push(shown.instant.t());
-        self.values.push(Observable::values(
-            &self.view,
-            &self.observables,
-            shown.instant,
-        ));
-        Ok(())
-    }
+/// Reads the table of the arguments.
+///
+/// # Errors
+/// The table has errors, an option cannot be used, or no column measures a quantity of the mechanism.
+pub fn read(table: &Table, derived: &Derived) -> Result<Data, Problem> {
+    let Derived { pool, system } = derived;
+    let name = table.data.display().to_string();
+    let bytes = bytes(&table.data).map_err(Problem)?;
+    Data::read(&name, &bytes, &table.reading(), pool, system).map_err(Problem)
 }

@@ -21,7 +21,7 @@ use serde::Serialize;
 
 use super::aligned::aligned;
 use super::measured_data::{taken_for, write_data, write_notes};
-use crate::data::{Data, Measured};
+use linkwright_solver::data::{Data, Measured};
 
 /// Decimals of numbers in scientific notation.
 const DIGITS: usize = 2;

@@ -2,12 +2,12 @@
 
 use std::io::{self, Write};
 
-use linkwright_solver::Comparison;
+use linkwright_page::motion::Compared;
 use linkwright_solver::number::{counted, scientific, time};
 
 use super::aligned::aligned;
 use super::measured_data::{taken_for, write_data, write_notes};
-use crate::data::{Data, Measured, Origin};
+use linkwright_solver::data::{Data, Measured, Origin};
 
 /// Decimals of numbers in scientific notation.
 const DIGITS: usize = 3;
@@ -39,12 +39,8 @@ pub struct Report<'a> {
 pub struct Column<'a> {
     /// Measured values.
     pub measured: &'a Measured,
-    /// Solved values in SI units, row by row; `None` if there is none.
-    pub solved: Vec<Option<f64>>,
-    /// True if whole turns do not count as a difference.
-    pub is_angle: bool,
-    /// Differences in SI units; `None` if no row has both values.
-    pub comparison: Option<Comparison>,
+    /// Solved values and differences.
+    pub compared: Compared,
     /// Tolerance in SI units; `None` if there is none.
     pub tolerance: Option<f64>,
 }
@@ -52,7 +48,7 @@ pub struct Column<'a> {
 impl Column<'_> {
     /// True if the column is within its tolerance; `None` if it has none.
     pub fn is_within(&self) -> Option<bool> {
-        let largest = self.comparison.map(|it| it.largest.abs());
+        let largest = self.compared.comparison.map(|it| it.largest.abs());
         self.tolerance
             .map(|tolerance| largest.is_some_and(|it| it <= tolerance))
     }
@@ -77,7 +73,7 @@ impl Report<'_> {
             .iter()
             .filter(|it| it.measured.scale.origin == Origin::Assumed)
         {
-            let pairs = column.measured.values.iter().zip(&column.solved);
+            let pairs = column.measured.values.iter().zip(&column.compared.solved);
             let (mut both, mut square) = (0.0, 0.0);
             for (measured, solved) in pairs.filter_map(|it| Some(((*it.0)?, (*it.1)?))) {
                 both += measured * solved;
@@ -123,7 +119,7 @@ pub fn write(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()> {
         let [quantity, unit] = taken_for(measured);
         let in_unit = |value: f64| scientific(measured.scale.unit.of_si(value), DIGITS);
         let mut row = vec![measured.name.clone(), quantity, unit];
-        match &column.comparison {
+        match &column.compared.comparison {
             Some(it) => row.extend([
                 it.count.to_string(),
                 in_unit(it.rms),

@@ -15,7 +15,7 @@ use std::io::{self, Write};
 use serde::Serialize;
 
 use super::comparison::Report;
-use crate::data::{How, Origin};
+use linkwright_solver::data::{How, Origin};
 
 #[derive(Serialize)]
 struct Object<'a> {
@@ -67,7 +67,7 @@ struct LeftOut<'a> {
 pub fn write(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()> {
     let data = report.data;
     let columns = report.columns.iter().map(|column| {
-        let comparison = column.comparison;
+        let comparison = column.compared.comparison;
         let measured = column.measured;
         let in_unit = |value: f64| measured.scale.unit.of_si(value);
         let (how, doubt) = match &measured.how {

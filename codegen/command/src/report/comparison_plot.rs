@@ -4,8 +4,8 @@ use linkwright_solver::comparison::difference;
 
 use super::comparison::{Column, Report};
 use super::plot::{self, Panel};
-use crate::data::Data;
 use linkwright_page::motion::Extreme;
+use linkwright_solver::data::Data;
 
 /// Returns a file name for each column. Characters that file systems refuse are replaced, and equal names get a number.
 pub fn file_names(data: &Data) -> Vec<String> {
@@ -42,10 +42,10 @@ pub fn picture(report: &Report<'_>, column: &Column<'_>) -> Result<Option<String
         .data
         .times
         .iter()
-        .zip(measured_column.values.iter().zip(&column.solved))
+        .zip(measured_column.values.iter().zip(&column.compared.solved))
     {
         if let (Some(a), Some(b)) = (a, b) {
-            let difference = difference(*a, *b, column.is_angle);
+            let difference = difference(*a, *b, column.compared.is_angle);
             // Measured angles are drawn in the turn of the solved ones.
             measured.push((*t, in_unit(b + difference)));
             solved.push((*t, in_unit(*b)));

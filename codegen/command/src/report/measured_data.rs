@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use linkwright_solver::number::{counted, fixed, time};
 
-use crate::data::{Data, How, Measured, Origin};
+use linkwright_solver::data::{Data, How, Measured, Origin};
 
 /// Writes the interpretation of a table and of its columns, which begins a report.
 ///

@@ -8,7 +8,7 @@ use linkwright_codegen::stages::system::Derived;
 
 use super::sets::Sets;
 use super::varied::Varied;
-use crate::data::{bytes, rendered};
+use linkwright_solver::data::{bytes, rendered};
 
 impl Sets {
     /// Reads the sets of the file at `path`.

@@ -7,7 +7,7 @@ use linkwright_codegen::stages::model::{Dimension, set};
 use linkwright_codegen::stages::system::Derived;
 use linkwright_codegen::stages::units::OutputUnit;
 
-use crate::data::{ROUNDED_END, number_and_unit, on_end, powers};
+use linkwright_solver::data::{ROUNDED_END, number_and_unit, on_end, powers};
 
 /// Option in messages.
 const OPTION: &str = "--vary";

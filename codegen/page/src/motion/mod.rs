@@ -3,6 +3,7 @@
 //! Instants are handed on when they are solved, and are not kept: a motion of any length takes the same memory.
 
 mod columns;
+mod compared;
 mod course;
 mod curve;
 mod follow;
@@ -13,6 +14,7 @@ mod selection;
 mod simulated;
 
 pub use columns::{Column, Columns, OF_POINT, RATES};
+pub use compared::Compared;
 pub use course::Course;
 pub use curve::{Curve, Extreme};
 pub use followed::{EarlyEnd, Followed};

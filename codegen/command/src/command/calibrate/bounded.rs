@@ -6,7 +6,7 @@ use linkwright_codegen::stages::model::{Dimension, range_text};
 use linkwright_codegen::stages::system::System;
 
 use super::Problem;
-use crate::data::{number_and_unit, on_end};
+use linkwright_solver::data::{number_and_unit, on_end};
 
 /// Returns the calibrator with the bounds of the options.
 pub fn bounded(

@@ -4,19 +4,19 @@ mod bounded;
 mod pictures;
 mod rewritten;
 
-use linkwright_calibrate::{Calibrator, Column, Measurements, Unfit};
+use linkwright_calibrate::{Calibrator, Measurements, Unfit, leave_out_underived};
 use linkwright_codegen::diagnostic::{Source, nearest};
 use linkwright_codegen::stages::system::{Derived, System};
 use linkwright_solver::opened::Unopened;
 
 use self::bounded::bounded;
 use self::rewritten::rewritten;
+use super::compare::read;
 use super::description::{
     chosen, determined, interpreted, outputs_besides, rendered, set_all, source, unopened,
 };
 use super::{Outcome, Problem, in_folder, print, say};
 use crate::arguments::Calibrate;
-use crate::data::{Data, sizes};
 use crate::output::{Beginning, Record, Signature};
 use crate::report::calibration::{self, Report};
 use crate::report::{comparison_plot, picture};
@@ -40,16 +40,11 @@ pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
     check_names(&plain.system, &arguments.param)?;
     let derived = along(&source, arguments)?;
     let derived = set_all(derived, &arguments.setting.set)?;
-    let mut data = Data::read(&arguments.table, &derived.pool, &derived.system).map_err(Problem)?;
+    let mut data = read(&arguments.table, &derived)?;
     let derived = data.drive(derived).map_err(Problem)?;
-    keep_fitted(&mut data)?;
-    let deviations = sizes("--deviation", &arguments.deviation, &data).map_err(Problem)?;
-    if let Some(place) = deviations.iter().position(|it| *it == Some(0.0)) {
-        let name = &data.measured[place].name;
-        return Err(Problem(format!(
-            "error: the deviation of `{name}` is zero\n  = help: leave it out if it is unknown"
-        )));
-    }
+    leave_out_underived(&mut data).map_err(Problem)?;
+    let measurements =
+        Measurements::of(&data, "--deviation", &arguments.deviation).map_err(Problem)?;
     let mut outputs = outputs_besides(
         &arguments.described.file,
         &source,
@@ -72,29 +67,6 @@ pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
         calibrator = calibrator.in_modes(modes);
     }
     calibrator = bounded(calibrator, &derived.system, &arguments.bound)?;
-    let mut kinds: Vec<[i32; 4]> = Vec::new();
-    let columns = data
-        .measured
-        .iter()
-        .zip(deviations)
-        .map(|(measured, deviation)| {
-            let powers = measured.quantity.powers;
-            let known = kinds.iter().position(|it| *it == powers);
-            Column {
-                group: known.unwrap_or_else(|| {
-                    kinds.push(powers);
-                    kinds.len() - 1
-                }),
-                observable: measured.quantity.observable,
-                rounding: measured.rounding(),
-                values: measured.values.clone(),
-                deviation,
-            }
-        });
-    let measurements = Measurements {
-        columns: columns.collect(),
-        times: data.times.clone(),
-    };
     let start = calibrator.nominal();
     let title = derived.system.mechanism.title();
     let identification = calibrator.identify(&measurements, &start);
@@ -212,27 +184,4 @@ fn check_names(system: &System, names: &[String]) -> Result<(), Problem> {
         )));
     }
     Ok(())
-}
-
-/// Leaves out the columns that cannot be fitted.
-fn keep_fitted(data: &mut Data) -> Result<(), Problem> {
-    let (kept, left): (Vec<_>, Vec<_>) = std::mem::take(&mut data.measured)
-        .into_iter()
-        .partition(|it| Calibrator::can_fit(it.quantity.observable).is_ok());
-    let left = left.into_iter().map(|it| {
-        let why = format!(
-            "accelerations and forces such as `{}` cannot be fitted",
-            it.quantity.name
-        );
-        (it.name, why)
-    });
-    data.left_out.extend(left);
-    data.measured = kept;
-    match data.measured.is_empty() {
-        true => Err(Problem(format!(
-            "error: `{}` has neither positions nor rates\n  = help: fit positions and rates, not accelerations and forces",
-            data.name
-        ))),
-        false => Ok(()),
-    }
 }

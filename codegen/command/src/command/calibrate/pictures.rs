@@ -2,13 +2,14 @@
 
 use linkwright_calibrate::Fit;
 use linkwright_codegen::stages::system::System;
+use linkwright_page::motion::Compared;
 use linkwright_solver::Comparison;
 
 use super::super::{Problem, print};
-use crate::data::Data;
 use crate::output::Output;
 use crate::report::comparison::{Column, Report};
 use crate::report::comparison_plot::picture;
+use linkwright_solver::data::Data;
 
 /// Draws both curves of each column, and their difference below them.
 pub fn draw(
@@ -22,12 +23,15 @@ pub fn draw(
     let columns = columns.map(|(measured, left)| {
         let values = measured.values.iter().zip(left);
         let rows = data.times.iter().zip(left);
-        Column {
+        let compared = Compared {
             solved: values
                 .map(|(value, left)| Some((*value)? - (*left)?))
                 .collect(),
             is_angle: measured.quantity.observable.is_angle(system),
             comparison: Comparison::of(rows.filter_map(|(t, left)| Some((*t, (*left)?)))),
+        };
+        Column {
+            compared,
             tolerance: None,
             measured,
         }

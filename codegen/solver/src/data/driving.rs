@@ -2,9 +2,9 @@
 //!
 //! An input passes through all its values, on a C² spline between them; angles continue without jumps by whole turns.
 
+use crate::comparison::difference;
 use linkwright_codegen::stages::model::{Dimension, follow_points};
 use linkwright_codegen::stages::system::Derived;
-use linkwright_solver::comparison::difference;
 
 use super::{Data, Scale};
 
@@ -43,8 +43,8 @@ impl Data {
         for own in &self.inputs {
             let refused = |why: &str| {
                 format!(
-                    "error: the column `{}` of `{}` {why}\n  = help: an input is driven from the first row to the last one; `--skip` leaves the column out",
-                    own.name, self.name
+                    "error: the column `{}` of `{}` {why}\n  = help: an input is driven from the first row to the last one; `{}` leaves the column out",
+                    own.name, self.name, self.names.skip
                 )
             };
             let ends = [own.values.first(), own.values.last()];

@@ -1,8 +1,9 @@
-//! Reads a table of measured values: its times, and the quantities of a system that it measures, in SI units.
+//! Reads tables of measured values: times, and quantities of a system, in SI units.
 //!
 //! Afterwards times never decrease. Every measured column has a quantity and a unit, and the source of both: its name, an option or a
 //! guess. Columns without a quantity of the system are listed.
 
+mod argument_names;
 mod driving;
 mod mapping;
 mod range_ends;
@@ -12,15 +13,13 @@ mod sizes;
 use std::path::Path;
 
 use linkwright_codegen::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span};
-use linkwright_codegen::stages::columns::{
-    Columns, Decimal, Delimiter, Fault, Known, MAX_BYTES, Unit,
-};
+use linkwright_codegen::stages::columns::{Columns, Fault, Known, MAX_BYTES, Unit};
 use linkwright_codegen::stages::files;
 use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::system::System;
-use linkwright_solver::observable::Named;
 
-use crate::arguments::{Mark, Separator, Table};
+use crate::observable::Named;
+pub use argument_names::ArgumentNames;
 pub use driving::{MeasuredInput, powers};
 pub use mapping::How;
 pub use range_ends::{ROUNDED_END, on_end};
@@ -32,6 +31,25 @@ const MOST_DECIMALS: i32 = 12;
 
 /// Relative distance of a rounded value from a whole number of steps: the rounding of doubles.
 const ROUNDED: f64 = 1e-15;
+
+/// Reading of a table where its names do not say everything.
+#[derive(Clone, Debug)]
+pub struct Reading {
+    /// Quantities of columns, `COLUMN=QUANTITY`.
+    pub column: Vec<String>,
+    /// Names of columns that are left out.
+    pub skip: Vec<String>,
+    /// Name of the column of times; `None` for the only one that is named so.
+    pub time: Option<String>,
+    /// Time added to all times (s).
+    pub shift: f64,
+    /// Units, `COLUMN=UNIT` of one column, `UNIT` of all without a unit in the header.
+    pub unit: Vec<String>,
+    /// Dialect.
+    pub dialect: Known,
+    /// Names of these fields in messages.
+    pub names: ArgumentNames,
+}
 
 /// Table of measured values.
 #[derive(Clone, Debug)]
@@ -48,6 +66,8 @@ pub struct Data {
     pub measured: Vec<Measured>,
     /// Columns that drive inputs.
     pub inputs: Vec<MeasuredInput>,
+    /// Names of arguments in messages.
+    pub names: ArgumentNames,
     /// Names of the other columns, each with the reason that it is left out.
     pub left_out: Vec<(String, String)>,
 }
@@ -78,55 +98,54 @@ impl Measured {
 }
 
 impl Data {
-    /// Reads the requested table.
+    /// Reads a table of this name from its bytes.
     ///
     /// # Errors
-    /// The printed message: the file cannot be read or is not a table, an option cannot be used, or no column measures a quantity of the
+    /// The printed message: the bytes are not a table, a field of the reading cannot be used, or no column measures a quantity of the
     /// system.
-    pub fn read(asked: &Table, pool: &Pool, system: &System) -> Result<Data, String> {
-        let name = asked.data.display().to_string();
-        let bytes = bytes(&asked.data)?;
-        let known = Known {
-            delimiter: asked.delimiter.map(|it| match it {
-                Separator::Comma => Delimiter::Comma,
-                Separator::Semicolon => Delimiter::Semicolon,
-                Separator::Tab => Delimiter::Tab,
-                Separator::Bar => Delimiter::Bar,
-                Separator::Spaces => Delimiter::Spaces,
-            }),
-            decimal: asked.decimal.map(|it| match it {
-                Mark::Point => Decimal::Point,
-                Mark::Comma => Decimal::Comma,
-            }),
-            may_be_single: false,
-        };
-        let columns = Columns::read(&bytes, known)
-            .map_err(|refused| rendered(&name, &refused.text, &refused.faults))?;
-        let mapped = mapping::mapped(asked, &name, &columns, pool, system)?;
-        let units = scale::Units::read(asked, &name, &columns)?;
+    pub fn read(
+        name: &str,
+        bytes: &[u8],
+        reading: &Reading,
+        pool: &Pool,
+        system: &System,
+    ) -> Result<Data, String> {
+        let ArgumentNames {
+            column: column_name,
+            unit,
+            skip,
+            time,
+            ..
+        } = reading.names;
+        let columns = Columns::read(bytes, reading.dialect)
+            .map_err(|refused| rendered(name, &refused.text, &refused.faults))?;
+        let mapped = mapping::mapped(reading, name, &columns, pool, system)?;
+        let units = scale::Units::read(reading, name, &columns)?;
         let at = |column: usize, message: String, help: &str| {
             let fault = Fault {
                 span: columns.columns[column].span,
                 message,
                 help: help.to_string(),
             };
-            rendered(&name, &columns.text, &[fault])
+            rendered(name, &columns.text, &[fault])
         };
         let time_scale = units.of(&columns, mapped.time, [0, 1, 0, 0], "s");
         let time_scale = time_scale.map_err(|message| {
             at(
                 mapped.time,
                 message,
-                "give the unit of a column with `--unit`, and the column of times with `--time`",
+                &format!(
+                    "give the unit of a column with `{unit}`, and the column of times with `{time}`"
+                ),
             )
         })?;
-        let times = times(&name, &columns, mapped.time, &time_scale, asked.shift)?;
+        let times = times(name, &columns, mapped.time, &time_scale, reading)?;
         let mut measured = Vec::with_capacity(mapped.measured.len());
         for (column, quantity, how) in mapped.measured {
             let source = &columns.columns[column];
             let scale = units.of(&columns, column, quantity.powers, &quantity.unit);
             let scale = scale.map_err(|message| {
-                at(column, format!("{message}: it measures `{}`", quantity.name), "give its unit with `--unit` and its quantity with `--column`, or leave it out with `--skip`")
+                at(column, format!("{message}: it measures `{}`", quantity.name), &format!("give its unit with `{unit}` and its quantity with `{column_name}`, or leave it out with `{skip}`"))
             })?;
             measured.push(Measured {
                 values: in_si(&source.values, &scale),
@@ -148,7 +167,7 @@ impl Data {
                 at(
                     column,
                     message,
-                    "give its unit with `--unit`, or leave it out with `--skip`",
+                    &format!("give its unit with `{unit}`, or leave it out with `{skip}`"),
                 )
             })?;
             inputs.push(MeasuredInput {
@@ -162,7 +181,8 @@ impl Data {
             inputs,
             time: (mapped.time, time_scale),
             left_out: mapped.left_out,
-            name,
+            names: reading.names,
+            name: name.to_string(),
             columns,
             times,
             measured,
@@ -203,7 +223,7 @@ fn times(
     columns: &Columns,
     column: usize,
     scale: &Scale,
-    shift: f64,
+    reading: &Reading,
 ) -> Result<Vec<f64>, String> {
     let source = &columns.columns[column];
     let refused = |span: Span, message: String, help: &str| {
@@ -219,7 +239,10 @@ fn times(
         return Err(refused(
             source.span,
             message,
-            "export times as numbers, such as seconds from the start, or name another column with `--time`",
+            &format!(
+                "export times as numbers, such as seconds from the start, or name another column with `{}`",
+                reading.names.time
+            ),
         ));
     }
     let mut times: Vec<f64> = Vec::with_capacity(source.values.len());
@@ -231,12 +254,15 @@ fn times(
                 "leave out the row, or give it a time",
             ));
         };
-        let t = scale.unit.si(*value) + shift;
+        let t = scale.unit.si(*value) + reading.shift;
         if times.last().is_some_and(|last| t < *last) {
             return Err(refused(
                 *span,
                 "the time decreases".to_string(),
-                "sort the rows by time, or name another column with `--time`",
+                &format!(
+                    "sort the rows by time, or name another column with `{}`",
+                    reading.names.time
+                ),
             ));
         }
         times.push(t);

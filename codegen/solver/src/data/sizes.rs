@@ -1,10 +1,10 @@
-//! Reads options such as `--tolerance` that give a size to each measured column, in SI units.
+//! Reads arguments that give a size to each measured column, such as a tolerance, in SI units.
 
 use linkwright_codegen::stages::columns::Unit;
 
 use super::Data;
 
-/// Returns the size of each measured column; `None` if the option does not give one.
+/// Returns the size of each measured column; `None` if the argument, which is called `option` in messages, does not give one.
 ///
 /// # Errors
 /// A size cannot be read, or belongs to no column.

@@ -2,8 +2,8 @@
 
 use linkwright_codegen::stages::columns::{Columns, Unit};
 
+use super::Reading;
 use super::mapping::column;
-use crate::arguments::Table;
 
 /// Source of a column's unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,12 +48,12 @@ pub struct Units {
 }
 
 impl Units {
-    pub fn read(asked: &Table, file: &str, columns: &Columns) -> Result<Units, String> {
+    pub fn read(reading: &Reading, file: &str, columns: &Columns) -> Result<Units, String> {
         let mut units = Units {
             of_columns: Vec::new(),
             of_others: Vec::new(),
         };
-        for wish in &asked.unit {
+        for wish in &reading.unit {
             let (name, text) = match wish.rsplit_once('=') {
                 Some((name, text)) => (Some(name.trim()), text.trim()),
                 None => (None, wish.trim()),

@@ -1,12 +1,12 @@
 //! Finds the column of times and the quantities of the other columns.
 
+use crate::observable::{Named, all, guess};
 use linkwright_codegen::diagnostic::nearest;
 use linkwright_codegen::stages::columns::Columns;
 use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::system::System;
-use linkwright_solver::observable::{Named, all, guess};
 
-use crate::arguments::Table;
+use super::Reading;
 
 /// Names of columns of times, in lower case.
 const TIMES: [&str; 8] = [
@@ -67,8 +67,8 @@ fn listed(names: &[&str]) -> String {
     }
 }
 
-fn time(asked: &Table, file: &str, columns: &Columns) -> Result<usize, String> {
-    if let Some(name) = &asked.time {
+fn time(reading: &Reading, file: &str, columns: &Columns) -> Result<usize, String> {
+    if let Some(name) = &reading.time {
         return column(file, columns, name);
     }
     let is_time =
@@ -81,11 +81,13 @@ fn time(asked: &Table, file: &str, columns: &Columns) -> Result<usize, String> {
     match candidates.as_slice() {
         [column] => Ok(*column),
         [] => Err(format!(
-            "error: no column of `{file}` is called `t` or `time`\n  = help: name the column of times with `--time`: {}",
+            "error: no column of `{file}` is called `t` or `time`\n  = help: name the column of times with `{}`: {}",
+            reading.names.time,
             names(&mut (0..columns.columns.len()))
         )),
         several => Err(format!(
-            "error: several columns of `{file}` could hold times\n  = help: name one of them with `--time`: {}",
+            "error: several columns of `{file}` could hold times\n  = help: name one of them with `{}`: {}",
+            reading.names.time,
             names(&mut several.iter().copied())
         )),
     }
@@ -93,22 +95,23 @@ fn time(asked: &Table, file: &str, columns: &Columns) -> Result<usize, String> {
 
 /// Finds the quantities of the columns.
 pub fn mapped(
-    asked: &Table,
+    reading: &Reading,
     file: &str,
     columns: &Columns,
     pool: &Pool,
     system: &System,
 ) -> Result<Mapped, String> {
-    let time = time(asked, file, columns)?;
+    let time = time(reading, file, columns)?;
     let quantities = all(pool, system);
     let inputs = &system.mechanism.inputs;
     let input_named = |name: &str| inputs.iter().position(|it| it.name == name);
     let mut driving: Vec<(usize, usize)> = Vec::new();
     let mut chosen: Vec<(usize, usize)> = Vec::new();
-    for wish in &asked.column {
+    for wish in &reading.column {
         let Some((name, quantity)) = wish.rsplit_once('=') else {
             return Err(format!(
-                "error: `--column` takes `COLUMN=QUANTITY`, such as `--column 'Sensor 3=phi2'`, not `{wish}`"
+                "error: `{}` takes `COLUMN=QUANTITY`, such as `Sensor 3=phi2`, not `{wish}`",
+                reading.names.column
             ));
         };
         let column_index = column(file, columns, name.trim())?;
@@ -122,12 +125,16 @@ pub fn mapped(
             return Err(unknown(system, &quantities, quantity));
         };
         if chosen.iter().any(|it| it.0 == column_index) {
-            return Err(format!("error: `--column` names `{}` twice", name.trim()));
+            return Err(format!(
+                "error: `{}` names `{}` twice",
+                reading.names.column,
+                name.trim()
+            ));
         }
         chosen.push((column_index, place));
     }
     let mut skipped = Vec::new();
-    for name in &asked.skip {
+    for name in &reading.skip {
         skipped.push(column(file, columns, name)?);
     }
     let mut mapped = Mapped {
@@ -144,7 +151,7 @@ pub fn mapped(
         let name = own.name.as_str();
         let mut leave = |why: &str| mapped.left_out.push((name.to_string(), why.to_string()));
         if skipped.contains(&place) {
-            leave("`--skip`");
+            leave(&format!("`{}`", reading.names.skip));
             continue;
         }
         if own.is_text {
@@ -157,10 +164,11 @@ pub fn mapped(
         if let Some(input) = option_input.or_else(by_name) {
             if let Some(other) = mapped.inputs.iter().find(|it| it.1 == input) {
                 return Err(format!(
-                    "error: columns {} and {} of `{file}` both drive the input `{}`\n  = help: leave one out with `--skip`",
+                    "error: columns {} and {} of `{file}` both drive the input `{}`\n  = help: leave one out with `{}`",
                     other.0 + 1,
                     place + 1,
-                    inputs[input].name
+                    inputs[input].name,
+                    reading.names.skip
                 ));
             }
             mapped.inputs.push((place, input));
@@ -189,9 +197,10 @@ pub fn mapped(
         let names: Vec<&str> = quantities.iter().map(|it| it.name.as_str()).collect();
         let left: Vec<&str> = mapped.left_out.iter().map(|it| it.0.as_str()).collect();
         return Err(format!(
-            "error: no column of `{file}` matches a quantity of `{}`: {}\n  = help: say what a column measures with `--column COLUMN=QUANTITY`; the quantities are: {}",
+            "error: no column of `{file}` matches a quantity of `{}`: {}\n  = help: say what a column measures with `{}`; the quantities are: {}",
             system.mechanism.title(),
             listed(&left),
+            reading.names.quantity,
             listed(&names)
         ));
     }
