@@ -1,116 +1,103 @@
-//! Fits parameters to measured values, and compares a motion with them.
+//! Compares a motion with measured values, and fits parameters to them.
 
-use linkwright_calibrate::{Bounds, Calibrator, Column, Measurements, Unfit};
-use linkwright_solver::comparison::difference;
-use linkwright_solver::observable::{Named, all, guess};
-use linkwright_solver::{Comparison, View as _};
-use numpy::PyReadonlyArray1;
+use linkwright_calibrate::{Bounds, Calibrator, Measurements, Unfit, leave_out_underived};
+use linkwright_codegen::Diagnostics;
+use linkwright_page::motion::{Followed, Wanted};
+use linkwright_solver::data::Data;
+use linkwright_solver::opened::solvable;
+use linkwright_solver::{Interpreted, Schedule, View as _};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::findings::refused;
+use crate::findings::{refused, unopened};
+use crate::interrupt::Interrupt;
 use crate::mechanism::Mechanism;
-use crate::motion::instants;
+use crate::motion::ended;
+use crate::table::{Notes, Table};
 
-/// Measured quantity: its name, values in SI units (NaN if missing), and the standard deviation of one value.
-type Measured<'py> = (String, PyReadonlyArray1<'py, f64>, Option<f64>);
+/// Compared column: its name and quantity, and number of values, root mean square, largest difference and its time (s); `None` if no row
+/// has both values.
+type Column = (String, String, Option<(usize, f64, f64, f64)>);
 
-/// Differences of a column: number of values, root mean square, largest difference and its time (s).
-type Compared = (usize, f64, f64, f64);
+/// Compared columns, reason of an early end with its warnings, and notes on the table.
+type Comparison = (Vec<Column>, Option<String>, Vec<String>, Notes);
+
+impl Mechanism {
+    /// Returns the solution with inputs that follow their columns.
+    fn driven(&self, py: Python<'_>, data: &Data) -> PyResult<Interpreted> {
+        if data.inputs.is_empty() {
+            return Ok(self.view());
+        }
+        let derived = data.drive(self.derived.clone()).map_err(refused)?;
+        // Warnings of the description were given when it was opened.
+        let driven = solvable(&derived, &mut Diagnostics::new());
+        driven.map_err(|reason| unopened(py, &reason, &self.source))
+    }
+}
 
 #[pymethods]
 impl Mechanism {
-    /// Returns the quantity that a name of a column means, and its alternatives in words; `None` without a unique guess.
-    fn quantity_of(&self, name: &str) -> Option<(String, String)> {
-        let linkwright_codegen::Derived { pool, system } = &self.derived;
-        let all = all(pool, system);
-        let exact = all.iter().find(|it| it.name == name);
-        if let Some(exact) = exact {
-            return Some((exact.name.clone(), String::new()));
-        }
-        let guess = guess(system, &all, name)?;
-        Some((all[guess.place].name.clone(), guess.doubt))
-    }
-
-    /// Compares measured with solved values of a quantity; `None` without a pair. NaN stands for a missing value.
-    fn differences(
+    /// Compares the columns of a table with the motion, assembled at `start` (s; `None` for the first time of the table). `step` is the
+    /// largest time between frames (s).
+    fn compare(
         &self,
-        name: &str,
-        times: PyReadonlyArray1<'_, f64>,
-        measured: PyReadonlyArray1<'_, f64>,
-        solved: PyReadonlyArray1<'_, f64>,
-    ) -> PyResult<Option<Compared>> {
-        let observable = self.named(&[name.to_string()])?[0];
-        let is_angle = observable.is_angle(&self.derived.system);
-        let (times, measured, solved) = (times.as_array(), measured.as_array(), solved.as_array());
-        let rows = times.iter().zip(measured.iter().zip(&solved));
-        let pairs =
-            rows.filter(|(_, (measured, solved))| measured.is_finite() && solved.is_finite());
-        let differences =
-            pairs.map(|(t, (measured, solved))| (*t, difference(*measured, *solved, is_angle)));
-        let compared = Comparison::of(differences);
-        Ok(compared.map(|it| (it.count, it.rms, it.largest, it.at)))
+        py: Python<'_>,
+        table: Table,
+        start: Option<f64>,
+        step: f64,
+    ) -> PyResult<Comparison> {
+        let data = table.read(&self.derived)?;
+        let view = self.driven(py, &data)?;
+        let start = start.unwrap_or(data.times[0]);
+        let schedule = Schedule::instants(start, &data.times, step).map_err(refused)?;
+        let chosen = self.chosen(&view, start)?;
+        let selection = Wanted {
+            points: Vec::new(),
+            coordinates: Vec::new(),
+            monitor: false,
+            curves: false,
+        };
+        py.detach(move || {
+            let mut motion = Followed::new(view, selection, start, chosen);
+            let mut interrupt = Interrupt::new();
+            let compared = motion.compare(&data, &schedule, &mut [&mut interrupt], |_| {});
+            let columns = compared.map_err(ended)?.into_iter().zip(&data.measured);
+            let columns = columns.map(|(compared, measured)| {
+                let comparison = compared.comparison;
+                let numbers = comparison.map(|it| (it.count, it.rms, it.largest, it.at));
+                (
+                    measured.name.clone(),
+                    measured.quantity.name.clone(),
+                    numbers,
+                )
+            });
+            Ok((
+                columns.collect(),
+                motion.error,
+                motion.warnings,
+                Notes::of(&data),
+            ))
+        })
     }
 
-    /// Fits the parameters by which this mechanism is differentiated. `bounds` are by name; `step` is the largest time between frames (s).
-    fn fit<'py>(
+    /// Fits the parameters by which this mechanism is differentiated to the columns of a table. `deviations` are those of the command,
+    /// `bounds` are by name, and `step` is the largest time between frames (s).
+    fn calibrate<'py>(
         &self,
         py: Python<'py>,
-        times: PyReadonlyArray1<'py, f64>,
-        measured: Vec<Measured<'py>>,
+        table: Table,
+        deviations: Vec<String>,
         bounds: Vec<(String, f64, f64)>,
         step: f64,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let times = instants(&times)?;
-        if times.windows(2).any(|it| it[1] < it[0]) {
-            return Err(refused("the times of the measured values decrease"));
-        }
-        let linkwright_codegen::Derived { pool, system } = &self.derived;
-        let all = all(pool, system);
-        let mut kinds: Vec<[i32; 4]> = Vec::new();
-        let mut columns = Vec::with_capacity(measured.len());
-        for (name, values, deviation) in &measured {
-            let quantity = all.iter().find(|it| it.name == *name);
-            let Named {
-                observable, powers, ..
-            } = quantity.ok_or_else(|| refused(format!("no quantity is named `{name}`")))?;
-            if Calibrator::can_fit(*observable).is_err() {
-                return Err(refused(format!(
-                    "accelerations and forces such as `{name}` cannot be fitted"
-                )));
-            }
-            let group = kinds.iter().position(|it| it == powers).unwrap_or_else(|| {
-                kinds.push(*powers);
-                kinds.len() - 1
-            });
-            let values = values.as_array();
-            if values.len() != times.len() {
-                return Err(refused(format!(
-                    "`{name}` has {} values at {} times",
-                    values.len(),
-                    times.len()
-                )));
-            }
-            columns.push(Column {
-                observable: *observable,
-                values: values
-                    .iter()
-                    .map(|it| Some(*it).filter(|it| it.is_finite()))
-                    .collect(),
-                deviation: *deviation,
-                rounding: None,
-                group,
-            });
-        }
-        let measurements = Measurements {
-            times: times.clone(),
-            columns,
-        };
-        let mut calibrator = Calibrator::of(self.view(), step);
-        if let Some(first) = times.first()
-            && let Some((_, modes)) = self.chosen(calibrator.view(), *first)?
-        {
+        let mut data = table.read(&self.derived)?;
+        let view = self.driven(py, &data)?;
+        leave_out_underived(&mut data).map_err(refused)?;
+        let measurements = Measurements::of(&data, "deviations", &deviations).map_err(refused)?;
+        let notes = Notes::of(&data);
+        let mut calibrator = Calibrator::of(view, step);
+        if let Some((_, modes)) = self.chosen(calibrator.view(), data.times[0])? {
             calibrator = calibrator.in_modes(modes);
         }
         for (name, low, high) in bounds {
@@ -123,6 +110,8 @@ impl Mechanism {
         let fit = py.detach(move || calibrator.fit(&measurements, &calibrator.nominal()));
         let fit = fit.map_err(|unfit| unfitted(&unfit, &title))?;
         let result = PyDict::new(py);
+        result.set_item("columns", names_of(&data))?;
+        result.set_item("notes", notes)?;
         result.set_item("names", names)?;
         result.set_item("values", &fit.values)?;
         result.set_item("deviations", &fit.deviations)?;
@@ -143,6 +132,11 @@ impl Mechanism {
         result.set_item("undetermined", fit.identified.sentences())?;
         Ok(result)
     }
+}
+
+/// Names of the measured columns.
+fn names_of(data: &Data) -> Vec<&str> {
+    data.measured.iter().map(|it| it.name.as_str()).collect()
 }
 
 fn unfitted(unfit: &Unfit, title: &str) -> PyErr {

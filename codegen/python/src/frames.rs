@@ -46,6 +46,6 @@ impl Sink for Frames {
         self.times.push(shown.instant.t());
         let values = self.columns.values(shown);
         self.values.extend(values.map(|it| it.unwrap_or(f64::NAN)));
-        self.interrupt.check().map_err(io::Error::other)
+        self.interrupt.take(shown)
     }
 }

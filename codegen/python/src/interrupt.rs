@@ -1,7 +1,9 @@
 //! Ends long work when the user interrupts it.
 
+use std::io;
 use std::time::{Duration, Instant};
 
+use linkwright_page::motion::{Shown, Sink};
 use pyo3::prelude::*;
 
 /// Time between looks at signals.
@@ -31,5 +33,12 @@ impl Interrupt {
         }
         self.next = now + BETWEEN;
         Python::attach(|py| py.check_signals())
+    }
+}
+
+/// Ends a motion at an instant.
+impl Sink for Interrupt {
+    fn take(&mut self, _: &Shown<'_>) -> io::Result<()> {
+        self.check().map_err(io::Error::other)
     }
 }

@@ -16,6 +16,7 @@ mod motion;
 mod page;
 mod sets;
 mod simulation;
+mod table;
 
 use pyo3::prelude::*;
 

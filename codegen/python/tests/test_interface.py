@@ -175,26 +175,6 @@ def test_check_and_its_text(m: linkwright.Mechanism, tmp_path: Path) -> None:
     assert m.check(end=2.0, prove=True).proven
 
 
-def test_measured_values_are_compared_and_fitted(m: linkwright.Mechanism) -> None:
-    t = np.linspace(0, 2, 41)
-    measured = m(rod=0.1234).solve(t)
-    data = {"t": t, "P_x": measured.P_x, "P_y": measured.P_y, "phi_rocker": measured.phi_rocker}
-    differences = m.compare(data)
-    assert differences["P_x"].rms > 1e-4 and differences["P_x"].count == 41
-    assert m(rod=0.1234).compare(data)["phi_rocker"].rms < 1e-14
-    fit = m.calibrate(data, ["rod"])
-    assert abs(fit.values["rod"] - 0.1234) < 1e-12
-    assert fit.mechanism.parameters["rod"].value == fit.values["rod"]
-    data["P_x"] = np.where(t > 1, np.nan, data["P_x"])
-    assert abs(m.calibrate(data, "rod").values["rod"] - 0.1234) < 1e-12
-    with pytest.warns(UserWarning, match="left out"):
-        m.compare({**data, "voltage": t})
-    with pytest.raises(ValueError, match="no parameter is named 'rodd'"):
-        m.calibrate(data, ["rodd"])
-    with pytest.raises(ValueError, match="column `t`"):
-        m.compare({"P_x": t})
-
-
 def test_sensitivities_are_exact(m: linkwright.Mechanism) -> None:
     t = np.linspace(0.1, 1, 5)
     sensitivity = m.sensitivity(t, ["rod"])

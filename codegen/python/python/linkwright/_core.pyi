@@ -7,6 +7,8 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwright._table import Notes
+
 _Array: TypeAlias = NDArray[np.float64]
 
 def axis(first: float, last: float, count: int) -> _Array: ...
@@ -68,14 +70,13 @@ class Mechanism:
     def equations_as(self, form: str) -> str: ...
     def derivation_as(self, form: str) -> str: ...
     def code(self, language: str, single: bool) -> list[tuple[str, str]]: ...
-    def quantity_of(self, name: str) -> tuple[str, str] | None: ...
-    def differences(
-        self, name: str, times: _Array, measured: _Array, solved: _Array
-    ) -> tuple[int, float, float, float] | None: ...
-    def fit(
+    def compare(
+        self, table: dict[str, Any], start: float | None, step: float
+    ) -> tuple[list[tuple[str, str, tuple[int, float, float, float] | None]], str | None, list[str], Notes]: ...
+    def calibrate(
         self,
-        times: _Array,
-        measured: list[tuple[str, _Array, float | None]],
+        table: dict[str, Any],
+        deviations: list[str],
         bounds: list[tuple[str, float, float]],
         step: float,
     ) -> dict[str, Any]: ...

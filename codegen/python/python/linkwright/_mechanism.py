@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from operator import index
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, Union, overload
+from typing import Any, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -21,18 +21,12 @@ from linkwright._checked import Assembly, Check
 from linkwright._columns import COMPONENTS, Array, unknown
 from linkwright._equations import Equations, SymbolicEquations, symbolic
 from linkwright._errors import DescriptionWarning, Finding
-from linkwright._fit import Difference, Fit
+from linkwright._fit import calibrate, compare
 from linkwright._motion import Motion
 from linkwright._sensitivity import Sensitivity
 
-if TYPE_CHECKING:
-    import pandas
-
 #: Value of a parameter or of an input of one mechanism: a number in SI units, or text of the language such as "130mm" or "0.2*sin(t)".
 Value = float | str
-
-#: Measured values: a column per quantity, and the times in the column `t`.
-Data = Union[Mapping[str, ArrayLike], "pandas.DataFrame"]
 
 
 @dataclass(frozen=True)
@@ -566,102 +560,8 @@ class Mechanism:
         """Return the generated files of C by name; in single precision on request."""
         return dict(self._core.code("c", single))
 
-    def compare(self, data: Data, *, start: float | None = None, step: float = 0.01) -> Mapping[str, Difference]:
-        """Compare measured values with the motion.
-
-        Parameters
-        ----------
-        data : mapping or DataFrame
-            A column per quantity, in SI units, with the times (s) in ``t``. NaN stands for a missing value. Names of other programs are
-            guessed; columns without a quantity are left out with a warning.
-        start : float, optional
-            Time of the assembly (s); without it, the first one.
-        step : float, optional
-            Longest step between visited times (s).
-
-        Returns
-        -------
-        mapping of str to Difference
-            Differences by the name of the column.
-        """
-        times, columns = self._measured(data)
-        first = float(times.min(initial=np.inf)) if start is None else float(start)
-        motion = Motion(self, times, self._solved(times, first, step))._warn()
-        found = {}
-        for column, (quantity, values) in columns.items():
-            solved = np.ascontiguousarray(motion[quantity])
-            compared = self._core.differences(quantity, times, values, solved)
-            if compared is not None:
-                found[column] = Difference(quantity, *compared)
-        return found
-
-    def calibrate(
-        self,
-        data: Data,
-        parameters: Sequence[str] | str,
-        *,
-        bounds: Mapping[str, tuple[float, float]] | None = None,
-        deviations: Mapping[str, float] | None = None,
-        step: float = 0.01,
-    ) -> Fit:
-        """Fit parameters to measured values, by least squares with exact derivatives.
-
-        Parameters
-        ----------
-        data : mapping or DataFrame
-            Measured positions and rates, as `compare` takes them; times never decrease.
-        parameters : sequence of str
-            Parameters to fit.
-        bounds : mapping of str to pair of float, optional
-            Bounds of parameters. Without them, a parameter stays in its range; without a range, a length keeps its sign.
-        deviations : mapping of str to float, optional
-            Standard deviation of one value of a column, if it is known.
-        step : float, optional
-            Longest step between visited times (s).
-
-        Raises
-        ------
-        RuntimeError
-            The motion cannot be solved with the initial values, or the fit does not converge.
-        ValueError
-            A name is unknown, or there are too few values.
-        """
-        names = [parameters] if isinstance(parameters, str) else list(parameters)
-        for name in names:
-            if name not in self.parameters:
-                raise ValueError(unknown("parameter", name, tuple(self.parameters)))
-        times, columns = self._measured(data)
-        known = deviations or {}
-        for name in known:
-            if name not in columns:
-                raise ValueError(unknown("column", name, tuple(columns)))
-        measured = [(quantity, values, known.get(column)) for column, (quantity, values) in columns.items()]
-        limits = [(name, float(low), float(high)) for name, (low, high) in (bounds or {}).items()]
-        along = self._changed(along=names)
-        found = along._core.fit(times, measured, limits, float(step))
-        return Fit(self, list(columns), found)
-
-    def _measured(self, data: Data) -> tuple[Array, dict[str, tuple[str, Array]]]:
-        """Return the times, and by column its quantity and values."""
-        names = [str(it) for it in data]
-        if "t" not in names:
-            raise ValueError(f"the data have no times in a column `t`; there are: {', '.join(names)}")
-        times = _instants(data["t"])
-        columns = {}
-        for name in names:
-            if name == "t":
-                continue
-            meant = self._core.quantity_of(name)
-            if meant is None:
-                warnings.warn(f"column `{name}` is left out: no quantity has this name", stacklevel=3)
-                continue
-            if meant[1]:
-                warnings.warn(f"column `{name}` is read as {meant[0]}: {meant[1]}", stacklevel=3)
-            values = np.ascontiguousarray(data[name], dtype=np.float64)
-            if values.shape != times.shape:
-                raise ValueError(f"`{name}` has the shape {values.shape} at {len(times)} times")
-            columns[name] = (meant[0], values)
-        return times, columns
+    compare = compare
+    calibrate = calibrate
 
     def drawing(self, t: float = 0.0) -> str:
         """Return the drawing at `t` (s) as SVG."""
