@@ -185,6 +185,7 @@ def test_a_sweep_is_that_of_the_command(
     for place, row in enumerate(table):
         for name in ranges:
             assert float(row[name]) == batch.parameters[name][place]
+        assert row["failure_kind"] == batch.failure_kind[place]
         if row["failure"]:
             assert batch.failed[place]
             continue

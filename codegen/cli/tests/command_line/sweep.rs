@@ -105,6 +105,7 @@ fn the_stroke_of_a_ram_is_twice_the_radius() {
             "x_slide_max (m)",
             "x_slide_max_t (s)",
             "failure",
+            "failure_kind",
             "failure_block",
             "failure_t (s)"
         ]
@@ -151,6 +152,8 @@ fn sets_that_do_not_turn_round_fail_where_they_open() {
             rocker[set]
         );
         assert_eq!(words.is_empty(), !fails);
+        let kind = table.column("failure_kind")[set];
+        assert_eq!(kind, if fails { "out_of_reach" } else { "" });
         let block = table.column("failure_block")[set];
         assert_eq!(block, if fails { "loop B-C-D" } else { "" });
         let min = table.numbers("phi_rocker_min (rad)")[set];
@@ -214,8 +217,9 @@ fn instants_are_those_of_solve() {
     );
     let first: Vec<&Vec<String>> = rows.rows.iter().filter(|it| it[0] == "0").collect();
     let last = first.last().expect("rows");
-    assert_eq!(last[2..6], ["", "", "out of reach", "loop B-C-D"]);
-    let until = last[6].parse::<f64>().expect("a time");
+    let failure = ["", "", "out of reach", "out_of_reach", "loop B-C-D"];
+    assert_eq!(last[2..7], failure);
+    let until = last[7].parse::<f64>().expect("a time");
     assert_eq!(first.len(), (until / 0.1).floor() as usize + 2);
 }
 
@@ -358,8 +362,10 @@ fn bad_input_has_a_reason_and_leaves_no_files() {
 fn a_failed_set_does_not_affect_others() {
     let folder = Folder::new("sweep_singular", RAM);
     let solved = table(&folder, "--vary rod=0..400mm:3 --show x_slide --to 1");
-    let failures = ["failure", "failure_block", "failure_t (s)"].map(|it| solved.column(it));
-    let singular = ["its Jacobian is singular", "revolute B(link, slide)", "0.0"];
+    let names = ["failure", "failure_kind", "failure_block", "failure_t (s)"];
+    let failures = names.map(|it| solved.column(it));
+    let block = "revolute B(link, slide)";
+    let singular = ["its Jacobian is singular", "singular", block, "0.0"];
     assert_eq!(failures.clone().map(|it| it[0]), singular);
     assert!(
         failures.iter().all(|it| it[1..] == ["", ""]),

@@ -23,14 +23,15 @@ const SET: &str = "set";
 const SECONDS: &str = "s";
 
 /// Last columns: names, units and kinds.
-const FAILURE: [(&str, &str, Kind); 3] = [
+const FAILURE: [(&str, &str, Kind); 4] = [
     ("failure", "", Kind::Words),
+    ("failure_kind", "", Kind::Words),
     ("failure_block", "", Kind::Words),
     ("failure_t", SECONDS, Kind::NumberOrNone),
 ];
 
 /// End of the first line of a table.
-const LAST_NAMES: &str = ",failure,failure_block,failure_t (s)";
+const LAST_NAMES: &str = ",failure,failure_kind,failure_block,failure_t (s)";
 
 /// Endings of the columns of extremes, and true for those of times.
 const EXTREMES: [(&str, bool); 4] = [
@@ -196,16 +197,18 @@ impl<'a> Table<'a> {
     }
 
     fn end(&self, failure: Option<Failure>, cells: &mut dyn Cells) -> io::Result<()> {
-        let (kind, block, t) = match &failure {
-            None => ("", "", None),
+        let (texts, t) = match &failure {
+            None => ([""; 3], None),
             Some(failure) => {
                 let block = self.blocks.explained(failure).block;
                 let block = block.map_or("", |it| it.name);
-                (words(failure), block, Some(failure.time))
+                let texts = [words(failure), failure.kind.name(), block];
+                (texts, Some(failure.time))
             }
         };
-        cells.words(kind)?;
-        cells.words(block)?;
+        for text in texts {
+            cells.words(text)?;
+        }
         cells.number(t)?;
         cells.end()
     }
