@@ -8,7 +8,6 @@ import os
 import signal
 import threading
 import time
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -209,13 +208,6 @@ def test_wrong_ranges_are_named() -> None:
         M.sweep(T, {"rod": (0.1, 0.12, -3)})
     with pytest.raises(TypeError, match="did you mean 'rod'"):
         M.sweep(T, {"rodd": 5})
-
-
-def test_threads_of_python_share_a_mechanism() -> None:
-    expected = M.solve(T).values
-    with ThreadPoolExecutor(4) as pool:
-        for values in pool.map(lambda _: M.solve(T).values, range(64)):
-            np.testing.assert_array_equal(values, expected)
 
 
 def test_ctrl_c_ends_a_motion_and_a_simulation() -> None:
