@@ -2,11 +2,11 @@
 //!
 //! An input passes through all its values, on a C² spline between them; angles continue without jumps by whole turns.
 
-use crate::comparison::difference;
 use linkwright_codegen::stages::model::{Dimension, follow_points};
 use linkwright_codegen::stages::system::Derived;
 
 use super::{Data, Scale};
+use crate::comparison::difference;
 
 /// Column that drives an input.
 #[derive(Clone, Debug)]

@@ -1,12 +1,12 @@
 //! Finds the column of times and the quantities of the other columns.
 
-use crate::observable::{Named, all, guess};
 use linkwright_codegen::diagnostic::nearest;
 use linkwright_codegen::stages::columns::Columns;
 use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::system::System;
 
 use super::Reading;
+use crate::observable::{Named, all, guess};
 
 /// Names of columns of times, in lower case.
 const TIMES: [&str; 8] = [

@@ -4,12 +4,12 @@ use linkwright_calibrate::Fit;
 use linkwright_codegen::stages::system::System;
 use linkwright_page::motion::Compared;
 use linkwright_solver::Comparison;
+use linkwright_solver::data::Data;
 
 use super::super::{Problem, print};
 use crate::output::Output;
 use crate::report::comparison::{Column, Report};
 use crate::report::comparison_plot::picture;
-use linkwright_solver::data::Data;
 
 /// Draws both curves of each column, and their difference below them.
 pub fn draw(
