@@ -363,7 +363,7 @@ fn reactions_and_efforts_stay_those_of_the_description() {
     let mut reference = simulation(&reference, 1.0, options(1e-13));
     let mut changed = simulation(&engine(&written), 1.0, options(1e-13));
     let names = |it: &Simulation| -> Vec<String> {
-        let names = linkwright_solver::forces::names(it.view().pool(), it.view().system());
+        let names = linkwright_solver::reported::names(it.view().pool(), it.view().system());
         names.into_iter().map(|(name, _)| name).collect()
     };
     let described = names(&changed);
