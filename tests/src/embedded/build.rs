@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use super::program::{Processor, Program};
-use super::tools::{cargo_for, cargo_for_host, folder, output};
+use super::tools::{cargo_for, cargo_for_host, folder, leave_unoptimized, output};
 use crate::files;
 
 /// Target of both processors.
@@ -46,6 +46,7 @@ pub fn host(features: &str) -> io::Result<String> {
 pub fn wasm() -> io::Result<String> {
     let target = "wasm32-unknown-unknown";
     let mut command = cargo_for("rustc", target, "")?;
+    leave_unoptimized(&mut command);
     output(command.args(["--release", "--quiet", "--lib", "--crate-type", "cdylib"]))?;
     let module = folder()
         .join("target")

@@ -41,7 +41,15 @@ pub fn output(command: &mut Command) -> io::Result<String> {
 pub fn cargo_for_host() -> Command {
     let mut command = Command::new(env!("CARGO"));
     set_up(&mut command);
+    leave_unoptimized(&mut command);
     command
+}
+
+/// Lets a build do without optimization: bits must not depend on it, and firmware, whose size and speed count, has it.
+pub fn leave_unoptimized(command: &mut Command) {
+    for (setting, value) in [("OPT_LEVEL", "0"), ("LTO", "off"), ("CODEGEN_UNITS", "16")] {
+        command.env(format!("CARGO_PROFILE_RELEASE_{setting}"), value);
+    }
 }
 
 /// Sets the folders of a build in `tests/embedded`.
