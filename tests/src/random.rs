@@ -1,5 +1,17 @@
 //! Random numbers from a seed, equal on every machine (SplitMix64: Steele, Lea & Flood, OOPSLA 2014).
 
+/// Environment variable with a factor for the numbers of random cases.
+const FACTOR: &str = "LINKWRIGHT_CASES";
+
+/// Number of random cases of a test: `few`, or this times the factor in `LINKWRIGHT_CASES`.
+///
+/// # Panics
+/// If the factor is not a whole number.
+pub fn cases(few: u64) -> u64 {
+    let factor = std::env::var(FACTOR).map_or(Ok(1), |text| text.parse::<u64>());
+    few * factor.unwrap_or_else(|error| panic!("{FACTOR}: {error}"))
+}
+
 /// A sequence of pseudo-random numbers.
 #[derive(Clone, Debug)]
 pub struct Random {

@@ -10,12 +10,10 @@ use super::lengths::{FACTORS, scaled, shifted, turned};
 use super::naming::renamed;
 use super::order::reordered;
 use super::swapping::swapped;
+use crate::random::cases;
 
 /// Seed of the first permutation; the seeds of the others follow it.
 pub const SEED: u64 = 0x6d65_7461;
-
-/// Number of permutations of bodies and joints.
-pub const PERMUTATIONS: u64 = 3;
 
 /// Shifts of the origin, as text and in m.
 const SHIFTS: [([&str; 2], [f64; 2]); 2] = [
@@ -84,7 +82,7 @@ pub fn all(source: &Source, motions: &[Derived]) -> (Vec<Rewriting>, Vec<String>
     }
     let other = renamed(text, &document, SEED);
     all.push(rewritten("renamed".to_string(), other, Change::None, false));
-    for seed in SEED..SEED + PERMUTATIONS {
+    for seed in SEED..SEED + cases(1) {
         let text = reordered(text, &document, seed);
         all.push(rewritten(
             format!("order {seed:#x}"),

@@ -5,7 +5,7 @@ use linkwright_codegen::diagnostic::{Diagnostics, Source};
 use linkwright_codegen::stages::system::Derived;
 use linkwright_solver::{InputSignals, Interpreted};
 use linkwright_tests::hunt::paths::families::{course, junk, with};
-use linkwright_tests::random::Random;
+use linkwright_tests::random::{Random, cases};
 use linkwright_tests::{description, files};
 
 /// Largest change of a coordinate, in its scale.
@@ -125,14 +125,18 @@ fn mechanisms_of_the_repository(far: bool) {
 fn mechanisms_of_the_hunt(far: bool) {
     let mut random = Random::new(4);
     let mut counts = [0; 2];
-    for number in 0..24 {
-        for family in [0, 4, 7, 12, 14, 15, 16] {
+    let numbers = cases(8);
+    let families = [0, 4, 7, 12, 14, 15, 16];
+    for number in 0..numbers {
+        for family in families {
             let text = course(family, 7, number).text;
             let name = format!("family {family}, number {number}");
             is_unchanged(&name, &text, far, &mut random, &mut counts);
         }
     }
-    assert!(counts[0] > 100, "{counts:?}");
+    // Most are accepted.
+    let all = numbers as usize * families.len();
+    assert!(5 * counts[0] > 3 * all, "{counts:?} of {all}");
 }
 
 #[test]
