@@ -15,7 +15,7 @@ use serde::Serialize;
 use super::equations::moved;
 use super::forced::is_moved_by_forces;
 use super::recorded::{Columns, Examination, Precision, Recorded, recorded};
-use super::shown_units::{ShownUnits, shown_units};
+use super::shown_units::{ShownUnits, grouped, shown_units};
 
 /// Largest number of instants that are kept of the displayed motion.
 const MAX_INSTANTS: usize = 1001;
@@ -51,7 +51,7 @@ pub struct Players {
     joints: Vec<Joint>,
     measures: Vec<String>,
     units: ShownUnits,
-    /// Requested forces and measures, each with its SI unit.
+    /// Requested forces and measures, each with the group of its curve.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     forces: Vec<(String, String)>,
     /// True if columns hold `f64`.
@@ -197,7 +197,7 @@ impl Players {
                 })
                 .collect(),
             units: shown_units(system),
-            forces: linkwright_solver::reported::names(view.pool(), system),
+            forces: grouped(view.pool(), system),
             measures: measures.map_or(Vec::new(), |measures| {
                 let parts = measures.parts();
                 let several = |block| parts.iter().filter(|it| it.block == block).count() > 1;

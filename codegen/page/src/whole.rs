@@ -152,12 +152,12 @@ pub fn problem(name: &str, text: &str, version: u64) -> String {
     shell(&title, &body, Live::Version(version))
 }
 
-/// Returns the requested points and coordinates as a page names them.
+/// Returns the requested points, coordinates and measures as a page names them.
 pub fn requested(requested: &[Requested]) -> Vec<String> {
     let names = requested.iter().map(|quantity| match quantity {
         Requested::Point(point) => format!("p{point}"),
         Requested::Coordinate(coordinate) => format!("q{coordinate}"),
-        Requested::Measure(measure) => format!("m{measure}"),
+        Requested::Measure(measure) => format!("v{measure}"),
     });
     names.collect()
 }

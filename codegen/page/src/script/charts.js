@@ -53,7 +53,7 @@ class Chart {
   /// Takes new values, which are drawn later.
   prepare(curves, samples, [unit, scale], width) {
     Object.assign(this, { curves, samples, scale, width, height: heightOf(width), isStale: true });
-    this.title = `${TITLES[this.kind]}${this.level ? `: ${LEVELS[this.level]}` : ""}`;
+    this.title = `${TITLES[this.kind] ?? "Measures"}${this.level ? `: ${LEVELS[this.level]}` : ""}`;
     this.unit = unit;
     this.caption.textContent = unit ? `${this.title}, ${unit}` : this.title;
     this.svg.setAttribute("viewBox", `0 0 ${width} ${this.height + TOP + 22}`);
@@ -201,7 +201,7 @@ class Charts {
   /// Shows these curves; without a motion there is none.
   prepare(curves, samples, units) {
     Object.assign(this, { curves, samples, units });
-    const kinds = Object.keys(TITLES).map((kind) => [kind, curves.filter((it) => it.kind === kind)]);
+    const kinds = titled(curves).map(([kind]) => [kind, curves.filter((it) => it.kind === kind)]);
     // What was chosen first is first on the page.
     kinds.sort(([, a], [, b]) => (a[0]?.rank ?? 0) - (b[0]?.rank ?? 0));
     const wanted = [];

@@ -33,7 +33,7 @@ const chooser = (holder, { curves, points }, shown, traced, plot, trace) => {
     });
     return button;
   };
-  for (const [kind, title] of Object.entries(TITLES)) {
+  for (const [kind, title] of titled(curves)) {
     const own = curves.filter((it) => it.kind === kind);
     row(title, own.map((curve) => {
       const button = chip(`${curve.letter} ${curve.index}`.trim(), curve.is, curve.of, shown.has(curve.name), sample(curve), nameOf(curve));

@@ -13,6 +13,12 @@ const TITLES = {
   determinants: "Normalized determinants",
 };
 
+/// Kinds of curves with their titles; measures are of one kind for each unit.
+const titled = (curves) => {
+  const measured = curves.map((it) => it.kind).filter((kind) => kind.startsWith("measured"));
+  return [...Object.entries(TITLES), ...[...new Set(measured)].map((kind) => [kind, "Measures"])];
+};
+
 /// Curves of the data; each is named, so that it is found again in the next data.
 const curvesOf = (motion) => {
   const { data } = motion;
@@ -60,8 +66,10 @@ const curvesOf = (motion) => {
     });
   };
   data.measures.forEach((name, index) => single(name, "m", index, "determinants", "measures"));
-  (data.forces ?? []).forEach(([name, unit], index) => {
-    single(name, "f", index, { N: "forces", "N*m": "torques", W: "powers" }[unit] ?? "energies", "forces");
+  const forces = (data.forces ?? []).filter(([, kind]) => kind in TITLES).length;
+  (data.forces ?? []).forEach(([name, kind], index) => {
+    single(name, "f", index, kind, "forces");
+    if (index >= forces) curves.at(-1).is = `v${index - forces}`;
   });
   // A curve keeps its color, whichever others are shown.
   const counts = {};
@@ -87,11 +95,13 @@ const moves = (values) => {
   return high - low > 1e-6 * Math.max(1e-3, Math.abs(low), Math.abs(high));
 };
 
-/// Names of the curves that are shown first: those that the description requests, or else moving angles; with them forces and
+/// Names of the curves that are shown first: those that the description requests, and measures, or else moving angles; with them forces and
 /// determinants. A mechanism without moving angles shows its moving coordinates.
 const firstChoice = (curves, samples, requested) => {
   const moving = (kind, most) => curves.filter((it) => it.kind === kind && moves(it.values(samples, 0))).slice(0, most);
   const chosen = curves.filter((it) => requested.includes(it.is));
+  const measured = curves.filter((it) => it.kind.startsWith("measured") && !chosen.includes(it));
+  chosen.push(...measured.filter((it) => moves(it.values(samples, 0))).slice(0, 7));
   if (chosen.length === 0) chosen.push(...moving("angles", 5));
   if (chosen.length === 0) chosen.push(...moving("lengths", 4));
   chosen.push(...moving("contacts", 3));
