@@ -52,15 +52,8 @@ impl Draft<'_> {
     }
 
     /// An arc in a frame about its origin.
-    pub fn curved(
-        &self,
-        frame: Frame,
-        radius: f64,
-        [from, to]: [f64; 2],
-        look: Look,
-        group: &mut Group,
-    ) {
-        let arc = Outline::arc([0.0; 2], radius, from, to);
+    pub fn curved(&self, frame: Frame, radius: f64, ends: [f64; 2], look: Look, group: &mut Group) {
+        let arc = Outline::Arc([0.0; 2], radius, ends);
         group.add(Layer::Above, frame, look, arc);
     }
 

@@ -95,6 +95,8 @@ pub(super) enum Outline {
     Circle(Point, f64),
     /// Between two circles about a point.
     Ring(Point, f64, f64),
+    /// Part of a circle about a point, from one angle to another, in rad.
+    Arc(Point, f64, [f64; 2]),
 }
 
 /// Outlines of one look.
@@ -190,7 +192,7 @@ impl Figure {
                 let place = self.stance.place(part.frame);
                 part.elements.iter().map(move |element| Trace {
                     look: element.look,
-                    is_closed: !matches!(element.outline, Outline::Open(_)),
+                    is_closed: !matches!(element.outline, Outline::Open(_) | Outline::Arc(..)),
                     points: element
                         .outline
                         .points()
@@ -270,17 +272,6 @@ impl Outline {
         ])
     }
 
-    /// Part of a circle.
-    pub fn arc(center: Point, radius: f64, from: f64, to: f64) -> Outline {
-        let steps = ((to - from).abs() / 0.15).ceil().max(1.0);
-        let angle = |step: f64| from + (to - from) * step / steps;
-        let points = (0..=steps as usize).map(|step| {
-            let direction = heading(angle(step as f64));
-            onward(center, radius, direction)
-        });
-        Outline::Open(points.collect())
-    }
-
     /// Points along it.
     pub fn points(&self) -> Vec<Point> {
         let circle = |center: Point, radius: f64| {
@@ -291,6 +282,12 @@ impl Outline {
             Outline::Open(points) | Outline::Closed(points) => points.clone(),
             Outline::Circle(center, radius) | Outline::Ring(center, _, radius) => {
                 circle(*center, *radius).collect()
+            }
+            Outline::Arc(center, radius, [from, to]) => {
+                let steps = ((to - from).abs() / 0.15).ceil().max(1.0);
+                let angle = |step: f64| from + (to - from) * step / steps;
+                let at = |step: usize| onward(*center, *radius, heading(angle(step as f64)));
+                (0..=steps as usize).map(at).collect()
             }
             Outline::Rounded(corners, radius) => {
                 let around: Vec<Point> = corners

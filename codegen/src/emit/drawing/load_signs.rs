@@ -266,7 +266,7 @@ impl Draft<'_> {
     fn ring(&self, frame: Frame, group: &mut Group) {
         let [radius, half] = [20.0, 4.0].map(|it| it * self.unit);
         let [lead, wall, plate, end] = [1.7, 2.3, 3.1, 3.9];
-        let arc = |radius: f64, from: f64, to: f64| Outline::arc([0.0; 2], radius, from, to);
+        let arc = |radius: f64, from: f64, to: f64| Outline::Arc([0.0; 2], radius, [from, to]);
         let across = |angle: f64, half: f64| {
             let out = heading(angle);
             Outline::line(scaled(out, radius - half), scaled(out, radius + half))
@@ -300,7 +300,7 @@ impl Draft<'_> {
         let frame = Frame::Torque(center, self.facing(center) + PI, place);
         let [radius, half] = TORQUE;
         let radius = radius * self.unit;
-        let arc = Outline::arc([0.0; 2], radius, -half, half);
+        let arc = Outline::Arc([0.0; 2], radius, [-half, half]);
         group.add(Layer::Above, frame, Look::Load, arc);
         let size = HEAD * self.unit;
         let lean = size / radius;

@@ -202,7 +202,7 @@ fn beside(figure: &Figure, body: usize, width: f64) -> Vec<Anchor> {
             Outline::Rounded(corners, radius) if corners.len() == 1 => {
                 anchors.extend(around(place.globally(corners[0]), radius + 3.0));
             }
-            Outline::Rounded(..) | Outline::Closed(_) | Outline::Open(_) => {
+            Outline::Rounded(..) | Outline::Closed(_) | Outline::Open(_) | Outline::Arc(..) => {
                 let points = hull(&outline.points());
                 if points.len() > 1 {
                     for (a, b) in points.iter().zip(points.iter().cycle().skip(1)) {

@@ -257,7 +257,8 @@ fn elements(text: &mut String, part: &Part) {
     };
     for element in &part.elements {
         let look = element.look;
-        if last != Some(look) || !matches!(element.outline, Outline::Open(_)) {
+        let is_line = matches!(element.outline, Outline::Open(_) | Outline::Arc(..));
+        if last != Some(look) || !is_line {
             flush(text, &mut lines, last);
         }
         last = Some(look);
@@ -275,6 +276,7 @@ fn elements(text: &mut String, part: &Part) {
             Outline::Open(points) => {
                 lines.push_str(&path(points, false));
             }
+            outline @ Outline::Arc(..) => lines.push_str(&path(&outline.points(), false)),
             outline => {
                 let _ = writeln!(
                     text,
@@ -327,6 +329,7 @@ fn closed(outline: &Outline) -> String {
         },
         Outline::Circle(center, radius) => ring(*center, *radius),
         Outline::Open(points) => path(points, false),
+        Outline::Arc(..) => path(&outline.points(), false),
     }
 }
 
