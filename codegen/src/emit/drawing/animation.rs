@@ -31,7 +31,7 @@ impl Animation {
         };
         let scene = Scene::new(pool, system, shown, others);
         Some(Animation {
-            composition: Composition::new(system, &scene, paths, &options),
+            composition: Composition::new(system, &scene, paths, &options, None),
             scene,
         })
     }

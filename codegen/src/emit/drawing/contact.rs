@@ -21,7 +21,9 @@ impl Draft<'_> {
                 self.is_shaped[at.body] |= self.corners[at.body].len() == 1;
             }
             Follower::Roller(_) => {
-                let roller = Outline::Circle(at.local, sign.number * self.figure.scale);
+                let radius = sign.number * self.figure.scale;
+                self.figure.add_diameter(at, radius);
+                let roller = Outline::Circle(at.local, radius);
                 group.add(Layer::Upon, frame, Look::Part, roller);
                 let axle = Outline::Circle(at.local, 0.8 * PIN * self.unit);
                 group.add(Layer::Above, frame, Look::Part, axle);

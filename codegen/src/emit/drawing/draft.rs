@@ -47,17 +47,18 @@ pub(super) fn drafted(scene: &Scene, scale: f64) -> (Figure, f64) {
         joints: Vec::new(),
         extras: Vec::new(),
         notes: Vec::new(),
+        diameters: Vec::new(),
+        dimensions: Vec::new(),
     };
     let mut draft = Draft {
         scene,
         figure,
         unit: 1.0,
-        corners: vec![Vec::new(); scene.bodies.len()],
+        corners: corners(scene, scale),
         is_shaped: vec![false; scene.bodies.len()],
         supports: Vec::new(),
         lines: Vec::new(),
     };
-    draft.collect_corners();
     draft.collect_lines();
     draft.unit = draft.room();
     for sign in &scene.signs {
@@ -75,40 +76,41 @@ pub(super) fn drafted(scene: &Scene, scale: f64) -> (Figure, f64) {
     (draft.figure, unit)
 }
 
-impl Draft<'_> {
-    /// Collects the points of each body's shape: its own points, and those of its joints.
-    fn collect_corners(&mut self) {
-        for (body, carried) in self.scene.bodies.iter().enumerate() {
-            self.corners[body].extend(&carried.points);
-        }
-        for sign in &self.scene.signs {
-            let is_held = match sign.feature {
-                Feature::Pin | Feature::Weld | Feature::Link | Feature::Offset(_) => |_| true,
-                Feature::Coordinate(_) | Feature::Contact(_) => |mark| mark == 0,
-                Feature::Slide | Feature::Slot(_) | Feature::Pinion(_) => |_| true,
-                _ => |_| false,
-            };
-            for (mark, at) in sign.marks.iter().enumerate() {
-                if is_held(mark) {
-                    self.corners[at.body].push(at.local);
-                }
+/// Points of each body's shape, in pixels of its frame: its own points, and those of its joints.
+pub(super) fn corners(scene: &Scene, scale: f64) -> Vec<Vec<Point>> {
+    let bodies = scene.bodies.iter();
+    let mut corners: Vec<Vec<Point>> = bodies.map(|body| body.points.clone()).collect();
+    for sign in &scene.signs {
+        let is_held = match sign.feature {
+            Feature::Pin | Feature::Weld | Feature::Link | Feature::Offset(_) => |_| true,
+            Feature::Coordinate(_) | Feature::Contact(_) => |mark| mark == 0,
+            Feature::Slide | Feature::Slot(_) | Feature::Pinion(_) => |_| true,
+            _ => |_| false,
+        };
+        for (mark, at) in sign.marks.iter().enumerate() {
+            if is_held(mark) {
+                corners[at.body].push(at.local);
             }
-        }
-        for corners in &mut self.corners {
-            let all: Vec<Point> = corners
-                .iter()
-                .map(|&it| scaled(it, self.figure.scale))
-                .collect();
-            let mut distinct: Vec<Point> = Vec::with_capacity(all.len());
-            for point in all {
-                if distinct.iter().all(|it| distance(*it, point) > 0.1) {
-                    distinct.push(point);
-                }
-            }
-            *corners = distinct;
         }
     }
+    for points in &mut corners {
+        *points = distinct(points.iter().map(|&it| scaled(it, scale)));
+    }
+    corners
+}
 
+/// Removes points that look like an earlier one, in pixels.
+pub(super) fn distinct(points: impl Iterator<Item = Point>) -> Vec<Point> {
+    let mut distinct: Vec<Point> = Vec::new();
+    for point in points {
+        if distinct.iter().all(|it| distance(*it, point) > 0.1) {
+            distinct.push(point);
+        }
+    }
+    distinct
+}
+
+impl Draft<'_> {
     fn collect_lines(&mut self) {
         for (corners, place) in self.corners.iter().zip(&self.figure.stance.places).skip(1) {
             let corners = hull(corners);

@@ -3,6 +3,7 @@
 //! Lengths are pixels and y points upwards; a frame of a body is its frame with lengths in pixels. A motion changes
 //! only the frames.
 
+use super::dimension::Dimension;
 use super::plane::{Bounds, Point, difference, distance, heading, onward, sum};
 use super::pose::At;
 use super::stance::Stance;
@@ -54,6 +55,8 @@ pub(super) enum Look {
     Face,
     /// Pitch line, or another imaginary line.
     Thought,
+    /// Mark of a center.
+    Mark,
     /// A link without a body.
     Massless,
     /// Hatching of the ground.
@@ -177,6 +180,18 @@ pub(super) struct Figure {
     pub extras: Vec<Group>,
     /// Loads without a sign, in words.
     pub notes: Vec<String>,
+    /// Circles whose diameters are lengths of the mechanism.
+    pub diameters: Vec<Diameter>,
+    /// Dimensions in this pose, on request.
+    pub dimensions: Vec<Dimension>,
+}
+
+/// Circle of a body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Diameter {
+    /// Center, in pixels of its body.
+    pub at: At,
+    pub radius: f64,
 }
 
 impl Figure {
@@ -212,10 +227,26 @@ impl Figure {
         }
     }
 
-    /// Around all outlines.
+    /// Adds a circle whose diameter is a length of the mechanism. Several signs may share it.
+    pub fn add_diameter(&mut self, at: At, radius: f64) {
+        let is_near = |it: &Diameter| {
+            let apart = distance(it.at.local, at.local);
+            it.at.body == at.body && apart < 0.5 && (it.radius - radius).abs() < 0.5
+        };
+        if !self.diameters.iter().any(is_near) {
+            self.diameters.push(Diameter { at, radius });
+        }
+    }
+
+    /// Around all outlines and dimensions.
     pub fn bounds(&self) -> Bounds {
         let traces = self.groups().flat_map(|group| self.traces(group));
-        Bounds::of(traces.flat_map(|trace| trace.points))
+        let mut bounds = Bounds::of(traces.flat_map(|trace| trace.points));
+        for Bounds { low, high } in self.dimensions.iter().map(Dimension::bounds) {
+            bounds.include(low);
+            bounds.include(high);
+        }
+        bounds
     }
 }
 
@@ -228,6 +259,15 @@ pub(super) struct Trace {
 }
 
 impl Trace {
+    /// A line.
+    pub fn edge(ends: [Point; 2]) -> Trace {
+        Trace {
+            look: Look::Edge,
+            points: ends.to_vec(),
+            is_closed: false,
+        }
+    }
+
     /// Its edges.
     pub fn segments(&self) -> impl Iterator<Item = [Point; 2]> + '_ {
         let count = self.points.len();

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::extras::AXIS;
 use super::figure::{Figure, Frame};
-use super::label::{beside, placed};
+use super::label::{Placed, beside, placed};
 use super::naming::{Name, Named, SIZE, missing, names, obstacles};
 use super::picture::Options;
 use super::plane::{Bounds, Point, difference, distance, onward, scaled};
@@ -28,35 +28,33 @@ pub(super) struct Lettering {
     text: String,
 }
 
-/// Names in their positions.
-pub(super) fn lettering(
+/// Positions of names and of the letters at axes.
+#[derive(Debug)]
+pub(super) struct PlacedNames {
+    /// Names with room.
+    pub names: Vec<(Name, Placed)>,
+    /// Letters at the axes of bodies, with their centers.
+    pub axes: Vec<(usize, Point, &'static str)>,
+}
+
+/// Finds positions for all names.
+pub(super) fn placed_names(
     scene: &Scene,
     figure: &Figure,
     unit: f64,
     area: &Bounds,
     options: &Options,
-) -> Vec<Lettering> {
+) -> PlacedNames {
     let mut names = names(scene, figure, unit);
     names.extend(options.gap.iter().map(|gap| missing(gap, figure)));
     let mut obstacles = obstacles(figure);
-    let mut letters = Vec::new();
+    let mut axes = Vec::new();
     for &body in &options.frames {
         let place = figure.stance.place(Frame::Body(body));
         for (along, letter) in [([1.0, 0.0], "x"), ([0.0, 1.0], "y")] {
             let at = place.globally(onward([0.0; 2], AXIS * unit + 9.0, along));
             obstacles.taken.push(Bounds::around(at, [6.0, 7.0]));
-            let place = figure.stance.places[body].locally(at);
-            letters.push(Lettering {
-                class: String::new(),
-                at: Some(At { body, local: place }),
-                point: String::new(),
-                leader: String::new(),
-                text: format!(
-                    "<text class=\"axis-name\" x=\"{}\" y=\"{}\">{letter}</text>",
-                    number(at[0]),
-                    number(0.35 * SIZE - at[1])
-                ),
-            });
+            axes.push((body, at, letter));
         }
     }
     let boxes: Vec<_> = names.iter().map(|name| name.label.clone()).collect();
@@ -64,32 +62,58 @@ pub(super) fn lettering(
         true => boxes.iter().map(beside).collect(),
         false => placed(&boxes, &obstacles, area),
     };
-    for (name, placed) in names.iter().zip(&placed) {
-        let Some(placed) = placed else { continue };
+    let names = names.into_iter().zip(placed);
+    PlacedNames {
+        names: names
+            .filter_map(|(name, placed)| Some((name, placed?)))
+            .collect(),
+        axes,
+    }
+}
+
+/// Leader line from a name to the named point; `None` if the name is close to it.
+pub(super) fn leader(placed: &Placed) -> Option<[Point; 2]> {
+    let to = placed.leader?;
+    let from = nearest(&placed.area, to);
+    let length = distance(from, to);
+    let part = (length - 6.0).max(0.0) / length.max(1.0);
+    Some([from, onward(from, part, [to[0] - from[0], to[1] - from[1]])])
+}
+
+/// Text of names in their positions.
+pub(super) fn lettering(scene: &Scene, figure: &Figure, placed: &PlacedNames) -> Vec<Lettering> {
+    let mut letters = Vec::new();
+    for &(body, at, letter) in &placed.axes {
+        let place = figure.stance.places[body].locally(at);
+        letters.push(Lettering {
+            class: String::new(),
+            at: Some(At { body, local: place }),
+            point: String::new(),
+            leader: String::new(),
+            text: format!(
+                "<text class=\"axis-name\" x=\"{}\" y=\"{}\">{letter}</text>",
+                number(at[0]),
+                number(0.35 * SIZE - at[1])
+            ),
+        });
+    }
+    for (name, placed) in &placed.names {
         let center = placed.area.center();
         let half = name.label.half;
         let tint = match name.of {
             Named::Body(body) => format!(" class=\"tint-{}\"", (body - 1) % TINTS),
             Named::Point(_) | Named::Gap => String::new(),
         };
-        let [mut text, mut leader] = [String::new(), String::new()];
-        if let Some(to) = placed.leader {
-            let from = nearest(&placed.area, to);
-            let length = distance(from, to);
-            let to = onward(
-                from,
-                (length - 6.0).max(0.0) / length.max(1.0),
-                [to[0] - from[0], to[1] - from[1]],
-            );
-            let _ = write!(
-                leader,
+        let mut text = String::new();
+        let leader = leader(placed).map_or(String::new(), |[from, to]| {
+            format!(
                 "<path class=\"leader\" d=\"M{} {}L{} {}\"/>",
                 number(from[0]),
                 number(-from[1]),
                 number(to[0]),
                 number(-to[1])
-            );
-        }
+            )
+        });
         let class = match name.of {
             Named::Body(_) => {
                 let [width, height] = scaled(half, 2.0);

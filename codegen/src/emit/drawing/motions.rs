@@ -35,7 +35,7 @@ pub fn moving(
         ..options.clone()
     };
     let scene = Scene::new(pool, system, shown, others);
-    let composition = Composition::new(system, &scene, &[], &options);
+    let composition = Composition::new(system, &scene, &[], &options, None);
     let figure = &composition.figure;
     let base: BTreeMap<String, String> = groups(figure, "", Written::Motion).into_iter().collect();
     let differing = |poses: &Vec<Pose>| {

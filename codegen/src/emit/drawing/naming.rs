@@ -1,11 +1,12 @@
 //! Names of a scene, and their possible positions.
 
+use super::dimension::{Dimension, DimensionLines};
 use super::extras::Gap;
-use super::figure::{Figure, Frame, Look, Outline, offset_edges};
+use super::figure::{Figure, Frame, Look, Outline, Trace, offset_edges};
 use super::label::{Anchor, Label};
 use super::letters::width;
 use super::obstacles::Obstacles;
-use super::plane::{Point, difference, distance, heading, hull, left_of, scaled};
+use super::plane::{Bounds, Point, difference, distance, heading, hull, left_of, onward, scaled};
 use super::pose::{At, Scene};
 
 /// Size of letters in pixels.
@@ -119,11 +120,34 @@ pub(super) fn obstacles(figure: &Figure) -> Obstacles {
             obstacles.add(&trace, None);
         }
     }
+    for drawn in figure.dimensions.iter().map(Dimension::lines) {
+        for line in &drawn.lines {
+            obstacles.add(&Trace::edge(*line), None);
+        }
+        let corners = drawn.text_corners();
+        match drawn.text_angle == 0.0 {
+            true => obstacles.taken.push(Bounds::of(corners)),
+            // Boxes along the axes cover an inclined text in pieces.
+            false => obstacles.taken.extend(pieces(&drawn)),
+        }
+    }
     obstacles
 }
 
+/// Boxes along the text of a dimension.
+fn pieces(drawn: &DimensionLines) -> impl Iterator<Item = Bounds> {
+    let [half, height] = drawn.text_half;
+    let along = heading(drawn.text_angle);
+    let count = (half / height).ceil().max(1.0);
+    (0..=count as usize).map(move |piece| {
+        let part = 2.0 * piece as f64 / count - 1.0;
+        let center = onward(drawn.text_at, part * (half - height), along);
+        Bounds::around(center, [height; 2])
+    })
+}
+
 /// Anchors around a point, preferably to the upper right.
-fn around(at: Point, gap: f64) -> Vec<Anchor> {
+pub(super) fn around(at: Point, gap: f64) -> Vec<Anchor> {
     let anchor = |direction: usize| {
         let angle = std::f64::consts::TAU * direction as f64 / DIRECTIONS as f64;
         let out = heading(angle);

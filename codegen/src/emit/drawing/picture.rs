@@ -2,11 +2,16 @@
 
 use std::fmt::Write as _;
 
+use super::dimension_svg::dimensions_text;
+use super::dimensioning::dimensions;
 use super::draft::drafted;
 use super::extras::{Gap, Traced};
 use super::figure::Figure;
 use super::legend::{ROW, legend_text};
-use super::lettering::{Lettering, lettering, names_text};
+use super::lettering::{Lettering, PlacedNames, lettering, names_text, placed_names};
+use super::letters::width;
+use super::measurable::{measurables, measure};
+use super::naming::SIZE;
 use super::plane::{Bounds, Point, RELATIVE_ROUNDING};
 use super::pose::{Pose, Scene};
 use super::style::{Themes, sheet};
@@ -14,6 +19,7 @@ use super::svg::{Written, layers, number};
 use crate::emit::markup::escaped;
 use crate::pool::Pool;
 use crate::system::System;
+use crate::units::OutputUnit;
 
 /// Options of a picture.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -34,6 +40,8 @@ pub struct Options {
     pub is_moving: bool,
     /// Source of the choice between light and dark.
     pub themes: Themes,
+    /// True if the distances between the points of each link are shown, in the unit of lengths of the description or in mm.
+    pub has_dimensions: bool,
 }
 
 /// Largest picture without a requested size.
@@ -43,6 +51,12 @@ const SMALLEST_PICTURE: Point = [420.0, 220.0];
 
 /// Margin for names around the figure.
 const MARGIN: f64 = 30.0;
+
+/// Room for dimensions around the figure.
+const DIMENSIONS: f64 = 44.0;
+
+/// Room for the scale bar with its text beside a caption.
+const SCALE_BAR: f64 = 270.0;
 
 /// Number of poses of a moving figure that decide its bounds.
 const REACHED: usize = 32;
@@ -61,7 +75,14 @@ pub fn draw(
         true => Written::Moving,
         false => Written::Picture,
     };
-    Composition::new(system, &scene, paths, options).text(written)
+    let unit = options.has_dimensions.then(|| unit_of_dimensions(system));
+    Composition::new(system, &scene, paths, options, unit.as_ref()).text(written)
+}
+
+/// Unit of dimensions: that of lengths, or mm if none is chosen.
+pub(super) fn unit_of_dimensions(system: &System) -> OutputUnit {
+    let requested = system.mechanism.units.requested.clone();
+    requested.unwrap_or_default().or("mm").of("m")
 }
 
 /// A picture before it is written.
@@ -70,21 +91,37 @@ pub(super) struct Composition {
     pub figure: Figure,
     head: String,
     names: Vec<Lettering>,
+    pub placed: PlacedNames,
+    /// Text in the lower right corner.
+    pub caption: String,
+    /// Decimals of dimensions.
+    pub decimals: usize,
     foot: String,
 }
 
 impl Composition {
-    /// Finds a scale and positions for all names.
-    pub fn new(system: &System, scene: &Scene, paths: &[Traced], options: &Options) -> Composition {
+    /// Finds a scale and positions for all names, and for dimensions in a unit if there is one.
+    pub fn new(
+        system: &System,
+        scene: &Scene,
+        paths: &[Traced],
+        options: &Options,
+        unit_of_dimensions: Option<&OutputUnit>,
+    ) -> Composition {
         let title = system.mechanism.title();
         let notes = noted(scene);
         let legend = 12.0 + ROW * (1.0 + notes as f64);
         let room = options
             .size
             .map_or(LARGEST_PICTURE, |size| size.map(f64::from));
+        let margin = MARGIN
+            + match unit_of_dimensions {
+                Some(_) => DIMENSIONS,
+                None => 0.0,
+            };
         let inner = [
-            (room[0] - 2.0 * MARGIN).max(40.0),
-            (room[1] - 2.0 * MARGIN - legend).max(40.0),
+            (room[0] - 2.0 * margin).max(40.0),
+            (room[1] - 2.0 * margin - legend).max(40.0),
         ];
         let complete = |scale: f64| {
             let (mut figure, unit) = drafted(scene, scale);
@@ -101,14 +138,30 @@ impl Composition {
         };
         let fitted = || fitted(scene, inner, |scale| bounds(&complete(scale).0));
         let scale = options.scale.unwrap_or_else(fitted);
-        let (figure, unit) = complete(scale);
+        let (mut figure, unit) = complete(scale);
+        let (mut caption, mut decimals) = (options.caption.clone(), 0);
+        if let Some(unit) = unit_of_dimensions {
+            let links = measurables(scene, &figure);
+            let measure = measure(&links, unit);
+            decimals = measure.decimals;
+            figure.dimensions = dimensions(&figure, &links, &measure);
+            if !figure.dimensions.is_empty() {
+                caption += &format!(", dimensions in {}", measure.unit_name());
+            }
+        }
         let bounds = bounds(&figure);
         let size = match options.size {
             Some(size) => size.map(f64::from),
             None => {
                 let needed = bounds.size();
+                // A unit of dimensions must not be left out.
+                let words = match figure.dimensions.is_empty() {
+                    true => 0.0,
+                    false => SCALE_BAR + width(&caption, SIZE),
+                };
                 [
                     (needed[0] + 2.0 * MARGIN)
+                        .max(words)
                         .clamp(SMALLEST_PICTURE[0], LARGEST_PICTURE[0])
                         .ceil(),
                     (needed[1] + 2.0 * MARGIN + legend)
@@ -125,7 +178,7 @@ impl Composition {
             high: [size[0] - 4.0 - origin[0], size[1] - 4.0 - origin[1]],
         };
         let mut text = opening(size, &title);
-        let _ = writeln!(text, "<style>\n{}</style>", sheet(options.themes));
+        let _ = writeln!(text, "<style>\n{}</style>", sheet(options.themes, &figure));
         let _ = writeln!(
             text,
             "<rect class=\"paper\" width=\"{}\" height=\"{}\"/>",
@@ -141,11 +194,16 @@ impl Composition {
         let is_scaled = !scene.is_of_angles_alone();
         let requested = system.mechanism.units.requested.as_ref();
         let unit_of_lengths = requested.and_then(|it| it.of_lengths());
-        let caption = (options.caption.as_str(), unit_of_lengths);
+        let words_of_dimensions = caption.clone();
+        let caption = (caption.as_str(), unit_of_lengths);
         let legend = legend_text(&figure, is_scaled, scene.gravity, size, caption);
+        let placed = placed_names(scene, &figure, unit, &area, options);
         Composition {
             head: text,
-            names: lettering(scene, &figure, unit, &area, options),
+            names: lettering(scene, &figure, &placed),
+            placed,
+            caption: words_of_dimensions,
+            decimals,
             foot: format!("</g>\n{legend}</svg>\n"),
             figure,
         }
@@ -158,7 +216,7 @@ impl Composition {
 
     /// Returns the text with the figure in another pose.
     pub fn text_of(&self, figure: &Figure, written: Written<'_>) -> String {
-        let layers = layers(figure, "", written);
+        let layers = layers(figure, "", written) + &dimensions_text(&figure.dimensions);
         let names = names_text(&self.names, [&self.figure, figure], written);
         format!("{}{layers}{names}{}", self.head, self.foot)
     }

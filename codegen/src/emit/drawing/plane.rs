@@ -70,6 +70,17 @@ pub(super) fn distance(a: Point, b: Point) -> f64 {
     (a[0] - b[0]).hypot(a[1] - b[1])
 }
 
+/// Distance of a point from the segment between two others.
+pub(super) fn distance_to_segment(point: Point, [a, b]: [Point; 2]) -> f64 {
+    let along = difference(b, a);
+    let squared = dot(along, along);
+    let part = match squared > 0.0 {
+        true => (dot(difference(point, a), along) / squared).clamp(0.0, 1.0),
+        false => 0.0,
+    };
+    distance(point, onward(a, part, along))
+}
+
 /// The unit vector at an angle.
 pub(super) fn heading(angle: f64) -> Point {
     let (sine, cosine) = angle.sin_cos();

@@ -100,6 +100,8 @@ pub(super) struct Carried {
     pub place: Place,
     /// The points it carries, in its frame.
     pub points: Vec<Point>,
+    /// Their names.
+    pub names: Vec<String>,
     /// True for an angle without a body: a pointer from the first point to the second.
     pub is_dial: bool,
 }
@@ -136,6 +138,17 @@ pub(super) struct Scene {
 impl Scene {
     /// Scene of a pose; lengths of guides follow from the other poses as well.
     pub fn new(pool: &Pool, system: &System, shown: &Pose, others: &[Pose]) -> Scene {
+        Scene::with_curves(pool, system, shown, others, None)
+    }
+
+    /// Scene whose curves lie within `deviation` (m) of their chords, if there is one.
+    pub fn with_curves(
+        pool: &Pool,
+        system: &System,
+        shown: &Pose,
+        others: &[Pose],
+        deviation: Option<f64>,
+    ) -> Scene {
         let mechanism = &system.mechanism;
         let mut graph = pool.graph.clone();
         let mut numbers = Numbers::default();
@@ -163,6 +176,7 @@ impl Scene {
             };
             let zero = graph.zero();
             let number = numbers.one(match feature {
+                Feature::Link => operands.value.unwrap_or(zero),
                 Feature::Slot(number)
                 | Feature::Wheels(_, number)
                 | Feature::Pinion(number)
@@ -220,6 +234,7 @@ impl Scene {
                             curve.parameter,
                             [from, to],
                             &shown.values,
+                            deviation,
                         ),
                         is_closed: false,
                     }
@@ -247,6 +262,7 @@ impl Scene {
                     name: body.name.clone(),
                     place: place_in(value, *place),
                     points: points.iter().map(|&point| both(point)).collect(),
+                    names: body.marks.iter().map(|it| it.name.clone()).collect(),
                     is_dial: false,
                 })
                 .collect(),

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::draft::drafted;
-use super::lettering::{lettering, names_text};
+use super::lettering::{lettering, names_text, placed_names};
 use super::naming::SIZE;
 use super::picture::{Options, fitted, opening};
 use super::plane::{Bounds, Point};
@@ -71,7 +71,11 @@ pub fn sheet(pool: &Pool, system: &System, panels: &[Panel]) -> String {
     let rows = panels.len().div_ceil(columns);
     let size: Point = [width * columns as f64, height * rows as f64];
     let mut text = opening(size, &format!("assemblies of {}", system.mechanism.title()));
-    let _ = writeln!(text, "<style>\n{}</style>", style(Themes::System));
+    let _ = writeln!(
+        text,
+        "<style>\n{}</style>",
+        style(Themes::System, &drafted(first, scale).0)
+    );
     let _ = writeln!(
         text,
         "<rect class=\"paper\" width=\"{}\" height=\"{}\"/>",
@@ -112,7 +116,8 @@ pub fn sheet(pool: &Pool, system: &System, panels: &[Panel]) -> String {
                 low: [low[0] + 3.0, low[1] + 3.0],
                 high: [low[0] + width - 3.0, low[1] + height - TITLE],
             };
-            let names = lettering(scene, &figure, unit, &area, &Options::default());
+            let names = placed_names(scene, &figure, unit, &area, &Options::default());
+            let names = lettering(scene, &figure, &names);
             text += &names_text(&names, [&figure, &figure], Written::Picture);
         }
         text.push_str("</g>\n");

@@ -1,6 +1,6 @@
 //! Styles of outlines: lines in pixels, light and dark.
 
-use super::figure::Look;
+use super::figure::{Figure, Look};
 
 /// Class of a style in the file.
 pub(super) fn class(look: Look) -> &'static str {
@@ -11,6 +11,7 @@ pub(super) fn class(look: Look) -> &'static str {
         Look::Edge => "edge",
         Look::Face => "face",
         Look::Thought => "thought",
+        Look::Mark => "mark",
         Look::Massless => "massless",
         Look::Hatch => "hatch",
         Look::Drive => "drive",
@@ -44,20 +45,40 @@ pub enum Themes {
     Rustdoc,
 }
 
-/// The style sheet.
-pub(super) fn sheet(themes: Themes) -> String {
+/// Rules of dimensions on light and on dark paper.
+const DIMENSIONS: [&str; 2] = [
+    "\
+.linkwright path.dimension { stroke: #0e7490; stroke-width: 0.9; }
+.linkwright path.mark { stroke-width: 0.8; }
+.linkwright .dimension-head { fill: #0e7490; stroke: none; }
+.linkwright .dimension-text { fill: #0e7490; font-size: 11px; }
+",
+    "\
+.linkwright path.dimension { stroke: #67e8f9; }
+.linkwright .dimension-head, .linkwright .dimension-text { fill: #67e8f9; }
+",
+];
+
+/// The style sheet of a figure.
+pub(super) fn sheet(themes: Themes, figure: &Figure) -> String {
+    let [light, dark] = match figure.dimensions.is_empty() {
+        true => [""; 2],
+        false => DIMENSIONS,
+    };
+    let dark = &format!("{DARK}{dark}");
     let mut text = String::from(LIGHT);
     for (tint, color) in TINT.iter().enumerate() {
         text += &format!(".linkwright .tint-{tint} .body {{ fill: {color}; }}\n");
         text += &format!(".linkwright .tint-{tint} .tag {{ fill: {color}; stroke: {color}; }}\n");
     }
+    text += light;
     match themes {
         Themes::System => {
-            text += &format!("@media (prefers-color-scheme: dark) {{\n{DARK}}}\n");
+            text += &format!("@media (prefers-color-scheme: dark) {{\n{dark}}}\n");
         }
         Themes::Rustdoc => {
             // A condition without weight, so that the rules stand in the same order of precedence.
-            text += &DARK.replace(".linkwright", &format!("{DARK_THEMES} .linkwright"));
+            text += &dark.replace(".linkwright", &format!("{DARK_THEMES} .linkwright"));
             text += BACKGROUND;
         }
     }

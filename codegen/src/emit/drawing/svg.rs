@@ -282,7 +282,7 @@ fn elements(text: &mut String, part: &Part) {
                     text,
                     "<path class=\"{}\" d=\"{}\"/>",
                     class(look),
-                    closed(outline)
+                    path_data(outline)
                 );
             }
         }
@@ -302,7 +302,8 @@ fn path(points: &[Point], is_closed: bool) -> String {
     text
 }
 
-fn closed(outline: &Outline) -> String {
+/// Path of an outline as SVG writes it.
+pub(super) fn path_data(outline: &Outline) -> String {
     match outline {
         Outline::Closed(points) => path(points, true),
         Outline::Ring(center, inner, outer) => {

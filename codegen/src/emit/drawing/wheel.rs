@@ -106,6 +106,7 @@ impl Draft<'_> {
         let At { body, local } = center;
         let pitch = Outline::Circle(local, radius);
         if rim != Rim::Solid {
+            self.figure.add_diameter(center, radius);
             group.add(Layer::Upon, Frame::Body(body), Look::Thought, pitch.clone());
         }
         let width = 7.0 * self.unit;
