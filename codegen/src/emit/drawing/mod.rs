@@ -1,4 +1,4 @@
-//! Draws the mechanism in given poses as an SVG.
+//! Draws the mechanism in given poses as an SVG or a DXF.
 //!
 //! A mechanism is drawn as a mechanical engineer draws it: supports and guides of the ground are hatched, links are
 //! rounded shapes around the points of their bodies, cylinders have a barrel and a rod, gears are their pitch
@@ -31,6 +31,7 @@ mod dimension;
 mod dimension_svg;
 mod dimensioning;
 mod draft;
+mod dxf;
 mod extras;
 mod figure;
 mod guide;
@@ -50,6 +51,7 @@ mod obstacles;
 mod picture;
 mod pin;
 mod plane;
+mod plate;
 mod pose;
 mod scale_bar;
 mod sheet;
@@ -59,12 +61,14 @@ mod svg;
 mod wheel;
 
 pub use animation::Animation;
+pub use dxf::Undrawable;
 pub use extras::{Gap, Traced};
 pub use letters::width;
 pub use loads::ActingLoads;
 pub use motions::{Moving, moving};
 pub use picture::{Options, draw};
 pub use plane::Point;
+pub use plate::dxf;
 pub use pose::Pose;
 pub use sheet::{Panel, sheet};
 pub use style::Themes;
