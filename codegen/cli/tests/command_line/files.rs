@@ -234,8 +234,8 @@ fn a_file_is_named_as_what_it_is() {
     let folder = Folder::new("files_extensions", EXAM);
     for (command, words) in [
         (
-            "draw a.mech --out a.dxf",
-            "pictures cannot be written as `.dxf`",
+            "draw a.mech --out a.dwg",
+            "pictures cannot be written as `.dwg`",
         ),
         (
             "draw a.mech --out a.b.pdf",

@@ -15,6 +15,7 @@ mod compare;
 mod derivatives;
 mod draw;
 mod draw_loads;
+mod draw_workshop;
 mod file_owners;
 mod files;
 #[cfg(unix)]

@@ -75,7 +75,7 @@ pub enum Command {
     Simulate(Simulate),
     /// Solve the motion for many sets of parameters and inputs
     Sweep(Sweep),
-    /// Draw the mechanism as an SVG or a PNG, or its motion as an SVG or a GIF
+    /// Draw the mechanism as an SVG, a PNG or a DXF, or its motion as an SVG or a GIF
     Draw(Draw),
     /// Make a page that moves the mechanism and shows its equations
     View(View),
@@ -108,6 +108,9 @@ pub enum Command {
 ///
 /// The pose is solved by the blocks of a generated module. A mechanism whose equations do not determine its motion is
 /// drawn with `--initial-estimate`, in the estimates of its description.
+///
+/// A DXF is in mm and at full scale. It has the distances between the points of each link as dimensions, and layers for
+/// the ground, each body, pins, center lines, dimensions and names.
 #[derive(Args, Debug)]
 #[command(after_help = DRAW_EXAMPLES)]
 pub struct Draw {
@@ -117,8 +120,8 @@ pub struct Draw {
     /// Units of the report.
     #[command(flatten)]
     pub reported_in: ReportedIn,
-    /// File of the picture, `.svg` or `.png`, with `--animate` `.svg` or `.gif`; `-` is stdout [default: NAME.svg, with
-    /// `--animate` NAME_animated.svg]
+    /// File of the picture, `.svg`, `.png` or `.dxf`, with `--animate` `.svg` or `.gif`; `-` is stdout [default: NAME.svg,
+    /// with `--links` NAME_links.svg, with `--animate` NAME_animated.svg]
     #[arg(short, long, value_name = "FILE")]
     pub out: Option<PathBuf>,
     /// Write a PNG under any file name [default file: NAME.png]
@@ -127,6 +130,12 @@ pub struct Draw {
     /// Draw the motion from T0 to T1, in real time and repeated: an `.svg` that moves in a browser, or a `.gif`
     #[arg(long, conflicts_with_all = ["at", "initial_estimate", "png"])]
     pub animate: bool,
+    /// Show the distances between the points of each link; a DXF always does
+    #[arg(long, conflicts_with = "animate")]
+    pub dimensions: bool,
+    /// Draw each link alone, with the distances between its points
+    #[arg(long, conflicts_with_all = ["animate", "paths", "frame", "size"])]
+    pub links: bool,
     /// Instant to draw, in s, followed from T0 by steps of H [default: T0]
     #[arg(long, value_name = "T", value_parser = time, allow_hyphen_values = true)]
     pub at: Option<f64>,
@@ -166,6 +175,8 @@ Examples:
   linkwright draw mechanisms/two_body.mech --at 0.3 --frame 2       with the axes of a body's frame
   linkwright draw mechanisms/four_bar.mech --branch phi_coupler_phi_rocker=other --out other.svg
   linkwright draw mechanisms/disc_cam.mech --out cam.png --size 1200x900
+  linkwright draw mechanisms/four_bar.mech --out four_bar.dxf       in mm, with dimensions, for a drawing program
+  linkwright draw mechanisms/four_bar.mech --links                  four_bar_links.svg, each link with its distances
   linkwright draw mechanisms/four_bar.mech --animate --to 2         four_bar_animated.svg, which moves in a browser
   linkwright draw mechanisms/four_bar.mech --animate --to 2 --out four_bar.gif
 

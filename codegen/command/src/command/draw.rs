@@ -1,10 +1,10 @@
-//! Draws a mechanism at an instant, as an SVG or a PNG.
+//! Draws a mechanism at an instant, as an SVG, a PNG or a DXF.
 
 use std::io;
 use std::path::{Path, PathBuf};
 
 use linkwright_codegen::diagnostic::{Source, nearest};
-use linkwright_codegen::stages::emit::drawing::{self, Options, Pose, Traced};
+use linkwright_codegen::stages::emit::drawing::{self, Options, Pose, Traced, Undrawable};
 use linkwright_codegen::stages::system::{Derived, System};
 use linkwright_solver::drawn::pose;
 use linkwright_solver::opened::{Unopened, names};
@@ -13,11 +13,12 @@ use linkwright_solver::{Instant, Interpreted, Schedule};
 use super::description::{
     chosen, determined, interpreted, motions, outputs, set_all, source, unopened,
 };
-use super::picture_format::PictureFormat;
+use super::picture_format::{PictureFormat, Printer};
 use super::{Outcome, Problem, print, say};
 use crate::arguments::Draw;
 use crate::progress::Progress;
 use crate::report::drawing::{tick_steps, traced};
+use crate::report::dxf::signed;
 use linkwright_page::motion::{self, Followed, Shown, Sink, Wanted};
 
 /// Largest number of poses for which a drawing has room, besides the displayed one.
@@ -52,7 +53,7 @@ pub fn run(arguments: &Draw) -> Result<Outcome, Problem> {
         size: arguments.size,
         frames: frames(&derived.system, &arguments.frame)?,
         caption: derived.system.mechanism.title(),
-        is_moving: false,
+        has_dimensions: arguments.dimensions,
         ..Options::default()
     };
     let path = path(arguments, &derived.system);
@@ -88,16 +89,17 @@ pub fn run(arguments: &Draw) -> Result<Outcome, Problem> {
             motion::named_point(&derived.system)
         ));
     }
-    options.caption += &solved.caption;
-    let svg = drawing::draw(
-        &derived.pool,
-        &derived.system,
-        &shown,
-        &solved.others,
-        &solved.paths,
-        &options,
-    );
-    let bytes = (format.encode)(&svg, arguments.size.is_some())?;
+    match arguments.links {
+        true => options.caption = format!("links of {}", options.caption),
+        false => options.caption += &solved.caption,
+    }
+    let bytes = match format.printer {
+        Printer::Picture(encode) => {
+            let svg = svg(arguments, &derived, &shown, &solved, &options)?;
+            encode(&svg, arguments.size.is_some())?
+        }
+        Printer::Dxf => dxf(arguments, &derived, &shown, &solved, &options)?.into_bytes(),
+    };
     match output {
         None => print(|output| output.write_all(&bytes))?,
         Some(output) => {
@@ -109,6 +111,58 @@ pub fn run(arguments: &Draw) -> Result<Outcome, Problem> {
         None => Outcome::Done,
         Some(_) => Outcome::Failed,
     })
+}
+
+fn svg(
+    arguments: &Draw,
+    derived: &Derived,
+    shown: &Pose,
+    solved: &Solved,
+    options: &Options,
+) -> Result<String, Problem> {
+    let Derived { pool, system } = derived;
+    match arguments.links {
+        true => drawing::links(pool, system, shown, options).ok_or_else(|| linkless(system)),
+        false => {
+            let (others, paths) = (&solved.others, &solved.paths);
+            Ok(drawing::draw(pool, system, shown, others, paths, options))
+        }
+    }
+}
+
+fn dxf(
+    arguments: &Draw,
+    derived: &Derived,
+    shown: &Pose,
+    solved: &Solved,
+    options: &Options,
+) -> Result<String, Problem> {
+    let Derived { pool, system } = derived;
+    let undrawable = |reason: Undrawable| {
+        Problem(format!(
+            "error: cannot draw `{}` as a DXF: {reason}\n  = help: check the units and the exponents of the description",
+            system.mechanism.title()
+        ))
+    };
+    let drawing = match arguments.links {
+        true => drawing::links_dxf(pool, system, shown, options)
+            .map_err(undrawable)?
+            .ok_or_else(|| linkless(system))?,
+        false => {
+            let (others, paths) = (&solved.others, &solved.paths);
+            drawing::dxf(pool, system, shown, others, paths, options).map_err(undrawable)?
+        }
+    };
+    Ok(signed(&drawing))
+}
+
+/// Returns the error of `--links` for a mechanism without links.
+fn linkless(system: &System) -> Problem {
+    Problem(format!(
+        "error: `{}` has no links to draw: none of its bodies has a point\n  = help: {}",
+        system.mechanism.title(),
+        motion::named_point(system)
+    ))
 }
 
 /// Contents of a drawing.
@@ -272,8 +326,12 @@ pub(super) fn path(arguments: &Draw, system: &System) -> PathBuf {
     let mechanism = &system.mechanism;
     let motion = mechanism.motion.as_ref();
     let motion = motion.map_or(String::new(), |motion| format!("_{}", motion.name));
-    // An animation does not replace a picture.
-    let moving = if arguments.animate { "_animated" } else { "" };
+    // An animation or a sheet of links does not replace a picture.
+    let moving = match (arguments.animate, arguments.links) {
+        (true, _) => "_animated",
+        (false, true) => "_links",
+        (false, false) => "",
+    };
     let ending = if arguments.png { "png" } else { "svg" };
     PathBuf::from(format!("{}{motion}{moving}.{ending}", mechanism.name))
 }

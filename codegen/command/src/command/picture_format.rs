@@ -1,4 +1,4 @@
-//! Chooses the file format of a drawing: SVG, or PNG in builds with the feature `png`.
+//! Chooses the file format of a drawing: SVG, DXF, or PNG in builds with the feature `png`.
 
 use std::path::Path;
 
@@ -12,8 +12,17 @@ use crate::report::picture;
 pub struct PictureFormat {
     /// Signature of such a file.
     pub signature: Signature,
+    /// Printer of such a file.
+    pub printer: Printer,
+}
+
+/// Printer of a drawing.
+#[derive(Clone, Copy, Debug)]
+pub enum Printer {
     /// Encodes the text of an SVG. The flag is true if the arguments name a size, which becomes that of the file.
-    pub encode: fn(&str, bool) -> Result<Vec<u8>, Problem>,
+    Picture(fn(&str, bool) -> Result<Vec<u8>, Problem>),
+    /// Writes a DXF.
+    Dxf,
 }
 
 impl PictureFormat {
@@ -33,6 +42,10 @@ impl PictureFormat {
             ),
         };
         match (named, arguments.png) {
+            (Some(("dxf", _)), false) if arguments.size.is_some() => Err(Problem(format!(
+                "error: cannot write `{}`: `--size` is in pixels, and a DXF is at full scale\n  = help: leave out `--size`",
+                path.unwrap_or(Path::new("")).display()
+            ))),
             (Some(("png", _)) | None, true) => png(),
             (Some((name, _)), true) => Err(Problem(format!(
                 "error: cannot write `{}`: `--png` draws a PNG, and the file is named `.{name}`\n  = help: leave out `--png`, or name a file that ends in `.png`",
@@ -48,7 +61,7 @@ impl PictureFormat {
 type Available = fn() -> Result<PictureFormat, Problem>;
 
 /// File formats of drawings by the extensions of their files.
-const FORMATS: [(&str, Available); 2] = [("svg", svg), ("png", png)];
+const FORMATS: [(&str, Available); 3] = [("svg", svg), ("png", png), ("dxf", dxf)];
 
 /// Returns the error of a file whose extension belongs to no format.
 fn unknown(path: Option<&Path>, extension: &str) -> Problem {
@@ -57,9 +70,9 @@ fn unknown(path: Option<&Path>, extension: &str) -> Problem {
         .map(|(name, _)| format!("`.{name}`"))
         .collect();
     Problem(format!(
-        "error: cannot write `{}`: pictures cannot be written as {extension}\n  = help: name a file that ends in {}",
+        "error: cannot write `{}`: pictures cannot be written as {extension}\n  = help: name a file with one of the endings {}",
         path.unwrap_or(Path::new("")).display(),
-        names.join(" or ")
+        names.join(", ")
     ))
 }
 
@@ -69,19 +82,26 @@ fn svg() -> Result<PictureFormat, Problem> {
 
 const SVG: PictureFormat = PictureFormat {
     signature: picture::SIGNATURE,
-    encode: |svg, _| Ok(picture::signed(svg).into_bytes()),
+    printer: Printer::Picture(|svg, _| Ok(picture::signed(svg).into_bytes())),
 };
+
+fn dxf() -> Result<PictureFormat, Problem> {
+    Ok(PictureFormat {
+        signature: crate::report::dxf::SIGNATURE,
+        printer: Printer::Dxf,
+    })
+}
 
 #[cfg(feature = "png")]
 fn png() -> Result<PictureFormat, Problem> {
     use crate::report::raster;
     Ok(PictureFormat {
         signature: raster::SIGNATURE,
-        encode: |svg, has_size| {
+        printer: Printer::Picture(|svg, has_size| {
             let factor = if has_size { 1.0 } else { raster::FINE };
             raster::raster(svg, factor)
                 .map_err(|text| Problem(format!("error: cannot make a PNG: {text}")))
-        },
+        }),
     })
 }
 

@@ -9,6 +9,7 @@ pub mod comparison;
 pub mod comparison_json;
 pub mod comparison_plot;
 pub mod drawing;
+pub mod dxf;
 pub mod effort;
 pub mod first_step;
 pub mod frame_table;
