@@ -17,6 +17,7 @@ mod plans;
 mod singular_words;
 mod snapshots;
 mod words_of_modules;
+mod workshop;
 
 /// Compares a text with the snapshot `tests/snapshots/<folder>/<name>.snap`.
 fn assert_snapshot(folder: &str, name: &str, text: &str) {
