@@ -129,7 +129,7 @@ pub fn write(check: &Check, output: &mut dyn Write) -> io::Result<()> {
 }
 
 /// Returns a value with its unit and its time.
-fn text(it: TimedValue, unit: &OutputUnit) -> String {
+pub(crate) fn text(it: TimedValue, unit: &OutputUnit) -> String {
     let value = unit.rounded(it.value, DIGITS);
     let space = if unit.name.is_empty() { "" } else { " " };
     format!("{value}{space}{} at t = {} s", unit.name, time(it.t))

@@ -128,6 +128,44 @@ fn forces_of_a_press_are_those_of_statics() {
 }
 
 #[test]
+fn springs_and_dampers_are_measured_as_they_act() {
+    let derived = description::system("measured_press");
+    let view = Interpreted::new(&derived).expect("a motion");
+    let names = [
+        "spring_length",
+        "spring_pull",
+        "spring_work",
+        "drag",
+        "winding",
+        "slant",
+        "approach",
+    ];
+    let measures = names.map(|name| Observable::named(&derived, name).expect("a measure"));
+    let mut worst = 0.0_f64;
+    followed(&view, &times(), |view, instant| {
+        let values = Observable::values(view, &measures, instant);
+        let [length, pull, work, drag, winding, slant, approach] = values[..] else {
+            panic!("seven values");
+        };
+        // The cylinder moves the ram as its law says, and the tool is 20 mm beyond the pin of the spring.
+        let driven = 0.1 + 0.02 * (4.0 * instant.t() + 0.3).cos();
+        let longer = driven - 0.09;
+        let expected = [
+            (length, driven),
+            (pull, 400.0 * longer),
+            (work, 200.0 * longer * longer),
+            (drag, 3.0 * approach),
+            (winding, 0.2 * (slant + 50_f64.to_radians()) + 0.1),
+        ];
+        for (value, expected) in expected {
+            worst = worst.max((value - expected).abs());
+        }
+    });
+    println!("springs and dampers: {worst:e}");
+    assert!(worst < 1e-14, "{worst:e}");
+}
+
+#[test]
 fn rates_of_measures_are_their_changes_in_time() {
     let derived = description::system("measured_press");
     let view = Interpreted::new(&derived).expect("a motion");

@@ -14,7 +14,7 @@
 //! | `measures` | names of the `measure` statements, each with its unit, if any |
 //! | `frames` | `{t, q, qd, qdd, points: {NAME: {position, velocity, acceleration}}}` each; pairs are (x, y); and `derivatives`, `forces` and `measures`, null where Φ_q is singular |
 //! | `residuals` | the largest over all frames, in SI units: `position`, `scaled`, `velocity`, `acceleration`, and `monitored` if equations are redundant |
-//! | `extremes` | of measures: `{measure, smallest: {value, t}, largest: {value, t}}` each, over all frames |
+//! | `extremes` | of measures: `{measure, smallest: {value, t}, largest: {value, t}, rms}` each, over all frames |
 //! | `pressure_angles` | of bodies that touch along curves: `{joint, angle, t}` each, the largest angle, in rad or the requested unit, and its time; null at rest |
 //! | `newton_steps` | total number of Newton-Raphson steps |
 //! | `simulation` | of a simulated motion: `evaluations`, `steps`, `implicit_steps` among them, `rejected`, `energy_drift` in J, and `kinetic_energy`, the largest |
@@ -82,6 +82,7 @@ struct Extremes<'a> {
     measure: &'a str,
     smallest: Extreme,
     largest: Extreme,
+    rms: f64,
 }
 
 #[derive(Serialize)]
@@ -269,18 +270,21 @@ impl<'a> Object<'a> {
         let angles = angles.map(|it| Pressure::new(it, &unit));
         let first = motion.force_count();
         let measures = motion.reported_names.iter().zip(&motion.extremes);
-        let measures = measures.zip(&self.units.reported).skip(first);
-        let extremes = measures.map(|(((name, _), [low, high]), unit)| {
-            let [smallest, largest] = [low, high].map(|&(value, t)| Extreme {
-                value: unit.of_si(value),
-                t,
+        let measures = measures.zip(&motion.squares).zip(&self.units.reported);
+        let extremes = measures
+            .skip(first)
+            .map(|((((name, _), [low, high]), square), unit)| {
+                let [smallest, largest] = [low, high].map(|&(value, t)| Extreme {
+                    value: unit.of_si(value),
+                    t,
+                });
+                Extremes {
+                    measure: name,
+                    smallest,
+                    largest,
+                    rms: unit.of_si(square.root()),
+                }
             });
-            Extremes {
-                measure: name,
-                smallest,
-                largest,
-            }
-        });
         let tail = serde_json::to_string(&Tail {
             extremes: extremes.collect(),
             residuals: Largest {

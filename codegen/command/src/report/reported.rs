@@ -50,7 +50,7 @@ pub fn write<V: View>(
         writeln!(output, "\nmeasures")?;
     }
     let measures = motion.reported_names.iter().zip(&motion.extremes);
-    for ((name, si), extremes) in measures.skip(forces) {
+    for (((name, si), extremes), square) in measures.zip(&motion.squares).skip(forces) {
         let unit = units.of(si);
         let [low, high] = extremes.map(|(value, t)| {
             let value = short(unit.of_si(value));
@@ -60,7 +60,13 @@ pub fn write<V: View>(
             };
             format!("{value}{unit} at t = {} s", time(t))
         });
-        writeln!(output, "  {name:width$}  from {low} to {high}")?;
+        let rms = short(unit.of_si(square.root()));
+        let space = if unit.name.is_empty() { "" } else { " " };
+        let unit = &unit.name;
+        writeln!(
+            output,
+            "  {name:width$}  from {low} to {high}, rms {rms}{space}{unit}"
+        )?;
     }
     Ok(())
 }

@@ -6,6 +6,7 @@ use std::collections::HashMap;
 
 use super::curve::DrawnCurve;
 use super::expression::Value;
+use super::measured_element::MeasuredElement;
 use super::namespace::Namespace;
 use super::parameters::Fields;
 use super::{Input, Limit, Measurement, Parameter, Table};
@@ -49,6 +50,8 @@ pub(super) struct Declared<'a> {
     pub equations: Namespace<()>,
     /// Names of springs and dampers.
     pub elements: Namespace<()>,
+    /// Named springs and dampers without an error, for measures; never iterated.
+    pub measured_elements: HashMap<String, MeasuredElement>,
     /// Measures, as indices into `measurements`; `None` for a statement with an error.
     pub measures: Namespace<Option<usize>>,
     pub measurements: Vec<Measurement>,
@@ -78,6 +81,7 @@ impl Declared<'_> {
             drivers: Namespace::new("driver"),
             equations: Namespace::new("equation"),
             elements: Namespace::new("spring or damper"),
+            measured_elements: HashMap::new(),
             measures: Namespace::new("measure"),
             measurements: Vec::new(),
             limits: Vec::new(),

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::dimension::Dimension;
 use super::loads::written_reference;
+use super::measured_element::MeasuredElement;
 use super::resolve::Resolver;
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::ExprId;
@@ -71,6 +72,16 @@ impl Resolver<'_> {
         let rests_at_zero = is_spring && [free, preload] == [zero; 2];
         if !turns && !rests_at_zero && !self.ends_apart(marks, word, written.span) {
             return;
+        }
+        if let Some(name) = &written.name {
+            let element = MeasuredElement {
+                ends: marks,
+                turns,
+                coefficient: value,
+                rest: (written.kind == ElementKind::Spring).then_some([free, preload]),
+            };
+            let elements = &mut self.declared.measured_elements;
+            elements.entry(name.text.clone()).or_insert(element);
         }
         let element: Arc<dyn Element> = match (written.kind, turns) {
             (ElementKind::Spring, false) => Arc::new(Spring {

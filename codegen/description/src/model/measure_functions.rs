@@ -22,6 +22,9 @@ pub const MEASURE_FUNCTIONS: &[&str] = &[
     "moment",
     "effort",
     "power",
+    "length",
+    "tension",
+    "energy",
 ];
 
 /// Functions whose value is a vector.
@@ -62,6 +65,7 @@ impl Resolver<'_> {
             "relative_angle" => self.angle_between(function, arguments),
             "moment" => self.moment_of_reaction(argument),
             "effort" | "power" => self.effort_of(function, argument),
+            "length" | "tension" | "energy" => self.quantity_of_element(function, argument),
             _ => {
                 self.report_vector(function, span);
                 None
@@ -272,7 +276,7 @@ impl Resolver<'_> {
     }
 
     /// Returns the name in an argument; `None` after an error.
-    fn name_in_measure(&mut self, argument: &Expression, sort: &str) -> Option<Name> {
+    pub(super) fn name_in_measure(&mut self, argument: &Expression, sort: &str) -> Option<Name> {
         if let ExpressionKind::Reference(reference) = &argument.kind
             && reference.body.is_none()
         {
@@ -305,6 +309,9 @@ impl Resolver<'_> {
             "relative_angle" => "write `relative_angle(a, b)` with the names of two bodies",
             "rate" => "write `rate(…)` with one formula, such as `rate(phi(1))`",
             "effort" | "power" => "write the name of a driver: `effort(crank)`",
+            "length" | "tension" | "energy" => {
+                "write the name of a spring or damper: `tension(main)`"
+            }
             "reaction" | "moment" => "write the name of a joint: `reaction(P)`",
             "magnitude" | "x" | "y" => "write `magnitude(velocity(K))` with one vector",
             _ => "write the name of a point: `speed(K)`",

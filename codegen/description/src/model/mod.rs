@@ -34,6 +34,7 @@ mod loads;
 mod marks;
 mod measure;
 mod measure_functions;
+mod measured_element;
 mod measurement;
 mod mention;
 mod motions;

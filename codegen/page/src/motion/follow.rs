@@ -3,13 +3,15 @@
 use std::io;
 
 use linkwright::PointMotion;
-use linkwright_codegen::stages::model::value_text;
 use linkwright_solver::approach::Watch;
+use linkwright_solver::measure_watch::TimedValue;
 use linkwright_solver::measures::Measures;
 use linkwright_solver::not_finite::load;
 use linkwright_solver::number::time;
 use linkwright_solver::warnings::warnings;
 use linkwright_solver::{Instant, Movable, Schedule, View, follow};
+
+use crate::measured;
 
 use super::{EarlyEnd, Followed, Row, Shown, Sink, of_coordinate};
 
@@ -131,9 +133,13 @@ impl<V: View> Followed<V> {
                 return None;
             }
             let measurement = &mechanism.measurements[limit.measurement];
-            let (value, t) = (value_text(worst.0, limit.dimension, &units), time(worst.1));
+            let worst = TimedValue {
+                t: worst.1,
+                value: worst.0,
+            };
+            let worst = measured::text(worst, &units.of(&measurement.unit()));
             Some(format!(
-                "{} is {value} at t = {t} s, beyond its limit: {}",
+                "{} is {worst}, beyond its limit: {}",
                 measurement.name,
                 limit.text(&units)
             ))
@@ -186,6 +192,8 @@ impl<V: View> Followed<V> {
                 *high = (value, instant.t());
             }
         }
+        let squares = self.squares.iter_mut().zip(reported.iter().flatten());
+        squares.for_each(|(square, &value)| square.add(instant.t(), value));
         let pressures = self.reported_names.iter().zip(reported.iter().flatten());
         for (pulls, ((name, _), force)) in self.pulls.iter_mut().zip(pressures) {
             if name.ends_with("_pressure") && *force < 0.0 {

@@ -12,7 +12,7 @@ use linkwright_solver::{Instant, Modes, Movable, Moved, Numbers, Stop, View};
 use nalgebra::DVector;
 use serde::Serialize;
 
-use super::{Course, Rows, Simulated, Wanted};
+use super::{Course, MeanSquare, Rows, Simulated, Wanted};
 
 /// Failure that ends a motion early, as tables and JSON name it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -79,6 +79,8 @@ pub struct Followed<V: View> {
     pub largest_reported: Vec<(f64, f64)>,
     /// Smallest and largest value of each of them, each with its time (s).
     pub extremes: Vec<[(f64, f64); 2]>,
+    /// Root mean squares of them over time.
+    pub squares: Vec<MeanSquare>,
     /// First time (s) at which bodies that press on one another would have to pull, by index of the force; `None` if there is none.
     pub pulls: Vec<Option<f64>>,
     /// Names of the measures; empty unless they are requested.
@@ -152,6 +154,7 @@ impl<V: View> Followed<V> {
             derivative_names: linkwright_solver::derivatives::names(system),
             largest_reported: vec![(0.0, start); reported_names.len()],
             extremes: vec![NO_EXTREMES; reported_names.len()],
+            squares: vec![MeanSquare::default(); reported_names.len()],
             pulls: vec![None; reported_names.len()],
             reported_names,
             measure_names: monitored.map(name).collect(),
@@ -193,6 +196,7 @@ impl<V: View> Followed<V> {
             reported_names: self.reported_names,
             largest_reported: self.largest_reported,
             extremes: self.extremes,
+            squares: self.squares,
             pulls: self.pulls,
             measure_names: self.measure_names,
             smallest_measure: self.smallest_measure,

@@ -46,7 +46,7 @@ class Chart {
 
   point(event) {
     const area = this.svg.getBoundingClientRect();
-    const part = (((event.clientX - area.left) / area.width) * this.width - LEFT) / (this.width - LEFT - RIGHT);
+    const part = (((event.clientX - area.left) / area.width) * this.width - LEFT) / (this.width - LEFT - this.right);
     this.seek(Math.min(1, Math.max(0, part)));
   }
 
@@ -68,7 +68,10 @@ class Chart {
     if (this.kind === "determinants") [low, high] = [Math.min(0, low), Math.max(1, high)];
     if (high - low < 1e-6 * Math.max(1e-3 * scale, Math.abs(high))) [low, high] = [low - 1e-3 * scale, high + 1e-3 * scale];
     const [first, last] = [samples.times[0], samples.times.at(-1)];
-    const x = (time) => LEFT + ((time - first) / (last - first)) * (width - LEFT - RIGHT);
+    // Names beside the curves are as long as their description has them.
+    const longest = Math.max(...curves.map((it) => it.letter.length + 0.8 * it.index.length));
+    this.right = Math.min(Math.max(RIGHT, 12 + 7.5 * longest), 0.3 * width);
+    const x = (time) => LEFT + ((time - first) / (last - first)) * (width - LEFT - this.right);
     const y = (value) => TOP + (1 - (value - low) / (high - low)) * height;
     Object.assign(this, { x, y });
     const about = curves.map((curve, place) => `${curve.letter}${curve.index} from ${text(ranges[place][0])} to ${text(ranges[place][1])}`);
@@ -119,7 +122,7 @@ class Chart {
 
   /// Lines and numbers of times, which are those of all motions of a range.
   verticals(first, last) {
-    const frame = `${first} ${last} ${this.width}`;
+    const frame = `${first} ${last} ${this.width} ${this.right}`;
     if (frame === this.frame) return;
     this.frame = frame;
     const [grid] = this.grids;
@@ -138,7 +141,7 @@ class Chart {
     grid.replaceChildren();
     for (const value of ticks(low, high, 4)) {
       const y = this.y(value);
-      drawn("path", { d: `M${LEFT} ${y}H${this.width - RIGHT}` }, grid);
+      drawn("path", { d: `M${LEFT} ${y}H${this.width - this.right}` }, grid);
       drawn("text", { x: LEFT - 6, y: y + 4, "text-anchor": "end" }, grid).textContent = text(value);
     }
   }
@@ -156,7 +159,7 @@ class Chart {
     for (const end of ends.reverse()) {
       end.at = Math.min(end.at, limit);
       limit = end.at - room;
-      end.label.setAttribute("x", this.width - RIGHT + 6);
+      end.label.setAttribute("x", this.width - this.right + 6);
       end.label.setAttribute("y", hundredths(end.at));
     }
   }

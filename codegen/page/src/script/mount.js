@@ -128,7 +128,7 @@ const mount = (root, first, provider = null) => {
     if (!own) return;
     const requested = data.requested ?? words(part("plots").dataset.requested);
     for (const name of firstChoice(curves, new Samples(motion, own), requested)) shown.add(name);
-    leading = curves.find((it) => shown.has(it.name) && requested.includes(it.is))?.kind ?? curves.find((it) => shown.has(it.name))?.kind;
+    leading = curves.find((it) => shown.has(it.name) && requested.includes(it.is))?.kind ?? curves.find((it) => shown.has(it.name) && it.kind.startsWith("measured"))?.kind ?? curves.find((it) => shown.has(it.name))?.kind;
   };
   let chosen = "";
   const chips = () => {
