@@ -84,6 +84,7 @@ pub fn followed(
         coordinates: Vec::new(),
         monitor: false,
         curves: false,
+        pairs: Vec::new(),
     };
     let modes = match &chosen {
         Some((_, modes)) => modes.clone(),

@@ -203,6 +203,7 @@ fn examined(
         coordinates: Vec::new(),
         monitor: true,
         curves: false,
+        pairs: Vec::new(),
     };
     let mut motion = Followed::new(view.clone(), selection, schedule.start.t, chosen);
     let ended = motion.follow(schedule, &mut [&mut kept], |_| {});

@@ -154,6 +154,7 @@ impl Session {
             coordinates: (0..system.coordinates.len()).collect(),
             monitor: false,
             curves: false,
+            pairs: Vec::new(),
         };
         let (view, schedule) = (&moving.interpreted, &moving.schedule);
         let chosen = moving.chosen.clone().map(|it| it.start);

@@ -84,6 +84,7 @@ pub fn everything<V: View>(view: &V) -> Wanted {
         coordinates: (0..system.coordinates.len()).collect(),
         monitor: system.mechanism.monitor,
         curves: false,
+        pairs: Vec::new(),
     }
 }
 

@@ -45,6 +45,7 @@ mod left_out;
 mod licenses;
 #[cfg(feature = "man")]
 mod man;
+mod measures;
 mod motions;
 mod new;
 mod plan;

@@ -34,6 +34,9 @@ pub struct Reported {
     /// Folder for the plots: an SVG for each moving point and each chosen coordinate, and the paths of the points
     #[arg(long, value_name = "DIR")]
     pub plot: Option<PathBuf>,
+    /// Plot one column of the frames against another, as `X,Y`: `stroke,torque`, `K_x,K_vy`; may be repeated
+    #[arg(long, value_name = "X,Y", value_parser = pair)]
+    pub curve: Vec<[String; 2]>,
     /// Replace files that this command has not written
     #[arg(long)]
     pub force: bool,
@@ -69,4 +72,13 @@ pub enum TurnUnit {
     Rad,
     /// Degrees
     Deg,
+}
+
+/// Reads two names of columns.
+fn pair(text: &str) -> Result<[String; 2], String> {
+    let names: Vec<&str> = text.split(',').map(str::trim).collect();
+    match names[..] {
+        [x, y] if !x.is_empty() && !y.is_empty() => Ok([x.to_string(), y.to_string()]),
+        _ => Err("write two columns, as in `stroke,torque`".to_string()),
+    }
 }

@@ -49,6 +49,7 @@ pub fn run(arguments: &Compare) -> Result<Outcome, Problem> {
         coordinates: Vec::new(),
         monitor: false,
         curves: false,
+        pairs: Vec::new(),
     };
     let mut motion = Followed::new(interpreted, selection, start, chosen);
     let mut progress = Progress::new(schedule.visits());

@@ -230,6 +230,7 @@ pub(super) fn follow(
         coordinates: Vec::new(),
         monitor: false,
         curves: false,
+        pairs: Vec::new(),
     };
     let mut progress = Progress::new(schedule.visits());
     let mut motion = Followed::new(view.clone(), selection, schedule.start.t, start);

@@ -62,6 +62,7 @@ pub fn run(arguments: &Simulate) -> Result<Outcome, Problem> {
         coordinates,
         monitor: false,
         curves: files.has_pictures(),
+        pairs: files.pairs(),
     };
     let view = interpreted(&derived, &source)?;
     let chosen = chosen(&arguments.branch, &view, 0.0)?;

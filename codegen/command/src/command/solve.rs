@@ -61,6 +61,7 @@ pub fn run(arguments: &Solve) -> Result<Outcome, Problem> {
         coordinates,
         monitor: arguments.monitor,
         curves: files.has_pictures(),
+        pairs: files.pairs(),
     };
     match arguments.formulation {
         Formulation::Textbook => {

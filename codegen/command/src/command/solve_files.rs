@@ -5,12 +5,13 @@ use std::path::{Path, PathBuf};
 use linkwright_codegen::stages::pool::Pool;
 use linkwright_codegen::stages::system::System;
 use linkwright_codegen::stages::units::OutputUnits;
-use linkwright_solver::{Schedule, View};
+use linkwright_solver::{Observable, Schedule, View};
 
 use super::{Problem, in_folder};
 use crate::arguments::Reported;
 use crate::output::{Output, Outputs, Refused};
-use crate::report::{frame_table, paths, picture, plot};
+use crate::report::pairs::Pair;
+use crate::report::{frame_table, pairs, paths, picture, plot};
 use linkwright_page::motion::Followed;
 
 /// Help for a file that cannot be written and was not requested.
@@ -24,6 +25,8 @@ pub struct Files {
     coordinates: Vec<Picture>,
     reported: Vec<Picture>,
     paths: Option<Picture>,
+    /// Pairs of quantities with their pictures.
+    pairs: Vec<(Pair, Picture)>,
     folder: PathBuf,
 }
 
@@ -65,10 +68,21 @@ impl Files {
             coordinates: Vec::new(),
             reported: Vec::new(),
             paths: None,
+            pairs: Vec::new(),
             folder: reported.plot.clone().or(default).unwrap_or_default(),
         };
+        let pairs = Pair::of(&reported.curve, pool, system).map_err(Problem)?;
         // A curve has at least two frames.
-        if files.folder == Path::new("") || schedule.wanted() < 2 {
+        if schedule.wanted() < 2 {
+            return Ok(files);
+        }
+        for pair in pairs {
+            let name = pair.stem();
+            let path = in_folder(&files.folder, &format!("{name}.svg"))?;
+            let output = placed(true, outputs.file(&path, picture::SIGNATURE))?;
+            files.pairs.push((pair, Picture { name, output }));
+        }
+        if files.folder == Path::new("") {
             return Ok(files);
         }
         let names = points.iter().map(|&it| system.outputs[it].name.as_str());
@@ -99,7 +113,13 @@ impl Files {
 
     /// True if a picture is drawn.
     pub fn has_pictures(&self) -> bool {
-        !self.points.is_empty() || !self.coordinates.is_empty()
+        !(self.points.is_empty() && self.coordinates.is_empty() && self.pairs.is_empty())
+    }
+
+    /// Returns the pairs of quantities whose pictures are drawn.
+    pub fn pairs(&self) -> Vec<[Observable; 2]> {
+        let pairs = self.pairs.iter();
+        pairs.map(|(pair, _)| pair.observables()).collect()
     }
 
     /// Draws what moves, if there are frames; prints a line about each file.
@@ -125,6 +145,9 @@ impl Files {
         let pictures = pictures.chain(self.coordinates.into_iter().zip(coordinates));
         let pictures = pictures.chain(self.reported.into_iter().zip(reported));
         let pictures = pictures.chain(self.paths.into_iter().zip([paths]));
+        let (pairs, files): (Vec<Pair>, Vec<Picture>) = self.pairs.into_iter().unzip();
+        let drawn = pairs::pictures(&pairs, motion, course, units).map_err(refused)?;
+        let pictures = pictures.chain(files.into_iter().zip(drawn));
         let mut names = Vec::new();
         for (Picture { name, output }, text) in pictures {
             // Quantities at rest have no picture.

@@ -19,6 +19,7 @@ mod hatching;
 pub mod json;
 pub mod measured_data;
 pub mod motion_table;
+pub mod pairs;
 pub mod paths;
 pub mod picture;
 pub mod plot;

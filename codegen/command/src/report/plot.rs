@@ -23,7 +23,7 @@ const SIZE: (u32, u32) = (960, 900);
 pub(super) const UNITS: u32 = 4;
 
 /// Blue and vermillion of the palette of Okabe and Ito, which remain distinct for the color-blind.
-const COLORS: [RGBColor; 2] = [RGBColor(0, 114, 178), RGBColor(213, 94, 0)];
+pub(super) const COLORS: [RGBColor; 2] = [RGBColor(0, 114, 178), RGBColor(213, 94, 0)];
 
 /// A range below this fraction of the values' magnitude is rounding.
 const LEVEL_RANGE: f64 = 1e-9;
@@ -323,7 +323,7 @@ fn legend(
 }
 
 /// Returns the range of the vertical axis: all values with a margin, or the surroundings of a level line.
-fn range(values: impl Iterator<Item = f64>, reference: f64) -> (f64, f64) {
+pub(super) fn range(values: impl Iterator<Item = f64>, reference: f64) -> (f64, f64) {
     let (low, high) = extent(values);
     let center = 0.5 * (low + high);
     let magnitude = low.abs().max(high.abs()).max(reference);

@@ -16,6 +16,8 @@ pub struct Course {
     pub coordinates: Vec<Curve<3>>,
     /// Requested forces and measures.
     pub reported: Vec<Curve<1>>,
+    /// Path of each pair of quantities, in SI units.
+    pub pairs: Vec<Path>,
 }
 
 impl Course {
@@ -26,6 +28,7 @@ impl Course {
             paths: vec![Path::default(); wanted.points.len()],
             coordinates: vec![Curve::default(); wanted.coordinates.len()],
             reported: vec![Curve::default(); reported],
+            pairs: vec![Path::default(); wanted.pairs.len()],
         }
     }
 

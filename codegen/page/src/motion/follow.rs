@@ -9,7 +9,7 @@ use linkwright_solver::measures::Measures;
 use linkwright_solver::not_finite::load;
 use linkwright_solver::number::time;
 use linkwright_solver::warnings::warnings;
-use linkwright_solver::{Instant, Movable, Schedule, View, follow};
+use linkwright_solver::{Instant, Movable, Observable, Schedule, View, follow};
 
 use crate::measured;
 
@@ -205,6 +205,10 @@ impl<V: View> Followed<V> {
             if let Some(course) = &mut self.course {
                 let reported = reported.as_deref().unwrap_or_default();
                 course.push(instant, &motions, &self.wanted.coordinates, reported);
+                for (path, pair) in course.pairs.iter_mut().zip(&self.wanted.pairs) {
+                    let values = Observable::values(&self.view, pair, instant);
+                    path.push([values[0], values[1]]);
+                }
             }
             if !sinks.is_empty() {
                 let is_requested = !self.derivative_names.is_empty();

@@ -29,7 +29,7 @@ pub use simulated::{Listeners, Simulated};
 use std::io;
 
 use linkwright::PointMotion;
-use linkwright_solver::Instant;
+use linkwright_solver::{Instant, Observable};
 
 /// Selection of quantities of a motion.
 #[derive(Clone, Debug)]
@@ -42,6 +42,8 @@ pub struct Wanted {
     pub monitor: bool,
     /// True if the data of pictures are kept.
     pub curves: bool,
+    /// Pairs of quantities, of which pictures show the second against the first.
+    pub pairs: Vec<[Observable; 2]>,
 }
 
 /// One requested instant of a motion.
