@@ -11,6 +11,9 @@ use serde::Serialize;
 /// Digits of a printed value.
 const DIGITS: usize = 9;
 
+/// Units of the printed time of an extreme, per second.
+const TIME_UNITS: f64 = 1e7;
+
 /// Extremes of a measure.
 #[derive(Serialize)]
 pub struct Extremes<'a> {
@@ -118,7 +121,7 @@ pub fn write(check: &Check, output: &mut dyn Write) -> io::Result<()> {
             "broken: `{}` must be {}; it is beyond by up to {beyond}{name}, at t = {} s",
             measurement.name,
             limit.text(&units),
-            time(broken.worst.t)
+            time((broken.worst.t * TIME_UNITS).round() / TIME_UNITS)
         )?;
         for [first, last] in &broken.intervals {
             let [first, last] = [*first, *last].map(time);
@@ -132,5 +135,7 @@ pub fn write(check: &Check, output: &mut dyn Write) -> io::Result<()> {
 pub(crate) fn text(it: TimedValue, unit: &OutputUnit) -> String {
     let value = unit.rounded(it.value, DIGITS);
     let space = if unit.name.is_empty() { "" } else { " " };
-    format!("{value}{space}{} at t = {} s", unit.name, time(it.t))
+    // An extreme is flat: half of the digits of a number determine its time.
+    let t = (it.t * TIME_UNITS).round() / TIME_UNITS;
+    format!("{value}{space}{} at t = {} s", unit.name, time(t))
 }

@@ -330,3 +330,34 @@ fn a_signal_that_leaves_its_range_ends_the_simulation() {
         .len();
     assert_eq!(frames, 3);
 }
+
+/// A mass falls from rest, and reaches the limit of its height at t = √(2 h / g).
+#[test]
+fn a_limit_with_stop_ends_the_motion() {
+    let folder = Folder::new(
+        "simulate_stop",
+        "mechanism drop {
+    point O = (0, 0), top = (0, 1);
+    body mass at O { O, top }
+    translational (ground, mass) along O -> top;
+    free fall: y(mass) = 0;
+    mass mass = 3kg;
+    gravity = (0, -9.81);
+    measure height = O.y;
+    limit height >= -0.5 stop;
+}
+",
+    );
+    let ran = folder.run("simulate a.mech --to 2 --step 0.25 --json");
+    let report = json(&ran.exits_with(0).stdout);
+    let frames = report["frames"].as_array().expect("frames");
+    let last = frames[frames.len() - 1]["t"].as_f64().expect("a time");
+    let expected = (2.0 * 0.5 / 9.81_f64).sqrt();
+    assert!((last - expected).abs() < 1e-9, "{last} and {expected}");
+    let warning = report["warnings"][0].as_str().expect("a sentence");
+    assert!(
+        warning.contains("`height` reaches its limit: at least -0.5 m"),
+        "{warning}"
+    );
+    assert!(report.get("error").is_none());
+}

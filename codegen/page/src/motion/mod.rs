@@ -13,6 +13,7 @@ mod path;
 mod rows;
 mod selection;
 mod simulated;
+mod stopped;
 
 pub use columns::{Column, Columns, OF_POINT, RATES};
 pub use compared::Compared;

@@ -9,6 +9,7 @@ use linkwright_solver::{
     Dense, Instant, Interpreted, Method, Modes, Schedule, Simulation, SimulationOptions, Stop, View,
 };
 
+use super::stopped::Stops;
 use super::{EarlyEnd, Followed, Sink, Wanted};
 
 /// Cost of an integration, and its conservation of energy.
@@ -111,7 +112,16 @@ impl Followed<Dense> {
             ..Simulated::default()
         };
         let mut first = None;
+        let stops = Stops::of(described);
         for t in std::iter::once(0.0).chain(visits) {
+            let stopped = stops.as_ref().and_then(|it| it.before(&simulation, t));
+            if let Some(stopped) = stopped {
+                simulation = stopped.simulation;
+                self.warnings.push(stopped.message);
+                self.show(simulation.frame(), &[], sinks)?;
+                self.weigh(&mut simulation, &mut first, &mut simulated);
+                break;
+            }
             if t > 0.0 {
                 if let Err(ending) = advance(&mut simulation, t, listeners.taken) {
                     self.failure = ending.failure;
