@@ -22,7 +22,7 @@ mod equations;
 mod forced;
 mod given;
 mod live;
-mod measured;
+pub mod measured;
 mod message;
 pub mod motion;
 mod moving;

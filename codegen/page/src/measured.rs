@@ -11,6 +11,9 @@ use serde::Serialize;
 /// Digits of a printed value.
 const DIGITS: usize = 9;
 
+/// Relative difference of extremes below which a measure is printed as constant.
+const CONSTANT: f64 = 1e-12;
+
 /// Units of the printed time of an extreme, per second.
 const TIME_UNITS: f64 = 1e7;
 
@@ -100,12 +103,19 @@ pub fn write(check: &Check, output: &mut dyn Write) -> io::Result<()> {
     for range in ranges {
         let measurement = &mechanism.measurements[range.measurement];
         let unit = units.of(&measurement.unit());
+        let name = &measurement.name;
+        if is_constant(range.smallest.value, range.largest.value) {
+            let value = unit.rounded(range.smallest.value, DIGITS);
+            let space = if unit.name.is_empty() { "" } else { " " };
+            writeln!(
+                output,
+                "  {name:width$}  always {value}{space}{}",
+                unit.name
+            )?;
+            continue;
+        }
         let [low, high] = [range.smallest, range.largest].map(|it| text(it, &unit));
-        writeln!(
-            output,
-            "  {:width$}  from {low} to {high}",
-            measurement.name
-        )?;
+        writeln!(output, "  {name:width$}  from {low} to {high}")?;
     }
     for broken in &check.measured.broken {
         let limit = &mechanism.limits[broken.limit];
@@ -129,6 +139,11 @@ pub fn write(check: &Check, output: &mut dyn Write) -> io::Result<()> {
         }
     }
     Ok(())
+}
+
+/// True if the extremes of a quantity differ by rounding alone.
+pub fn is_constant(low: f64, high: f64) -> bool {
+    high - low <= CONSTANT * low.abs().max(high.abs())
 }
 
 /// Returns a value with its unit and its time.

@@ -7,6 +7,7 @@ use linkwright_solver::View;
 use linkwright_solver::number::time;
 
 use super::motion_table::{self, Column};
+use linkwright_page::measured::is_constant;
 use linkwright_page::motion::Followed;
 
 /// Width of a table in characters.
@@ -52,6 +53,16 @@ pub fn write<V: View>(
     let measures = motion.reported_names.iter().zip(&motion.extremes);
     for (((name, si), extremes), square) in measures.zip(&motion.squares).skip(forces) {
         let unit = units.of(si);
+        let space = if unit.name.is_empty() { "" } else { " " };
+        if is_constant(extremes[0].0, extremes[1].0) {
+            let value = short(unit.of_si(extremes[0].0));
+            writeln!(
+                output,
+                "  {name:width$}  always {value}{space}{}",
+                unit.name
+            )?;
+            continue;
+        }
         let [low, high] = extremes.map(|(value, t)| {
             let value = short(unit.of_si(value));
             let unit = match unit.name.as_str() {
@@ -61,7 +72,6 @@ pub fn write<V: View>(
             format!("{value}{unit} at t = {} s", time(t))
         });
         let rms = short(unit.of_si(square.root()));
-        let space = if unit.name.is_empty() { "" } else { " " };
         let unit = &unit.name;
         writeln!(
             output,

@@ -84,7 +84,12 @@ impl<'a> Writer<'a> {
             definitions: Vec::new(),
         };
         for block in program.blocks.iter().skip(plan.blocks.len()) {
-            let heading = format!("Forces: {}", self.block(block, &nothing));
+            let heading = self.block(block, &nothing);
+            let heading = match block.name.as_str() {
+                "measures" => "Measures".to_string(),
+                "measured_forces" => "Measures of forces".to_string(),
+                _ => format!("Forces: {heading}"),
+            };
             let items = std::mem::take(&mut self.items);
             sections.push(Section { heading, items });
         }
@@ -108,7 +113,10 @@ impl<'a> Writer<'a> {
         for statement in &block.function.statements {
             if let Statement::Section(level) = statement {
                 // Derivatives by drivers and parameters are not derived by hand.
-                is_asked = matches!(level, Level::Velocity | Level::Acceleration | Level::Forces);
+                is_asked = matches!(
+                    level,
+                    Level::Position | Level::Velocity | Level::Acceleration | Level::Forces
+                );
             }
             if !is_asked {
                 continue;

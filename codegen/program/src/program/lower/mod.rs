@@ -5,10 +5,11 @@ mod reported;
 mod stated;
 
 use super::block::{Block, Branch, Lowering};
-use super::forces::forces;
+use super::forces::{Forces, forces};
 use super::forms::recognize;
 use super::function::Function;
 use super::loads::loads;
+use super::measures::MeasureStatements;
 use super::passes::fields::fields;
 use super::passes::liveness::prune;
 use super::passes::sharing::{share, share_all};
@@ -134,14 +135,27 @@ fn unpruned(pool: &mut Pool, system: &System, plan: &SolvedPlan) -> Program {
     let forms = blocks.iter().map(|block| block.forms.clone()).collect();
     let transposed: Vec<_> = blocks.iter().map(|it| it.transposed.clone()).collect();
     let (forces, exerting) = forces(&mut lowering, plan, &transposed).unzip();
+    let mut measured =
+        MeasureStatements::new(lowering.pool, lowering.system, &mut lowering.derivatives);
+    let measuring = measured.of_motion();
+    let requested = forces.as_ref().map(Forces::fields);
+    let forces = forces.unwrap_or_default();
+    let measuring_forces = measured.of_forces(&forces, lowering.pool, lowering.system);
     let branches = lowering.branches;
     blocks.extend(exerting);
     propagate(&mut blocks, &mut pool.graph);
-    if let (Some(forces), Some(block)) = (forces, blocks.last_mut()) {
+    if let (Some(fields), Some(block)) = (requested, blocks.last_mut()) {
         // Unrequested loads are not part of the derivation.
-        let fields: IdSet<SymbolId> = forces.fields().into_iter().collect();
+        let fields: IdSet<SymbolId> = fields.into_iter().collect();
         let only_block = std::slice::from_mut(block);
         prune(only_block, &|symbol| fields.contains(&symbol), &pool.graph);
+    }
+    let fields: IdSet<SymbolId> = measured.measures.iter().map(|it| it.field).collect();
+    for mut block in measuring.into_iter().chain(measuring_forces) {
+        // Intermediate values of other measures may be fields, so that each block is pruned alone.
+        let only_block = std::slice::from_mut(&mut block);
+        prune(only_block, &|symbol| fields.contains(&symbol), &pool.graph);
+        blocks.push(block);
     }
     Program {
         blocks,
