@@ -35,7 +35,7 @@ pub struct Work(usize, Option<Py<PyAny>>);
 impl Mechanism {
     /// Names of the quantities of a batch, with their SI units, and true for an angle.
     #[getter]
-    fn quantities(&self) -> Vec<(String, &'static str, bool)> {
+    fn quantities(&self) -> Vec<(String, String, bool)> {
         let linkwright_codegen::Derived { pool, system } = &self.derived;
         let all = linkwright_solver::observable::all(pool, system).into_iter();
         all.map(|it| {

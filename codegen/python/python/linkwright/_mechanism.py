@@ -213,12 +213,12 @@ class Mechanism:
 
     @cached_property
     def quantities(self) -> Mapping[str, str]:
-        """SI units of all quantities of a batch, by name: coordinates with rates and accelerations, points, requested forces."""
+        """SI units of all quantities of a batch, by name: coordinates with rates and accelerations, points, requested forces, measures."""
         return MappingProxyType({name: unit for name, unit, _ in self._core.quantities})
 
     @cached_property
     def measures(self) -> Mapping[str, str]:
-        """SI units of the quantities besides coordinates and points, by name: driving forces, reactions, energies."""
+        """SI units of the quantities besides coordinates and points, by name: driving forces, reactions, energies, and those of `measure`."""
         known = {f"{name}{it}" for name in self.coordinates for it in ("", "_d", "_dd")}
         known |= {f"{name}{it}" for name in self.points for both in COMPONENTS for it in both}
         return MappingProxyType({name: it for name, it in self.quantities.items() if name not in known})
