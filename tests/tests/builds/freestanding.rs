@@ -147,7 +147,6 @@ fn no_panic_path_and_no_allocator_survives_and_nothing_of_std_is_needed() {
 
 #[test]
 fn a_planted_panic_is_found() {
-    // Without the generated mechanisms: the library with them has no panic path, so that a part of it has only the
-    // planted one.
+    // Without the mechanisms: the library with them has no panic path, so that the library without them has only the planted one.
     assert!(symbols(&build("planted"), "--undefined-only", "").contains("PANIC_PATH"));
 }
