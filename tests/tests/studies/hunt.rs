@@ -6,6 +6,7 @@ use linkwright_codegen::diagnostic::Source;
 use linkwright_tests::hunt::mechanism;
 use linkwright_tests::hunt::run::{MAX_BODIES, interpret, prepare};
 use linkwright_tests::hunt::tally::Tally;
+use linkwright_tests::random::cases;
 
 use linkwright_tests::hunt::paths::families::FAMILIES;
 use linkwright_tests::hunt::paths::run;
@@ -17,7 +18,7 @@ const SEED: u64 = 5;
 #[test]
 fn no_answer_is_wrong() {
     let mut tally = Tally::default();
-    for number in 0..14 {
+    for number in 0..cases(7) {
         if let Some(hunted) = prepare(SEED, number, &mut tally) {
             interpret(&hunted, &mut tally);
         }
@@ -31,7 +32,7 @@ fn no_answer_is_wrong() {
     // Otherwise nothing would have been looked at.
     let total = tally.total();
     assert!(
-        total.total() > 2000 && total.correct > 10 * total.failed && total.ended > 0,
+        total.total() > 1000 && total.correct > 10 * total.failed && total.ended > 0,
         "{total:?}"
     );
 }
@@ -80,17 +81,18 @@ fn bodies_that_are_placed_by_their_own_points_are_refused() {
 fn no_frame_is_off_the_path() {
     let mut tally = tally::Tally::default();
     for family in 0..FAMILIES.len() {
-        // The first two that are not refused.
-        let prepared = (0..6).filter_map(|number| {
+        // The first that is not refused.
+        let count = cases(1) as usize;
+        let prepared = (0..6 * cases(1)).filter_map(|number| {
             let hunted = run::prepare(family, SEED, number, 0.04, &mut tally)?;
             hunted.interpret(&mut tally)
         });
-        assert_eq!(prepared.take(2).count(), 2, "family {family}");
+        assert_eq!(prepared.take(count).count(), count, "family {family}");
     }
     assert!(tally.wrong.is_empty(), "{:#?}", tally.wrong);
     // Otherwise nothing would have been looked at.
     let total = tally.total();
-    assert!(total.correct > 1000 && total.ended > 10, "{total:?}");
+    assert!(total.correct > 500 && total.ended > 5, "{total:?}");
     assert!(
         tally.courses.values().filter(|it| it[1] > 0).count() == FAMILIES.len(),
         "{:?}",
