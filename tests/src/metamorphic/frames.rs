@@ -1,5 +1,8 @@
 //! Motion of a mechanism in both formulations, with a bound on the rounding of each value.
 
+use std::cell::LazyCell;
+use std::rc::Rc;
+
 use linkwright::{Blocks, Failure, Frame, Settings};
 use linkwright_codegen::stages::program::Kept;
 use linkwright_codegen::stages::solved::Solved;
@@ -21,12 +24,17 @@ pub const TIMES: [f64; 4] = [0.0, 0.01, 0.02, 0.03];
 pub const FROM_AFAR: &str = "textbook from afar";
 
 /// Values of q, q̇ and q̈ with the bounds of their errors.
-#[derive(Clone, Debug)]
 pub struct Instant {
     /// The values.
     pub values: Levels<f64>,
-    /// Bounds on their errors.
-    pub bounds: Levels<f64>,
+    bounds: LazyCell<Levels<f64>, Box<dyn FnOnce() -> Levels<f64>>>,
+}
+
+impl Instant {
+    /// Bounds on the errors of the values. They take longer than the motion, and are computed on request.
+    pub fn bounds(&self) -> &Levels<f64> {
+        &self.bounds
+    }
 }
 
 /// Motion of a formulation: an instant for each time, up to the first failure.
@@ -34,11 +42,11 @@ pub type Moved = Vec<Result<Instant, String>>;
 
 /// Motion in each formulation, with its name.
 pub fn motions(derived: &Derived) -> Vec<(&'static str, Moved)> {
-    let judge = Judge {
+    let judge = Rc::new(Judge {
         truth: Truth::new(derived),
         given: given(derived),
         length: derived.system.characteristic_length(&derived.pool),
-    };
+    });
     let mut all = textbook(derived, &judge);
     all.push(("solved", solved(derived, &judge)));
     all
@@ -85,17 +93,22 @@ struct Judge {
 }
 
 impl Judge {
-    fn instant(&self, t: f64, values: Levels<f64>) -> Result<Instant, String> {
+    fn instant(self: &Rc<Self>, t: f64, values: Levels<f64>) -> Result<Instant, String> {
         let instant_inputs = Given {
             t,
             ..self.given.clone()
         };
         let exact = self.truth.around(&instant_inputs, values.clone());
         let exact = exact.ok_or("no bound: the Jacobian has no inverse")?;
-        let bounds = self
-            .truth
-            .bounds_around(&instant_inputs, &exact, self.length);
-        Ok(Instant { values, bounds })
+        let judge = Rc::clone(self);
+        let bounds = move || {
+            let truth = &judge.truth;
+            truth.bounds_around(&instant_inputs, &exact, judge.length)
+        };
+        Ok(Instant {
+            values,
+            bounds: LazyCell::new(Box::new(bounds)),
+        })
     }
 }
 
@@ -121,7 +134,7 @@ fn given(derived: &Derived) -> Given {
     }
 }
 
-fn textbook(derived: &Derived, judge: &Judge) -> Vec<(&'static str, Moved)> {
+fn textbook(derived: &Derived, judge: &Rc<Judge>) -> Vec<(&'static str, Moved)> {
     let interpreter = TextbookEquations::new(&derived.pool, &derived.system);
     let settings = Settings::default();
     let instant = |found: Result<Frame<f64, Dyn>, Failure<f64>>| {
@@ -156,7 +169,7 @@ fn textbook(derived: &Derived, judge: &Judge) -> Vec<(&'static str, Moved)> {
     ]
 }
 
-fn solved(derived: &Derived, judge: &Judge) -> Moved {
+fn solved(derived: &Derived, judge: &Rc<Judge>) -> Moved {
     let Some(blocks) = Interpreted::new(derived) else {
         return vec![Err("no plan".to_string())];
     };
