@@ -137,14 +137,16 @@ impl Quantities {
         let places = places.into_iter().map(|place| &self.list[place]);
         let mut places = places.filter(|it| accepts(it));
         let mut quantity = places.next()?.clone();
-        let has_shape = |it: &&Quantity| {
-            (it.prefix, it.suffix, it.value > 0.0)
-                == (quantity.prefix, quantity.suffix, quantity.value > 0.0)
-        };
-        for other in places.filter(has_shape).cloned().collect::<Vec<_>>() {
+        let shape = |it: &Quantity| (it.prefix, it.suffix, it.value > 0.0);
+        let kind = shape(&quantity);
+        for other in places.filter(|it| shape(it) == kind) {
+            // Names and remarks list no more, however many are equal.
+            if quantity.stems.len() >= UNLISTED_COUNT.max(MAX_LISTED) {
+                break;
+            }
             if !quantity.stems.contains(&other.stems[0]) {
-                quantity.stems.extend(other.stems);
-                quantity.words.extend(other.words);
+                quantity.stems.extend(other.stems.iter().cloned());
+                quantity.words.extend(other.words.iter().cloned());
             }
         }
         if quantity.value * value < 0.0 {
