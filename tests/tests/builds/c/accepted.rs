@@ -9,8 +9,10 @@ use linkwright_codegen::{Language, Options, Scalar, generate};
 use linkwright_tests::c::case::SCALARS;
 use linkwright_tests::c::run::{FLAGS, compilers, run};
 use linkwright_tests::description;
+use linkwright_tests::random::cases;
 
 use super::{SMALL, compile, folder, run_as_cpp, write, write_double};
+use crate::representatives::representatives;
 
 /// Those in which fused operations are looked for, as different as descriptions can be: the pragma that prevents them is one for all.
 const VECTORIZED: [&str; 7] = [
@@ -23,12 +25,13 @@ const VECTORIZED: [&str; 7] = [
     "shared_rails",
 ];
 
-/// Every file is ASCII, compiles without a warning as C99 and as C++17, and has no fused operation where the processor has them.
+/// Every file is ASCII; representatives compile without a warning as C++17, and have no fused operation where the processor has them.
 #[test]
 fn other_compilers_take_it_and_fuse_nothing() {
     let place = folder("accepted");
     let names = description::names();
     let names = names.iter().map(String::as_str).chain(SMALL);
+    let compiled = representatives(false);
     let (mut files, mut vectors) = (0, 0);
     for name in names {
         write(&place, &description::source(name), name, Scalar::F64);
@@ -36,25 +39,29 @@ fn other_compilers_take_it_and_fuse_nothing() {
             let text = fs::read_to_string(place.join(&file)).expect("written");
             assert!(text.is_ascii(), "{file}");
         }
+        files += 1;
+    }
+    for (number, name) in compiled.iter().enumerate() {
+        write(&place, &description::source(name), name, Scalar::F64);
         // The text for devices of every second one.
         let functions = ["-ULINKWRIGHT_FUNCTION", "-DLINKWRIGHT_FUNCTION="];
-        accepted(&place, name, functions[files % 2]);
-        files += 1;
+        accepted(&place, name, functions[number % 2]);
     }
     for (number, name) in VECTORIZED.into_iter().enumerate() {
         vectors += fused_nothing(&place, name, number);
     }
     accepted(&place, "linkwright", "-ULINKWRIGHT_FUNCTION");
     accepted(&place, "linkwright", "-DLINKWRIGHT_FUNCTION=");
-    // All options with all compilers.
-    for number in 0..6 {
+    // Each compiler once, as the modules have all options; more cases are all options with all compilers.
+    for number in 0..(2 * cases(1) as usize).min(6) {
         vectors += fused_nothing(&place, "linkwright", number);
     }
     for file in ["linkwright.c", "linkwright.h"] {
         let text = fs::read_to_string(place.join(file)).expect("written");
         assert!(text.is_ascii(), "{file}");
     }
-    assert!(files > 50, "{files}");
+    println!("{files} files, {vectors} operations on vectors");
+    assert!(files > 50 && compiled.len() > 30, "{files}");
     // Otherwise the code would not be for a processor with fused operations.
     assert!(vectors > 1000 || !cfg!(target_arch = "x86_64"), "{vectors}");
 }
