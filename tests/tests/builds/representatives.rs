@@ -6,6 +6,7 @@
 
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 
 use linkwright_codegen::{Language, Options, generate};
 use linkwright_tests::description;
@@ -33,8 +34,14 @@ const WORDS: [&str; 17] = [
 ];
 
 /// Names of all descriptions of the repository and of the tests that stand for the others, sorted in either group; with lanes, those with
-/// closed forms.
+/// closed forms. They are selected once in a process.
 pub(super) fn representatives(lanes: bool) -> Vec<String> {
+    static SELECTED: [OnceLock<Vec<String>>; 2] = [const { OnceLock::new() }; 2];
+    let names = SELECTED[usize::from(lanes)].get_or_init(|| selected(lanes));
+    names.clone()
+}
+
+fn selected(lanes: bool) -> Vec<String> {
     let names = [description::names(), description::of_tests()].concat();
     let module = |name: String| {
         let options = Options {
@@ -56,9 +63,9 @@ pub(super) fn representatives(lanes: bool) -> Vec<String> {
     selected
 }
 
-/// Folder in which cargo builds packages of selected modules, which share the runtime.
+/// Folder in which cargo builds packages of selected modules, which share the runtime with those of users.
 pub(super) fn target_of_modules() -> PathBuf {
-    Path::new(env!("CARGO_TARGET_TMPDIR")).join("modules")
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join("built")
 }
 
 /// Names of modules that have all sequences of all modules, in the order of the modules. The last ones go first that others make

@@ -9,13 +9,14 @@ use linkwright_tests::c::case::Case;
 use linkwright_tests::c::run::{compilers, differences, run};
 use linkwright_tests::hunt::mechanism;
 use linkwright_tests::pantograph::Pantograph;
+use linkwright_tests::random::cases;
 use linkwright_tests::{description, files};
 
 use super::{compile, folder, run_as_cpp, write_double};
 use crate::representatives::{representatives, target_of_modules};
 
-/// Number of random mechanisms, largest number of bodies, and first seed.
-const RANDOM: usize = 8;
+/// Number of random mechanisms, which [`cases`] multiplies, largest number of bodies, and first seed.
+const RANDOM: u64 = 4;
 const MAX_BODIES: usize = 10;
 const SEED: u64 = 14;
 
@@ -28,7 +29,7 @@ fn frames_and_failures_have_the_bits_of_rust() {
     let random = (0..)
         .map(|number| Source::new("found.mech", mechanism(SEED, number, MAX_BODIES).text()))
         .filter(|source| generate(source, &Options::default()).is_ok())
-        .take(RANDOM)
+        .take(cases(RANDOM) as usize)
         .enumerate()
         .map(|(number, source)| Case::new(&format!("found_{number}"), source, 2.0));
     // Enough cells for a proof of its path cell by cell.
