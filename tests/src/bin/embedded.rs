@@ -28,6 +28,9 @@ struct Arguments {
     /// Write the report and the figures to compare with
     #[arg(long)]
     write: bool,
+    /// Take all programs, not only representatives
+    #[arg(long)]
+    all: bool,
     /// Only programs whose names contain this, such as "cortex-m4 f32 four_bar"; nothing is written
     #[arg(long)]
     only: Option<String>,
@@ -55,11 +58,13 @@ fn run(arguments: &Arguments) -> Result<Vec<String>, Box<dyn Error>> {
     println!("{}", versions.join("\n"));
     let compiler = versions.first().and_then(|it| it.split(' ').nth(1));
     let compiler = compiler.ok_or("the compiler does not say its version")?;
-    let is_chosen = |program: &Program| {
-        let only = arguments.only.as_deref();
-        only.is_none_or(|only| program.to_string().contains(only))
+    let are_all = arguments.all || arguments.write;
+    let is_chosen = |program: &Program| match &arguments.only {
+        Some(only) => program.to_string().contains(only),
+        None => are_all || program.is_representative(),
     };
-    let programs: Vec<Program> = Program::all().into_iter().filter(is_chosen).collect();
+    let (programs, left_out): (Vec<Program>, Vec<Program>) =
+        Program::all().into_iter().partition(is_chosen);
     modules::write()?;
     let mut faults = Vec::new();
     let host_outputs = Printed::read_all(&build::host("host,std")?)?;
@@ -100,7 +105,8 @@ fn run(arguments: &Arguments) -> Result<Vec<String>, Box<dyn Error>> {
         )?;
         limits::write(compiler, &figures)?;
     } else if arguments.only.is_none() {
-        faults.extend(limits::exceeded(compiler, &figures)?);
+        let left_out = left_out.iter().map(ToString::to_string).collect();
+        faults.extend(limits::exceeded(compiler, &figures, &left_out)?);
     }
     Ok(faults)
 }

@@ -11,6 +11,10 @@ pub const MECHANISMS: [(&str, &str); 5] = [
     ("platform_3rpr", "Platform3rpr"),
 ];
 
+/// Mechanisms of the programs whose scalar is not that of the processor's unit, unless all programs are requested: closed forms, and
+/// Newton-Raphson.
+const OF_OTHER_SCALARS: [&str; 2] = ["four_bar", "platform_3rpr"];
+
 /// Language of a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Language {
@@ -114,6 +118,15 @@ impl Program {
     pub fn variant(&self) -> String {
         let guard = if self.is_guarded { "" } else { "_unguarded" };
         format!("{}_{}{guard}", self.mechanism(), self.scalar.name())
+    }
+
+    /// True for the programs that stand for all others.
+    pub fn is_representative(&self) -> bool {
+        let is_of_unit = matches!(
+            (self.processor, self.scalar),
+            (Processor::CortexM4F, Scalar::F32) | (Processor::CortexM7, Scalar::F64)
+        );
+        is_of_unit || OF_OTHER_SCALARS.contains(&self.mechanism())
     }
 
     /// All programs: every mechanism in Rust, guarded and not, and in C; one by hand; and one for size.
