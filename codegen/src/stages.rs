@@ -64,7 +64,7 @@ pub mod system {
 /// Order of solution: blocks and their subsystems.
 pub mod structure {
     #[doc(inline)]
-    pub use crate::structure::{Freedom, Shift, SolvedPlan, Unplanned, analyze};
+    pub use crate::structure::{Freedom, Shift, SolvedPlan, Unplanned, analyze, driven};
 }
 
 /// Computation of a motion, statement by statement.

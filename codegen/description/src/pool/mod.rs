@@ -82,6 +82,11 @@ impl Pool {
         }
     }
 
+    /// Returns a pool with these expressions and without roles, for a changed mechanism that is assembled again.
+    pub fn without_roles(&self) -> Pool {
+        Pool::new(self.graph.clone(), self.apart)
+    }
+
     /// Returns the first limit that was exceeded, if any: expressions behind that statement are incomplete.
     pub fn exceeded(&self) -> Option<Exceeded> {
         self.exceeded

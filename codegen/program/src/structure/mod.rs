@@ -5,6 +5,7 @@
 
 mod components;
 mod diagnose;
+mod driven;
 mod elimination;
 mod following;
 mod freedom;
@@ -17,6 +18,7 @@ mod repetition;
 mod shortening;
 
 pub use components::components;
+pub use driven::driven;
 pub use elimination::Definition;
 pub use freedom::Freedom;
 pub use incidence::Incidence;
