@@ -127,6 +127,8 @@ pub mod textbook;
 #[doc(hidden)]
 pub mod tolerances;
 #[doc(hidden)]
+pub mod travel;
+#[doc(hidden)]
 pub mod warnings;
 
 pub use assemblies::{Assemblies, Assembly};

@@ -111,6 +111,22 @@ impl MeasureWatch {
         })
     }
 
+    /// Returns the observer for instants with inputs of these laws.
+    pub(crate) fn along(mut self, laws: InputLaws) -> MeasureWatch {
+        self.laws = laws;
+        self
+    }
+
+    /// Returns the limit that is broken first with the time from which it is, in the direction of time; `None` if all hold so far.
+    pub(crate) fn first_broken(&self) -> Option<(usize, f64)> {
+        let pairs = self.since.iter().zip(&self.broken).enumerate();
+        let times = pairs.flat_map(|(limit, (since, broken))| {
+            let ended = broken.intervals.iter().map(|it| it[0]);
+            since.iter().copied().chain(ended).map(move |t| (limit, t))
+        });
+        times.min_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
     /// Observes the next instant.
     pub fn see<V: View>(&mut self, shell: &Shell<V>) {
         let Some(values) = self.measured(shell) else {

@@ -100,6 +100,7 @@ const SOLVER: (&str, &[&str]) = (
         "simulation",
         "warnings",
         "check",
+        "travel",
         "lib",
     ],
 );

@@ -68,5 +68,6 @@ mod sweep_parquet;
 #[cfg(unix)]
 mod sweep_resumed;
 mod sweep_sets;
+mod travel;
 mod units;
 mod view;

@@ -8,6 +8,7 @@ mod shell;
 mod simulate;
 mod solve;
 mod sweep;
+mod travel;
 mod units;
 mod values;
 mod view;
@@ -20,6 +21,7 @@ pub use shell::{Completions, Fmt, Lsp, Man, New};
 pub use simulate::{Simulate, StepMethod};
 pub use solve::{Formulation, Solve};
 pub use sweep::Sweep;
+pub use travel::Travel;
 pub use units::{ReportedIn, units};
 pub use view::View;
 
@@ -55,6 +57,7 @@ Examples:
   linkwright inspect mechanisms/two_body.mech --format unicode
   linkwright plan mechanisms/excavator.mech
   linkwright check mechanisms/two_body.mech
+  linkwright travel mechanisms/two_body.mech --drive 'phi(1)'
   linkwright compare mechanisms/arm.mech measured.csv
   linkwright generate mechanisms/two_body.mech -o two_body.rs
   linkwright fmt mechanisms --check
@@ -87,6 +90,8 @@ pub enum Command {
     Plan(Plan),
     /// List the assemblies and locate the poses closest to singular
     Check(Check),
+    /// Find how far a drive can go each way, and what ends its travel
+    Travel(Travel),
     /// Compare measured data with the motion
     Compare(Compare),
     /// Fit parameters to measured data

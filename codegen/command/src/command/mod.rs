@@ -30,6 +30,7 @@ pub mod solve;
 mod solve_files;
 pub mod sweep;
 mod sweep_files;
+pub mod travel;
 pub mod view;
 pub mod watch;
 
@@ -120,6 +121,7 @@ fn outcome(command: Command, interface: clap::Command) -> Result<Outcome, Proble
         Command::Inspect(inspect) => inspect::run(&inspect),
         Command::Plan(plan) => plan::run(&plan),
         Command::Check(check) => check::run(&check),
+        Command::Travel(travel) => travel::run(&travel),
         Command::Compare(compare) => compare::run(&compare),
         #[cfg(feature = "calibrate")]
         Command::Calibrate(calibrate) => calibrate::run(&calibrate),

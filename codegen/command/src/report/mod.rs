@@ -29,3 +29,5 @@ pub mod raster;
 pub mod reported;
 pub mod summary;
 pub mod sweep_plot;
+pub mod travel_json;
+pub mod travel_text;
