@@ -114,6 +114,8 @@ pub struct InputLaws {
     symbols: Vec<f64>,
     time: usize,
     count: usize,
+    /// Inputs on lines, each with its value at t = 0 and its rate, in place of their laws.
+    lines: Vec<(usize, [f64; 2])>,
 }
 
 impl InputLaws {
@@ -129,7 +131,14 @@ impl InputLaws {
             symbols,
             time: mechanism.time.index(),
             count: signals.len(),
+            lines: Vec::new(),
         }
+    }
+
+    /// Returns the laws with this input on a line: its value at t = 0 and its rate.
+    pub(crate) fn on_line(mut self, input: usize, line: [f64; 2]) -> InputLaws {
+        self.lines.push((input, line));
+        self
     }
 
     /// Returns the inputs at time `t` (s).
@@ -141,6 +150,9 @@ impl InputLaws {
         symbols[self.time] = t;
         let mut values = vec![0.0; self.count];
         self.tape.evaluate(&symbols, &mut Vec::new(), &mut values);
+        for &(input, [at, rate]) in &self.lines {
+            values[3 * input..3 * input + 3].copy_from_slice(&[at + rate * t, rate, 0.0]);
+        }
         let signals = values
             .chunks_exact(3)
             .map(|it| Signal::new(it[0], it[1], it[2]));

@@ -69,5 +69,6 @@ mod sweep_parquet;
 mod sweep_resumed;
 mod sweep_sets;
 mod travel;
+mod travel_region;
 mod units;
 mod view;

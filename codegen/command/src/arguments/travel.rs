@@ -1,5 +1,7 @@
 //! Defines the arguments of `linkwright travel`.
 
+use std::path::PathBuf;
+
 use clap::Args;
 
 use super::described::Described;
@@ -11,6 +13,8 @@ use super::values::time;
 /// The other drivers and all inputs keep their values. An end is the last value at which a loop can be closed, a dead
 /// point, a change point where branches meet, or a `limit`. Its decimals are verified from both sides: a pose exists
 /// at the value, and none within the travel at the next decimal.
+///
+/// Of two drives, it follows the border of the region that is connected with the design configuration.
 #[derive(Args, Debug)]
 #[command(after_help = TRAVEL_EXAMPLES)]
 pub struct Travel {
@@ -20,9 +24,19 @@ pub struct Travel {
     /// Units of the report.
     #[command(flatten)]
     pub reported_in: ReportedIn,
-    /// Driver to move, by its name or its quantity, as in `phi(crank)`; a wrong name lists the drivers
+    /// Driver to move, by its name or its quantity, as in `phi(crank)`; a wrong name lists the drivers. Given twice: the
+    /// region of two drives
     #[arg(long, value_name = "NAME", required = true)]
-    pub drive: String,
+    pub drive: Vec<String>,
+    /// Point whose workspace two drives span
+    #[arg(long, value_name = "POINT")]
+    pub point: Option<String>,
+    /// Folder for pictures of two drives: `region.svg`, and with a point `workspace.svg`
+    #[arg(long, value_name = "DIR")]
+    pub plot: Option<PathBuf>,
+    /// Replace files that this command has not written
+    #[arg(long)]
+    pub force: bool,
     /// Time of the values at which drivers and inputs stand, in s; the mechanism is assembled there
     #[arg(long, value_name = "T", default_value = "0", value_parser = time, allow_hyphen_values = true)]
     pub at: f64,
@@ -43,5 +57,6 @@ Examples:
   linkwright travel mechanisms/excavator.mech --drive 'length(N, M)' --units=mm,deg
   linkwright travel mechanisms/excavator.mech --drive 'length(N, M)' --at 2.5 --prove
   linkwright travel mechanisms/four_bar.mech --drive 'phi(crank)' --json | jq '.ends[].end'
+  linkwright travel mechanisms/excavator.mech --drive 'length(N, M)' --drive 'length(H, G)' --point K --plot pictures
 
 Exit codes: 0 followed, 1 the mechanism cannot be assembled, or with `--prove` a path cannot be proven, 2 bad input.";

@@ -31,6 +31,7 @@ mod solve_files;
 pub mod sweep;
 mod sweep_files;
 pub mod travel;
+mod travel_region;
 pub mod view;
 pub mod watch;
 

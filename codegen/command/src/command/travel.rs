@@ -1,10 +1,11 @@
 //! Finds the travel of a drive.
 
+use linkwright_codegen::stages::model::Mechanism;
 use linkwright_solver::number::time;
 use linkwright_solver::travel::{Drive, Immovable, Travel};
 
 use super::description::{determined, set_all, source};
-use super::{Outcome, Problem, print, say};
+use super::{Outcome, Problem, print, say, travel_region};
 use crate::arguments::Travel as Arguments;
 use crate::progress::Progress;
 use crate::report::{travel_json, travel_text};
@@ -24,8 +25,21 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Problem> {
     let derived = determined(&source, arguments.described.motion.as_deref())?;
     let derived = set_all(derived, &arguments.set)?;
     let mechanism = &derived.system.mechanism;
-    let drive = Drive::named(mechanism, &arguments.drive)
-        .map_err(|[message, help]| Problem(format!("error: {message}\n  = help: {help}")))?;
+    let drives = arguments.drive.iter().map(|name| {
+        let drive = Drive::named(mechanism, name);
+        drive.map_err(|[message, help]| Problem(format!("error: {message}\n  = help: {help}")))
+    });
+    let drives: Vec<Drive> = drives.collect::<Result<_, _>>()?;
+    let followed = match <[Drive; 2]>::try_from(drives) {
+        Ok(drives) if drives[0] == drives[1] => Err("name two different drives"),
+        Ok(drives) => return travel_region::run(arguments, &source, &derived, &drives),
+        Err(drives) if drives.len() > 2 => Err("name one drive, or two"),
+        Err(_) if arguments.point.is_some() || arguments.plot.is_some() => {
+            Err("`--point` and `--plot` are for two drives: name another one")
+        }
+        Err(mut drives) => Ok(drives.remove(0)),
+    };
+    let drive = followed.map_err(|text| Problem(format!("error: {text}")))?;
     let unit = mechanism.units.of_messages().of(drive.si());
     let mut progress = Progress::new(EXPECTED_STEPS);
     let travel = Travel::new(
@@ -37,22 +51,9 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Problem> {
         |count| progress.reached(count),
     );
     progress.finish();
-    let title = mechanism.title();
     let travel = match travel {
         Ok(travel) => travel,
-        Err(Immovable::Unsolvable) => {
-            return Err(Problem(format!(
-                "error: the equations of `{title}` cannot be solved with `{}` as an input",
-                drive.name
-            )));
-        }
-        Err(Immovable::NotAssembled(reason)) => {
-            let t = time(arguments.at);
-            say(&format!(
-                "error: `{title}` cannot be assembled in the design modes at t = {t} s: {reason}"
-            ));
-            return Ok(Outcome::Failed);
-        }
+        Err(reason) => return immovable(&reason, mechanism, &arguments.drive, arguments.at),
     };
     let is_unproven = travel.ends.iter().filter_map(|it| it.proof.as_ref());
     let is_unproven = is_unproven.clone().any(|it| it.proven.is_none());
@@ -69,4 +70,30 @@ pub fn run(arguments: &Arguments) -> Result<Outcome, Problem> {
         true => Outcome::Failed,
         false => Outcome::Done,
     })
+}
+
+/// Reports drives that cannot be followed.
+///
+/// # Errors
+/// The equations cannot be solved with the drives as inputs. An [`Outcome`] reports a mechanism that cannot be assembled.
+pub(super) fn immovable(
+    reason: &Immovable,
+    mechanism: &Mechanism,
+    drives: &[String],
+    t: f64,
+) -> Result<Outcome, Problem> {
+    let title = mechanism.title();
+    match reason {
+        Immovable::Unsolvable => Err(Problem(format!(
+            "error: the equations of `{title}` cannot be solved with `{}` as input",
+            drives.join("` and `")
+        ))),
+        Immovable::NotAssembled(reason) => {
+            let t = time(t);
+            say(&format!(
+                "error: `{title}` cannot be assembled in the design modes at t = {t} s: {reason}"
+            ));
+            Ok(Outcome::Failed)
+        }
+    }
 }

@@ -26,6 +26,8 @@ pub mod plot;
 pub mod proof_text;
 #[cfg(feature = "png")]
 pub mod raster;
+pub mod region_picture;
+pub mod region_text;
 pub mod reported;
 pub mod summary;
 pub mod sweep_plot;

@@ -3,7 +3,7 @@
 use linkwright::Shell;
 
 use super::ending::{EndKind, continues, exists, place_before};
-use super::leg::{Leg, LegEnd};
+use super::line::{DriveLine, LineEnd};
 use crate::interpreted::Interpreted;
 use crate::number::fixed;
 
@@ -35,7 +35,7 @@ impl Decimals {
 
 /// Line of a drive, on which lengths count in its direction.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Scale {
+pub(crate) struct DriveScale {
     /// 1 if the drive grows along the line, -1 if it shrinks.
     pub sign: f64,
     /// Value of the unit of the report in SI units.
@@ -46,10 +46,10 @@ pub(crate) struct Scale {
 ///
 /// `None` if no number of decimals holds, as where the drive starts at its end.
 pub(crate) fn decimals(
-    leg: &Leg<'_>,
-    end: &LegEnd,
+    line: &DriveLine<'_>,
+    end: &LineEnd,
     kind: EndKind,
-    (scale, at_most): (Scale, usize),
+    (scale, at_most): (DriveScale, usize),
     shell: &Shell<Interpreted>,
 ) -> Option<Decimals> {
     let along = end.outside / scale.unit;
@@ -73,12 +73,13 @@ pub(crate) fn decimals(
             let [inner, value, outer] = [rounded(inner)?, rounded(value)?, rounded(outer)?];
             let at = inner * scale.unit;
             let place = place_before(&end.places, at)?;
-            let is_reached = leg.reached(place, at, shell).is_some();
+            let is_reached = line.reached(place, at, shell).is_some();
             let may_exist = matches!(kind, EndKind::Reach | EndKind::DeadPoint);
-            if !is_reached && !(may_exist && exists(leg, place, at, shell)) {
+            let is_pose = is_reached || (may_exist && exists(line, place, at, shell));
+            if !is_pose {
                 return None;
             }
-            let is_end = !continues(leg, end, kind, outer * scale.unit, shell);
+            let is_end = !continues(line, end, kind, outer * scale.unit, shell);
             is_end.then_some(Decimals {
                 value: scale.sign * value,
                 inner: scale.sign * inner,

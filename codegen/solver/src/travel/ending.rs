@@ -1,12 +1,12 @@
-//! Classifies the end of a leg, and verifies it from both sides.
+//! Classifies the end of a line, and verifies it from both sides.
 
 use linkwright::{Blocks, FailureKind, Shell};
 
-use super::leg::{Event, Leg, LegEnd, Place, broken, crossed};
+use super::line::{DriveLine, LineEnd, Place, TravelEvent, broken, crossed};
 use crate::interpreted::Interpreted;
 use crate::view::View;
 
-/// Measure below which the end of a leg counts as singular: links within about two degrees of collinear.
+/// Measure below which the end of a line counts as singular: links within about two degrees of collinear.
 const SINGULAR: f64 = 0.03;
 
 /// Largest distance between poses on both sides of an end that count as one, in rad and characteristic lengths.
@@ -69,8 +69,8 @@ pub(crate) struct Ending {
     pub words: String,
 }
 
-/// Returns the kind of the end of a leg.
-pub(crate) fn ending(leg: &Leg<'_>, end: &LegEnd, shell: &Shell<Interpreted>) -> Ending {
+/// Returns the kind of the end of a line.
+pub(crate) fn ending(line: &DriveLine<'_>, end: &LineEnd, shell: &Shell<Interpreted>) -> Ending {
     let interpreted = shell.blocks();
     let of_block = |kind: EndKind, block: usize| Ending {
         kind,
@@ -79,7 +79,7 @@ pub(crate) fn ending(leg: &Leg<'_>, end: &LegEnd, shell: &Shell<Interpreted>) ->
         words: words(interpreted, block, kind),
     };
     let failure = match end.event {
-        Event::Complete => {
+        TravelEvent::Complete => {
             return Ending {
                 kind: EndKind::Unended,
                 block: None,
@@ -87,7 +87,7 @@ pub(crate) fn ending(leg: &Leg<'_>, end: &LegEnd, shell: &Shell<Interpreted>) ->
                 words: String::new(),
             };
         }
-        Event::Limit(limit) => {
+        TravelEvent::Limit(limit) => {
             return Ending {
                 kind: EndKind::Limit,
                 block: None,
@@ -95,11 +95,11 @@ pub(crate) fn ending(leg: &Leg<'_>, end: &LegEnd, shell: &Shell<Interpreted>) ->
                 words: of_limit(interpreted, limit),
             };
         }
-        Event::Crossed(part) => {
-            let block = leg.measures.parts()[part].block;
+        TravelEvent::Crossed(part) => {
+            let block = line.measures.parts()[part].block;
             return of_block(EndKind::ChangePoint, block);
         }
-        Event::Failed(failure) => failure,
+        TravelEvent::Failed(failure) => failure,
     };
     let with_reason = |kind: EndKind| Ending {
         kind,
@@ -113,10 +113,10 @@ pub(crate) fn ending(leg: &Leg<'_>, end: &LegEnd, shell: &Shell<Interpreted>) ->
     let Some(last) = end.places.last() else {
         return with_reason(EndKind::Lost);
     };
-    let there = leg.resumed(last, shell);
-    let scale = end.outside.abs().max(leg.step);
+    let there = line.resumed(last, shell);
+    let scale = end.outside.abs().max(line.step);
     let beyond = end.outside + BEYOND * scale;
-    let solved = there.frame_at(beyond, &leg.laws.at(beyond));
+    let solved = there.frame_at(beyond, &line.laws.at(beyond));
     if let Err(failure) = &solved
         && is_excluded(failure.kind)
     {
@@ -125,8 +125,8 @@ pub(crate) fn ending(leg: &Leg<'_>, end: &LegEnd, shell: &Shell<Interpreted>) ->
             false => of_block(EndKind::Reach, usize::from(failure.block)),
         };
     }
-    let samples = leg.measures.at(&last.instant);
-    let parts = leg.measures.parts().iter().zip(&samples);
+    let samples = line.measures.at(&last.instant);
+    let parts = line.measures.parts().iter().zip(&samples);
     let sizes = parts.map(|(part, [value, _])| (part.block, part.bounded(value.abs())));
     let closest = sizes.min_by(|a, b| a.1.total_cmp(&b.1));
     let Some((block, _)) = closest.filter(|(_, size)| *size <= SINGULAR) else {
@@ -138,39 +138,44 @@ pub(crate) fn ending(leg: &Leg<'_>, end: &LegEnd, shell: &Shell<Interpreted>) ->
     }
 }
 
-/// Returns the end of a leg whose loops cannot be closed beyond, to the last digit to which poses exist.
+/// Returns the end of a line whose loops cannot be closed beyond, to the last digit to which poses exist.
 ///
 /// Steps stop a little before, because their accelerations lose digits.
-pub(crate) fn located(leg: &Leg<'_>, end: LegEnd, shell: &Shell<Interpreted>) -> LegEnd {
+pub(crate) fn located(line: &DriveLine<'_>, end: LineEnd, shell: &Shell<Interpreted>) -> LineEnd {
     let Some(last) = end.places.last() else {
         return end;
     };
     let mut inside = last.instant.t();
-    let mut outside = end.outside + BEYOND * end.outside.abs().max(leg.step);
+    let mut outside = end.outside + BEYOND * end.outside.abs().max(line.step);
     loop {
         let middle = inside + 0.5 * (outside - inside);
         if middle <= inside || middle >= outside {
             break;
         }
-        match exists(leg, last, middle, shell) {
+        match exists(line, last, middle, shell) {
             true => inside = middle,
             false => outside = middle,
         }
     }
-    LegEnd { outside, ..end }
+    LineEnd { outside, ..end }
 }
 
 /// True if a pose near a place exists at a length, in its modes.
-pub(crate) fn exists(leg: &Leg<'_>, place: &Place, t: f64, shell: &Shell<Interpreted>) -> bool {
-    let there = leg.resumed(place, shell);
-    let frame = there.frame_at(t, &leg.laws.at(t));
+pub(crate) fn exists(
+    line: &DriveLine<'_>,
+    place: &Place,
+    t: f64,
+    shell: &Shell<Interpreted>,
+) -> bool {
+    let there = line.resumed(place, shell);
+    let frame = there.frame_at(t, &line.laws.at(t));
     frame.is_ok_and(|frame| is_near(&there, frame.q()))
 }
 
 /// True if a pose continues beyond an end of this kind, so that the end is refuted there.
 pub(crate) fn continues(
-    leg: &Leg<'_>,
-    end: &LegEnd,
+    line: &DriveLine<'_>,
+    end: &LineEnd,
     kind: EndKind,
     outside: f64,
     shell: &Shell<Interpreted>,
@@ -178,24 +183,24 @@ pub(crate) fn continues(
     let Some(last) = end.places.last() else {
         return true;
     };
-    let mut there = leg.resumed(last, shell);
-    let inputs = leg.laws.at(outside);
+    let mut there = line.resumed(last, shell);
+    let inputs = line.laws.at(outside);
     match kind {
         EndKind::Limit => {
             let moved = there.advance(outside, &inputs).is_ok();
             !moved || broken(&there).is_none()
         }
         EndKind::ChangePoint => {
-            let samples = leg.measures.at(there.frame());
+            let samples = line.measures.at(there.frame());
             let passed = there.advance(outside, &inputs).is_ok();
-            !passed || crossed(&samples, &leg.measures.at(there.frame())).is_none()
+            !passed || crossed(&samples, &line.measures.at(there.frame())).is_none()
         }
         EndKind::Reach | EndKind::Refused => {
             let beyond = there.frame_at(outside, &inputs);
             !beyond.is_err_and(|failure| is_excluded(failure.kind))
         }
         EndKind::DeadPoint => {
-            exists(leg, last, outside, shell) || there.advance(outside, &inputs).is_ok()
+            exists(line, last, outside, shell) || there.advance(outside, &inputs).is_ok()
         }
         EndKind::Lost | EndKind::FullTurn | EndKind::Unended => true,
     }

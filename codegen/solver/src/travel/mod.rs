@@ -6,7 +6,8 @@
 mod digits;
 mod drive;
 mod ending;
-mod leg;
+mod line;
+mod region;
 mod way;
 
 use linkwright_codegen::stages::structure::driven;
@@ -19,9 +20,10 @@ use crate::proof::Proof;
 pub use digits::Decimals;
 pub use drive::Drive;
 pub use ending::EndKind;
+pub use region::{Curve, Region, Section};
 
-use digits::Scale;
-use way::{Way, along};
+use digits::DriveScale;
+use way::{TravelWay, along};
 
 /// Travel of a drive.
 #[derive(Clone, Debug)]
@@ -84,10 +86,10 @@ impl Travel {
         let mut count = 0;
         let mut followed = |sign: f64| {
             let interpreted = along(&driven, sign).ok_or(Immovable::Unsolvable)?;
-            let way = Way {
+            let way = TravelWay {
                 interpreted,
                 is_angle: drive.is_angle,
-                scale: Scale {
+                scale: DriveScale {
                     sign,
                     unit: 1.0 / unit.of_si(1.0),
                 },

@@ -6,9 +6,9 @@ use linkwright::math::Real as _;
 use linkwright::{Failure, Shell};
 use linkwright_codegen::stages::system::Derived;
 
-use super::digits::{Decimals, Scale, decimals};
+use super::digits::{Decimals, DriveScale, decimals};
 use super::ending::{EndKind, ending, is_near, located};
-use super::leg::{Event, Leg, Place};
+use super::line::{DriveLine, Place, TravelEvent};
 use super::{Immovable, TravelEnd};
 use crate::interpreted::Interpreted;
 use crate::measures::Measures;
@@ -38,17 +38,17 @@ const SAME_POSE: f64 = 1e-9;
 const PROOF_INSTANTS: usize = 48;
 
 /// One way of a drive.
-pub(super) struct Way {
+pub(super) struct TravelWay {
     /// Mechanism whose time is the value of the drive, in the direction of the way.
     pub interpreted: Interpreted,
     pub is_angle: bool,
-    pub scale: Scale,
+    pub scale: DriveScale,
 }
 
-impl Way {
+impl TravelWay {
     /// Returns the value of the drive at the start, and the end of the way.
     pub fn end(self, proves: bool, see: &mut impl FnMut()) -> Result<(f64, TravelEnd), Immovable> {
-        let Way {
+        let TravelWay {
             interpreted, scale, ..
         } = &self;
         let mechanism = &interpreted.system().mechanism;
@@ -60,25 +60,26 @@ impl Way {
         let laws = interpreted.input_laws();
         let measures = interpreted.measured();
         let length = mechanism.characteristic_length;
-        let leg = Leg {
+        let line = DriveLine {
             laws: &laws,
             measures: &measures,
             step: match self.is_angle {
                 true => ANGLE_STEP,
                 false => LENGTH_STEP * length,
             },
+            precision: 0.0,
         };
-        let shell = self.begun(start, leg.step)?;
+        let shell = self.begun(start, line.step)?;
         let first = Place::of(&shell);
         let (stretch, stretches) = match self.is_angle {
             true => (TAU, TURNS),
             false => (LENGTHS * length, 1),
         };
-        let mut moving = self.departed(&leg, &shell);
+        let mut moving = self.departed(&line, &shell);
         let (mut end, mut turns) = (None, None);
         for turn in 1..=stretches {
-            let ended = leg.follow(moving.clone(), start + f64::from(turn) * stretch, |_| see());
-            let is_complete = matches!(ended.event, Event::Complete);
+            let ended = line.follow(moving.clone(), start + f64::from(turn) * stretch, |_| see());
+            let is_complete = matches!(ended.event, TravelEvent::Complete);
             let last = ended.places.last().cloned();
             end = Some(ended);
             if !is_complete {
@@ -89,20 +90,20 @@ impl Way {
                 turns = Some(turn);
                 break;
             }
-            moving = leg.resumed(&last, &moving);
+            moving = line.resumed(&last, &moving);
         }
         let end = end.ok_or(Immovable::Unsolvable)?;
-        let ending = ending(&leg, &end, &shell);
+        let ending = ending(&line, &end, &shell);
         let kind = match turns {
             Some(_) => EndKind::FullTurn,
             None => ending.kind,
         };
         let end = match kind {
-            EndKind::Reach | EndKind::DeadPoint => located(&leg, end, &shell),
+            EndKind::Reach | EndKind::DeadPoint => located(&line, end, &shell),
             _ => end,
         };
         let decimals_of = |at_most: usize| match kind.is_end() {
-            true => decimals(&leg, &end, kind, (*scale, at_most), &shell),
+            true => decimals(&line, &end, kind, (*scale, at_most), &shell),
             false => None,
         };
         let mut decimals = decimals_of(usize::MAX);
@@ -148,13 +149,13 @@ impl Way {
     }
 
     /// Returns the mechanism at the start, or a little further along the way if the start is too close to singular to be left by steps.
-    fn departed(&self, leg: &Leg<'_>, shell: &Shell<Interpreted>) -> Shell<Interpreted> {
+    fn departed(&self, line: &DriveLine<'_>, shell: &Shell<Interpreted>) -> Shell<Interpreted> {
         let start = shell.frame().t();
-        let nearest = start + BESIDE[0] * leg.step;
-        if leg.passed(&Place::of(shell), nearest, shell).is_some() {
+        let nearest = start + BESIDE[0] * line.step;
+        if line.passed(&Place::of(shell), nearest, shell).is_some() {
             return shell.clone();
         }
-        let further = BESIDE.iter().map(|off| start + off * leg.step);
+        let further = BESIDE.iter().map(|off| start + off * line.step);
         let mut further = further.filter_map(|t| self.interpreted.assembled_as_drawn(t).ok());
         let near = further.find(|it| is_near(shell, it.frame().q()));
         near.unwrap_or_else(|| shell.clone())

@@ -29,9 +29,9 @@ pub(crate) struct Place {
     pub modes: Modes,
 }
 
-/// Event that ends a leg.
+/// TravelEvent that ends a line.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Event {
+pub(crate) enum TravelEvent {
     /// No pose continues.
     Failed(Failure),
     /// A measure of singularity, an index into the measured parts, changes its sign.
@@ -42,36 +42,38 @@ pub(crate) enum Event {
     Complete,
 }
 
-/// End of a leg.
+/// End of a line.
 #[derive(Clone, Debug)]
-pub(crate) struct LegEnd {
+pub(crate) struct LineEnd {
     /// Last places, the farthest last; never empty.
     pub places: Vec<Place>,
     /// Length of the event: the smallest one beyond it, or that of a change point.
     pub outside: f64,
-    pub event: Event,
+    pub event: TravelEvent,
 }
 
 /// Line of drive values from a pose.
-pub(crate) struct Leg<'a> {
+pub(crate) struct DriveLine<'a> {
     pub laws: &'a InputLaws,
     pub measures: &'a Measures,
     /// Length of the longest step.
     pub step: f64,
+    /// Length to which an event is enclosed; 0 for the last digit.
+    pub precision: f64,
 }
 
-/// Position of a mechanism on a leg.
+/// Position of a mechanism on a line.
 struct Walk<'a> {
-    leg: &'a Leg<'a>,
+    line: &'a DriveLine<'a>,
     shell: Shell<Interpreted>,
     samples: Vec<Sample>,
     watch: Option<MeasureWatch>,
     places: Vec<Place>,
 }
 
-impl Leg<'_> {
+impl DriveLine<'_> {
     /// Follows the line from the last frame of a shell to the length `end`; `see` receives every length that is reached.
-    pub fn follow(&self, shell: Shell<Interpreted>, end: f64, mut see: impl FnMut(f64)) -> LegEnd {
+    pub fn follow(&self, shell: Shell<Interpreted>, end: f64, mut see: impl FnMut(f64)) -> LineEnd {
         let is_limited = !shell.blocks().system().mechanism.limits.is_empty();
         let watch = match is_limited {
             true => MeasureWatch::new(shell.blocks()),
@@ -82,35 +84,53 @@ impl Leg<'_> {
             watch: watch.map(|it| it.along(self.laws.clone())),
             places: vec![Place::of(&shell)],
             shell,
-            leg: self,
+            line: self,
         };
         if let Some(watch) = &mut walk.watch {
             watch.see(&walk.shell);
             if let Some((limit, at)) = watch.first_broken() {
-                return walk.ended(at, Event::Limit(limit));
+                return walk.ended(at, TravelEvent::Limit(limit));
             }
         }
         // Length at which no pose was found, with the failure.
         let mut beyond: Option<(f64, Failure)> = None;
+        // Distance before a failure at which the next pose is tried; bisection if the last digit matters.
+        let mut back = match self.precision > 0.0 {
+            true => 0.125 * self.precision,
+            false => f64::INFINITY,
+        };
         loop {
             let at = walk.shell.frame().t();
             if at >= end {
-                return walk.ended(end, Event::Complete);
+                return walk.ended(end, TravelEvent::Complete);
             }
             let next = match &beyond {
-                Some((beyond, _)) => at + 0.5 * (beyond - at),
+                // A failure with its time has located the end as closely as steps reach it.
+                Some((beyond, _)) => (at + 0.5 * (beyond - at)).max(beyond - back),
                 None => (at + walk.step()).min(end),
             };
             if let Some((outside, failure)) = beyond
-                && (next <= at || next >= outside)
+                && (next <= at || next >= outside || outside - at <= self.precision)
             {
-                return walk.ended(outside, Event::Failed(failure));
+                return walk.ended(outside, TravelEvent::Failed(failure));
             }
             match walk.to(next) {
                 Ok(None) => see(next),
                 Ok(Some((outside, event))) => return walk.ended(outside, event),
-                Err(failure) if next <= at => return walk.ended(next, Event::Failed(failure)),
-                Err(failure) => beyond = Some((next, failure)),
+                Err(failure) if next <= at => {
+                    return walk.ended(next, TravelEvent::Failed(failure));
+                }
+                Err(failure) => {
+                    let located = failure.time + 0.5 * self.precision;
+                    let is_located = self.precision > 0.0 && failure.time > at;
+                    let outside = if is_located { located.min(next) } else { next };
+                    beyond = Some((outside, failure));
+                    back = if is_located {
+                        8.0 * back.min(end)
+                    } else {
+                        back
+                    };
+                }
             }
         }
     }
@@ -159,7 +179,7 @@ impl Leg<'_> {
 impl Walk<'_> {
     /// Returns the length of the next step: towards zero of a measure, only a part of the distance.
     fn step(&self) -> f64 {
-        let longest = self.leg.step;
+        let longest = self.line.step;
         let distances = self
             .samples
             .iter()
@@ -171,10 +191,10 @@ impl Walk<'_> {
     }
 
     /// Moves to a length. Returns an event on the way with a length beyond it; the walk then ends before it.
-    fn to(&mut self, t: f64) -> Result<Option<(f64, Event)>, Failure> {
+    fn to(&mut self, t: f64) -> Result<Option<(f64, TravelEvent)>, Failure> {
         let before = Place::of(&self.shell);
-        self.shell.advance(t, &self.leg.laws.at(t))?;
-        let samples = self.leg.measures.at(self.shell.frame());
+        self.shell.advance(t, &self.line.laws.at(t))?;
+        let samples = self.line.measures.at(self.shell.frame());
         let passed = crossed(&self.samples, &samples).or_else(|| {
             let is_same = *self.shell.branches() == before.modes;
             (!is_same).then(|| smallest(&self.samples))
@@ -186,10 +206,10 @@ impl Walk<'_> {
         });
         let event = match (crossing, limit) {
             (Some((part, at)), Some((_, broken))) if at <= broken => {
-                Some((at, Event::Crossed(part)))
+                Some((at, TravelEvent::Crossed(part)))
             }
-            (_, Some((limit, broken))) => Some((broken, Event::Limit(limit))),
-            (Some((part, at)), None) => Some((at, Event::Crossed(part))),
+            (_, Some((limit, broken))) => Some((broken, TravelEvent::Limit(limit))),
+            (Some((part, at)), None) => Some((at, TravelEvent::Crossed(part))),
             (None, None) => None,
         };
         if event.is_none() {
@@ -211,10 +231,10 @@ impl Walk<'_> {
         loop {
             let at = inside.instant.t();
             let middle = at + 0.5 * (outside - at);
-            if middle <= at || middle >= outside {
+            if middle <= at || middle >= outside || outside - at <= self.line.precision {
                 break;
             }
-            match self.leg.reached(&inside, middle, &self.shell) {
+            match self.line.reached(&inside, middle, &self.shell) {
                 Some(shell) => {
                     inside = Place::of(&shell);
                     self.places.push(inside.clone());
@@ -223,11 +243,11 @@ impl Walk<'_> {
             }
         }
         let at = inside.instant.t();
-        let near = self.leg.measures.at(&inside.instant)[part][0];
-        let mut gap = f64::EPSILON * at.abs().max(self.leg.step);
+        let near = self.line.measures.at(&inside.instant)[part][0];
+        let mut gap = (f64::EPSILON * at.abs().max(self.line.step)).max(self.line.precision);
         while at + gap < beyond {
-            let far = self.leg.passed(&inside, at + gap, &self.shell);
-            let far = far.map(|shell| self.leg.measures.at(shell.frame())[part][0]);
+            let far = self.line.passed(&inside, at + gap, &self.shell);
+            let far = far.map(|shell| self.line.measures.at(shell.frame())[part][0]);
             if let Some(far) = far.filter(|far| far * near < 0.0) {
                 return (at + gap * near / (near - far)).clamp(at, at + gap);
             }
@@ -236,11 +256,11 @@ impl Walk<'_> {
         outside
     }
 
-    /// Returns the end of the leg. The last place is next to the event.
-    fn ended(mut self, outside: f64, event: Event) -> LegEnd {
+    /// Returns the end of the line. The last place is next to the event.
+    fn ended(mut self, outside: f64, event: TravelEvent) -> LineEnd {
         // A crossing is enclosed before a limit that comes first is known.
         self.places.retain(|it| it.instant.t() <= outside);
-        LegEnd {
+        LineEnd {
             places: self.places,
             outside,
             event,
