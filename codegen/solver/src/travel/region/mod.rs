@@ -110,6 +110,7 @@ impl Region {
                 followed.push(points);
             }
         }
+        let followed = without_fragments(followed, longest);
         let folds = fold::folds(&plane, &start, &followed, FOLD_STEP * mean);
         Ok(Region {
             drives: drives.clone(),
@@ -119,6 +120,24 @@ impl Region {
             folds: folds.iter().map(|it| curve(&plane, it)).collect(),
         })
     }
+}
+
+/// Returns closed borders first, and those that were lost only if no closed one covers them.
+fn without_fragments(all: Vec<Vec<BorderPoint>>, within: f64) -> Vec<Vec<BorderPoint>> {
+    let (mut closed, open): (Vec<_>, Vec<_>) = all.into_iter().partition(|it| is_closed(it));
+    let is_covered = |point: &BorderPoint| {
+        let mut borders = closed.iter();
+        borders.any(|it| is_beside(it, point.spot, within))
+    };
+    let lost = open.into_iter().filter(|it| !it.iter().all(is_covered));
+    let lost: Vec<_> = lost.collect();
+    closed.extend(lost);
+    closed
+}
+
+/// True if a border ends where it begins.
+fn is_closed(points: &[BorderPoint]) -> bool {
+    points.len() > 2 && points[0].spot == points[points.len() - 1].spot
 }
 
 /// Returns the plane of two drives about the design configuration.
@@ -185,9 +204,8 @@ fn curve(plane: &Plane, points: &[BorderPoint]) -> Curve {
             last.tips.extend(tip);
         }
     }
-    let is_closed = points.len() > 2 && points[0].spot == points[points.len() - 1].spot;
     Curve {
         sections,
-        is_closed,
+        is_closed: is_closed(points),
     }
 }
