@@ -62,7 +62,12 @@ fn value(derived: &Derived, name: &str, place: Span) -> Option<String> {
         let unit = own.dimension.unit();
         let value = plain(own.nominal)?;
         let range = range(own.range, own.dimension);
-        return Some(format!("= {value} {unit} unless it is set{range}"));
+        let tolerance = own.tolerance.map_or(String::new(), |it| {
+            format!("; {}", it.text(own.dimension, &OutputUnits::default()))
+        });
+        return Some(format!(
+            "= {value} {unit} unless it is set{range}{tolerance}"
+        ));
     }
     let mut inputs = mechanism.inputs.iter();
     let input = inputs.find(|it| is_own((&it.name, it.span)))?;

@@ -4,7 +4,7 @@ use super::pieces::{Piece, What};
 use crate::syntax::KEYWORDS;
 
 /// Words between two operands.
-const CLAUSES: [&str; 13] = [
+const CLAUSES: [&str; 15] = [
     "at",
     "turned",
     "facing",
@@ -17,6 +17,8 @@ const CLAUSES: [&str; 13] = [
     "inertia",
     "from",
     "to",
+    "tolerance",
+    "sigma",
     "pressure_angle",
 ];
 

@@ -20,6 +20,7 @@ impl Resolver<'_> {
                 span: drive.span,
             },
             range: None,
+            tolerance: None,
         };
         let input = self.add_signal(&start, Sort::Free);
         let joint = self.linkage.joints.len();

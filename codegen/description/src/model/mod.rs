@@ -55,6 +55,7 @@ mod slug;
 mod synonyms;
 mod table;
 mod teeth;
+mod tolerance;
 mod transmission;
 mod units;
 mod wanted_forces;
@@ -76,6 +77,7 @@ pub use ranges::{range_text, si_unit, value_text};
 pub use setting::{follow_points, set};
 pub use table::ENDS_OF_TABLES;
 pub use teeth::{Bearing, PressureAngle, Teeth, WheelAxis};
+pub use tolerance::Distribution;
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -167,6 +169,8 @@ pub struct Parameter {
     pub nominal: ExprId,
     /// Both ends of its range, in SI units; `None` if it is not limited.
     pub range: Option<[f64; 2]>,
+    /// Distribution about the default; `None` without a tolerance.
+    pub tolerance: Option<Distribution>,
     /// Dimension of the value.
     pub dimension: Dimension,
     /// True if a statement refers to the parameter.

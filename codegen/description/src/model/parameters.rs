@@ -8,7 +8,7 @@ use std::collections::HashMap;
 use super::dimension::Dimension;
 use super::expression::Value;
 use super::resolve::Resolver;
-use super::{Input, Mechanism, Parameter};
+use super::{Distribution, Input, Mechanism, Parameter};
 use crate::diagnostic::{Code, Diagnostic, Span};
 use crate::expr::ExprId;
 use crate::syntax::{Adjustable, Constant, Name};
@@ -25,6 +25,15 @@ pub(super) enum Sort {
 /// First name that became this field of the sort; never iterated.
 pub(super) type Fields = HashMap<(Sort, String), Name>;
 
+/// Number of a statement with its departures.
+struct Stated {
+    value: Value,
+    /// Both ends of its range, in SI units; `None` if it is not limited.
+    range: Option<[f64; 2]>,
+    /// Distribution about the number; `None` without a tolerance.
+    tolerance: Option<Distribution>,
+}
+
 impl Sort {
     fn noun(self) -> &'static str {
         match self {
@@ -37,7 +46,12 @@ impl Sort {
 
 impl Resolver<'_> {
     pub(super) fn add_parameter(&mut self, written: &Adjustable) {
-        let Some(((nominal, dimension), range)) = self.default_of(written, Sort::Parameter) else {
+        let Some(Stated {
+            value: (nominal, dimension),
+            range,
+            tolerance,
+        }) = self.stated(written, Sort::Parameter)
+        else {
             return;
         };
         let Constant { name, docs, .. } = &written.constant;
@@ -56,6 +70,7 @@ impl Resolver<'_> {
             symbol,
             nominal,
             range,
+            tolerance,
             dimension,
             used: false,
             span: name.span,
@@ -68,7 +83,11 @@ impl Resolver<'_> {
 
     /// Adds a signal with its value at assembly, at rest; `None` if the name is not permitted.
     pub(super) fn add_signal(&mut self, written: &Adjustable, sort: Sort) -> Option<usize> {
-        let ((initial, dimension), range) = self.default_of(written, sort)?;
+        let Stated {
+            value: (initial, dimension),
+            range,
+            ..
+        } = self.stated(written, sort)?;
         let Constant { name, docs, .. } = &written.constant;
         let [value, rate, acceleration] =
             ["", "'", "''"].map(|dots| self.graph.symbol(&format!("{}{dots} input", name.text)));
@@ -94,26 +113,31 @@ impl Resolver<'_> {
         Some(self.declared.inputs.len() - 1)
     }
 
-    /// Returns the number that a statement assigns, and its range. A number with an error becomes one, so that the name is still
-    /// declared; `None` if the name is not permitted.
-    fn default_of(
-        &mut self,
-        adjustable: &Adjustable,
-        sort: Sort,
-    ) -> Option<(Value, Option<[f64; 2]>)> {
+    /// Returns the number that a statement assigns, its range and its tolerance. A number with an error becomes one, so that the
+    /// name is still declared; `None` if the name is not permitted.
+    fn stated(&mut self, adjustable: &Adjustable, sort: Sort) -> Option<Stated> {
         let written = &adjustable.constant;
         let name = &written.name;
         if !self.may_be_declared(name) {
             return None;
         }
         self.tell_apart(name, sort);
-        let one = ((self.graph.one(), Dimension::Number), None);
+        let one = Stated {
+            value: (self.graph.one(), Dimension::Number),
+            range: None,
+            tolerance: None,
+        };
         let Some((value, dimension)) = self.value(&written.value) else {
             return Some(one);
         };
         if self.graph.is_constant(value) {
             let (range, dimension) = self.limits(adjustable, (value, dimension));
-            return Some(((value, dimension), range));
+            let (tolerance, dimension) = self.distribution(adjustable, (value, dimension), range);
+            return Some(Stated {
+                value: (value, dimension),
+                range,
+                tolerance,
+            });
         }
         let noun = sort.noun();
         let (article, cause) = match sort {

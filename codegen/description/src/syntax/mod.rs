@@ -10,6 +10,7 @@
 //! In a document, every node has its span in the source text, and tokens are as written. Nothing nests deeper than [`MAX_DEPTH`].
 //! Names, joint kinds, quantities, functions and units are not resolved.
 
+mod adjustable;
 mod body;
 mod brackets;
 mod curve;
@@ -113,7 +114,7 @@ pub const BUILT_IN: &[&str] = &["t", "pi"];
 pub const AXES: [&str; 3] = ["x", "y", "phi"];
 
 /// Words within statements; each is special only in its position.
-pub const CLAUSES: [&str; 19] = [
+pub const CLAUSES: [&str; 21] = [
     "at",
     "turned",
     "facing",
@@ -126,6 +127,8 @@ pub const CLAUSES: [&str; 19] = [
     "inertia",
     "from",
     "to",
+    "tolerance",
+    "sigma",
     "rate",
     "columns",
     "polar",

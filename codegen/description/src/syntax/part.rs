@@ -312,6 +312,7 @@ fn replace(statement: &mut Statement, given: Expression) {
         }) => Statement::Given(Adjustable {
             constant,
             range: Some(range.clone()),
+            tolerance: None,
         }),
         _ => Statement::Constant(constant),
     };

@@ -70,7 +70,8 @@ impl<'a> Renaming<'a> {
             }
             Statement::Given(it) | Statement::Parameter(it) | Statement::Input(it) => {
                 self.constant(&mut it.constant)?;
-                self.formulas(it.range.iter_mut().flatten())
+                self.formulas(it.range.iter_mut().flatten())?;
+                self.formulas(it.tolerance.iter_mut().map(|it| &mut it.extent))
             }
             Statement::Table(table) => self.table(table),
             Statement::Points(points) => points.points.iter_mut().try_for_each(|point| {

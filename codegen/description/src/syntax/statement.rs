@@ -6,9 +6,10 @@
 use proc_macro2::Delimiter;
 
 use super::KEYWORDS;
+use super::adjustable::{adjustable, at_tolerance, no_tolerance};
 use super::body::body;
 use super::curve::curve;
-use super::document::{Adjustable, Constant, DrawnPoint, Joint, Points, REQUESTS, Statement};
+use super::document::{Constant, DrawnPoint, Joint, Points, REQUESTS, Statement};
 use super::drive::{drive, free};
 use super::equation::equation;
 use super::expression::{after_expression, coordinates, expression};
@@ -43,8 +44,8 @@ pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
                 .learn(|scope| scope.add_constant(&constant.name, whole));
             Ok(Statement::Constant(constant))
         }
-        "param" => adjustable(tokens, docs, first.span, "a parameter").map(Statement::Parameter),
-        "input" => adjustable(tokens, docs, first.span, "an input").map(Statement::Input),
+        "param" => adjustable(tokens, docs, first.span, true).map(Statement::Parameter),
+        "input" => adjustable(tokens, docs, first.span, false).map(Statement::Input),
         "table" => table(tokens, docs, first.span),
         "point" => points(tokens, docs, first.span),
         "body" => body(tokens, docs, first.span).map(Statement::Body),
@@ -88,39 +89,14 @@ fn constant(
             .help("write a range behind the value of a `param` or an `input`");
         return Err(Box::new(finding));
     }
+    if at_tolerance(tokens) {
+        return Err(no_tolerance(tokens, what));
+    }
     completed(tokens, docs, start, name, value)
 }
 
-/// Parses `NAME = EXPRESSION from LOW to HIGH;` after the first word; the range is optional.
-fn adjustable(
-    tokens: &mut Tokens<'_>,
-    docs: Vec<String>,
-    start: Span,
-    what: &str,
-) -> Outcome<Adjustable> {
-    let name = identifier(tokens, &format!("the name of {what}"))?;
-    equals(tokens)?;
-    let value = expression(tokens)?;
-    let range = match tokens.keyword("from") {
-        Some(_) => {
-            let low = expression(tokens)?;
-            if tokens.keyword("to").is_none() {
-                return Err(after_expression(
-                    tokens,
-                    "an operation or `to`",
-                    "a range has two ends: `from 80mm to 160mm`",
-                ));
-            }
-            Some([low, expression(tokens)?])
-        }
-        None => None,
-    };
-    let constant = completed(tokens, docs, start, name, value)?;
-    Ok(Adjustable { constant, range })
-}
-
 /// Parses the end of a declaration.
-fn completed(
+pub(super) fn completed(
     tokens: &mut Tokens<'_>,
     docs: Vec<String>,
     start: Span,

@@ -6,6 +6,7 @@ use super::table::{aligned, in_lines, shown_width};
 use crate::model::{Dimension, Role};
 use crate::pool::Pool;
 use crate::system::{Derived, System};
+use crate::units::OutputUnits;
 
 /// The widest matrix that is printed as one; wider ones are listed entry by entry.
 const WIDEST_MATRIX: usize = 110;
@@ -65,15 +66,19 @@ pub(crate) fn given(pool: &Pool, system: &System) -> String {
         let range = range.map_or(String::new(), |[low, high]| {
             format!(" from {low} to {high} {unit}")
         });
-        format!("{what} {name} = {default} {unit}{range}\n")
+        format!("{what} {name} = {default} {unit}{range}")
     };
     let parameters = mechanism.parameters.iter().map(|own| {
         let default = value(own.nominal);
-        line("parameter", &own.name, own.dimension, default, own.range)
+        let line = line("parameter", &own.name, own.dimension, default, own.range);
+        let tolerance = own.tolerance.map_or(String::new(), |it| {
+            format!(" {}", it.text(own.dimension, &OutputUnits::default()))
+        });
+        format!("{line}{tolerance}\n")
     });
     let inputs = mechanism.inputs.iter().map(|own| {
         let initial = value(own.initial);
-        line("input", &own.name, own.dimension, initial, own.range)
+        line("input", &own.name, own.dimension, initial, own.range) + "\n"
     });
     let tables = mechanism.tables.iter().map(|own| {
         let spline = graph.spline_of(own.spline);

@@ -182,11 +182,23 @@ pub struct Constant {
     pub span: Span,
 }
 
-/// `param NAME = EXPRESSION from LOW to HIGH;`, and `input` in the same form.
+/// `param NAME = EXPRESSION from LOW to HIGH tolerance EXTENT;`, and `input` in the same form without a tolerance.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Adjustable {
     /// Name and value.
     pub constant: Constant,
     /// Both ends of its range; `None` if it is not limited.
     pub range: Option<[Expression; 2]>,
+    /// Tolerance; `None` if its value is exact.
+    pub tolerance: Option<StatedTolerance>,
+}
+
+/// `tolerance EXTENT` or `sigma EXTENT` behind a value.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StatedTolerance {
+    /// True for `sigma`: the extent is the standard deviation of a normal distribution. False for `tolerance`: the largest
+    /// distance to both sides.
+    pub is_normal: bool,
+    /// Extent.
+    pub extent: Expression,
 }
