@@ -123,6 +123,8 @@ pub mod simulation;
 #[doc(hidden)]
 pub mod singular_participants;
 #[doc(hidden)]
+pub mod stack_up;
+#[doc(hidden)]
 pub mod textbook;
 #[doc(hidden)]
 pub mod tolerances;

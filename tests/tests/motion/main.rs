@@ -25,6 +25,7 @@ mod same_bits;
 mod sensitivities;
 mod set;
 mod solved;
+mod stack_up;
 mod tables;
 mod units;
 mod wound;

@@ -88,6 +88,7 @@ const SOLVER: (&str, &[&str]) = (
         "batch",
         "open_loop",
         "opened",
+        "stack_up",
         "proof",
         "search",
         "every_pose",

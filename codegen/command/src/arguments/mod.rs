@@ -8,6 +8,7 @@ mod shell;
 mod simulate;
 mod solve;
 mod sweep;
+mod tolerance;
 mod travel;
 mod units;
 mod values;
@@ -21,6 +22,7 @@ pub use shell::{Completions, Fmt, Lsp, Man, New};
 pub use simulate::{Simulate, StepMethod};
 pub use solve::{Formulation, Solve};
 pub use sweep::Sweep;
+pub use tolerance::{SampleSequence, Tolerance};
 pub use travel::Travel;
 pub use units::{ReportedIn, units};
 pub use view::View;
@@ -52,6 +54,7 @@ Examples:
   linkwright solve mechanisms/excavator.mech
   linkwright solve mechanisms/two_body.mech --to 1 --step 0.1 --points Q
   linkwright sweep lift.mech --vary rod=100mm..200mm:101 --show phi_rocker
+  linkwright tolerance press.mech --plot pictures
   linkwright draw mechanisms/excavator.mech
   linkwright view mechanisms/excavator.mech
   linkwright inspect mechanisms/two_body.mech --format unicode
@@ -78,6 +81,8 @@ pub enum Command {
     Simulate(Simulate),
     /// Solve the motion for many sets of parameters and inputs
     Sweep(Sweep),
+    /// Add up tolerances of parameters: the spread of measures along the motion
+    Tolerance(Tolerance),
     /// Draw the mechanism as an SVG, a PNG or a DXF, or its motion as an SVG or a GIF
     Draw(Draw),
     /// Make a page that moves the mechanism and shows its equations

@@ -30,6 +30,7 @@ pub mod solve;
 mod solve_files;
 pub mod sweep;
 mod sweep_files;
+pub mod tolerance;
 pub mod travel;
 mod travel_region;
 pub mod view;
@@ -115,6 +116,7 @@ fn outcome(command: Command, interface: clap::Command) -> Result<Outcome, Proble
         Command::Solve(solve) => solve::run(&solve),
         Command::Simulate(simulate) => simulate::run(&simulate),
         Command::Sweep(sweep) => sweep::run(&sweep),
+        Command::Tolerance(tolerance) => tolerance::run(&tolerance),
         Command::Draw(draw) if draw.animate => animate::run(&draw),
         Command::Draw(draw) => draw::run(&draw),
         Command::View(view) => view::run(&view),

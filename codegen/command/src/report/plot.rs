@@ -301,7 +301,7 @@ fn draw_panel(area: &Drawing<'_>, panel: &Panel<'_>) -> Result<(), Refused> {
 }
 
 /// Draws a line of a legend beside the curves, where it hides nothing.
-fn legend(
+pub(super) fn legend(
     area: &Drawing<'_>,
     left: i32,
     row: usize,

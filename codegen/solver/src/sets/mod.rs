@@ -4,8 +4,12 @@
 
 mod axis;
 mod extremes;
+mod normal;
+mod random;
 mod sobol;
 
 pub use axis::Axis;
 pub use extremes::Extremes;
+pub use normal::normal_quantile;
+pub use random::random_coordinate;
 pub use sobol::{BITS, MAX_DIMENSIONS, Sobol};
