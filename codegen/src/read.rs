@@ -98,6 +98,9 @@ pub struct Requests<'a> {
     pub along: Option<&'a [&'a str]>,
     /// True to add driving forces.
     pub efforts: bool,
+    /// True to add the offsets of loose pins as parameters, with sensitivities to these and to all parameters with a tolerance in
+    /// place of the requested ones.
+    pub tolerances: bool,
 }
 
 impl<'a> Requests<'a> {
@@ -105,6 +108,7 @@ impl<'a> Requests<'a> {
         Requests {
             along: Some(parameters),
             efforts: false,
+            tolerances: false,
         }
     }
 }
@@ -162,8 +166,14 @@ fn resolved(
     let Some(mut resolved) = resolved else {
         return Err(diagnostics);
     };
-    for (_, mechanism) in &mut resolved {
+    for (pool, mechanism) in &mut resolved {
         mechanism.forces.efforts |= requests.efforts;
+        if requests.tolerances {
+            mechanism.offset_pins(&mut pool.graph);
+            let parameters = mechanism.parameters.iter().enumerate();
+            let stated = parameters.filter(|(_, it)| it.tolerance.is_some());
+            mechanism.sensitivities = stated.map(|(place, _)| place).collect();
+        }
         let Some(along) = requests.along else {
             continue;
         };

@@ -25,7 +25,7 @@ pub mod joint {
 pub mod model {
     #[doc(inline)]
     pub use crate::model::{
-        Body, Dimension, Distribution, ENDS_OF_TABLES, FUNCTIONS, Joint, LAWS, Limit,
+        Body, Clearance, Dimension, Distribution, ENDS_OF_TABLES, FUNCTIONS, Joint, LAWS, Limit,
         MEASURE_FUNCTIONS, Measurement, Mechanism, Mention, Requested, Role, follow_points,
         range_text, set, si_unit, unit, value_text,
     };

@@ -122,6 +122,7 @@ fn opened(
         let requests = Requests {
             along: names.as_deref(),
             efforts: choices.efforts,
+            tolerances: false,
         };
         let read = Read::requesting(source, requests).map_err(Unopen::Findings)?;
         let requested = match motion {

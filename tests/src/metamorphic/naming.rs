@@ -75,6 +75,7 @@ fn declared(statements: &[Statement], names: &mut Vec<String>) {
             | Statement::Force(_)
             | Statement::Torque(_)
             | Statement::Limit(_)
+            | Statement::Clearance(_)
             | Statement::Units(_) => {}
             Statement::Element(it) => declarations.extend(&it.name),
         }
@@ -138,6 +139,7 @@ impl Renaming {
                     let (Shape::Parametric(_) | Shape::Polar(_)) = it.shape;
                 }
                 Statement::Limit(it) => self.name(&it.measure),
+                Statement::Clearance(it) => self.name(&it.name),
                 Statement::Request(it) => {
                     self.items(&it.items);
                     it.names.iter().for_each(|name| self.name(name));

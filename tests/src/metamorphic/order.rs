@@ -93,6 +93,7 @@ fn ordered(text: &str, statements: &[Statement], random: &mut Random) -> String 
             Statement::Request(_)
                 | Statement::Measure(_)
                 | Statement::Limit(_)
+                | Statement::Clearance(_)
                 | Statement::Mass(_)
                 | Statement::Gravity(_)
                 | Statement::Element(_)

@@ -72,6 +72,7 @@ fn statements<'a>(all: &'a [Statement], visit: &mut dyn FnMut(Given<'a>)) {
             | Statement::Table(_)
             | Statement::Measure(_)
             | Statement::Limit(_)
+            | Statement::Clearance(_)
             | Statement::Request(_)
             | Statement::Mass(_)
             | Statement::Gravity(_)
@@ -259,12 +260,17 @@ pub fn each_formula<'a>(all: &'a [Statement], visit: &mut dyn FnMut(&'a Expressi
     };
     for statement in all {
         match statement {
-            Statement::Constant(it) | Statement::Angle(it) => visit(&it.value, false),
+            Statement::Constant(it) | Statement::Angle(it) | Statement::Clearance(it) => {
+                visit(&it.value, false);
+            }
             Statement::Measure(it) => visit(&it.value, true),
             Statement::Given(it) | Statement::Parameter(it) | Statement::Input(it) => {
                 visit(&it.constant.value, false);
                 for end in it.range.iter().flatten() {
                     visit(end, false);
+                }
+                if let Some(tolerance) = &it.tolerance {
+                    visit(&tolerance.extent, false);
                 }
             }
             Statement::Points(points) => {

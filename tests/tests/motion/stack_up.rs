@@ -178,6 +178,60 @@ fn lengths_in_a_chain_add_up() {
     }
 }
 
+/// The offset of any pin of a slider-crank acts along the rod: its worst case is c l/S with S = √(l² − r² sin²), and its variance a
+/// quarter of the square.
+#[test]
+fn loose_pins_act_along_the_rod() {
+    let radius = 2e-4;
+    let text = slider_crank("40mm", "120mm");
+    let loose =
+        "clearance O = 0.2mm; clearance A = 0.2mm; clearance B = 0.2mm; measure place = ram.x";
+    // The pin of the rod's end is not where that of the ram is.
+    let prepared = opened(&text.replace("measure place = B.x", loose));
+    let times = times(100);
+    let spread = StackUp::new(&prepared, &times, 2).expect("it is assembled");
+    let place = &spread.measures[0];
+    for (frame, &t) in times.iter().enumerate() {
+        assert!((place.nominal[frame] - ram(CRANK, ROD, t)[0]).abs() < 1e-15);
+        let root = (ROD * ROD - (CRANK * (RATE * t).sin()).powi(2)).sqrt();
+        let limits = place.limits(frame, &spread.toleranced);
+        assert_eq!(limits.len(), 3);
+        for limit in limits {
+            assert!((limit - radius * ROD / root).abs() < 1e-15, "{t}: {limit}");
+        }
+        let deviation = 3.0_f64.sqrt() * 0.5 * radius * ROD / root;
+        assert!((place.deviation[frame] - deviation).abs() < 1e-15);
+        let shares = place.shares(frame, &spread.toleranced);
+        assert!(shares.iter().all(|it| (it - 1.0 / 3.0).abs() < 1e-12));
+    }
+    // Sampled pins, against the closed form with the same offsets, which turn with the first body.
+    let count = 2000;
+    for sampling in [Sampling::Sobol, Sampling::Random] {
+        let solved = sampled(&prepared, &spread, sampling, 5, count, 2);
+        assert_eq!(departures(place, &solved.measures[0]), []);
+        let samples = ToleranceSamples::new(&spread.toleranced, sampling, 5).expect("six");
+        for (frame, &t) in times.iter().enumerate().step_by(9) {
+            let values = (0..count).map(|index| {
+                let mut drawn = [CRANK, ROD, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+                samples.write(index, &mut drawn);
+                let [_, _, ox, oy, ax, ay, bx, by] = drawn;
+                assert!(ox.hypot(oy) <= radius && ax.hypot(ay) <= radius);
+                let (sine, cosine) = (RATE * t).sin_cos();
+                let pin = [CRANK + ax, ay];
+                let x = ox + cosine * pin[0] - sine * pin[1];
+                let y = oy + sine * pin[0] + cosine * pin[1];
+                let rod = (ROD + bx).hypot(by);
+                x + (rod * rod - y * y).sqrt()
+            });
+            let mut values: Vec<f64> = values.collect();
+            let expected = Moments::of(&mut values, place.nominal[frame]);
+            let found = solved.measures[0].moments[frame];
+            assert!((found.mean - expected.mean).abs() < 1e-13);
+            assert!((found.deviation - expected.deviation).abs() < 1e-13);
+        }
+    }
+}
+
 fn sampled(
     prepared: &Prepared,
     spread: &StackUp,

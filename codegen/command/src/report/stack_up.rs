@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use linkwright_codegen::stages::model::{Distribution, si_unit};
 use linkwright_codegen::stages::units::{OutputUnit, OutputUnits};
 use linkwright_solver::number::{counted, time};
 use linkwright_solver::stack_up::{
@@ -44,9 +45,25 @@ impl Report<'_> {
             .collect()
     }
 
-    /// Returns the name of a parameter.
-    pub fn parameter(&self, it: &Toleranced) -> &str {
-        &self.blocks.system().mechanism.parameters[it.parameter].name
+    /// Returns the sources of spread: parameters, and loose pins by their first component.
+    pub fn sources(&self) -> Vec<&Toleranced> {
+        let all = self.spread.toleranced.iter();
+        all.filter(|it| it.begins_source()).collect()
+    }
+
+    /// Returns the name of a source: that of a parameter, or of the joint of a loose pin.
+    pub fn source_name(&self, it: &Toleranced) -> &str {
+        let mechanism = &self.blocks.system().mechanism;
+        let parameter = &mechanism.parameters[it.parameter];
+        match it.distribution {
+            Distribution::Clearance { .. } => {
+                // Offsets follow the parameters, two for each clearance.
+                let stated = mechanism.parameters.len() - 2 * mechanism.clearances.len();
+                let clearance = &mechanism.clearances[(it.parameter - stated) / 2];
+                &mechanism.joints[clearance.joint].label
+            }
+            _ => &parameter.name,
+        }
     }
 }
 
@@ -66,9 +83,7 @@ fn short(unit: &OutputUnit, si: f64) -> String {
 /// # Errors
 /// Errors of `output`.
 pub fn write_linear(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()> {
-    let StackUp {
-        times, toleranced, ..
-    } = report.spread;
+    let times = &report.spread.times;
     let mechanism = &report.blocks.system().mechanism;
     let units = report.units();
     let [first, last] = [times.first(), times.last()].map(|it| time(it.copied().unwrap_or(0.0)));
@@ -79,19 +94,20 @@ pub fn write_linear(report: &Report<'_>, output: &mut dyn Write) -> io::Result<(
         counted(times.len(), "frame")
     )?;
     let mut rows = vec![
-        ["parameter", "value", "distribution"]
+        ["source", "value", "distribution"]
             .map(String::from)
             .to_vec(),
     ];
-    for it in toleranced {
+    for it in report.sources() {
         let parameter = &mechanism.parameters[it.parameter];
-        let unit = units.of(&linkwright_codegen::stages::model::si_unit(
-            parameter.dimension,
-        ));
-        let value = format!("{} {}", unit.rounded(it.nominal, VALUE_DIGITS), unit.name);
+        let unit = units.of(&si_unit(parameter.dimension));
+        let value = match it.distribution {
+            Distribution::Clearance { .. } => String::new(),
+            _ => format!("{} {}", unit.rounded(it.nominal, VALUE_DIGITS), unit.name),
+        };
         let tolerance = it.distribution.text(parameter.dimension, &units);
         rows.push(vec![
-            parameter.name.clone(),
+            report.source_name(it).to_string(),
             value.trim_end().to_string(),
             tolerance,
         ]);
@@ -140,14 +156,15 @@ fn write_measure(
     let limits = measure.limits(worst, toleranced);
     let shares = measure.shares(spread, toleranced);
     let mut rows = vec![
-        ["parameter", "in the worst case", "share of variance"]
+        ["source", "in the worst case", "share of variance"]
             .map(String::from)
             .to_vec(),
     ];
-    let mut order: Vec<usize> = (0..toleranced.len()).collect();
+    let sources = report.sources();
+    let mut order: Vec<usize> = (0..sources.len()).collect();
     order.sort_by(|a, b| shares[*b].total_cmp(&shares[*a]));
     for it in order {
-        let name = report.parameter(&toleranced[it]).to_string();
+        let name = report.source_name(sources[it]).to_string();
         let limit = format!("±{}", short(unit, limits[it]));
         rows.push(vec![name, limit, format!("{:.1} %", 100.0 * shares[it])]);
     }

@@ -4,13 +4,13 @@
 //! |---|---|
 //! | `mechanism`, `motion` | name of the mechanism, and of the motion if there are several |
 //! | `t` | times of the frames (s) |
-//! | `parameters` | `{parameter, unit, value, distribution, extent}` each; `distribution` is `uniform` with its half width, or `normal` with its standard deviation |
+//! | `sources` | `{source, unit, value, distribution, extent}` each; `distribution` is `uniform` with its half width, `normal` with its standard deviation, or `disc` with the radius of a pin's clearance |
 //! | `samples` | `{count, sequence, seed, unassembled, ended, failure}`, absent without samples; `failure` is the first one in words |
 //! | `measures` | `{measure, unit, derivatives, nominal, worst_case, deviation, slopes, largest_worst_case, largest_deviation, sampled}` each |
 //! | … `derivatives` | `exact`, or `differences` |
 //! | … `nominal`, `worst_case`, `deviation` | by frame; null where a neighboring mechanism cannot be solved |
-//! | … `slopes` | derivatives by frame, then by parameter, in the units of both |
-//! | … `largest_worst_case`, `largest_deviation` | `{value, t, parts}`: `parts` are the shares of the parameters, in the worst case in the unit of the measure, and in the variance as fractions |
+//! | … `slopes` | derivatives by frame, then by parameter, in the units of both; two for a pin, along the axes of its first body |
+//! | … `largest_worst_case`, `largest_deviation` | `{value, t, parts}`: `parts` are the shares of the sources, in the worst case in the unit of the measure, and in the variance as fractions |
 //! | … `sampled` | absent without samples: `count`, `mean`, `deviation`, `error_of_deviation`, `quantiles` by frame, and `departures`, empty where the first order is enough: `{of, t, linear, sampled, frames}`, `of` the `mean` and the `deviation` |
 //! | `quantiles` | shares that belong to the quantiles |
 //! | `error` | reason of an early end of the nominal motion, if there is one |
@@ -31,7 +31,7 @@ struct Object<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     motion: Option<&'a str>,
     t: &'a [f64],
-    parameters: Vec<Parameter<'a>>,
+    sources: Vec<Source<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     samples: Option<Samples<'a>>,
     measures: Vec<Measure>,
@@ -41,8 +41,8 @@ struct Object<'a> {
 }
 
 #[derive(Serialize)]
-struct Parameter<'a> {
-    parameter: &'a str,
+struct Source<'a> {
+    source: &'a str,
     unit: String,
     value: f64,
     distribution: &'a str,
@@ -107,15 +107,16 @@ struct Departed {
 pub fn write(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()> {
     let mechanism = &report.blocks.system().mechanism;
     let units = report.units();
-    let parameters = report.spread.toleranced.iter().map(|it| {
+    let sources = report.sources().into_iter().map(|it| {
         let parameter = &mechanism.parameters[it.parameter];
         let unit = units.of(&si_unit(parameter.dimension));
         let (distribution, extent) = match it.distribution {
             Distribution::Uniform { half_width } => ("uniform", half_width),
             Distribution::Normal { deviation } => ("normal", deviation),
+            Distribution::Clearance { radius, .. } => ("disc", radius),
         };
-        Parameter {
-            parameter: &parameter.name,
+        Source {
+            source: report.source_name(it),
             value: unit.of_si(it.nominal),
             distribution,
             extent: unit.of_si(extent),
@@ -131,7 +132,7 @@ pub fn write(report: &Report<'_>, output: &mut dyn Write) -> io::Result<()> {
         mechanism: &mechanism.name,
         motion: mechanism.motion.as_ref().map(|it| it.name.as_str()),
         t: &report.spread.times,
-        parameters: parameters.collect(),
+        sources: sources.collect(),
         samples: report.sampled.map(|it| Samples {
             count: it.count,
             sequence: report.sequence,

@@ -9,6 +9,7 @@ mod bounds;
 mod call;
 mod carriers;
 mod choice;
+mod clearance;
 mod contact;
 mod curve;
 mod declarations;
@@ -63,6 +64,7 @@ mod weights;
 
 pub use bounds::beyond_bounds;
 pub use call::FUNCTIONS;
+pub use clearance::Clearance;
 pub use dimension::{Dimension, unit};
 pub use forces::{Forces, Mass};
 pub use law::LAWS;
@@ -122,6 +124,8 @@ pub struct Mechanism {
     pub measurements: Vec<Measurement>,
     /// Ranges of measures, in source order; at most one for each measure.
     pub limits: Vec<Limit>,
+    /// Clearances of pins.
+    pub clearances: Vec<Clearance>,
     /// Requested outputs; all quantities if empty.
     pub requests: Vec<Request>,
     /// Quantities of `transmission` statements, without duplicates.

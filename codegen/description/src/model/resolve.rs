@@ -118,6 +118,7 @@ pub(super) fn resolve_statements<'a>(
         .collect();
     let transmissions = resolver.transmissions(statements, &named);
     let sensitivities = resolver.sensitivities(statements, &points);
+    let clearances = resolver.clearances(statements);
     let monitor = resolver.has(RequestKind::Monitor, statements);
     let is_unguarded = resolver.has(RequestKind::Unguarded, statements);
     let forces = resolver.wanted_forces(statements);
@@ -162,6 +163,7 @@ pub(super) fn resolve_statements<'a>(
         points,
         measurements: resolver.declared.measurements,
         limits: resolver.declared.limits,
+        clearances,
         requests,
         transmissions,
         sensitivities,
@@ -224,8 +226,10 @@ impl Resolver<'_> {
             syntax::Statement::Torque(torque) => self.add_torque(torque),
             syntax::Statement::Measure(measure) => self.add_measure(measure),
             syntax::Statement::Limit(limit) => self.add_limit(limit),
-            // Points are known after all bodies, and parameters may follow.
-            syntax::Statement::Request(_) | syntax::Statement::Units(_) => {}
+            // Points are known after all bodies, and parameters and joints may follow.
+            syntax::Statement::Clearance(_)
+            | syntax::Statement::Request(_)
+            | syntax::Statement::Units(_) => {}
             // The statements of motions are passed separately.
             syntax::Statement::Motion(_) => {}
         }

@@ -21,6 +21,13 @@ pub enum Distribution {
         /// Standard deviation.
         deviation: f64,
     },
+    /// Component of an offset that is evenly spread over a disc.
+    Clearance {
+        /// Radius of the disc.
+        radius: f64,
+        /// 0 for x, 1 for y; the parameter of y follows that of x.
+        axis: usize,
+    },
 }
 
 /// Number of standard deviations that stand for the limits of a normal distribution, which has none.
@@ -32,6 +39,7 @@ impl Distribution {
         match self {
             Distribution::Uniform { half_width } => half_width * half_width / 3.0,
             Distribution::Normal { deviation } => deviation * deviation,
+            Distribution::Clearance { radius, .. } => radius * radius / 4.0,
         }
     }
 
@@ -40,14 +48,17 @@ impl Distribution {
         match self {
             Distribution::Uniform { half_width } => half_width,
             Distribution::Normal { deviation } => LIMIT_OF_NORMAL * deviation,
+            Distribution::Clearance { radius, .. } => radius,
         }
     }
 
-    /// Returns the distribution in units of output, as a description states it: `tolerance 0.1 mm`, `sigma 0.03 mm`.
+    /// Returns the distribution in units of output, as a description states it: `tolerance 0.1 mm`,
+    /// `sigma 0.03 mm`, `clearance 0.05 mm`.
     pub fn text(self, dimension: Dimension, units: &OutputUnits) -> String {
         let (word, extent) = match self {
             Distribution::Uniform { half_width } => ("tolerance", half_width),
             Distribution::Normal { deviation } => ("sigma", deviation),
+            Distribution::Clearance { radius, .. } => ("clearance", radius),
         };
         format!("{word} {}", value_text(extent, dimension, units))
     }

@@ -70,7 +70,7 @@ use crate::diagnostic::{Code, Diagnostic, Diagnostics, Source, Span, nearest};
 pub const MAX_DEPTH: usize = 128;
 
 /// Words that start a statement. A statement that starts with any other word is a joint.
-pub const KEYWORDS: [&str; 34] = [
+pub const KEYWORDS: [&str; 35] = [
     "const",
     "param",
     "input",
@@ -101,6 +101,7 @@ pub const KEYWORDS: [&str; 34] = [
     "energy",
     "measure",
     "limit",
+    "clearance",
     "units",
     "motion",
     "repeat",

@@ -65,9 +65,10 @@ impl<'a> Renaming<'a> {
 
     fn all_of(&mut self, statement: &mut Statement) -> Outcome<()> {
         match statement {
-            Statement::Constant(it) | Statement::Angle(it) | Statement::Measure(it) => {
-                self.constant(it)
-            }
+            Statement::Constant(it)
+            | Statement::Angle(it)
+            | Statement::Measure(it)
+            | Statement::Clearance(it) => self.constant(it),
             Statement::Given(it) | Statement::Parameter(it) | Statement::Input(it) => {
                 self.constant(&mut it.constant)?;
                 self.formulas(it.range.iter_mut().flatten())?;

@@ -62,6 +62,7 @@ pub(super) fn statement(tokens: &mut Tokens<'_>) -> Outcome<Statement> {
         "force" => forces::force(tokens, docs, first.span),
         "torque" => forces::torque(tokens, docs, first.span),
         "measure" => constant(tokens, docs, first.span, "a measure").map(Statement::Measure),
+        "clearance" => constant(tokens, docs, first.span, "a clearance").map(Statement::Clearance),
         "limit" => limit(tokens, docs, first.span),
         "units" => units(tokens, docs, first.span),
         "motion" => motion(tokens, docs, first.span),

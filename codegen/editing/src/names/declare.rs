@@ -168,6 +168,7 @@ impl Collector {
             | Statement::Force(_)
             | Statement::Torque(_)
             | Statement::Limit(_)
+            | Statement::Clearance(_)
             | Statement::Units(_) => {}
         }
     }

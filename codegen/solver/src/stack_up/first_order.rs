@@ -19,7 +19,7 @@ const EXACT_ORDER: usize = 1;
 /// Step of differences, as a share of the larger one of value and tolerance: the cube root of ε, which balances rounding and curvature.
 const STEP: f64 = 6.1e-6;
 
-/// Parameter with its distribution.
+/// Parameter with its distribution, or component of an offset.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Toleranced {
     /// Index into the mechanism's parameters.
@@ -35,7 +35,7 @@ pub struct Toleranced {
 pub struct StackUp {
     /// Times (s) at which the nominal motion is solved.
     pub times: Vec<f64>,
-    /// Parameters with a tolerance, in the order of the description.
+    /// Parameters with a tolerance, in the order of the description, then both components of the offset of each loose pin.
     pub toleranced: Vec<Toleranced>,
     /// Spreads, in the order of the measures of the description.
     pub measures: Vec<LinearSpread>,
@@ -111,34 +111,49 @@ impl StackUp {
 
 impl LinearSpread {
     fn add_up(&mut self, toleranced: &[Toleranced]) {
-        let sum = |slopes: &Vec<f64>, term: &dyn Fn(f64, Distribution) -> f64| -> f64 {
-            let terms = slopes.iter().zip(toleranced);
-            terms.map(|(slope, it)| term(*slope, it.distribution)).sum()
-        };
-        let slopes = self.slopes.iter();
-        let worst = slopes.map(|it| sum(it, &|slope, of| slope.abs() * of.limit()));
-        self.worst = worst.collect();
-        let slopes = self.slopes.iter();
-        let deviation = slopes.map(|it| sum(it, &|slope, of| slope * slope * of.variance()).sqrt());
-        self.deviation = deviation.collect();
+        let sums = (0..self.slopes.len()).map(|place| {
+            let parts = self.parts(place, toleranced);
+            let worst: f64 = parts.iter().map(|it| it[0]).sum();
+            let variance: f64 = parts.iter().map(|it| it[1]).sum();
+            (worst, variance.sqrt())
+        });
+        (self.worst, self.deviation) = sums.unzip();
     }
 
-    /// Returns the largest departures that each parameter contributes at a time.
+    /// Returns the largest departure and the variance that each source contributes at a time.
+    fn parts(&self, place: usize, toleranced: &[Toleranced]) -> Vec<[f64; 2]> {
+        let mut parts: Vec<[f64; 2]> = Vec::with_capacity(toleranced.len());
+        for (slope, it) in self.slopes[place].iter().zip(toleranced) {
+            let limit = slope.abs() * it.distribution.limit();
+            let variance = slope * slope * it.distribution.variance();
+            match parts.last_mut().filter(|_| !it.begins_source()) {
+                // The largest departure within a disc is along the gradient.
+                Some(last) => *last = [last[0].hypot(limit), last[1] + variance],
+                None => parts.push([limit, variance]),
+            }
+        }
+        parts
+    }
+
+    /// Returns the largest departures that each source contributes at a time.
     pub fn limits(&self, place: usize, toleranced: &[Toleranced]) -> Vec<f64> {
-        let slopes = self.slopes[place].iter().zip(toleranced);
-        let limits = slopes.map(|(slope, it)| slope.abs() * it.distribution.limit());
-        limits.collect()
+        let parts = self.parts(place, toleranced).into_iter();
+        parts.map(|it| it[0]).collect()
     }
 
-    /// Returns the shares of the variance that each parameter contributes at a time; all zero without a variance.
+    /// Returns the shares of the variance that each source contributes at a time; all zero without a variance.
     pub fn shares(&self, place: usize, toleranced: &[Toleranced]) -> Vec<f64> {
-        let slopes = self.slopes[place].iter().zip(toleranced);
-        let parts: Vec<f64> = slopes
-            .map(|(slope, it)| slope * slope * it.distribution.variance())
-            .collect();
-        let whole: f64 = parts.iter().sum();
+        let parts = self.parts(place, toleranced);
+        let whole: f64 = parts.iter().map(|it| it[1]).sum();
         let share = |part: f64| if whole > 0.0 { part / whole } else { 0.0 };
-        parts.into_iter().map(share).collect()
+        parts.into_iter().map(|it| share(it[1])).collect()
+    }
+}
+
+impl Toleranced {
+    /// True if the parameter begins a source of spread; false for the second component of an offset.
+    pub fn begins_source(&self) -> bool {
+        !matches!(self.distribution, Distribution::Clearance { axis: 1.., .. })
     }
 }
 

@@ -1,9 +1,9 @@
 //! Prepares a description for a study of its tolerances.
 
-use linkwright_codegen::Read;
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
 use linkwright_codegen::stages::model::set;
 use linkwright_codegen::stages::system::Derived;
+use linkwright_codegen::{Read, Requests};
 
 use crate::interpreted::Interpreted;
 use crate::opened::{Unopened, determined, solvable};
@@ -48,10 +48,8 @@ pub fn prepared(
 ) -> Result<Prepared, Unprepared> {
     let plain = determined(source, motion, warnings).map_err(Unprepared::Unopened)?;
     let mechanism = &plain.system.mechanism;
-    let parameters = mechanism.parameters.iter();
-    let names = parameters.filter(|it| it.tolerance.is_some());
-    let names: Vec<&str> = names.map(|it| it.name.as_str()).collect();
-    if names.is_empty() {
+    let mut parameters = mechanism.parameters.iter();
+    if !parameters.any(|it| it.tolerance.is_some()) && mechanism.clearances.is_empty() {
         return Err(Unprepared::NoTolerance);
     }
     if mechanism.measurements.is_empty() {
@@ -60,13 +58,12 @@ pub fn prepared(
     if !mechanism.forces.free.is_empty() {
         return Err(Unprepared::Free);
     }
-    let findings = |errors| Unprepared::Unopened(Unopened::Findings(errors));
-    let read = Read::along(source, &names).map_err(findings)?;
-    let along = match motion {
-        Some(name) => read.motion(name).cloned(),
-        None => read.only(),
+    // Without sensitivities, samples are solved in less time.
+    let plain = match mechanism.clearances.is_empty() {
+        true => plain,
+        false => requesting(source, motion, Some(&[]))?,
     };
-    let along = along.ok_or(Unprepared::Unopened(Unopened::NoOrder))?;
+    let along = requesting(source, motion, None)?;
     let [plain, along] = [
         set_all(plain, option, assignments),
         set_all(along, option, assignments),
@@ -85,6 +82,27 @@ pub fn prepared(
         along: blocks(&along, &mut repeated)?,
         unlimited: blocks(&unlimited, &mut repeated)?,
     })
+}
+
+/// Derives a motion that [`determined`] has found, with the offsets of loose pins, and sensitivities to all tolerances or to those
+/// `along`.
+fn requesting(
+    source: &Source,
+    motion: Option<&str>,
+    along: Option<&[&str]>,
+) -> Result<Derived, Unprepared> {
+    let requests = Requests {
+        along,
+        tolerances: true,
+        ..Requests::default()
+    };
+    let read = Read::requesting(source, requests);
+    let read = read.map_err(|errors| Unprepared::Unopened(Unopened::Findings(errors)))?;
+    let derived = match motion {
+        Some(name) => read.motion(name).cloned(),
+        None => read.only(),
+    };
+    derived.ok_or(Unprepared::Unopened(Unopened::NoOrder))
 }
 
 fn set_all(

@@ -1,5 +1,7 @@
 //! Draws parameters from their distributions.
 
+use std::f64::consts::TAU;
+
 use linkwright_codegen::stages::model::Distribution;
 
 use super::first_order::Toleranced;
@@ -46,15 +48,21 @@ impl<'a> ToleranceSamples<'a> {
 
     /// Writes the values of a mechanism over its nominal parameters.
     pub fn write(&self, index: u32, parameters: &mut [f64]) {
+        let share = |dimension: usize| match &self.sobol {
+            // The middle of its interval: neither 0 nor 1.
+            Some(sobol) => sobol.coordinate(index, dimension) + 0.5 / (1_u64 << BITS) as f64,
+            None => random_coordinate(self.seed, index, dimension),
+        };
         for (dimension, it) in self.toleranced.iter().enumerate() {
-            let share = match &self.sobol {
-                // The middle of its interval: neither 0 nor 1.
-                Some(sobol) => sobol.coordinate(index, dimension) + 0.5 / (1_u64 << BITS) as f64,
-                None => random_coordinate(self.seed, index, dimension),
-            };
             let departure = match it.distribution {
-                Distribution::Uniform { half_width } => half_width * (2.0 * share - 1.0),
-                Distribution::Normal { deviation } => deviation * normal_quantile(share),
+                Distribution::Clearance { radius, axis } => {
+                    // The first component has the distance in its share, the second one the direction.
+                    let first = dimension - axis;
+                    let (sine, cosine) = (TAU * share(first + 1)).sin_cos();
+                    radius * share(first).sqrt() * [cosine, sine][axis]
+                }
+                Distribution::Uniform { half_width } => half_width * (2.0 * share(dimension) - 1.0),
+                Distribution::Normal { deviation } => deviation * normal_quantile(share(dimension)),
             };
             parameters[it.parameter] = it.nominal + departure;
         }

@@ -97,6 +97,8 @@ pub enum Statement {
     Measure(Constant),
     /// `limit stroke from 20mm to 80mm;`: range of a measure.
     Limit(Limit),
+    /// `clearance P = 0.05mm;`: radial clearance of a pin.
+    Clearance(Constant),
     /// `output K, phi(1);`, `sensitivity L2;`, `reaction P;`, `monitor;`
     Request(Request),
     /// `units mm, deg;`
@@ -131,7 +133,8 @@ impl Statement {
         match self {
             Statement::Constant(statement)
             | Statement::Angle(statement)
-            | Statement::Measure(statement) => statement.span,
+            | Statement::Measure(statement)
+            | Statement::Clearance(statement) => statement.span,
             Statement::Given(statement)
             | Statement::Parameter(statement)
             | Statement::Input(statement) => statement.constant.span,
