@@ -2,10 +2,12 @@
 
 use linkwright_codegen::diagnostic::{Diagnostics, Source};
 use linkwright_codegen::stages::model::Distribution;
+use linkwright_codegen::{Options, generate};
 use linkwright_solver::stack_up::{
     Moments, Prepared, SampledSpread, Sampling, StackUp, ToleranceSamples, Unprepared, departures,
     prepared,
 };
+use linkwright_tests::description;
 
 /// Crank and rod (m), and rate of the crank (rad/s).
 const CRANK: f64 = 0.04;
@@ -225,9 +227,9 @@ fn loose_pins_act_along_the_rod() {
             });
             let mut values: Vec<f64> = values.collect();
             let expected = Moments::of(&mut values, place.nominal[frame]);
-            let found = solved.measures[0].moments[frame];
-            assert!((found.mean - expected.mean).abs() < 1e-13);
-            assert!((found.deviation - expected.deviation).abs() < 1e-13);
+            let moments = solved.measures[0].moments[frame];
+            assert!((moments.mean - expected.mean).abs() < 1e-13);
+            assert!((moments.deviation - expected.deviation).abs() < 1e-13);
         }
     }
 }
@@ -278,16 +280,16 @@ fn sampled_mechanisms_are_those_of_the_closed_form() {
                 let values = drawn.iter().map(|it| ram(it[0], it[1], t)[quantity]);
                 let mut values: Vec<f64> = values.collect();
                 let expected = Moments::of(&mut values, measure.nominal[place]);
-                let found = solved.measures[quantity].moments[place];
+                let moments = solved.measures[quantity].moments[place];
                 let pairs = [
-                    (found.mean, expected.mean),
-                    (found.deviation, expected.deviation),
-                    (found.quantiles[0], expected.quantiles[0]),
-                    (found.quantiles[1], expected.quantiles[1]),
-                    (found.quantiles[2], expected.quantiles[2]),
+                    (moments.mean, expected.mean),
+                    (moments.deviation, expected.deviation),
+                    (moments.quantiles[0], expected.quantiles[0]),
+                    (moments.quantiles[1], expected.quantiles[1]),
+                    (moments.quantiles[2], expected.quantiles[2]),
                 ];
-                for (found, expected) in pairs {
-                    assert!((found - expected).abs() < 1e-12, "{t}: {found} {expected}");
+                for (value, expected) in pairs {
+                    assert!((value - expected).abs() < 1e-12, "{t}: {value} {expected}");
                 }
             }
         }
@@ -295,6 +297,24 @@ fn sampled_mechanisms_are_those_of_the_closed_form() {
             assert_eq!(departures(linear, sampled), []);
         }
     }
+}
+
+/// Only the study knows of tolerances and clearances.
+#[test]
+fn generated_code_is_the_same_without_tolerances() {
+    let source = description::source("toleranced_press");
+    let exact = source
+        .text
+        .replace(" tolerance 0.05mm", "")
+        .replace(" sigma 0.04mm", "");
+    let exact = exact.replace("    clearance A = 0.05mm;\n", "");
+    assert!(!exact.contains("sigma") && exact.len() + 50 < source.text.len());
+    let exact = Source::new(source.name.clone(), exact);
+    let module = |source: &Source| {
+        let generated = generate(source, &Options::default()).expect("no errors");
+        generated.code().to_string()
+    };
+    assert!(module(&source) == module(&exact));
 }
 
 #[test]
@@ -322,10 +342,10 @@ fn first_order_is_not_enough_near_a_dead_point() {
     let spread = StackUp::new(&prepared, &times, 2).expect("it is assembled");
     assert!(spread.ended.is_none());
     let sampled = sampled(&prepared, &spread, Sampling::Sobol, 0, 10_000, 2);
-    let found = departures(&spread.measures[0], &sampled.measures[0]);
-    let found = found.first().expect("not enough");
-    println!("{found:?} at t = {}", times[found.place]);
-    assert!(times[found.place] > 0.65, "{found:?}");
+    let all = departures(&spread.measures[0], &sampled.measures[0]);
+    let departure = all.first().expect("not enough");
+    println!("{departure:?} at t = {}", times[departure.place]);
+    assert!(times[departure.place] > 0.65, "{departure:?}");
     // Far from the dead point, it is.
     let early = StackUp::new(&prepared, &times[..25], 2).expect("it is assembled");
     let sampled = SampledSpread::new(
@@ -356,9 +376,12 @@ fn an_error_at_a_dead_point_is_of_second_order() {
     assert!((mean / bend - 1.0).abs() < 2e-3, "{mean} {bend}");
     let deviation = moments.deviation / (2.0_f64.sqrt() * bend);
     assert!((deviation - 1.0).abs() < 0.01, "{deviation}");
-    let found = departures(&spread.measures[0], &sampled.measures[0]);
-    assert_eq!(found.len(), 2);
-    assert!(!found[1].is_of_mean && found[1].place == 10, "{found:?}");
+    let departures = departures(&spread.measures[0], &sampled.measures[0]);
+    assert_eq!(departures.len(), 2);
+    assert!(
+        !departures[1].is_of_mean && departures[1].place == 10,
+        "{departures:?}"
+    );
 }
 
 /// Mechanisms that cannot be assembled, or whose motion ends early, are counted.

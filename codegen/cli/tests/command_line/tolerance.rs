@@ -55,8 +55,8 @@ fn spreads_are_those_of_the_closed_form() {
         let (sine, cosine) = (2.0 * t).sin_cos();
         let root = (200.0_f64.powi(2) - (50.0 * sine).powi(2)).sqrt();
         let slopes = [cosine - 50.0 * sine * sine / root, 200.0 / root];
-        let found = numbers(&place["slopes"][frame]);
-        assert!((found[0] - slopes[0]).abs() < 1e-12 && (found[1] - slopes[1]).abs() < 1e-12);
+        let solved = numbers(&place["slopes"][frame]);
+        assert!((solved[0] - slopes[0]).abs() < 1e-12 && (solved[1] - slopes[1]).abs() < 1e-12);
         let expected = slopes[0].abs() * 0.1 + slopes[1] * 0.15;
         assert!((worst[frame] - expected).abs() < 1e-12);
         let expected = ((slopes[0] * 0.1).powi(2) / 3.0 + (slopes[1] * 0.05).powi(2)).sqrt();
@@ -163,7 +163,7 @@ fn bad_input_is_refused() {
             "exact",
             exact.as_str(),
             &[][..],
-            "no parameter has a tolerance",
+            "no parameter has a tolerance, and no pin a clearance",
         ),
         (
             "unmeasured",

@@ -3,6 +3,7 @@
 use std::thread;
 
 use linkwright_codegen::diagnostic::Diagnostics;
+use linkwright_solver::sets::MAX_DIMENSIONS;
 use linkwright_solver::stack_up::{
     MAX_SAMPLED_VALUES, Prepared, SampledSpread, Sampling, StackUp, ToleranceSamples, Unprepared,
     prepared,
@@ -107,8 +108,8 @@ pub fn run(arguments: &Tolerance) -> Result<Outcome, Problem> {
 fn refused(reason: &Unprepared) -> Problem {
     let (message, help) = match reason {
         Unprepared::NoTolerance => (
-            "no parameter has a tolerance",
-            "write one behind a value: `param rod = 120mm tolerance 0.1mm;`, or `sigma 0.03mm` for a normal distribution",
+            "no parameter has a tolerance, and no pin a clearance",
+            "write a tolerance behind a value, `param rod = 120mm tolerance 0.1mm;`, or `clearance P = 0.05mm;`",
         ),
         Unprepared::NoMeasure => (
             "nothing is measured",
@@ -145,9 +146,9 @@ fn samples<'a>(
     let samples = ToleranceSamples::new(&spread.toleranced, sampling, arguments.seed);
     samples.ok_or_else(|| {
         Problem(format!(
-            "error: {} parameters have a tolerance, and Sobol's sequence has {} dimensions\n  = help: pass `--sampling random`",
+            "error: the tolerances vary {} numbers, and Sobol's sequence has {} dimensions\n  = help: pass `--sampling random`",
             spread.toleranced.len(),
-            ToleranceSamples::MAX_SOBOL
+            MAX_DIMENSIONS
         ))
     })
 }

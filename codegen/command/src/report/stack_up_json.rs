@@ -173,7 +173,7 @@ fn measure(
         let slopes = slopes.iter().zip(&of_parameters);
         slopes.map(|(slope, of)| unit.of_si(*slope) / of).collect()
     });
-    let found = |values: &[f64], parts: &dyn Fn(usize) -> Vec<f64>| {
+    let largest_of = |values: &[f64], parts: &dyn Fn(usize) -> Vec<f64>| {
         let place = largest(values.iter().copied())?;
         Some(Largest {
             value: unit.of_si(values[place]),
@@ -193,8 +193,8 @@ fn measure(
         worst_case: all(&linear.worst),
         deviation: all(&linear.deviation),
         slopes: slopes.collect(),
-        largest_worst_case: found(&linear.worst, &|it| all(&linear.limits(it, toleranced))),
-        largest_deviation: found(&linear.deviation, &|it| linear.shares(it, toleranced)),
+        largest_worst_case: largest_of(&linear.worst, &|it| all(&linear.limits(it, toleranced))),
+        largest_deviation: largest_of(&linear.deviation, &|it| linear.shares(it, toleranced)),
         sampled: sampled.map(|sampled| {
             let moments = || sampled.moments.iter();
             Sampled {

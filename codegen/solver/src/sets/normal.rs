@@ -10,14 +10,12 @@ const CENTRAL: f64 = 0.425;
 const CENTRAL_SQUARE: f64 = 0.180_625;
 
 /// Root of the negative logarithm from which on the last ratio holds.
-const FAR: f64 = 5.0;
+const TAIL_START: f64 = 5.0;
 
 /// Arguments of the second ratio are shifted by this number.
 const SHIFT: f64 = 1.6;
 
-type Ratio = [[f64; 8]; 2];
-
-const CENTER: Ratio = [
+const CENTER: [[f64; 8]; 2] = [
     [
         3.387_132_872_796_366_5,
         133.141_667_891_784_38,
@@ -40,7 +38,7 @@ const CENTER: Ratio = [
     ],
 ];
 
-const TAIL: Ratio = [
+const TAIL: [[f64; 8]; 2] = [
     [
         1.423_437_110_749_683_5,
         4.630_337_846_156_546,
@@ -63,7 +61,7 @@ const TAIL: Ratio = [
     ],
 ];
 
-const FAR_TAIL: Ratio = [
+const FAR_TAIL: [[f64; 8]; 2] = [
     [
         6.657_904_643_501_103,
         5.463_784_911_164_114,
@@ -86,7 +84,7 @@ const FAR_TAIL: Ratio = [
     ],
 ];
 
-fn ratio([above, below]: &Ratio, x: f64) -> f64 {
+fn ratio([above, below]: &[[f64; 8]; 2], x: f64) -> f64 {
     let polynomial = |of: &[f64; 8]| of.iter().rev().fold(0.0, |sum, it| sum * x + it);
     polynomial(above) / polynomial(below)
 }
@@ -99,9 +97,9 @@ pub fn normal_quantile(share: f64) -> f64 {
     }
     let outside = share.min(1.0 - share);
     let root = (-outside.ln()).sqrt();
-    let distance = match root <= FAR {
+    let distance = match root <= TAIL_START {
         true => ratio(&TAIL, root - SHIFT),
-        false => ratio(&FAR_TAIL, root - FAR),
+        false => ratio(&FAR_TAIL, root - TAIL_START),
     };
     distance.copysign(from_median)
 }

@@ -26,14 +26,14 @@ mod tests {
                 let mean =
                     |of: &dyn Fn(u32) -> f64| (0..count).map(of).sum::<f64>() / f64::from(count);
                 let root = f64::from(count).sqrt();
-                let own = |it| of(it, dimension);
-                assert!(mean(&own).abs() < 5.0 * (1.0_f64 / 12.0).sqrt() / root);
-                let square = mean(&|it| own(it) * own(it)) - 1.0 / 12.0;
+                let uniform = |it| of(it, dimension);
+                assert!(mean(&uniform).abs() < 5.0 * (1.0_f64 / 12.0).sqrt() / root);
+                let square = mean(&|it| uniform(it) * uniform(it)) - 1.0 / 12.0;
                 assert!(square.abs() < 5.0 * (1.0_f64 / 180.0).sqrt() / root);
                 for other in [1, 7] {
-                    let pair = mean(&|it| own(it) * of(it, dimension + other));
+                    let pair = mean(&|it| uniform(it) * of(it, dimension + other));
                     assert!(pair.abs() < 5.0 / 12.0 / root);
-                    let next = mean(&|it| own(it) * own(it + other as u32));
+                    let next = mean(&|it| uniform(it) * uniform(it + other as u32));
                     assert!(next.abs() < 5.0 / 12.0 / root);
                 }
             }

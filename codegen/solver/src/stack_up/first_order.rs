@@ -201,19 +201,19 @@ fn follow_exact(
             return Ok(Some(shell.blocks().ended(&failure, shell.frame())));
         }
         let values = Observable::values(shell.blocks(), &observables, shell.frame());
-        let found = shell.blocks().derivatives(shell.frame());
-        let found = found.unwrap_or_default();
-        let mut own = 0;
+        let derivatives = shell.blocks().derivatives(shell.frame());
+        let derivatives = derivatives.unwrap_or_default();
+        let mut rank = 0;
         for (measure, value) in measures.iter_mut().zip(values) {
             measure.nominal.push(value);
             let mut slopes = vec![f64::NAN; count];
             if measure.is_exact {
                 for (parameter, slope) in slopes.iter_mut().enumerate() {
                     // Derivatives of measures follow those of coordinates and rates.
-                    let place = start + (parameter + 1) * of_parameter - exact + own;
-                    *slope = found.get(place).copied().unwrap_or(f64::NAN);
+                    let place = start + (parameter + 1) * of_parameter - exact + rank;
+                    *slope = derivatives.get(place).copied().unwrap_or(f64::NAN);
                 }
-                own += 1;
+                rank += 1;
             }
             measure.slopes.push(slopes);
         }
@@ -266,8 +266,8 @@ fn difference(
         let moved = [1.0, -1.0].map(|sign| it.nominal + sign * step(it));
         let width = moved[0] - moved[1];
         for place in 0..times.len() {
-            for (own, measure) in measures.iter_mut().enumerate() {
-                let index = place * observables.len() + own;
+            for (column, measure) in measures.iter_mut().enumerate() {
+                let index = place * observables.len() + column;
                 let slope = match width > 0.0 {
                     true => (above[index] - below[index]) / width,
                     // A parameter of zero without a tolerance.

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use linkwright_codegen::stages::model::Distribution;
 
 use super::first_order::Toleranced;
-use crate::sets::{BITS, MAX_DIMENSIONS, Sobol, normal_quantile, random_coordinate};
+use crate::sets::{BITS, Sobol, normal_quantile, random_coordinate};
 
 /// Sequence from which mechanisms are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,9 +42,6 @@ impl<'a> ToleranceSamples<'a> {
             seed,
         })
     }
-
-    /// Largest number of parameters of Sobol's sequence.
-    pub const MAX_SOBOL: usize = MAX_DIMENSIONS;
 
     /// Writes the values of a mechanism over its nominal parameters.
     pub fn write(&self, index: u32, parameters: &mut [f64]) {
