@@ -299,7 +299,7 @@ fn sampled_mechanisms_are_those_of_the_closed_form() {
     }
 }
 
-/// Only the study knows of tolerances and clearances.
+/// Only the study uses tolerances and clearances; the head of a module names tolerances of parameters.
 #[test]
 fn generated_code_is_the_same_without_tolerances() {
     let source = description::source("toleranced_press");
@@ -312,7 +312,9 @@ fn generated_code_is_the_same_without_tolerances() {
     let exact = Source::new(source.name.clone(), exact);
     let module = |source: &Source| {
         let generated = generate(source, &Options::default()).expect("no errors");
-        generated.code().to_string()
+        let lines = generated.code().lines();
+        let lines = lines.filter(|it| !it.starts_with("// Parameter "));
+        lines.collect::<Vec<_>>().join("\n")
     };
     assert!(module(&source) == module(&exact));
 }
