@@ -45,7 +45,7 @@ impl Resolver<'_> {
         }
         match (function.text.as_str(), element.rest) {
             ("length", _) if element.turns => self.report_element(&name, "length"),
-            ("length", _) => self.extent(&name, &element),
+            ("length", _) => self.extent_of_element(&name, &element),
             ("energy", None) => self.report_element(&name, "stored energy"),
             ("energy", Some(rest)) => {
                 let [elastic, longer, preload] = self.elongation(&name, &element, rest)?;
@@ -61,7 +61,7 @@ impl Resolver<'_> {
                 Some((self.graph.add(elastic, preload), force_of(&element)))
             }
             (_, None) => {
-                let extent = self.extent(&name, &element)?;
+                let extent = self.extent_of_element(&name, &element)?;
                 let (rate, _) = self.rate_in_measure(extent, argument.span)?;
                 let tension = self.graph.multiply(element.coefficient, rate);
                 Some((tension, force_of(&element)))
@@ -70,7 +70,7 @@ impl Resolver<'_> {
     }
 
     /// Returns the distance between the ends, or the angle of the second body to the first one.
-    fn extent(&mut self, name: &Name, element: &MeasuredElement) -> Option<Value> {
+    fn extent_of_element(&mut self, name: &Name, element: &MeasuredElement) -> Option<Value> {
         if element.turns {
             for mark in element.ends.iter().filter(|it| it.frame.body.0 != 0) {
                 self.mention_mark(*mark);
@@ -91,7 +91,7 @@ impl Resolver<'_> {
         element: &MeasuredElement,
         [free, preload]: [ExprId; 2],
     ) -> Option<[ExprId; 3]> {
-        let (extent, _) = self.extent(name, element)?;
+        let (extent, _) = self.extent_of_element(name, element)?;
         let longer = self.graph.subtract(extent, free);
         let elastic = self.graph.multiply(element.coefficient, longer);
         Some([elastic, longer, preload])

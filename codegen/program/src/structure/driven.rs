@@ -26,6 +26,7 @@ pub fn driven(derived: &Derived, drivers: &[usize], t: f64) -> Option<Derived> {
         docs: Vec::new(),
         symbol: mechanism.time,
         nominal: graph.number(Number::float(t)),
+        tolerance: None,
         range: None,
         dimension: Dimension::Number,
         used: true,

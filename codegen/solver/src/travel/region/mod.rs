@@ -17,7 +17,7 @@ use super::{Drive, Immovable};
 use crate::interpreted::Interpreted;
 use crate::view::View;
 use border::{BorderPoint, border, is_beside};
-use plane::{Hit, Plane, PlanePose, distance};
+use plane::{Hit, Plane, PlanePose, direction, distance};
 
 /// Number of lines from the design configuration that look for borders.
 const RAYS: usize = 24;
@@ -178,12 +178,27 @@ fn plane_of(
     })
 }
 
+/// Parts of the way to the border at which a pose is tried.
+const NEARLY: [f64; 3] = [1.0 - 1e-9, 1.0 - 1e-6, 1.0 - 1e-3];
+
+/// Returns the pose of a border point as near to it as one exists.
+fn at_border(plane: &Plane, point: &BorderPoint) -> PlanePose {
+    let from = &point.pose;
+    let Some(outward) = direction(from.spot, point.spot) else {
+        return from.clone();
+    };
+    let length = distance(from.spot, point.spot);
+    let mut poses = NEARLY.iter();
+    let reached = poses.find_map(|part| plane.moved(from, outward, part * length));
+    reached.unwrap_or_else(|| from.clone())
+}
+
 /// Returns the sections of a followed curve.
 fn curve(plane: &Plane, points: &[BorderPoint]) -> Curve {
     let mut sections: Vec<Section> = Vec::new();
     for point in points {
         let values = [0, 1].map(|drive| plane.value(drive, point.spot[drive]));
-        let tip = plane.tip(&point.pose);
+        let tip = plane.tip(&at_border(plane, point));
         let is_same = sections
             .last()
             .is_some_and(|it| it.kind == point.kind && it.words == point.words);
