@@ -57,7 +57,7 @@ impl Mechanism {
             coordinates: Vec::new(),
             monitor: false,
             curves: false,
-        pairs: Vec::new(),
+            pairs: Vec::new(),
         };
         py.detach(move || {
             let mut motion = Followed::new(view, selection, start, chosen);
