@@ -51,8 +51,8 @@ class Chart {
   }
 
   /// Takes new values, which are drawn later.
-  prepare(curves, samples, [unit, scale], width) {
-    Object.assign(this, { curves, samples, scale, width, height: heightOf(width), isStale: true });
+  prepare(curves, samples, [unit, scale], width, right) {
+    Object.assign(this, { curves, samples, scale, width, right, height: heightOf(width), isStale: true });
     this.title = `${TITLES[this.kind] ?? "Measures"}${this.level ? `: ${LEVELS[this.level]}` : ""}`;
     this.unit = unit;
     this.caption.textContent = unit ? `${this.title}, ${unit}` : this.title;
@@ -68,9 +68,6 @@ class Chart {
     if (this.kind === "determinants") [low, high] = [Math.min(0, low), Math.max(1, high)];
     if (high - low < 1e-6 * Math.max(1e-3 * scale, Math.abs(high))) [low, high] = [low - 1e-3 * scale, high + 1e-3 * scale];
     const [first, last] = [samples.times[0], samples.times.at(-1)];
-    // Names beside the curves are as long as their description has them.
-    const longest = Math.max(...curves.map((it) => it.letter.length + 0.8 * it.index.length));
-    this.right = Math.min(Math.max(RIGHT, 12 + 7.5 * longest), 0.3 * width);
     const x = (time) => LEFT + ((time - first) / (last - first)) * (width - LEFT - this.right);
     const y = (value) => TOP + (1 - (value - low) / (high - low)) * height;
     Object.assign(this, { x, y });
@@ -224,7 +221,10 @@ class Charts {
     }
     // To measure is to lay everything out, so that it is done only if the width can have changed.
     if (!isSame || !this.width) this.width = this.measure();
-    this.all.forEach((chart, index) => chart.prepare(wanted[index].own, samples, wanted[index].unit, this.width));
+    // Names beside the curves are as long as their description has them; all charts have one axis of time.
+    const lengths = wanted.flatMap(({ own }) => own.map((it) => it.letter.length + 0.8 * it.index.length));
+    const right = Math.min(Math.max(RIGHT, 12 + 7.5 * Math.max(0, ...lengths)), 0.3 * this.width);
+    this.all.forEach((chart, index) => chart.prepare(wanted[index].own, samples, wanted[index].unit, this.width, right));
     if (!isSame) {
       for (const chart of this.all) {
         const { top, bottom } = chart.figure.getBoundingClientRect();
