@@ -79,13 +79,7 @@ pub fn followed(
     mut kept: Kept,
 ) -> Result<Track, String> {
     begins_at(schedule.start.t)?;
-    let selection = Wanted {
-        points: Vec::new(),
-        coordinates: Vec::new(),
-        monitor: false,
-        curves: false,
-        pairs: Vec::new(),
-    };
+    let selection = Wanted::default();
     let modes = match &chosen {
         Some((_, modes)) => modes.clone(),
         None => view.drawn_branches(),

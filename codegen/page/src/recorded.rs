@@ -199,11 +199,8 @@ fn examined(
     mut kept: Kept,
 ) -> Result<Track, String> {
     let selection = Wanted {
-        points: Vec::new(),
-        coordinates: Vec::new(),
         monitor: true,
-        curves: false,
-        pairs: Vec::new(),
+        ..Wanted::default()
     };
     let mut motion = Followed::new(view.clone(), selection, schedule.start.t, chosen);
     let ended = motion.follow(schedule, &mut [&mut kept], |_| {});

@@ -152,9 +152,7 @@ impl Session {
         let selection = Wanted {
             points: (0..system.outputs.len()).collect(),
             coordinates: (0..system.coordinates.len()).collect(),
-            monitor: false,
-            curves: false,
-            pairs: Vec::new(),
+            ..Wanted::default()
         };
         let (view, schedule) = (&moving.interpreted, &moving.schedule);
         let chosen = moving.chosen.clone().map(|it| it.start);

@@ -52,13 +52,7 @@ impl Mechanism {
         let start = start.unwrap_or(data.times[0]);
         let schedule = Schedule::instants(start, &data.times, step).map_err(refused)?;
         let chosen = self.chosen(&view, start)?;
-        let selection = Wanted {
-            points: Vec::new(),
-            coordinates: Vec::new(),
-            monitor: false,
-            curves: false,
-            pairs: Vec::new(),
-        };
+        let selection = Wanted::default();
         py.detach(move || {
             let mut motion = Followed::new(view, selection, start, chosen);
             let mut interrupt = Interrupt::new();

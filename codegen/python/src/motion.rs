@@ -83,8 +83,7 @@ pub fn everything<V: View>(view: &V) -> Wanted {
         points: (0..system.outputs.len()).collect(),
         coordinates: (0..system.coordinates.len()).collect(),
         monitor: system.mechanism.monitor,
-        curves: false,
-        pairs: Vec::new(),
+        ..Wanted::default()
     }
 }
 

@@ -44,13 +44,7 @@ pub fn run(arguments: &Compare) -> Result<Outcome, Problem> {
     }
     let interpreted = interpreted(&derived, &source)?;
     let chosen = chosen(&arguments.setting.branch, &interpreted, start)?;
-    let selection = Wanted {
-        points: Vec::new(),
-        coordinates: Vec::new(),
-        monitor: false,
-        curves: false,
-        pairs: Vec::new(),
-    };
+    let selection = Wanted::default();
     let mut motion = Followed::new(interpreted, selection, start, chosen);
     let mut progress = Progress::new(schedule.visits());
     let compared = motion

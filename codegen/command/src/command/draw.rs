@@ -227,10 +227,7 @@ pub(super) fn follow(
     let start = chosen(&arguments.setting.branch, view, schedule.start.t)?;
     let selection = Wanted {
         points,
-        coordinates: Vec::new(),
-        monitor: false,
-        curves: false,
-        pairs: Vec::new(),
+        ..Wanted::default()
     };
     let mut progress = Progress::new(schedule.visits());
     let mut motion = Followed::new(view.clone(), selection, schedule.start.t, start);

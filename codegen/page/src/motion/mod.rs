@@ -32,8 +32,8 @@ use std::io;
 use linkwright::PointMotion;
 use linkwright_solver::{Instant, Observable};
 
-/// Selection of quantities of a motion.
-#[derive(Clone, Debug)]
+/// Selection of quantities of a motion; nothing by default.
+#[derive(Clone, Debug, Default)]
 pub struct Wanted {
     /// Selected points: indices into the system's outputs.
     pub points: Vec<usize>,
