@@ -133,8 +133,8 @@ fn undecided(check: &Check, output: &mut dyn Write) -> io::Result<()> {
             let unit = units.of(si_of(system.vector_form.unknowns[*unknown].quantity));
             let [low, high] = enclosing(&unit, [*low, *high]);
             let name = system.unknown_name(*unknown);
-            let space = if unit.name.is_empty() { "" } else { " " };
-            format!("{name} from {low:.9} to {high:.9}{space}{}", unit.name)
+            let high = unit.labeled(format_args!("{high:.9}"));
+            format!("{name} from {low:.9} to {high}")
         });
         let ranges: Vec<String> = ranges.collect();
         writeln!(output, "  undecided: {}", ranges.join(" with "))?;

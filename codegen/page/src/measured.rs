@@ -105,13 +105,8 @@ pub fn write(check: &Check, output: &mut dyn Write) -> io::Result<()> {
         let unit = units.of(&measurement.unit());
         let name = &measurement.name;
         if is_constant(range.smallest.value, range.largest.value) {
-            let value = unit.rounded(range.smallest.value, DIGITS);
-            let space = if unit.name.is_empty() { "" } else { " " };
-            writeln!(
-                output,
-                "  {name:width$}  always {value}{space}{}",
-                unit.name
-            )?;
+            let value = unit.labeled(unit.rounded(range.smallest.value, DIGITS));
+            writeln!(output, "  {name:width$}  always {value}")?;
             continue;
         }
         let [low, high] = [range.smallest, range.largest].map(|it| text(it, &unit));
@@ -121,14 +116,10 @@ pub fn write(check: &Check, output: &mut dyn Write) -> io::Result<()> {
         let limit = &mechanism.limits[broken.limit];
         let measurement = &mechanism.measurements[limit.measurement];
         let unit = units.of(&measurement.unit());
-        let beyond = unit.rounded(-limit.margin(broken.worst.value), DIGITS);
-        let name = match unit.name.as_str() {
-            "" => String::new(),
-            name => format!(" {name}"),
-        };
+        let beyond = unit.labeled(unit.rounded(-limit.margin(broken.worst.value), DIGITS));
         writeln!(
             output,
-            "broken: `{}` must be {}; it is beyond by up to {beyond}{name}, at t = {} s",
+            "broken: `{}` must be {}; it is beyond by up to {beyond}, at t = {} s",
             measurement.name,
             limit.text(&units),
             time((broken.worst.t * TIME_UNITS).round() / TIME_UNITS)
@@ -148,9 +139,8 @@ pub fn is_constant(low: f64, high: f64) -> bool {
 
 /// Returns a value with its unit and its time.
 pub(crate) fn text(it: TimedValue, unit: &OutputUnit) -> String {
-    let value = unit.rounded(it.value, DIGITS);
-    let space = if unit.name.is_empty() { "" } else { " " };
+    let value = unit.labeled(unit.rounded(it.value, DIGITS));
     // An extreme is flat: half of the digits of a number determine its time.
     let t = (it.t * TIME_UNITS).round() / TIME_UNITS;
-    format!("{value}{space}{} at t = {} s", unit.name, time(t))
+    format!("{value} at t = {} s", time(t))
 }

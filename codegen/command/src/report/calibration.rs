@@ -132,9 +132,7 @@ impl Report<'_> {
 
 /// Returns a value, given in SI units, with its unit.
 fn with_unit(value: f64, unit: &OutputUnit) -> String {
-    format!("{} {}", unit.of_si(value), unit.name)
-        .trim_end()
-        .to_string()
+    unit.labeled(unit.of_si(value))
 }
 
 fn count(measured: &Measured) -> usize {

@@ -98,9 +98,8 @@ fn write_proven(check: &Check, proven: &Proven, output: &mut dyn Write) -> io::R
     }
     for (place, own) in &proven.measures {
         let unit = units.of(&mechanism.measurements[*place].unit());
-        let space = if unit.name.is_empty() { "" } else { " " };
-        let range = range(own.bounds, &unit);
-        writeln!(output, "    {} in {range}{space}{}", own.name, unit.name)?;
+        let range = unit.labeled(range(own.bounds, &unit));
+        writeln!(output, "    {} in {range}", own.name)?;
     }
     let limits = mechanism.limits.iter().filter_map(|limit| {
         let mut measures = proven.measures.iter();

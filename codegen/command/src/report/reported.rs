@@ -53,30 +53,15 @@ pub fn write<V: View>(
     let measures = motion.reported_names.iter().zip(&motion.extremes);
     for (((name, si), extremes), square) in measures.zip(&motion.squares).skip(forces) {
         let unit = units.of(si);
-        let space = if unit.name.is_empty() { "" } else { " " };
+        let text = |si: f64| unit.labeled(short(unit.of_si(si)));
         if is_constant(extremes[0].0, extremes[1].0) {
-            let value = short(unit.of_si(extremes[0].0));
-            writeln!(
-                output,
-                "  {name:width$}  always {value}{space}{}",
-                unit.name
-            )?;
+            writeln!(output, "  {name:width$}  always {}", text(extremes[0].0))?;
             continue;
         }
-        let [low, high] = extremes.map(|(value, t)| {
-            let value = short(unit.of_si(value));
-            let unit = match unit.name.as_str() {
-                "" => String::new(),
-                name => format!(" {name}"),
-            };
-            format!("{value}{unit} at t = {} s", time(t))
-        });
-        let rms = short(unit.of_si(square.root()));
-        let unit = &unit.name;
-        writeln!(
-            output,
-            "  {name:width$}  from {low} to {high}, rms {rms}{space}{unit}"
-        )?;
+        let [low, high] =
+            extremes.map(|(value, t)| format!("{} at t = {} s", text(value), time(t)));
+        let rms = text(square.root());
+        writeln!(output, "  {name:width$}  from {low} to {high}, rms {rms}")?;
     }
     Ok(())
 }

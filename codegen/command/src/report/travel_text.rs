@@ -23,7 +23,7 @@ pub fn write(travel: &Travel, system: &System, t: f64, output: &mut dyn Write) -
         output,
         "travel of {} from {}, with all else as at t = {} s",
         travel.drive.name,
-        with_unit(&unit.rounded(travel.start, DIGITS).to_string(), &unit),
+        unit.labeled(unit.rounded(travel.start, DIGITS)),
         time(t)
     )?;
     if let (true, Some(turns)) = (travel.turns_round(), travel.ends[0].turns) {
@@ -78,13 +78,6 @@ fn verified(travel: &Travel, output: &mut dyn Write) -> io::Result<()> {
     Ok(())
 }
 
-fn with_unit(value: &str, unit: &OutputUnit) -> String {
-    match unit.name.as_str() {
-        "" => value.to_string(),
-        name => format!("{value} {name}"),
-    }
-}
-
 fn value(end: &TravelEnd, unit: &OutputUnit) -> String {
     let number = match &end.decimals {
         Some(decimals) => decimals.text(),
@@ -92,7 +85,7 @@ fn value(end: &TravelEnd, unit: &OutputUnit) -> String {
     };
     let is_sure = end.decimals.is_some() || !end.kind.is_end();
     let about = if is_sure { "" } else { "about " };
-    with_unit(&format!("{about}{number}"), unit)
+    unit.labeled(format!("{about}{number}"))
 }
 
 /// Returns what ends the travel.
@@ -133,8 +126,7 @@ fn proven(
         return Ok(());
     };
     let sign = if way == "up" { 1.0 } else { -1.0 };
-    let reached = unit.rounded(sign * unproven.window[0], DIGITS);
-    let reached = with_unit(&reached.to_string(), unit);
+    let reached = unit.labeled(unit.rounded(sign * unproven.window[0], DIGITS));
     match proof.windows {
         0 => writeln!(output, "not proven {way}: {}", unproven.reason),
         _ => writeln!(

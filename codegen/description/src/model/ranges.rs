@@ -83,11 +83,7 @@ pub fn si_unit(dimension: Dimension) -> String {
 /// Returns a value in the unit of its dimension: `80 mm`.
 pub fn value_text(value: f64, dimension: Dimension, units: &OutputUnits) -> String {
     let unit = units.of(&si_unit(dimension));
-    let value = unit.rounded(value, DIGITS);
-    match unit.name.as_str() {
-        "" => value.to_string(),
-        name => format!("{value} {name}"),
-    }
+    unit.labeled(unit.rounded(value, DIGITS))
 }
 
 /// Returns both ends of a range in the unit of their dimension: `from 80 mm to 160 mm`.

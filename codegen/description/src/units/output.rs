@@ -3,6 +3,8 @@
 //! A chosen unit applies to its quantity. Units of length, angle, mass and force also apply to derived quantities: mm implies
 //! mm/s and N/mm. Torques, energies and powers are independent: N*m remains beside mm until `N*mm` is chosen. Times are in s.
 
+use std::fmt::Display;
+
 use super::{ANGLE, ANGULAR_VELOCITY, FORCE, LENGTH, MASS, Powers, TORQUE, Unit, of_description};
 
 /// Base quantities with their SI units.
@@ -55,6 +57,14 @@ impl OutputUnit {
         let value = self.of_si(si);
         let text = format!("{value:.*e}", digits.saturating_sub(1));
         text.parse().unwrap_or(value)
+    }
+
+    /// Returns a value that is written in this unit with the name of the unit: `80 mm`; numbers without a unit stay alone.
+    pub fn labeled(&self, value: impl Display) -> String {
+        match self.name.as_str() {
+            "" => value.to_string(),
+            name => format!("{value} {name}"),
+        }
     }
 }
 
