@@ -15,7 +15,8 @@ impl Resolver<'_> {
         let name = &written.name;
         let zero = self.graph.zero();
         let drawn = self.constant(&written.value, Dimension::Angle);
-        if !self.may_be_declared(name) || !self.names_angle_alone(name) {
+        let help = "formulas name an angle alone: give one of them another name";
+        if !self.may_be_declared(name) || !self.means_nothing_else(name, "angle", help) {
             return;
         }
         let Some(id) = self.new_body(name) else {
@@ -44,32 +45,28 @@ impl Resolver<'_> {
         );
     }
 
-    /// True if the name has no other meaning in formulas; otherwise reports an error.
-    fn names_angle_alone(&mut self, name: &Name) -> bool {
+    /// True if the name of an angle or a measure has no other meaning in formulas; otherwise reports an error.
+    pub(super) fn means_nothing_else(&mut self, name: &Name, sort: &str, help: &str) -> bool {
         let carried = self.linkage.carriers.first_carrier(&name.text);
-        let taken = [
-            self.declared
-                .constants
-                .declaration(&name.text)
-                .map(|it| it.0.span),
-            self.declared
-                .drawn
-                .declaration(&name.text)
-                .map(|it| it.0.span),
+        let constant = self.declared.constants.declaration(&name.text);
+        let drawn = self.declared.drawn.declaration(&name.text);
+        let earlier = [
+            constant.map(|it| it.0.span),
+            drawn.map(|it| it.0.span),
             carried.map(|carried| self.carried(carried).span),
         ];
-        let Some(earlier) = taken.into_iter().flatten().next() else {
+        let Some(earlier) = earlier.into_iter().flatten().next() else {
             return true;
         };
         self.diagnostics.push(
             Diagnostic::error(
                 Code::DuplicateName,
                 name.span,
-                format!("something else is named `{}`, as this angle", name.text),
+                format!("something else is named `{}`, as this {sort}", name.text),
             )
             .label("declared again here")
             .also(earlier, "first declared here")
-            .help("formulas name an angle alone: give one of them another name"),
+            .help(help),
         );
         false
     }

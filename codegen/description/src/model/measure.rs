@@ -41,7 +41,8 @@ impl Resolver<'_> {
         }
         let number = self.declared.measurements.len();
         let symbol = self.graph.symbol(&format!("{} measure", name.text));
-        let is_named = self.may_be_declared(name) && self.names_measure_alone(name);
+        let help = "give one of them another name";
+        let is_named = self.may_be_declared(name) && self.means_nothing_else(name, "measure", help);
         self.formulas.kinematic = Some(KinematicTerms::of_measure(self.terms_of_measures()));
         let value = self.value(&written.value);
         let terms = self.formulas.kinematic.take();
@@ -86,32 +87,6 @@ impl Resolver<'_> {
         let measure = place.and_then(|place| self.declared.measurements.get(place));
         let value = measure.map(|it| (it.symbol, it.dimension));
         Some(value.map(|(symbol, dimension)| (self.graph.variable(symbol), dimension)))
-    }
-
-    /// True if the name has no other meaning in formulas; otherwise reports an error.
-    fn names_measure_alone(&mut self, name: &Name) -> bool {
-        let carried = self.linkage.carriers.first_carrier(&name.text);
-        let constant = self.declared.constants.declaration(&name.text);
-        let drawn = self.declared.drawn.declaration(&name.text);
-        let earlier = [
-            constant.map(|it| it.0.span),
-            drawn.map(|it| it.0.span),
-            carried.map(|carried| self.carried(carried).span),
-        ];
-        let Some(earlier) = earlier.into_iter().flatten().next() else {
-            return true;
-        };
-        self.diagnostics.push(
-            Diagnostic::error(
-                Code::DuplicateName,
-                name.span,
-                format!("something else is named `{}`, as this measure", name.text),
-            )
-            .label("declared again here")
-            .also(earlier, "first declared here")
-            .help("give one of them another name"),
-        );
-        false
     }
 
     /// Reports measures whose names are those of other columns, or differ only in case.
