@@ -31,7 +31,9 @@ impl Resolver<'_> {
                 continue;
             };
             let joints = self.pins(written);
-            let radius = self.radius(written);
+            let help = "write the largest distance between both centers: `clearance P = 0.05mm;`";
+            let mut length = Dimension::LENGTH;
+            let radius = self.fixed_extent(&written.value, ["a clearance", help], &mut length);
             let name = &written.name;
             let is_earlier = |it: &&Clearance| joints.contains(&it.joint);
             if let Some(earlier) = clearances.iter().find(is_earlier) {
@@ -96,32 +98,6 @@ impl Resolver<'_> {
             return Vec::new();
         }
         joints
-    }
-
-    /// Returns the radius of a clearance in m; `None` after an error.
-    fn radius(&mut self, written: &Constant) -> Option<f64> {
-        let formula = &written.value;
-        let (value, _) = self.fitting(formula, Dimension::LENGTH)?;
-        if !self.graph.is_constant(value) {
-            let cause = self.moving(value);
-            let cause = cause.unwrap_or_else(|| "a parameter".to_string());
-            let message = format!("a clearance cannot depend on {cause}");
-            let finding = Diagnostic::error(Code::NotConstant, formula.span, message)
-                .label("expected a number")
-                .help("write a number with its unit, or the name of a `const` of numbers");
-            self.diagnostics.push(finding);
-            return None;
-        }
-        let radius = self.graph.constant_value(value)?;
-        if radius < 0.0 {
-            let message = "a clearance cannot be negative".to_string();
-            let finding = Diagnostic::error(Code::ValueNotAllowed, formula.span, message)
-                .label("negative")
-                .help("write the largest distance between both centers: `clearance P = 0.05mm;`");
-            self.diagnostics.push(finding);
-            return None;
-        }
-        Some(radius)
     }
 }
 

@@ -41,19 +41,48 @@ impl Resolver<'_> {
 
     /// Returns an end in SI units, and adds its dimension; `None` if it has an error.
     pub(super) fn end(&mut self, written: &Expression, dimension: &mut Dimension) -> Option<f64> {
-        let (end, found) = self.fitting(written, *dimension)?;
-        if self.graph.is_constant(end) {
+        self.fixed_number(written, "an end of a range", dimension)
+    }
+
+    /// Returns a number of this sort that does not depend on parameters, in SI units, and adds its dimension; `None` after an error.
+    fn fixed_number(
+        &mut self,
+        written: &Expression,
+        sort: &str,
+        dimension: &mut Dimension,
+    ) -> Option<f64> {
+        let (value, found) = self.fitting(written, *dimension)?;
+        if self.graph.is_constant(value) {
             *dimension = dimension.joined(found);
-            return self.graph.constant_value(end);
+            return self.graph.constant_value(value);
         }
-        let cause = self.moving(end);
+        let cause = self.moving(value);
         let cause = cause.unwrap_or_else(|| "a parameter".to_string());
-        let message = format!("an end of a range cannot depend on {cause}");
+        let message = format!("{sort} cannot depend on {cause}");
         let finding = Diagnostic::error(Code::NotConstant, written.span, message)
             .label("expected a number")
             .help("write a number with its unit, or the name of a `const` of numbers");
         self.diagnostics.push(finding);
         None
+    }
+
+    /// Returns a number as [`fixed_number`](Self::fixed_number) does; `None` also if it is negative, which is reported with this help.
+    pub(super) fn fixed_extent(
+        &mut self,
+        written: &Expression,
+        [sort, help]: [&str; 2],
+        dimension: &mut Dimension,
+    ) -> Option<f64> {
+        let extent = self.fixed_number(written, sort, dimension)?;
+        if extent < 0.0 {
+            let message = format!("{sort} cannot be negative");
+            let finding = Diagnostic::error(Code::ValueNotAllowed, written.span, message)
+                .label("negative")
+                .help(help);
+            self.diagnostics.push(finding);
+            return None;
+        }
+        Some(extent)
     }
 }
 

@@ -5,7 +5,7 @@ use super::expression::Value;
 use super::ranges::value_text;
 use super::resolve::Resolver;
 use crate::diagnostic::{Code, Diagnostic};
-use crate::syntax::{Adjustable, StatedTolerance};
+use crate::syntax::Adjustable;
 use crate::units::OutputUnits;
 
 /// Distribution of a parameter about its value, in SI units.
@@ -76,7 +76,12 @@ impl Resolver<'_> {
         let Some(stated) = &written.tolerance else {
             return (None, dimension);
         };
-        let Some(extent) = self.extent(stated, &mut dimension) else {
+        let help = match stated.is_normal {
+            true => "write the standard deviation: `sigma 0.03mm`",
+            false => "write the distance to both sides: `tolerance 0.1mm`",
+        };
+        let extent = self.fixed_extent(&stated.extent, ["a tolerance", help], &mut dimension);
+        let Some(extent) = extent else {
             return (None, dimension);
         };
         if stated.is_normal {
@@ -97,35 +102,5 @@ impl Resolver<'_> {
         }
         let half_width = extent;
         (Some(Distribution::Uniform { half_width }), dimension)
-    }
-
-    /// Returns the extent of a tolerance in SI units, and adds its dimension; `None` if it has an error.
-    fn extent(&mut self, stated: &StatedTolerance, dimension: &mut Dimension) -> Option<f64> {
-        let written = &stated.extent;
-        let (value, found) = self.fitting(written, *dimension)?;
-        if !self.graph.is_constant(value) {
-            let cause = self.moving(value);
-            let cause = cause.unwrap_or_else(|| "a parameter".to_string());
-            let message = format!("a tolerance cannot depend on {cause}");
-            let finding = Diagnostic::error(Code::NotConstant, written.span, message)
-                .label("expected a number")
-                .help("write a number with its unit, or the name of a `const` of numbers");
-            self.diagnostics.push(finding);
-            return None;
-        }
-        *dimension = dimension.joined(found);
-        let extent = self.graph.constant_value(value)?;
-        if extent < 0.0 {
-            let message = "a tolerance cannot be negative".to_string();
-            let finding = Diagnostic::error(Code::ValueNotAllowed, written.span, message)
-                .label("negative")
-                .help(match stated.is_normal {
-                    true => "write the standard deviation: `sigma 0.03mm`",
-                    false => "write the distance to both sides: `tolerance 0.1mm`",
-                });
-            self.diagnostics.push(finding);
-            return None;
-        }
-        Some(extent)
     }
 }
