@@ -49,8 +49,12 @@ struct SectionObject<'a> {
 
 /// Returns what a section of a border is.
 pub fn section_words(section: &Section) -> String {
-    let words = &section.words;
-    match section.kind {
+    end_words(section.kind, &section.words)
+}
+
+/// Returns what ends a motion, with the words for its place.
+pub fn end_words(kind: EndKind, words: &str) -> String {
+    match kind {
         EndKind::Reach => format!("end of reach, {words}"),
         EndKind::DeadPoint => format!("dead point, {words}"),
         EndKind::ChangePoint => format!("change point, {words}"),

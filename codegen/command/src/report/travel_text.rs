@@ -8,6 +8,8 @@ use linkwright_solver::number::time;
 use linkwright_solver::proof::Proof;
 use linkwright_solver::travel::{EndKind, Travel, TravelEnd};
 
+use super::region_text::end_words;
+
 /// Significant digits of a value that is not verified.
 const DIGITS: usize = 9;
 
@@ -92,14 +94,10 @@ fn value(end: &TravelEnd, unit: &OutputUnit) -> String {
 fn words(end: &TravelEnd) -> String {
     let words = &end.words;
     match end.kind {
-        EndKind::Reach => format!("end of reach, {words}"),
-        EndKind::DeadPoint => format!("dead point, {words}"),
-        EndKind::ChangePoint => format!("change point, {words}; branches meet there"),
-        EndKind::Limit => format!("limit of {words}"),
-        EndKind::Refused => format!("a value is refused beyond, {words}"),
-        EndKind::Lost => format!("not followed further, {words}"),
+        EndKind::ChangePoint => format!("{}; branches meet there", end_words(end.kind, words)),
         EndKind::FullTurn => "full turn, which leads back to the same pose".to_string(),
         EndKind::Unended => format!("no end, {words}"),
+        kind => end_words(kind, words),
     }
 }
 
