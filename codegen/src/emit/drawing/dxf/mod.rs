@@ -1,7 +1,7 @@
 //! Writes a figure as a DXF in mm, of version AC1015, in ASCII.
 //!
 //! Pins are circles, arcs are arcs, links are polylines with arcs at their ends, and dimensions are dimensions with their blocks.
-//! The same layout of figure, names and dimensions is printed as SVG.
+//! Figure, names and dimensions are laid out as in the SVG.
 
 mod contents;
 mod entity;
