@@ -4,7 +4,7 @@ use linkwright_codegen::stages::units::OutputUnit;
 use linkwright_solver::View;
 use plotters::prelude::*;
 
-use super::plot::{Drawing, Refused, UNITS, drawn, extent, label_format};
+use super::plot::{Drawing, Refused, UNITS, drawn, extent, plane_mesh};
 use linkwright_page::motion::{Course, Followed};
 
 /// Smallest shorter side of the drawn area, and its longer side, in pixels.
@@ -93,20 +93,8 @@ fn draw(
         .x_label_area_size(LABELS[1] * UNITS)
         .y_label_area_size(LABELS[0] * UNITS)
         .build_cartesian_2d(across.0..across.1, up.0..up.1)?;
-    chart
-        .configure_mesh()
-        .light_line_style(TRANSPARENT)
-        .bold_line_style(BLACK.mix(0.12).stroke_width(UNITS))
-        .axis_style(BLACK.mix(0.6).stroke_width(UNITS))
-        .label_style(("sans-serif", 15 * UNITS))
-        .axis_desc_style(("sans-serif", 16 * UNITS))
-        .x_labels(9)
-        .y_labels(9)
-        .x_label_formatter(&label_format(across.0, across.1))
-        .y_label_formatter(&label_format(up.0, up.1))
-        .x_desc(format!("x ({unit})"))
-        .y_desc(format!("y ({unit})"))
-        .draw()?;
+    let labels = ["x", "y"].map(|axis| format!("{axis} ({unit})"));
+    plane_mesh(&mut chart, [(&labels[0], across, 9), (&labels[1], up, 9)])?;
     let units = UNITS as i32;
     for (row, (name, places)) in paths.iter().enumerate() {
         let color = COLORS[row % COLORS.len()];

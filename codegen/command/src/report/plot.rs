@@ -242,19 +242,33 @@ pub(super) fn drawn(
 
 type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
 
-/// Draws both axes, each with its label, its ends and its largest number of ticks.
-pub(super) fn mesh(
+/// An axis: its label, its ends and its largest number of ticks.
+type Axis<'a> = (&'a str, (f64, f64), usize);
+
+/// Draws both axes of a curve over time.
+pub(super) fn mesh(chart: &mut Chart<'_, '_>, axes: [Axis<'_>; 2]) -> Result<(), Refused> {
+    mesh_with(chart, axes, Some(4 * UNITS))
+}
+
+/// Draws both axes of a picture of the plane, with the longer tick marks of the drawing library.
+pub(super) fn plane_mesh(chart: &mut Chart<'_, '_>, axes: [Axis<'_>; 2]) -> Result<(), Refused> {
+    mesh_with(chart, axes, None)
+}
+
+fn mesh_with(
     chart: &mut Chart<'_, '_>,
-    axes: [(&str, (f64, f64), usize); 2],
+    axes: [Axis<'_>; 2],
+    tick_marks: Option<u32>,
 ) -> Result<(), Refused> {
     let [x_format, y_format] = axes.map(|(_, (low, high), _)| label_format(low, high));
     let [(x_label, _, x_ticks), (y_label, _, y_ticks)] = axes;
-    chart
-        .configure_mesh()
-        .light_line_style(TRANSPARENT)
+    let mut mesh = chart.configure_mesh();
+    if let Some(size) = tick_marks {
+        mesh.set_all_tick_mark_size(size);
+    }
+    mesh.light_line_style(TRANSPARENT)
         .bold_line_style(BLACK.mix(0.12).stroke_width(UNITS))
         .axis_style(BLACK.mix(0.6).stroke_width(UNITS))
-        .set_all_tick_mark_size(4 * UNITS)
         .label_style(("sans-serif", 15 * UNITS))
         .axis_desc_style(("sans-serif", 16 * UNITS))
         .x_labels(x_ticks)

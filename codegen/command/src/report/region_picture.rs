@@ -5,7 +5,7 @@ use linkwright_solver::travel::{EndKind, Region, Section};
 use plotters::prelude::*;
 
 use super::picture::signed;
-use super::plot::{Drawing, Refused, UNITS, drawn, extent, label_format};
+use super::plot::{Drawing, Refused, UNITS, drawn, extent, plane_mesh};
 use super::region_text::section_words;
 
 /// Width and height of the drawn area in pixels.
@@ -235,20 +235,10 @@ impl Sheet {
             let corners: Vec<(f64, f64)> = polygon.iter().map(|it| (it[0], it[1])).collect();
             chart.draw_series([Polygon::new(corners, color.filled())])?;
         }
-        chart
-            .configure_mesh()
-            .light_line_style(TRANSPARENT)
-            .bold_line_style(BLACK.mix(0.12).stroke_width(UNITS))
-            .axis_style(BLACK.mix(0.6).stroke_width(UNITS))
-            .label_style(("sans-serif", 15 * UNITS))
-            .axis_desc_style(("sans-serif", 16 * UNITS))
-            .x_labels(9)
-            .y_labels(9)
-            .x_label_formatter(&label_format(across.0, across.1))
-            .y_label_formatter(&label_format(up.0, up.1))
-            .x_desc(&self.labels[0])
-            .y_desc(&self.labels[1])
-            .draw()?;
+        plane_mesh(
+            &mut chart,
+            [(&self.labels[0], across, 9), (&self.labels[1], up, 9)],
+        )?;
         let units = UNITS as i32;
         for stroke in &self.strokes {
             let line = stroke.places.iter().map(|it| (it[0], it[1]));
