@@ -46,6 +46,7 @@ pub mod stencil;
 pub mod stiff;
 pub mod study;
 pub mod swing;
+pub mod synthesis;
 pub mod table;
 pub mod user_package;
 pub mod values;

@@ -39,6 +39,8 @@ mod goodness;
 mod identification;
 mod model;
 mod rounding;
+mod slopes;
+mod synthesis;
 mod table;
 mod weights;
 
@@ -46,6 +48,11 @@ pub use bounds::Bounds;
 pub use goodness::{ColumnGoodness, Goodness};
 pub use identification::{Identification, Indistinct};
 pub use model::{Calibrator, NotDerived};
+#[doc(hidden)]
+pub use synthesis::{
+    Candidate, MAX_PARAMETERS, SearchCounts, StartSampling, Synthesis, Target, Targets,
+    Unsearchable,
+};
 #[doc(hidden)]
 pub use table::leave_out_underived;
 

@@ -1,22 +1,16 @@
 //! Computes the measured quantities of a system's motion, and their derivatives by its parameters.
-//!
-//! Coordinates and their rates have derived sensitivities. Those of a point follow by the chain rule from the
-//! expressions of its position and velocity, which are differentiated, too.
-
-use std::collections::HashMap;
 
 use linkwright::{Blocks, Settings, Shell};
-use linkwright_codegen::stages::expr::{ExprId, SymbolId};
 use linkwright_codegen::stages::model::Dimension;
-use linkwright_codegen::stages::system::{Cause, Derived};
+use linkwright_codegen::stages::system::Derived;
 use linkwright_solver::Observable;
 use linkwright_solver::comparison::difference;
-use linkwright_solver::reader::Reader;
 use linkwright_solver::{Instant, Interpreted, Modes, Schedule, View, follow};
 
+use crate::slopes::Slopes;
 use crate::{Bounds, Measurements};
 
-/// Error for a quantity whose dependence on parameters is not derived: an acceleration or a force.
+/// Error for a quantity whose dependence on parameters is not derived: an acceleration, a force, or a measure of one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NotDerived;
 
@@ -25,23 +19,12 @@ pub struct NotDerived;
 pub struct Calibrator {
     view: Interpreted,
     modes: Modes,
-    /// Index of each parameter among all of the mechanism.
-    places: Vec<usize>,
     names: Vec<String>,
     nominal: Vec<f64>,
     bounds: Vec<Bounds>,
     /// Largest time between frames (s).
     step: f64,
-    points: HashMap<[usize; 3], PointSlopes>,
-}
-
-/// Derivatives of a component of a point.
-#[derive(Clone, Debug)]
-struct PointSlopes {
-    /// Coordinates (0) and rates (1) with their indices, in the order of the first values of the reader; the
-    /// derivatives by parameter follow.
-    along: Vec<(usize, usize)>,
-    reader: Reader,
+    slopes: Slopes,
 }
 
 /// Residuals and derivatives at these parameters.
@@ -66,14 +49,8 @@ impl Calibrator {
     pub fn of(view: Interpreted, step: f64) -> Calibrator {
         let modes = view.drawn_branches();
         let system = view.system();
-        let places: Vec<usize> = system
-            .directions
-            .iter()
-            .filter_map(|it| match it.cause {
-                Cause::Parameter(place) => Some(place),
-                Cause::Driver { .. } => None,
-            })
-            .collect();
+        let slopes = Slopes::new(&view);
+        let places = &slopes.parameters;
         let parameters = &system.mechanism.parameters;
         let names = places
             .iter()
@@ -81,8 +58,6 @@ impl Calibrator {
             .collect();
         let all = view.nominal_parameters();
         let nominal: Vec<f64> = places.iter().map(|it| all.0[*it]).collect();
-        let symbols: Vec<SymbolId> = places.iter().map(|it| parameters[*it].symbol).collect();
-        let points = point_slopes(&view, &symbols);
         let bounds = places.iter().zip(&nominal).map(|(place, value)| {
             let parameter = &parameters[*place];
             match parameter.range {
@@ -94,11 +69,10 @@ impl Calibrator {
         Calibrator {
             bounds: bounds.collect(),
             nominal,
-            places,
             names,
             modes,
             step,
-            points,
+            slopes,
             view,
         }
     }
@@ -145,10 +119,9 @@ impl Calibrator {
     ///
     /// # Errors
     /// Returns [`NotDerived`] if its dependence on parameters is not derived.
-    pub fn can_fit(observable: Observable) -> Result<(), NotDerived> {
-        match observable {
-            Observable::Coordinate { level: 0 | 1, .. }
-            | Observable::Point { level: 0 | 1, .. } => Ok(()),
+    pub fn can_fit(derived: &Derived, observable: Observable) -> Result<(), NotDerived> {
+        match observable.order(derived) {
+            0 | 1 => Ok(()),
             _ => Err(NotDerived),
         }
     }
@@ -187,7 +160,7 @@ impl Calibrator {
             return Ok(());
         };
         let mut all = self.view.nominal_parameters();
-        for (place, value) in self.places.iter().zip(parameters) {
+        for (place, value) in self.slopes.parameters.iter().zip(parameters) {
             all.0[*place] = *value;
         }
         let laws = self.view.input_laws();
@@ -247,7 +220,8 @@ impl Calibrator {
                 let measured = columns[place].values[row];
                 let residual = measured.map(|it| difference(it, *value, is_angle[place]));
                 sampled.residuals[place].push(residual);
-                self.slopes(
+                self.slopes.add(
+                    &self.view,
                     observables[place],
                     instant,
                     &derivatives,
@@ -264,70 +238,4 @@ impl Calibrator {
             false => Err("is singular at one of the measured times".to_string()),
         }
     }
-
-    /// Adds the derivatives of a quantity by every parameter. `derivatives` ends with those of all coordinates, and of
-    /// all their rates, parameter by parameter.
-    fn slopes(
-        &self,
-        observable: Observable,
-        instant: &Instant,
-        derivatives: &[f64],
-        slopes: &mut Vec<f64>,
-    ) {
-        let coordinates = instant.q().len();
-        let count = self.names.len();
-        let first = derivatives.len().saturating_sub(2 * coordinates * count);
-        let of = |parameter: usize, level: usize, place: usize| {
-            let at = first + (2 * parameter + level) * coordinates + place;
-            derivatives.get(at).copied().unwrap_or(f64::NAN)
-        };
-        match observable {
-            Observable::Coordinate { place, level } => {
-                slopes.extend((0..count).map(|parameter| of(parameter, level, place)));
-            }
-            Observable::Point { place, axis, level } => {
-                let Some(own) = self.points.get(&[place, axis, level]) else {
-                    slopes.extend((0..count).map(|_| f64::NAN));
-                    return;
-                };
-                let read = own.reader.values(instant);
-                let (along, direct) = read.split_at(own.along.len());
-                slopes.extend((0..count).map(|parameter| {
-                    let moved = own.along.iter().zip(along);
-                    let moved =
-                        moved.map(|((level, place), slope)| slope * of(parameter, *level, *place));
-                    moved.sum::<f64>() + direct[parameter]
-                }));
-            }
-            Observable::Reported(_) => slopes.extend((0..count).map(|_| f64::NAN)),
-        }
-    }
-}
-
-/// Derivatives of every component of every point and of its velocity, by coordinates, rates and parameters.
-fn point_slopes(view: &Interpreted, parameters: &[SymbolId]) -> HashMap<[usize; 3], PointSlopes> {
-    let system = view.system();
-    let mut graph = view.pool().graph.clone();
-    let coordinates = system.coordinates.iter().enumerate();
-    let known: HashMap<SymbolId, (usize, usize)> = coordinates
-        .flat_map(|(place, it)| [(it.position, (0, place)), (it.rate, (1, place))])
-        .collect();
-    let mut slopes = HashMap::new();
-    for (place, output) in system.outputs.iter().enumerate() {
-        for (level, components) in [output.position, output.velocity].into_iter().enumerate() {
-            for (axis, expr) in components.into_iter().enumerate() {
-                let mut symbols: Vec<SymbolId> = graph.symbols(expr).to_vec();
-                symbols.retain(|it| known.contains_key(it));
-                let along = symbols.iter().map(|it| known[it]).collect();
-                symbols.extend(parameters);
-                let roots: Vec<ExprId> = symbols
-                    .iter()
-                    .map(|it| graph.derivative(expr, *it))
-                    .collect();
-                let reader = Reader::new(&graph, view.layout(), &roots);
-                slopes.insert([place, axis, level], PointSlopes { along, reader });
-            }
-        }
-    }
-    slopes
 }

@@ -1,5 +1,6 @@
 //! Takes measured values from a table.
 
+use linkwright_codegen::stages::system::Derived;
 use linkwright_solver::data::{Data, sizes};
 
 use crate::{Calibrator, Column, Measurements};
@@ -42,14 +43,14 @@ impl Measurements {
     }
 }
 
-/// Leaves out the columns that cannot be fitted: accelerations and forces.
+/// Leaves out the columns that cannot be fitted: accelerations, forces, and measures of these.
 ///
 /// # Errors
 /// The printed message: none remains.
-pub fn leave_out_underived(data: &mut Data) -> Result<(), String> {
+pub fn leave_out_underived(data: &mut Data, derived: &Derived) -> Result<(), String> {
     let (kept, left): (Vec<_>, Vec<_>) = std::mem::take(&mut data.measured)
         .into_iter()
-        .partition(|it| Calibrator::can_fit(it.quantity.observable).is_ok());
+        .partition(|it| Calibrator::can_fit(derived, it.quantity.observable).is_ok());
     let left = left.into_iter().map(|it| {
         let why = format!(
             "accelerations and forces such as `{}` cannot be fitted",

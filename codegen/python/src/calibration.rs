@@ -88,7 +88,7 @@ impl Mechanism {
     ) -> PyResult<Bound<'py, PyDict>> {
         let mut data = table.read(&self.derived)?;
         let view = self.driven(py, &data)?;
-        leave_out_underived(&mut data).map_err(refused)?;
+        leave_out_underived(&mut data, &self.derived).map_err(refused)?;
         let measurements = Measurements::of(&data, "deviations", &deviations).map_err(refused)?;
         let notes = Notes::of(&data);
         let mut calibrator = Calibrator::of(view, step);

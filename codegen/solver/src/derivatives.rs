@@ -9,6 +9,9 @@ use linkwright_codegen::stages::system::{Cause, System};
 
 use crate::instant::Layout;
 
+/// Highest order of differentiation of measures with sensitivities: that of rates.
+pub(crate) const EXACT_ORDER: usize = 1;
+
 /// Returns the names of derivatives, each with its SI unit: `K_x per length(N, M)`, `phi2 per L2`, `phi2_d per L2`.
 ///
 /// Transmissions come first, quantity by quantity and driver by driver, then for each parameter all coordinates, all of their
@@ -40,7 +43,10 @@ pub fn names(system: &System) -> Vec<(String, String)> {
                 )
             }));
         }
-        let measures = mechanism.measurements.iter().filter(|it| it.order <= 1);
+        let measures = mechanism
+            .measurements
+            .iter()
+            .filter(|it| it.order <= EXACT_ORDER);
         names.extend(measures.map(|it| {
             let unit = quotient(&it.unit(), &of_cause);
             (format!("{} per {by}", it.name), unit)
@@ -110,6 +116,52 @@ fn components(system: &System, requested: Requested) -> Vec<(String, String)> {
             let measure = &system.mechanism.measurements[place];
             vec![(measure.name.clone(), measure.unit())]
         }
+    }
+}
+
+/// Places of sensitivities among the derivatives of a system, in the order of [`names`].
+#[derive(Clone, Debug)]
+pub struct SensitivityPlaces {
+    /// Place of the first sensitivity: transmissions precede it.
+    first: usize,
+    /// Number of coordinates.
+    coordinates: usize,
+    /// Index of each measure of positions and rates among the mechanism's measurements.
+    measures: Vec<usize>,
+}
+
+impl SensitivityPlaces {
+    /// Returns the places of the sensitivities of a system.
+    pub fn of(system: &System) -> SensitivityPlaces {
+        let measurements = system.mechanism.measurements.iter().enumerate();
+        let exact = measurements.filter(|(_, it)| it.order <= EXACT_ORDER);
+        let mut places = SensitivityPlaces {
+            first: 0,
+            coordinates: system.coordinates.len(),
+            measures: exact.map(|it| it.0).collect(),
+        };
+        let parameters = system.directions.iter().filter(|it| it.is_parameter());
+        let count = parameters.count() * places.of_parameter();
+        places.first = names(system).len().saturating_sub(count);
+        places
+    }
+
+    /// Number of sensitivities to one parameter.
+    fn of_parameter(&self) -> usize {
+        2 * self.coordinates + self.measures.len()
+    }
+
+    /// Returns the place of the sensitivity of a coordinate (level 0) or its rate (1) to a parameter, by its index among the parameters of
+    /// sensitivities.
+    pub fn coordinate(&self, parameter: usize, level: usize, coordinate: usize) -> usize {
+        self.first + parameter * self.of_parameter() + level * self.coordinates + coordinate
+    }
+
+    /// Returns the place of the sensitivity of a measure, by its index among the mechanism's measurements; `None` for accelerations and
+    /// forces.
+    pub fn measure(&self, parameter: usize, measurement: usize) -> Option<usize> {
+        let rank = self.measures.iter().position(|it| *it == measurement)?;
+        Some(self.coordinate(parameter, 2, 0) + rank)
     }
 }
 

@@ -151,6 +151,30 @@ impl Observable {
         all.map(|it| (it.name, it.observable)).collect()
     }
 
+    /// Returns the index of a measure among the mechanism's measurements; `None` for other quantities.
+    #[doc(hidden)]
+    pub fn measurement(&self, derived: &Derived) -> Option<usize> {
+        let Observable::Reported(place) = *self else {
+            return None;
+        };
+        let columns = crate::reported::names(&derived.pool, &derived.system).len();
+        // Measures are the last columns.
+        place.checked_sub(columns - derived.system.mechanism.measurements.len())
+    }
+
+    /// Returns the order of differentiation in time: 0 for positions, 1 for rates, 2 for accelerations, 3 for forces.
+    #[doc(hidden)]
+    pub fn order(&self, derived: &Derived) -> usize {
+        match *self {
+            Observable::Coordinate { level, .. } | Observable::Point { level, .. } => level,
+            Observable::Reported(_) => {
+                let measurements = &derived.system.mechanism.measurements;
+                let measurement = self.measurement(derived);
+                measurement.map_or(3, |it| measurements[it].order)
+            }
+        }
+    }
+
     /// True for an angle, whose whole turns are indistinguishable.
     #[doc(hidden)]
     pub fn is_angle(&self, system: &System) -> bool {

@@ -5,16 +5,12 @@
 
 use linkwright::{Blocks as _, Failure, Settings, Shell};
 use linkwright_codegen::stages::model::Distribution;
-use linkwright_codegen::stages::system::System;
 
 use super::prepared::Prepared;
 use crate::batch::Batch;
-use crate::derivatives;
+use crate::derivatives::{EXACT_ORDER, SensitivityPlaces};
 use crate::observable::Observable;
 use crate::view::View;
-
-/// Highest order of differentiation of measures with exact derivatives.
-const EXACT_ORDER: usize = 1;
 
 /// Step of differences, as a share of the larger one of value and tolerance: the cube root of ε, which balances rounding and curvature.
 const STEP: f64 = 6.1e-6;
@@ -174,10 +170,8 @@ fn follow_exact(
     measures: &mut [LinearSpread],
 ) -> Result<Option<String>, Failure> {
     let along = &prepared.along;
-    let exact = measures.iter().filter(|it| it.is_exact).count();
-    let start = first_sensitivity(along.system(), count, exact);
+    let places = SensitivityPlaces::of(along.system());
     let observables: Vec<Observable> = measures.iter().map(|it| it.observable).collect();
-    let of_parameter = 2 * along.system().coordinates.len() + exact;
     let laws = along.input_laws();
     let mut shell: Option<Shell<_>> = None;
     for &t in times {
@@ -203,28 +197,18 @@ fn follow_exact(
         let values = Observable::values(shell.blocks(), &observables, shell.frame());
         let derivatives = shell.blocks().derivatives(shell.frame());
         let derivatives = derivatives.unwrap_or_default();
-        let mut rank = 0;
-        for (measure, value) in measures.iter_mut().zip(values) {
+        for (place, (measure, value)) in measures.iter_mut().zip(values).enumerate() {
             measure.nominal.push(value);
-            let mut slopes = vec![f64::NAN; count];
-            if measure.is_exact {
-                for (parameter, slope) in slopes.iter_mut().enumerate() {
-                    // Derivatives of measures follow those of coordinates and rates.
-                    let place = start + (parameter + 1) * of_parameter - exact + rank;
-                    *slope = derivatives.get(place).copied().unwrap_or(f64::NAN);
-                }
-                rank += 1;
-            }
-            measure.slopes.push(slopes);
+            let slopes = (0..count).map(|parameter| {
+                let derivative = places
+                    .measure(parameter, place)
+                    .and_then(|it| derivatives.get(it));
+                derivative.copied().unwrap_or(f64::NAN)
+            });
+            measure.slopes.push(slopes.collect());
         }
     }
     Ok(None)
-}
-
-/// Returns the index of the first sensitivity among the derivatives, which begin with transmissions.
-fn first_sensitivity(system: &System, parameters: usize, exact: usize) -> usize {
-    let all = derivatives::names(system).len();
-    all.saturating_sub(parameters * (2 * system.coordinates.len() + exact))
 }
 
 /// Fills derivatives of accelerations and forces by central differences.

@@ -42,7 +42,7 @@ pub fn run(arguments: &Calibrate) -> Result<Outcome, Problem> {
     let derived = set_all(derived, &arguments.setting.set)?;
     let mut data = read(&arguments.table, &derived)?;
     let derived = data.drive(derived).map_err(Problem)?;
-    leave_out_underived(&mut data).map_err(Problem)?;
+    leave_out_underived(&mut data, &derived).map_err(Problem)?;
     let measurements =
         Measurements::of(&data, "--deviation", &arguments.deviation).map_err(Problem)?;
     let mut outputs = outputs_besides(

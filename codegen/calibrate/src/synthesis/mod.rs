@@ -1,0 +1,219 @@
+//! Chooses parameters for which quantities of a mechanism take the values of a table.
+//!
+//! Sampled mechanisms are compared with the table in all assembly modes, and the nearest ones are starts of least squares with derived
+//! sensitivities. A solution moves over the whole range at all instants that were tried, and keeps the limits there; a check of the
+//! solution decides about the instants in between.
+
+mod alignment;
+mod distinct;
+mod minimum;
+mod motion;
+mod penalties;
+mod starts;
+mod targets;
+
+use std::sync::Mutex;
+use std::thread;
+
+use linkwright_codegen::stages::model::Dimension;
+use linkwright_codegen::stages::system::Derived;
+use linkwright_solver::{Interpreted, Modes, Observable, View};
+
+use crate::Bounds;
+use crate::slopes::Slopes;
+use minimum::Minimizer;
+use motion::MovedQuantities;
+pub use starts::{MAX_PARAMETERS, StartSampling};
+pub use targets::{Target, Targets};
+
+/// Limited measure that the search keeps.
+#[derive(Clone, Debug)]
+struct KeptLimit {
+    /// Index among the mechanism's limits.
+    place: usize,
+    observable: Observable,
+    ends: [Option<f64>; 2],
+    /// Size of the measure, in SI units: excess of this size weighs as much as a residual of 1.
+    size: f64,
+}
+
+/// Search for parameters.
+#[derive(Clone, Debug)]
+pub struct Synthesis {
+    /// Blocks without sensitivities.
+    plain: Interpreted,
+    moved: MovedQuantities,
+    task: Task,
+    threads: usize,
+}
+
+/// Task of a search.
+#[derive(Clone, Debug)]
+struct Task {
+    targets: Targets,
+    names: Vec<String>,
+    /// True for each parameter that is an angle.
+    are_angles: Vec<bool>,
+    bounds: Vec<Bounds>,
+    limits: Vec<KeptLimit>,
+    /// Times (s) over which the mechanism moves, in equal steps.
+    frames: Vec<f64>,
+}
+
+/// Parameters with which a mechanism comes nearest to its targets.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Candidate {
+    /// Values in SI units, in the order of [`Synthesis::names`].
+    pub values: Vec<f64>,
+    /// Assembly modes.
+    pub modes: Modes,
+    /// Time (s) of each row.
+    pub times: Vec<f64>,
+    /// Targets minus solved values, column by column and row by row, in SI units.
+    pub residuals: Vec<Vec<Option<f64>>>,
+    /// Sum of the squared residuals, each in sizes of its column.
+    pub squares: f64,
+    /// True if the minimizer has converged.
+    pub is_converged: bool,
+}
+
+/// Reason why a search cannot begin.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Unsearchable {
+    /// The equations have no order of solution.
+    NoOrder,
+    /// No parameter is to be chosen.
+    NoParameters,
+    /// There are more parameters than the sequence of starts has dimensions.
+    TooManyParameters(usize),
+    /// The dependence of this quantity on parameters is not derived.
+    NotDerived(String),
+    /// This measure is to be passed at times that are sought, for which its rate is unknown.
+    NoRate(String),
+}
+
+/// Counts of a search.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct SearchCounts {
+    /// Number of sampled mechanisms, each in one assembly mode.
+    pub sampled: usize,
+    /// Number of these that move over the whole range.
+    pub moving: usize,
+    /// Number of fits.
+    pub fitted: usize,
+}
+
+impl Synthesis {
+    /// Prepares a search. `along` has the sensitivities to the parameters that are chosen, `plain` none; `frames` are the times (s) over which
+    /// the mechanism moves, the first of which is that of its assembly.
+    ///
+    /// # Errors
+    /// The reason why the search cannot begin.
+    pub fn new(
+        plain: &Derived,
+        along: &Derived,
+        targets: Targets,
+        bounds: &[(String, Bounds)],
+        frames: Vec<f64>,
+        threads: usize,
+    ) -> Result<Synthesis, Unsearchable> {
+        let plain = Interpreted::new(plain).ok_or(Unsearchable::NoOrder)?;
+        let along = Interpreted::new(along).ok_or(Unsearchable::NoOrder)?;
+        let slopes = Slopes::new(&along);
+        let parameters = &along.system().mechanism.parameters;
+        let chosen = || slopes.parameters.iter().map(|it| &parameters[*it]);
+        let names: Vec<String> = chosen().map(|it| it.name.clone()).collect();
+        if names.is_empty() {
+            return Err(Unsearchable::NoParameters);
+        }
+        if names.len() > MAX_PARAMETERS {
+            return Err(Unsearchable::TooManyParameters(names.len()));
+        }
+        targets.check(along.derived())?;
+        let bounds = names.iter().map(|name| {
+            let mut named = bounds.iter().filter(|it| it.0 == *name);
+            named.next().map_or(Bounds::NONE, |it| it.1)
+        });
+        let task = Task {
+            are_angles: chosen()
+                .map(|it| it.dimension == Dimension::Angle)
+                .collect(),
+            limits: kept_limits(along.derived()),
+            bounds: bounds.collect(),
+            targets,
+            names,
+            frames,
+        };
+        Ok(Synthesis {
+            moved: MovedQuantities::new(along, slopes),
+            plain,
+            task,
+            threads: threads.max(1),
+        })
+    }
+
+    /// Names of the parameters, in the order of the description.
+    pub fn names(&self) -> &[String] {
+        &self.task.names
+    }
+
+    /// Returns the best candidates in the order of their squares, of which each differs from the better ones. `reached` receives the share of
+    /// the work that is done.
+    pub fn search(
+        &self,
+        sampling: StartSampling,
+        most: usize,
+        reached: &(dyn Fn(f64) + Sync),
+    ) -> (Vec<Candidate>, SearchCounts) {
+        let (starts, counts) = self.starts(sampling, &|share| reached(0.3 * share));
+        let candidates = Mutex::new(Vec::new());
+        let next = Mutex::new(starts.iter().enumerate());
+        let task = &self.task;
+        let work = |moved: MovedQuantities| {
+            loop {
+                let start = next.lock().map_or(None, |mut it| it.next());
+                let Some((place, start)) = start else {
+                    return;
+                };
+                let candidate = Minimizer::new(task, &moved).minimum(start);
+                if let (Some(candidate), Ok(mut candidates)) = (candidate, candidates.lock()) {
+                    candidates.push((place, candidate));
+                }
+                reached(0.3 + 0.7 * (place + 1) as f64 / starts.len() as f64);
+            }
+        };
+        thread::scope(|scope| {
+            for _ in 0..self.threads.min(starts.len()) {
+                let moved = self.moved.clone();
+                scope.spawn(|| work(moved));
+            }
+        });
+        let mut candidates = candidates.into_inner().unwrap_or_default();
+        // Threads end in any order.
+        candidates.sort_by_key(|it: &(usize, Candidate)| it.0);
+        let candidates = candidates.into_iter().map(|it| it.1).collect();
+        (task.distinct(candidates, most), counts)
+    }
+}
+
+/// Returns the limits of measures whose sensitivities are derived.
+fn kept_limits(derived: &Derived) -> Vec<KeptLimit> {
+    let mechanism = &derived.system.mechanism;
+    let all = Observable::all(derived);
+    // Measures are the last columns.
+    let measures = &all[all.len() - mechanism.measurements.len()..];
+    let limits = mechanism.limits.iter().enumerate();
+    let limits = limits.filter_map(|(place, limit)| {
+        let observable = measures[limit.measurement].1;
+        let is_derived = observable.order(derived) <= 1;
+        let ends = limit.ends.iter().flatten();
+        let largest = ends.fold(0.0_f64, |largest, end| largest.max(end.abs()));
+        is_derived.then_some(KeptLimit {
+            place,
+            observable,
+            ends: limit.ends,
+            size: if largest > 0.0 { largest } else { 1.0 },
+        })
+    });
+    limits.collect()
+}
